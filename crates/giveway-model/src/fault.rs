@@ -1,0 +1,68 @@
+//! What is wrong with an input, and where.
+
+use std::fmt;
+
+use serde::{Deserialize, Serialize};
+
+/// A fault of an input: the place, what was found, what was expected.
+///
+/// `place` is a path of keys and indices from 0, such as `agents[1].goal`;
+/// `line` and `column` (from 1) are there where the input was text. The name of
+/// the file is added by whoever opened it.
+#[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
+pub struct Fault {
+    /// Keys and indices, such as `agents[1].goal`; empty for the whole.
+    #[serde(default, skip_serializing_if = "String::is_empty")]
+    pub place: String,
+    /// The line of the text, from 1.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub line: Option<usize>,
+    /// The column of the text, in characters from 1.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub column: Option<usize>,
+    /// What was found, as a phrase: `the obstacle (2, 1)`.
+    pub found: String,
+    /// What was expected, as a phrase: `a free cell`.
+    pub expected: String,
+}
+
+impl Fault {
+    /// A fault at a place of the data.
+    pub fn at(
+        place: impl Into<String>,
+        found: impl Into<String>,
+        expected: impl Into<String>,
+    ) -> Self {
+        Self {
+            place: place.into(),
+            line: None,
+            column: None,
+            found: found.into(),
+            expected: expected.into(),
+        }
+    }
+
+    /// The same fault, with its line and column in the text, both from 1.
+    #[must_use]
+    pub fn in_text(mut self, line: usize, column: usize) -> Self {
+        self.line = Some(line);
+        self.column = Some(column);
+        self
+    }
+}
+
+impl fmt::Display for Fault {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match (self.line, self.column) {
+            (Some(line), Some(column)) => write!(f, "line {line}, column {column}: ")?,
+            (Some(line), None) => write!(f, "line {line}: ")?,
+            _ => {}
+        }
+        if !self.place.is_empty() {
+            write!(f, "{}: ", self.place)?;
+        }
+        write!(f, "found {}, expected {}", self.found, self.expected)
+    }
+}
+
+impl std::error::Error for Fault {}

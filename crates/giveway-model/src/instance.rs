@@ -1,0 +1,241 @@
+//! A checked instance of the problem.
+
+use std::collections::BTreeMap;
+
+use crate::{Agent, AtGoal, Cell, Fault, Grid, GridError, Ground, Objective, Rules, Scene};
+
+/// The largest map side that is accepted, in cells.
+pub const MAX_SIDE: u32 = 1024;
+/// The largest number of agents that is accepted.
+pub const MAX_AGENTS: usize = 4096;
+/// The largest battery capacity that is accepted, in time steps.
+pub const MAX_CAPACITY: u32 = 1_000_000;
+
+/// An instance that keeps all the promises of the problem: names are unique,
+/// starts (and goals, where agents stay) are pairwise different, and every
+/// start, goal and waypoint is a vertex. It is only built through [`Instance::new`].
+///
+/// ```
+/// use giveway_model::{Instance, Scene};
+/// let scene: Scene = serde_json::from_str(r#"{
+///     "map": ["..", ".."],
+///     "agents": [{ "name": "A1", "start": [0, 0], "goal": [1, 1] }]
+/// }"#).unwrap();
+/// let instance = Instance::new(scene).unwrap();
+/// assert_eq!(instance.agents()[0].name, "A1");
+/// ```
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Instance {
+    name: String,
+    grid: Grid,
+    rules: Rules,
+    objective: Objective,
+    agents: Vec<Agent>,
+}
+
+impl Instance {
+    /// Checks a scene.
+    ///
+    /// # Errors
+    /// Every fault that the scene has, in the order of its text: a map that is
+    /// no rectangle, a name that is empty or used twice, a start, goal or
+    /// waypoint off the map or in an obstacle, a waypoint listed twice, a start
+    /// (or, where agents stay, a goal) shared by two agents, a battery that
+    /// begins above its capacity, a size beyond the limits.
+    pub fn new(scene: Scene) -> Result<Self, Vec<Fault>> {
+        let grid = Grid::from_rows(&scene.map).map_err(|error| vec![map_fault(&scene, &error)])?;
+        let mut faults = Vec::new();
+        if grid.width() > MAX_SIDE || grid.height() > MAX_SIDE {
+            faults.push(Fault::at(
+                "map",
+                format!("a map of {} x {} cells", grid.width(), grid.height()),
+                format!("at most {MAX_SIDE} x {MAX_SIDE}"),
+            ));
+        }
+        if scene.agents.len() > MAX_AGENTS {
+            faults.push(Fault::at(
+                "agents",
+                format!("{} agents", scene.agents.len()),
+                format!("at most {MAX_AGENTS}"),
+            ));
+        }
+        if faults.is_empty() {
+            for i in 0..scene.agents.len() {
+                check_agent(&scene.agents, i, &grid, &mut faults);
+            }
+            check_shared(&scene, &mut faults);
+        }
+        if !faults.is_empty() {
+            return Err(faults);
+        }
+        Ok(Self {
+            name: scene.name,
+            grid,
+            rules: scene.rules,
+            objective: scene.objective,
+            agents: scene.agents,
+        })
+    }
+
+    /// What a person calls it; may be empty.
+    pub fn name(&self) -> &str {
+        &self.name
+    }
+
+    /// The map.
+    pub const fn grid(&self) -> &Grid {
+        &self.grid
+    }
+
+    /// The rules.
+    pub const fn rules(&self) -> Rules {
+        self.rules
+    }
+
+    /// Whether arrived agents stay and block their goals.
+    pub fn stays(&self) -> bool {
+        self.rules.at_goal == AtGoal::Stay
+    }
+
+    /// The costs to minimise, the most important first.
+    pub const fn objective(&self) -> &Objective {
+        &self.objective
+    }
+
+    /// The agents, in the order of the file.
+    pub fn agents(&self) -> &[Agent] {
+        &self.agents
+    }
+
+    /// The same instance with another objective.
+    #[must_use]
+    pub fn with_objective(mut self, objective: Objective) -> Self {
+        self.objective = objective;
+        self
+    }
+
+    /// The instance as plain data again.
+    pub fn to_scene(&self) -> Scene {
+        Scene {
+            name: self.name.clone(),
+            map: self.grid.rows(),
+            rules: self.rules,
+            objective: self.objective.clone(),
+            agents: self.agents.clone(),
+        }
+    }
+}
+
+fn map_fault(scene: &Scene, error: &GridError) -> Fault {
+    match *error {
+        GridError::Empty if scene.map.is_empty() => {
+            Fault::at("map", "no rows", "at least one row of cells")
+        }
+        GridError::Empty => Fault::at("map[0]", "an empty row", "at least one cell"),
+        GridError::Ragged {
+            row,
+            found,
+            expected,
+        } => Fault::at(
+            format!("map[{row}]"),
+            format!("a row of {found} cells"),
+            format!("{expected}, as in the first row"),
+        ),
+        GridError::Unknown { row, column, found } => Fault::at(
+            format!("map[{row}]"),
+            format!("\"{}\" in column {column}", found.escape_default()),
+            "one of . # ~ + *",
+        ),
+    }
+}
+
+fn check_agent(agents: &[Agent], i: usize, grid: &Grid, faults: &mut Vec<Fault>) {
+    let Some(agent) = agents.get(i) else { return };
+    let place = format!("agents[{i}]");
+    if agent.name.is_empty() {
+        faults.push(Fault::at(
+            format!("{place}.name"),
+            "an empty name",
+            "a name",
+        ));
+    }
+    let mut cell = |cell: Cell, key: String| match grid.ground(cell) {
+        None => faults.push(Fault::at(
+            key,
+            format!("{cell}"),
+            format!("a cell of the {} x {} map", grid.width(), grid.height()),
+        )),
+        Some(Ground::Obstacle) => {
+            faults.push(Fault::at(
+                key,
+                format!("the obstacle {cell}"),
+                "a free cell",
+            ));
+        }
+        Some(_) => {}
+    };
+    cell(agent.start, format!("{place}.start"));
+    cell(agent.goal, format!("{place}.goal"));
+    for (k, &w) in agent.waypoints.iter().enumerate() {
+        cell(w, format!("{place}.waypoints[{k}]"));
+    }
+    for (k, w) in agent.waypoints.iter().enumerate() {
+        if agent.waypoints.iter().take(k).any(|other| other == w) {
+            faults.push(Fault::at(
+                format!("{place}.waypoints[{k}]"),
+                format!("{w} again"),
+                "each waypoint once",
+            ));
+        }
+    }
+    if let Some(battery) = agent.battery {
+        if battery.capacity > MAX_CAPACITY {
+            faults.push(Fault::at(
+                format!("{place}.battery.capacity"),
+                battery.capacity.to_string(),
+                format!("at most {MAX_CAPACITY}"),
+            ));
+        }
+        if battery.initial > battery.capacity {
+            faults.push(Fault::at(
+                format!("{place}.battery.initial"),
+                battery.initial.to_string(),
+                format!("at most the capacity, {}", battery.capacity),
+            ));
+        }
+    }
+}
+
+/// Names, starts and goals that two agents share.
+fn check_shared(scene: &Scene, faults: &mut Vec<Fault>) {
+    let mut names = BTreeMap::new();
+    let mut starts = BTreeMap::new();
+    let mut goals = BTreeMap::new();
+    for (i, agent) in scene.agents.iter().enumerate() {
+        if let Some(first) = names.insert(agent.name.as_str(), i)
+            && !agent.name.is_empty()
+        {
+            faults.push(Fault::at(
+                format!("agents[{i}].name"),
+                format!("\"{}\", the name of agents[{first}]", agent.name),
+                "a name of its own",
+            ));
+        }
+        if let Some(first) = starts.insert(agent.start, agent.name.as_str()) {
+            faults.push(Fault::at(
+                format!("agents[{i}].start"),
+                format!("{}, the start of {first}", agent.start),
+                "a start of its own",
+            ));
+        }
+        if scene.rules.at_goal == AtGoal::Stay
+            && let Some(first) = goals.insert(agent.goal, agent.name.as_str())
+        {
+            faults.push(Fault::at(
+                format!("agents[{i}].goal"),
+                format!("{}, the goal of {first}", agent.goal),
+                "a goal of its own, since agents stay at their goals",
+            ));
+        }
+    }
+}

@@ -1,0 +1,27 @@
+//! The problem, the plan and the judge of Giveway.
+//!
+//! Multi-modal multi-agent path finding with resources (mMAPF; Bogatarkan and
+//! Erdem 2020) on a grid. Cells are `[x, y]` from 0 at the top left, `y` down;
+//! time is an integer from 0. Nothing here solves, reads files or draws.
+
+mod agent;
+mod cell;
+pub mod check;
+mod cost;
+mod fault;
+pub mod format;
+mod grid;
+mod instance;
+mod plan;
+mod rules;
+mod scene;
+
+pub use agent::{Agent, Battery};
+pub use cell::Cell;
+pub use cost::{Cost, Costs, Objective, ObjectiveError, UnknownCost};
+pub use fault::Fault;
+pub use grid::{Grid, GridError, Ground};
+pub use instance::{Instance, MAX_AGENTS, MAX_CAPACITY, MAX_SIDE};
+pub use plan::{Path, Plan};
+pub use rules::{AtGoal, Rules};
+pub use scene::Scene;

@@ -1,0 +1,64 @@
+//! A plan: where each agent is at each time.
+
+use std::collections::BTreeMap;
+
+use serde::{Deserialize, Serialize};
+
+use crate::{Cell, Instance};
+
+/// Where an agent is at each time, from its first entry on; `None` is *in
+/// transit*, half way along a slow move.
+pub type Path = Vec<Option<Cell>>;
+
+/// A plan: paths and charges by the agents' names, times in steps from 0.
+///
+/// It is plain data and may break any rule: `check` judges it.
+///
+/// ```
+/// use giveway_model::Plan;
+/// let plan: Plan = serde_json::from_str(r#"{
+///     "paths": { "A1": [[0, 0], [1, 0], null, [2, 0]] },
+///     "charges": { "A1": [1] }
+/// }"#).unwrap();
+/// assert_eq!(plan.paths["A1"].len(), 4);
+/// ```
+#[derive(Clone, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct Plan {
+    /// The cell of each agent at each time up to its arrival.
+    pub paths: BTreeMap<String, Path>,
+    /// The times at which each agent charges, ascending.
+    #[serde(default)]
+    pub charges: BTreeMap<String, Vec<u32>>,
+    /// The time of an agent's first entry, where it is not 0: it joined later.
+    #[serde(default, skip_serializing_if = "BTreeMap::is_empty")]
+    pub from: BTreeMap<String, u32>,
+    /// The time from which an agent is gone, where it was removed.
+    #[serde(default, skip_serializing_if = "BTreeMap::is_empty")]
+    pub until: BTreeMap<String, u32>,
+}
+
+impl Plan {
+    /// The path of an agent; empty where the plan has none.
+    pub fn path(&self, agent: &str) -> &[Option<Cell>] {
+        self.paths.get(agent).map_or(&[], Vec::as_slice)
+    }
+
+    /// The times at which an agent charges.
+    pub fn charges(&self, agent: &str) -> &[u32] {
+        self.charges.get(agent).map_or(&[], Vec::as_slice)
+    }
+
+    /// Cuts repeats of the goal from the end of each path, so that every path
+    /// ends at the arrival.
+    pub fn cut_trailing_goals(&mut self, instance: &Instance) {
+        for agent in instance.agents() {
+            if let Some(path) = self.paths.get_mut(&agent.name) {
+                let goal = Some(agent.goal);
+                while path.len() >= 2 && path.ends_with(&[goal, goal]) {
+                    path.pop();
+                }
+            }
+        }
+    }
+}

@@ -1,0 +1,28 @@
+//! A scene: an instance as it is written, before it is checked.
+
+use serde::{Deserialize, Serialize};
+
+use crate::{Agent, Objective, Rules};
+
+/// An instance as a person writes it: plain data that may be wrong.
+///
+/// [`crate::Instance::new`] checks it. The version key of a file belongs to the
+/// format (`format::native`), not to the scene.
+#[derive(Clone, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct Scene {
+    /// What a person calls it; may be empty.
+    #[serde(default)]
+    pub name: String,
+    /// The rows of the map, from the top: `.` free, `#` obstacle, `~` slow
+    /// zone, `+` charger, `*` charger in the slow zone.
+    pub map: Vec<String>,
+    /// The rules; by default agents stay at their goals and the floor is 0.
+    #[serde(default)]
+    pub rules: Rules,
+    /// The costs to minimise, the most important first.
+    #[serde(default)]
+    pub objective: Objective,
+    /// The agents.
+    pub agents: Vec<Agent>,
+}

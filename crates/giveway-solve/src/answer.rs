@@ -1,0 +1,88 @@
+//! Answers, in the shapes in which they are written as JSON.
+
+use std::collections::BTreeMap;
+
+use giveway_model::{Cost, Costs, Plan, check::Violation};
+use serde::{Deserialize, Serialize};
+
+/// What is known at the end. Running out is never "no solution".
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(rename_all = "kebab-case")]
+pub enum Status {
+    /// A plan, and a proof that none is better.
+    Optimal,
+    /// A plan, and the bounds proved so far: the budget ran out.
+    Feasible,
+    /// No plan exists.
+    Impossible,
+    /// The budget ran out with neither.
+    Unknown,
+}
+
+/// How much work an answer took.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Serialize, Deserialize)]
+pub struct Stats {
+    /// CPU seconds (wall seconds in the browser).
+    pub cpu_seconds: f64,
+    /// Calls of the SAT solver.
+    pub solver_calls: u64,
+    /// SAT variables.
+    pub variables: u64,
+    /// Clauses given to the SAT solver.
+    pub clauses: u64,
+    /// Conflicts that it met.
+    pub conflicts: u64,
+}
+
+/// The answer to a solve request.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+pub struct SolveAnswer {
+    /// The format's version.
+    pub giveway: u32,
+    /// What is known.
+    pub status: Status,
+    /// All five costs of the plan; `null` without one.
+    pub costs: Option<Costs>,
+    /// The proved lower bound of each cost of the objective reached so far.
+    pub bounds: BTreeMap<Cost, u32>,
+    /// The makespan up to which the claim was proved; `null` where it holds
+    /// whatever the horizon.
+    pub within: Option<u32>,
+    /// Whether the claim holds whatever the horizon.
+    pub complete: bool,
+    /// Why there is no plan or no proof, as a sentence; `null` otherwise.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub reason: Option<String>,
+    /// The plan.
+    pub plan: Option<Plan>,
+    /// How much work it took.
+    pub stats: Stats,
+}
+
+/// The answer to a request for a Pareto front.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+pub struct FrontAnswer {
+    /// The format's version.
+    pub giveway: u32,
+    /// What is known of the front as a whole.
+    pub status: Status,
+    /// Whether the claim holds whatever the horizon.
+    pub complete: bool,
+    /// The makespan up to which it was proved; `null` where complete.
+    pub within: Option<u32>,
+    /// One answer a point, in the order of the first cost.
+    pub front: Vec<SolveAnswer>,
+}
+
+/// The answer to a check request.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+pub struct CheckAnswer {
+    /// The format's version.
+    pub giveway: u32,
+    /// Whether no rule is broken.
+    pub valid: bool,
+    /// The costs, as far as the paths have them; `null` where an agent has none.
+    pub costs: Option<Costs>,
+    /// Every violation, by time.
+    pub violations: Vec<Violation>,
+}

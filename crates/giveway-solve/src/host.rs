@@ -1,0 +1,39 @@
+//! What a front lends to the solver: a clock, an ear, and a way to say stop.
+
+use crate::Progress;
+
+/// The surroundings of one request.
+///
+/// The solver never looks at a clock by itself, since there is none in Wasm,
+/// and since time decides nothing but when to give up.
+pub trait Host {
+    /// Wall seconds since some fixed moment.
+    fn wall_seconds(&self) -> f64;
+
+    /// CPU seconds used so far by this thread or process; wall seconds where
+    /// there is no better clock.
+    fn cpu_seconds(&self) -> f64 {
+        self.wall_seconds()
+    }
+
+    /// Whether the person asked to stop. Asked often.
+    fn cancelled(&self) -> bool {
+        false
+    }
+
+    /// Something became known. Called at most a few hundred times a second.
+    fn progress(&self, event: &Progress);
+}
+
+/// A host without a clock that listens to nothing: only budgets in conflicts
+/// and memory can stop a request.
+#[derive(Clone, Copy, Debug, Default)]
+pub struct SilentHost;
+
+impl Host for SilentHost {
+    fn wall_seconds(&self) -> f64 {
+        0.0
+    }
+
+    fn progress(&self, _: &Progress) {}
+}

@@ -1,0 +1,32 @@
+//! What becomes known while a request is served.
+
+use giveway_model::{Cost, Costs};
+use serde::{Deserialize, Serialize};
+
+/// An event on the way to an answer.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[serde(tag = "event", rename_all = "kebab-case")]
+pub enum Progress {
+    /// It is proved that no plan has less of this cost (where it is not the
+    /// first of the objective: none that is optimal in those before it).
+    Bound {
+        /// The cost.
+        cost: Cost,
+        /// Its proved lower bound.
+        at_least: u32,
+    },
+    /// A better plan was found.
+    Plan {
+        /// Its costs.
+        costs: Costs,
+    },
+    /// The size of the work so far.
+    Size {
+        /// SAT variables.
+        variables: u64,
+        /// Clauses given to the SAT solver.
+        clauses: u64,
+        /// Conflicts that it met.
+        conflicts: u64,
+    },
+}

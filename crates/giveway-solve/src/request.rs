@@ -1,0 +1,62 @@
+//! What a front may ask: plain data.
+
+use giveway_model::{Objective, Plan, Scene};
+use serde::{Deserialize, Serialize};
+
+/// A request to the [service](crate::service).
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[serde(tag = "request", rename_all = "kebab-case")]
+pub enum Request {
+    /// Find and prove the best plan, or the Pareto front.
+    Solve(SolveRequest),
+    /// Judge a plan.
+    Check(CheckRequest),
+}
+
+/// Find and prove the best plan, or the Pareto front.
+#[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields, rename_all = "kebab-case")]
+pub struct SolveRequest {
+    /// The instance, unchecked.
+    pub scene: Scene,
+    /// The objective, where it is not the scene's own.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub objective: Option<Objective>,
+    /// All non-dominated cost vectors of the objective's two or three costs,
+    /// instead of the lexicographic best.
+    #[serde(default)]
+    pub pareto: bool,
+    /// The horizon, in time steps: only plans of at most this makespan count.
+    /// By default the largest single-agent optimum + 4 (width + height) + 10.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub within: Option<u32>,
+    /// The budget.
+    #[serde(default)]
+    pub limits: Limits,
+}
+
+/// Judge a plan.
+#[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields, rename_all = "kebab-case")]
+pub struct CheckRequest {
+    /// The instance, unchecked.
+    pub scene: Scene,
+    /// The plan.
+    pub plan: Plan,
+}
+
+/// A budget; what is `None` is not limited (memory: see the field).
+#[derive(Clone, Copy, Debug, Default, PartialEq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields, rename_all = "kebab-case", default)]
+pub struct Limits {
+    /// Wall seconds for the whole request, by the host's clock.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub seconds: Option<f64>,
+    /// Conflicts of the SAT solver for the whole request.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub conflicts: Option<u64>,
+    /// Bytes that the request may hold, by the solver's own estimate; 1.5 GB
+    /// where it is not given.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub memory_bytes: Option<u64>,
+}

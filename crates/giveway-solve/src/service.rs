@@ -1,0 +1,62 @@
+//! The one door of the solver: requests in, progress and a response out.
+
+use giveway_model::{Fault, Instance, check::check, format::VERSION};
+use serde::{Deserialize, Serialize};
+
+use crate::{CheckAnswer, CheckRequest, FrontAnswer, Host, Request, SolveAnswer};
+
+/// What comes back. An error is a response, too.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[serde(tag = "response", rename_all = "kebab-case")]
+pub enum Response {
+    /// To [`Request::Solve`].
+    Solved(SolveAnswer),
+    /// To [`Request::Solve`] with `pareto`.
+    Front(FrontAnswer),
+    /// To [`Request::Check`].
+    Checked(CheckAnswer),
+    /// The request is wrong; nothing was done.
+    Refused(Refusal),
+}
+
+/// Why a request was refused.
+#[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(tag = "refusal", rename_all = "kebab-case")]
+pub enum Refusal {
+    /// The scene is no instance of the problem; there is at least one fault.
+    Scene {
+        /// Every fault, with its place in the scene.
+        faults: Vec<Fault>,
+    },
+    /// The request asks for something that does not exist.
+    Request {
+        /// What was found and what was expected.
+        fault: Fault,
+    },
+}
+
+/// Serves a request; the same request gives the same response, stats and
+/// budgets in seconds apart.
+pub fn serve(request: &Request, host: &dyn Host) -> Response {
+    let _ = host;
+    match request {
+        Request::Check(request) => serve_check(request),
+        Request::Solve(_) => Response::Refused(Refusal::Request {
+            fault: Fault::at("request", "solve", "check"),
+        }),
+    }
+}
+
+fn serve_check(request: &CheckRequest) -> Response {
+    let instance = match Instance::new(request.scene.clone()) {
+        Ok(instance) => instance,
+        Err(faults) => return Response::Refused(Refusal::Scene { faults }),
+    };
+    let report = check(&instance, &request.plan);
+    Response::Checked(CheckAnswer {
+        giveway: VERSION,
+        valid: report.violations.is_empty(),
+        costs: report.costs,
+        violations: report.violations,
+    })
+}
