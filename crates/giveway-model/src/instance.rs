@@ -2,7 +2,9 @@
 
 use std::collections::BTreeMap;
 
-use crate::{Agent, AtGoal, Cell, Fault, Grid, GridError, Ground, Objective, Rules, Scene};
+use crate::{
+    Agent, AtGoal, Cell, Fault, Grid, GridError, Ground, Objective, Rules, Scene, Version,
+};
 
 /// The largest map side that is accepted, in cells.
 pub const MAX_SIDE: u32 = 1024;
@@ -18,6 +20,7 @@ pub const MAX_CAPACITY: u32 = 1_000_000;
 /// ```
 /// use giveway_model::{Instance, Scene};
 /// let scene: Scene = serde_json::from_str(r#"{
+///     "giveway": 1,
 ///     "map": ["..", ".."],
 ///     "agents": [{ "name": "A1", "start": [0, 0], "goal": [1, 1] }]
 /// }"#).unwrap();
@@ -117,6 +120,7 @@ impl Instance {
     /// The instance as plain data again.
     pub fn to_scene(&self) -> Scene {
         Scene {
+            giveway: Version,
             name: self.name.clone(),
             map: self.grid.rows(),
             rules: self.rules,

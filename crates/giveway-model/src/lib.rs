@@ -15,6 +15,7 @@ mod instance;
 mod plan;
 mod rules;
 mod scene;
+mod version;
 
 pub use agent::{Agent, Battery};
 pub use cell::Cell;
@@ -25,3 +26,4 @@ pub use instance::{Instance, MAX_AGENTS, MAX_CAPACITY, MAX_SIDE};
 pub use plan::{Path, Plan};
 pub use rules::{AtGoal, Rules};
 pub use scene::Scene;
+pub use version::Version;

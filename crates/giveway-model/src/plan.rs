@@ -4,7 +4,7 @@ use std::collections::BTreeMap;
 
 use serde::{Deserialize, Serialize};
 
-use crate::{Cell, Instance};
+use crate::{Cell, Instance, Version};
 
 /// Where an agent is at each time, from its first entry on; `None` is *in
 /// transit*, half way along a slow move.
@@ -17,6 +17,7 @@ pub type Path = Vec<Option<Cell>>;
 /// ```
 /// use giveway_model::Plan;
 /// let plan: Plan = serde_json::from_str(r#"{
+///     "giveway": 1,
 ///     "paths": { "A1": [[0, 0], [1, 0], null, [2, 0]] },
 ///     "charges": { "A1": [1] }
 /// }"#).unwrap();
@@ -25,6 +26,8 @@ pub type Path = Vec<Option<Cell>>;
 #[derive(Clone, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct Plan {
+    /// The version of the format.
+    pub giveway: Version,
     /// The cell of each agent at each time up to its arrival.
     pub paths: BTreeMap<String, Path>,
     /// The times at which each agent charges, ascending.

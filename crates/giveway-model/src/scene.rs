@@ -2,15 +2,16 @@
 
 use serde::{Deserialize, Serialize};
 
-use crate::{Agent, Objective, Rules};
+use crate::{Agent, Objective, Rules, Version};
 
 /// An instance as a person writes it: plain data that may be wrong.
 ///
-/// [`crate::Instance::new`] checks it. The version key of a file belongs to the
-/// format (`format::native`), not to the scene.
+/// [`crate::Instance::new`] checks it.
 #[derive(Clone, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct Scene {
+    /// The version of the format.
+    pub giveway: Version,
     /// What a person calls it; may be empty.
     #[serde(default)]
     pub name: String,

@@ -2,7 +2,7 @@
 
 use std::collections::BTreeMap;
 
-use giveway_model::{Cost, Costs, Plan, check::Violation};
+use giveway_model::{Cost, Costs, Plan, Version, check::Violation};
 use serde::{Deserialize, Serialize};
 
 /// What is known at the end. Running out is never "no solution".
@@ -38,7 +38,7 @@ pub struct Stats {
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct SolveAnswer {
     /// The format's version.
-    pub giveway: u32,
+    pub giveway: Version,
     /// What is known.
     pub status: Status,
     /// All five costs of the plan; `null` without one.
@@ -63,7 +63,7 @@ pub struct SolveAnswer {
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct FrontAnswer {
     /// The format's version.
-    pub giveway: u32,
+    pub giveway: Version,
     /// What is known of the front as a whole.
     pub status: Status,
     /// Whether the claim holds whatever the horizon.
@@ -78,7 +78,7 @@ pub struct FrontAnswer {
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct CheckAnswer {
     /// The format's version.
-    pub giveway: u32,
+    pub giveway: Version,
     /// Whether no rule is broken.
     pub valid: bool,
     /// The costs, as far as the paths have them; `null` where an agent has none.

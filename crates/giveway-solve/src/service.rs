@@ -1,6 +1,6 @@
 //! The one door of the solver: requests in, progress and a response out.
 
-use giveway_model::{Fault, Instance, check::check, format::VERSION};
+use giveway_model::{Fault, Instance, Version, check::check};
 use serde::{Deserialize, Serialize};
 
 use crate::{CheckAnswer, CheckRequest, FrontAnswer, Host, Request, SolveAnswer};
@@ -54,7 +54,7 @@ fn serve_check(request: &CheckRequest) -> Response {
     };
     let report = check(&instance, &request.plan);
     Response::Checked(CheckAnswer {
-        giveway: VERSION,
+        giveway: Version,
         valid: report.violations.is_empty(),
         costs: report.costs,
         violations: report.violations,
