@@ -2,7 +2,8 @@
 
 use std::fmt;
 
-use serde::{Deserialize, Serialize};
+use serde::de::{self, IgnoredAny, SeqAccess, Visitor};
+use serde::{Deserialize, Deserializer, Serialize};
 
 /// A cell: `x` to the right, `y` down, both from 0 at the top left.
 ///
@@ -14,8 +15,8 @@ use serde::{Deserialize, Serialize};
 /// assert_eq!(cell.to_string(), "(3, 1)");
 /// assert_eq!(serde_json::to_string(&cell).unwrap(), "[3,1]");
 /// ```
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord, Serialize, Deserialize)]
-#[serde(from = "(u32, u32)", into = "(u32, u32)")]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord, Serialize)]
+#[serde(into = "(u32, u32)")]
 pub struct Cell {
     /// Column, from 0 at the left.
     pub x: u32,
@@ -31,7 +32,10 @@ impl Cell {
 
     /// Whether the two cells share a side.
     pub const fn touches(self, other: Self) -> bool {
-        self.x.abs_diff(other.x) + self.y.abs_diff(other.y) == 1
+        matches!(
+            (self.x.abs_diff(other.x), self.y.abs_diff(other.y)),
+            (0, 1) | (1, 0)
+        )
     }
 }
 
@@ -44,6 +48,39 @@ impl From<(u32, u32)> for Cell {
 impl From<Cell> for (u32, u32) {
     fn from(cell: Cell) -> Self {
         (cell.x, cell.y)
+    }
+}
+
+impl<'de> Deserialize<'de> for Cell {
+    /// By hand, since a pair with a third number is a mistake worth a clear word.
+    fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
+        struct Pair;
+
+        impl<'de> Visitor<'de> for Pair {
+            type Value = Cell;
+
+            fn expecting(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+                f.write_str("a cell [x, y]")
+            }
+
+            fn visit_seq<A: SeqAccess<'de>>(self, mut list: A) -> Result<Cell, A::Error> {
+                let x = list.next_element()?;
+                let y = list.next_element()?;
+                let (Some(x), Some(y)) = (x, y) else {
+                    return Err(de::Error::invalid_length(usize::from(x.is_some()), &self));
+                };
+                let mut length = 2;
+                while list.next_element::<IgnoredAny>()?.is_some() {
+                    length += 1;
+                }
+                if length > 2 {
+                    return Err(de::Error::invalid_length(length, &self));
+                }
+                Ok(Cell { x, y })
+            }
+        }
+
+        deserializer.deserialize_seq(Pair)
     }
 }
 

@@ -109,7 +109,7 @@ impl Grid {
         if width == 0 {
             return Err(GridError::Empty);
         }
-        let mut cells = Vec::with_capacity(width * rows.len());
+        let mut cells = Vec::new();
         for (y, row) in rows.iter().enumerate() {
             for (x, c) in row.as_ref().chars().enumerate() {
                 let ground = Ground::from_char(c).ok_or(GridError::Unknown {
@@ -180,8 +180,8 @@ impl Grid {
         [
             y.checked_sub(1).map(|y| Cell::new(x, y)),
             x.checked_sub(1).map(|x| Cell::new(x, y)),
-            Some(Cell::new(x + 1, y)),
-            Some(Cell::new(x, y + 1)),
+            x.checked_add(1).map(|x| Cell::new(x, y)),
+            y.checked_add(1).map(|y| Cell::new(x, y)),
         ]
         .into_iter()
         .flatten()

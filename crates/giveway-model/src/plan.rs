@@ -1,8 +1,11 @@
 //! A plan: where each agent is at each time.
 
 use std::collections::BTreeMap;
+use std::fmt;
+use std::marker::PhantomData;
 
-use serde::{Deserialize, Serialize};
+use serde::de::{self, MapAccess, Visitor};
+use serde::{Deserialize, Deserializer, Serialize};
 
 use crate::{Cell, Instance, Version};
 
@@ -29,15 +32,24 @@ pub struct Plan {
     /// The version of the format.
     pub giveway: Version,
     /// The cell of each agent at each time up to its arrival.
+    #[serde(deserialize_with = "unique_names")]
     pub paths: BTreeMap<String, Path>,
     /// The times at which each agent charges, ascending.
-    #[serde(default)]
+    #[serde(default, deserialize_with = "unique_names")]
     pub charges: BTreeMap<String, Vec<u32>>,
     /// The time of an agent's first entry, where it is not 0: it joined later.
-    #[serde(default, skip_serializing_if = "BTreeMap::is_empty")]
+    #[serde(
+        default,
+        deserialize_with = "unique_names",
+        skip_serializing_if = "BTreeMap::is_empty"
+    )]
     pub from: BTreeMap<String, u32>,
     /// The time from which an agent is gone, where it was removed.
-    #[serde(default, skip_serializing_if = "BTreeMap::is_empty")]
+    #[serde(
+        default,
+        deserialize_with = "unique_names",
+        skip_serializing_if = "BTreeMap::is_empty"
+    )]
     pub until: BTreeMap<String, u32>,
 }
 
@@ -64,4 +76,38 @@ impl Plan {
             }
         }
     }
+}
+
+/// Reads an object by agents' names, where each may stand once: a map would
+/// silently keep the last.
+fn unique_names<'de, D, T>(deserializer: D) -> Result<BTreeMap<String, T>, D::Error>
+where
+    D: Deserializer<'de>,
+    T: Deserialize<'de>,
+{
+    struct ByName<T>(PhantomData<T>);
+
+    impl<'de, T: Deserialize<'de>> Visitor<'de> for ByName<T> {
+        type Value = BTreeMap<String, T>;
+
+        fn expecting(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+            f.write_str("an object by the names of agents")
+        }
+
+        fn visit_map<A: MapAccess<'de>>(self, mut entries: A) -> Result<Self::Value, A::Error> {
+            let mut map = BTreeMap::new();
+            while let Some(name) = entries.next_key::<String>()? {
+                let value = entries.next_value()?;
+                if map.contains_key(&name) {
+                    return Err(de::Error::custom(format!(
+                        "found \"{name}\" twice, expected each agent once"
+                    )));
+                }
+                map.insert(name, value);
+            }
+            Ok(map)
+        }
+    }
+
+    deserializer.deserialize_map(ByName(PhantomData))
 }

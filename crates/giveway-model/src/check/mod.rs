@@ -1,11 +1,33 @@
 //! The judge: every rule that a plan breaks.
 //!
 //! It simulates the plan by the rules of the problem and shares nothing with
-//! the solver.
+//! the solver. Each agent is first looked at alone (its path, its charges, its
+//! battery), then all of them time step by time step for collisions.
+
+mod battery;
+mod charges;
+mod collisions;
+mod costs;
+mod findings;
+mod occupancy;
+mod path;
+mod sentence;
+mod shape;
+mod steps;
+mod walk;
 
 use serde::{Deserialize, Serialize};
 
 use crate::{Cell, Costs, Instance, Plan};
+use findings::Findings;
+use walk::Walk;
+
+pub use battery::levels;
+pub use costs::{arrivals, costs};
+
+/// The most violations that a report lists. A plan that breaks more is noise
+/// rather than a plan, and pairs of colliding agents would fill the memory.
+pub const MAX_VIOLATIONS: usize = 100_000;
 
 /// The rule that a violation breaks.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord, Serialize, Deserialize)]
@@ -35,6 +57,25 @@ pub enum Rule {
     Charge,
 }
 
+impl Rule {
+    /// The name in files.
+    pub const fn name(self) -> &'static str {
+        match self {
+            Self::Shape => "shape",
+            Self::Start => "start",
+            Self::Goal => "goal",
+            Self::Waypoint => "waypoint",
+            Self::Move => "move",
+            Self::Obstacle => "obstacle",
+            Self::Vertex => "vertex",
+            Self::Swap => "swap",
+            Self::SlowSwap => "slow-swap",
+            Self::Battery => "battery",
+            Self::Charge => "charge",
+        }
+    }
+}
+
 /// One broken rule: where, when, who.
 #[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
 pub struct Violation {
@@ -48,7 +89,8 @@ pub struct Violation {
     /// The edge, where it is one: from, to, as the first agent goes.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub edge: Option<[Cell; 2]>,
-    /// The time, in steps from 0.
+    /// The time, in steps from 0. Of a step, it is the time at which the step
+    /// begins; of a slow swap, that at which the later agent leaves.
     pub time: u32,
     /// A sentence for people.
     pub message: String,
@@ -58,16 +100,51 @@ pub struct Violation {
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Report {
     /// Every violation, by time, then in the order of [`Rule`], then agents.
+    /// At most [`MAX_VIOLATIONS`] of them.
     pub violations: Vec<Violation>,
     /// The five costs, where every agent has a path.
     pub costs: Option<Costs>,
 }
 
+impl Report {
+    /// Whether no rule is broken.
+    pub fn is_valid(&self) -> bool {
+        self.violations.is_empty()
+    }
+}
+
 /// Judges a plan.
+///
+/// Trailing repeats of a goal are cut before judging. An agent that ends
+/// elsewhere than at its goal is judged as if it had arrived there. Collisions
+/// come one a pair of agents and time, batteries one a stretch of time below
+/// the floor.
+///
+/// ```
+/// use giveway_model::{Instance, check::{Rule, check}, format::native};
+/// let instance = native::read_instance(r#"{
+///     "giveway": 1,
+///     "map": ["..", ".."],
+///     "agents": [{ "name": "A1", "start": [0, 0], "goal": [1, 1] }]
+/// }"#).unwrap();
+/// let plan = native::read_plan(
+///     r#"{ "giveway": 1, "paths": { "A1": [[0, 0], [1, 1]] } }"#,
+/// ).unwrap();
+/// let report = check(&instance, &plan);
+/// assert_eq!(report.violations[0].rule, Rule::Move);
+/// ```
 pub fn check(instance: &Instance, plan: &Plan) -> Report {
-    let _ = (instance, plan);
+    let mut findings = Findings::new(instance);
+    shape::find(instance, plan, &mut findings);
+    let walks = Walk::all(instance, plan);
+    for walk in &walks {
+        path::find(instance, walk, &mut findings);
+        charges::find(instance, walk, &mut findings);
+        battery::find(instance, walk, &mut findings);
+    }
+    collisions::find(instance, &walks, &mut findings);
     Report {
-        violations: Vec::new(),
-        costs: None,
+        violations: findings.into_violations(),
+        costs: costs(instance, plan),
     }
 }

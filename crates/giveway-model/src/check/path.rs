@@ -1,0 +1,82 @@
+//! One agent's path alone: start, goal, waypoints, moves and obstacles.
+
+use std::collections::BTreeSet;
+
+use super::findings::{Findings, Place};
+use super::steps::{Broken, Step, steps};
+use super::walk::Walk;
+use super::{Rule, sentence};
+use crate::{Cell, Instance};
+
+/// Finds what is wrong with one path, whatever the other agents do.
+pub(super) fn find(instance: &Instance, walk: &Walk<'_>, findings: &mut Findings<'_>) {
+    find_ends(walk, findings);
+    find_waypoints(walk, findings);
+    find_obstacles(instance, walk, findings);
+    find_moves(instance, walk, findings);
+}
+
+fn find_ends(walk: &Walk<'_>, findings: &mut Findings<'_>) {
+    let agent = walk.agent;
+    if let Some(first) = walk.at(0)
+        && first != agent.start
+    {
+        let message = sentence::start(&agent.name, first, agent.start);
+        findings.push(Rule::Start, 0, &[walk.index], Place::Cell(first), message);
+    }
+    if let Some(last) = walk.end()
+        && last != agent.goal
+    {
+        let time = walk.arrival();
+        let message = sentence::goal(&agent.name, last, agent.goal, time);
+        findings.push(Rule::Goal, time, &[walk.index], Place::Cell(last), message);
+    }
+}
+
+fn find_waypoints(walk: &Walk<'_>, findings: &mut Findings<'_>) {
+    let mut missed: BTreeSet<Cell> = walk.agent.waypoints.iter().copied().collect();
+    for cell in walk.path.iter().flatten() {
+        if missed.is_empty() {
+            return;
+        }
+        missed.remove(cell);
+    }
+    let time = walk.arrival();
+    for waypoint in missed {
+        let message = sentence::waypoint(&walk.agent.name, waypoint, time);
+        let place = Place::Cell(waypoint);
+        findings.push(Rule::Waypoint, time, &[walk.index], place, message);
+    }
+}
+
+fn find_obstacles(instance: &Instance, walk: &Walk<'_>, findings: &mut Findings<'_>) {
+    let grid = instance.grid();
+    for (time, cell) in walk.path.iter().enumerate() {
+        if let Some(cell) = *cell
+            && !grid.is_vertex(cell)
+        {
+            let on_map = grid.ground(cell).is_some();
+            let message = sentence::obstacle(&walk.agent.name, cell, time, on_map);
+            findings.push(
+                Rule::Obstacle,
+                time,
+                &[walk.index],
+                Place::Cell(cell),
+                message,
+            );
+        }
+    }
+}
+
+fn find_moves(instance: &Instance, walk: &Walk<'_>, findings: &mut Findings<'_>) {
+    for (time, step) in steps(instance.grid(), walk.path) {
+        if let Step::Broken { from, to, why } = step {
+            let message = sentence::broken_step(&walk.agent.name, from, to, time, why);
+            let place = match why {
+                Broken::TurnBack => Place::Cell(from),
+                _ => Place::Edge(from, to),
+            };
+            findings.push(Rule::Move, time, &[walk.index], place, message);
+        }
+    }
+}

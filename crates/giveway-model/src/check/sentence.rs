@@ -1,0 +1,130 @@
+//! What a violation says to a person: one sentence each.
+
+use super::charges::NoCharge;
+use super::steps::Broken;
+use crate::Cell;
+
+pub(super) fn no_path(agent: &str) -> String {
+    format!("The plan has no path for {agent}.")
+}
+
+pub(super) fn empty_path(agent: &str) -> String {
+    format!("The path of {agent} is empty; even an agent that never moves has one cell.")
+}
+
+pub(super) fn only_transit(agent: &str) -> String {
+    format!("The path of {agent} is in transit all the time and names no cell.")
+}
+
+pub(super) fn begins_in_transit(agent: &str) -> String {
+    format!("The path of {agent} begins in transit; at time 0 it must be at its start.")
+}
+
+pub(super) fn ends_in_transit(agent: &str, time: usize) -> String {
+    format!("The path of {agent} ends in transit at time {time}; it must end at its goal.")
+}
+
+pub(super) fn stranger(agent: &str, what: &str) -> String {
+    format!("The plan has {what} for {agent}, but the instance has no agent of that name.")
+}
+
+pub(super) fn needs_changes(agent: &str, what: &str) -> String {
+    format!("In this plan {agent} {what}, so judging it needs the changes of the plan.")
+}
+
+pub(super) fn charge_repeated(agent: &str, time: u32) -> String {
+    format!("The charges of {agent} list time {time} twice.")
+}
+
+pub(super) fn charges_unsorted(agent: &str, before: u32, time: u32) -> String {
+    format!("The charges of {agent} list time {time} after time {before}; they must ascend.")
+}
+
+pub(super) fn start(agent: &str, found: Cell, start: Cell) -> String {
+    format!("{agent} begins at {found}, but its start is {start}.")
+}
+
+pub(super) fn goal(agent: &str, found: Cell, goal: Cell, time: usize) -> String {
+    format!("{agent} ends at {found} at time {time}, but its goal is {goal}.")
+}
+
+pub(super) fn waypoint(agent: &str, waypoint: Cell, arrival: usize) -> String {
+    format!(
+        "{agent} does not visit its waypoint {waypoint} by the end of its path at time {arrival}."
+    )
+}
+
+pub(super) fn obstacle(agent: &str, cell: Cell, time: usize, on_map: bool) -> String {
+    if on_map {
+        format!("{agent} is in the obstacle {cell} at time {time}.")
+    } else {
+        format!("{agent} is at {cell} at time {time}, which is off the map.")
+    }
+}
+
+pub(super) fn broken_step(agent: &str, from: Cell, to: Cell, time: usize, why: Broken) -> String {
+    match why {
+        Broken::Jump => format!(
+            "{agent} goes from {from} to {to} at time {time}, but the two cells share no side."
+        ),
+        Broken::TooFast => format!(
+            "{agent} crosses the slow edge from {from} to {to} at time {time} in one step; it takes two."
+        ),
+        Broken::TooSlow => format!(
+            "{agent} is in transit from {from} to {to} after time {time}, but that edge is not slow."
+        ),
+        Broken::TurnBack => format!(
+            "{agent} is in transit after time {time} and then at {from} again; there is no turning inside a slow move."
+        ),
+        Broken::LongTransit => format!(
+            "{agent} is in transit from {from} to {to} after time {time} for more than one step; there is no stopping inside a slow move."
+        ),
+    }
+}
+
+pub(super) fn vertex(a: &str, b: &str, cell: Cell, time: usize) -> String {
+    format!("{a} and {b} are both at {cell} at time {time}.")
+}
+
+pub(super) fn resting(a: &str, rests: &str, cell: Cell, time: usize, since: usize) -> String {
+    format!("{a} is at {cell} at time {time}, where {rests} stays since time {since}.")
+}
+
+pub(super) fn swap(a: &str, b: &str, from: Cell, to: Cell, time: usize) -> String {
+    format!("{a} goes from {from} to {to} at time {time} while {b} comes the other way.")
+}
+
+/// Two agents, each with the time at which it leaves; the edge as the first goes.
+pub(super) fn slow_swap(a: (&str, usize), b: (&str, usize), edge: (Cell, Cell)) -> String {
+    let ((a, a_left), (b, b_left), (from, to)) = (a, b, edge);
+    if a_left == b_left {
+        format!(
+            "{a} enters the slow edge from {from} to {to} at time {a_left} while {b} comes the other way."
+        )
+    } else {
+        format!(
+            "{a} enters the slow edge from {from} to {to} at time {a_left}, and {b} comes the other way at time {b_left}."
+        )
+    }
+}
+
+pub(super) fn battery(agent: &str, level: i64, floor: i64, time: usize) -> String {
+    format!("The battery of {agent} is at {level} at time {time}, below the floor of {floor}.")
+}
+
+pub(super) fn charge(agent: &str, time: usize, arrival: usize, why: NoCharge) -> String {
+    match why {
+        NoCharge::NoBattery => {
+            format!("{agent} charges at time {time}, but it has no battery.")
+        }
+        NoCharge::Arrived => format!(
+            "{agent} charges at time {time}, but it arrives at time {arrival} and may only charge before."
+        ),
+        NoCharge::InTransit => {
+            format!("{agent} charges at time {time}, when it is in transit.")
+        }
+        NoCharge::NoCharger(cell) => {
+            format!("{agent} charges at time {time}, but there is no charger at {cell}.")
+        }
+    }
+}

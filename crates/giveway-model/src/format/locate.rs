@@ -1,0 +1,161 @@
+//! Finds the place of a value in the text of a JSON file.
+
+use std::borrow::Cow;
+use std::fmt;
+
+use serde::de::{MapAccess, Visitor};
+use serde::{Deserialize, Deserializer};
+use serde_json::value::RawValue;
+
+/// One step of a way into a JSON value.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub(super) enum Segment {
+    /// Into an object, by key.
+    Key(String),
+    /// Into a list or a text, from 0.
+    Index(usize),
+}
+
+/// Reads a place such as `agents[1].goal`, as faults of an instance have it.
+pub(super) fn segments(place: &str) -> Vec<Segment> {
+    place
+        .split(['.', '[', ']'])
+        .filter(|part| !part.is_empty())
+        .map(|part| match part.parse() {
+            Ok(index) => Segment::Index(index),
+            Err(_) => Segment::Key(part.to_owned()),
+        })
+        .collect()
+}
+
+/// Finds places in one text; the list looked into last is kept, since most
+/// faults lie in the entries of one list.
+pub(super) struct Locator<'a> {
+    text: &'a str,
+    root: Option<&'a RawValue>,
+    list: Option<(&'a RawValue, Vec<&'a RawValue>)>,
+    fields: Option<(&'a RawValue, Vec<Field<'a>>)>,
+}
+
+impl<'a> Locator<'a> {
+    /// A locator for a text; it finds nothing where the text is no JSON.
+    pub(super) fn new(text: &'a str) -> Self {
+        Self {
+            text,
+            root: serde_json::from_str(text).ok(),
+            list: None,
+            fields: None,
+        }
+    }
+
+    /// The byte at which a value begins, or the closest of those around it
+    /// that exists; a key's value is meant unless `key` asks for the last key
+    /// itself. `None` where the text is no JSON at all.
+    pub(super) fn find(&mut self, way: &[Segment], key: bool) -> Option<usize> {
+        let mut value = self.root?;
+        for (depth, segment) in way.iter().enumerate() {
+            let last = depth + 1 == way.len();
+            let next = match segment {
+                Segment::Key(name) => {
+                    let field = self.field(value, name);
+                    if let Some((Cow::Borrowed(name), _)) = &field
+                        && key
+                        && last
+                    {
+                        return self.offset(name).map(|offset| offset.saturating_sub(1));
+                    }
+                    field.map(|(_, value)| value)
+                }
+                Segment::Index(index) if value.get().starts_with('"') => {
+                    return self.character(value, *index);
+                }
+                Segment::Index(index) => self.entry(value, *index),
+            };
+            match next {
+                Some(next) => value = next,
+                None => break,
+            }
+        }
+        self.offset(value.get())
+    }
+
+    /// The byte of a character of a text value; its beginning where escapes
+    /// make counting vain.
+    fn character(&self, value: &'a RawValue, index: usize) -> Option<usize> {
+        let start = self.offset(value.get())?;
+        let within = value.get().char_indices().nth(index + 1);
+        match within {
+            Some((offset, _)) if !value.get().contains('\\') => Some(start + offset),
+            _ => Some(start),
+        }
+    }
+
+    /// The last value of a key, as written, and the key.
+    fn field(&mut self, object: &'a RawValue, name: &str) -> Option<Field<'a>> {
+        if self
+            .fields
+            .as_ref()
+            .is_none_or(|(of, _)| !std::ptr::eq(*of, object))
+        {
+            let fields: Fields<'a> = serde_json::from_str(object.get()).ok()?;
+            self.fields = Some((object, fields.0));
+        }
+        let (_, fields) = self.fields.as_ref()?;
+        fields.iter().rev().find(|(key, _)| key == name).cloned()
+    }
+
+    fn entry(&mut self, list: &'a RawValue, index: usize) -> Option<&'a RawValue> {
+        if self
+            .list
+            .as_ref()
+            .is_none_or(|(of, _)| !std::ptr::eq(*of, list))
+        {
+            let entries: Vec<&'a RawValue> = serde_json::from_str(list.get()).ok()?;
+            self.list = Some((list, entries));
+        }
+        self.list.as_ref()?.1.get(index).copied()
+    }
+
+    /// Where a part of the text begins in it.
+    fn offset(&self, part: &str) -> Option<usize> {
+        let offset = part
+            .as_ptr()
+            .addr()
+            .checked_sub(self.text.as_ptr().addr())?;
+        (offset <= self.text.len()).then_some(offset)
+    }
+}
+
+/// The fields of an object as written, repeats included.
+struct Fields<'a>(Vec<Field<'a>>);
+
+/// A key and its value as written.
+type Field<'a> = (Cow<'a, str>, &'a RawValue);
+
+impl<'de> Deserialize<'de> for Fields<'de> {
+    fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
+        struct All;
+
+        impl<'de> Visitor<'de> for All {
+            type Value = Fields<'de>;
+
+            fn expecting(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+                f.write_str("an object")
+            }
+
+            fn visit_map<A: MapAccess<'de>>(self, mut map: A) -> Result<Self::Value, A::Error> {
+                let mut fields = Vec::new();
+                while let Some(Key(key)) = map.next_key()? {
+                    fields.push((key, map.next_value()?));
+                }
+                Ok(Fields(fields))
+            }
+        }
+
+        deserializer.deserialize_map(All)
+    }
+}
+
+/// A key that points into the text where it holds no escapes.
+#[derive(Deserialize)]
+struct Key<'a>(#[serde(borrow)] Cow<'a, str>);

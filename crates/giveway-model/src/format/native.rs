@@ -1,0 +1,138 @@
+//! The project's own JSON: instances and plans.
+
+use std::collections::BTreeMap;
+
+use serde::Deserialize;
+use serde_json::Value;
+use serde_json::value::RawValue;
+
+use super::json;
+use super::locate::{Locator, segments};
+use super::text::{Positions, without_mark};
+use crate::{Fault, Instance, Plan, Scene, Version};
+
+pub use super::layout::{write_plan, write_scene};
+
+/// Reads an instance as it is written, without judging it.
+///
+/// # Errors
+/// When the text is no JSON, is of a newer version, lacks a key, or has one
+/// that is unknown, repeated or of another type. The fault has a line and a
+/// column.
+///
+/// ```
+/// use giveway_model::format::native;
+/// let fault = native::read_scene("{ \"giveway\": 1,\n  \"mapp\": [] }").unwrap_err();
+/// assert_eq!((fault.line, fault.column), (Some(2), Some(3)));
+/// assert_eq!(fault.found, "the unknown key \"mapp\"");
+/// ```
+pub fn read_scene(text: &str) -> Result<Scene, Fault> {
+    read(text, Kind::Instance)
+}
+
+/// Reads an instance and checks it.
+///
+/// # Errors
+/// As [`read_scene`], or else every fault that [`Instance::new`] finds; all
+/// have a line and a column.
+pub fn read_instance(text: &str) -> Result<Instance, Vec<Fault>> {
+    let scene = read_scene(text).map_err(|fault| vec![fault])?;
+    Instance::new(scene).map_err(|faults| in_text(text, faults))
+}
+
+/// Reads a plan.
+///
+/// # Errors
+/// As [`read_scene`]; also when an agent has two paths or two lists of charges.
+pub fn read_plan(text: &str) -> Result<Plan, Fault> {
+    read(text, Kind::Plan)
+}
+
+/// Gives faults of a scene their lines and columns in the text that it was
+/// read from. Places that are not in the text get those of what is around them.
+pub fn in_text(text: &str, faults: Vec<Fault>) -> Vec<Fault> {
+    let text = without_mark(text);
+    let mut locator = Locator::new(text);
+    let mut positions = Positions::new(text);
+    faults
+        .into_iter()
+        .map(|fault| match locator.find(&segments(&fault.place), false) {
+            Some(offset) => {
+                let (line, column) = positions.of(offset);
+                fault.in_text(line, column)
+            }
+            None => fault,
+        })
+        .collect()
+}
+
+fn read<'a, T: Deserialize<'a>>(text: &'a str, kind: Kind) -> Result<T, Fault> {
+    let text = without_mark(text);
+    json::read(text).map_err(|fault| mistaken(text, kind).unwrap_or(fault))
+}
+
+/// The objects of the format, each told by a key that only it has.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+enum Kind {
+    Instance,
+    Plan,
+    Changes,
+    Result,
+}
+
+impl Kind {
+    const ALL: [Self; 4] = [Self::Instance, Self::Plan, Self::Changes, Self::Result];
+
+    const fn key(self) -> &'static str {
+        match self {
+            Self::Instance => "map",
+            Self::Plan => "paths",
+            Self::Changes => "changes",
+            Self::Result => "status",
+        }
+    }
+
+    const fn phrase(self) -> &'static str {
+        match self {
+            Self::Instance => "an instance, with \"map\" and \"agents\"",
+            Self::Plan => "a plan, with \"paths\"",
+            Self::Changes => "a list of changes, with \"changes\"",
+            Self::Result => "a result, with \"status\"",
+        }
+    }
+}
+
+/// Two mistakes that explain all others: a newer version, and another kind of
+/// file than the one asked for.
+fn mistaken(text: &str, wanted: Kind) -> Option<Fault> {
+    let keys: BTreeMap<String, &RawValue> = serde_json::from_str(text).ok()?;
+    if let Some(fault) = version_fault(text) {
+        return Some(fault);
+    }
+    if keys.contains_key(wanted.key()) {
+        return None;
+    }
+    let found = Kind::ALL
+        .into_iter()
+        .find(|kind| keys.contains_key(kind.key()))?;
+    Some(Fault::at("", found.phrase(), wanted.phrase()).in_text(1, 1))
+}
+
+fn version_fault(text: &str) -> Option<Fault> {
+    #[derive(Deserialize)]
+    struct Head {
+        giveway: Value,
+    }
+
+    let head: Head = serde_json::from_str(text).ok()?;
+    let number = head.giveway.as_u64()?;
+    if number == u64::from(Version::NUMBER) {
+        return None;
+    }
+    let fault = Fault::at(
+        "giveway",
+        format!("version {number} of the format"),
+        format!("version {}, the only one known here", Version::NUMBER),
+    );
+    in_text(text, vec![fault]).pop()
+}
