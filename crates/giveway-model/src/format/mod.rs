@@ -3,6 +3,7 @@
 mod json;
 mod layout;
 mod locate;
+pub mod movingai;
 pub mod native;
 mod phrase;
 mod text;

@@ -1,0 +1,66 @@
+//! Lines of a text and faults in them.
+
+use std::str::FromStr;
+
+use crate::Fault;
+use crate::format::text::shorten;
+
+/// A line without its end, and its number from 1.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Line<'a> {
+    pub(super) number: usize,
+    pub(super) text: &'a str,
+}
+
+/// The lines of a text, without blanks and CR at their ends.
+pub(super) fn lines(text: &str) -> impl Iterator<Item = Line<'_>> {
+    crate::format::text::without_mark(text)
+        .lines()
+        .enumerate()
+        .map(|(i, line)| Line {
+            number: i + 1,
+            text: line.trim_end(),
+        })
+}
+
+impl<'a> Line<'a> {
+    /// A fault at a part of this line, which must be a slice of its text.
+    pub(super) fn fault(&self, part: &str, expected: impl Into<String>) -> Fault {
+        let found = if part.is_empty() {
+            "the end of the line".to_owned()
+        } else {
+            format!("\"{}\"", shorten(part))
+        };
+        self.fault_saying(part, found, expected)
+    }
+
+    /// A fault at a part of this line, with words of its own for what was found.
+    pub(super) fn fault_saying(
+        &self,
+        part: &str,
+        found: impl Into<String>,
+        expected: impl Into<String>,
+    ) -> Fault {
+        let offset = part
+            .as_ptr()
+            .addr()
+            .saturating_sub(self.text.as_ptr().addr());
+        let before = self.text.get(..offset).unwrap_or(self.text);
+        Fault::at("", found, expected).in_text(self.number, before.chars().count() + 1)
+    }
+
+    /// The columns: split at tabs where that gives as many as wanted, so that a
+    /// map's name may hold blanks, else at blanks and tabs.
+    pub(super) fn columns(&self, wanted: usize) -> Vec<&'a str> {
+        let tabs: Vec<&str> = self.text.split('\t').map(str::trim).collect();
+        if tabs.len() == wanted {
+            return tabs;
+        }
+        self.text.split_whitespace().collect()
+    }
+
+    /// Reads a part of this line as a number.
+    pub(super) fn number<T: FromStr>(&self, part: &str, expected: &str) -> Result<T, Fault> {
+        part.parse().map_err(|_| self.fault(part, expected))
+    }
+}

@@ -1,0 +1,124 @@
+//! Reads a `.map`.
+
+use super::lines::{Line, lines};
+use crate::{Fault, Grid, MAX_SIDE};
+
+/// Reads a map: `.` and `G` are free, `@`, `O`, `T` and `W` are obstacles.
+///
+/// # Errors
+/// When the header lacks a line or a row lacks a cell, when a character is none
+/// of these, or when the map is larger than an instance may be. The fault has a
+/// line and a column.
+///
+/// ```
+/// use giveway_model::format::movingai::read_map;
+/// let grid = read_map("type octile\nheight 1\nwidth 3\nmap\n.@G\n").unwrap();
+/// assert_eq!(grid.rows(), [".#."]);
+/// ```
+pub fn read_map(text: &str) -> Result<Grid, Fault> {
+    let mut lines = lines(text);
+    let header = read_header(&mut lines)?;
+    let mut rows = Vec::new();
+    for line in lines {
+        if rows.len() == header.height {
+            if line.text.is_empty() {
+                continue;
+            }
+            let expected = format!("no row after the {} of the header", header.height);
+            return Err(line.fault(line.text, expected));
+        }
+        rows.push(read_row(line, header.width)?);
+    }
+    if rows.len() < header.height {
+        let found = format!("{} rows", rows.len());
+        let expected = format!("{}, the height in the header", header.height);
+        return Err(Fault::at("", found, expected).in_text(header.last + rows.len(), 1));
+    }
+    Grid::from_rows(&rows).map_err(|_| Fault::at("", "no rows", "at least one"))
+}
+
+struct Header {
+    height: usize,
+    width: usize,
+    /// The number of its last line, `map`.
+    last: usize,
+}
+
+fn read_header<'a>(lines: &mut impl Iterator<Item = Line<'a>>) -> Result<Header, Fault> {
+    let (mut height, mut width, mut last) = (None, None, 1);
+    for line in lines {
+        last = line.number;
+        let (key, value) = line
+            .text
+            .split_once(char::is_whitespace)
+            .unwrap_or((line.text, ""));
+        let value = value.trim_start();
+        // A slice at the end of the line, so that its fault points there.
+        let value = if value.is_empty() {
+            line.text.get(line.text.len()..).unwrap_or("")
+        } else {
+            value
+        };
+        match key {
+            "type" if matches!(value, "octile" | "tile") => {}
+            "type" => return Err(line.fault(value, "octile")),
+            "height" => height = Some(read_side(line, value)?),
+            "width" => width = Some(read_side(line, value)?),
+            "map" => {
+                let missing = |key| {
+                    let found = format!("no line \"{key}\" in the header");
+                    line.fault_saying(line.text, found, format!("\"{key}\" and a number"))
+                };
+                return Ok(Header {
+                    height: height.ok_or_else(|| missing("height"))?,
+                    width: width.ok_or_else(|| missing("width"))?,
+                    last,
+                });
+            }
+            _ => return Err(line.fault(line.text, "type, height, width or map")),
+        }
+    }
+    Err(Fault::at(
+        "",
+        "the end of the file",
+        "a header of type, height, width and map",
+    )
+    .in_text(last, 1))
+}
+
+fn read_side(line: Line<'_>, value: &str) -> Result<usize, Fault> {
+    let expected = format!("a whole number from 1 to {MAX_SIDE}");
+    let side: u32 = line.number(value, &expected)?;
+    if (1..=MAX_SIDE).contains(&side) {
+        Ok(side as usize)
+    } else {
+        Err(line.fault(value, expected))
+    }
+}
+
+/// A row in the project's own characters.
+fn read_row(line: Line<'_>, width: usize) -> Result<String, Fault> {
+    let mut row = String::with_capacity(width);
+    for (offset, c) in line.text.char_indices() {
+        let part = line.text.get(offset..offset + c.len_utf8()).unwrap_or("");
+        if row.len() == width {
+            return Err(too_many(line, part, width));
+        }
+        row.push(match c {
+            '.' | 'G' => '.',
+            '@' | 'O' | 'T' | 'W' => '#',
+            _ => return Err(line.fault(part, "one of . G @ O T W")),
+        });
+    }
+    if row.len() < width {
+        let end = line.text.get(line.text.len()..).unwrap_or("");
+        let found = format!("a row of {} cells", row.len());
+        return Err(line.fault_saying(end, found, format!("{width}, the width in the header")));
+    }
+    Ok(row)
+}
+
+fn too_many(line: Line<'_>, part: &str, width: usize) -> Fault {
+    let found = format!("a row of {} cells", line.text.chars().count());
+    line.fault_saying(part, found, format!("{width}, the width in the header"))
+}

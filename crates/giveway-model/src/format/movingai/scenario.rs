@@ -1,0 +1,109 @@
+//! Reads a `.scen`.
+
+use super::lines::{Line, lines};
+use crate::{Cell, Fault};
+
+/// The agents of a scenario, in the order of its lines.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Scenario {
+    /// One route a line.
+    pub routes: Vec<Route>,
+}
+
+impl Scenario {
+    /// The name of the map of the first line, as it is written: often a file
+    /// beside the scenario, sometimes with folders before it. `None` where there
+    /// are no lines.
+    pub fn map_name(&self) -> Option<&str> {
+        self.routes.first().map(|route| route.map.as_str())
+    }
+}
+
+/// A line of a scenario: one agent's start and goal.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Route {
+    /// The number of the line in the file, from 1.
+    pub line: usize,
+    /// The bucket: an octile length divided by 4, of no meaning here.
+    pub bucket: u32,
+    /// The map's file name.
+    pub map: String,
+    /// The map's width in cells.
+    pub width: u32,
+    /// The map's height in cells.
+    pub height: u32,
+    /// Where the agent starts.
+    pub start: Cell,
+    /// Where it goes.
+    pub goal: Cell,
+    /// The length of a shortest path with diagonals: no bound for 4-connected
+    /// paths.
+    pub octile: f64,
+}
+
+const COLUMNS: &str =
+    "nine columns: bucket, map, width, height, start x, start y, goal x, goal y, length";
+
+/// Reads a scenario. Blank lines are skipped.
+///
+/// # Errors
+/// When the first line is no `version 1` or `version 1.0`, or a line has not
+/// the nine columns. The fault has a line and a column.
+///
+/// ```
+/// use giveway_model::{Cell, format::movingai::read_scenario};
+/// let scenario = read_scenario("version 1\n0\tempty.map\t8\t6\t1\t0\t2\t5\t5.41\n").unwrap();
+/// assert_eq!(scenario.map_name(), Some("empty.map"));
+/// assert_eq!((scenario.routes[0].width, scenario.routes[0].height), (8, 6));
+/// assert_eq!(scenario.routes[0].goal, Cell::new(2, 5));
+/// ```
+pub fn read_scenario(text: &str) -> Result<Scenario, Fault> {
+    let mut lines = lines(text).filter(|line| !line.text.is_empty());
+    let Some(first) = lines.next() else {
+        return Err(
+            Fault::at("", "an empty file", "\"version 1\" and a line an agent").in_text(1, 1),
+        );
+    };
+    read_version(first)?;
+    let routes = lines.map(read_route).collect::<Result<_, _>>()?;
+    Ok(Scenario { routes })
+}
+
+fn read_version(line: Line<'_>) -> Result<(), Fault> {
+    let is_one = line
+        .text
+        .strip_prefix("version")
+        .and_then(|number| number.trim().parse::<f64>().ok())
+        .is_some_and(|number| (number - 1.0).abs() < f64::EPSILON);
+    if is_one {
+        Ok(())
+    } else {
+        Err(line.fault(line.text, "\"version 1\""))
+    }
+}
+
+fn read_route(line: Line<'_>) -> Result<Route, Fault> {
+    let columns = line.columns(9);
+    let &[bucket, map, width, height, sx, sy, gx, gy, octile] = columns.as_slice() else {
+        let found = match columns.len() {
+            1 => return Err(line.fault(line.text, COLUMNS)),
+            n => format!("{n} columns"),
+        };
+        return Err(line.fault_saying(line.text, found, COLUMNS));
+    };
+    let whole = |part| line.number::<u32>(part, "a whole number from 0");
+    let length: f64 = line.number(octile, "a length")?;
+    if !length.is_finite() {
+        return Err(line.fault(octile, "a length"));
+    }
+    Ok(Route {
+        line: line.number,
+        bucket: whole(bucket)?,
+        map: map.to_owned(),
+        width: whole(width)?,
+        height: whole(height)?,
+        start: Cell::new(whole(sx)?, whole(sy)?),
+        goal: Cell::new(whole(gx)?, whole(gy)?),
+        octile: length,
+    })
+}
