@@ -1,1 +1,15 @@
-//! What the tests share.
+//! What the tests share: the oracle, random instances, pictures of maps, and the
+//! ways to ask the solver and to compare what it answers.
+#![allow(
+    clippy::unwrap_used,
+    clippy::expect_used,
+    clippy::panic,
+    reason = "a test that cannot go on ends with a panic"
+)]
+
+pub mod ask;
+pub mod compare;
+pub mod oracle;
+pub mod picture;
+pub mod random;
+pub mod recount;

@@ -1,0 +1,46 @@
+//! Asking the solver through its one door.
+
+use giveway_model::Instance;
+use giveway_solve::{
+    FrontAnswer, Limits, Request, Response, SilentHost, SolveAnswer, SolveRequest, serve,
+};
+
+/// Far more conflicts than a test needs: a solver that does not end fails here.
+const CONFLICTS: u64 = 2_000_000;
+
+fn response(instance: &Instance, within: Option<u32>, pareto: bool) -> Response {
+    let request = Request::Solve(SolveRequest {
+        scene: instance.to_scene(),
+        pareto,
+        within,
+        limits: Limits {
+            conflicts: Some(CONFLICTS),
+            ..Limits::default()
+        },
+        ..SolveRequest::default()
+    });
+    serve(&request, &SilentHost)
+}
+
+/// The solver's answer for the objective of the instance.
+pub fn best(instance: &Instance, within: Option<u32>) -> SolveAnswer {
+    match response(instance, within, false) {
+        Response::Solved(answer) => answer,
+        other => panic!("expected an answer, got {other:?}"),
+    }
+}
+
+/// The solver's Pareto front for the objective of the instance.
+pub fn front(instance: &Instance, within: Option<u32>) -> FrontAnswer {
+    match response(instance, within, true) {
+        Response::Front(answer) => answer,
+        other => panic!("expected a front, got {other:?}"),
+    }
+}
+
+/// The answer without what may differ between two runs: the seconds.
+#[must_use]
+pub fn without_seconds(mut answer: SolveAnswer) -> SolveAnswer {
+    answer.stats.cpu_seconds = 0.0;
+    answer
+}

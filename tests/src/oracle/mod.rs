@@ -1,0 +1,113 @@
+//! The oracle: a slow and readable solver to compare the fast one with.
+//!
+//! It searches the *joint states* of all agents as a textbook would. One agent
+//! has a state (where it is, what it has seen, how full its battery is) and
+//! steps from state to state ([`law`], [`lone`]). A joint state is one state of each
+//! agent, and a joint step is one step of each, if no two collide ([`joint`]).
+//! Each of the five costs of a plan is a sum over its joint steps ([`price`]),
+//! so the best plan is a shortest path, and Dijkstra's algorithm finds it
+//! ([`search`]). There are finitely many joint states: when all that can be
+//! reached are used up without an end, there is no plan at any horizon.
+//!
+//! Everything here is written from the text of the problem. It shares no code
+//! with the solver, nor with the judge of plans: of the model it knows the plain
+//! data only. It is meant for maps of some 20 cells and up to three agents.
+
+mod joint;
+mod law;
+mod lone;
+mod price;
+mod search;
+mod trace;
+mod world;
+
+use giveway_model::{Cost, Instance, Plan};
+
+use joint::Joint;
+use search::{Aim, Search};
+
+/// What the oracle knows about the best plan.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub enum Verdict {
+    /// The best plan.
+    Best(Point),
+    /// There is no plan, or none within the horizon where one was given.
+    Impossible,
+    /// There were more states than allowed; nothing is known.
+    Capped,
+}
+
+/// A cost vector that some plan has, in the order of the objective, and such a
+/// plan.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Point {
+    /// The costs of the objective, in its order.
+    pub vector: Vec<u32>,
+    /// A plan that costs this.
+    pub plan: Plan,
+}
+
+/// A question to the oracle.
+#[derive(Clone, Copy, Debug)]
+pub struct Question<'a> {
+    /// The instance, with its objective.
+    pub instance: &'a Instance,
+    /// Only plans of at most this makespan count; `None` is no horizon.
+    pub within: Option<u32>,
+    /// How many labels the search may make before it gives up.
+    pub cap: usize,
+}
+
+impl Question<'_> {
+    /// The lexicographically best plan for the objective of the instance.
+    pub fn best(&self) -> Verdict {
+        match self.search(Aim::Lexicographic) {
+            None => Verdict::Capped,
+            Some(points) => points
+                .into_iter()
+                .next()
+                .map_or(Verdict::Impossible, Verdict::Best),
+        }
+    }
+
+    /// Every non-dominated cost vector of the objective, in ascending order,
+    /// with a plan for each; empty where there is no plan, and `None` where
+    /// there were too many states.
+    pub fn front(&self) -> Option<Vec<Point>> {
+        self.search(Aim::Pareto)
+    }
+
+    fn search(&self, aim: Aim) -> Option<Vec<Point>> {
+        let joint = Joint::new(self.instance);
+        Search {
+            joint: &joint,
+            costs: self.instance.objective().costs(),
+            aim,
+            within: self.within,
+            cap: self.cap,
+        }
+        .run()
+    }
+}
+
+/// The horizon within which claims are made by default: the largest
+/// single-agent optimum + 4 (width + height) + 10; `None` where some agent
+/// cannot do its task even alone.
+pub fn default_horizon(instance: &Instance) -> Option<u32> {
+    let joint = Joint::new(instance);
+    let grid = instance.grid();
+    let longest = joint
+        .lone_optima()
+        .into_iter()
+        .try_fold(0, |longest, optimum| Some(longest.max(optimum?)))?;
+    Some(longest + 4 * (grid.width() + grid.height()) + 10)
+}
+
+/// Whether the objective makes every claim complete by itself: it begins with
+/// makespan or sum-of-costs.
+pub fn objective_is_complete(instance: &Instance) -> bool {
+    matches!(
+        instance.objective().costs().first(),
+        Some(Cost::Makespan | Cost::SumOfCosts)
+    )
+}

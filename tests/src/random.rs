@@ -1,0 +1,226 @@
+//! Random instances: the same seed and number give the same instance for ever.
+//!
+//! The generator and its version are pinned in the manifest of the workspace.
+//! [`small`] instances are for the oracle: at most 3 agents on at most 20 cells,
+//! with everything that the problem knows. [`medium`] ones, of up to 8x8 cells
+//! and 6 agents, are too large for it.
+
+use giveway_model::{Agent, AtGoal, Battery, Cell, Cost, Instance, Objective, Rules, Scene};
+use rand::seq::{IndexedRandom, SliceRandom};
+use rand::{RngExt, SeedableRng};
+use rand_chacha::ChaCha8Rng;
+
+/// The random numbers of one instance.
+fn numbers(seed: u64, number: u64) -> ChaCha8Rng {
+    let mut random = ChaCha8Rng::seed_from_u64(seed);
+    random.set_stream(number);
+    random
+}
+
+/// A small instance: 0 to 3 agents, all five costs in any order, obstacles, slow
+/// zones, chargers, waypoints, batteries, floors and both arrival rules. Some
+/// are impossible.
+pub fn small(seed: u64, number: u64) -> Instance {
+    let random = &mut numbers(seed, number);
+    let agents = *[0, 1, 1, 2, 2, 2, 2, 2, 3, 3].choose(random).unwrap();
+    // The more agents, the less else, or the joint states would be too many.
+    let (most_cells, most_waypoints, most_capacity) = match agents {
+        0 | 1 => (20, 3, 14),
+        2 => (20, 2, 10),
+        _ => (12, 1, 8),
+    };
+    let size = Size {
+        agents,
+        waypoints: most_waypoints,
+        capacity: 3..=most_capacity,
+        batteries: if agents == 3 { 0.3 } else { 0.5 },
+    };
+    loop {
+        let width = *[1, 2, 3, 4, 4, 5, 5].choose(random).unwrap();
+        let height = *[1, 2, 3, 3, 4].choose(random).unwrap();
+        let obstacles = *[0.0, 0.15, 0.3].choose(random).unwrap();
+        let mut map = Map::new(random, width, height, obstacles);
+        if random.random_bool(0.9) {
+            map = map.connected();
+        }
+        if map.free.len() >= agents && map.free.len() <= most_cells {
+            return size.instance(random, &map);
+        }
+    }
+}
+
+/// A medium instance, on a connected map: 4x4 to 8x8 cells, 2 to 6 agents.
+pub fn medium(seed: u64, number: u64) -> Instance {
+    let random = &mut numbers(seed, number);
+    let size = Size {
+        agents: random.random_range(2..=6),
+        waypoints: 1,
+        capacity: 10..=24,
+        batteries: 0.3,
+    };
+    loop {
+        let (width, height) = (random.random_range(4..=8), random.random_range(4..=8));
+        let obstacles = *[0.0, 0.1, 0.2].choose(random).unwrap();
+        let map = Map::new(random, width, height, obstacles).connected();
+        if map.free.len() >= 3 * size.agents {
+            return size.instance(random, &map);
+        }
+    }
+}
+
+/// A cell of the map on which an obstacle may be put without touching a start, a
+/// goal or a waypoint, if there is one.
+pub fn spare_cell(instance: &Instance, seed: u64) -> Option<Cell> {
+    let used = |cell: Cell| {
+        let mut agents = instance.agents().iter();
+        agents.any(|a| a.start == cell || a.goal == cell || a.waypoints.contains(&cell))
+    };
+    let cells = instance.grid().cells();
+    let spare: Vec<Cell> = cells
+        .filter(|&(cell, ground)| ground.is_vertex() && !used(cell))
+        .map(|(cell, _)| cell)
+        .collect();
+    spare.choose(&mut numbers(seed, 0)).copied()
+}
+
+/// A map under construction.
+struct Map {
+    rows: Vec<Vec<char>>,
+    free: Vec<Cell>,
+}
+
+impl Map {
+    /// Obstacles with a probability, perhaps a slow rectangle, perhaps chargers.
+    fn new(random: &mut ChaCha8Rng, width: usize, height: usize, obstacles: f64) -> Self {
+        let mut rows = vec![vec!['.'; width]; height];
+        let slow = random.random_bool(0.5).then(|| {
+            let (x, y) = (
+                random.random_range(0..width),
+                random.random_range(0..height),
+            );
+            (
+                x..=x + random.random_range(1..=3),
+                y..=y + random.random_range(0..=2),
+            )
+        });
+        let chargers = *[0.0, 0.1, 0.25].choose(random).unwrap();
+        for (y, row) in rows.iter_mut().enumerate() {
+            for (x, c) in row.iter_mut().enumerate() {
+                let is_slow = slow
+                    .as_ref()
+                    .is_some_and(|(xs, ys)| xs.contains(&x) && ys.contains(&y));
+                let is_charger = random.random_bool(chargers);
+                *c = match (random.random_bool(obstacles), is_slow, is_charger) {
+                    (true, _, _) => '#',
+                    (_, true, true) => '*',
+                    (_, true, _) => '~',
+                    (_, _, true) => '+',
+                    _ => '.',
+                };
+            }
+        }
+        let mut map = Self {
+            rows,
+            free: Vec::new(),
+        };
+        map.free = map
+            .cells()
+            .filter(|&(_, c)| c != '#')
+            .map(|(cell, _)| cell)
+            .collect();
+        map
+    }
+
+    fn cells(&self) -> impl Iterator<Item = (Cell, char)> + '_ {
+        self.rows.iter().enumerate().flat_map(|(y, row)| {
+            let cell = move |(x, &c): (usize, &char)| (Cell::new(x as u32, y as u32), c);
+            row.iter().enumerate().map(cell)
+        })
+    }
+
+    /// The same map, of whose free cells only those count that are connected
+    /// with the first.
+    fn connected(mut self) -> Self {
+        let mut reached: Vec<Cell> = self.free.iter().take(1).copied().collect();
+        let mut next = 0;
+        while let Some(&u) = reached.get(next) {
+            next += 1;
+            for &v in &self.free {
+                if u.touches(v) && !reached.contains(&v) {
+                    reached.push(v);
+                }
+            }
+        }
+        self.free = reached;
+        self
+    }
+}
+
+/// How large an instance may be.
+struct Size {
+    agents: usize,
+    waypoints: usize,
+    capacity: std::ops::RangeInclusive<u32>,
+    /// The probability of a battery.
+    batteries: f64,
+}
+
+impl Size {
+    fn instance(&self, random: &mut ChaCha8Rng, map: &Map) -> Instance {
+        let at_goal = *[AtGoal::Stay, AtGoal::Vanish].choose(random).unwrap();
+        let mut starts = map.free.clone();
+        starts.shuffle(random);
+        let mut goals = map.free.clone();
+        goals.shuffle(random);
+        if at_goal == AtGoal::Vanish && random.random_bool(0.3) {
+            goals.insert(0, goals[0]); // two agents, one goal
+        }
+        let ends = starts.into_iter().zip(goals).take(self.agents);
+        let agents = (1..).zip(ends).map(|(i, (start, goal))| Agent {
+            name: format!("A{i}"),
+            start,
+            goal: if random.random_bool(0.1) && at_goal == AtGoal::Vanish {
+                start
+            } else {
+                goal
+            },
+            waypoints: self.waypoints(random, map),
+            battery: self.battery(random),
+        });
+        let scene = Scene {
+            name: "random".to_owned(),
+            agents: agents.collect(),
+            map: map.rows.iter().map(|row| row.iter().collect()).collect(),
+            rules: Rules {
+                at_goal,
+                battery_floor: *[0, 0, 0, 1, 2].choose(random).unwrap(),
+            },
+            objective: objective(random),
+            ..Scene::default()
+        };
+        Instance::new(scene).expect("the generator keeps the promises of an instance")
+    }
+
+    fn waypoints(&self, random: &mut ChaCha8Rng, map: &Map) -> Vec<Cell> {
+        let count = random.random_range(0..=self.waypoints);
+        map.free.sample(random, count).copied().collect()
+    }
+
+    fn battery(&self, random: &mut ChaCha8Rng) -> Option<Battery> {
+        random.random_bool(self.batteries).then(|| {
+            let capacity = random.random_range(self.capacity.clone());
+            Battery {
+                capacity,
+                initial: random.random_range(capacity / 2..=capacity),
+            }
+        })
+    }
+}
+
+/// One to five costs in any order.
+fn objective(random: &mut ChaCha8Rng) -> Objective {
+    let mut costs = Cost::ALL.to_vec();
+    costs.shuffle(random);
+    costs.truncate(random.random_range(1..=costs.len()));
+    Objective::new(costs).unwrap()
+}

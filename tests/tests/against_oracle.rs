@@ -1,0 +1,144 @@
+//! The solver, the judge and the oracle on random small instances.
+//!
+//! `GIVEWAY_RANDOM_INSTANCES` sets how many (300 by default; 10,000 is a long
+//! run, in the release profile), `GIVEWAY_RANDOM_SEED` the seed.
+#![allow(
+    clippy::unwrap_used,
+    clippy::print_stdout,
+    clippy::panic,
+    reason = "a test that cannot go on ends with a panic"
+)]
+
+use giveway_model::{Instance, Objective};
+use giveway_tests::compare::{self, Comparison};
+use giveway_tests::oracle::{Question, Verdict};
+use giveway_tests::{random, recount};
+
+fn from_environment(name: &str, default: u64) -> u64 {
+    match std::env::var(name) {
+        Ok(value) => value
+            .parse()
+            .unwrap_or_else(|_| panic!("{name} is {value:?}, expected a number")),
+        Err(_) => default,
+    }
+}
+
+/// Compares as many instances as asked for, or a share of them, made by `prepare`
+/// from the random instance of a number; `None` passes a number over.
+fn compare_all(percent: u64, prepare: impl Fn(u64, Instance) -> Option<(Instance, Comparison)>) {
+    let seed = from_environment("GIVEWAY_RANDOM_SEED", 1);
+    let count = from_environment("GIVEWAY_RANDOM_INSTANCES", 300);
+    let count = (count * percent).div_ceil(100);
+    let (mut agreed, mut too_large, mut differ) = (0, 0, 0);
+    for number in 0.. {
+        if agreed + differ >= count || too_large > count {
+            break;
+        }
+        let Some((instance, comparison)) = prepare(number, random::small(seed, number)) else {
+            continue;
+        };
+        match comparison {
+            Comparison::Agreed => agreed += 1,
+            Comparison::TooLarge => too_large += 1,
+            Comparison::Differ(faults) => {
+                differ += 1;
+                let scene = serde_json::to_string(&instance.to_scene()).unwrap();
+                println!("instance {number} of seed {seed}: {scene}");
+                for fault in faults {
+                    println!("  {fault}");
+                }
+            }
+        }
+    }
+    println!("{agreed} agreed, {differ} differ, {too_large} were too large for the oracle");
+    assert_eq!(differ, 0, "the scenes and both answers are printed above");
+    assert!(
+        too_large * 10 <= count,
+        "too many instances are too large for the oracle"
+    );
+}
+
+#[test]
+fn the_best_plan() {
+    compare_all(100, |_, instance| {
+        let comparison = compare::best(&instance, None);
+        Some((instance, comparison))
+    });
+}
+
+#[test]
+fn the_best_plan_within_a_horizon() {
+    compare_all(40, |number, instance| {
+        let within = (number % 9) as u32;
+        let comparison = compare::best(&instance, Some(within));
+        Some((instance, comparison))
+    });
+}
+
+#[test]
+fn pareto_fronts() {
+    compare_all(20, |_, instance| {
+        let two_or_three: Vec<_> = instance
+            .objective()
+            .costs()
+            .iter()
+            .take(3)
+            .copied()
+            .collect();
+        if two_or_three.len() < 2 {
+            return None;
+        }
+        let instance = instance.with_objective(Objective::new(two_or_three).unwrap());
+        let comparison = compare::front(&instance, None);
+        Some((instance, comparison))
+    });
+}
+
+#[test]
+fn pareto_fronts_within_a_horizon() {
+    compare_all(10, |number, instance| {
+        let two_or_three: Vec<_> = instance
+            .objective()
+            .costs()
+            .iter()
+            .take(3)
+            .copied()
+            .collect();
+        if two_or_three.len() < 2 {
+            return None;
+        }
+        let instance = instance.with_objective(Objective::new(two_or_three).unwrap());
+        let comparison = compare::front(&instance, Some((number % 12) as u32));
+        Some((instance, comparison))
+    });
+}
+
+/// The judge was written apart from the oracle: what one finds, the other passes.
+#[test]
+fn the_judge_passes_the_plans_of_the_oracle() {
+    compare_all(100, |_, instance| {
+        let question = Question {
+            instance: &instance,
+            within: None,
+            cap: 200_000,
+        };
+        let comparison = match question.best() {
+            Verdict::Impossible => Comparison::Agreed,
+            Verdict::Capped => Comparison::TooLarge,
+            Verdict::Best(point) => {
+                let costs = recount::costs(&point.plan);
+                let mut faults = compare::judge(&instance, &point.plan, &costs);
+                if costs.vector(instance.objective()) != point.vector {
+                    faults.push(format!("the oracle has {:?} for {costs:?}", point.vector));
+                }
+                if faults.is_empty() {
+                    Comparison::Agreed
+                } else {
+                    faults.push(serde_json::to_string(&point.plan).unwrap());
+                    Comparison::Differ(faults)
+                }
+            }
+        };
+        Some((instance, comparison))
+    });
+}
