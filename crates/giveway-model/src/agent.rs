@@ -3,10 +3,11 @@
 use serde::{Deserialize, Serialize};
 
 use crate::Cell;
+use crate::object::object_only;
 
 /// A battery, in time steps: one step of waiting or moving takes one.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
-#[serde(deny_unknown_fields)]
+#[serde(remote = "Self", deny_unknown_fields)]
 pub struct Battery {
     /// The level after a charge.
     pub capacity: u32,
@@ -14,9 +15,11 @@ pub struct Battery {
     pub initial: u32,
 }
 
+object_only!(Battery);
+
 /// An agent (a robot): where it starts, where it must go, what it must visit.
 #[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
-#[serde(deny_unknown_fields)]
+#[serde(remote = "Self", deny_unknown_fields)]
 pub struct Agent {
     /// Unique in its instance, not empty.
     pub name: String,
@@ -31,3 +34,5 @@ pub struct Agent {
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub battery: Option<Battery>,
 }
+
+object_only!(Agent);

@@ -1,12 +1,13 @@
 //! The five costs of a plan, and objectives over them.
 
+use std::borrow::Cow;
 use std::fmt;
 use std::str::FromStr;
 
-use serde::{Deserialize, Serialize};
+use serde::{Deserialize, Deserializer, Serialize, de};
 
 /// One of the five costs.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord, Serialize, Deserialize)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord, Serialize)]
 #[serde(rename_all = "kebab-case")]
 pub enum Cost {
     /// The latest arrival.
@@ -73,6 +74,14 @@ impl FromStr for Cost {
             .into_iter()
             .find(|cost| cost.name() == word)
             .ok_or_else(|| UnknownCost(word.to_owned()))
+    }
+}
+
+impl<'de> Deserialize<'de> for Cost {
+    /// By hand, since derived code also takes `{"moves": null}`.
+    fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
+        let word = Cow::<str>::deserialize(deserializer)?;
+        word.parse().map_err(de::Error::custom)
     }
 }
 

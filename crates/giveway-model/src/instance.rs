@@ -1,6 +1,6 @@
 //! A checked instance of the problem.
 
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
 
 use crate::{
     Agent, AtGoal, Cell, Fault, Grid, GridError, Ground, Objective, Rules, Scene, Version,
@@ -146,8 +146,8 @@ fn map_fault(scene: &Scene, error: &GridError) -> Fault {
             format!("{expected}, as in the first row"),
         ),
         GridError::Unknown { row, column, found } => Fault::at(
-            format!("map[{row}]"),
-            format!("\"{}\" in column {column}", found.escape_default()),
+            format!("map[{row}][{column}]"),
+            format!("\"{}\"", found.escape_debug()),
             "one of . # ~ + *",
         ),
     }
@@ -183,8 +183,9 @@ fn check_agent(agents: &[Agent], i: usize, grid: &Grid, faults: &mut Vec<Fault>)
     for (k, &w) in agent.waypoints.iter().enumerate() {
         cell(w, format!("{place}.waypoints[{k}]"));
     }
+    let mut seen = BTreeSet::new();
     for (k, w) in agent.waypoints.iter().enumerate() {
-        if agent.waypoints.iter().take(k).any(|other| other == w) {
+        if !seen.insert(w) {
             faults.push(Fault::at(
                 format!("{place}.waypoints[{k}]"),
                 format!("{w} again"),

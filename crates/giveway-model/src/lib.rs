@@ -12,6 +12,7 @@ mod fault;
 pub mod format;
 mod grid;
 mod instance;
+mod object;
 mod plan;
 mod rules;
 mod scene;

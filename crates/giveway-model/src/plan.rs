@@ -7,6 +7,7 @@ use std::marker::PhantomData;
 use serde::de::{self, MapAccess, Visitor};
 use serde::{Deserialize, Deserializer, Serialize};
 
+use crate::object::object_only;
 use crate::{Cell, Instance, Version};
 
 /// Where an agent is at each time, from its first entry on; `None` is *in
@@ -27,7 +28,7 @@ pub type Path = Vec<Option<Cell>>;
 /// assert_eq!(plan.paths["A1"].len(), 4);
 /// ```
 #[derive(Clone, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
-#[serde(deny_unknown_fields)]
+#[serde(remote = "Self", deny_unknown_fields)]
 pub struct Plan {
     /// The version of the format.
     pub giveway: Version,
@@ -52,6 +53,8 @@ pub struct Plan {
     )]
     pub until: BTreeMap<String, u32>,
 }
+
+object_only!(Plan);
 
 impl Plan {
     /// The path of an agent; empty where the plan has none.

@@ -1,9 +1,13 @@
 //! The rules that an instance may set.
 
-use serde::{Deserialize, Serialize};
+use std::borrow::Cow;
+
+use serde::{Deserialize, Deserializer, Serialize, de};
+
+use crate::object::object_only;
 
 /// What becomes of an agent at its goal.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize)]
 #[serde(rename_all = "kebab-case")]
 pub enum AtGoal {
     /// It remains there and blocks the cell.
@@ -13,12 +17,25 @@ pub enum AtGoal {
     Vanish,
 }
 
+impl<'de> Deserialize<'de> for AtGoal {
+    /// By hand, since derived code also takes `{"stay": null}`.
+    fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
+        match Cow::<str>::deserialize(deserializer)?.as_ref() {
+            "stay" => Ok(Self::Stay),
+            "vanish" => Ok(Self::Vanish),
+            other => Err(de::Error::unknown_variant(other, &["stay", "vanish"])),
+        }
+    }
+}
+
 /// The rules of an instance.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
-#[serde(deny_unknown_fields, default)]
+#[serde(remote = "Self", deny_unknown_fields, default)]
 pub struct Rules {
     /// What becomes of an agent at its goal.
     pub at_goal: AtGoal,
     /// The level below which no battery may fall before arrival.
     pub battery_floor: u32,
 }
+
+object_only!(Rules);

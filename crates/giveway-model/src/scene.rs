@@ -2,13 +2,14 @@
 
 use serde::{Deserialize, Serialize};
 
+use crate::object::object_only;
 use crate::{Agent, Objective, Rules, Version};
 
 /// An instance as a person writes it: plain data that may be wrong.
 ///
 /// [`crate::Instance::new`] checks it.
 #[derive(Clone, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
-#[serde(deny_unknown_fields)]
+#[serde(remote = "Self", deny_unknown_fields)]
 pub struct Scene {
     /// The version of the format.
     pub giveway: Version,
@@ -27,3 +28,5 @@ pub struct Scene {
     /// The agents.
     pub agents: Vec<Agent>,
 }
+
+object_only!(Scene);

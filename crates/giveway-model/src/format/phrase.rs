@@ -76,11 +76,11 @@ pub(super) fn key_of(message: &str) -> Option<&str> {
         rest.rsplit_once("`, expected ")
             .map_or(rest, |(key, _)| key)
     });
-    rest.or_else(|| {
-        message
-            .strip_prefix("duplicate field `")
-            .map(|rest| rest.strip_suffix('`').unwrap_or(rest))
-    })
+    rest.or_else(|| message.strip_prefix("duplicate field `")?.strip_suffix('`'))
+        .or_else(|| {
+            let rest = message.strip_prefix("found \"")?;
+            rest.strip_suffix("\" twice, expected each agent once")
+        })
 }
 
 /// For JSON that is not of the format.
@@ -105,6 +105,7 @@ pub(super) fn of_data(message: &str) -> Phrase {
         .strip_prefix("invalid type: ")
         .or_else(|| found.strip_prefix("invalid value: "))
         .or_else(|| found.strip_prefix("found "))
+        .or_else(|| found.strip_prefix("unknown variant "))
         .unwrap_or(found);
     phrase(value(found), expected)
 }
@@ -120,12 +121,13 @@ fn value(found: &str) -> String {
             let number = number.trim_start_matches("point ").trim_matches('`');
             format!("the number {number}")
         }
-        Some(("string", text)) => format!("the text {}", shorten(text)),
+        Some(("string", text)) => format!("the text \"{}\"", shorten(text.trim_matches('"'))),
         Some(("invalid", length)) => match length.trim_start_matches("length ") {
             "0" => "an empty list".to_owned(),
             "1" => "a list of one".to_owned(),
             length => format!("a list of {length}"),
         },
+        _ if found.starts_with('`') => format!("\"{}\"", shorten(found.trim_matches('`'))),
         _ => shorten(found),
     }
 }
