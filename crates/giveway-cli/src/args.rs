@@ -1,0 +1,217 @@
+//! The command line, as `giveway help` tells it.
+
+use std::path::PathBuf;
+
+use clap::{Args as ClapArgs, Parser, Subcommand, ValueEnum};
+use clap_complete::Shell;
+use giveway_model::Objective;
+
+const ABOUT: &str = "Plans for several robots on a grid, proved best";
+
+const LONG_ABOUT: &str = "Plans for several robots on a grid, proved best.
+
+Giveway finds, for every agent, a path to its goal past its waypoints, without \
+collisions and within its battery, and proves that no plan is better: by the makespan, \
+the sum of costs, the charges, the moves or the waits, in the order you ask for.";
+
+const AFTER_HELP: &str = "An INSTANCE is
+  a native file       JSON with the key \"giveway\"
+  a .scen             a MovingAI scenario; its .map is found beside it by the name in the
+                      scenario, or given with --map
+  -                   either of them from standard input; a scenario needs --map
+What it is, is told by its ending, else by how it begins.
+
+Exit status
+  0   the question was answered; \"impossible\" is an answer, and \"feasible\" too
+  1   the input is wrong, or a check found violations
+  2   the command line is wrong
+  3   the budget ran out without any answer (unknown)";
+
+/// The command `giveway`.
+#[derive(Debug, Parser)]
+#[command(name = "giveway", version, about = ABOUT, long_about = LONG_ABOUT, after_help = AFTER_HELP)]
+pub(crate) struct Args {
+    #[command(subcommand)]
+    pub(crate) command: Command,
+    #[command(flatten)]
+    pub(crate) common: Common,
+}
+
+/// What every command takes.
+#[derive(Clone, Debug, ClapArgs)]
+pub(crate) struct Common {
+    /// How results are written: text is for people, json for programs
+    #[arg(
+        long,
+        global = true,
+        value_enum,
+        default_value_t,
+        value_name = "FORMAT"
+    )]
+    pub(crate) format: Format,
+    /// The map of a scenario, where it is not beside it by its name
+    #[arg(long, global = true, value_name = "FILE")]
+    pub(crate) map: Option<PathBuf>,
+    /// No progress line and no notes on standard error
+    #[arg(long, short, global = true)]
+    pub(crate) quiet: bool,
+}
+
+/// How results are written.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, ValueEnum)]
+pub(crate) enum Format {
+    /// For people: the map drawn, tables of times, cells and batteries
+    #[default]
+    Text,
+    /// For programs: one object on standard output
+    Json,
+}
+
+#[derive(Debug, Subcommand)]
+pub(crate) enum Command {
+    /// Find the best plan and prove that none is better
+    Solve(Solve),
+    /// Tell every rule that a plan breaks, and its costs
+    Check(Check),
+    /// Write instances and plans in another format
+    Convert(Convert),
+    /// Write a completion script for a shell to standard output
+    Completions {
+        /// The shell
+        shell: Shell,
+    },
+    /// Write a manual page (roff) to standard output
+    Man {
+        /// The command that the page is about; all of giveway where it is left out
+        command: Option<String>,
+    },
+}
+
+/// An instance, and how much of it.
+#[derive(Debug, ClapArgs)]
+pub(crate) struct Source {
+    /// A native file, a .scen, or - for standard input
+    #[arg(value_name = "INSTANCE")]
+    pub(crate) instance: PathBuf,
+    #[command(flatten)]
+    pub(crate) first: First,
+}
+
+/// How many agents of an instance count.
+#[derive(Clone, Copy, Debug, ClapArgs)]
+pub(crate) struct First {
+    /// Only the first N agents, of a native file too; all of them where it is left out
+    #[arg(long, value_name = "N")]
+    pub(crate) agents: Option<usize>,
+}
+
+#[derive(Debug, ClapArgs)]
+#[command(after_help = "\
+The answer is one of
+  optimal      a plan, and a proof that none is better
+  feasible     a plan, and the bounds proved when the time ran out
+  impossible   no plan exists
+  unknown      the time ran out with neither (exit status 3)
+A claim holds whatever the horizon, or it says within which makespan it does.
+
+Examples
+  giveway solve warehouse.json
+  giveway solve warehouse.json --objective charges,makespan --format json
+  giveway solve empty-16-16-even-1.scen --agents 20 --time-limit 30
+  giveway solve warehouse.json --pareto --objective makespan,charges")]
+pub(crate) struct Solve {
+    #[command(flatten)]
+    pub(crate) source: Source,
+    /// The costs to minimise, the most important first: makespan, sum-of-costs, charges,
+    /// moves, waits, separated by commas [default: the instance's own, or
+    /// makespan,sum-of-costs,charges]
+    #[arg(long, value_name = "LIST")]
+    pub(crate) objective: Option<Objective>,
+    /// All plans that no other beats in every cost, for an objective of two or three costs
+    #[arg(long)]
+    pub(crate) pareto: bool,
+    /// Only plans of at most this makespan; 0 is legal [default: the largest optimum of an agent
+    /// alone + 4 (width + height) + 10]
+    #[arg(long, value_name = "N")]
+    pub(crate) within: Option<u32>,
+    /// Wall seconds for the whole command; 0.5 is legal
+    #[arg(long, value_name = "SECONDS", value_parser = seconds)]
+    pub(crate) time_limit: Option<f64>,
+}
+
+#[derive(Debug, ClapArgs)]
+#[command(after_help = "\
+The exit status is 1 where the plan breaks a rule.
+
+Examples
+  giveway check warehouse.json warehouse.plan.json
+  giveway solve warehouse.json --format json | giveway check warehouse.json -")]
+pub(crate) struct Check {
+    #[command(flatten)]
+    pub(crate) source: Source,
+    /// A plan, or a result of solve with a plan in it; or - for standard input
+    #[arg(value_name = "PLAN")]
+    pub(crate) plan: PathBuf,
+}
+
+#[derive(Debug, ClapArgs)]
+#[command(after_help = "\
+A scenario takes the map that is given beside it and bears the name in the scenario, else the
+one of --map, else the one found beside it. A map that no scenario takes becomes an instance
+without agents. What the target cannot hold is told on standard error.
+
+Examples
+  giveway convert empty-8-8-even-1.scen --agents 4 --to giveway > small.json
+  giveway convert warehouse.json --to movingai -o maps")]
+pub(crate) struct Convert {
+    /// Native instances or plans, scenarios, maps; or - for standard input
+    #[arg(required = true, value_name = "FILE")]
+    pub(crate) files: Vec<PathBuf>,
+    /// The format to write
+    #[arg(long, value_enum, value_name = "FORMAT")]
+    pub(crate) to: Target,
+    /// The folder to write to; made where it is missing. Without it a single file goes to standard
+    /// output
+    #[arg(short, long, value_name = "DIR")]
+    pub(crate) output: Option<PathBuf>,
+    #[command(flatten)]
+    pub(crate) first: First,
+}
+
+/// What `convert` writes.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+pub(crate) enum Target {
+    /// The project's own JSON
+    Giveway,
+    /// A MovingAI .map and .scen
+    #[value(name = "movingai")]
+    MovingAi,
+}
+
+/// A time limit, in seconds.
+fn seconds(word: &str) -> Result<f64, String> {
+    word.parse::<f64>()
+        .ok()
+        .filter(|seconds| seconds.is_finite() && *seconds > 0.0)
+        .ok_or_else(|| format!("found \"{word}\", expected a number of seconds above 0"))
+}
+
+#[cfg(test)]
+mod tests {
+    use clap::CommandFactory;
+
+    use super::*;
+
+    #[test]
+    fn the_command_line_is_well_formed() {
+        Args::command().debug_assert();
+    }
+
+    #[test]
+    fn time_limits_are_positive_and_finite() {
+        assert_eq!(seconds("0.5"), Ok(0.5));
+        for word in ["0", "-1", "inf", "NaN", "1e999", "soon", ""] {
+            assert!(seconds(word).is_err(), "{word}");
+        }
+    }
+}

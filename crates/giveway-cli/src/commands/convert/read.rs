@@ -1,0 +1,126 @@
+//! What `convert` reads: scenarios with their maps, instances and plans.
+
+use std::path::PathBuf;
+
+use giveway_model::{Fault, Instance, Plan, Scene};
+
+use crate::{
+    args::{Common, Convert},
+    failure::Failure,
+    input::{self, Kind, Map, Maps, Scen, Source},
+    output::stream,
+};
+
+/// The stem of files that come from standard input.
+const UNNAMED: &str = "instance";
+
+/// One thing to write.
+pub(super) struct Item {
+    /// The file that it came from, in messages.
+    pub(super) name: String,
+    /// The name of its files, without ending.
+    pub(super) stem: String,
+    /// What it is.
+    pub(super) content: Content,
+}
+
+/// An instance or a plan.
+pub(super) enum Content {
+    Instance(Instance),
+    Plan(Plan),
+}
+
+/// All that was read.
+pub(super) struct Inputs {
+    /// In the order of the command line; maps that no scenario takes are last.
+    pub(super) items: Vec<Item>,
+    /// Every file that was read; none of them is ever overwritten.
+    pub(super) paths: Vec<PathBuf>,
+}
+
+/// Reads the files of the command line.
+pub(super) fn inputs(args: &Convert, common: &Common) -> Result<Inputs, Failure> {
+    let mut sources = Vec::new();
+    let mut given = Vec::new();
+    for path in &args.files {
+        let source = Source::read(path)?;
+        match Kind::of(&source) {
+            Kind::Map => given.push(Map::read(source)?),
+            kind => sources.push((kind, source)),
+        }
+    }
+    let maps = Maps::new(&given, common.map.as_deref())?;
+    let first = args.first.agents;
+    let mut inputs = Inputs {
+        items: Vec::new(),
+        paths: Vec::new(),
+    };
+    let mut taken = Vec::new();
+    for (kind, source) in sources {
+        inputs.paths.extend(source.path.clone());
+        let (name, stem) = (source.name.clone(), stem(&source));
+        let content = match kind {
+            Kind::Scenario => {
+                let scen = Scen::read(source)?;
+                let map = maps.of(&scen)?;
+                if let Some(note) = map.note(&scen).filter(|_| !common.quiet) {
+                    stream::note(&note);
+                }
+                let instance = scen.instance(&map, first)?;
+                taken.extend(map.source.path);
+                Content::Instance(instance)
+            }
+            Kind::Plan | Kind::Answer => {
+                if first.is_some() {
+                    return Err(Failure::Usage(format!(
+                        "--agents is for instances, and {name} is a plan"
+                    )));
+                }
+                Content::Plan(input::plan_in(&source)?)
+            }
+            Kind::Scene | Kind::Map => Content::Instance(input::native(&source, first)?),
+        };
+        inputs.items.push(Item {
+            name,
+            stem,
+            content,
+        });
+    }
+    for map in given {
+        let is_taken = map
+            .source
+            .path
+            .as_ref()
+            .is_some_and(|path| taken.contains(path));
+        inputs.paths.extend(map.source.path.clone());
+        if !is_taken {
+            inputs.items.push(without_agents(map, first)?);
+        }
+    }
+    inputs.paths.extend(taken);
+    Ok(inputs)
+}
+
+/// A map alone: an instance without agents.
+fn without_agents(map: Map, first: Option<usize>) -> Result<Item, Failure> {
+    if let Some(first) = first.filter(|first| *first > 0) {
+        let expected = format!("a scenario for {first} agents, as --agents asks");
+        return Err(map.source.fault(Fault::at("", "a map alone", expected)));
+    }
+    let stem = stem(&map.source);
+    let scene = Scene {
+        name: stem.clone(),
+        map: map.grid.rows(),
+        ..Scene::default()
+    };
+    let instance = Instance::new(scene).map_err(|faults| map.source.faults(faults))?;
+    Ok(Item {
+        name: map.source.name,
+        stem,
+        content: Content::Instance(instance),
+    })
+}
+
+fn stem(source: &Source) -> String {
+    source.stem().unwrap_or_else(|| UNNAMED.to_owned())
+}

@@ -1,0 +1,49 @@
+//! The commands, one file each.
+
+mod check;
+mod convert;
+mod manual;
+mod solve;
+
+use crate::{
+    args::{Args, Command},
+    clock::Clock,
+    exit::Exit,
+    failure::Failure,
+};
+use giveway_model::Fault;
+use giveway_solve::Refusal;
+
+/// Runs the command that the command line asks for.
+pub(crate) fn run(args: &Args, clock: Clock) -> Result<Exit, Failure> {
+    match &args.command {
+        Command::Solve(solve) => solve::run(solve, &args.common, clock),
+        Command::Check(check) => check::run(check, &args.common, clock),
+        Command::Convert(convert) => convert::run(convert, &args.common),
+        Command::Completions { shell } => manual::completions(*shell),
+        Command::Man { command } => manual::man(command.as_deref()),
+    }
+}
+
+/// What the service's refusal is to the command.
+fn refused(refusal: Refusal, file: &std::path::Path) -> Failure {
+    match refusal {
+        Refusal::Scene { faults } => Failure::Input {
+            file: file.to_string_lossy().into_owned(),
+            faults,
+        },
+        Refusal::Request { fault } => Failure::Usage(fault.to_string()),
+    }
+}
+
+/// A response to another request than was made, which no service gives.
+fn unexpected(file: &std::path::Path) -> Failure {
+    Failure::input(
+        file.to_string_lossy(),
+        Fault::at(
+            "",
+            "another response than was asked for",
+            "the answer to the request",
+        ),
+    )
+}

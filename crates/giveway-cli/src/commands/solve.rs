@@ -1,0 +1,79 @@
+//! `giveway solve`: the best plan, proved.
+
+use giveway_model::Objective;
+use giveway_solve::{Limits, Request, Response, SolveRequest, Status, serve};
+
+use super::{refused, unexpected};
+use crate::{
+    args::{Common, Solve},
+    clock::Clock,
+    exit::Exit,
+    failure::Failure,
+    input,
+    output::{self, text},
+    progress::CommandHost,
+};
+
+pub(crate) fn run(args: &Solve, common: &Common, clock: Clock) -> Result<Exit, Failure> {
+    if let Some(objective) = args.objective.as_ref().filter(|_| args.pareto) {
+        check_front(objective)?;
+    }
+    let instance = input::instance(&args.source, common)?;
+    let objective = args
+        .objective
+        .as_ref()
+        .unwrap_or(instance.objective())
+        .clone();
+    if args.pareto {
+        check_front(&objective)?;
+    }
+    let request = Request::Solve(SolveRequest {
+        scene: instance.to_scene(),
+        objective: Some(objective.clone()),
+        pareto: args.pareto,
+        within: args.within,
+        limits: Limits {
+            // The limit is for the whole command: reading has taken its part.
+            seconds: args
+                .time_limit
+                .map(|limit| (limit - clock.wall_seconds()).max(0.0)),
+            ..Limits::default()
+        },
+    });
+    let host = CommandHost::new(clock, common.quiet, objective.clone());
+    let response = serve(&request, &host);
+    host.finish();
+    match response {
+        Response::Solved(answer) => {
+            output::answer(common.format, &answer, |columns| {
+                text::solve(&instance, &objective, &answer, columns)
+            })?;
+            Ok(exit(answer.status))
+        }
+        Response::Front(answer) => {
+            output::answer(common.format, &answer, |columns| {
+                text::front(&instance, &objective, &answer, columns)
+            })?;
+            Ok(exit(answer.status))
+        }
+        Response::Refused(refusal) => Err(refused(refusal, &args.source.instance)),
+        Response::Checked(_) => Err(unexpected(&args.source.instance)),
+    }
+}
+
+/// Fronts are of two or three costs.
+fn check_front(objective: &Objective) -> Result<(), Failure> {
+    match objective.costs().len() {
+        2 | 3 => Ok(()),
+        _ => Err(Failure::Usage(format!(
+            "found the objective {objective}, expected two or three costs for --pareto"
+        ))),
+    }
+}
+
+fn exit(status: Status) -> Exit {
+    match status {
+        Status::Optimal | Status::Feasible | Status::Impossible => Exit::Answered,
+        Status::Unknown => Exit::Unknown,
+    }
+}

@@ -1,0 +1,13 @@
+//! What comes in: files and standard input, told apart by what they hold.
+
+mod instance;
+mod kind;
+mod plan;
+mod scenario;
+mod source;
+
+pub(crate) use instance::{instance, native};
+pub(crate) use kind::Kind;
+pub(crate) use plan::{plan, plan_in};
+pub(crate) use scenario::{Map, Maps, Scen};
+pub(crate) use source::{Source, is_standard_input};

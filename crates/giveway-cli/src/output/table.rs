@@ -1,0 +1,275 @@
+//! The table of times, cells and battery levels, as the papers print it: a
+//! column a time, wrapped into blocks; for each agent a row of cells and, where
+//! it has a battery, a row of levels.
+
+use std::fmt::Write as _;
+
+use giveway_model::{
+    Instance, Plan,
+    check::{arrivals, levels},
+};
+
+use super::plain;
+
+/// With more agents, only the arrivals are listed.
+const MAX_AGENTS: usize = 40;
+/// Names are cut to so many columns.
+const NAME_COLUMNS: usize = 16;
+/// Longer plans are not told step by step.
+const MAX_TIMES: usize = 2000;
+
+/// Draws the table of a plan, in lines of at most so many columns.
+///
+/// The plan may be broken: what it has is drawn as it is.
+pub(crate) fn draw(instance: &Instance, plan: &Plan, columns: usize) -> String {
+    let mut plan = plan.clone();
+    plan.cut_trailing_goals(instance);
+    let rows = if instance.agents().len() > MAX_AGENTS {
+        Vec::new()
+    } else {
+        rows(instance, &plan)
+    };
+    let times = rows.iter().map(|row| row.entries.len()).max().unwrap_or(0);
+    if instance.agents().is_empty() {
+        String::new()
+    } else if rows.is_empty() || times > MAX_TIMES {
+        summary(instance, &plan)
+    } else {
+        blocks(&rows, times, columns) + &legend(&rows)
+    }
+}
+
+/// One row: its label, and an entry a time from 0.
+struct Row {
+    label: String,
+    entries: Vec<String>,
+}
+
+fn rows(instance: &Instance, plan: &Plan) -> Vec<Row> {
+    let mut rows = Vec::new();
+    for (i, agent) in instance.agents().iter().enumerate() {
+        let path = plan.path(&agent.name);
+        let from = plan.from.get(&agent.name).map_or(0, |t| *t as usize);
+        let charges = plan.charges(&agent.name);
+        let levels = levels(instance, i, plan);
+        let mark = |k: usize| {
+            let charged = charges.iter().any(|t| *t as usize == from + k);
+            if charged { '*' } else { ' ' }
+        };
+        // Without levels the mark of a charge, which is wrong then, stands at the cell.
+        let cells = path.iter().enumerate().map(|(k, cell)| {
+            let mark = if levels.is_empty() { mark(k) } else { ' ' };
+            cell.map_or("..".to_owned(), |c| format!("{},{}", c.x, c.y))
+                + mark.encode_utf8(&mut [0; 4])
+        });
+        rows.push(Row::after(
+            from,
+            plain::cut(&plain::text(&agent.name), NAME_COLUMNS),
+            cells,
+        ));
+        if !levels.is_empty() {
+            let levels = levels
+                .iter()
+                .enumerate()
+                .map(|(k, n)| format!("{n}{}", mark(k)));
+            rows.push(Row::after(from, "  level".to_owned(), levels));
+        }
+    }
+    rows
+}
+
+impl Row {
+    /// A row whose first entry stands at the time `from`.
+    fn after(from: usize, label: String, entries: impl Iterator<Item = String>) -> Self {
+        let from = from.min(MAX_TIMES);
+        Self {
+            label,
+            entries: std::iter::repeat_n(String::new(), from)
+                .chain(entries)
+                .collect(),
+        }
+    }
+}
+
+/// The rows, cut into blocks of times that fit the width.
+fn blocks(rows: &[Row], times: usize, columns: usize) -> String {
+    let widest = |texts: &mut dyn Iterator<Item = usize>| texts.max().unwrap_or(0);
+    let label = widest(&mut rows.iter().map(|row| plain::width(&row.label))).max(4);
+    let entry = widest(
+        &mut rows
+            .iter()
+            .flat_map(|row| row.entries.iter().map(String::len)),
+    );
+    let pitch = entry.max(times.to_string().len() + 1) + 1;
+    let per_block = (columns.saturating_sub(label) / pitch).max(1);
+    let mut text = String::new();
+    for first in (0..times).step_by(per_block) {
+        if first > 0 {
+            text.push('\n');
+        }
+        let block = first..times.min(first + per_block);
+        let header = block.clone().map(|t| format!("{t} "));
+        text += &line("time", label, pitch, header);
+        for row in rows {
+            let entries = block
+                .clone()
+                .map(|t| row.entries.get(t).cloned().unwrap_or_default());
+            text += &line(&row.label, label, pitch, entries);
+        }
+    }
+    text
+}
+
+fn line(
+    label: &str,
+    label_columns: usize,
+    pitch: usize,
+    entries: impl Iterator<Item = String>,
+) -> String {
+    let mut line = plain::pad_right(label, label_columns);
+    for entry in entries {
+        line += &plain::pad_left(&entry, pitch);
+    }
+    line.trim_end().to_owned() + "\n"
+}
+
+fn legend(rows: &[Row]) -> String {
+    let occurs = |what: &str| {
+        rows.iter()
+            .any(|row| row.entries.iter().any(|e| e.contains(what)))
+    };
+    let words: Vec<&str> = [("..", ".. in transit on a slow move"), ("*", "* charges")]
+        .into_iter()
+        .filter(|(what, _)| occurs(what))
+        .map(|(_, words)| words)
+        .collect();
+    if words.is_empty() {
+        String::new()
+    } else {
+        format!("  {}\n", words.join(", "))
+    }
+}
+
+/// Where each agent starts and ends, and when it arrives.
+fn summary(instance: &Instance, plan: &Plan) -> String {
+    let mut text = format!(
+        "{:NAME_COLUMNS$} {:>11} {:>11} {:>8} {:>8}\n",
+        "agent", "start", "goal", "arrival", "charges"
+    );
+    for (agent, arrival) in instance.agents().iter().zip(arrivals(instance, plan)) {
+        let name = plain::cut(&plain::text(&agent.name), NAME_COLUMNS);
+        let _ = writeln!(
+            text,
+            "{} {:>11} {:>11} {:>8} {:>8}",
+            plain::pad_right(&name, NAME_COLUMNS),
+            agent.start.to_string(),
+            agent.goal.to_string(),
+            arrival.map_or("none".to_owned(), |t| t.to_string()),
+            plan.charges(&agent.name).len(),
+        );
+    }
+    text + "\nThe plan is too large for a table of times; --format json has the whole of it.\n"
+}
+
+#[cfg(test)]
+mod tests {
+    use expect_test::{Expect, expect};
+    use giveway_model::{Agent, Battery, Cell, Scene};
+
+    use super::*;
+
+    fn agent(name: &str, start: [u32; 2], goal: [u32; 2], battery: Option<Battery>) -> Agent {
+        Agent {
+            name: name.to_owned(),
+            start: Cell::new(start[0], start[1]),
+            goal: Cell::new(goal[0], goal[1]),
+            waypoints: Vec::new(),
+            battery,
+        }
+    }
+
+    fn check(map: &[&str], agents: Vec<Agent>, plan: &str, columns: usize, expect: &Expect) {
+        let scene = Scene {
+            map: map.iter().map(|&row| row.to_owned()).collect(),
+            agents,
+            ..Scene::default()
+        };
+        let plan = serde_json::from_str(plan).unwrap();
+        expect.assert_eq(&draw(&Instance::new(scene).unwrap(), &plan, columns));
+    }
+
+    const PLAN: &str = r#"{ "giveway": 1,
+        "paths": { "A1": [[0,0],[1,0],null,[2,0],[3,0]], "A2": [[0,1],[1,1],[1,1]] },
+        "charges": { "A1": [1] } }"#;
+
+    fn agents() -> Vec<Agent> {
+        let battery = Battery {
+            capacity: 10,
+            initial: 3,
+        };
+        vec![
+            agent("A1", [0, 0], [3, 0], Some(battery)),
+            agent("A2", [0, 1], [1, 1], None),
+        ]
+    }
+
+    const MAP: [&str; 2] = [".*~.", "...."];
+
+    #[test]
+    fn cells_levels_charges_and_transit() {
+        check(&MAP, agents(), PLAN, 100, &expect![[r#"
+            time      0    1    2    3    4
+            A1      0,0  1,0   ..  2,0  3,0
+              level   3    2*  10    9    8
+            A2      0,1  1,1
+              .. in transit on a slow move, * charges
+        "#]]);
+    }
+
+    #[test]
+    fn a_narrow_terminal_gets_blocks() {
+        check(&MAP, agents(), PLAN, 22, &expect![[r#"
+            time      0    1    2
+            A1      0,0  1,0   ..
+              level   3    2*  10
+            A2      0,1  1,1
+
+            time      3    4
+            A1      2,0  3,0
+              level   9    8
+            A2
+              .. in transit on a slow move, * charges
+        "#]]);
+    }
+
+    #[test]
+    fn a_plan_without_paths_has_no_table() {
+        let plan = r#"{ "giveway": 1, "paths": {} }"#;
+        check(&MAP, agents(), plan, 100, &expect![[r#""#]]);
+    }
+
+    #[test]
+    fn many_agents_get_a_summary() {
+        let row = ".".repeat(41);
+        let agents = (0..41)
+            .map(|i| agent(&format!("A{i}"), [i, 0], [i, 0], None))
+            .collect();
+        let plan = r#"{ "giveway": 1, "paths": { "A0": [[0,0]] } }"#;
+        let scene = Scene {
+            map: vec![row],
+            agents,
+            ..Scene::default()
+        };
+        let plan = serde_json::from_str(plan).unwrap();
+        let text = draw(&Instance::new(scene).unwrap(), &plan, 100);
+        let lines: Vec<&str> = text.lines().take(3).collect();
+        expect![[r#"
+            [
+                "agent                  start        goal  arrival  charges",
+                "A0                    (0, 0)      (0, 0)        0        0",
+                "A1                    (1, 0)      (1, 0)     none        0",
+            ]
+        "#]].assert_debug_eq(&lines);
+        assert!(text.contains("--format json"));
+    }
+}

@@ -1,0 +1,68 @@
+//! Answers as text for people.
+
+mod check;
+mod front;
+mod solve;
+
+pub(crate) use check::check;
+pub(crate) use front::front;
+pub(crate) use solve::solve;
+
+use anstyle::{AnsiColor, Style};
+use giveway_model::{Instance, Plan};
+use giveway_solve::Status;
+
+use super::{map, plain, table, words};
+
+/// `warehouse: 10 x 3 cells, 2 agents`.
+fn title(instance: &Instance) -> String {
+    let grid = instance.grid();
+    let name = if instance.name().is_empty() {
+        "unnamed".to_owned()
+    } else {
+        plain::text(instance.name())
+    };
+    format!(
+        "{}: {} x {} cells, {}\n",
+        bold(&name),
+        grid.width(),
+        grid.height(),
+        words::count(instance.agents().len() as u64, "agent")
+    )
+}
+
+/// The map, and the plan below it.
+fn drawings(instance: &Instance, plan: Option<&Plan>, columns: usize) -> String {
+    let map = map::draw(instance, columns);
+    let table = plan.map_or(String::new(), |plan| table::draw(instance, plan, columns));
+    if table.is_empty() {
+        map
+    } else {
+        format!("{map}\n{table}")
+    }
+}
+
+/// Bold text; the stream takes it away where there is no terminal.
+fn bold(text: &str) -> String {
+    paint(Style::new().bold(), text)
+}
+
+/// The word of a status in its colour.
+fn status_word(status: Status, word: &str) -> String {
+    let colour = match status {
+        Status::Optimal => AnsiColor::Green,
+        Status::Feasible | Status::Unknown => AnsiColor::Yellow,
+        Status::Impossible => AnsiColor::Red,
+    };
+    paint(colour.on_default().bold(), word)
+}
+
+fn paint(style: Style, text: &str) -> String {
+    format!("{style}{text}{style:#}")
+}
+
+/// What a test compares: the text as it reads without a terminal.
+#[cfg(test)]
+fn unpainted(text: &str) -> String {
+    anstream::adapter::strip_str(text).to_string()
+}

@@ -1,0 +1,60 @@
+//! The answer of `check` as text.
+
+use std::fmt::Write as _;
+
+use anstyle::AnsiColor;
+use giveway_model::{Cost, Instance, Plan};
+use giveway_solve::CheckAnswer;
+
+use super::{drawings, paint, title};
+use crate::output::{plain, words};
+
+/// So many violations are told one by one; the rest is counted.
+const TOLD: usize = 100;
+
+/// The verdict, every violation, and the plan with its battery levels.
+pub(crate) fn check(
+    instance: &Instance,
+    plan: &Plan,
+    answer: &CheckAnswer,
+    columns: usize,
+) -> String {
+    [
+        title(instance),
+        verdict(answer),
+        drawings(instance, Some(plan), columns),
+    ]
+    .join("\n")
+}
+
+fn verdict(answer: &CheckAnswer) -> String {
+    let costs = answer
+        .costs
+        .map(|costs| words::list(Cost::ALL.iter(), &costs));
+    if answer.valid {
+        let word = paint(AnsiColor::Green.on_default().bold(), "Valid");
+        return format!("{word}: {}.\n", costs.unwrap_or_default());
+    }
+    let word = paint(AnsiColor::Red.on_default().bold(), "Not valid");
+    let number = words::count(answer.violations.len() as u64, "violation");
+    let mut text = format!("{word}: {number}.\n");
+    for violation in answer.violations.iter().take(TOLD) {
+        let _ = writeln!(
+            text,
+            "  {}: {}",
+            violation.rule.name(),
+            words::sentence(&violation.message)
+        );
+    }
+    if answer.violations.len() > TOLD {
+        let _ = writeln!(
+            text,
+            "  and {} more; --format json has them all",
+            answer.violations.len() - TOLD
+        );
+    }
+    if let Some(costs) = costs {
+        let _ = writeln!(text, "As it stands it costs {}.", plain::text(&costs));
+    }
+    text
+}

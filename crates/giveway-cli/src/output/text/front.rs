@@ -1,0 +1,90 @@
+//! A Pareto front as text.
+
+use std::fmt::Write as _;
+
+use giveway_model::{Cost, Instance, Objective};
+use giveway_solve::{FrontAnswer, SolveAnswer, Stats, Status};
+
+use super::{drawings, solve::work, status_word, title};
+use crate::output::words;
+
+/// The front: what is known of it, and a row of costs for each of its plans.
+pub(crate) fn front(
+    instance: &Instance,
+    objective: &Objective,
+    answer: &FrontAnswer,
+    columns: usize,
+) -> String {
+    let mut parts = vec![title(instance), status(objective, answer)];
+    if !answer.front.is_empty() {
+        parts.push(points(objective, &answer.front));
+    }
+    parts.push(drawings(instance, None, columns));
+    parts.push(work(&total(&answer.front)));
+    parts.join("\n")
+}
+
+fn status(objective: &Objective, answer: &FrontAnswer) -> String {
+    let names: Vec<&str> = objective.costs().iter().map(|&c| words::name(c)).collect();
+    let points = words::count(answer.front.len() as u64, "point");
+    let reach = match answer.within {
+        None if answer.complete => "whatever the horizon".to_owned(),
+        None => "as far as it was searched".to_owned(),
+        Some(n) => format!("within makespan {n}"),
+    };
+    let (word, rest) = match answer.status {
+        Status::Optimal => ("Pareto front", format!(": {points}, complete {reach}.")),
+        Status::Feasible => (
+            "Part of the Pareto front",
+            format!(": {points}; the time ran out before all were proved."),
+        ),
+        Status::Impossible => ("Impossible", format!(", {reach}: there is no plan.")),
+        Status::Unknown => (
+            "Unknown",
+            ": neither a plan nor a proof that there is none.".to_owned(),
+        ),
+    };
+    format!(
+        "{}{rest}\nCosts: {}.\n",
+        status_word(answer.status, word),
+        names.join(", ")
+    )
+}
+
+/// A row a point: the costs of the objective, then the others.
+fn points(objective: &Objective, front: &[SolveAnswer]) -> String {
+    let others = Cost::ALL
+        .iter()
+        .filter(|cost| !objective.costs().contains(cost));
+    let costs: Vec<Cost> = objective.costs().iter().chain(others).copied().collect();
+    let mut text = "point".to_owned();
+    for &cost in &costs {
+        let _ = write!(text, "{:>14}", words::name(cost));
+    }
+    text.push('\n');
+    for (i, point) in front.iter().enumerate() {
+        let _ = write!(text, "{:>5}", i + 1);
+        for &cost in &costs {
+            let value = point
+                .costs
+                .map_or("-".to_owned(), |costs| costs.get(cost).to_string());
+            let _ = write!(text, "{value:>14}");
+        }
+        text += match point.status {
+            Status::Optimal => "\n",
+            _ => "  not proved\n",
+        };
+    }
+    text + "The plan of each point stands in the result of --format json.\n"
+}
+
+/// The work for all points together.
+fn total(front: &[SolveAnswer]) -> Stats {
+    front.iter().fold(Stats::default(), |sum, point| Stats {
+        cpu_seconds: sum.cpu_seconds + point.stats.cpu_seconds,
+        solver_calls: sum.solver_calls + point.stats.solver_calls,
+        variables: sum.variables.max(point.stats.variables),
+        clauses: sum.clauses.max(point.stats.clauses),
+        conflicts: sum.conflicts + point.stats.conflicts,
+    })
+}

@@ -1,0 +1,228 @@
+//! The answer of `solve` as text.
+
+use std::fmt::Write as _;
+
+use giveway_model::{Cost, Costs, Instance, Objective};
+use giveway_solve::{SolveAnswer, Stats, Status};
+
+use super::{drawings, status_word, title};
+use crate::output::{plain, words};
+
+/// The whole answer: what is known, the costs, the map, the plan, the work.
+pub(crate) fn solve(
+    instance: &Instance,
+    objective: &Objective,
+    answer: &SolveAnswer,
+    columns: usize,
+) -> String {
+    let mut parts = vec![title(instance), status(objective, answer)];
+    if let Some(costs) = &answer.costs {
+        parts.push(cost_table(objective, costs, answer));
+    }
+    parts.push(drawings(instance, answer.plan.as_ref(), columns));
+    parts.push(work(&answer.stats));
+    parts.join("\n")
+}
+
+/// What is known, with the reach of the claim.
+fn status(objective: &Objective, answer: &SolveAnswer) -> String {
+    let (word, rest) = match answer.status {
+        Status::Optimal => ("Optimal", optimal(objective, answer)),
+        Status::Feasible => ("Feasible", feasible(objective, answer)),
+        Status::Impossible => impossible(answer),
+        Status::Unknown => ("Unknown", unknown(objective, answer)),
+    };
+    format!("{}{rest}\n", status_word(answer.status, word))
+}
+
+fn optimal(objective: &Objective, answer: &SolveAnswer) -> String {
+    let costs = answer.costs.unwrap_or_default();
+    let costs = words::list(objective.costs(), &costs);
+    match answer.within {
+        None => format!(": {costs}.\nNo plan is better, whatever the horizon."),
+        Some(n) => format!(
+            " within makespan {n}: {costs}.\nNo plan of at most that makespan is better; \
+             a longer one might be."
+        ),
+    }
+}
+
+fn feasible(objective: &Objective, answer: &SolveAnswer) -> String {
+    let costs = answer.costs.unwrap_or_default();
+    let mut text = format!(
+        ": {}.",
+        words::with_bounds(objective, &costs, &answer.bounds)
+    );
+    add_reach(&mut text, answer);
+    add_reason(&mut text, answer);
+    text
+}
+
+fn impossible(answer: &SolveAnswer) -> (&'static str, String) {
+    let reason = answer.reason.as_deref().map(words::sentence);
+    match (answer.within, reason) {
+        (None, None) => ("Impossible", ", whatever the horizon.".to_owned()),
+        (None, Some(reason)) => ("Impossible", format!(", whatever the horizon: {reason}")),
+        (Some(n), None) => ("No plan", format!(" within makespan {n}.")),
+        (Some(n), Some(reason)) => ("No plan", format!(" within makespan {n}: {reason}")),
+    }
+}
+
+fn unknown(objective: &Objective, answer: &SolveAnswer) -> String {
+    let mut text = ": neither a plan nor a proof that there is none.".to_owned();
+    let bounds = words::bounds(objective, &answer.bounds);
+    if !bounds.is_empty() {
+        let _ = write!(text, "\nProved so far: {bounds}.");
+        add_reach(&mut text, answer);
+    }
+    add_reason(&mut text, answer);
+    text
+}
+
+fn add_reach(text: &mut String, answer: &SolveAnswer) {
+    if let Some(n) = answer.within
+        && !answer.bounds.is_empty()
+    {
+        let _ = write!(
+            text,
+            "\nWhat is proved holds for plans of makespan {n} at most."
+        );
+    }
+}
+
+fn add_reason(text: &mut String, answer: &SolveAnswer) {
+    if let Some(reason) = &answer.reason {
+        let _ = write!(text, "\n{}", words::sentence(reason));
+    }
+}
+
+/// All five costs, those of the objective first, each with its proved bound.
+fn cost_table(objective: &Objective, costs: &Costs, answer: &SolveAnswer) -> String {
+    let others = Cost::ALL
+        .iter()
+        .filter(|cost| !objective.costs().contains(cost));
+    let mut text = format!("{:<14}{:>8}{:>18}\n", "cost", "value", "proved at least");
+    for &cost in objective.costs().iter().chain(others) {
+        let bound = answer
+            .bounds
+            .get(&cost)
+            .map_or("-".to_owned(), u32::to_string);
+        let name = plain::pad_right(words::name(cost), 14);
+        let _ = writeln!(text, "{name}{:>8}{bound:>18}", costs.get(cost));
+    }
+    text
+}
+
+/// How much work it took.
+pub(super) fn work(stats: &Stats) -> String {
+    format!(
+        "{:.2} s CPU, {}, {}, {}, {}\n",
+        stats.cpu_seconds,
+        words::count(stats.solver_calls, "solver call"),
+        words::count(stats.variables, "variable"),
+        words::count(stats.clauses, "clause"),
+        words::count(stats.conflicts, "conflict"),
+    )
+}
+
+#[cfg(test)]
+mod tests {
+    use std::collections::BTreeMap;
+
+    use expect_test::{Expect, expect};
+    use giveway_model::Version;
+
+    use super::*;
+    use crate::output::text::unpainted;
+
+    fn answer(status: Status, within: Option<u32>, reason: Option<&str>) -> SolveAnswer {
+        SolveAnswer {
+            giveway: Version,
+            status,
+            costs: matches!(status, Status::Optimal | Status::Feasible).then_some(Costs {
+                makespan: 23,
+                sum_of_costs: 35,
+                charges: 3,
+                moves: 30,
+                waits: 1,
+            }),
+            bounds: BTreeMap::from([(Cost::Makespan, 22)]),
+            within,
+            complete: within.is_none(),
+            reason: reason.map(str::to_owned),
+            plan: None,
+            stats: Stats::default(),
+        }
+    }
+
+    fn check(answer: &SolveAnswer, expect: &Expect) {
+        expect.assert_eq(&unpainted(&status(&Objective::default(), answer)));
+    }
+
+    #[test]
+    fn optimal_says_how_far_it_holds() {
+        check(&answer(Status::Optimal, None, None), &expect![[r#"
+            Optimal: makespan 23, sum of costs 35, 3 charges.
+            No plan is better, whatever the horizon.
+        "#]]);
+        check(&answer(Status::Optimal, Some(57), None), &expect![[r#"
+            Optimal within makespan 57: makespan 23, sum of costs 35, 3 charges.
+            No plan of at most that makespan is better; a longer one might be.
+        "#]]);
+    }
+
+    #[test]
+    fn feasible_says_what_is_proved() {
+        let reason = Some("The time limit was reached");
+        check(&answer(Status::Feasible, None, reason), &expect![[r#"
+            Feasible: makespan 23, proved at least 22 (gap 4 %); sum of costs 35; 3 charges.
+            The time limit was reached.
+        "#]]);
+        check(
+            &answer(Status::Feasible, Some(57), reason),
+            &expect![[r#"
+                Feasible: makespan 23, proved at least 22 (gap 4 %); sum of costs 35; 3 charges.
+                What is proved holds for plans of makespan 57 at most.
+                The time limit was reached.
+            "#]],
+        );
+    }
+
+    #[test]
+    fn impossible_says_why() {
+        let reason = Some("A1 cannot reach its goal.");
+        check(&answer(Status::Impossible, None, reason), &expect![[r#"
+            Impossible, whatever the horizon: A1 cannot reach its goal.
+        "#]]);
+        check(
+            &answer(Status::Impossible, Some(17), None),
+            &expect![[r#"
+                No plan within makespan 17.
+            "#]],
+        );
+    }
+
+    #[test]
+    fn unknown_is_no_impossible() {
+        let reason = Some("The time limit was reached");
+        check(&answer(Status::Unknown, None, reason), &expect![[r#"
+            Unknown: neither a plan nor a proof that there is none.
+            Proved so far: makespan at least 22.
+            The time limit was reached.
+        "#]]);
+    }
+
+    #[test]
+    fn every_cost_stands_beside_its_bound() {
+        let answer = answer(Status::Feasible, None, None);
+        let objective = "charges,makespan".parse().unwrap();
+        expect![[r#"
+            cost             value   proved at least
+            charges              3                 -
+            makespan            23                22
+            sum of costs        35                 -
+            moves               30                 -
+            waits                1                 -
+        "#]].assert_eq(&cost_table(&objective, &answer.costs.unwrap(), &answer));
+    }
+}

@@ -1,0 +1,192 @@
+//! The progress line: one line on standard error, written over and over.
+
+use std::cell::RefCell;
+use std::collections::BTreeMap;
+use std::io::{self, IsTerminal, Write};
+
+use giveway_model::{Cost, Costs, Objective};
+use giveway_solve::{Host, Progress};
+
+use crate::{
+    clock::Clock,
+    output::{plain, words},
+};
+
+/// A command that answers faster shows no progress at all.
+const FIRST_SECONDS: f64 = 0.3;
+/// The line is written at most this often.
+const EVERY_SECONDS: f64 = 0.1;
+
+/// The surroundings that the command lends to the solver: its clock, and, on a
+/// terminal, a line that tells how far it is.
+pub(crate) struct CommandHost {
+    clock: Clock,
+    line: Option<RefCell<Line>>,
+}
+
+impl CommandHost {
+    /// A host with a progress line, unless `quiet` or standard error is no
+    /// terminal.
+    pub(crate) fn new(clock: Clock, quiet: bool, objective: Objective) -> Self {
+        let shown = !quiet && io::stderr().is_terminal();
+        Self {
+            clock,
+            line: shown.then(|| RefCell::new(Line::new(objective))),
+        }
+    }
+
+    /// Takes the line away; the answer may be written now.
+    pub(crate) fn finish(self) {
+        if let Some(line) = self.line {
+            line.into_inner().clear();
+        }
+    }
+
+    fn refresh(&self) {
+        if let Some(line) = &self.line {
+            line.borrow_mut().refresh(self.clock.wall_seconds());
+        }
+    }
+}
+
+impl Host for CommandHost {
+    fn wall_seconds(&self) -> f64 {
+        self.clock.wall_seconds()
+    }
+
+    fn cpu_seconds(&self) -> f64 {
+        self.clock.cpu_seconds()
+    }
+
+    /// Asked often, also while nothing becomes known: the seconds go on.
+    fn cancelled(&self) -> bool {
+        self.refresh();
+        false
+    }
+
+    fn progress(&self, event: &Progress) {
+        if let Some(line) = &self.line {
+            line.borrow_mut().known.learn(event);
+            self.refresh();
+        }
+    }
+}
+
+/// The line on the terminal.
+struct Line {
+    known: Known,
+    next_seconds: f64,
+    shown_columns: usize,
+}
+
+impl Line {
+    fn new(objective: Objective) -> Self {
+        Self {
+            known: Known {
+                objective,
+                best: None,
+                bounds: BTreeMap::new(),
+                conflicts: 0,
+            },
+            next_seconds: FIRST_SECONDS,
+            shown_columns: 0,
+        }
+    }
+
+    fn refresh(&mut self, seconds: f64) {
+        if seconds < self.next_seconds {
+            return;
+        }
+        self.next_seconds = seconds + EVERY_SECONDS;
+        let columns = terminal_size::terminal_size_of(io::stderr())
+            .map_or(80, |(width, _)| usize::from(width.0));
+        let text = plain::cut(&self.known.words(seconds), columns.saturating_sub(2));
+        let new_columns = plain::width(&text);
+        write_now(&format!(
+            "\r{}",
+            plain::pad_right(&text, self.shown_columns)
+        ));
+        self.shown_columns = new_columns;
+    }
+
+    fn clear(&self) {
+        if self.shown_columns > 0 {
+            write_now(&format!("\r{}\r", " ".repeat(self.shown_columns)));
+        }
+    }
+}
+
+/// A terminal that is gone takes no line, and misses none.
+fn write_now(text: &str) {
+    let mut out = io::stderr().lock();
+    let _ = out.write_all(text.as_bytes()).and_then(|()| out.flush());
+}
+
+/// What became known so far.
+struct Known {
+    objective: Objective,
+    best: Option<Costs>,
+    bounds: BTreeMap<Cost, u32>,
+    conflicts: u64,
+}
+
+impl Known {
+    fn learn(&mut self, event: &Progress) {
+        match event {
+            Progress::Bound { cost, at_least } => {
+                self.bounds.insert(*cost, *at_least);
+            }
+            Progress::Plan { costs } => self.best = Some(*costs),
+            Progress::Size { conflicts, .. } => self.conflicts = *conflicts,
+        }
+    }
+
+    /// `12.3 s: makespan 23, proved at least 18 (gap 22 %); 4000 conflicts`.
+    fn words(&self, seconds: f64) -> String {
+        let known = match &self.best {
+            Some(costs) => words::with_bounds(&self.objective, costs, &self.bounds),
+            None => words::bounds(&self.objective, &self.bounds),
+        };
+        let known = if known.is_empty() {
+            "working".to_owned()
+        } else {
+            known
+        };
+        format!(
+            "{seconds:.1} s: {known}; {}",
+            words::count(self.conflicts, "conflict")
+        )
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_line_tells_bounds_and_the_best_plan() {
+        let mut known = Line::new(Objective::default()).known;
+        assert_eq!(known.words(0.25), "0.2 s: working; 0 conflicts");
+        known.learn(&Progress::Bound {
+            cost: Cost::Makespan,
+            at_least: 18,
+        });
+        assert_eq!(known.words(1.0), "1.0 s: makespan at least 18; 0 conflicts");
+        known.learn(&Progress::Plan {
+            costs: Costs {
+                makespan: 20,
+                sum_of_costs: 40,
+                ..Costs::default()
+            },
+        });
+        known.learn(&Progress::Size {
+            variables: 1,
+            clauses: 2,
+            conflicts: 7,
+        });
+        assert_eq!(
+            known.words(2.0),
+            "2.0 s: makespan 20, proved at least 18 (gap 10 %); sum of costs 40; 0 charges; 7 conflicts"
+        );
+    }
+}
