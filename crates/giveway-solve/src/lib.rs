@@ -6,10 +6,21 @@
 //! in a [`Host`].
 
 mod answer;
+mod encode;
 mod host;
+mod joint;
+mod local;
+mod meter;
+mod problem;
 mod progress;
 mod request;
+mod sat;
+mod search;
 pub mod service;
+mod single;
+mod solve;
+mod terrain;
+mod walk;
 
 pub use answer::{CheckAnswer, FrontAnswer, SolveAnswer, Stats, Status};
 pub use host::{Host, SilentHost};

@@ -3,7 +3,10 @@
 use giveway_model::{Fault, Instance, Version, check::check};
 use serde::{Deserialize, Serialize};
 
-use crate::{CheckAnswer, CheckRequest, FrontAnswer, Host, Request, SolveAnswer};
+use crate::{
+    CheckAnswer, CheckRequest, FrontAnswer, Host, Request, SolveAnswer, SolveRequest,
+    solve::{self, Task},
+};
 
 /// What comes back. An error is a response, too.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
@@ -38,13 +41,20 @@ pub enum Refusal {
 /// Serves a request; the same request gives the same response, stats and
 /// budgets in seconds apart.
 pub fn serve(request: &Request, host: &dyn Host) -> Response {
-    let _ = host;
     match request {
         Request::Check(request) => serve_check(request),
-        Request::Solve(_) => Response::Refused(Refusal::Request {
-            fault: Fault::at("request", "solve", "check"),
-        }),
+        Request::Solve(request) => serve_solve(request, host),
     }
+}
+
+fn serve_solve(request: &SolveRequest, host: &dyn Host) -> Response {
+    let instance = match Instance::new(request.scene.clone()) {
+        Ok(instance) => instance,
+        Err(faults) => return Response::Refused(Refusal::Scene { faults }),
+    };
+    let objective = request.objective.clone();
+    let task = Task::new(instance, objective, request.within, request.limits, host);
+    Response::Solved(solve::solve(&task))
 }
 
 fn serve_check(request: &CheckRequest) -> Response {

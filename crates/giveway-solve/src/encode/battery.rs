@@ -1,0 +1,86 @@
+//! Batteries without counters: a charge in every window.
+//!
+//! A full battery lasts `full` steps after the charge, which itself takes none
+//! away: charged at s, the next charge or the arrival is at s + full + 1 at the
+//! latest. So in any `full + 1` consecutive times there is a charge, or the
+//! agent has arrived by the last of them. The first window is as long as the
+//! battery lasts at time 0. (Compare the windows of the electric vehicle
+//! problems; here the agent's nodes exclude each other, so that a charge can
+//! only be on its path.)
+
+use crate::{
+    sat::{Clauses, Lit},
+    single::Reserve,
+};
+
+/// The charges of one agent: a literal for each time.
+pub(crate) struct BatteryCode {
+    reserve: Reserve,
+    /// `charges[t]`: it charges at time t.
+    charges: Vec<Lit>,
+    /// Nodes at chargers, by time.
+    places: Vec<Vec<Lit>>,
+    /// The first time whose window is not written yet; windows are named by
+    /// their last time.
+    next_window: u32,
+}
+
+impl BatteryCode {
+    pub(crate) fn new(reserve: Reserve) -> Self {
+        Self {
+            reserve,
+            charges: Vec::new(),
+            places: Vec::new(),
+            next_window: reserve.initial,
+        }
+    }
+
+    /// The charge literals, by time.
+    pub(crate) fn charges(&self) -> &[Lit] {
+        &self.charges
+    }
+
+    /// A node at a charger.
+    pub(crate) fn place(&mut self, time: u32, node: Lit) {
+        let time = time as usize;
+        if self.places.len() <= time {
+            self.places.resize(time + 1, Vec::new());
+        }
+        self.places[time].push(node);
+    }
+
+    /// Writes what a later deadline needs. `by(d)` is the literal "arrived by
+    /// d", `None` where that is false, and `by(deadline)` is assumed.
+    pub(crate) fn grow<C: Clauses>(
+        &mut self,
+        deadline: u32,
+        mut by: impl FnMut(u32, &mut C) -> Option<Lit>,
+        out: &mut C,
+    ) {
+        while self.charges.len() < deadline as usize {
+            self.charges.push(out.fresh());
+        }
+        // Later deadlines may add places, so "a charge is at a charger" holds
+        // only under this one.
+        let guard = by(deadline, out).map(|lit| !lit);
+        for (time, &charge) in self.charges.iter().enumerate() {
+            let mut clause = vec![!charge];
+            clause.extend(self.places.get(time).into_iter().flatten());
+            clause.extend(guard);
+            out.clause(&clause);
+        }
+        // A window that ends at the deadline or later asks for nothing.
+        while self.next_window < deadline {
+            let last = self.next_window;
+            let length = self.reserve.full + 1;
+            let first = (last + 1).saturating_sub(length);
+            let mut clause: Vec<Lit> = self.charges[first as usize..=last as usize].to_vec();
+            clause.extend(by(last, out));
+            out.clause(&clause);
+            self.next_window += 1;
+            if last == self.reserve.initial {
+                self.next_window = self.next_window.max(length);
+            }
+        }
+    }
+}

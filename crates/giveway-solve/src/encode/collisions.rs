@@ -1,0 +1,86 @@
+//! Agents that exclude each other: vertices, edges, goals.
+//!
+//! Vertex: at most one agent at a vertex at a time. Swap: one direction
+//! variable for each edge and step; whoever crosses in that step crosses in
+//! that direction. A slow move crosses in both of its steps, so two of them in
+//! opposite directions exclude each other just when they leave less than two
+//! steps apart. Nothing is written for what only one agent uses.
+
+use std::collections::BTreeMap;
+
+use super::at_most_one::AtMostOne;
+use crate::{
+    sat::{Clauses, Lit},
+    terrain::{Arc, Vertex},
+};
+
+/// An agent by its number in the instance.
+pub(crate) type AgentId = usize;
+
+/// The literals that a crossing stands for: all true means that it happens.
+type Premise = [Lit; 2];
+
+#[derive(Default)]
+struct Crossings {
+    /// The direction variable, once agents may meet here.
+    direction: Option<Lit>,
+    /// Who crosses forward, and backward, as long as they cannot meet.
+    waiting: [Vec<(AgentId, Premise)>; 2],
+}
+
+/// What the agents inside the solver may collide in.
+#[derive(Default)]
+pub(crate) struct Collisions {
+    cells: BTreeMap<(u32, Vertex), AtMostOne>,
+    edges: BTreeMap<(u32, u32), Crossings>,
+}
+
+impl Collisions {
+    /// An agent may be at a vertex at a time; once for each agent.
+    pub(crate) fn occupy(&mut self, time: u32, v: Vertex, at: Lit, out: &mut impl Clauses) {
+        self.cells.entry((time, v)).or_default().add(at, out);
+    }
+
+    /// An agent may cross an arc in the step that begins at a time, namely
+    /// when both literals are true (one literal may be given twice).
+    pub(crate) fn cross(
+        &mut self,
+        time: u32,
+        arc: Arc,
+        agent: AgentId,
+        premise: Premise,
+        out: &mut impl Clauses,
+    ) {
+        let crossings = self.edges.entry((time, arc.edge())).or_default();
+        if let Some(direction) = crossings.direction {
+            imply(direction, arc.forward(), premise, out);
+            return;
+        }
+        let [forward, backward] = &mut crossings.waiting;
+        let (same, opposite) = if arc.forward() {
+            (forward, backward)
+        } else {
+            (backward, forward)
+        };
+        same.push((agent, premise));
+        if opposite.iter().any(|&(other, _)| other != agent) {
+            let direction = out.fresh();
+            crossings.direction = Some(direction);
+            for (list, forward) in crossings.waiting.iter_mut().zip([true, false]) {
+                for (_, premise) in std::mem::take(list) {
+                    imply(direction, forward, premise, out);
+                }
+            }
+        }
+    }
+}
+
+fn imply(direction: Lit, forward: bool, premise: Premise, out: &mut impl Clauses) {
+    let direction = if forward { direction } else { !direction };
+    let [a, b] = premise;
+    if a == b {
+        out.clause(&[!a, direction]);
+    } else {
+        out.clause(&[!a, !b, direction]);
+    }
+}

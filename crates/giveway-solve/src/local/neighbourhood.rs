@@ -1,0 +1,155 @@
+//! A plan made better: large neighbourhood search.
+//!
+//! A delayed agent and those in the way of a better walk of its own are planned
+//! anew, in random order, each around all others; the result is kept where it
+//! is no worse (MAPF-LNS; Li et al. 2021).
+
+use fastrand::Rng;
+use giveway_model::Objective;
+
+use super::{Query, Reservations, plan_one};
+use crate::{
+    encode::collisions::AgentId,
+    meter::{Meter, Stop},
+    problem::Problem,
+    walk::{Walk, arrival, costs},
+};
+
+/// States to look at for one agent.
+const EFFORT: u32 = 20_000;
+
+/// A search that can be continued; the same calls give the same plans.
+pub(crate) struct Improver {
+    rng: Rng,
+}
+
+impl Improver {
+    pub(crate) fn new() -> Self {
+        Self {
+            rng: Rng::with_seed(7),
+        }
+    }
+
+    /// Tries some neighbourhoods; true where the plan became better. No walk
+    /// becomes longer than the horizon.
+    ///
+    /// # Errors
+    /// When the budget is spent; the walks are a plan then, too.
+    pub(crate) fn improve(
+        &mut self,
+        problem: &Problem,
+        walks: &mut [Walk],
+        horizon: u32,
+        objective: &Objective,
+        rounds: usize,
+        meter: &Meter,
+    ) -> Result<bool, Stop> {
+        let mut others = Reservations::of(problem, walks);
+        let first = costs(problem, walks).vector(objective);
+        let mut best = first.clone();
+        for _ in 0..rounds {
+            let Some(group) = self.choose_group(problem, walks, &others, horizon, meter)? else {
+                break;
+            };
+            let old: Vec<Walk> = group.iter().map(|&a| walks[a].clone()).collect();
+            for &agent in &group {
+                others.remove(agent, &walks[agent]);
+            }
+            let planned = replan(problem, walks, &mut others, &group, horizon, meter);
+            let vector = costs(problem, walks).vector(objective);
+            if matches!(planned, Ok(true)) && vector <= best {
+                best = vector;
+                continue;
+            }
+            for (&agent, old) in group.iter().zip(old) {
+                others.remove(agent, &walks[agent]);
+                walks[agent] = old;
+            }
+            for &agent in &group {
+                others.add(agent, &walks[agent]);
+            }
+            planned?;
+        }
+        Ok(best < first)
+    }
+
+    /// An agent that arrives later than it would alone, and those that it would
+    /// meet on a walk that arrives sooner.
+    fn choose_group(
+        &mut self,
+        problem: &Problem,
+        walks: &[Walk],
+        others: &Reservations,
+        horizon: u32,
+        meter: &Meter,
+    ) -> Result<Option<Vec<AgentId>>, Stop> {
+        let delayed: Vec<AgentId> = (0..walks.len())
+            .filter(|&a| arrival(&walks[a]) > problem.optima[a])
+            .collect();
+        if delayed.is_empty() {
+            return Ok(None);
+        }
+        let latest = walks.iter().map(|w| arrival(w)).max().unwrap_or(0);
+        // Now and then the agent that makes the makespan.
+        let last = delayed
+            .iter()
+            .copied()
+            .find(|&a| arrival(&walks[a]) == latest);
+        let seed = match last {
+            Some(last) if self.rng.u8(..4) == 0 => last,
+            _ => delayed[self.rng.usize(..delayed.len())],
+        };
+        let spare = arrival(&walks[seed]) - problem.optima[seed];
+        let sooner = problem.optima[seed] + self.rng.u32(..spare);
+        let query = Query {
+            agent: seed,
+            latest: sooner.min(horizon),
+            soft: true,
+            effort: EFFORT,
+        };
+        let mut group = vec![seed];
+        if let Some((walk, _)) = plan_one(problem, others, query, meter)? {
+            group.extend(others.met_by(seed, &walk));
+        }
+        let size = self.rng.usize(2..=8).max(group.len().min(10));
+        group.truncate(size);
+        while group.len() < size.min(walks.len()) {
+            let other = self.rng.usize(..walks.len());
+            if !group.contains(&other) {
+                group.push(other);
+            }
+        }
+        if self.rng.bool() {
+            self.rng.shuffle(&mut group);
+        }
+        Ok(Some(group))
+    }
+}
+
+/// Plans agents one after the other around all others; false where one finds
+/// no way.
+fn replan(
+    problem: &Problem,
+    walks: &mut [Walk],
+    others: &mut Reservations,
+    group: &[AgentId],
+    horizon: u32,
+    meter: &Meter,
+) -> Result<bool, Stop> {
+    for &agent in group {
+        let query = Query {
+            agent,
+            latest: horizon,
+            soft: false,
+            effort: EFFORT,
+        };
+        match plan_one(problem, others, query, meter)? {
+            Some((walk, _)) => {
+                walks[agent] = walk;
+                others.add(agent, &walks[agent]);
+            }
+            None => return Ok(false),
+        }
+    }
+    Ok(true)
+}

@@ -1,0 +1,252 @@
+//! One agent among others whose walks are given: space-time A*.
+//!
+//! Silver, "Cooperative pathfinding" (2005), with exact distances as the
+//! heuristic, waypoints in the state, and of two ways to one state the one with
+//! the fuller battery. Collisions are counted and avoided first, arrival comes
+//! second; or they are forbidden.
+
+use std::cmp::Reverse;
+use std::collections::BinaryHeap;
+
+use rustc_hash::FxBuildHasher;
+
+use super::Reservations;
+use crate::{
+    encode::collisions::AgentId,
+    meter::{Meter, Stop},
+    problem::Problem,
+    single::Place,
+    walk::Walk,
+};
+
+/// What is asked.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Query {
+    pub(crate) agent: AgentId,
+    /// It must arrive by this time.
+    pub(crate) latest: u32,
+    /// Whether collisions are allowed, though avoided.
+    pub(crate) soft: bool,
+    /// States to look at before giving up.
+    pub(crate) effort: u32,
+}
+
+struct State {
+    place: Place,
+    mask: u32,
+    battery: u32,
+    time: u32,
+    collisions: u32,
+    parent: u32,
+}
+
+#[expect(
+    clippy::disallowed_types,
+    reason = "only looked up, never iterated, so its order cannot matter"
+)]
+type Seen = std::collections::HashMap<(u32, Place, u32), (u32, u32), FxBuildHasher>;
+
+/// Collisions, then arrival, then late states first, then order of birth.
+type Key = (u32, u32, Reverse<u32>, u32);
+
+/// The best walk of an agent among the others, and its number of collisions
+/// (each counted by time); `None` where there is none by the latest time, or
+/// none was found with the effort.
+///
+/// # Errors
+/// When the budget is spent.
+pub(crate) fn plan_one(
+    problem: &Problem,
+    others: &Reservations,
+    query: Query,
+    meter: &Meter,
+) -> Result<Option<(Walk, u32)>, Stop> {
+    let mut search = Search {
+        problem,
+        others,
+        query,
+        states: Vec::new(),
+        heap: BinaryHeap::new(),
+        seen: Seen::default(),
+    };
+    search.run(meter)
+}
+
+struct Search<'a, 'p> {
+    problem: &'p Problem,
+    others: &'a Reservations<'p>,
+    query: Query,
+    states: Vec<State>,
+    /// Whether the entry ends the walk, and the state's number.
+    heap: BinaryHeap<Reverse<(Key, bool)>>,
+    seen: Seen,
+}
+
+const NO_PARENT: u32 = u32::MAX;
+
+impl Search<'_, '_> {
+    fn run(&mut self, meter: &Meter) -> Result<Option<(Walk, u32)>, Stop> {
+        let task = &self.problem.tasks[self.query.agent];
+        let start = Place::At(task.start);
+        let collisions = self.others.at(0, task.start).count() as u32;
+        if collisions > 0 && !self.query.soft {
+            return Ok(None);
+        }
+        self.push(
+            start,
+            task.first_mask(),
+            Some(task.first_level()),
+            0,
+            collisions,
+            NO_PARENT,
+        );
+        let mut effort = self.query.effort;
+        while let Some(Reverse(((collisions, _, _, id), ends))) = self.heap.pop() {
+            meter.tick()?;
+            if ends {
+                return Ok(Some((self.walk_to(id), collisions)));
+            }
+            if effort == 0 {
+                break;
+            }
+            effort -= 1;
+            self.try_to_end(id);
+            self.expand(id);
+        }
+        Ok(None)
+    }
+
+    /// An agent at its goal may end there, if nobody comes by later.
+    fn try_to_end(&mut self, id: u32) {
+        let task = &self.problem.tasks[self.query.agent];
+        let state = &self.states[id as usize];
+        if !matches!(state.place, Place::At(v) if task.is_end(v, state.mask)) {
+            return;
+        }
+        let later = if self.problem.stays {
+            self.others.after(state.time, task.goal).count() as u32
+        } else {
+            0
+        };
+        if later == 0 || self.query.soft {
+            let key = (
+                state.collisions + later,
+                state.time,
+                Reverse(state.time),
+                id,
+            );
+            self.heap.push(Reverse((key, true)));
+        }
+    }
+
+    fn expand(&mut self, id: u32) {
+        let problem = self.problem;
+        let task = &problem.tasks[self.query.agent];
+        let terrain = &problem.terrain;
+        let state = &self.states[id as usize];
+        let (mask, battery, time, collisions) =
+            (state.mask, state.battery, state.time, state.collisions);
+        match state.place {
+            Place::Along(arc) => {
+                let (_, v) = terrain.ends(arc);
+                let met = self.others.against(time, arc).count() as u32;
+                let mask = mask | task.bit(v);
+                self.reach(
+                    Place::At(v),
+                    mask,
+                    Some(battery),
+                    time + 1,
+                    collisions + met,
+                    id,
+                );
+            }
+            Place::At(u) => {
+                let level = task.level_after(terrain, u, battery, 1);
+                self.reach(Place::At(u), mask, level, time + 1, collisions, id);
+                for arc in terrain.arcs(u) {
+                    let met = self.others.against(time, arc.id).count() as u32;
+                    let steps = 1 + u32::from(arc.slow);
+                    let level = task.level_after(terrain, u, battery, steps);
+                    let (place, mask) = if arc.slow {
+                        (Place::Along(arc.id), mask)
+                    } else {
+                        (Place::At(arc.to), mask | task.bit(arc.to))
+                    };
+                    self.reach(place, mask, level, time + 1, collisions + met, id);
+                }
+            }
+        }
+    }
+
+    fn reach(
+        &mut self,
+        place: Place,
+        mask: u32,
+        battery: Option<u32>,
+        time: u32,
+        collisions: u32,
+        parent: u32,
+    ) {
+        let met = match place {
+            Place::At(v) => self.others.at(time, v).count() as u32,
+            Place::Along(_) => 0,
+        };
+        if self.query.soft || collisions + met == 0 {
+            self.push(place, mask, battery, time, collisions + met, parent);
+        }
+    }
+
+    fn push(
+        &mut self,
+        place: Place,
+        mask: u32,
+        battery: Option<u32>,
+        time: u32,
+        collisions: u32,
+        parent: u32,
+    ) {
+        let Some(battery) = battery else { return };
+        let task = &self.problem.tasks[self.query.agent];
+        let (arrival, delay) = match place {
+            Place::At(v) => (v, 0),
+            Place::Along(arc) => (self.problem.terrain.ends(arc).1, 1),
+        };
+        let to_go = &self.problem.to_go[self.query.agent];
+        let Some(rest) = to_go.from(arrival, mask | task.bit(arrival), battery) else {
+            return;
+        };
+        let bound = time + delay + rest;
+        if bound > self.query.latest {
+            return;
+        }
+        if let Some(&(fewer, fuller)) = self.seen.get(&(time, place, mask))
+            && fewer <= collisions
+            && fuller >= battery
+        {
+            return;
+        }
+        self.seen.insert((time, place, mask), (collisions, battery));
+        let id = self.states.len() as u32;
+        self.states.push(State {
+            place,
+            mask,
+            battery,
+            time,
+            collisions,
+            parent,
+        });
+        self.heap
+            .push(Reverse(((collisions, bound, Reverse(time), id), false)));
+    }
+
+    fn walk_to(&self, mut id: u32) -> Walk {
+        let mut walk = Walk::new();
+        while id != NO_PARENT {
+            let state = &self.states[id as usize];
+            walk.push(state.place);
+            id = state.parent;
+        }
+        walk.reverse();
+        walk
+    }
+}

@@ -1,0 +1,176 @@
+//! The budget of one request, and the tally of its work.
+//!
+//! One meter goes with a request. Whoever works asks it, often, whether to go
+//! on; it never decides anything else, so that time cannot change an answer but
+//! only cut it short.
+
+use std::cell::Cell;
+
+use crate::{Host, Limits, Progress, Stats};
+
+/// Bytes that a request may hold where its limits say nothing: a browser tab
+/// stands it, and so does a small machine.
+const DEFAULT_MEMORY: u64 = 1_500_000_000;
+
+/// How many clause insertions or searched states go by between two looks at
+/// the clock.
+const CLOCK_INTERVAL: u32 = 1024;
+
+/// Why the work stopped early.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Stop {
+    /// The seconds ran out.
+    Time,
+    /// The conflicts ran out.
+    Conflicts,
+    /// The memory ran out.
+    Memory,
+    /// The person asked to stop.
+    Cancelled,
+    /// A plan and a proved bound contradict each other: a fault of the program,
+    /// reported instead of an answer that might be wrong.
+    Contradiction,
+}
+
+impl Stop {
+    /// The stop as a sentence.
+    pub(crate) const fn sentence(self) -> &'static str {
+        match self {
+            Self::Time => "The time limit was reached.",
+            Self::Conflicts => "The limit of conflicts was reached.",
+            Self::Memory => "The memory limit was reached.",
+            Self::Cancelled => "It was cancelled.",
+            Self::Contradiction => {
+                "A plan and a bound contradicted each other, which is a fault of this program."
+            }
+        }
+    }
+}
+
+/// The budget and the tally; shared by all parts of one request.
+pub(crate) struct Meter<'h> {
+    host: &'h dyn Host,
+    limits: Limits,
+    wall_start: f64,
+    cpu_start: f64,
+    calls: Cell<u64>,
+    variables: Cell<u64>,
+    clauses: Cell<u64>,
+    conflicts: Cell<u64>,
+    held: Cell<u64>,
+    until_clock: Cell<u32>,
+    reported_at: Cell<u64>,
+    stopped: Cell<Option<Stop>>,
+}
+
+impl<'h> Meter<'h> {
+    pub(crate) fn new(host: &'h dyn Host, limits: Limits) -> Self {
+        Self {
+            host,
+            limits,
+            wall_start: host.wall_seconds(),
+            cpu_start: host.cpu_seconds(),
+            calls: Cell::new(0),
+            variables: Cell::new(0),
+            clauses: Cell::new(0),
+            conflicts: Cell::new(0),
+            held: Cell::new(0),
+            until_clock: Cell::new(CLOCK_INTERVAL),
+            reported_at: Cell::new(0),
+            stopped: Cell::new(None),
+        }
+    }
+
+    /// Whether to go on; once it says no, it says no for good.
+    pub(crate) fn check(&self) -> Result<(), Stop> {
+        if let Some(stop) = self.stopped.get() {
+            return Err(stop);
+        }
+        let spent = |limit: Option<u64>, used: u64| limit.is_some_and(|limit| used > limit);
+        let memory = self.limits.memory_bytes.unwrap_or(DEFAULT_MEMORY);
+        let stop = if self.host.cancelled() {
+            Stop::Cancelled
+        } else if self.held.get() > memory {
+            Stop::Memory
+        } else if spent(self.limits.conflicts, self.conflicts.get()) {
+            Stop::Conflicts
+        } else if self
+            .limits
+            .seconds
+            .is_some_and(|limit| self.host.wall_seconds() - self.wall_start >= limit)
+        {
+            Stop::Time
+        } else {
+            return Ok(());
+        };
+        self.stopped.set(Some(stop));
+        Err(stop)
+    }
+
+    /// As [`Meter::check`], but looks at the clock only now and then: for the
+    /// inner loops.
+    pub(crate) fn tick(&self) -> Result<(), Stop> {
+        let left = self.until_clock.get();
+        if left > 0 {
+            self.until_clock.set(left - 1);
+            return Ok(());
+        }
+        self.until_clock.set(CLOCK_INTERVAL);
+        self.check()
+    }
+
+    /// Counts memory that is held from now on, in bytes.
+    pub(crate) fn hold(&self, bytes: usize) {
+        self.held.set(self.held.get() + bytes as u64);
+    }
+
+    /// Counts memory that is free again, in bytes.
+    pub(crate) fn release(&self, bytes: u64) {
+        self.held.set(self.held.get().saturating_sub(bytes));
+    }
+
+    pub(crate) fn count_call(&self) {
+        self.calls.set(self.calls.get() + 1);
+    }
+
+    pub(crate) fn count_variable(&self) {
+        self.variables.set(self.variables.get() + 1);
+    }
+
+    pub(crate) fn count_clause(&self) {
+        self.clauses.set(self.clauses.get() + 1);
+    }
+
+    pub(crate) fn count_conflicts(&self, conflicts: u64) {
+        self.conflicts.set(self.conflicts.get() + conflicts);
+    }
+
+    /// Tells the host that something became known.
+    pub(crate) fn report(&self, event: &Progress) {
+        self.host.progress(event);
+    }
+
+    /// Tells the host the size of the work, when it has grown by a tenth.
+    pub(crate) fn report_size(&self) {
+        let size = self.clauses.get() + 10 * self.conflicts.get();
+        if size > self.reported_at.get() + self.reported_at.get() / 10 + 1000 {
+            self.reported_at.set(size);
+            self.report(&Progress::Size {
+                variables: self.variables.get(),
+                clauses: self.clauses.get(),
+                conflicts: self.conflicts.get(),
+            });
+        }
+    }
+
+    /// The tally so far.
+    pub(crate) fn stats(&self) -> Stats {
+        Stats {
+            cpu_seconds: self.host.cpu_seconds() - self.cpu_start,
+            solver_calls: self.calls.get(),
+            variables: self.variables.get(),
+            clauses: self.clauses.get(),
+            conflicts: self.conflicts.get(),
+        }
+    }
+}

@@ -1,0 +1,11 @@
+//! The SAT solver behind one small interface.
+//!
+//! This folder is the only place that names varisat. Encodings see
+//! [`Clauses`]; searches see [`Sat`].
+
+mod lit;
+mod solver;
+mod tap;
+
+pub(crate) use lit::{Clauses, Lit};
+pub(crate) use solver::{Outcome, Sat};

@@ -1,0 +1,155 @@
+//! varisat, incremental, metered, and with cores that are true.
+
+use std::rc::Rc;
+
+use varisat::{ExtendFormula, ProofFormat, Solver};
+
+use super::{Clauses, Lit, tap::Tap};
+use crate::meter::{Meter, Stop};
+
+/// Bytes that varisat takes for a clause beside its literals, and for a
+/// variable; measured with a margin.
+const CLAUSE_BYTES: usize = 48;
+const LITERAL_BYTES: usize = 8;
+const VARIABLE_BYTES: usize = 96;
+
+/// The end of a call.
+#[derive(Debug)]
+pub(crate) enum Outcome {
+    /// There is a model; [`Sat::is_true`] reads it.
+    Sat,
+    /// These assumptions cannot hold together. They were verified: a call with
+    /// just them was unsatisfiable.
+    Unsat(Vec<Lit>),
+}
+
+/// An incremental solver.
+///
+/// Legal order: variables and clauses may be added at any time; a model may be
+/// read from a call that ended with [`Outcome::Sat`] until the next call. After
+/// a call ended with [`Stop`] no further call succeeds.
+pub(crate) struct Sat<'h> {
+    solver: Solver<'h>,
+    meter: Rc<Meter<'h>>,
+    variables: u32,
+    bytes: u64,
+    model: Vec<bool>,
+    buffer: Vec<varisat::Lit>,
+    verify: bool,
+}
+
+impl<'h> Sat<'h> {
+    pub(crate) fn new(meter: Rc<Meter<'h>>) -> Self {
+        let mut solver = Solver::new();
+        solver.write_proof(Tap::new(Rc::clone(&meter)), ProofFormat::Varisat);
+        Self {
+            solver,
+            meter,
+            variables: 0,
+            bytes: 0,
+            model: Vec::new(),
+            buffer: Vec::new(),
+            verify: true,
+        }
+    }
+
+    /// Solves under assumptions.
+    ///
+    /// # Errors
+    /// When the budget is spent; the solver is lost then.
+    pub(crate) fn solve(&mut self, assumptions: &[Lit]) -> Result<Outcome, Stop> {
+        let Some(mut core) = self.call(assumptions)? else {
+            return Ok(Outcome::Sat);
+        };
+        if !self.verify {
+            return Ok(Outcome::Unsat(core));
+        }
+        // varisat's core can be too small (its conflict analysis may leave
+        // marks behind), though its verdicts are right. So a core counts only
+        // once a call under just that core was unsatisfiable; asking in the
+        // other order often makes it smaller still, which is then verified in
+        // its turn.
+        let mut proved = assumptions.to_vec();
+        while core.len() < proved.len() {
+            core.reverse();
+            match self.call(&core)? {
+                Some(smaller) => proved = std::mem::replace(&mut core, smaller),
+                None => break,
+            }
+        }
+        Ok(Outcome::Unsat(proved))
+    }
+
+    /// One call: `None` for a model, else the core as varisat states it.
+    fn call(&mut self, assumptions: &[Lit]) -> Result<Option<Vec<Lit>>, Stop> {
+        self.meter.check()?;
+        self.meter.count_call();
+        self.buffer.clear();
+        self.buffer.extend(assumptions.iter().map(|&l| outward(l)));
+        self.solver.assume(&self.buffer);
+        match self.solver.solve() {
+            Ok(true) => {
+                self.read_model();
+                Ok(None)
+            }
+            Ok(false) => {
+                let core = self.solver.failed_core().unwrap_or(&[]);
+                Ok(Some(core.iter().map(|&l| inward(l)).collect()))
+            }
+            Err(_) => Err(self.meter.check().err().unwrap_or(Stop::Cancelled)),
+        }
+    }
+
+    /// Whether a literal holds in the last model.
+    pub(crate) fn is_true(&self, lit: Lit) -> bool {
+        let value = self.model.get(lit.variable() as usize).copied();
+        value.unwrap_or(false) == lit.is_positive()
+    }
+
+    fn read_model(&mut self) {
+        self.model.clear();
+        self.model.resize(self.variables as usize, false);
+        for lit in self.solver.model().unwrap_or_default() {
+            if let Some(value) = self.model.get_mut(lit.index()) {
+                *value = lit.is_positive();
+            }
+        }
+    }
+
+    fn hold(&mut self, bytes: usize) {
+        self.meter.hold(bytes);
+        self.bytes += bytes as u64;
+    }
+}
+
+impl Clauses for Sat<'_> {
+    fn fresh(&mut self) -> Lit {
+        let lit = Lit::positive(self.variables);
+        self.variables += 1;
+        self.meter.count_variable();
+        self.hold(VARIABLE_BYTES);
+        lit
+    }
+
+    fn clause(&mut self, lits: &[Lit]) {
+        self.meter.count_clause();
+        self.hold(CLAUSE_BYTES + LITERAL_BYTES * lits.len());
+        self.buffer.clear();
+        self.buffer.extend(lits.iter().map(|&l| outward(l)));
+        self.solver.add_clause(&self.buffer);
+    }
+}
+
+impl Drop for Sat<'_> {
+    fn drop(&mut self) {
+        self.meter.release(self.bytes);
+    }
+}
+
+fn outward(lit: Lit) -> varisat::Lit {
+    varisat::Lit::from_index(lit.variable() as usize, lit.is_positive())
+}
+
+fn inward(lit: varisat::Lit) -> Lit {
+    Lit::new(lit.index() as u32, lit.is_positive())
+}

@@ -1,0 +1,55 @@
+//! How varisat is counted and stopped.
+//!
+//! varisat 0.2 has neither a conflict count nor an interrupt. It writes its
+//! proof as it goes, though, and gives up as soon as the writer fails: so the
+//! tap reads the learnt clauses off the proof, and fails when the budget is
+//! spent.
+
+use std::io::{self, Cursor, Write};
+use std::rc::Rc;
+
+use varisat_internal_proof::{ProofStep, binary_format::Parser};
+
+use crate::meter::Meter;
+
+/// The writer that varisat's proof goes to; the bytes are read and thrown away.
+pub(crate) struct Tap<'h> {
+    meter: Rc<Meter<'h>>,
+    parser: Parser,
+    /// The head of a step whose tail has not been written yet.
+    rest: Vec<u8>,
+}
+
+impl<'h> Tap<'h> {
+    pub(crate) fn new(meter: Rc<Meter<'h>>) -> Self {
+        Self {
+            meter,
+            parser: Parser::default(),
+            rest: Vec::new(),
+        }
+    }
+}
+
+impl Write for Tap<'_> {
+    fn write(&mut self, bytes: &[u8]) -> io::Result<usize> {
+        self.rest.extend_from_slice(bytes);
+        let mut conflicts = 0;
+        let mut cursor = Cursor::new(self.rest.as_slice());
+        let mut whole = 0;
+        while let Ok(step) = self.parser.parse_step(&mut cursor) {
+            whole = cursor.position() as usize;
+            conflicts += u64::from(matches!(step, ProofStep::AtClause { .. }));
+        }
+        self.rest.drain(..whole);
+        self.meter.count_conflicts(conflicts);
+        self.meter.report_size();
+        match self.meter.check() {
+            Ok(()) => Ok(bytes.len()),
+            Err(stop) => Err(io::Error::other(stop.sentence())),
+        }
+    }
+
+    fn flush(&mut self) -> io::Result<()> {
+        Ok(())
+    }
+}

@@ -1,0 +1,78 @@
+//! The best plan so far.
+
+use std::collections::BTreeMap;
+
+use giveway_model::{Cost, Costs, Objective};
+
+use crate::{
+    local::Reservations,
+    meter::Meter,
+    problem::Problem,
+    progress::Progress,
+    walk::{Walk, arrival, costs},
+};
+
+/// The best plan so far of those that keep within the limits.
+pub(crate) struct Incumbent {
+    objective: Objective,
+    horizon: u32,
+    limits: BTreeMap<Cost, u32>,
+    best: Option<(Vec<Walk>, Costs)>,
+}
+
+impl Incumbent {
+    pub(crate) fn new(objective: Objective, horizon: u32, limits: BTreeMap<Cost, u32>) -> Self {
+        Self {
+            objective,
+            horizon,
+            limits,
+            best: None,
+        }
+    }
+
+    /// Keeps a plan if it is better than the best; true if it was.
+    pub(crate) fn offer(&mut self, problem: &Problem, walks: &[Walk], meter: &Meter) -> bool {
+        let costs = costs(problem, walks);
+        let kept = self
+            .limits
+            .iter()
+            .all(|(&cost, &most)| costs.get(cost) <= most);
+        let better = self
+            .best
+            .as_ref()
+            .is_none_or(|(_, best)| costs.vector(&self.objective) < best.vector(&self.objective));
+        let within = walks.iter().all(|walk| arrival(walk) <= self.horizon);
+        if !(kept && better && within) {
+            return false;
+        }
+        self.best = Some((walks.to_vec(), costs));
+        meter.report(&Progress::Plan { costs });
+        true
+    }
+
+    /// The costs of the best plan.
+    pub(crate) fn costs(&self) -> Option<Costs> {
+        self.best.as_ref().map(|(_, costs)| *costs)
+    }
+
+    /// The walks of the best plan.
+    pub(crate) fn walks(&self) -> Option<&[Walk]> {
+        self.best.as_ref().map(|(walks, _)| walks.as_slice())
+    }
+
+    /// The best plan, given away.
+    pub(crate) fn into_best(self) -> Option<(Vec<Walk>, Costs)> {
+        self.best
+    }
+
+    pub(crate) fn objective(&self) -> &Objective {
+        &self.objective
+    }
+}
+
+/// Whether no two walks collide.
+pub(crate) fn free_of_collisions(problem: &Problem, walks: &[Walk]) -> bool {
+    let all = Reservations::of(problem, walks);
+    let mut agents = walks.iter().enumerate();
+    agents.all(|(agent, walk)| all.met_by(agent, walk).is_empty())
+}

@@ -1,0 +1,175 @@
+//! One cost after the other, in the order of the objective.
+
+use std::collections::BTreeMap;
+use std::rc::Rc;
+
+use giveway_model::{Cost, Costs, Objective};
+
+use super::{
+    feasible,
+    incumbent::{Incumbent, free_of_collisions},
+    makespan,
+    stage::{End, Search},
+    sum::SumStage,
+};
+use crate::{
+    joint,
+    local::{Improver, apart, first_plan},
+    meter::{Meter, Stop},
+    problem::Problem,
+    walk::Walk,
+};
+
+/// What a plan must keep to, beside the rules.
+#[derive(Clone, Debug)]
+pub(crate) struct Bounded {
+    /// No agent arrives later.
+    pub(crate) horizon: u32,
+    /// The most that a plan may have of some costs.
+    pub(crate) limits: BTreeMap<Cost, u32>,
+}
+
+/// What is known at the end.
+#[derive(Debug)]
+pub(crate) struct Verdict {
+    /// The best plan, if there is one.
+    pub(crate) best: Option<(Vec<Walk>, Costs)>,
+    /// The proved lower bounds, of each cost that was reached.
+    pub(crate) bounds: BTreeMap<Cost, u32>,
+    /// Whether the claim holds whatever the horizon.
+    pub(crate) complete: bool,
+    /// Why it is not settled; `None` where it is.
+    pub(crate) stop: Option<Stop>,
+    /// Agents that cannot all arrive, where there is no plan.
+    pub(crate) clash: Vec<usize>,
+}
+
+/// Finds and proves the lexicographic optimum.
+pub(crate) fn solve(
+    problem: &Problem,
+    objective: &Objective,
+    bounded: &Bounded,
+    meter: &Rc<Meter>,
+) -> Verdict {
+    let mut incumbent = Incumbent::new(objective.clone(), bounded.horizon, bounded.limits.clone());
+    let mut verdict = Verdict {
+        best: None,
+        bounds: BTreeMap::new(),
+        complete: true,
+        stop: None,
+        clash: Vec::new(),
+    };
+    let end = run(problem, bounded, &mut incumbent, &mut verdict, meter);
+    verdict.stop = end.err();
+    verdict.best = incumbent.into_best();
+    verdict
+}
+
+fn run(
+    problem: &Problem,
+    bounded: &Bounded,
+    incumbent: &mut Incumbent,
+    verdict: &mut Verdict,
+    meter: &Rc<Meter>,
+) -> Result<(), Stop> {
+    let horizon = bounded.horizon;
+    let late = (0..problem.agents()).find(|&a| problem.optima[a] > horizon);
+    if let Some(agent) = late {
+        verdict.clash = vec![agent];
+        verdict.complete = false;
+        return Ok(());
+    }
+    let walks = apart(problem, meter)?;
+    if free_of_collisions(problem, &walks) {
+        incumbent.offer(problem, &walks, meter);
+    } else if let Some(plan) = first_plan(problem, walks.clone(), horizon, meter)? {
+        incumbent.offer(problem, &plan, meter);
+    }
+    if incumbent.costs().is_none() {
+        let mut search = Search::new(problem, walks.clone(), horizon, incumbent, Rc::clone(meter));
+        let possible = keep_limits(&mut search, bounded)?;
+        let clash = if possible {
+            feasible::run(&mut search)?
+        } else {
+            Some(Vec::new())
+        };
+        if let Some(clash) = clash {
+            verdict.complete = bounded.limits.is_empty() && exhausted(problem, &clash, meter)?;
+            verdict.clash = clash;
+            return Ok(());
+        }
+    }
+    prove(problem, walks, bounded, incumbent, verdict, meter)
+}
+
+/// The stages, one for each cost of the objective.
+fn prove(
+    problem: &Problem,
+    walks: Vec<Walk>,
+    bounded: &Bounded,
+    incumbent: &mut Incumbent,
+    verdict: &mut Verdict,
+    meter: &Rc<Meter>,
+) -> Result<(), Stop> {
+    let objective = incumbent.objective().clone();
+    let mut search = Search::new(problem, walks, bounded.horizon, incumbent, Rc::clone(meter));
+    keep_limits(&mut search, bounded)?;
+    // Once the makespan or the sum of costs is bounded, no later plan counts.
+    let mut bounds_time = false;
+    for &cost in objective.costs() {
+        let mut bound = 0;
+        let end = match cost {
+            Cost::Makespan => makespan::run(&mut search, &mut bound),
+            _ => SumStage::run(&mut search, cost, &mut bound),
+        };
+        verdict.bounds.insert(cost, bound);
+        let End::Least(least) = end? else {
+            return Err(Stop::Contradiction); // a plan is at hand, so there is one
+        };
+        search.finish(cost, least);
+        verdict.complete &= bounds_time || holds_for_ever(&mut search, cost, least, bounded)?;
+        bounds_time |= matches!(cost, Cost::Makespan | Cost::SumOfCosts);
+    }
+    Ok(())
+}
+
+fn keep_limits(search: &mut Search, bounded: &Bounded) -> Result<bool, Stop> {
+    for (&cost, &most) in &bounded.limits {
+        if !search.limit(cost, most)? {
+            return Ok(false);
+        }
+    }
+    Ok(true)
+}
+
+/// Whether the bound on the first cost holds whatever the horizon.
+fn holds_for_ever(
+    search: &mut Search,
+    cost: Cost,
+    least: u32,
+    bounded: &Bounded,
+) -> Result<bool, Stop> {
+    let minima = search.sum_of_minima(cost)?;
+    let optima = &search.problem.optima;
+    match cost {
+        Cost::Makespan => Ok(true),
+        // A plan of this sum has no agent later than this.
+        Cost::SumOfCosts => {
+            let longest = optima.iter().copied().max().unwrap_or(0);
+            Ok(!search.met_horizon || bounded.horizon >= least - minima + longest)
+        }
+        _ if least == minima => Ok(true),
+        _ => {
+            let all: Vec<usize> = (0..optima.len()).collect();
+            let found = joint::least(search.problem, &all, cost, &search.meter)?;
+            Ok(found == joint::Found::Least(least))
+        }
+    }
+}
+
+/// Whether some agents have no plan at any horizon, by exhausting their joint
+/// states.
+fn exhausted(problem: &Problem, agents: &[usize], meter: &Meter) -> Result<bool, Stop> {
+    let found = joint::least(problem, agents, Cost::Makespan, meter)?;
+    Ok(found == joint::Found::None)
+}

@@ -1,0 +1,19 @@
+//! The search for the best plan, and the proof that it is.
+//!
+//! - [`team`]: agents inside the SAT solver, and those that need no place there;
+//! - [`stage`]: one cost at a time, in the order of the objective: core-guided
+//!   for sums ([`sum`]), step by step for the makespan ([`makespan`]);
+//! - [`feasible`]: any plan at all, or the proof that there is none;
+//! - [`incumbent`]: the best plan so far;
+//! - [`lexicographic`]: all of it in order.
+
+mod feasible;
+mod incumbent;
+mod lexicographic;
+mod makespan;
+mod stage;
+mod sum;
+mod tally;
+mod team;
+
+pub(crate) use lexicographic::{Bounded, Verdict, solve};

@@ -1,0 +1,285 @@
+//! What the stages of a lexicographic search share.
+//!
+//! A stage minimises one cost of the objective around one [`Team`]. When it is
+//! done, what it proved is made to hold for good, and the next stage goes on in
+//! the same formula: a lexicographic optimum is an optimum of the last cost
+//! among the optima of all before it.
+
+use std::collections::{BTreeMap, BTreeSet};
+use std::rc::Rc;
+
+use giveway_model::Cost;
+
+use super::{incumbent::Incumbent, team::Team};
+use crate::{
+    encode::{collisions::AgentId, limit::SumLimit},
+    meter::{Meter, Stop},
+    problem::Problem,
+    progress::Progress,
+    sat::Lit,
+    walk::Walk,
+};
+
+/// How a stage ended.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum End {
+    /// The least value of its cost.
+    Least(u32),
+    /// No plan keeps within the horizon and the limits.
+    None,
+}
+
+/// A lexicographic search under way.
+pub(crate) struct Search<'p, 'h> {
+    pub(crate) problem: &'p Problem,
+    pub(crate) meter: Rc<Meter<'h>>,
+    pub(crate) team: Team<'p, 'h>,
+    pub(crate) incumbent: &'p mut Incumbent,
+    /// The latest arrival of each agent that is still of interest.
+    caps: Vec<u32>,
+    /// Agents whose cap is a clause already.
+    capped: BTreeSet<AgentId>,
+    /// Whether caps become clauses as diagrams reach them; otherwise they stay
+    /// assumptions, and cores tell whose they are.
+    pub(crate) hard_caps: bool,
+    /// Whether the horizon itself was made a clause: then claims are within it.
+    pub(crate) met_horizon: bool,
+    horizon: u32,
+    limits: BTreeMap<Cost, SumLimit>,
+    /// The costs whose optimum holds for good.
+    done: BTreeMap<Cost, u32>,
+    /// The costs done or under way: outside agents are at their own minima.
+    begun: Vec<Cost>,
+}
+
+impl<'p, 'h> Search<'p, 'h> {
+    pub(crate) fn new(
+        problem: &'p Problem,
+        walks: Vec<Walk>,
+        horizon: u32,
+        incumbent: &'p mut Incumbent,
+        meter: Rc<Meter<'h>>,
+    ) -> Self {
+        Self {
+            problem,
+            team: Team::new(problem, walks, Rc::clone(&meter)),
+            meter,
+            incumbent,
+            caps: vec![horizon; problem.agents()],
+            capped: BTreeSet::new(),
+            hard_caps: true,
+            met_horizon: false,
+            horizon,
+            limits: BTreeMap::new(),
+            done: BTreeMap::new(),
+            begun: Vec::new(),
+        }
+    }
+
+    /// The latest arrival of an agent that is still of interest.
+    pub(crate) fn cap(&self, agent: AgentId) -> u32 {
+        self.caps[agent]
+    }
+
+    /// Allows no plan in which an agent arrives later.
+    pub(crate) fn lower_cap(&mut self, agent: AgentId, cap: u32) {
+        if cap < self.caps[agent] {
+            self.caps[agent] = cap;
+            self.capped.remove(&agent);
+            self.harden_cap(agent);
+        }
+    }
+
+    /// Makes the cap a clause, once the diagram reaches it.
+    fn harden_cap(&mut self, agent: AgentId) {
+        let cap = self.caps[agent];
+        let inside = self.hard_caps && self.team.is_inside(agent);
+        if inside && self.team.deadline(agent) >= cap && self.capped.insert(agent) {
+            self.met_horizon |= cap == self.horizon;
+            if let Some(by) = self.team.by(agent, cap) {
+                self.team.harden(by);
+            }
+        }
+    }
+
+    /// Lets an inside agent arrive up to a time, or up to its cap.
+    pub(crate) fn grow(&mut self, agent: AgentId, deadline: u32) -> Result<(), Stop> {
+        self.team.grow(agent, deadline.min(self.caps[agent]))?;
+        self.harden_cap(agent);
+        Ok(())
+    }
+
+    /// Doubles the delay that an agent may have, up to a latest arrival; false
+    /// where it may arrive so late already.
+    pub(crate) fn grow_further(&mut self, agent: AgentId, latest: u32) -> Result<bool, Stop> {
+        let deadline = self.team.deadline(agent);
+        let latest = latest.min(self.caps[agent]);
+        if deadline >= latest {
+            return Ok(false);
+        }
+        let delay = deadline - self.problem.optima[agent];
+        self.grow(agent, (deadline + delay.max(1)).min(latest))?;
+        Ok(true)
+    }
+
+    /// Takes an agent inside, with all that holds for good.
+    pub(crate) fn enter(&mut self, agent: AgentId) -> Result<(), Stop> {
+        if self.team.is_inside(agent) {
+            return Ok(());
+        }
+        self.team.enter(agent)?;
+        self.harden_cap(agent);
+        let costs: Vec<Cost> = self.limits.keys().copied().collect();
+        for cost in costs {
+            let digits = self.digits(agent, cost)?;
+            if let Some(limit) = self.limits.get_mut(&cost) {
+                limit.add(&digits, self.team.clauses());
+            }
+        }
+        // Outside it kept to its own minima, which the proofs so far took for
+        // granted.
+        let done: Vec<Cost> = self.done.keys().copied().collect();
+        for cost in done {
+            if matches!(cost, Cost::Charges | Cost::Moves | Cost::Waits) {
+                let least = self.team.least(agent, cost)?;
+                if let Some(more) = self.team.more_than(agent, cost, least)? {
+                    self.team.harden(!more);
+                }
+            }
+        }
+        Ok(())
+    }
+
+    /// The guards of all diagrams that can still grow: under these literals
+    /// the clauses are as they would be if nothing were left out.
+    pub(crate) fn guards(&mut self) -> BTreeMap<Lit, AgentId> {
+        let mut guards = BTreeMap::new();
+        for agent in self.team.insiders() {
+            let deadline = self.team.deadline(agent);
+            if (deadline < self.caps[agent] || !self.hard_caps)
+                && let Some(by) = self.team.by(agent, deadline)
+            {
+                guards.insert(by, agent);
+            }
+        }
+        guards
+    }
+
+    /// Reads the model and plans the outside agents around it; the agents that
+    /// had to enter, none where the walks are a plan.
+    pub(crate) fn settle(&mut self) -> Result<Vec<AgentId>, Stop> {
+        self.team.read();
+        let mut entering = self.team.collide()?;
+        for &cost in &self.begun.clone() {
+            for agent in self.above_minimum(cost)? {
+                if !entering.contains(&agent) {
+                    entering.push(agent);
+                }
+            }
+        }
+        for &agent in &entering {
+            self.enter(agent)?;
+        }
+        if entering.is_empty() {
+            let walks = self.team.walks.clone();
+            self.incumbent.offer(self.problem, &walks, &self.meter);
+        }
+        Ok(entering)
+    }
+
+    /// Outside agents whose walks cost more than their own minimum.
+    pub(crate) fn above_minimum(&mut self, cost: Cost) -> Result<Vec<AgentId>, Stop> {
+        let mut above = Vec::new();
+        if !matches!(cost, Cost::Charges | Cost::Moves | Cost::Waits) {
+            return Ok(above);
+        }
+        for agent in 0..self.problem.agents() {
+            if !self.team.is_inside(agent) {
+                let least = self.team.least(agent, cost)?;
+                let walk = std::slice::from_ref(&self.team.walks[agent]);
+                if crate::walk::costs_of(self.problem, agent, &walk[0]).get(cost) > least {
+                    above.push(agent);
+                }
+            }
+        }
+        Ok(above)
+    }
+
+    /// The sum of what each agent alone needs at the least.
+    pub(crate) fn sum_of_minima(&mut self, cost: Cost) -> Result<u32, Stop> {
+        let mut sum = 0;
+        for agent in 0..self.problem.agents() {
+            sum += match cost {
+                Cost::Makespan => 0,
+                Cost::SumOfCosts => self.problem.optima[agent],
+                _ => self.team.least(agent, cost)?,
+            };
+        }
+        Ok(sum)
+    }
+
+    /// Allows no plan whose sum of a cost is above `most`; false where the sum
+    /// of the agents' own minima is above it already.
+    pub(crate) fn limit(&mut self, cost: Cost, most: u32) -> Result<bool, Stop> {
+        let least = self.sum_of_minima(cost)?;
+        let Some(spare) = most.checked_sub(least) else {
+            return Ok(false);
+        };
+        self.limits.insert(cost, SumLimit::new(spare as usize));
+        if cost == Cost::SumOfCosts {
+            for agent in 0..self.problem.agents() {
+                self.lower_cap(agent, self.problem.optima[agent] + spare);
+            }
+        } else {
+            self.begun.push(cost);
+        }
+        Ok(true)
+    }
+
+    /// What an agent costs beyond its minimum, in unary, as far as the limit
+    /// needs it.
+    fn digits(&mut self, agent: AgentId, cost: Cost) -> Result<Vec<Lit>, Stop> {
+        let most = self.limits.get(&cost).map_or(0, SumLimit::most) as u32;
+        let mut digits = Vec::new();
+        for more in 0..=most {
+            let digit = match cost {
+                Cost::Makespan => None,
+                Cost::SumOfCosts => {
+                    let time = self.problem.optima[agent] + more;
+                    self.team.by(agent, time).map(|by| !by)
+                }
+                _ => {
+                    let least = self.team.least(agent, cost)?;
+                    self.team.more_than(agent, cost, least + more)?
+                }
+            };
+            digits.extend(digit);
+        }
+        Ok(digits)
+    }
+
+    /// Marks a cost as under way.
+    pub(crate) fn begin(&mut self, cost: Cost) {
+        if !self.begun.contains(&cost) {
+            self.begun.push(cost);
+        }
+    }
+
+    /// Marks the optimum of a cost as holding for good.
+    pub(crate) fn finish(&mut self, cost: Cost, least: u32) {
+        self.done.insert(cost, least);
+    }
+
+    /// Whether the best plan has this value of a cost, and the optimum of each
+    /// cost before it.
+    pub(crate) fn incumbent_meets(&self, cost: Cost, value: u32) -> bool {
+        self.incumbent.costs().is_some_and(|costs| {
+            costs.get(cost) == value && self.done.iter().all(|(&c, &least)| costs.get(c) == least)
+        })
+    }
+
+    /// Tells the host a proved bound.
+    pub(crate) fn report_bound(&self, cost: Cost, at_least: u32) {
+        self.meter.report(&Progress::Bound { cost, at_least });
+    }
+}

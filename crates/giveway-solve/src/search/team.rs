@@ -1,0 +1,238 @@
+//! The agents, inside the SAT solver or outside of it.
+//!
+//! An agent without conflict stays outside: it keeps a fixed walk at its own
+//! optimum, planned around the others after each model. Only when that fails
+//! does it enter. So the formula speaks of the agents that get in each other's
+//! way, and of no others.
+
+use std::collections::BTreeMap;
+use std::rc::Rc;
+
+use giveway_model::Cost;
+
+use super::tally::{Tally, least};
+use crate::{
+    encode::{
+        agent::{Added, AgentCode},
+        collisions::{AgentId, Collisions},
+    },
+    local::{Query, Reservations, plan_one},
+    meter::{Meter, Stop},
+    problem::Problem,
+    sat::{Clauses, Lit, Outcome, Sat},
+    terrain::Vertex,
+    walk::Walk,
+};
+
+/// All agents of a problem around one SAT solver.
+pub(crate) struct Team<'p, 'h> {
+    pub(crate) problem: &'p Problem,
+    pub(crate) meter: Rc<Meter<'h>>,
+    sat: Sat<'h>,
+    collisions: Collisions,
+    inside: Vec<Option<AgentCode>>,
+    /// A walk of every agent: from the last model, or fixed outside.
+    pub(crate) walks: Vec<Walk>,
+    /// Under `stay`: whose goal a vertex is.
+    owners: BTreeMap<Vertex, AgentId>,
+    /// Positions of inside agents on goals, by goal.
+    on_goals: BTreeMap<Vertex, Vec<(u32, AgentId, Lit)>>,
+    tallies: BTreeMap<(AgentId, Cost), Tally>,
+    minima: BTreeMap<(AgentId, Cost), u32>,
+}
+
+impl<'p, 'h> Team<'p, 'h> {
+    /// A team with everyone outside, on walks at their own optima.
+    pub(crate) fn new(problem: &'p Problem, walks: Vec<Walk>, meter: Rc<Meter<'h>>) -> Self {
+        let goals = problem.tasks.iter().enumerate();
+        Self {
+            problem,
+            sat: Sat::new(Rc::clone(&meter)),
+            meter,
+            collisions: Collisions::default(),
+            inside: problem.tasks.iter().map(|_| None).collect(),
+            walks,
+            owners: goals.map(|(agent, task)| (task.goal, agent)).collect(),
+            on_goals: BTreeMap::new(),
+            tallies: BTreeMap::new(),
+            minima: BTreeMap::new(),
+        }
+    }
+
+    pub(crate) fn is_inside(&self, agent: AgentId) -> bool {
+        self.inside[agent].is_some()
+    }
+
+    /// The agents inside, in order.
+    pub(crate) fn insiders(&self) -> Vec<AgentId> {
+        (0..self.inside.len())
+            .filter(|&a| self.is_inside(a))
+            .collect()
+    }
+
+    /// The deadline that the clauses of an agent cover; its optimum outside.
+    pub(crate) fn deadline(&self, agent: AgentId) -> u32 {
+        let code = self.inside[agent].as_ref();
+        let deadline = code.and_then(AgentCode::deadline);
+        deadline.unwrap_or(self.problem.optima[agent])
+    }
+
+    /// Takes an agent into the solver, with its plans up to its own optimum.
+    pub(crate) fn enter(&mut self, agent: AgentId) -> Result<(), Stop> {
+        if self.is_inside(agent) {
+            return Ok(());
+        }
+        let problem = self.problem;
+        self.inside[agent] = Some(AgentCode::new(agent, problem));
+        self.grow(agent, problem.optima[agent])?;
+        if problem.stays {
+            // Whoever is on its goal later than it may arrive keeps it away.
+            let visits = self.on_goals.get(&problem.tasks[agent].goal);
+            for (time, other, lit) in visits.cloned().unwrap_or_default() {
+                if other != agent {
+                    self.keep_away(agent, time, lit);
+                }
+            }
+        }
+        Ok(())
+    }
+
+    /// Extends the clauses of an inside agent to a later deadline.
+    pub(crate) fn grow(&mut self, agent: AgentId, deadline: u32) -> Result<(), Stop> {
+        let problem = self.problem;
+        let Some(code) = &mut self.inside[agent] else {
+            return Ok(());
+        };
+        let added = code.grow(deadline, problem, &self.meter, &mut self.sat)?;
+        self.absorb(agent, &added);
+        let Some(code) = &self.inside[agent] else {
+            return Ok(());
+        };
+        let task = &problem.tasks[agent];
+        for cost in [Cost::Charges, Cost::Moves, Cost::Waits] {
+            if let Some(tally) = self.tallies.get_mut(&(agent, cost)) {
+                tally.grow(problem, task, code, &added.steps, &mut self.sat);
+            }
+        }
+        Ok(())
+    }
+
+    /// Makes what an agent may do known to all others.
+    fn absorb(&mut self, agent: AgentId, added: &Added) {
+        for &(time, v, lit) in &added.positions {
+            self.collisions.occupy(time, v, lit, &mut self.sat);
+            if !self.problem.stays {
+                continue;
+            }
+            if let Some(&owner) = self.owners.get(&v)
+                && owner != agent
+            {
+                self.on_goals.entry(v).or_default().push((time, agent, lit));
+                self.keep_away(owner, time, lit);
+            }
+        }
+        for &(time, arc, premise) in &added.crossings {
+            self.collisions
+                .cross(time, arc, agent, premise, &mut self.sat);
+        }
+    }
+
+    /// Somebody on the owner's goal at a time: the owner arrives later.
+    fn keep_away(&mut self, owner: AgentId, time: u32, lit: Lit) {
+        if let Some(code) = &mut self.inside[owner]
+            && let Some(by) = code.by(time, &mut self.sat)
+        {
+            self.sat.clause(&[!lit, !by]);
+        }
+    }
+
+    /// The literal "arrived by" of an inside agent.
+    pub(crate) fn by(&mut self, agent: AgentId, time: u32) -> Option<Lit> {
+        let code = self.inside[agent].as_mut()?;
+        code.by(time, &mut self.sat)
+    }
+
+    /// The literal "has more than `most`" charges, moves or waits, of an inside
+    /// agent; `None` where that is certain.
+    pub(crate) fn more_than(
+        &mut self,
+        agent: AgentId,
+        cost: Cost,
+        most: u32,
+    ) -> Result<Option<Lit>, Stop> {
+        let Some(code) = &self.inside[agent] else {
+            return Ok(None);
+        };
+        if !self.tallies.contains_key(&(agent, cost)) {
+            let mut tally = Tally::new(self.problem, agent, cost, &self.meter)?;
+            let steps = code.taken_steps();
+            let task = &self.problem.tasks[agent];
+            tally.grow(self.problem, task, code, &steps, &mut self.sat);
+            self.tallies.insert((agent, cost), tally);
+        }
+        let tally = self.tallies.get_mut(&(agent, cost));
+        Ok(tally.and_then(|tally| tally.more_than(most, &mut self.sat)))
+    }
+
+    /// The least charges, moves or waits of an agent alone.
+    pub(crate) fn least(&mut self, agent: AgentId, cost: Cost) -> Result<u32, Stop> {
+        if let Some(&least) = self.minima.get(&(agent, cost)) {
+            return Ok(least);
+        }
+        let least = least(self.problem, agent, cost, &self.meter)?;
+        self.minima.insert((agent, cost), least);
+        Ok(least)
+    }
+
+    /// Makes a literal hold for good.
+    pub(crate) fn harden(&mut self, lit: Lit) {
+        self.sat.clause(&[lit]);
+    }
+
+    /// The collector of clauses, for encodings over several agents.
+    pub(crate) fn clauses(&mut self) -> &mut Sat<'h> {
+        &mut self.sat
+    }
+
+    /// Solves under assumptions; a model becomes the walks of the inside agents.
+    pub(crate) fn solve(&mut self, assumptions: &[Lit]) -> Result<Outcome, Stop> {
+        self.meter.report_size();
+        self.sat.solve(assumptions)
+    }
+
+    /// Reads the walks of the inside agents from the last model.
+    pub(crate) fn read(&mut self) {
+        for (agent, code) in self.inside.iter().enumerate() {
+            if let Some(code) = code {
+                let task = &self.problem.tasks[agent];
+                self.walks[agent] = code.walk(task, |lit| self.sat.is_true(lit));
+            }
+        }
+    }
+
+    /// Plans outside agents around everyone else, and returns those that still
+    /// collide: they must enter.
+    pub(crate) fn collide(&mut self) -> Result<Vec<AgentId>, Stop> {
+        let mut all = Reservations::of(self.problem, &self.walks);
+        for agent in 0..self.walks.len() {
+            if self.is_inside(agent) || all.met_by(agent, &self.walks[agent]).is_empty() {
+                continue;
+            }
+            all.remove(agent, &self.walks[agent]);
+            let query = Query {
+                agent,
+                latest: self.problem.optima[agent],
+                soft: true,
+                effort: u32::MAX,
+            };
+            if let Some((walk, _)) = plan_one(self.problem, &all, query, &self.meter)? {
+                self.walks[agent] = walk;
+            }
+            all.add(agent, &self.walks[agent]);
+        }
+        let colliding = (0..self.walks.len()).filter(|&agent| {
+            !self.is_inside(agent) && !all.met_by(agent, &self.walks[agent]).is_empty()
+        });
+        Ok(colliding.collect())
+    }
+}

@@ -1,0 +1,208 @@
+//! All plans of one agent up to a deadline, as a layered graph that only grows.
+//!
+//! A multi-valued decision diagram (MDD; Sharon et al. 2013), generalised to
+//! waypoints, batteries and slow moves. A node is a place at a time with the
+//! waypoints visited; its *level* is the least arrival of a plan of the agent
+//! alone that goes through it. The diagram for a deadline holds the nodes whose
+//! level is at most the deadline. Levels do not depend on the deadline, so a
+//! later deadline adds nodes and changes none.
+//!
+//! Of the battery each node keeps the best level with which it can be reached.
+//! That is exact for levels: a fuller battery is never worse, and a way that
+//! brings a fuller battery has a level no higher.
+
+use std::collections::BTreeMap;
+
+use rustc_hash::FxBuildHasher;
+
+use super::{
+    ToGo,
+    task::{Mask, Task},
+};
+use crate::{
+    meter::{Meter, Stop},
+    terrain::{Terrain, Vertex},
+};
+
+/// Where an agent is: at a vertex, or half way along a slow arc.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
+pub(crate) enum Place {
+    /// At a vertex.
+    At(Vertex),
+    /// In transit along the arc of this number.
+    Along(u32),
+}
+
+/// A node by its number in the diagram.
+pub(crate) type NodeId = u32;
+
+/// A way on from a node.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Step {
+    /// The place one time step later.
+    pub(crate) place: Place,
+    /// The waypoints visited there.
+    pub(crate) mask: Mask,
+    /// The best battery level there by this way.
+    battery: u32,
+    /// The least arrival of a plan that takes this way.
+    pub(crate) level: u32,
+}
+
+/// A place at a time with waypoints visited.
+#[derive(Clone, Debug)]
+pub(crate) struct Node {
+    pub(crate) place: Place,
+    pub(crate) mask: Mask,
+    pub(crate) time: u32,
+    /// The least arrival of a plan through here.
+    pub(crate) level: u32,
+    /// The ways on, by level; empty where the agent is in no need of any.
+    pub(crate) steps: Vec<Step>,
+}
+
+#[expect(
+    clippy::disallowed_types,
+    reason = "only looked up, never iterated, so its order cannot matter"
+)]
+type Index = std::collections::HashMap<(u32, Place, Mask), NodeId, FxBuildHasher>;
+
+/// The diagram of one agent.
+pub(crate) struct Diagram {
+    nodes: Vec<Node>,
+    index: Index,
+    /// Steps that lead to no node yet, by level, then by the time they lead to.
+    open: BTreeMap<(u32, u32), Vec<Step>>,
+    deadline: Option<u32>,
+}
+
+impl Diagram {
+    /// An empty diagram that knows its first node.
+    pub(crate) fn new(task: &Task, optimum: u32) -> Self {
+        let first = Step {
+            place: Place::At(task.start),
+            mask: task.first_mask(),
+            battery: task.first_level(),
+            level: optimum,
+        };
+        Self {
+            nodes: Vec::new(),
+            index: Index::default(),
+            open: BTreeMap::from([((optimum, 0), vec![first])]),
+            deadline: None,
+        }
+    }
+
+    /// The deadline that it holds all plans of.
+    pub(crate) fn deadline(&self) -> Option<u32> {
+        self.deadline
+    }
+
+    /// The node at a place, time and set of waypoints, if the diagram has it.
+    pub(crate) fn find(&self, time: u32, place: Place, mask: Mask) -> Option<NodeId> {
+        self.index.get(&(time, place, mask)).copied()
+    }
+
+    /// A node by its number.
+    pub(crate) fn node(&self, id: NodeId) -> &Node {
+        &self.nodes[id as usize]
+    }
+
+    /// The number of nodes; they are numbered in the order in which they came.
+    pub(crate) fn len(&self) -> NodeId {
+        self.nodes.len() as NodeId
+    }
+
+    /// Adds the nodes of levels up to `deadline`.
+    ///
+    /// # Errors
+    /// When the budget is spent; the diagram is of no use then.
+    pub(crate) fn grow(
+        &mut self,
+        deadline: u32,
+        task: &Task,
+        terrain: &Terrain,
+        to_go: &ToGo,
+        meter: &Meter,
+    ) -> Result<(), Stop> {
+        self.deadline = self.deadline.max(Some(deadline));
+        while let Some(entry) = self.open.first_entry() {
+            let (level, time) = *entry.key();
+            if level > deadline {
+                break;
+            }
+            // All ways of this level into this time are known: their parents
+            // are earlier, of no higher level. The fullest battery counts.
+            let mut steps = entry.remove();
+            steps.sort_by_key(|s| (s.place, s.mask, u32::MAX - s.battery));
+            steps.dedup_by_key(|s| (s.place, s.mask));
+            for step in steps {
+                meter.tick()?;
+                if self.find(time, step.place, step.mask).is_none() {
+                    self.insert(time, &step, task, terrain, to_go, meter);
+                }
+            }
+        }
+        Ok(())
+    }
+
+    fn insert(
+        &mut self,
+        time: u32,
+        at: &Step,
+        task: &Task,
+        terrain: &Terrain,
+        to_go: &ToGo,
+        meter: &Meter,
+    ) {
+        let mut steps = Vec::new();
+        let mut push = |place, mask, battery: Option<u32>, arrival: Vertex, delay: u32| {
+            let Some(battery) = battery else { return };
+            // A place half way counts with the level that it leads to.
+            let Some(rest) = to_go.from(arrival, mask | task.bit(arrival), battery) else {
+                return;
+            };
+            steps.push(Step {
+                place,
+                mask,
+                battery,
+                level: time + 1 + delay + rest,
+            });
+        };
+        match at.place {
+            Place::At(u) => {
+                let wait = task.level_after(terrain, u, at.battery, 1);
+                push(Place::At(u), at.mask, wait, u, 0);
+                for arc in terrain.arcs(u) {
+                    let after = task.level_after(terrain, u, at.battery, 1 + u32::from(arc.slow));
+                    if arc.slow {
+                        push(Place::Along(arc.id), at.mask, after, arc.to, 1);
+                    } else {
+                        let mask = at.mask | task.bit(arc.to);
+                        push(Place::At(arc.to), mask, after, arc.to, 0);
+                    }
+                }
+            }
+            Place::Along(arc) => {
+                let (_, v) = terrain.ends(arc);
+                // The battery of a node half way is the one on arrival.
+                push(Place::At(v), at.mask | task.bit(v), Some(at.battery), v, 0);
+            }
+        }
+        steps.sort_by_key(|s| s.level);
+        meter.hold(96 + steps.len() * 48);
+        for step in &steps {
+            let slot = self.open.entry((step.level, time + 1)).or_default();
+            slot.push(*step);
+        }
+        let id = self.nodes.len() as NodeId;
+        self.index.insert((time, at.place, at.mask), id);
+        self.nodes.push(Node {
+            place: at.place,
+            mask: at.mask,
+            time,
+            level: at.level,
+            steps,
+        });
+    }
+}

@@ -1,0 +1,9 @@
+//! One agent alone: its task, its exact distances, its diagram of good plans.
+
+mod diagram;
+mod task;
+mod to_go;
+
+pub(crate) use diagram::{Diagram, Node, NodeId, Place, Step};
+pub(crate) use task::{MAX_WAYPOINTS, Mask, Reserve, Task};
+pub(crate) use to_go::{Metric, ToGo};

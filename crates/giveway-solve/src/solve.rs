@@ -1,0 +1,166 @@
+//! A solve request, from the scene to the answer.
+
+use std::collections::BTreeMap;
+use std::rc::Rc;
+
+use giveway_model::{Instance, Objective, Version, check::check};
+
+use crate::{
+    Host, Limits, SolveAnswer, Status,
+    meter::{Meter, Stop},
+    problem::{Problem, Setback},
+    search::{self, Bounded, Verdict},
+    walk::to_plan,
+};
+
+/// The parts of a request that have been checked.
+pub(crate) struct Task<'h> {
+    pub(crate) instance: Instance,
+    pub(crate) objective: Objective,
+    /// The horizon, where a person set one.
+    pub(crate) within: Option<u32>,
+    pub(crate) meter: Rc<Meter<'h>>,
+}
+
+impl<'h> Task<'h> {
+    pub(crate) fn new(
+        instance: Instance,
+        objective: Option<Objective>,
+        within: Option<u32>,
+        limits: Limits,
+        host: &'h dyn Host,
+    ) -> Self {
+        Self {
+            objective: objective.unwrap_or_else(|| instance.objective().clone()),
+            instance,
+            within,
+            meter: Rc::new(Meter::new(host, limits)),
+        }
+    }
+
+    /// The horizon: what the person set, or the default of the problem's rules.
+    pub(crate) fn horizon(&self, problem: &Problem) -> u32 {
+        let grid = self.instance.grid();
+        let longest = problem.optima.iter().copied().max().unwrap_or(0);
+        let default = longest + 4 * (grid.width() + grid.height()) + 10;
+        self.within.unwrap_or(default)
+    }
+}
+
+/// The lexicographic optimum.
+pub(crate) fn solve(task: &Task) -> SolveAnswer {
+    match Problem::new(&task.instance, &task.meter) {
+        Ok(problem) => {
+            let bounded = Bounded {
+                horizon: task.horizon(&problem),
+                limits: BTreeMap::new(),
+            };
+            let verdict = search::solve(&problem, &task.objective, &bounded, &task.meter);
+            answer(task, &problem, bounded.horizon, verdict)
+        }
+        Err(setback) => without_search(task, &setback),
+    }
+}
+
+/// The answer where an agent alone decides it.
+pub(crate) fn without_search(task: &Task, setback: &Setback) -> SolveAnswer {
+    let name = |i: usize| {
+        task.instance
+            .agents()
+            .get(i)
+            .map_or("", |a| a.name.as_str())
+    };
+    let (status, reason) = match *setback {
+        Setback::Alone(i) => (
+            Status::Impossible,
+            format!("{} cannot do its task even alone.", name(i)),
+        ),
+        Setback::TooManyWaypoints(i) => (
+            Status::Unknown,
+            format!("{} has more waypoints than can be planned for.", name(i)),
+        ),
+        Setback::Stopped(stop) => (Status::Unknown, stop.sentence().to_owned()),
+    };
+    SolveAnswer {
+        giveway: Version,
+        status,
+        costs: None,
+        bounds: BTreeMap::new(),
+        within: None,
+        complete: status == Status::Impossible,
+        reason: Some(reason),
+        plan: None,
+        stats: task.meter.stats(),
+    }
+}
+
+/// A verdict as an answer; its plan is judged before it is given away.
+pub(crate) fn answer(
+    task: &Task,
+    problem: &Problem,
+    horizon: u32,
+    verdict: Verdict,
+) -> SolveAnswer {
+    let names: Vec<String> = task
+        .instance
+        .agents()
+        .iter()
+        .map(|a| a.name.clone())
+        .collect();
+    let mut stop = verdict.stop;
+    let mut found = verdict
+        .best
+        .map(|(walks, costs)| (to_plan(problem, &names, &walks), costs));
+    if let Some((plan, costs)) = &found {
+        let report = check(&task.instance, plan);
+        if !report.violations.is_empty() || report.costs != Some(*costs) {
+            // Never trust the solver: a plan that the judge refuses is no plan.
+            found = None;
+            stop = Some(Stop::Contradiction);
+        }
+    }
+    let status = match (&found, stop) {
+        (Some(_), None) => Status::Optimal,
+        (Some(_), Some(_)) => Status::Feasible,
+        (None, None) => Status::Impossible,
+        (None, Some(_)) => Status::Unknown,
+    };
+    let settled = stop.is_none();
+    let complete = settled && verdict.complete;
+    let reason = stop.map(|stop| stop.sentence().to_owned()).or_else(|| {
+        let clash: Vec<&str> = verdict
+            .clash
+            .iter()
+            .filter_map(|&i| names.get(i))
+            .map(String::as_str)
+            .collect();
+        (status == Status::Impossible).then(|| clash_sentence(&clash, complete, horizon))
+    });
+    let (plan, costs) = found.unzip();
+    SolveAnswer {
+        giveway: Version,
+        status,
+        costs,
+        bounds: verdict.bounds,
+        within: (settled && !complete).then_some(horizon),
+        complete,
+        reason,
+        plan,
+        stats: task.meter.stats(),
+    }
+}
+
+fn clash_sentence(agents: &[&str], complete: bool, horizon: u32) -> String {
+    let when = if complete {
+        "whatever the makespan".to_owned()
+    } else {
+        format!("within makespan {horizon}")
+    };
+    match agents {
+        [] => format!("The agents cannot all arrive {when}."),
+        [one] => format!("{one} cannot arrive {when}."),
+        [init @ .., last] => {
+            format!("{} and {last} cannot all arrive {when}.", init.join(", "))
+        }
+    }
+}

@@ -1,0 +1,124 @@
+//! The map as a graph: vertices and arcs by number.
+
+use giveway_model::{Cell, Grid};
+
+/// A vertex: the number of a free cell, row by row.
+pub(crate) type Vertex = u32;
+
+/// One direction of an edge.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) struct Arc {
+    /// Its number; the two arcs of an edge are `2 e` and `2 e + 1`.
+    pub(crate) id: u32,
+    /// Where it leads.
+    pub(crate) to: Vertex,
+    /// Whether it takes two steps, in transit after the first.
+    pub(crate) slow: bool,
+}
+
+impl Arc {
+    /// The edge that it belongs to.
+    pub(crate) const fn edge(self) -> u32 {
+        self.id >> 1
+    }
+
+    /// Which of the edge's two directions it is.
+    pub(crate) const fn forward(self) -> bool {
+        self.id & 1 == 0
+    }
+}
+
+/// The graph of a map.
+pub(crate) struct Terrain {
+    width: u32,
+    cells: Vec<Cell>,
+    vertices: Vec<Vertex>,
+    arcs: Vec<Vec<Arc>>,
+    /// From and to of each arc, by its number.
+    ends: Vec<(Vertex, Vertex)>,
+    chargers: Vec<bool>,
+}
+
+const NO_VERTEX: Vertex = Vertex::MAX;
+
+impl Terrain {
+    pub(crate) fn new(grid: &Grid) -> Self {
+        let mut cells = Vec::new();
+        let mut vertices = Vec::new();
+        for (cell, ground) in grid.cells() {
+            if ground.is_vertex() {
+                vertices.push(cells.len() as Vertex);
+                cells.push(cell);
+            } else {
+                vertices.push(NO_VERTEX);
+            }
+        }
+        let mut terrain = Self {
+            width: grid.width(),
+            arcs: vec![Vec::with_capacity(4); cells.len()],
+            ends: Vec::new(),
+            chargers: cells.iter().map(|&c| grid.is_charger(c)).collect(),
+            cells,
+            vertices,
+        };
+        for u in 0..terrain.cells.len() as Vertex {
+            let from = terrain.cell(u);
+            for cell in [Cell::new(from.x + 1, from.y), Cell::new(from.x, from.y + 1)] {
+                if grid.is_vertex(cell) {
+                    let slow = grid.is_slow_edge(from, cell);
+                    terrain.join(u, cell, slow);
+                }
+            }
+        }
+        terrain
+    }
+
+    fn join(&mut self, u: Vertex, cell: Cell, slow: bool) {
+        let Some(v) = self.vertex(cell) else { return };
+        let id = self.ends.len() as u32;
+        self.ends.extend([(u, v), (v, u)]);
+        self.arcs[u as usize].push(Arc { id, to: v, slow });
+        let id = id + 1;
+        self.arcs[v as usize].push(Arc { id, to: u, slow });
+    }
+
+    /// The number of vertices.
+    pub(crate) fn len(&self) -> usize {
+        self.cells.len()
+    }
+
+    /// The cell of a vertex.
+    pub(crate) fn cell(&self, v: Vertex) -> Cell {
+        self.cells[v as usize]
+    }
+
+    /// The vertex of a cell; `None` for obstacles and cells off the map.
+    pub(crate) fn vertex(&self, cell: Cell) -> Option<Vertex> {
+        if cell.x >= self.width {
+            return None;
+        }
+        let index = cell.y as usize * self.width as usize + cell.x as usize;
+        let found = self.vertices.get(index).copied();
+        found.filter(|&v| v != NO_VERTEX)
+    }
+
+    /// The arcs that leave a vertex.
+    pub(crate) fn arcs(&self, v: Vertex) -> &[Arc] {
+        &self.arcs[v as usize]
+    }
+
+    /// From and to of an arc.
+    pub(crate) fn ends(&self, arc: u32) -> (Vertex, Vertex) {
+        self.ends[arc as usize]
+    }
+
+    /// The number of arcs.
+    pub(crate) fn arc_count(&self) -> usize {
+        self.ends.len()
+    }
+
+    /// Whether an agent may charge at a vertex.
+    pub(crate) fn is_charger(&self, v: Vertex) -> bool {
+        self.chargers[v as usize]
+    }
+}

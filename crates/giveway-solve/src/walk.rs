@@ -1,0 +1,111 @@
+//! A walk: where one agent is at each time, as the search sees it.
+
+use giveway_model::{Costs, Plan, Version};
+
+use crate::{
+    problem::Problem,
+    single::{Place, Task},
+    terrain::{Arc, Terrain},
+};
+
+/// The places of an agent at each time from 0 to its arrival.
+pub(crate) type Walk = Vec<Place>;
+
+/// The arrival of a walk.
+pub(crate) fn arrival(walk: &[Place]) -> u32 {
+    (walk.len() as u32).saturating_sub(1)
+}
+
+/// The arc crossed in the step that begins at a time, if one is.
+pub(crate) fn crossed(terrain: &Terrain, walk: &[Place], time: usize) -> Option<Arc> {
+    let by_id = |id: u32| {
+        let (from, _) = terrain.ends(id);
+        terrain.arcs(from).iter().find(|arc| arc.id == id).copied()
+    };
+    match (*walk.get(time)?, *walk.get(time + 1)?) {
+        (_, Place::Along(id)) | (Place::Along(id), _) => by_id(id),
+        (Place::At(u), Place::At(v)) => terrain.arcs(u).iter().find(|arc| arc.to == v).copied(),
+    }
+}
+
+/// The fewest charges with which a walk can be made, each as late as it can be;
+/// `None` where the battery does not last.
+pub(crate) fn charges(task: &Task, terrain: &Terrain, walk: &[Place]) -> Option<Vec<u32>> {
+    let Some(reserve) = task.reserve else {
+        return Some(Vec::new());
+    };
+    let mut charges = Vec::new();
+    // The battery lasts up to and including this time.
+    let mut until = reserve.initial;
+    let mut last_charger = None;
+    for (time, place) in walk.iter().enumerate() {
+        let time = time as u32;
+        if time > until {
+            let charge: u32 = last_charger.take()?;
+            charges.push(charge);
+            until = charge + 1 + reserve.full;
+            if time > until {
+                return None;
+            }
+        }
+        if matches!(place, Place::At(v) if terrain.is_charger(*v)) {
+            last_charger = Some(time);
+        }
+    }
+    Some(charges)
+}
+
+/// The five costs of one agent's walk.
+pub(crate) fn costs_of(problem: &Problem, agent: usize, walk: &[Place]) -> Costs {
+    let arrival = arrival(walk);
+    let charges = charges(&problem.tasks[agent], &problem.terrain, walk);
+    let mut costs = Costs {
+        makespan: arrival,
+        sum_of_costs: arrival,
+        charges: charges.map_or(0, |c| c.len() as u32),
+        ..Costs::default()
+    };
+    for pair in walk.windows(2) {
+        match (pair[0], pair[1]) {
+            (Place::At(u), Place::At(v)) if u == v => costs.waits += 1,
+            (Place::Along(_), _) => {}
+            _ => costs.moves += 1,
+        }
+    }
+    costs
+}
+
+/// The five costs of walks, one an agent.
+pub(crate) fn costs(problem: &Problem, walks: &[Walk]) -> Costs {
+    let mut costs = Costs::default();
+    for (agent, walk) in walks.iter().enumerate() {
+        let own = costs_of(problem, agent, walk);
+        costs.makespan = costs.makespan.max(own.makespan);
+        costs.sum_of_costs += own.sum_of_costs;
+        costs.charges += own.charges;
+        costs.moves += own.moves;
+        costs.waits += own.waits;
+    }
+    costs
+}
+
+/// Walks as a plan.
+pub(crate) fn to_plan(problem: &Problem, names: &[String], walks: &[Walk]) -> Plan {
+    let mut plan = Plan {
+        giveway: Version,
+        ..Plan::default()
+    };
+    for ((name, task), walk) in names.iter().zip(&problem.tasks).zip(walks) {
+        let cell = |place: &Place| match *place {
+            Place::At(v) => Some(problem.terrain.cell(v)),
+            Place::Along(_) => None,
+        };
+        plan.paths
+            .insert(name.clone(), walk.iter().map(cell).collect());
+        let charges = charges(task, &problem.terrain, walk).unwrap_or_default();
+        if !charges.is_empty() {
+            plan.charges.insert(name.clone(), charges);
+        }
+    }
+    plan
+}
