@@ -41,10 +41,22 @@ fn syntax_fault(text: &str, error: &serde_json::Error) -> Fault {
         Category::Eof => text.len(),
         _ => offset(text, error),
     };
+    let offset = word_start(text, offset, error);
     let rest = text.get(offset..).unwrap_or("");
     let Phrase { found, expected } = phrase::of_syntax(&bare(error), rest, offset == 0);
     let (line, column) = position(text, offset);
     Fault::at("", found, expected).in_text(line, column)
+}
+
+/// Where a word begins that is taken for `true`, `false` or `null` at first;
+/// the library points into the midst of it.
+fn word_start(text: &str, offset: usize, error: &serde_json::Error) -> usize {
+    if bare(error) != "expected ident" {
+        return offset;
+    }
+    let before = text.as_bytes().get(..offset).unwrap_or_default();
+    let letters = before.iter().rev().take_while(|b| b.is_ascii_alphabetic());
+    offset - letters.count()
 }
 
 /// JSON that is not of the format.

@@ -1,6 +1,8 @@
 //! Finds the place of a value in the text of a JSON file.
 
 use std::borrow::Cow;
+use std::collections::BTreeMap;
+use std::collections::btree_map::Entry;
 use std::fmt;
 
 use serde::de::{MapAccess, Visitor};
@@ -28,13 +30,13 @@ pub(super) fn segments(place: &str) -> Vec<Segment> {
         .collect()
 }
 
-/// Finds places in one text; the list looked into last is kept, since most
-/// faults lie in the entries of one list.
+/// Finds places in one text. Objects and lists that were looked into are kept
+/// by where they begin, so that each is read once however many faults it has.
 pub(super) struct Locator<'a> {
     text: &'a str,
     root: Option<&'a RawValue>,
-    list: Option<(&'a RawValue, Vec<&'a RawValue>)>,
-    fields: Option<(&'a RawValue, Vec<Field<'a>>)>,
+    objects: BTreeMap<usize, Vec<Field<'a>>>,
+    lists: BTreeMap<usize, Vec<&'a RawValue>>,
 }
 
 impl<'a> Locator<'a> {
@@ -43,8 +45,8 @@ impl<'a> Locator<'a> {
         Self {
             text,
             root: serde_json::from_str(text).ok(),
-            list: None,
-            fields: None,
+            objects: BTreeMap::new(),
+            lists: BTreeMap::new(),
         }
     }
 
@@ -92,28 +94,24 @@ impl<'a> Locator<'a> {
 
     /// The last value of a key, as written, and the key.
     fn field(&mut self, object: &'a RawValue, name: &str) -> Option<Field<'a>> {
-        if self
-            .fields
-            .as_ref()
-            .is_none_or(|(of, _)| !std::ptr::eq(*of, object))
-        {
-            let fields: Fields<'a> = serde_json::from_str(object.get()).ok()?;
-            self.fields = Some((object, fields.0));
-        }
-        let (_, fields) = self.fields.as_ref()?;
+        let begin = self.offset(object.get())?;
+        let fields = match self.objects.entry(begin) {
+            Entry::Occupied(entry) => entry.into_mut(),
+            Entry::Vacant(entry) => {
+                let fields: Fields<'a> = serde_json::from_str(object.get()).ok()?;
+                entry.insert(fields.0)
+            }
+        };
         fields.iter().rev().find(|(key, _)| key == name).cloned()
     }
 
     fn entry(&mut self, list: &'a RawValue, index: usize) -> Option<&'a RawValue> {
-        if self
-            .list
-            .as_ref()
-            .is_none_or(|(of, _)| !std::ptr::eq(*of, list))
-        {
-            let entries: Vec<&'a RawValue> = serde_json::from_str(list.get()).ok()?;
-            self.list = Some((list, entries));
-        }
-        self.list.as_ref()?.1.get(index).copied()
+        let begin = self.offset(list.get())?;
+        let entries = match self.lists.entry(begin) {
+            Entry::Occupied(entry) => entry.into_mut(),
+            Entry::Vacant(entry) => entry.insert(serde_json::from_str(list.get()).ok()?),
+        };
+        entries.get(index).copied()
     }
 
     /// Where a part of the text begins in it.

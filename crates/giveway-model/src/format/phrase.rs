@@ -32,9 +32,8 @@ pub(super) fn of_syntax(message: &str, rest: &str, whole: bool) -> Phrase {
             phrase("the end of the file inside a text", "a closing quote")
         }
         "EOF while parsing a value" => phrase("the end of the file", "a value"),
-        "expected value" if whole => phrase(found, "a JSON object"),
-        "expected value" => phrase(found, "a JSON value"),
-        "expected ident" => phrase(found, "true, false or null"),
+        "expected value" | "expected ident" if whole => phrase(found, "a JSON object"),
+        "expected value" | "expected ident" => phrase(found, "a JSON value"),
         "expected `:`" => phrase(found, "a colon after the key"),
         "expected `,` or `]`" => phrase(found, "a comma or a closing ]"),
         "expected `,` or `}`" => phrase(found, "a comma or a closing }"),
