@@ -1,6 +1,7 @@
 //! The command line, as `giveway help` tells it.
 
 use std::path::PathBuf;
+use std::str::FromStr;
 
 use clap::{Args as ClapArgs, Parser, Subcommand, ValueEnum};
 use clap_complete::Shell;
@@ -101,7 +102,7 @@ pub(crate) struct Source {
 #[derive(Clone, Copy, Debug, ClapArgs)]
 pub(crate) struct First {
     /// Only the first N agents, of a native file too; all of them where it is left out
-    #[arg(long, value_name = "N")]
+    #[arg(long, value_name = "N", value_parser = whole::<usize>, allow_negative_numbers = true)]
     pub(crate) agents: Option<usize>,
 }
 
@@ -132,10 +133,10 @@ pub(crate) struct Solve {
     pub(crate) pareto: bool,
     /// Only plans of at most this makespan; 0 is legal [default: the largest optimum of an agent
     /// alone + 4 (width + height) + 10]
-    #[arg(long, value_name = "N")]
+    #[arg(long, value_name = "N", value_parser = whole::<u32>, allow_negative_numbers = true)]
     pub(crate) within: Option<u32>,
     /// Wall seconds for the whole command; 0.5 is legal
-    #[arg(long, value_name = "SECONDS", value_parser = seconds)]
+    #[arg(long, value_name = "SECONDS", value_parser = seconds, allow_negative_numbers = true)]
     pub(crate) time_limit: Option<f64>,
 }
 
@@ -186,6 +187,18 @@ pub(crate) enum Target {
     /// A MovingAI .map and .scen
     #[value(name = "movingai")]
     MovingAi,
+}
+
+/// A number of agents or time steps.
+fn whole<T: FromStr>(word: &str) -> Result<T, String> {
+    let large = word.len() > 1 && word.bytes().all(|byte| byte.is_ascii_digit());
+    let expected = if large {
+        "a smaller one"
+    } else {
+        "a whole number from 0"
+    };
+    word.parse()
+        .map_err(|_| format!("found \"{word}\", expected {expected}"))
 }
 
 /// A time limit, in seconds.

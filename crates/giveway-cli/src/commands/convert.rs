@@ -18,7 +18,7 @@ use crate::{
     },
 };
 use read::{Content, Item};
-use targets::place;
+use targets::{place, spare};
 
 pub(crate) fn run(args: &Convert, common: &Common) -> Result<Exit, Failure> {
     let inputs = read::inputs(args, common)?;
@@ -30,7 +30,12 @@ pub(crate) fn run(args: &Convert, common: &Common) -> Result<Exit, Failure> {
         }
     }
     match (&args.output, texts.as_slice()) {
-        (Some(folder), _) => files::write_all(folder, &place(folder, texts, &inputs.paths)?)?,
+        (Some(folder), _) => {
+            let texts = place(folder, texts)?;
+            files::make_folder(folder)?;
+            spare(&inputs.paths, &texts)?;
+            files::write_all(&texts)?;
+        }
         (None, [single]) => stream::file(single.text.as_bytes())?,
         (None, _) => {
             return Err(Failure::Usage(format!(

@@ -130,12 +130,19 @@ impl<'a> Maps<'a> {
         }
         match scen.map_beside() {
             Some(path) => Map::read(Source::read(&path)?),
-            None => Err(scen.source.fault(Fault::at(
-                "",
-                format!("no map \"{}\" beside the scenario", scen.map_name()),
-                "its map there, or with --map",
-            ))),
+            None => Err(scen.source.fault(no_map(scen))),
         }
+    }
+}
+
+fn no_map(scen: &Scen) -> Fault {
+    let name = scen.map_name();
+    if scen.source.path.is_some() {
+        let found = format!("no map \"{name}\" beside the scenario");
+        Fault::at("", found, "its map there, or with --map")
+    } else {
+        let found = format!("a scenario for the map \"{name}\"");
+        Fault::at("", found, "that map with --map, too")
     }
 }
 

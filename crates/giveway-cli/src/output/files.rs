@@ -18,14 +18,18 @@ pub(crate) struct NewFile {
     pub(crate) text: String,
 }
 
+/// Makes a folder, and those above it, where it is missing.
+pub(crate) fn make_folder(folder: &Path) -> Result<(), Failure> {
+    fs::create_dir_all(folder).map_err(|error| failure(folder, error))
+}
+
 /// Writes all files or, as far as the system allows, none: each is written
-/// beside its place first, and all are renamed at the end. The folder is made
-/// where it is missing.
-pub(crate) fn write_all(folder: &Path, files: &[NewFile]) -> Result<(), Failure> {
-    fs::create_dir_all(folder).map_err(|error| failure(folder, error))?;
+/// beside its place first, and all are renamed at the end. Their folders must
+/// be there.
+pub(crate) fn write_all(files: &[NewFile]) -> Result<(), Failure> {
     let mut written = Vec::with_capacity(files.len());
     for file in files {
-        let beside = write_beside(folder, file).map_err(|error| failure(&file.path, error))?;
+        let beside = write_beside(file).map_err(|error| failure(&file.path, error))?;
         written.push((file, beside));
     }
     for (file, beside) in written {
@@ -36,7 +40,8 @@ pub(crate) fn write_all(folder: &Path, files: &[NewFile]) -> Result<(), Failure>
     Ok(())
 }
 
-fn write_beside(folder: &Path, file: &NewFile) -> io::Result<NamedTempFile> {
+fn write_beside(file: &NewFile) -> io::Result<NamedTempFile> {
+    let folder = file.path.parent().unwrap_or(Path::new("."));
     let mut builder = Builder::new();
     builder.prefix(".giveway-");
     // Files of this kind are private by default; a result is as open as any new file.

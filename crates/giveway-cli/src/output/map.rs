@@ -180,12 +180,7 @@ mod tests {
     /// Name, start and goal, waypoints.
     type Task<'a> = (&'a str, [u32; 4], &'a [[u32; 2]]);
 
-    fn check(
-        map: &[&str],
-        agents: &[Task<'_>],
-        columns: usize,
-        expect: &Expect,
-    ) {
+    fn check(map: &[&str], agents: &[Task<'_>], columns: usize, expect: &Expect) {
         let scene = Scene {
             map: map.iter().map(|&row| row.to_owned()).collect(),
             agents: agents
@@ -200,7 +195,9 @@ mod tests {
                 .collect(),
             ..Scene::default()
         };
-        expect.assert_eq(&draw(&Instance::new(scene).unwrap(), columns));
+        let drawn = draw(&Instance::new(scene).unwrap(), columns);
+        // A first line that is not indented: else the indentation of all is lost.
+        expect.assert_eq(&format!("{columns} columns\n{drawn}"));
     }
 
     const WAREHOUSE: [&str; 3] = ["..~~~~~~..", ".##.##.##.", "...+..+..."];
@@ -215,6 +212,7 @@ mod tests {
             ],
             100,
             &expect![[r#"
+                100 columns
                    0   1   2   3   4   5   6   7   8   9
                  0 .Ab .   ~a' ~   ~   ~b' ~   ~a' .   .
                  1 .   ### ### .   ### ### .   ### ### .
@@ -235,6 +233,7 @@ mod tests {
             ],
             25,
             &expect![[r#"
+                25 columns
                    0 1 2 3 4 5 6 7 8 9
                  0 S . w ~ ~ w ~ w . .
                  1 G # # . # # . # # .
@@ -251,18 +250,30 @@ mod tests {
 
     #[test]
     fn a_map_too_wide_for_anything_is_not_drawn() {
-        check(&WAREHOUSE, &[], 12, &expect![[r#"
-            The map is too large to be drawn here: 10 x 3 cells.
-        "#]]);
+        check(
+            &WAREHOUSE,
+            &[],
+            12,
+            &expect![[r#"
+                12 columns
+                The map is too large to be drawn here: 10 x 3 cells.
+            "#]],
+        );
     }
 
     #[test]
     fn a_map_without_agents_has_no_marks() {
-        check(&["..", "*#"], &[], 100, &expect![[r#"
-               0 1
-             0 . .
-             1 * #
-              # obstacle, * charger in the slow zone
-        "#]]);
+        check(
+            &["..", "*#"],
+            &[],
+            100,
+            &expect![[r#"
+                100 columns
+                   0 1
+                 0 . .
+                 1 * #
+                  # obstacle, * charger in the slow zone
+            "#]],
+        );
     }
 }

@@ -101,7 +101,9 @@ fn blocks(rows: &[Row], times: usize, columns: usize) -> String {
             .flat_map(|row| row.entries.iter().map(String::len)),
     );
     let pitch = entry.max(times.to_string().len() + 1) + 1;
-    let per_block = (columns.saturating_sub(label) / pitch).max(1);
+    let fitting = (columns.saturating_sub(label) / pitch).max(1);
+    // Blocks of about one length read better than one that holds the rest.
+    let per_block = times.div_ceil(times.div_ceil(fitting).max(1)).max(1);
     let mut text = String::new();
     for first in (0..times).step_by(per_block) {
         if first > 0 {
@@ -114,7 +116,10 @@ fn blocks(rows: &[Row], times: usize, columns: usize) -> String {
             let entries = block
                 .clone()
                 .map(|t| row.entries.get(t).cloned().unwrap_or_default());
-            text += &line(&row.label, label, pitch, entries);
+            // Who has arrived is left out of the later blocks.
+            if row.entries.len() > first {
+                text += &line(&row.label, label, pitch, entries);
+            }
         }
     }
     text
@@ -217,29 +222,40 @@ mod tests {
 
     #[test]
     fn cells_levels_charges_and_transit() {
-        check(&MAP, agents(), PLAN, 100, &expect![[r#"
+        check(
+            &MAP,
+            agents(),
+            PLAN,
+            100,
+            &expect![[r#"
             time      0    1    2    3    4
             A1      0,0  1,0   ..  2,0  3,0
               level   3    2*  10    9    8
             A2      0,1  1,1
               .. in transit on a slow move, * charges
-        "#]]);
+        "#]],
+        );
     }
 
     #[test]
     fn a_narrow_terminal_gets_blocks() {
-        check(&MAP, agents(), PLAN, 22, &expect![[r#"
-            time      0    1    2
-            A1      0,0  1,0   ..
-              level   3    2*  10
-            A2      0,1  1,1
+        check(
+            &MAP,
+            agents(),
+            PLAN,
+            22,
+            &expect![[r#"
+                time      0    1    2
+                A1      0,0  1,0   ..
+                  level   3    2*  10
+                A2      0,1  1,1
 
-            time      3    4
-            A1      2,0  3,0
-              level   9    8
-            A2
-              .. in transit on a slow move, * charges
-        "#]]);
+                time      3    4
+                A1      2,0  3,0
+                  level   9    8
+                  .. in transit on a slow move, * charges
+            "#]],
+        );
     }
 
     #[test]
@@ -269,7 +285,8 @@ mod tests {
                 "A0                    (0, 0)      (0, 0)        0        0",
                 "A1                    (1, 0)      (1, 0)     none        0",
             ]
-        "#]].assert_debug_eq(&lines);
+        "#]]
+        .assert_debug_eq(&lines);
         assert!(text.contains("--format json"));
     }
 }

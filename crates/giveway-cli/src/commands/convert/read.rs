@@ -98,6 +98,7 @@ pub(super) fn inputs(args: &Convert, common: &Common) -> Result<Inputs, Failure>
         }
     }
     inputs.paths.extend(taken);
+    inputs.paths.extend(common.map.clone());
     Ok(inputs)
 }
 

@@ -88,3 +88,99 @@ fn total(front: &[SolveAnswer]) -> Stats {
         conflicts: sum.conflicts + point.stats.conflicts,
     })
 }
+
+#[cfg(test)]
+mod tests {
+    use std::collections::BTreeMap;
+
+    use expect_test::{Expect, expect};
+    use giveway_model::{Costs, Version};
+
+    use super::*;
+    use crate::output::text::unpainted;
+
+    /// A front of one point for each makespan and number of charges.
+    fn check(status_of_all: Status, within: Option<u32>, costs: &[[u32; 2]], expect: &Expect) {
+        let point = |&[makespan, charges]: &[u32; 2]| SolveAnswer {
+            giveway: Version,
+            status: Status::Optimal,
+            costs: Some(Costs {
+                makespan,
+                charges,
+                ..Costs::default()
+            }),
+            bounds: BTreeMap::new(),
+            within,
+            complete: within.is_none(),
+            reason: None,
+            plan: None,
+            stats: Stats::default(),
+        };
+        let answer = FrontAnswer {
+            giveway: Version,
+            status: status_of_all,
+            complete: within.is_none(),
+            within,
+            front: costs.iter().map(point).collect(),
+        };
+        let objective = "makespan,charges".parse().unwrap();
+        let text = status(&objective, &answer) + &points(&objective, &answer.front);
+        expect.assert_eq(&unpainted(&text));
+    }
+
+    #[test]
+    fn a_whole_front() {
+        check(
+            Status::Optimal,
+            None,
+            &[[18, 3], [20, 2]],
+            &expect![[r#"
+                Pareto front: 2 points, complete whatever the horizon.
+                Costs: makespan, charges.
+                point      makespan       charges  sum of costs         moves         waits
+                    1            18             3             0             0             0
+                    2            20             2             0             0             0
+                The plan of each point stands in the result of --format json.
+            "#]],
+        );
+        check(
+            Status::Optimal,
+            Some(57),
+            &[[18, 3]],
+            &expect![[r#"
+            Pareto front: 1 point, complete within makespan 57.
+            Costs: makespan, charges.
+            point      makespan       charges  sum of costs         moves         waits
+                1            18             3             0             0             0
+            The plan of each point stands in the result of --format json.
+        "#]],
+        );
+    }
+
+    #[test]
+    fn a_part_of_a_front_says_so() {
+        check(
+            Status::Feasible,
+            None,
+            &[[18, 3]],
+            &expect![[r#"
+            Part of the Pareto front: 1 point; the time ran out before all were proved.
+            Costs: makespan, charges.
+            point      makespan       charges  sum of costs         moves         waits
+                1            18             3             0             0             0
+            The plan of each point stands in the result of --format json.
+        "#]],
+        );
+        check(
+            Status::Unknown,
+            None,
+            &[],
+            &expect![[r#"
+            Unknown: neither a plan nor a proof that there is none.
+            Costs: makespan, charges.
+            point      makespan       charges  sum of costs         moves         waits
+            The plan of each point stands in the result of --format json.
+        "#]],
+        );
+    }
+}

@@ -161,23 +161,32 @@ mod tests {
 
     #[test]
     fn optimal_says_how_far_it_holds() {
-        check(&answer(Status::Optimal, None, None), &expect![[r#"
+        check(
+            &answer(Status::Optimal, None, None),
+            &expect![[r#"
             Optimal: makespan 23, sum of costs 35, 3 charges.
             No plan is better, whatever the horizon.
-        "#]]);
-        check(&answer(Status::Optimal, Some(57), None), &expect![[r#"
+        "#]],
+        );
+        check(
+            &answer(Status::Optimal, Some(57), None),
+            &expect![[r#"
             Optimal within makespan 57: makespan 23, sum of costs 35, 3 charges.
             No plan of at most that makespan is better; a longer one might be.
-        "#]]);
+        "#]],
+        );
     }
 
     #[test]
     fn feasible_says_what_is_proved() {
         let reason = Some("The time limit was reached");
-        check(&answer(Status::Feasible, None, reason), &expect![[r#"
+        check(
+            &answer(Status::Feasible, None, reason),
+            &expect![[r#"
             Feasible: makespan 23, proved at least 22 (gap 4 %); sum of costs 35; 3 charges.
             The time limit was reached.
-        "#]]);
+        "#]],
+        );
         check(
             &answer(Status::Feasible, Some(57), reason),
             &expect![[r#"
@@ -191,9 +200,12 @@ mod tests {
     #[test]
     fn impossible_says_why() {
         let reason = Some("A1 cannot reach its goal.");
-        check(&answer(Status::Impossible, None, reason), &expect![[r#"
+        check(
+            &answer(Status::Impossible, None, reason),
+            &expect![[r#"
             Impossible, whatever the horizon: A1 cannot reach its goal.
-        "#]]);
+        "#]],
+        );
         check(
             &answer(Status::Impossible, Some(17), None),
             &expect![[r#"
@@ -205,11 +217,14 @@ mod tests {
     #[test]
     fn unknown_is_no_impossible() {
         let reason = Some("The time limit was reached");
-        check(&answer(Status::Unknown, None, reason), &expect![[r#"
+        check(
+            &answer(Status::Unknown, None, reason),
+            &expect![[r#"
             Unknown: neither a plan nor a proof that there is none.
             Proved so far: makespan at least 22.
             The time limit was reached.
-        "#]]);
+        "#]],
+        );
     }
 
     #[test]
@@ -223,6 +238,7 @@ mod tests {
             sum of costs        35                 -
             moves               30                 -
             waits                1                 -
-        "#]].assert_eq(&cost_table(&objective, &answer.costs.unwrap(), &answer));
+        "#]]
+        .assert_eq(&cost_table(&objective, &answer.costs.unwrap(), &answer));
     }
 }

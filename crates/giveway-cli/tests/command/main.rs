@@ -1,0 +1,17 @@
+//! The command as a person meets it: what it is given, what it says, and how
+//! it ends.
+#![allow(
+    clippy::unwrap_used,
+    clippy::needless_raw_string_hashes,
+    reason = "a test may panic, and UPDATE_EXPECT=1 writes expected texts so"
+)]
+
+mod bad_command_line;
+mod bad_input;
+mod benchmark_files;
+mod check;
+mod convert;
+mod harmless_input;
+mod manual;
+mod run;
+mod solve;
