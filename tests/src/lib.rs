@@ -9,7 +9,9 @@
 
 pub mod ask;
 pub mod compare;
+pub mod known;
 pub mod oracle;
 pub mod picture;
 pub mod random;
 pub mod recount;
+pub mod source;

@@ -1,0 +1,369 @@
+//! The invariants of the architecture and the rules of the house, as tests.
+//!
+//! Most are absences: what a crate or a folder does not name.
+#![allow(
+    clippy::unwrap_used,
+    clippy::print_stdout,
+    clippy::panic,
+    reason = "a test that cannot go on ends with a panic"
+)]
+
+use std::fs;
+
+use giveway_tests::source::{self, File};
+
+/// Fails with all complaints at once.
+#[track_caller]
+fn expect_none(complaints: &[String]) {
+    assert!(complaints.is_empty(), "\n{}", complaints.join("\n"));
+}
+
+/// The sources under one of the folders.
+fn under<'a>(files: &'a [File], folder: &'a str) -> impl Iterator<Item = &'a File> {
+    files
+        .iter()
+        .filter(move |file| file.path.starts_with(folder))
+}
+
+/// Every use of one of the paths under a folder, but for some places.
+fn uses(folder: &str, but_for: &[&str], paths: &[&str]) -> Vec<String> {
+    let files = source::rust_files();
+    let mut complaints = Vec::new();
+    let mut seen = 0;
+    for file in under(&files, folder) {
+        seen += 1;
+        if but_for.iter().any(|place| file.path.starts_with(place)) {
+            continue;
+        }
+        for used in source::paths(file) {
+            for path in paths.iter().filter(|path| used.contains(path)) {
+                let line = used.line;
+                complaints.push(format!("{}:{line} names {path}", file.path));
+            }
+        }
+    }
+    assert!(seen > 0, "there is no {folder}");
+    complaints.dedup();
+    complaints
+}
+
+/// What only a page in a browser has.
+const BROWSER: &[&str] = &["web_sys", "js_sys", "wasm_bindgen", "gloo", "yew"];
+
+mod layers {
+    use super::{BROWSER, expect_none, fs, source, uses};
+
+    /// The crates in the order of the workspace, with what each depends on.
+    fn crates() -> Vec<(String, Vec<String>)> {
+        let read = |path: &str| {
+            let text = fs::read_to_string(source::root().join(path)).unwrap();
+            text.parse::<toml::Table>().unwrap()
+        };
+        let workspace = read("Cargo.toml");
+        let members = workspace["workspace"]["members"].as_array().unwrap();
+        let mut crates = Vec::new();
+        for member in members {
+            let manifest = read(&format!("{}/Cargo.toml", member.as_str().unwrap()));
+            let name = manifest["package"]["name"].as_str().unwrap();
+            crates.push((name.to_owned(), dependencies(&manifest)));
+        }
+        crates
+    }
+
+    /// The names in every table of dependencies, those for some targets too.
+    fn dependencies(manifest: &toml::Table) -> Vec<String> {
+        let mut names = Vec::new();
+        for (key, value) in manifest {
+            match value.as_table() {
+                Some(table) if key.ends_with("dependencies") => {
+                    names.extend(table.keys().cloned());
+                }
+                Some(table) if key == "target" => {
+                    let targets = table.values().filter_map(toml::Value::as_table);
+                    names.extend(targets.flat_map(dependencies));
+                }
+                _ => {}
+            }
+        }
+        names
+    }
+
+    #[test]
+    fn a_crate_depends_only_on_those_before_it() {
+        let crates = crates();
+        let mut complaints = Vec::new();
+        for (i, (name, dependencies)) in crates.iter().enumerate() {
+            for (later, _) in &crates[i..] {
+                if dependencies.contains(later) {
+                    complaints.push(format!("{name} depends on {later}"));
+                }
+            }
+        }
+        expect_none(&complaints);
+    }
+
+    #[test]
+    fn nothing_depends_on_a_front_but_the_tests() {
+        let mut complaints = Vec::new();
+        for (name, dependencies) in crates() {
+            for front in ["giveway-cli", "giveway-web", "giveway-wasm"] {
+                if name != "giveway-tests" && dependencies.iter().any(|d| d == front) {
+                    complaints.push(format!("{name} depends on {front}"));
+                }
+            }
+        }
+        expect_none(&complaints);
+    }
+
+    #[test]
+    fn the_model_and_the_solver_depend_on_nothing_of_a_front() {
+        let mut complaints = Vec::new();
+        let crates = crates();
+        for layer in ["giveway-model", "giveway-solve"] {
+            let (_, dependencies) = crates.iter().find(|(name, _)| name == layer).unwrap();
+            for front in ["web-sys", "js-sys", "wasm-bindgen", "yew", "gloo", "clap"] {
+                if dependencies.iter().any(|d| d == front) {
+                    complaints.push(format!("{layer} depends on {front}"));
+                }
+            }
+        }
+        expect_none(&complaints);
+    }
+
+    #[test]
+    fn only_the_solver_depends_on_a_sat_solver() {
+        let mut complaints = Vec::new();
+        for (name, dependencies) in crates() {
+            let knows = dependencies.iter().any(|d| d.starts_with("varisat"));
+            if knows && !["giveway-solve", "giveway-tests"].contains(&name.as_str()) {
+                complaints.push(format!("{name} depends on varisat"));
+            }
+        }
+        expect_none(&complaints);
+    }
+
+    #[test]
+    fn the_model_does_no_io() {
+        let io = [
+            "std::fs",
+            "std::io",
+            "std::net",
+            "std::env",
+            "std::process",
+            "std::thread",
+            "std::time",
+        ];
+        expect_none(&uses("crates/giveway-model/src", &[], &io));
+        expect_none(&uses("crates/giveway-model/src", &[], BROWSER));
+    }
+
+    #[test]
+    fn the_model_knows_no_solver() {
+        let solver = ["varisat", "giveway_solve"];
+        expect_none(&uses("crates/giveway-model", &[], &solver));
+    }
+
+    #[test]
+    fn the_judge_knows_no_encoding() {
+        let encoding = ["encode", "sat", "giveway_solve", "varisat"];
+        expect_none(&uses("crates/giveway-model/src/check", &[], &encoding));
+    }
+
+    #[test]
+    fn only_one_folder_names_the_sat_solver() {
+        let sat = ["crates/giveway-solve/src/sat/", "tests/"];
+        let varisat = ["varisat", "varisat_formula", "varisat_checker"];
+        expect_none(&uses("", &sat, &varisat));
+    }
+
+    #[test]
+    fn the_solver_has_no_clock_no_files_and_no_page() {
+        let surroundings = [
+            "std::fs",
+            "std::net",
+            "std::env",
+            "std::process",
+            "std::thread",
+            "std::time",
+            "giveway_cli",
+            "giveway_web",
+        ];
+        expect_none(&uses("crates/giveway-solve/src", &[], &surroundings));
+        expect_none(&uses("crates/giveway-solve/src", &[], BROWSER));
+        // A proof is written into a writer, which is how a solve is stopped.
+        let sat = ["crates/giveway-solve/src/sat/"];
+        expect_none(&uses("crates/giveway-solve/src", &sat, &["std::io"]));
+    }
+
+    #[test]
+    fn the_oracle_shares_nothing_with_the_solver_or_the_judge() {
+        let judged = ["giveway_solve", "check", "giveway_model::Grid"];
+        expect_none(&uses("tests/src/oracle", &[], &judged));
+    }
+
+    #[test]
+    fn no_hash_is_random() {
+        let random = ["HashSet", "RandomState", "DefaultHasher"];
+        expect_none(&uses("", &[], &random));
+        // A hash map is named only where it is given a hasher without a seed.
+        let mut complaints = Vec::new();
+        for file in source::rust_files() {
+            let lines: Vec<&str> = file.text.lines().collect();
+            for used in source::paths(&file) {
+                let text = lines.get(used.line - 1).unwrap();
+                if used.contains("HashMap") && !text.contains("BuildHasher") {
+                    complaints.push(format!("{}:{}: {text}", file.path, used.line));
+                }
+            }
+        }
+        expect_none(&complaints);
+    }
+}
+
+mod files {
+    use super::{expect_none, source};
+
+    #[test]
+    fn every_source_begins_with_what_it_is() {
+        let files = source::rust_files();
+        let silent = files.iter().filter(|file| !file.text.starts_with("//! "));
+        let complaints: Vec<String> = silent
+            .map(|file| format!("{} does not begin with //!", file.path))
+            .collect();
+        expect_none(&complaints);
+    }
+
+    /// From here on a file should be divided, lines.
+    const LONG: usize = 400;
+    /// No file is longer, lines.
+    const TOO_LONG: usize = 600;
+
+    #[test]
+    fn no_source_is_too_long() {
+        let mut complaints = Vec::new();
+        for file in source::rust_files() {
+            let lines = file.text.lines().count();
+            if file.path.contains("tests/") {
+                continue;
+            }
+            if lines > LONG {
+                println!("{} has {lines} lines, more than {LONG}", file.path);
+            }
+            if lines > TOO_LONG {
+                let path = file.path;
+                complaints.push(format!("{path} has {lines} lines, more than {TOO_LONG}"));
+            }
+        }
+        expect_none(&complaints);
+    }
+
+    #[test]
+    fn no_line_ends_in_a_blank_or_has_a_tab() {
+        let mut complaints = Vec::new();
+        for file in source::rust_files() {
+            for (number, line) in (1..).zip(file.text.lines()) {
+                if line.ends_with(char::is_whitespace) || line.contains('\t') {
+                    complaints.push(format!("{}:{number}", file.path));
+                }
+            }
+        }
+        expect_none(&complaints);
+    }
+
+    #[test]
+    fn every_exception_to_a_lint_has_a_reason() {
+        let mut complaints = Vec::new();
+        for file in source::rust_files() {
+            for name in ["allow", "expect"] {
+                for (line, arguments) in source::attributes(&file, name) {
+                    if !arguments.to_string().contains("reason =") {
+                        complaints.push(format!("{}:{line} has no reason", file.path));
+                    }
+                }
+            }
+        }
+        for file in source::files("") {
+            if file.path.ends_with("Cargo.toml") {
+                for (number, line) in (1..).zip(file.text.lines()) {
+                    if line.contains("\"allow\"") && !line.contains('#') {
+                        complaints.push(format!("{}:{number} has no reason", file.path));
+                    }
+                }
+            }
+        }
+        expect_none(&complaints);
+    }
+
+    #[test]
+    fn no_file_names_a_folder_of_one_machine() {
+        // Put together here, so that this file does not name them itself.
+        let folders = ["work", "root", "home", "Users"].map(|name| format!("/{name}/"));
+        let mut complaints = Vec::new();
+        for file in source::files("") {
+            for (number, line) in (1..).zip(file.text.lines()) {
+                let named = |folder: &String| {
+                    let mut places = line.match_indices(folder.as_str());
+                    // Inside an address or a longer path it is none.
+                    places.any(|(at, _)| {
+                        !line[..at].ends_with(|c: char| c.is_alphanumeric() || c == '.')
+                    })
+                };
+                if folders.iter().any(named) {
+                    complaints.push(format!("{}:{number} {line}", file.path));
+                }
+            }
+        }
+        expect_none(&complaints);
+    }
+
+    #[test]
+    fn every_package_comes_from_the_public_registry() {
+        let lock = source::files("");
+        let lock = lock.iter().find(|file| file.path == "Cargo.lock").unwrap();
+        let public = "source = \"registry+https://github.com/rust-lang/crates.io-index\"";
+        let sources = lock.text.lines().filter(|line| line.starts_with("source"));
+        let complaints: Vec<String> = sources
+            .filter(|line| *line != public)
+            .map(str::to_owned)
+            .collect();
+        expect_none(&complaints);
+    }
+}
+
+mod architecture {
+    use std::collections::BTreeSet;
+
+    use super::{expect_none, fs, source};
+
+    fn text() -> String {
+        fs::read_to_string(source::root().join("ARCHITECTURE.md"))
+            .unwrap_or_else(|error| panic!("ARCHITECTURE.md in the top folder: {error}"))
+    }
+
+    #[test]
+    fn it_names_every_crate_and_every_folder() {
+        let text = text();
+        let mut folders = BTreeSet::new();
+        for file in source::rust_files() {
+            let mut names: Vec<&str> = file.path.split('/').collect();
+            names.pop();
+            if let Some(last) = names.last() {
+                // `src` stands in each crate, and is told once.
+                folders.insert(
+                    if *last == "src" {
+                        names[names.len() - 2]
+                    } else {
+                        last
+                    }
+                    .to_owned(),
+                );
+            }
+        }
+        let complaints: Vec<String> = folders
+            .iter()
+            .filter(|folder| !text.contains(&format!("{folder}/")))
+            .map(|folder| format!("ARCHITECTURE.md does not name {folder}/"))
+            .collect();
+        expect_none(&complaints);
+    }
+}
