@@ -6,6 +6,8 @@ mod locate;
 pub mod movingai;
 pub mod native;
 mod phrase;
+mod schema;
 mod text;
 
+pub use schema::schema;
 pub use text::read_text;
