@@ -74,10 +74,10 @@ fn what_is_lost_is_said() {
     .assert_eq(&folder.read("out/warehouse.map"));
     expect![[r#"
         version 1
-        0	warehouse.map	10	3	0	0	9	2	0
-        0	warehouse.map	10	3	9	2	0	0	0
+        0|warehouse.map|10|3|0|0|9|2|0
+        0|warehouse.map|10|3|9|2|0|0|0
     "#]]
-    .assert_eq(&folder.read("out/warehouse.scen"));
+    .assert_eq(&folder.read("out/warehouse.scen").replace('\t', "|"));
 }
 
 #[test]
