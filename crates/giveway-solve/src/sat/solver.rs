@@ -13,6 +13,9 @@ const CLAUSE_BYTES: usize = 48;
 const LITERAL_BYTES: usize = 8;
 const VARIABLE_BYTES: usize = 96;
 
+/// Calls that a core may take to be verified and made smaller.
+const MOST_TRIMS: usize = 40;
+
 /// The end of a call.
 #[derive(Debug)]
 pub(crate) enum Outcome {
@@ -64,17 +67,37 @@ impl<'h> Sat<'h> {
         if !self.verify {
             return Ok(Outcome::Unsat(core));
         }
-        // varisat's core can be too small (its conflict analysis may leave
-        // marks behind), though its verdicts are right. So a core counts only
-        // once a call under just that core was unsatisfiable; asking in the
-        // other order often makes it smaller still, which is then verified in
-        // its turn.
+        self.trim(assumptions, &mut core)
+    }
+
+    /// Verifies a core, and makes it smaller on the way.
+    ///
+    /// varisat's core can be too small (its conflict analysis may leave marks
+    /// behind), though its verdicts are right. So a core counts only once a
+    /// call under just that core was unsatisfiable. Such calls are cheap, and
+    /// each tells more: assumptions are made one after the other, so the last
+    /// one of the core is needed with those before it. Put first from then on,
+    /// it leaves the place of the last one to another, until all are needed.
+    fn trim(&mut self, assumptions: &[Lit], core: &mut Vec<Lit>) -> Result<Outcome, Stop> {
         let mut proved = assumptions.to_vec();
-        while core.len() < proved.len() {
-            core.reverse();
-            match self.call(&core)? {
-                Some(smaller) => proved = std::mem::replace(&mut core, smaller),
-                None => break,
+        let mut needed: Vec<Lit> = Vec::new();
+        for _ in 0..MOST_TRIMS {
+            if core.len() == proved.len() && core.iter().all(|lit| needed.contains(lit)) {
+                break;
+            }
+            needed.retain(|lit| core.contains(lit));
+            let mut order = needed.clone();
+            order.extend(core.iter().rev().filter(|lit| !needed.contains(lit)));
+            let Some(smaller) = self.call(&order)? else {
+                break; // the core was wrong: only what was proved before counts
+            };
+            *core = smaller;
+            let last = order.iter().rev().find(|lit| core.contains(lit)).copied();
+            proved = order;
+            match last {
+                Some(last) if !needed.contains(&last) => needed.insert(0, last),
+                _ if core.len() == proved.len() => break,
+                _ => {}
             }
         }
         Ok(Outcome::Unsat(proved))

@@ -21,6 +21,10 @@ use crate::{
     sat::{Lit, Outcome},
 };
 
+/// A core of more literals ends a round: what is left without them is seldom
+/// unsatisfiable, and asking takes as long as going on.
+const LARGE_CORE: usize = 6;
+
 /// What an assumption bounds.
 #[derive(Clone, Copy, Debug)]
 enum Soft {
@@ -95,6 +99,9 @@ impl SumStage {
                     }
                     stage.learn(search, &core, &guards)?;
                     *bound = stage.bound;
+                    if core.len() > LARGE_CORE {
+                        stage.assume_waiting(search)?;
+                    }
                 }
             }
         }
