@@ -1,6 +1,10 @@
 //! The JSON Schema accepts what is written and refuses what is broken.
 
-#![allow(clippy::unwrap_used, reason = "a test stops at the first surprise")]
+#![allow(
+    clippy::unwrap_used,
+    clippy::panic,
+    reason = "a test stops at the first surprise"
+)]
 
 use giveway_model::check::check;
 use giveway_model::format::{native, schema};

@@ -1,0 +1,237 @@
+//! Readers never panic on noise, and read back what writers write.
+
+#![allow(clippy::unwrap_used, reason = "a test stops at the first surprise")]
+
+use giveway_model::check::{check, levels};
+use giveway_model::format::movingai::{
+    read_map, read_scenario, to_scene, write_map, write_scenario,
+};
+use giveway_model::format::{native, read_text};
+use giveway_model::{
+    Agent, AtGoal, Battery, Cell, Cost, Fault, Grid, Instance, Objective, Plan, Rules, Scene,
+};
+use proptest::prelude::*;
+
+const INSTANCE: &str = r##"{ "giveway": 1, "name": "n", "map": ["..~~", "#+*."],
+  "rules": { "at_goal": "vanish", "battery_floor": 1 }, "objective": ["moves", "waits"],
+  "agents": [{ "name": "A", "start": [0, 0], "goal": [1, 1], "waypoints": [[1, 0]],
+               "battery": { "capacity": 3, "initial": 3 } }] }"##;
+const PLAN: &str = r#"{ "giveway": 1, "paths": { "A": [[0, 0], null, [1, 0], [1, 1]] },
+  "charges": { "A": [1] }, "from": { "A": 0 }, "until": { "B": 3 } }"#;
+const MAP: &str = "type octile\nheight 2\nwidth 3\nmap\n.G@\nOTW\n";
+const SCENARIO: &str =
+    "version 1\n0\tm.map\t3\t2\t0\t0\t1\t0\t1.0\n0\tm.map\t3\t2\t1\t0\t0\t0\t1.0\n";
+
+/// Gives a text to every reader, and what they read to all that comes after.
+fn read_all(text: &str) {
+    if let Err(fault) = native::read_scene(text) {
+        assert_short(&fault);
+    }
+    let instance = match native::read_instance(text) {
+        Ok(instance) => instance,
+        Err(faults) => {
+            assert!(!faults.is_empty());
+            for fault in &faults {
+                assert_short(fault);
+                assert!(fault.line.is_some() && fault.column.is_some());
+            }
+            native::read_instance(INSTANCE).unwrap()
+        }
+    };
+    if let Ok(plan) = native::read_plan(text) {
+        let _ = check(&instance, &plan);
+        let _ = levels(&instance, 0, &plan);
+    }
+    let grid = read_map(text).unwrap_or_else(|fault| {
+        assert_short(&fault);
+        read_map(MAP).unwrap()
+    });
+    match read_scenario(text) {
+        Ok(scenario) => drop(to_scene("n", &grid, &scenario, None)),
+        Err(fault) => assert_short(&fault),
+    }
+}
+
+/// A fault is a sentence, however long the input.
+fn assert_short(fault: &Fault) {
+    let text = fault.to_string();
+    assert!(text.chars().count() < 400, "{text}");
+    assert!(!text.contains(['\n', '\r']), "{text}");
+}
+
+fn valid_file() -> impl Strategy<Value = &'static str> {
+    prop::sample::select(vec![INSTANCE, PLAN, MAP, SCENARIO])
+}
+
+/// A scene that may break any rule of the problem.
+fn any_scene() -> impl Strategy<Value = Scene> {
+    let cell = (0_u32..5, 0_u32..4).prop_map(Cell::from);
+    let battery =
+        (0_u32..9, 0_u32..9).prop_map(|(capacity, initial)| Battery { capacity, initial });
+    let agent = (
+        ".{0,6}",
+        cell.clone(),
+        cell.clone(),
+        prop::collection::vec(cell, 0..3),
+        prop::option::of(battery),
+    )
+        .prop_map(|(name, start, goal, waypoints, battery)| Agent {
+            name,
+            start,
+            goal,
+            waypoints,
+            battery,
+        });
+    let objective = prop::sample::subsequence(Cost::ALL.to_vec(), 1..=5).prop_shuffle();
+    (
+        ".{0,9}",
+        prop::collection::vec("[.#~+*]{3}|.{0,4}", 0..4),
+        (any::<bool>(), 0_u32..4),
+        objective,
+        prop::collection::vec(agent, 0..4),
+    )
+        .prop_map(
+            |(name, map, (stays, battery_floor), objective, agents)| Scene {
+                name,
+                map,
+                rules: Rules {
+                    at_goal: if stays { AtGoal::Stay } else { AtGoal::Vanish },
+                    battery_floor,
+                },
+                objective: Objective::new(objective).unwrap(),
+                agents,
+                ..Scene::default()
+            },
+        )
+}
+
+/// A plan that may break any rule, for agents `A`, `B`, `C` among others.
+fn any_plan() -> impl Strategy<Value = Plan> {
+    let far = prop_oneof![0_u32..4, Just(u32::MAX)];
+    let cell = prop::option::of((far.clone(), far).prop_map(Cell::from));
+    let name = "[A-D]|.{0,3}";
+    (
+        prop::collection::btree_map(name, prop::collection::vec(cell, 0..9), 0..5),
+        prop::collection::btree_map(name, prop::collection::vec(0_u32..12, 0..4), 0..3),
+        prop::collection::btree_map(name, any::<u32>(), 0..2),
+        prop::collection::btree_map(name, any::<u32>(), 0..2),
+    )
+        .prop_map(|(paths, charges, from, until)| Plan {
+            paths,
+            charges,
+            from,
+            until,
+            ..Plan::default()
+        })
+}
+
+/// A map row of free cells and obstacles.
+fn row_of(width: usize) -> impl Strategy<Value = String> {
+    let cells = prop::collection::vec(prop::sample::select(vec!['.', '#']), width);
+    cells.prop_map(|cells| cells.into_iter().collect())
+}
+
+proptest! {
+    #![proptest_config(ProptestConfig { failure_persistence: None, ..ProptestConfig::default() })]
+
+    #[test]
+    fn bytes_are_read_without_a_panic(bytes in prop::collection::vec(any::<u8>(), 0..200)) {
+        match read_text(&bytes) {
+            Ok(text) => read_all(text),
+            Err(fault) => assert_short(&fault),
+        }
+    }
+
+    #[test]
+    fn text_is_read_without_a_panic(text in "\\PC*|[\\[\\]{}:,\"a-z0-9 \\n]*") {
+        read_all(&text);
+    }
+
+    #[test]
+    fn truncated_files_are_read_without_a_panic(file in valid_file(), at in any::<prop::sample::Index>()) {
+        read_all(&file[..at.index(file.len() + 1)]);
+    }
+
+    #[test]
+    fn mutated_files_are_read_without_a_panic(
+        file in valid_file(),
+        places in prop::collection::vec((any::<prop::sample::Index>(), any::<char>()), 1..4),
+        part in any::<(prop::sample::Index, prop::sample::Index)>(),
+    ) {
+        let mut letters: Vec<char> = file.chars().collect();
+        for (place, letter) in places {
+            *place.get_mut(&mut letters) = letter;
+        }
+        read_all(&letters.iter().collect::<String>());
+        // A part of the file, put once more somewhere else.
+        let (from, to) = (part.0.index(letters.len()), part.1.index(letters.len()));
+        let copy = letters[from.min(to)..from.max(to)].to_vec();
+        let again: String = letters[..to].iter().chain(&copy).chain(&letters[to..]).collect();
+        read_all(&again);
+    }
+
+    #[test]
+    fn digits_may_change_without_a_panic(file in valid_file(), number in any::<u64>(), digit in "[0-9]") {
+        read_all(&file.replace(&digit, &number.to_string()));
+    }
+
+    #[test]
+    fn scenes_come_back_from_what_is_written(scene in any_scene()) {
+        prop_assert_eq!(native::read_scene(&native::write_scene(&scene)), Ok(scene.clone()));
+        let text = serde_json::to_string_pretty(&scene).unwrap();
+        prop_assert_eq!(native::read_scene(&text), Ok(scene.clone()));
+        if let Ok(instance) = Instance::new(scene.clone()) {
+            prop_assert_eq!(instance.to_scene(), scene);
+        }
+    }
+
+    #[test]
+    fn plans_come_back_from_what_is_written_and_are_judged(plan in any_plan()) {
+        prop_assert_eq!(native::read_plan(&native::write_plan(&plan)), Ok(plan.clone()));
+        let agent = |name: &str, x| Agent {
+            name: name.into(),
+            start: Cell::new(x, 0),
+            goal: Cell::new(x, 1),
+            waypoints: vec![Cell::new(3, 1)],
+            battery: Some(Battery { capacity: 4, initial: 3 }),
+        };
+        let instance = Instance::new(Scene {
+            map: vec![".~*.".into(), "+~~.".into(), "..#.".into()],
+            agents: vec![agent("A", 0), agent("B", 1), agent("C", 2)],
+            ..Scene::default()
+        })
+        .unwrap();
+        let report = check(&instance, &plan);
+        let times: Vec<u32> = report.violations.iter().map(|v| v.time).collect();
+        prop_assert!(times.is_sorted());
+        prop_assert_eq!(report, check(&instance, &plan));
+    }
+
+    #[test]
+    fn maps_and_scenarios_come_back_from_what_is_written(
+        rows in (1_usize..6).prop_flat_map(|n| prop::collection::vec(row_of(n), 1..6)),
+        picks in prop::collection::vec(any::<(prop::sample::Index, prop::sample::Index)>(), 0..5),
+    ) {
+        let grid = Grid::from_rows(&rows).unwrap();
+        prop_assert_eq!(read_map(&write_map(&grid)), Ok(grid.clone()));
+        let mut free: Vec<Cell> = grid.cells().filter(|(_, g)| g.is_vertex()).map(|(c, _)| c).collect();
+        let mut goals = free.clone();
+        let mut scene = Scene { name: "m".into(), map: rows, ..Scene::default() };
+        for (start, goal) in picks {
+            if free.is_empty() {
+                break;
+            }
+            scene.agents.push(Agent {
+                name: format!("A{}", scene.agents.len() + 1),
+                start: free.remove(start.index(free.len())),
+                goal: goals.remove(goal.index(goals.len())),
+                waypoints: Vec::new(),
+                battery: None,
+            });
+        }
+        let instance = Instance::new(scene.clone()).unwrap();
+        let text = write_scenario("m.map", &instance).unwrap();
+        let scenario = read_scenario(&text).unwrap();
+        prop_assert_eq!(to_scene("m", &grid, &scenario, None), Ok(scene));
+    }
+}
