@@ -6,7 +6,7 @@ use giveway_solve::{
 };
 
 /// Far more conflicts than a test needs: a solver that does not end fails here.
-const CONFLICTS: u64 = 5_000_000;
+const CONFLICTS: u64 = 300_000;
 
 fn response(instance: &Instance, within: Option<u32>, pareto: bool) -> Response {
     let request = Request::Solve(SolveRequest {

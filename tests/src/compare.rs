@@ -24,9 +24,9 @@ const CAP: usize = 200_000;
 /// Asks the solver and the oracle for the best plan.
 pub fn best(instance: &Instance, within: Option<u32>) -> Comparison {
     let oracle = Oracle { instance };
-    if oracle.best(within).is_none() {
+    let Some(Truth(asked)) = oracle.best(within) else {
         return Comparison::TooLarge;
-    }
+    };
     let answer = ask::best(instance, within);
     let mut faults = Vec::new();
     faults.extend(plan_faults(instance, within, &answer));
@@ -42,15 +42,15 @@ pub fn best(instance: &Instance, within: Option<u32>) -> Comparison {
         };
         faults.extend(best_faults(instance, &answer, &truth));
     }
-    Comparison::of(faults, &answer)
+    Comparison::of(faults, &answer, &asked)
 }
 
 /// Asks the solver and the oracle for the Pareto front.
 pub fn front(instance: &Instance, within: Option<u32>) -> Comparison {
     let oracle = Oracle { instance };
-    if oracle.front(within).is_none() {
+    let Some(asked) = oracle.front(within) else {
         return Comparison::TooLarge;
-    }
+    };
     let answer = ask::front(instance, within);
     let mut faults = Vec::new();
     for point in &answer.front {
@@ -68,16 +68,21 @@ pub fn front(instance: &Instance, within: Option<u32>) -> Comparison {
         };
         faults.extend(front_faults(instance, &answer, &truth));
     }
-    Comparison::of(faults, &answer)
+    Comparison::of(faults, &answer, &asked)
 }
 
 impl Comparison {
-    fn of(mut faults: Vec<String>, answer: &impl serde::Serialize) -> Self {
+    fn of(
+        mut faults: Vec<String>,
+        answer: &impl serde::Serialize,
+        oracle: &impl std::fmt::Debug,
+    ) -> Self {
         if faults.is_empty() {
             return Self::Agreed;
         }
         let answer = serde_json::to_string(answer).unwrap();
-        faults.push(format!("the answer in full: {answer}"));
+        faults.push(format!("the answer of the solver in full: {answer}"));
+        faults.push(format!("the answer of the oracle: {oracle:?}"));
         Self::Differ(faults)
     }
 }

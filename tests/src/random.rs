@@ -172,14 +172,18 @@ impl Size {
         starts.shuffle(random);
         let mut goals = map.free.clone();
         goals.shuffle(random);
-        if at_goal == AtGoal::Vanish && random.random_bool(0.3) {
-            goals.insert(0, goals[0]); // two agents, one goal
+        let vanish = at_goal == AtGoal::Vanish;
+        if let Some(&goal) = goals.first()
+            && vanish
+            && random.random_bool(0.3)
+        {
+            goals.insert(0, goal); // of two agents
         }
         let ends = starts.into_iter().zip(goals).take(self.agents);
         let agents = (1..).zip(ends).map(|(i, (start, goal))| Agent {
             name: format!("A{i}"),
             start,
-            goal: if random.random_bool(0.1) && at_goal == AtGoal::Vanish {
+            goal: if vanish && random.random_bool(0.1) {
                 start
             } else {
                 goal
