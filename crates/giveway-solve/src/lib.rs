@@ -11,6 +11,7 @@ mod host;
 mod joint;
 mod local;
 mod meter;
+mod pareto;
 mod problem;
 mod progress;
 mod request;

@@ -4,7 +4,7 @@ use giveway_model::{Fault, Instance, Version, check::check};
 use serde::{Deserialize, Serialize};
 
 use crate::{
-    CheckAnswer, CheckRequest, FrontAnswer, Host, Request, SolveAnswer, SolveRequest,
+    CheckAnswer, CheckRequest, FrontAnswer, Host, Request, SolveAnswer, SolveRequest, pareto,
     solve::{self, Task},
 };
 
@@ -54,7 +54,19 @@ fn serve_solve(request: &SolveRequest, host: &dyn Host) -> Response {
     };
     let objective = request.objective.clone();
     let task = Task::new(instance, objective, request.within, request.limits, host);
-    Response::Solved(solve::solve(&task))
+    if !request.pareto {
+        return Response::Solved(solve::solve(&task));
+    }
+    let costs = task.objective.costs().len();
+    if !(2..=3).contains(&costs) {
+        let fault = Fault::at(
+            "objective",
+            format!("{costs} costs"),
+            "two or three for a Pareto front",
+        );
+        return Response::Refused(Refusal::Request { fault });
+    }
+    Response::Front(pareto::front(&task))
 }
 
 fn serve_check(request: &CheckRequest) -> Response {

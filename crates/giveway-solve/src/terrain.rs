@@ -112,11 +112,6 @@ impl Terrain {
         self.ends[arc as usize]
     }
 
-    /// The number of arcs.
-    pub(crate) fn arc_count(&self) -> usize {
-        self.ends.len()
-    }
-
     /// Whether an agent may charge at a vertex.
     pub(crate) fn is_charger(&self, v: Vertex) -> bool {
         self.chargers[v as usize]

@@ -10,7 +10,7 @@ use std::rc::Rc;
 
 use varisat_internal_proof::{ProofStep, binary_format::Parser};
 
-use crate::meter::Meter;
+use crate::meter::{Meter, Stop};
 
 /// The writer that varisat's proof goes to; the bytes are read and thrown away.
 pub(crate) struct Tap<'h> {
@@ -30,8 +30,14 @@ impl<'h> Tap<'h> {
     }
 }
 
+fn stopped(stop: Stop) -> io::Error {
+    io::Error::other(stop.sentence())
+}
+
 impl Write for Tap<'_> {
     fn write(&mut self, bytes: &[u8]) -> io::Result<usize> {
+        // After an error the same bytes may come again; they are of no use then.
+        self.meter.check().map_err(stopped)?;
         self.rest.extend_from_slice(bytes);
         let mut conflicts = 0;
         let mut cursor = Cursor::new(self.rest.as_slice());
@@ -43,10 +49,8 @@ impl Write for Tap<'_> {
         self.rest.drain(..whole);
         self.meter.count_conflicts(conflicts);
         self.meter.report_size();
-        match self.meter.check() {
-            Ok(()) => Ok(bytes.len()),
-            Err(stop) => Err(io::Error::other(stop.sentence())),
-        }
+        self.meter.check().map_err(stopped)?;
+        Ok(bytes.len())
     }
 
     fn flush(&mut self) -> io::Result<()> {

@@ -14,7 +14,7 @@ use super::{
 };
 use crate::{
     joint,
-    local::{Improver, apart, first_plan},
+    local::{apart, first_plan},
     meter::{Meter, Stop},
     problem::Problem,
     walk::Walk,
@@ -23,10 +23,36 @@ use crate::{
 /// What a plan must keep to, beside the rules.
 #[derive(Clone, Debug)]
 pub(crate) struct Bounded {
-    /// No agent arrives later.
+    /// The makespan beyond which nothing is looked for.
     pub(crate) horizon: u32,
     /// The most that a plan may have of some costs.
     pub(crate) limits: BTreeMap<Cost, u32>,
+}
+
+impl Bounded {
+    /// The latest arrival of any plan that is looked for.
+    fn latest(&self) -> u32 {
+        let limit = self.limits.get(&Cost::Makespan).copied();
+        self.horizon.min(limit.unwrap_or(u32::MAX))
+    }
+
+    /// Whether every plan that keeps the limits arrives within the horizon.
+    fn limits_time(&self, problem: &Problem) -> bool {
+        let makespan = self.limits.get(&Cost::Makespan).copied();
+        let sum = self.limits.get(&Cost::SumOfCosts);
+        let longest = sum.map(|&sum| latest_of_sum(problem, sum));
+        makespan
+            .into_iter()
+            .chain(longest)
+            .any(|latest| latest <= self.horizon)
+    }
+}
+
+/// No plan with this sum of costs has a later makespan.
+fn latest_of_sum(problem: &Problem, sum: u32) -> u32 {
+    let total: u32 = problem.optima.iter().sum();
+    let longest = problem.optima.iter().copied().max().unwrap_or(0);
+    sum.saturating_sub(total) + longest
 }
 
 /// What is known at the end.
@@ -72,11 +98,11 @@ fn run(
     verdict: &mut Verdict,
     meter: &Rc<Meter>,
 ) -> Result<(), Stop> {
-    let horizon = bounded.horizon;
+    let horizon = bounded.latest();
     let late = (0..problem.agents()).find(|&a| problem.optima[a] > horizon);
     if let Some(agent) = late {
         verdict.clash = vec![agent];
-        verdict.complete = false;
+        verdict.complete = bounded.limits_time(problem);
         return Ok(());
     }
     let walks = apart(problem, meter)?;
@@ -87,14 +113,11 @@ fn run(
     }
     if incumbent.costs().is_none() {
         let mut search = Search::new(problem, walks.clone(), horizon, incumbent, Rc::clone(meter));
-        let possible = keep_limits(&mut search, bounded)?;
-        let clash = if possible {
-            feasible::run(&mut search)?
-        } else {
-            Some(Vec::new())
-        };
-        if let Some(clash) = clash {
-            verdict.complete = bounded.limits.is_empty() && exhausted(problem, &clash, meter)?;
+        if !keep_limits(&mut search, bounded)? {
+            return Ok(()); // each agent alone needs too much already
+        }
+        if let Some(clash) = feasible::run(&mut search)? {
+            verdict.complete = impossible_for_ever(problem, bounded, &clash, meter)?;
             verdict.clash = clash;
             return Ok(());
         }
@@ -112,10 +135,16 @@ fn prove(
     meter: &Rc<Meter>,
 ) -> Result<(), Stop> {
     let objective = incumbent.objective().clone();
-    let mut search = Search::new(problem, walks, bounded.horizon, incumbent, Rc::clone(meter));
+    let mut search = Search::new(
+        problem,
+        walks,
+        bounded.latest(),
+        incumbent,
+        Rc::clone(meter),
+    );
     keep_limits(&mut search, bounded)?;
     // Once the makespan or the sum of costs is bounded, no later plan counts.
-    let mut bounds_time = false;
+    let mut bounds_time = bounded.limits_time(problem);
     for &cost in objective.costs() {
         let mut bound = 0;
         let end = match cost {
@@ -133,9 +162,10 @@ fn prove(
     Ok(())
 }
 
+/// Makes the limits hold; false where the agents' own minima break one.
 fn keep_limits(search: &mut Search, bounded: &Bounded) -> Result<bool, Stop> {
     for (&cost, &most) in &bounded.limits {
-        if !search.limit(cost, most)? {
+        if cost != Cost::Makespan && !search.limit(cost, most)? {
             return Ok(false);
         }
     }
@@ -149,27 +179,43 @@ fn holds_for_ever(
     least: u32,
     bounded: &Bounded,
 ) -> Result<bool, Stop> {
-    let minima = search.sum_of_minima(cost)?;
-    let optima = &search.problem.optima;
     match cost {
         Cost::Makespan => Ok(true),
-        // A plan of this sum has no agent later than this.
         Cost::SumOfCosts => {
-            let longest = optima.iter().copied().max().unwrap_or(0);
-            Ok(!search.met_horizon || bounded.horizon >= least - minima + longest)
+            let latest = latest_of_sum(search.problem, least);
+            Ok(!search.met_horizon || bounded.horizon >= latest)
         }
-        _ if least == minima => Ok(true),
+        _ if least == search.sum_of_minima(cost)? => Ok(true),
         _ => {
-            let all: Vec<usize> = (0..optima.len()).collect();
+            let all: Vec<usize> = (0..search.problem.agents()).collect();
             let found = joint::least(search.problem, &all, cost, &search.meter)?;
             Ok(found == joint::Found::Least(least))
         }
     }
 }
 
-/// Whether some agents have no plan at any horizon, by exhausting their joint
-/// states.
-fn exhausted(problem: &Problem, agents: &[usize], meter: &Meter) -> Result<bool, Stop> {
-    let found = joint::least(problem, agents, Cost::Makespan, meter)?;
-    Ok(found == joint::Found::None)
+/// Whether there is no plan at any horizon: by the limits themselves, or by
+/// exhausting the joint states of the agents that clash.
+fn impossible_for_ever(
+    problem: &Problem,
+    bounded: &Bounded,
+    clash: &[usize],
+    meter: &Meter,
+) -> Result<bool, Stop> {
+    if bounded.limits_time(problem)
+        || joint::least(problem, clash, Cost::Makespan, meter)? == joint::Found::None
+    {
+        return Ok(true);
+    }
+    let all: Vec<usize> = (0..problem.agents()).collect();
+    for (&cost, &most) in &bounded.limits {
+        let counted = !matches!(cost, Cost::Makespan | Cost::SumOfCosts);
+        if counted
+            && let joint::Found::Least(least) = joint::least(problem, &all, cost, meter)?
+            && least > most
+        {
+            return Ok(true);
+        }
+    }
+    Ok(false)
 }

@@ -13,12 +13,19 @@ use giveway_model::Cost;
 use super::{incumbent::Incumbent, team::Team};
 use crate::{
     encode::{collisions::AgentId, limit::SumLimit},
+    local::Improver,
     meter::{Meter, Stop},
     problem::Problem,
     progress::Progress,
     sat::Lit,
     walk::Walk,
 };
+
+/// Conflicts before the best plan is improved for the first time: what is
+/// proved sooner needs no better plan.
+const FIRST_POLISH: u64 = 300;
+/// Neighbourhoods tried each time.
+const POLISH_ROUNDS: usize = 20;
 
 /// How a stage ended.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -48,6 +55,9 @@ pub(crate) struct Search<'p, 'h> {
     limits: BTreeMap<Cost, SumLimit>,
     /// The costs whose optimum holds for good.
     done: BTreeMap<Cost, u32>,
+    improver: Improver,
+    /// Conflicts from which on the best plan is to be improved again.
+    polish_at: u64,
     /// The costs done or under way: outside agents are at their own minima.
     begun: Vec<Cost>,
 }
@@ -73,7 +83,35 @@ impl<'p, 'h> Search<'p, 'h> {
             limits: BTreeMap::new(),
             done: BTreeMap::new(),
             begun: Vec::new(),
+            improver: Improver::new(),
+            polish_at: FIRST_POLISH,
         }
+    }
+
+    /// Improves the best plan, now and then: as often as the proof gets a
+    /// quarter more conflicts, so that both get their share of the time.
+    pub(crate) fn polish(&mut self) -> Result<(), Stop> {
+        let conflicts = self.meter.stats().conflicts;
+        if conflicts < self.polish_at {
+            return Ok(());
+        }
+        self.polish_at = conflicts + conflicts / 4;
+        let Some(walks) = self.incumbent.walks() else {
+            return Ok(());
+        };
+        let mut walks = walks.to_vec();
+        let latest = self.caps.iter().copied().max().unwrap_or(0);
+        let objective = self.incumbent.objective().clone();
+        let improved = self.improver.improve(
+            self.problem,
+            &mut walks,
+            latest,
+            &objective,
+            POLISH_ROUNDS,
+            &self.meter,
+        );
+        self.incumbent.offer(self.problem, &walks, &self.meter);
+        improved.map(|_| ())
     }
 
     /// The latest arrival of an agent that is still of interest.

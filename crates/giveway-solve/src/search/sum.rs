@@ -99,6 +99,7 @@ impl SumStage {
                     }
                     stage.learn(search, &core, &guards)?;
                     *bound = stage.bound;
+                    search.polish()?;
                     if core.len() > LARGE_CORE {
                         stage.assume_waiting(search)?;
                     }

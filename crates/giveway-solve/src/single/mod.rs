@@ -4,6 +4,6 @@ mod diagram;
 mod task;
 mod to_go;
 
-pub(crate) use diagram::{Diagram, Node, NodeId, Place, Step};
-pub(crate) use task::{MAX_WAYPOINTS, Mask, Reserve, Task};
+pub(crate) use diagram::{Diagram, Node, NodeId, Place};
+pub(crate) use task::{MAX_WAYPOINTS, Reserve, Task};
 pub(crate) use to_go::{Metric, ToGo};

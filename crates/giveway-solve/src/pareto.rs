@@ -1,0 +1,100 @@
+//! All non-dominated cost vectors of two or three costs.
+//!
+//! The lexicographic optimum under upper limits on all costs but the first is
+//! never dominated: whatever were better in some cost and no worse in any would
+//! keep the limits, too. So a box of limits is searched; the vector found splits
+//! it into boxes that ask for less of one cost each, until every box is empty
+//! (the rectangle splitting of Kirlik and Sayın, 2014, on integers).
+
+use std::collections::BTreeMap;
+
+use giveway_model::{Cost, Version};
+
+use crate::{
+    FrontAnswer, SolveAnswer, Status,
+    problem::Problem,
+    search::{self, Bounded},
+    solve::{Task, answer, without_search},
+};
+
+/// Upper limits, both included, by cost.
+type Limits = BTreeMap<Cost, u32>;
+
+/// The Pareto front of an objective's costs.
+pub(crate) fn front(task: &Task) -> FrontAnswer {
+    let problem = match Problem::new(&task.instance, &task.meter) {
+        Ok(problem) => problem,
+        Err(setback) => {
+            let answer = without_search(task, &setback);
+            return whole(answer.status, answer.complete, None, Vec::new());
+        }
+    };
+    let horizon = task.horizon(&problem);
+    let costs = task.objective.costs();
+    let mut points: BTreeMap<Vec<u32>, SolveAnswer> = BTreeMap::new();
+    let mut empty: Vec<Limits> = Vec::new();
+    let mut boxes = vec![Limits::new()];
+    let mut complete = true;
+    while let Some(limits) = boxes.pop() {
+        if empty.iter().any(|other| contains(other, &limits)) {
+            continue;
+        }
+        let bounded = Bounded { horizon, limits };
+        let verdict = search::solve(&problem, &task.objective, &bounded, &task.meter);
+        let answer = answer(task, &problem, horizon, verdict);
+        match (answer.status, answer.costs) {
+            (Status::Optimal, Some(found)) => {
+                complete &= answer.complete;
+                for &cost in costs.iter().skip(1) {
+                    if let Some(less) = found.get(cost).checked_sub(1) {
+                        let mut limits = bounded.limits.clone();
+                        limits.insert(cost, less);
+                        boxes.push(limits);
+                    }
+                }
+                points.insert(found.vector(&task.objective), answer);
+            }
+            (Status::Impossible, _) => {
+                complete &= answer.complete;
+                empty.push(bounded.limits);
+            }
+            _ => {
+                let status = if points.is_empty() {
+                    Status::Unknown
+                } else {
+                    Status::Feasible
+                };
+                return whole(status, false, None, points.into_values().collect());
+            }
+        }
+    }
+    let status = if points.is_empty() {
+        Status::Impossible
+    } else {
+        Status::Optimal
+    };
+    let within = (!complete).then_some(horizon);
+    whole(status, complete, within, points.into_values().collect())
+}
+
+/// Whether one box lies in another.
+fn contains(outer: &Limits, inner: &Limits) -> bool {
+    outer
+        .iter()
+        .all(|(cost, &most)| inner.get(cost).is_some_and(|&less| less <= most))
+}
+
+fn whole(
+    status: Status,
+    complete: bool,
+    within: Option<u32>,
+    front: Vec<SolveAnswer>,
+) -> FrontAnswer {
+    FrontAnswer {
+        giveway: Version,
+        status,
+        complete,
+        within,
+        front,
+    }
+}
