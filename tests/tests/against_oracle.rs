@@ -1,7 +1,12 @@
 //! The solver, the judge and the oracle on random small instances.
 //!
-//! `GIVEWAY_RANDOM_INSTANCES` sets how many (300 by default; 10,000 is a long
-//! run, in the release profile), `GIVEWAY_RANDOM_SEED` the seed.
+//! `GIVEWAY_RANDOM_INSTANCES` sets how many (300 by default),
+//! `GIVEWAY_RANDOM_SEED` the seed. The long run:
+//!
+//! ```text
+//! GIVEWAY_RANDOM_INSTANCES=10000 GIVEWAY_RANDOM_SEED=7 \
+//!     cargo test --release -p giveway-tests --test against_oracle -- --nocapture
+//! ```
 #![allow(
     clippy::unwrap_used,
     clippy::print_stdout,
