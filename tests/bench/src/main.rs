@@ -1,0 +1,76 @@
+//! The benchmark: the built command on instances with known answers, a process
+//! a row, so that memory is measured by the system and not by the solver.
+//!
+//! `./x bench` builds the command and this program and runs all rows, which
+//! writes `docs/benchmarks.md`; with words behind it only the rows whose names
+//! hold one of them, and the tables are only printed.
+#![allow(
+    clippy::print_stdout,
+    clippy::print_stderr,
+    reason = "a program for a terminal"
+)]
+
+mod document;
+mod rows;
+mod run;
+mod table;
+
+use std::error::Error;
+use std::process::ExitCode;
+
+use clap::Parser;
+
+use crate::rows::Group;
+use crate::run::{Command, Outcome};
+
+/// Runs the command on the instances of tests/data and tabulates its work
+#[derive(Debug, Parser)]
+struct Args {
+    /// Only the rows whose names hold one of these; nothing is written then
+    #[arg(value_name = "PART")]
+    parts: Vec<String>,
+    /// Wall seconds for each row
+    #[arg(long, value_name = "SECONDS", default_value_t = 30)]
+    time_limit: u32,
+}
+
+fn main() -> Result<ExitCode, Box<dyn Error>> {
+    let args = Args::parse();
+    let command = Command::beside_this_program(args.time_limit)?;
+    let mut text = String::new();
+    let mut faults = Vec::new();
+    for group in rows::groups()? {
+        let outcomes = run_group(&command, &group, &args.parts)?;
+        faults.extend(outcomes.iter().flat_map(Outcome::faults));
+        if !outcomes.is_empty() {
+            text.push_str(&table::section(&group, &outcomes));
+        }
+    }
+    println!("{text}");
+    for fault in &faults {
+        eprintln!("{fault}");
+    }
+    if !faults.is_empty() {
+        return Ok(ExitCode::FAILURE);
+    }
+    if args.parts.is_empty() {
+        document::put(&text)?;
+        eprintln!("written to docs/benchmarks.md");
+    }
+    Ok(ExitCode::SUCCESS)
+}
+
+fn run_group<'a>(
+    command: &Command,
+    group: &'a Group,
+    parts: &[String],
+) -> Result<Vec<Outcome<'a>>, Box<dyn Error>> {
+    let is_wanted = |name: &str| parts.is_empty() || parts.iter().any(|part| name.contains(part));
+    let mut outcomes = Vec::new();
+    for row in group.rows.iter().filter(|row| is_wanted(&row.name)) {
+        let outcome = command.run(row)?;
+        eprintln!("{}", outcome.line());
+        outcomes.push(outcome);
+    }
+    Ok(outcomes)
+}

@@ -1,3 +1,0 @@
-//! The playground's page.
-
-fn main() {}
