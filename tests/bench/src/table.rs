@@ -48,7 +48,7 @@ fn work(outcome: &Outcome) -> [String; 6] {
         stats.clauses.to_string(),
         stats.conflicts.to_string(),
         stats.solver_calls.to_string(),
-        format!("{:.2}", outcome.cpu_seconds),
+        format!("{:.3}", outcome.cpu_seconds),
         format!("{:.1}", outcome.peak_bytes as f64 / 1e6),
     ]
 }
@@ -70,7 +70,7 @@ fn summary(outcomes: &[Outcome]) -> String {
     let most = seconds.last().copied().unwrap_or_default();
     let sum: f64 = seconds.iter().sum();
     format!(
-        "{proved} of {} proved; CPU seconds: median {median:.2}, most {most:.2}, together {sum:.1}.",
+        "{proved} of {} proved; CPU seconds: median {median:.3}, most {most:.3}, together {sum:.1}.",
         outcomes.len()
     )
 }
