@@ -8,13 +8,13 @@ use giveway_solve::{
 /// Far more conflicts than a test needs: a solver that does not end fails here.
 const CONFLICTS: u64 = 300_000;
 
-fn response(instance: &Instance, within: Option<u32>, pareto: bool) -> Response {
+fn response(instance: &Instance, within: Option<u32>, pareto: bool, conflicts: u64) -> Response {
     let request = Request::Solve(SolveRequest {
         scene: instance.to_scene(),
         pareto,
         within,
         limits: Limits {
-            conflicts: Some(CONFLICTS),
+            conflicts: Some(conflicts),
             ..Limits::default()
         },
         ..SolveRequest::default()
@@ -24,7 +24,16 @@ fn response(instance: &Instance, within: Option<u32>, pareto: bool) -> Response 
 
 /// The solver's answer for the objective of the instance.
 pub fn best(instance: &Instance, within: Option<u32>) -> SolveAnswer {
-    match response(instance, within, false) {
+    best_within_conflicts(instance, within, CONFLICTS)
+}
+
+/// The same, with a limit of conflicts, which does not depend on the machine.
+pub fn best_within_conflicts(
+    instance: &Instance,
+    within: Option<u32>,
+    conflicts: u64,
+) -> SolveAnswer {
+    match response(instance, within, false, conflicts) {
         Response::Solved(answer) => answer,
         other => panic!("expected an answer, got {other:?}"),
     }
@@ -32,7 +41,7 @@ pub fn best(instance: &Instance, within: Option<u32>) -> SolveAnswer {
 
 /// The solver's Pareto front for the objective of the instance.
 pub fn front(instance: &Instance, within: Option<u32>) -> FrontAnswer {
-    match response(instance, within, true) {
+    match response(instance, within, true, CONFLICTS) {
         Response::Front(answer) => answer,
         other => panic!("expected a front, got {other:?}"),
     }
