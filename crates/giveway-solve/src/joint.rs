@@ -17,8 +17,8 @@ use crate::{
     single::{Place, Task},
 };
 
-/// Joint states to look at before giving up.
-const MOST_STATES: usize = 300_000;
+/// Joint steps to look at before giving up.
+const MOST_STEPS: usize = 1_500_000;
 /// Agents beyond which not even a small map is small enough.
 const MOST_AGENTS: usize = 3;
 
@@ -82,6 +82,7 @@ pub(crate) fn least(
         best.insert(start.clone(), 0);
         heap.push(Reverse((0, start)));
     }
+    let mut steps = 0;
     while let Some(Reverse((paid, state))) = heap.pop() {
         meter.tick()?;
         if best.get(&state).is_some_and(|&other| other < paid) {
@@ -93,14 +94,16 @@ pub(crate) fn least(
         {
             return Ok(Found::Least(paid));
         }
-        for (next, cost) in search.successors(&state) {
+        let successors = search.successors(&state);
+        steps += successors.len();
+        for (next, cost) in successors {
             let total = paid + cost;
             if best.get(&next).is_none_or(|&other| total < other) {
                 best.insert(next.clone(), total);
                 heap.push(Reverse((total, next)));
             }
         }
-        if best.len() > MOST_STATES {
+        if steps > MOST_STEPS {
             return Ok(Found::TooMany);
         }
     }

@@ -325,6 +325,16 @@ impl AgentCode {
 
     /// The places of the agent at each time up to its arrival, in a model.
     pub(crate) fn walk(&self, task: &Task, is_true: impl Fn(Lit) -> bool) -> Vec<Place> {
+        let mut walk = self.read(task, is_true);
+        // A model may call it arrived later than it is.
+        let goal = Place::At(task.goal);
+        while walk.ends_with(&[goal, goal]) {
+            walk.pop();
+        }
+        walk
+    }
+
+    fn read(&self, task: &Task, is_true: impl Fn(Lit) -> bool) -> Vec<Place> {
         let mut walk = Vec::new();
         let mut id = 0;
         loop {

@@ -8,7 +8,7 @@ use std::collections::BTreeSet;
 
 use fastrand::Rng;
 
-use super::{Query, Reservations, plan_one};
+use super::{Query, Reservations, plan_one, space_time::DEAR};
 use crate::{
     encode::collisions::AgentId,
     meter::{Meter, Stop},
@@ -21,6 +21,9 @@ const GROUP: usize = 8;
 /// States to look at for one agent.
 const EFFORT: u32 = 30_000;
 
+/// Rounds without success after which twice as many are looked at.
+const STUCK: u32 = 30;
+
 /// Each agent at its own optimum, with few collisions.
 ///
 /// # Errors
@@ -32,7 +35,7 @@ pub(crate) fn apart(problem: &Problem, meter: &Meter) -> Result<Vec<Walk>, Stop>
         let query = Query {
             agent,
             latest: problem.optima[agent],
-            soft: true,
+            price: Some(1),
             effort: u32::MAX,
         };
         let walk = plan_one(problem, &others, query, meter)?;
@@ -43,107 +46,164 @@ pub(crate) fn apart(problem: &Problem, meter: &Meter) -> Result<Vec<Walk>, Stop>
     Ok(walks)
 }
 
-/// Repairs walks until no two collide; `None` where that does not succeed soon.
-/// No walk is longer than the horizon.
+/// A plan, from walks that may collide; `None` where none is found soon. No
+/// walk is longer than the horizon.
 ///
 /// # Errors
 /// When the budget is spent.
 pub(crate) fn first_plan(
     problem: &Problem,
-    mut walks: Vec<Walk>,
+    walks: Vec<Walk>,
     horizon: u32,
     meter: &Meter,
 ) -> Result<Option<Vec<Walk>>, Stop> {
-    let mut others = Reservations::of(problem, &walks);
+    let mut repair = Repair::new(problem, walks, horizon);
     let mut rng = Rng::with_seed(problem.agents() as u64);
     let rounds = 100 + 20 * problem.agents();
+    let mut stuck = 0;
     for _ in 0..rounds {
-        let colliding: Vec<AgentId> = (0..walks.len())
-            .filter(|&agent| !others.met_by(agent, &walks[agent]).is_empty())
-            .collect();
+        let colliding: Vec<AgentId> = repair.pairs.iter().map(|&(agent, _)| agent).collect();
         if colliding.is_empty() {
-            return Ok(Some(walks));
+            return Ok(Some(repair.walks));
         }
+        let before = colliding.len();
         let seed = colliding[rng.usize(..colliding.len())];
-        let group = choose_group(seed, &others, &walks, &mut rng);
-        replan(problem, &mut walks, &mut others, &group, horizon, meter)?;
+        let group = repair.choose_group(seed, &mut rng, meter)?;
+        repair.effort = EFFORT << (stuck / STUCK).min(2);
+        repair.replan(&group, meter)?;
+        stuck = if repair.pairs.len() < before {
+            0
+        } else {
+            stuck + 1
+        };
     }
     Ok(None)
 }
 
-/// The agent, those it collides with, those they collide with, up to the size
-/// of a group, and others by chance; in random order.
-fn choose_group(
-    seed: AgentId,
-    others: &Reservations,
-    walks: &[Walk],
-    rng: &mut Rng,
-) -> Vec<AgentId> {
-    let mut group = vec![seed];
-    let mut next = 0;
-    while next < group.len() && group.len() < GROUP {
-        let agent = group[next];
-        next += 1;
-        for other in others.met_by(agent, &walks[agent]) {
+/// Walks under repair.
+struct Repair<'p> {
+    problem: &'p Problem,
+    horizon: u32,
+    effort: u32,
+    walks: Vec<Walk>,
+    others: Reservations<'p>,
+    /// Which agents collide: both orders of each pair.
+    pairs: BTreeSet<(AgentId, AgentId)>,
+}
+
+impl<'p> Repair<'p> {
+    fn new(problem: &'p Problem, walks: Vec<Walk>, horizon: u32) -> Self {
+        let others = Reservations::of(problem, &walks);
+        let mut repair = Self {
+            problem,
+            horizon,
+            effort: EFFORT,
+            walks,
+            others,
+            pairs: BTreeSet::new(),
+        };
+        for agent in 0..repair.walks.len() {
+            repair.meet(agent);
+        }
+        repair
+    }
+
+    /// Notes whom an agent collides with.
+    fn meet(&mut self, agent: AgentId) {
+        for other in self.others.met_by(agent, &self.walks[agent]) {
+            self.pairs.insert((agent, other));
+            self.pairs.insert((other, agent));
+        }
+    }
+
+    /// Whom an agent collides with.
+    fn met(&self, agent: AgentId) -> Vec<AgentId> {
+        let pairs = self.pairs.range((agent, 0)..(agent + 1, 0));
+        pairs.map(|&(_, other)| other).collect()
+    }
+
+    /// Takes an agent's walk away.
+    fn lift(&mut self, agent: AgentId) {
+        self.others.remove(agent, &self.walks[agent]);
+        for other in self.met(agent) {
+            self.pairs.remove(&(agent, other));
+            self.pairs.remove(&(other, agent));
+        }
+    }
+
+    /// Gives an agent a walk.
+    fn lay(&mut self, agent: AgentId, walk: Walk) {
+        self.others.add(agent, &walk);
+        self.walks[agent] = walk;
+        self.meet(agent);
+    }
+
+    /// The agent and those it collides with; then those they collide with, or
+    /// those in its straight way; then others by chance; in random order.
+    fn choose_group(
+        &self,
+        seed: AgentId,
+        rng: &mut Rng,
+        meter: &Meter,
+    ) -> Result<Vec<AgentId>, Stop> {
+        let mut candidates = self.met(seed);
+        if rng.u8(..4) > 0 {
+            let mut next = 0;
+            while next < candidates.len() && candidates.len() < GROUP {
+                let met = self.met(candidates[next]);
+                candidates.extend(met.into_iter().filter(|&other| other != seed));
+                next += 1;
+            }
+        } else {
+            let query = Query {
+                agent: seed,
+                latest: self.problem.optima[seed],
+                price: Some(0),
+                effort: EFFORT,
+            };
+            let alone = Reservations::new(self.problem);
+            if let Some((walk, _)) = plan_one(self.problem, &alone, query, meter)? {
+                candidates.extend(self.others.met_by(seed, &walk));
+            }
+            rng.shuffle(&mut candidates);
+        }
+        let by_chance = (0..GROUP).map(|_| rng.usize(..self.walks.len()));
+        let mut group = vec![seed];
+        for other in candidates.into_iter().chain(by_chance) {
             if group.len() < GROUP && !group.contains(&other) {
                 group.push(other);
             }
         }
+        rng.shuffle(&mut group);
+        Ok(group)
     }
-    while group.len() < GROUP.min(walks.len()) {
-        let other = rng.usize(..walks.len());
-        if !group.contains(&other) {
-            group.push(other);
-        }
-    }
-    rng.shuffle(&mut group);
-    group
-}
 
-/// Plans a group anew, one after the other; keeps the old walks where the new
-/// ones would collide more.
-fn replan(
-    problem: &Problem,
-    walks: &mut [Walk],
-    others: &mut Reservations,
-    group: &[AgentId],
-    horizon: u32,
-    meter: &Meter,
-) -> Result<(), Stop> {
-    let before = pairs(others, walks, group);
-    let old: Vec<Walk> = group.iter().map(|&a| walks[a].clone()).collect();
-    for &agent in group {
-        others.remove(agent, &walks[agent]);
-    }
-    for &agent in group {
-        let query = Query {
-            agent,
-            latest: horizon,
-            soft: true,
-            effort: EFFORT,
-        };
-        if let Some((walk, _)) = plan_one(problem, others, query, meter)? {
-            walks[agent] = walk;
+    /// Plans a group anew, one after the other; keeps the old walks where the
+    /// new ones would collide more.
+    fn replan(&mut self, group: &[AgentId], meter: &Meter) -> Result<(), Stop> {
+        let before = self.pairs.len();
+        let old: Vec<Walk> = group.iter().map(|&a| self.walks[a].clone()).collect();
+        for &agent in group {
+            self.lift(agent);
         }
-        others.add(agent, &walks[agent]);
-    }
-    if pairs(others, walks, group) > before {
-        for (&agent, old) in group.iter().zip(old) {
-            others.remove(agent, &walks[agent]);
-            others.add(agent, &old);
-            walks[agent] = old;
+        for (&agent, old) in group.iter().zip(&old) {
+            let query = Query {
+                agent,
+                latest: self.horizon,
+                price: Some(DEAR),
+                effort: self.effort,
+            };
+            let found = plan_one(self.problem, &self.others, query, meter)?;
+            self.lay(agent, found.map_or_else(|| old.clone(), |(walk, _)| walk));
         }
-    }
-    Ok(())
-}
-
-/// The pairs of colliding agents of which one is in the group.
-fn pairs(others: &Reservations, walks: &[Walk], group: &[AgentId]) -> usize {
-    let mut pairs = BTreeSet::new();
-    for &agent in group {
-        for other in others.met_by(agent, &walks[agent]) {
-            pairs.insert((agent.min(other), agent.max(other)));
+        if self.pairs.len() > before {
+            for &agent in group {
+                self.lift(agent);
+            }
+            for (&agent, old) in group.iter().zip(old) {
+                self.lay(agent, old);
+            }
         }
+        Ok(())
     }
-    pairs.len()
 }

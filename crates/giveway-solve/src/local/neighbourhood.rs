@@ -104,7 +104,7 @@ impl Improver {
         let query = Query {
             agent: seed,
             latest: sooner.min(horizon),
-            soft: true,
+            price: Some(1),
             effort: EFFORT,
         };
         let mut group = vec![seed];
@@ -140,7 +140,7 @@ fn replan(
         let query = Query {
             agent,
             latest: horizon,
-            soft: false,
+            price: None,
             effort: EFFORT,
         };
         match plan_one(problem, others, query, meter)? {

@@ -121,6 +121,12 @@ impl<'p> Reservations<'p> {
             .map(|&(_, agent)| agent)
     }
 
+    /// The last time at which a goal is visited by an agent on its way.
+    pub(crate) fn last_visit(&self, goal: Vertex) -> Option<u32> {
+        let visits = self.visits.get(&goal)?;
+        visits.last().map(|&(time, _)| time)
+    }
+
     /// The agents that a walk of an agent collides with.
     pub(crate) fn met_by(&self, agent: AgentId, walk: &[Place]) -> BTreeSet<AgentId> {
         let mut met = BTreeSet::new();

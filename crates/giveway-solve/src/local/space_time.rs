@@ -2,8 +2,7 @@
 //!
 //! Silver, "Cooperative pathfinding" (2005), with exact distances as the
 //! heuristic, waypoints in the state, and of two ways to one state the one with
-//! the fuller battery. Collisions are counted and avoided first, arrival comes
-//! second; or they are forbidden.
+//! the fuller battery. Collisions are forbidden, or allowed at a price in time.
 
 use std::cmp::Reverse;
 use std::collections::BinaryHeap;
@@ -25,8 +24,8 @@ pub(crate) struct Query {
     pub(crate) agent: AgentId,
     /// It must arrive by this time.
     pub(crate) latest: u32,
-    /// Whether collisions are allowed, though avoided.
-    pub(crate) soft: bool,
+    /// How many steps of delay a collision is worth; `None` forbids them.
+    pub(crate) price: Option<u32>,
     /// States to look at before giving up.
     pub(crate) effort: u32,
 }
@@ -46,7 +45,8 @@ struct State {
 )]
 type Seen = std::collections::HashMap<(u32, Place, u32), (u32, u32), FxBuildHasher>;
 
-/// Collisions, then arrival, then late states first, then order of birth.
+/// Arrival and the price of collisions, then collisions, then late states
+/// first, then order of birth.
 type Key = (u32, u32, Reverse<u32>, u32);
 
 /// The best walk of an agent among the others, and its number of collisions
@@ -61,10 +61,17 @@ pub(crate) fn plan_one(
     query: Query,
     meter: &Meter,
 ) -> Result<Option<(Walk, u32)>, Stop> {
+    // Under `stay` nobody can rest at a goal that others still pass. To know
+    // that from the beginning spares all tries to arrive sooner.
+    let goal = problem.tasks[query.agent].goal;
+    let waits = problem.stays && query.price.is_none_or(|price| price >= DEAR);
+    let passed = others.last_visit(goal).filter(|_| waits);
+    let earliest = passed.map_or(0, |time| time + 1);
     let mut search = Search {
         problem,
         others,
         query,
+        earliest: if earliest > query.latest { 0 } else { earliest },
         states: Vec::new(),
         heap: BinaryHeap::new(),
         seen: Seen::default(),
@@ -72,10 +79,15 @@ pub(crate) fn plan_one(
     search.run(meter)
 }
 
+/// A collision that any detour is better than, in steps of delay.
+pub(crate) const DEAR: u32 = 10_000;
+
 struct Search<'a, 'p> {
     problem: &'p Problem,
     others: &'a Reservations<'p>,
     query: Query,
+    /// It does not arrive sooner, except into a collision.
+    earliest: u32,
     states: Vec<State>,
     /// Whether the entry ends the walk, and the state's number.
     heap: BinaryHeap<Reverse<(Key, bool)>>,
@@ -89,7 +101,7 @@ impl Search<'_, '_> {
         let task = &self.problem.tasks[self.query.agent];
         let start = Place::At(task.start);
         let collisions = self.others.at(0, task.start).count() as u32;
-        if collisions > 0 && !self.query.soft {
+        if collisions > 0 && self.query.price.is_none() {
             return Ok(None);
         }
         self.push(
@@ -101,7 +113,7 @@ impl Search<'_, '_> {
             NO_PARENT,
         );
         let mut effort = self.query.effort;
-        while let Some(Reverse(((collisions, _, _, id), ends))) = self.heap.pop() {
+        while let Some(Reverse(((_, collisions, _, id), ends))) = self.heap.pop() {
             meter.tick()?;
             if ends {
                 return Ok(Some((self.walk_to(id), collisions)));
@@ -128,7 +140,7 @@ impl Search<'_, '_> {
         } else {
             0
         };
-        if later == 0 || self.query.soft {
+        if later == 0 || self.query.price.is_some() {
             let key = (
                 state.collisions + later,
                 state.time,
@@ -191,7 +203,7 @@ impl Search<'_, '_> {
             Place::At(v) => self.others.at(time, v).count() as u32,
             Place::Along(_) => 0,
         };
-        if self.query.soft || collisions + met == 0 {
+        if self.query.price.is_some() || collisions + met == 0 {
             self.push(place, mask, battery, time, collisions + met, parent);
         }
     }
@@ -216,6 +228,7 @@ impl Search<'_, '_> {
             return;
         };
         let bound = time + delay + rest;
+        let bound = bound.max(self.earliest);
         if bound > self.query.latest {
             return;
         }
@@ -235,8 +248,13 @@ impl Search<'_, '_> {
             collisions,
             parent,
         });
-        self.heap
-            .push(Reverse(((collisions, bound, Reverse(time), id), false)));
+        let key = (self.total(bound, collisions), collisions, Reverse(time), id);
+        self.heap.push(Reverse((key, false)));
+    }
+
+    fn total(&self, arrival: u32, collisions: u32) -> u32 {
+        let price = self.query.price.unwrap_or(0);
+        arrival.saturating_add(price.saturating_mul(collisions))
     }
 
     fn walk_to(&self, mut id: u32) -> Walk {

@@ -1,10 +1,14 @@
-//! Any plan at all, or the proof that there is none within the horizon.
+//! Any plan at all, or the proof that there is none.
+//!
+//! Deadlines stay assumptions here, up to the horizon. A core of deadlines that
+//! cannot grow any more names agents that cannot all arrive within it; a core
+//! without any shows that no deadline would help.
 
 use super::stage::Search;
 use crate::{encode::collisions::AgentId, meter::Stop, sat::Outcome};
 
-/// Looks for any plan; where there is none within the horizon, the agents that
-/// cannot all arrive within it.
+/// Looks for any plan; where there is none, the agents that cannot all arrive
+/// within the horizon, none named where they cannot at any horizon.
 ///
 /// # Errors
 /// When the budget is spent.

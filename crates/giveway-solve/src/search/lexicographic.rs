@@ -11,6 +11,7 @@ use super::{
     makespan,
     stage::{End, Search},
     sum::SumStage,
+    tally::least,
 };
 use crate::{
     joint,
@@ -134,32 +135,66 @@ fn prove(
     verdict: &mut Verdict,
     meter: &Rc<Meter>,
 ) -> Result<(), Stop> {
+    if let Some((cost, least)) = known_for_ever(problem, bounded, incumbent, meter)? {
+        let mut limited = bounded.clone();
+        limited.limits.insert(cost, least);
+        let known = Some(least);
+        if stages(
+            problem,
+            walks.clone(),
+            &limited,
+            known,
+            incumbent,
+            verdict,
+            meter,
+        )? {
+            return Ok(());
+        }
+        // Its plans all need more time than the horizon allows.
+        verdict.bounds.clear();
+        verdict.complete = true;
+    }
+    if stages(problem, walks, bounded, None, incumbent, verdict, meter)? {
+        return Ok(());
+    }
+    Err(Stop::Contradiction) // a plan is at hand, so there is one
+}
+
+/// One stage after the other; false where there is no plan. The optimum of the
+/// first cost may be `known`, and a limit.
+fn stages(
+    problem: &Problem,
+    walks: Vec<Walk>,
+    bounded: &Bounded,
+    known: Option<u32>,
+    incumbent: &mut Incumbent,
+    verdict: &mut Verdict,
+    meter: &Rc<Meter>,
+) -> Result<bool, Stop> {
     let objective = incumbent.objective().clone();
-    let mut search = Search::new(
-        problem,
-        walks,
-        bounded.latest(),
-        incumbent,
-        Rc::clone(meter),
-    );
+    let horizon = bounded.latest();
+    let mut search = Search::new(problem, walks, horizon, incumbent, Rc::clone(meter));
     keep_limits(&mut search, bounded)?;
     // Once the makespan or the sum of costs is bounded, no later plan counts.
     let mut bounds_time = bounded.limits_time(problem);
+    let mut known = known;
     for &cost in objective.costs() {
         let mut bound = 0;
+        let known = known.take();
         let end = match cost {
             Cost::Makespan => makespan::run(&mut search, &mut bound),
-            _ => SumStage::run(&mut search, cost, &mut bound),
+            _ => SumStage::run(&mut search, cost, known, &mut bound),
         };
         verdict.bounds.insert(cost, bound);
         let End::Least(least) = end? else {
-            return Err(Stop::Contradiction); // a plan is at hand, so there is one
+            return Ok(false);
         };
         search.finish(cost, least);
-        verdict.complete &= bounds_time || holds_for_ever(&mut search, cost, least, bounded)?;
+        verdict.complete &=
+            bounds_time || known.is_some() || holds_for_ever(&mut search, cost, least, bounded)?;
         bounds_time |= matches!(cost, Cost::Makespan | Cost::SumOfCosts);
     }
-    Ok(())
+    Ok(true)
 }
 
 /// Makes the limits hold; false where the agents' own minima break one.
@@ -185,12 +220,38 @@ fn holds_for_ever(
             let latest = latest_of_sum(search.problem, least);
             Ok(!search.met_horizon || bounded.horizon >= latest)
         }
-        _ if least == search.sum_of_minima(cost)? => Ok(true),
-        _ => {
-            let all: Vec<usize> = (0..search.problem.agents()).collect();
-            let found = joint::least(search.problem, &all, cost, &search.meter)?;
-            Ok(found == joint::Found::Least(least))
-        }
+        _ => Ok(least == search.sum_of_minima(cost)?),
+    }
+}
+
+/// The least charges, moves or waits at any horizon, where these stand first
+/// and the joint states can be exhausted: SAT could show it within the horizon
+/// only. It becomes a limit, so that a plan is all that is left to find.
+fn known_for_ever(
+    problem: &Problem,
+    bounded: &Bounded,
+    incumbent: &Incumbent,
+    meter: &Meter,
+) -> Result<Option<(Cost, u32)>, Stop> {
+    let cost = incumbent.objective().costs().first().copied();
+    let (Some(cost), Some(costs)) = (cost, incumbent.costs()) else {
+        return Ok(None);
+    };
+    let timed = matches!(cost, Cost::Makespan | Cost::SumOfCosts);
+    if timed || !bounded.limits.is_empty() {
+        return Ok(None);
+    }
+    let mut minima = 0;
+    for agent in 0..problem.agents() {
+        minima += least(problem, agent, cost, meter)?;
+    }
+    if costs.get(cost) == minima {
+        return Ok(None);
+    }
+    let all: Vec<usize> = (0..problem.agents()).collect();
+    match joint::least(problem, &all, cost, meter)? {
+        joint::Found::Least(least) => Ok(Some((cost, least))),
+        _ => Ok(None),
     }
 }
 
@@ -202,7 +263,8 @@ fn impossible_for_ever(
     clash: &[usize],
     meter: &Meter,
 ) -> Result<bool, Stop> {
-    if bounded.limits_time(problem)
+    if clash.is_empty()
+        || bounded.limits_time(problem)
         || joint::least(problem, clash, Cost::Makespan, meter)? == joint::Found::None
     {
         return Ok(true);

@@ -38,6 +38,7 @@ enum Soft {
 pub(crate) struct SumStage {
     cost: Cost,
     bound: u32,
+    known: bool,
     softs: BTreeMap<Lit, Soft>,
     /// What cores set free, to be assumed again with the next round.
     waiting: Vec<Soft>,
@@ -47,14 +48,21 @@ pub(crate) struct SumStage {
 }
 
 impl SumStage {
-    /// Minimises the sum of a cost.
+    /// Minimises the sum of a cost. Where its optimum is `known`, and a limit
+    /// of the search, a plan is all that is looked for.
     ///
     /// # Errors
     /// When the budget is spent. `bound` holds what was proved up to then.
-    pub(crate) fn run(search: &mut Search, cost: Cost, bound: &mut u32) -> Result<End, Stop> {
+    pub(crate) fn run(
+        search: &mut Search,
+        cost: Cost,
+        known: Option<u32>,
+        bound: &mut u32,
+    ) -> Result<End, Stop> {
         let mut stage = Self {
             cost,
-            bound: search.sum_of_minima(cost)?,
+            bound: search.sum_of_minima(cost)?.max(known.unwrap_or(0)),
+            known: known.is_some(),
             softs: BTreeMap::new(),
             waiting: Vec::new(),
             cores: Vec::new(),
@@ -114,6 +122,9 @@ impl SumStage {
 
     /// Assumes that an agent inside has the least cost it can have alone.
     fn adopt(&mut self, search: &mut Search, agent: AgentId) -> Result<(), Stop> {
+        if self.known {
+            return Ok(());
+        }
         let least = match self.cost {
             Cost::SumOfCosts => search.problem.optima[agent],
             cost => search.team.least(agent, cost)?,
@@ -160,6 +171,9 @@ impl SumStage {
         }
         if grown {
             return Ok(());
+        }
+        if self.known {
+            return Err(Stop::Contradiction);
         }
         self.bound += 1;
         search.report_bound(self.cost, self.bound);

@@ -222,7 +222,7 @@ impl<'p, 'h> Team<'p, 'h> {
             let query = Query {
                 agent,
                 latest: self.problem.optima[agent],
-                soft: true,
+                price: Some(1),
                 effort: u32::MAX,
             };
             if let Some((walk, _)) = plan_one(self.problem, &all, query, &self.meter)? {
