@@ -6,6 +6,8 @@
 mod lit;
 mod solver;
 mod tap;
+#[cfg(test)]
+mod tests;
 
 pub(crate) use lit::{Clauses, Lit};
 pub(crate) use solver::{Outcome, Sat};
