@@ -6,4 +6,6 @@ pub(crate) mod battery;
 pub(crate) mod collisions;
 pub(crate) mod count;
 pub(crate) mod limit;
+#[cfg(test)]
+mod tests;
 pub(crate) mod totalizer;
