@@ -21,6 +21,8 @@ pub mod service;
 mod single;
 mod solve;
 mod terrain;
+#[cfg(test)]
+mod tests;
 mod walk;
 
 pub use answer::{CheckAnswer, FrontAnswer, SolveAnswer, Stats, Status};

@@ -7,6 +7,8 @@ mod first_plan;
 mod neighbourhood;
 mod reservations;
 mod space_time;
+#[cfg(test)]
+mod tests;
 
 pub(crate) use first_plan::{apart, first_plan};
 pub(crate) use neighbourhood::Improver;

@@ -2,6 +2,8 @@
 
 mod diagram;
 mod task;
+#[cfg(test)]
+mod tests;
 mod to_go;
 
 pub(crate) use diagram::{Diagram, Node, NodeId, Place};
