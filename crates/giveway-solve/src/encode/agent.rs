@@ -254,15 +254,11 @@ impl AgentCode {
         added: &mut Added,
         out: &mut impl Clauses,
     ) {
-        let position = match self.positions.get(&(time, v)) {
-            Some(&position) => position,
-            None => {
-                let position = if several { out.fresh() } else { lit };
-                self.positions.insert((time, v), position);
-                added.positions.push((time, v, position));
-                position
-            }
-        };
+        let position = *self.positions.entry((time, v)).or_insert_with(|| {
+            let position = if several { out.fresh() } else { lit };
+            added.positions.push((time, v, position));
+            position
+        });
         if position != lit {
             out.clause(&[!lit, position]);
         }

@@ -141,12 +141,8 @@ impl Search<'_, '_> {
             0
         };
         if later == 0 || self.query.price.is_some() {
-            let key = (
-                state.collisions + later,
-                state.time,
-                Reverse(state.time),
-                id,
-            );
+            let (time, collisions) = (state.time, state.collisions + later);
+            let key = (self.total(time, collisions), collisions, Reverse(time), id);
             self.heap.push(Reverse((key, true)));
         }
     }

@@ -58,6 +58,8 @@ pub(crate) struct Search<'p, 'h> {
     improver: Improver,
     /// Conflicts from which on the best plan is to be improved again.
     polish_at: u64,
+    /// Counts of which agents that enter have their own minima.
+    at_minima: Vec<Cost>,
     /// The costs done or under way: outside agents are at their own minima.
     begun: Vec<Cost>,
 }
@@ -82,20 +84,20 @@ impl<'p, 'h> Search<'p, 'h> {
             horizon,
             limits: BTreeMap::new(),
             done: BTreeMap::new(),
+            at_minima: Vec::new(),
             begun: Vec::new(),
             improver: Improver::new(),
             polish_at: FIRST_POLISH,
         }
     }
 
-    /// Improves the best plan, now and then: as often as the proof gets a
-    /// quarter more conflicts, so that both get their share of the time.
+    /// Improves the best plan, now and then: as the proof gets a quarter more
+    /// conflicts, so that both get their share of the time.
     pub(crate) fn polish(&mut self) -> Result<(), Stop> {
         let conflicts = self.meter.stats().conflicts;
         if conflicts < self.polish_at {
             return Ok(());
         }
-        self.polish_at = conflicts + conflicts / 4;
         let Some(walks) = self.incumbent.walks() else {
             return Ok(());
         };
@@ -111,7 +113,10 @@ impl<'p, 'h> Search<'p, 'h> {
             &self.meter,
         );
         self.incumbent.offer(self.problem, &walks, &self.meter);
-        improved.map(|_| ())
+        // Where nothing is gained it is tried less often.
+        let pause = if improved? { conflicts / 4 } else { conflicts };
+        self.polish_at = conflicts + pause;
+        Ok(())
     }
 
     /// The latest arrival of an agent that is still of interest.
@@ -174,15 +179,10 @@ impl<'p, 'h> Search<'p, 'h> {
                 limit.add(&digits, self.team.clauses());
             }
         }
-        // Outside it kept to its own minima, which the proofs so far took for
-        // granted.
-        let done: Vec<Cost> = self.done.keys().copied().collect();
-        for cost in done {
-            if matches!(cost, Cost::Charges | Cost::Moves | Cost::Waits) {
-                let least = self.team.least(agent, cost)?;
-                if let Some(more) = self.team.more_than(agent, cost, least)? {
-                    self.team.harden(!more);
-                }
+        for cost in self.at_minima.clone() {
+            let least = self.team.least(agent, cost)?;
+            if let Some(more) = self.team.more_than(agent, cost, least)? {
+                self.team.harden(!more);
             }
         }
         Ok(())
@@ -306,6 +306,15 @@ impl<'p, 'h> Search<'p, 'h> {
     /// Marks the optimum of a cost as holding for good.
     pub(crate) fn finish(&mut self, cost: Cost, least: u32) {
         self.done.insert(cost, least);
+    }
+
+    /// In every plan with the optimum of a count, proved by cores, the agents
+    /// that no core named are at their own minima: so are those that enter
+    /// later. (An optimum that is known in another way says nothing of them.)
+    pub(crate) fn keep_minima(&mut self, cost: Cost) {
+        if cost != Cost::SumOfCosts {
+            self.at_minima.push(cost);
+        }
     }
 
     /// Whether the best plan has this value of a cost, and the optimum of each

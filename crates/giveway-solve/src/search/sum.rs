@@ -8,7 +8,10 @@
 //! a core names ever get larger diagrams.
 //!
 //! Cores that share nothing are collected first: what a core sets free stays
-//! free until no further core is found.
+//! free until no further core is found. A core that comes again with the next
+//! levels of the same agents is *stretched*: two agents that meet in a corridor
+//! are a core for as many levels as the corridor is long, and all of these are
+//! learnt at once.
 
 use std::collections::BTreeMap;
 
@@ -21,10 +24,6 @@ use crate::{
     sat::{Lit, Outcome},
 };
 
-/// A core of more literals ends a round: what is left without them is seldom
-/// unsatisfiable, and asking takes as long as going on.
-const LARGE_CORE: usize = 6;
-
 /// What an assumption bounds.
 #[derive(Clone, Copy, Debug)]
 enum Soft {
@@ -33,6 +32,30 @@ enum Soft {
     /// At most `k` inputs of a totalizer are true.
     Total { totalizer: usize, k: usize },
 }
+
+impl Soft {
+    /// The same at a higher level.
+    const fn raised(self, by: u32) -> Self {
+        match self {
+            Self::Agent(agent, most) => Self::Agent(agent, most + by),
+            Self::Total { totalizer, k } => Self::Total {
+                totalizer,
+                k: k + by as usize,
+            },
+        }
+    }
+
+    /// The agent that it bounds, if it is one alone.
+    const fn agent(&self) -> Option<AgentId> {
+        match self {
+            Self::Agent(agent, _) => Some(*agent),
+            Self::Total { .. } => None,
+        }
+    }
+}
+
+/// Agents of a core that is tried at higher levels.
+const STRETCHED: usize = 3;
 
 /// The state of one core-guided stage.
 pub(crate) struct SumStage {
@@ -45,6 +68,8 @@ pub(crate) struct SumStage {
     /// Violations of cores, to become totalizers with the next round.
     cores: Vec<Vec<Lit>>,
     totalizers: Vec<Vec<Lit>>,
+    /// How often some agents have been a core.
+    seen: BTreeMap<Vec<AgentId>, u32>,
 }
 
 impl SumStage {
@@ -67,6 +92,7 @@ impl SumStage {
             waiting: Vec::new(),
             cores: Vec::new(),
             totalizers: Vec::new(),
+            seen: BTreeMap::new(),
         };
         *bound = stage.bound;
         search.report_bound(cost, stage.bound);
@@ -108,9 +134,6 @@ impl SumStage {
                     stage.learn(search, &core, &guards)?;
                     *bound = stage.bound;
                     search.polish()?;
-                    if core.len() > LARGE_CORE {
-                        stage.assume_waiting(search)?;
-                    }
                 }
             }
         }
@@ -134,24 +157,28 @@ impl SumStage {
 
     /// Assumes a soft, or nothing where it holds anyway.
     fn assume(&mut self, search: &mut Search, soft: Soft) -> Result<(), Stop> {
-        let lit = match soft {
-            Soft::Agent(agent, most) if self.cost == Cost::SumOfCosts => {
-                search.grow(agent, most)?;
-                if most >= search.cap(agent) {
-                    return Ok(());
-                }
-                search.team.by(agent, most)
-            }
-            Soft::Agent(agent, most) => search
-                .team
-                .more_than(agent, self.cost, most)?
-                .map(|lit| !lit),
-            Soft::Total { totalizer, k } => self.totalizers[totalizer].get(k).map(|&lit| !lit),
-        };
-        if let Some(lit) = lit {
+        if let Some(lit) = self.literal(search, soft)? {
             self.softs.insert(lit, soft);
         }
         Ok(())
+    }
+
+    /// The literal of a soft; `None` where it holds anyway.
+    fn literal(&mut self, search: &mut Search, soft: Soft) -> Result<Option<Lit>, Stop> {
+        match soft {
+            Soft::Agent(agent, most) if self.cost == Cost::SumOfCosts => {
+                search.grow(agent, most)?;
+                if most >= search.cap(agent) {
+                    return Ok(None);
+                }
+                Ok(search.team.by(agent, most))
+            }
+            Soft::Agent(agent, most) => {
+                let more = search.team.more_than(agent, self.cost, most)?;
+                Ok(more.map(|lit| !lit))
+            }
+            Soft::Total { totalizer, k } => Ok(self.totalizers[totalizer].get(k).map(|&lit| !lit)),
+        }
     }
 
     /// Takes a core in: grows diagrams, or raises the bound.
@@ -175,28 +202,65 @@ impl SumStage {
         if self.known {
             return Err(Stop::Contradiction);
         }
+        let softs: Vec<Soft> = core
+            .iter()
+            .filter_map(|lit| self.softs.remove(lit))
+            .collect();
+        self.pay(search, core);
+        let further = self.stretch(search, &softs)?;
+        for soft in softs {
+            self.waiting.push(soft.raised(further + 1));
+        }
+        Ok(())
+    }
+
+    /// Raises the bound by a core.
+    fn pay(&mut self, search: &mut Search, core: &[Lit]) {
         self.bound += 1;
         search.report_bound(self.cost, self.bound);
-        for lit in core {
-            match self.softs.remove(lit) {
-                Some(Soft::Agent(agent, most)) => {
-                    self.waiting.push(Soft::Agent(agent, most + 1));
-                }
-                Some(Soft::Total { totalizer, k }) => {
-                    self.waiting.push(Soft::Total {
-                        totalizer,
-                        k: k + 1,
-                    });
-                }
-                None => {}
-            }
-        }
         if let [lit] = core {
             search.team.harden(!*lit);
         } else {
             self.cores.push(core.iter().map(|&lit| !lit).collect());
         }
-        Ok(())
+    }
+
+    /// Learns the cores of the same agents at higher levels, where there are
+    /// any; by how many levels. Tried only for agents that have been a core
+    /// before, and twice as far each time that it succeeds.
+    fn stretch(&mut self, search: &mut Search, softs: &[Soft]) -> Result<u32, Stop> {
+        let agents: Option<Vec<AgentId>> = softs.iter().map(Soft::agent).collect();
+        let Some(mut agents) = agents.filter(|agents| agents.len() <= STRETCHED) else {
+            return Ok(0);
+        };
+        agents.sort_unstable();
+        let seen = self.seen.entry(agents).or_insert(0);
+        *seen += 1;
+        let (mut step, mut learnt) = (*seen - 1, 0);
+        while step > 0 {
+            let mut levels = Vec::new();
+            for level in learnt + 1..=learnt + step {
+                let mut core = Vec::new();
+                for soft in softs {
+                    core.extend(self.literal(search, soft.raised(level))?);
+                }
+                if core.len() < softs.len() {
+                    return Ok(learnt); // a level at its cap cannot be violated
+                }
+                levels.push(core);
+            }
+            let highest = levels.last().map_or(&[][..], Vec::as_slice);
+            if matches!(search.team.solve(highest)?, Outcome::Sat) {
+                return Ok(learnt);
+            }
+            // Lower levels exclude each other all the more.
+            for core in &levels {
+                self.pay(search, core);
+            }
+            learnt += step;
+            step *= 2;
+        }
+        Ok(learnt)
     }
 
     /// Begins a new round: all that cores set free is bounded again.
@@ -217,6 +281,10 @@ impl SumStage {
     /// The bound is met: every plan that meets it keeps all assumptions, so
     /// they become clauses, and every other plan is of no interest any more.
     fn harden(&mut self, search: &mut Search) {
+        if self.known {
+            return; // the limit of the search says it all
+        }
+        search.keep_minima(self.cost);
         for (&lit, soft) in &self.softs {
             if !matches!(soft, Soft::Agent(..)) || self.cost != Cost::SumOfCosts {
                 search.team.harden(lit);

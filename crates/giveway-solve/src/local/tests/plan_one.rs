@@ -152,7 +152,6 @@ fn without_collisions_it_arrives_as_soon_as_can_be() {
 }
 
 #[test]
-#[ignore = "the end of a walk is still ranked by its collisions, not by the total"]
 fn at_a_price_it_weighs_collisions_against_delay() {
     for price in [1, 3, DEAR] {
         let (checked, delayed) = check(2_000..3_000, Some(price), false);
@@ -199,7 +198,6 @@ fn a_way_by_the_charger_counts_although_it_comes_second() {
 }
 
 #[test]
-#[ignore = "the end of a walk is still ranked by its collisions, not by the total"]
 fn a_dear_collision_is_worth_waiting() {
     let picture = "
         a A b
