@@ -23,7 +23,7 @@ use crate::{
 
 /// Conflicts before the best plan is improved for the first time: what is
 /// proved sooner needs no better plan.
-const FIRST_POLISH: u64 = 300;
+const FIRST_POLISH: u64 = 1000;
 /// Neighbourhoods tried each time.
 const POLISH_ROUNDS: usize = 20;
 

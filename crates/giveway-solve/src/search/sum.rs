@@ -54,8 +54,12 @@ impl Soft {
     }
 }
 
+/// A core of more literals ends a round: little is left to be unsatisfiable
+/// without them, and asking takes as long as going on.
+const LARGE_CORE: usize = 10;
+
 /// Agents of a core that is tried at higher levels.
-const STRETCHED: usize = 3;
+const STRETCHED: usize = 2;
 
 /// The state of one core-guided stage.
 pub(crate) struct SumStage {
@@ -134,6 +138,9 @@ impl SumStage {
                     stage.learn(search, &core, &guards)?;
                     *bound = stage.bound;
                     search.polish()?;
+                    if core.len() > LARGE_CORE {
+                        stage.assume_waiting(search)?;
+                    }
                 }
             }
         }
