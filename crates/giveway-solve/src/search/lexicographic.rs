@@ -173,12 +173,12 @@ fn stages(
 ) -> Result<bool, Stop> {
     let objective = incumbent.objective().clone();
     let horizon = bounded.latest();
-    let mut search = Search::new(problem, walks, horizon, incumbent, Rc::clone(meter));
+    let mut search = Search::new(problem, walks.clone(), horizon, incumbent, Rc::clone(meter));
     keep_limits(&mut search, bounded)?;
     // Once the makespan or the sum of costs is bounded, no later plan counts.
     let mut bounds_time = bounded.limits_time(problem);
     let mut known = known;
-    for &cost in objective.costs() {
+    for (i, &cost) in objective.costs().iter().enumerate() {
         let mut bound = 0;
         let known = known.take();
         let end = match cost {
@@ -190,6 +190,10 @@ fn stages(
             return Ok(false);
         };
         search.finish(cost, least);
+        if i == 0 && cost == Cost::Makespan {
+            search = search.afresh(least, walks.clone());
+            keep_limits(&mut search, bounded)?;
+        }
         verdict.complete &=
             bounds_time || known.is_some() || holds_for_ever(&mut search, cost, least, bounded)?;
         bounds_time |= matches!(cost, Cost::Makespan | Cost::SumOfCosts);

@@ -25,7 +25,7 @@ use crate::{
 /// proved sooner needs no better plan.
 const FIRST_POLISH: u64 = 1000;
 /// Neighbourhoods tried each time.
-const POLISH_ROUNDS: usize = 20;
+const POLISH_ROUNDS: usize = 30;
 
 /// How a stage ended.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -93,7 +93,7 @@ impl<'p, 'h> Search<'p, 'h> {
 
     /// Improves the best plan, now and then: as the proof gets a quarter more
     /// conflicts, so that both get their share of the time.
-    pub(crate) fn polish(&mut self) -> Result<(), Stop> {
+    pub(crate) fn polish(&mut self, cost: Cost, bound: u32) -> Result<(), Stop> {
         let conflicts = self.meter.stats().conflicts;
         if conflicts < self.polish_at {
             return Ok(());
@@ -113,8 +113,14 @@ impl<'p, 'h> Search<'p, 'h> {
             &self.meter,
         );
         self.incumbent.offer(self.problem, &walks, &self.meter);
-        // Where nothing is gained it is tried less often.
-        let pause = if improved? { conflicts / 4 } else { conflicts };
+        // Where nothing is gained, or little is left to gain, less often.
+        let best = self.incumbent.costs().map_or(0, |costs| costs.get(cost));
+        let wide = best > bound + bound / 20;
+        let pause = match (improved?, wide) {
+            (_, true) => conflicts / 16,
+            (true, false) => conflicts / 4,
+            (false, false) => conflicts,
+        };
         self.polish_at = conflicts + pause;
         Ok(())
     }
@@ -301,6 +307,17 @@ impl<'p, 'h> Search<'p, 'h> {
         if !self.begun.contains(&cost) {
             self.begun.push(cost);
         }
+    }
+
+    /// The same search after its first stage, the makespan, with an empty
+    /// formula: the later stages need much smaller diagrams than the proof of
+    /// the makespan did.
+    pub(crate) fn afresh(self, makespan: u32, walks: Vec<Walk>) -> Self {
+        let mut fresh = Self::new(self.problem, walks, makespan, self.incumbent, self.meter);
+        fresh.improver = self.improver;
+        fresh.finish(Cost::Makespan, makespan);
+        fresh.begin(Cost::Makespan);
+        fresh
     }
 
     /// Marks the optimum of a cost as holding for good.

@@ -137,7 +137,7 @@ impl SumStage {
                     }
                     stage.learn(search, &core, &guards)?;
                     *bound = stage.bound;
-                    search.polish()?;
+                    search.polish(cost, stage.bound)?;
                     if core.len() > LARGE_CORE {
                         stage.assume_waiting(search)?;
                     }
