@@ -113,6 +113,13 @@ fn run(
         incumbent.offer(problem, &plan, meter);
     }
     if incumbent.costs().is_none() {
+        // Where few agents find no plan there is mostly none, which is quickly
+        // shown where their joint states can be exhausted.
+        let all: Vec<usize> = (0..problem.agents()).collect();
+        if joint::least(problem, &all, Cost::Makespan, meter)? == joint::Found::None {
+            verdict.clash = all;
+            return Ok(());
+        }
         let mut search = Search::new(problem, walks.clone(), horizon, incumbent, Rc::clone(meter));
         if !keep_limits(&mut search, bounded)? {
             return Ok(()); // each agent alone needs too much already
@@ -123,13 +130,13 @@ fn run(
             return Ok(());
         }
     }
-    prove(problem, walks, bounded, incumbent, verdict, meter)
+    prove(problem, &walks, bounded, incumbent, verdict, meter)
 }
 
 /// The stages, one for each cost of the objective.
 fn prove(
     problem: &Problem,
-    walks: Vec<Walk>,
+    walks: &[Walk],
     bounded: &Bounded,
     incumbent: &mut Incumbent,
     verdict: &mut Verdict,
@@ -139,15 +146,7 @@ fn prove(
         let mut limited = bounded.clone();
         limited.limits.insert(cost, least);
         let known = Some(least);
-        if stages(
-            problem,
-            walks.clone(),
-            &limited,
-            known,
-            incumbent,
-            verdict,
-            meter,
-        )? {
+        if stages(problem, walks, &limited, known, incumbent, verdict, meter)? {
             return Ok(());
         }
         // Its plans all need more time than the horizon allows.
@@ -164,7 +163,7 @@ fn prove(
 /// first cost may be `known`, and a limit.
 fn stages(
     problem: &Problem,
-    walks: Vec<Walk>,
+    walks: &[Walk],
     bounded: &Bounded,
     known: Option<u32>,
     incumbent: &mut Incumbent,
@@ -173,7 +172,13 @@ fn stages(
 ) -> Result<bool, Stop> {
     let objective = incumbent.objective().clone();
     let horizon = bounded.latest();
-    let mut search = Search::new(problem, walks.clone(), horizon, incumbent, Rc::clone(meter));
+    let mut search = Search::new(
+        problem,
+        walks.to_vec(),
+        horizon,
+        incumbent,
+        Rc::clone(meter),
+    );
     keep_limits(&mut search, bounded)?;
     // Once the makespan or the sum of costs is bounded, no later plan counts.
     let mut bounds_time = bounded.limits_time(problem);
@@ -191,7 +196,7 @@ fn stages(
         };
         search.finish(cost, least);
         if i == 0 && cost == Cost::Makespan {
-            search = search.afresh(least, walks.clone());
+            search = search.afresh(least, walks.to_vec());
             keep_limits(&mut search, bounded)?;
         }
         verdict.complete &=
