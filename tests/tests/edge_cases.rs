@@ -515,7 +515,7 @@ mod batteries {
              #  B  #
              battery a 2/2
              battery b 2/2",
-            "impossible",
+            "impossible; complete",
         );
         check(
             "#  b  #

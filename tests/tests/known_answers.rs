@@ -23,12 +23,13 @@ use giveway_tests::{ask, known};
 
 /// The rows of `mmapf` in the usual run.
 const QUICK_ROWS: &[&str] = &[
-    "A01", "A02", "A03", "A04", "A05", "A06", "A07", "A08", "B01", "B02", "B03", "B04", "B05",
-    "B06", "B07", "B08", "B13", "B14",
+    "A01", "A02", "A03", "A04", "A05", "A06", "A07", "A08", "A09", "A10", "A12", "A13", "A14",
+    "B01", "B02", "B03", "B04", "B05", "B06", "B07", "B08", "B09", "B10", "B11", "B12", "B13",
+    "B14", "B15", "B16", "B18", "B19", "B20", "B21", "B23",
 ];
 
 /// The standard scenarios in the usual run have at most so many agents.
-const QUICK_AGENTS: usize = 20;
+const QUICK_AGENTS: usize = 30;
 
 /// The rows without a proved optimum.
 const OPEN_ROWS: &[&str] = &["A11", "A17", "B17"];

@@ -134,7 +134,7 @@ pub(crate) fn answer(
             .filter_map(|&i| names.get(i))
             .map(String::as_str)
             .collect();
-        (status == Status::Impossible).then(|| clash_sentence(&clash, complete, horizon))
+        (status == Status::Impossible).then(|| clash_sentence(&clash))
     });
     let (plan, costs) = found.unzip();
     SolveAnswer {
@@ -150,17 +150,11 @@ pub(crate) fn answer(
     }
 }
 
-fn clash_sentence(agents: &[&str], complete: bool, horizon: u32) -> String {
-    let when = if complete {
-        "whatever the makespan".to_owned()
-    } else {
-        format!("within makespan {horizon}")
-    };
+/// Whom it concerns; the claim itself says at which horizon it holds.
+fn clash_sentence(agents: &[&str]) -> String {
     match agents {
-        [] => format!("The agents cannot all arrive {when}."),
-        [one] => format!("{one} cannot arrive {when}."),
-        [init @ .., last] => {
-            format!("{} and {last} cannot all arrive {when}.", init.join(", "))
-        }
+        [] => "The agents cannot all arrive.".to_owned(),
+        [one] => format!("{one} cannot arrive."),
+        [init @ .., last] => format!("{} and {last} cannot all arrive.", init.join(", ")),
     }
 }
