@@ -1,5 +1,13 @@
-//! The playground: a page that paints, solves and plays.
+//! The playground: a page that shows a [`giveway_page::State`], sends actions,
+//! and runs the solver in a worker.
 //!
-//! So far only what needs no page: pure functions from plans to what is shown.
+//! What is shown, and why, is decided in `giveway-page`; here it becomes
+//! elements, events and motion.
 
-pub mod playback;
+mod app;
+mod clock;
+mod icon;
+
+pub use app::App;
+pub use clock::{Clock, Listening};
+pub use icon::{Icon, IconProps};

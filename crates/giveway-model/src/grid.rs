@@ -73,6 +73,17 @@ pub struct Grid {
     cells: Vec<Ground>,
 }
 
+impl Default for Grid {
+    /// One free cell: the least map there is.
+    fn default() -> Self {
+        Self {
+            width: 1,
+            height: 1,
+            cells: vec![Ground::Free],
+        }
+    }
+}
+
 /// Why some rows are no map.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub enum GridError {

@@ -1,6 +1,56 @@
-//! A plan as it plays: where an agent is between two steps.
+//! A plan as it plays: the time, the speed, where an agent is between two steps.
 
 use giveway_model::Cell;
+
+/// How fast a plan plays.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum Speed {
+    /// Half as fast.
+    Half,
+    /// One step in the time that the design gives it.
+    #[default]
+    One,
+    /// Twice as fast.
+    Two,
+    /// Four times as fast.
+    Four,
+}
+
+impl Speed {
+    /// All, the slowest first.
+    pub const ALL: [Self; 4] = [Self::Half, Self::One, Self::Two, Self::Four];
+
+    /// The factor.
+    pub const fn factor(self) -> f64 {
+        match self {
+            Self::Half => 0.5,
+            Self::One => 1.0,
+            Self::Two => 2.0,
+            Self::Four => 4.0,
+        }
+    }
+
+    /// As it stands on its button.
+    pub const fn name(self) -> &'static str {
+        match self {
+            Self::Half => "\u{bd}",
+            Self::One => "1\u{d7}",
+            Self::Two => "2\u{d7}",
+            Self::Four => "4\u{d7}",
+        }
+    }
+}
+
+/// What is shown of the plan's time.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct Playback {
+    /// The step shown; between two steps while it plays, the one before.
+    pub time: u32,
+    /// Whether it plays.
+    pub playing: bool,
+    /// How fast.
+    pub speed: Speed,
+}
 
 /// A point of the map: the middle of the cell `[x, y]` is at `(x, y)`, `y` down.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -20,7 +70,7 @@ pub struct Point {
 ///
 /// ```
 /// use giveway_model::Cell;
-/// use giveway_web::playback::{Point, position};
+/// use giveway_page::{Point, position};
 /// let slow_move = [Some(Cell::new(2, 0)), None, Some(Cell::new(3, 0))];
 /// assert_eq!(position(&slow_move, 1.0), Some(Point { x: 2.5, y: 0.0 }));
 /// ```

@@ -1,0 +1,97 @@
+//! What can happen to the page.
+
+use giveway_model::{AtGoal, Cell, Objective, Scene};
+use giveway_solve::{Progress, Response};
+
+use crate::{Notice, Selection, Speed, Tab, Theme, Tool};
+
+/// What a person did, what the solver told, or that time went on.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Action {
+    /// A scene was opened: it replaces the one on the board.
+    Open(Box<Scene>),
+    /// Something could not be done; the scene stays.
+    Refuse(Notice),
+    /// The notice was read.
+    DismissNotice,
+
+    /// A tool was picked.
+    PickTool(Tool),
+    /// The keyboard went to a cell of the board.
+    MoveCursor(Cell),
+    /// The pointer went down on a cell, or a key applied the tool there.
+    Press(Cell),
+    /// The pointer went on to a cell.
+    Drag(Cell),
+    /// The pointer was lifted.
+    Release,
+    /// The selection changed.
+    Select(Selection),
+    /// Takes the last edit back.
+    Undo,
+    /// Takes the last undo back.
+    Redo,
+
+    /// The costs to minimise.
+    SetObjective(Objective),
+    /// What happens to arrived agents.
+    SetAtGoal(AtGoal),
+    /// The least battery level.
+    SetBatteryFloor(u32),
+    /// The horizon in time steps.
+    SetWithin(Option<u32>),
+    /// The time limit in seconds.
+    SetSeconds(u32),
+    /// Whether every edit is solved at once.
+    SetSolveOnChange(bool),
+
+    /// Solve the scene on the board.
+    Solve,
+    /// Stop solving, at once.
+    Cancel,
+    /// The solver got to know something; `run` is [`crate::Run::id`].
+    Progress {
+        /// The run.
+        run: u64,
+        /// What became known.
+        event: Progress,
+    },
+    /// The solver answered.
+    Respond {
+        /// The run.
+        run: u64,
+        /// The answer.
+        response: Box<Response>,
+    },
+    /// The solver ended without an answer, and was replaced.
+    Crash {
+        /// The run.
+        run: u64,
+        /// Why, as a sentence.
+        sentence: String,
+    },
+
+    /// Play from the time shown, or from the start where it is the end.
+    Play,
+    /// Stop at the next step.
+    Pause,
+    /// Show a time.
+    Seek(u32),
+    /// One step on.
+    StepForward,
+    /// One step back.
+    StepBack,
+    /// The plan played on to a step.
+    Reach(u32),
+    /// How fast to play.
+    SetSpeed(Speed),
+
+    /// Shows or hides ways behind and ahead.
+    ShowTrails(bool),
+    /// Shows or hides the plan table.
+    ShowTable(bool),
+    /// What a phone shows below the board.
+    ShowTab(Tab),
+    /// The colours.
+    SetTheme(Theme),
+}

@@ -1,0 +1,103 @@
+//! A scene as it stands on the page.
+
+use giveway_model::{Agent, Cell, Fault, Grid, Instance, Scene};
+
+/// The largest map side that the page takes, in cells.
+pub const MAX_SIDE: u32 = 256;
+/// The largest number of agents that the page takes.
+pub const MAX_AGENTS: usize = 1000;
+
+/// A scene with what validation says of it; never changed, only replaced.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Draft {
+    scene: Scene,
+    grid: Grid,
+    instance: Result<Instance, Vec<Fault>>,
+}
+
+impl Default for Draft {
+    /// One free cell and nobody on it.
+    fn default() -> Self {
+        let grid = Grid::default();
+        let scene = Scene {
+            map: grid.rows(),
+            ..Scene::default()
+        };
+        Self {
+            instance: Instance::new(scene.clone()),
+            scene,
+            grid,
+        }
+    }
+}
+
+impl Draft {
+    /// Checks a scene. Faults of agents are kept and told by
+    /// [`Draft::instance`], since a person may be in the middle of an edit.
+    ///
+    /// # Errors
+    /// The faults of a scene that cannot be drawn: its map is no rectangle, or
+    /// it is beyond the limits of the page.
+    pub fn new(scene: Scene) -> Result<Self, Vec<Fault>> {
+        let instance = Instance::new(scene.clone());
+        let Ok(grid) = Grid::from_rows(&scene.map) else {
+            return Err(instance.err().unwrap_or_default());
+        };
+        let mut faults = Vec::new();
+        if grid.width().max(grid.height()) > MAX_SIDE {
+            faults.push(Fault::at(
+                "map",
+                format!("a map of {} x {} cells", grid.width(), grid.height()),
+                format!("at most {MAX_SIDE} x {MAX_SIDE} on the page"),
+            ));
+        }
+        if scene.agents.len() > MAX_AGENTS {
+            faults.push(Fault::at(
+                "agents",
+                format!("{} agents", scene.agents.len()),
+                format!("at most {MAX_AGENTS} on the page"),
+            ));
+        }
+        if !faults.is_empty() {
+            return Err(faults);
+        }
+        Ok(Self {
+            scene,
+            grid,
+            instance,
+        })
+    }
+
+    /// The scene as plain data.
+    pub const fn scene(&self) -> &Scene {
+        &self.scene
+    }
+
+    /// The map.
+    pub const fn grid(&self) -> &Grid {
+        &self.grid
+    }
+
+    /// The agents, in the order of the scene. Before validation: a cell of
+    /// theirs may be off the map.
+    pub fn agents(&self) -> &[Agent] {
+        &self.scene.agents
+    }
+
+    /// The checked instance, or every fault of the scene.
+    ///
+    /// # Errors
+    /// The faults, in the order of the scene.
+    pub fn instance(&self) -> Result<&Instance, &[Fault]> {
+        self.instance.as_ref().map_err(Vec::as_slice)
+    }
+
+    /// The nearest cell of the map.
+    pub fn clamp(&self, cell: Cell) -> Cell {
+        let last = |side: u32| side.saturating_sub(1);
+        Cell::new(
+            cell.x.min(last(self.grid.width())),
+            cell.y.min(last(self.grid.height())),
+        )
+    }
+}

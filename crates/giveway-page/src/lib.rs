@@ -1,0 +1,26 @@
+//! The playground's page as plain data.
+//!
+//! A [`State`] and an [`Action`] give the next state ([`reduce`]); what each
+//! place of the page shows is a function of the state. Nothing here draws,
+//! waits, or knows that there is a browser: the page (`web/`) shows the state,
+//! sends actions, and runs what [`State::work`] says should run.
+
+mod action;
+mod answer;
+mod draft;
+mod ground;
+mod history;
+mod playback;
+mod reduce;
+mod settings;
+mod state;
+
+pub use action::Action;
+pub use answer::Answer;
+pub use draft::{Draft, MAX_AGENTS, MAX_SIDE};
+pub use ground::Tool;
+pub use history::History;
+pub use playback::{Playback, Point, Speed, position};
+pub use reduce::reduce;
+pub use settings::{Settings, Tab, Theme, View};
+pub use state::{Notice, Phase, Run, Selection, Size, State, Work};

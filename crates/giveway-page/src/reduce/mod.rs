@@ -1,0 +1,86 @@
+//! From a state and an action to the next state.
+
+mod edit;
+mod play;
+mod solve;
+
+use crate::{Action, Selection, State, Tool};
+
+/// The next state. Pure: the same state and action always give the same.
+///
+/// ```
+/// use giveway_model::Scene;
+/// use giveway_page::{Action, Draft, State, Work, reduce};
+/// let scene = Scene { map: vec!["..".into()], ..Scene::default() };
+/// let state = State::new(Draft::new(scene).unwrap());
+/// let state = reduce(&state, Action::Solve);
+/// assert!(matches!(state.work, Work::Solving(_)));
+/// ```
+#[must_use]
+pub fn reduce(state: &State, action: Action) -> State {
+    let mut next = state.clone();
+    step(&mut next, action);
+    next
+}
+
+fn step(state: &mut State, action: Action) {
+    match action {
+        Action::Open(scene) => edit::open(state, *scene),
+        Action::Refuse(notice) => state.notice = Some(notice),
+        Action::DismissNotice => state.notice = None,
+
+        Action::PickTool(tool) => {
+            edit::release(state);
+            state.tool = tool;
+        }
+        Action::MoveCursor(cell) => state.cursor = state.draft.clamp(cell),
+        Action::Press(cell) => press(state, cell),
+        Action::Drag(cell) => edit::drag(state, cell),
+        Action::Release => edit::release(state),
+        Action::Select(selection) => state.selection = selection,
+        Action::Undo => edit::undo(state),
+        Action::Redo => edit::redo(state),
+
+        Action::SetObjective(objective) => edit::change(state, |scene| scene.objective = objective),
+        Action::SetAtGoal(at_goal) => edit::change(state, |scene| scene.rules.at_goal = at_goal),
+        Action::SetBatteryFloor(floor) => {
+            edit::change(state, |scene| scene.rules.battery_floor = floor);
+        }
+        Action::SetWithin(within) => state.settings.within = within,
+        Action::SetSeconds(seconds) => state.settings.seconds = seconds.max(1),
+        Action::SetSolveOnChange(on) => state.settings.solve_on_change = on,
+
+        Action::Solve => solve::start(state),
+        Action::Cancel => solve::cancel(state),
+        Action::Progress { run, event } => solve::progress(state, run, &event),
+        Action::Respond { run, response } => solve::respond(state, run, *response),
+        Action::Crash { run, sentence } => solve::crash(state, run, sentence),
+
+        Action::Play => play::play(state),
+        Action::Pause => state.playback.playing = false,
+        Action::Seek(time) => play::seek(state, time),
+        Action::StepForward => play::seek(state, state.playback.time.saturating_add(1)),
+        Action::StepBack => play::seek(state, state.playback.time.saturating_sub(1)),
+        Action::Reach(time) => play::reach(state, time),
+        Action::SetSpeed(speed) => state.playback.speed = speed,
+
+        Action::ShowTrails(on) => state.view.trails = on,
+        Action::ShowTable(on) => state.view.table = on,
+        Action::ShowTab(tab) => state.view.tab = tab,
+        Action::SetTheme(theme) => state.view.theme = theme,
+    }
+}
+
+/// With a brush it paints; else it selects the agent there, or the cell.
+fn press(state: &mut State, cell: giveway_model::Cell) {
+    let cell = state.draft.clamp(cell);
+    state.cursor = cell;
+    if state.tool == Tool::Select {
+        state.selection = match state.agent_at(cell) {
+            Some(agent) => Selection::Agent(agent),
+            None => Selection::Cell(cell),
+        };
+    } else {
+        edit::press(state, cell);
+    }
+}

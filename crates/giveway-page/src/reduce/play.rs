@@ -1,0 +1,29 @@
+//! The time shown.
+
+use crate::State;
+
+pub(super) fn play(state: &mut State) {
+    let last = state.last_time();
+    if last == 0 {
+        return;
+    }
+    if state.playback.time >= last {
+        state.playback.time = 0;
+    }
+    state.playback.playing = true;
+}
+
+/// Shows a time that a person asked for; that ends playing.
+pub(super) fn seek(state: &mut State, time: u32) {
+    state.playback.playing = false;
+    state.playback.time = time.min(state.last_time());
+}
+
+/// The clock came to a step.
+pub(super) fn reach(state: &mut State, time: u32) {
+    let last = state.last_time();
+    state.playback.time = time.min(last);
+    if time >= last {
+        state.playback.playing = false;
+    }
+}

@@ -1,0 +1,116 @@
+//! A request on its way to an answer.
+//!
+//! The state only says what should run. What runs is seen to by the page: a run
+//! that is no longer in [`State::work`] is ended there, and what it still sends
+//! is recognised by its number and ignored here.
+
+use std::collections::BTreeMap;
+use std::rc::Rc;
+
+use giveway_solve::{Limits, Progress, Refusal, Response, SolveRequest};
+
+use crate::{Answer, Notice, Run, Size, State, Work};
+
+pub(super) fn start(state: &mut State) {
+    super::edit::release(state);
+    if let Err(faults) = state.draft.instance() {
+        state.notice = Some(Notice {
+            sentence: "The scene cannot be solved as it is.".to_owned(),
+            details: faults.iter().map(ToString::to_string).collect(),
+        });
+        return;
+    }
+    state.notice = None;
+    state.playback.playing = false;
+    state.runs += 1;
+    let request = SolveRequest {
+        scene: state.draft.scene().clone(),
+        within: state.settings.within,
+        limits: Limits {
+            seconds: Some(f64::from(state.settings.seconds)),
+            ..Limits::default()
+        },
+        ..SolveRequest::default()
+    };
+    state.work = Work::Solving(Run {
+        id: state.runs,
+        draft: Rc::clone(&state.draft),
+        request: Rc::new(request),
+        bounds: BTreeMap::new(),
+        best: None,
+        size: Size::default(),
+    });
+}
+
+pub(super) fn cancel(state: &mut State) {
+    state.work = Work::Idle;
+}
+
+/// The run of this number, if it is still the one.
+fn current(state: &mut State, id: u64) -> Option<&mut Run> {
+    match &mut state.work {
+        Work::Solving(run) if run.id == id => Some(run),
+        _ => None,
+    }
+}
+
+pub(super) fn progress(state: &mut State, id: u64, event: &Progress) {
+    let Some(run) = current(state, id) else {
+        return;
+    };
+    match *event {
+        Progress::Bound { cost, at_least } => {
+            let bound = run.bounds.entry(cost).or_insert(at_least);
+            *bound = at_least.max(*bound);
+        }
+        Progress::Plan { costs } => run.best = Some(costs),
+        Progress::Size {
+            variables,
+            clauses,
+            conflicts,
+        } => {
+            run.size = Size {
+                variables,
+                clauses,
+                conflicts,
+            };
+        }
+    }
+}
+
+pub(super) fn respond(state: &mut State, id: u64, response: Response) {
+    let Some(run) = current(state, id).cloned() else {
+        return;
+    };
+    state.work = Work::Idle;
+    match response {
+        Response::Solved(solved) => {
+            let answer = Answer::new(run.draft, run.request, solved);
+            state.playback.time = 0;
+            state.playback.playing = answer.makespan() > 0;
+            state.answer = Some(Rc::new(answer));
+        }
+        Response::Refused(refusal) => {
+            let faults = match refusal {
+                Refusal::Scene { faults } => faults,
+                Refusal::Request { fault } => vec![fault],
+            };
+            state.notice = Some(Notice {
+                sentence: "The solver refused the scene.".to_owned(),
+                details: faults.iter().map(ToString::to_string).collect(),
+            });
+        }
+        Response::Front(_) | Response::Checked(_) => {}
+    }
+}
+
+pub(super) fn crash(state: &mut State, id: u64, sentence: String) {
+    if current(state, id).is_none() {
+        return;
+    }
+    state.work = Work::Idle;
+    state.notice = Some(Notice {
+        sentence: "The solver broke off and was started again; the scene is as it was.".to_owned(),
+        details: vec![sentence],
+    });
+}

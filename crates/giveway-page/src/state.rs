@@ -1,0 +1,207 @@
+//! The state of the page.
+
+use std::collections::BTreeMap;
+use std::rc::Rc;
+
+use giveway_model::{Cell, Cost, Costs, Plan};
+use giveway_solve::{SolveRequest, Status};
+
+use crate::ground::Brush;
+use crate::{Answer, Draft, History, Playback, Settings, Tool, View};
+
+/// All that the page shows. Plain data: two equal states look the same.
+#[derive(Clone, Debug, PartialEq)]
+pub struct State {
+    /// The scene on the board.
+    pub draft: Rc<Draft>,
+    /// The last answer; it may be of another draft, see [`State::is_stale`].
+    pub answer: Option<Rc<Answer>>,
+    /// What the solver does.
+    pub work: Work,
+    /// Undo and redo.
+    pub history: History,
+    /// The stroke of the brush that is not finished.
+    pub(crate) stroke: Option<Stroke>,
+    /// What the pointer does on the board.
+    pub tool: Tool,
+    /// The cell of the keyboard on the board.
+    pub cursor: Cell,
+    /// What the inspector tells of.
+    pub selection: Selection,
+    /// The time shown.
+    pub playback: Playback,
+    /// What the solver is told.
+    pub settings: Settings,
+    /// What is shown and how.
+    pub view: View,
+    /// What a person must be told once.
+    pub notice: Option<Notice>,
+    /// The runs of the solver so far: no two have the same number.
+    pub(crate) runs: u64,
+}
+
+/// What the solver does.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub enum Work {
+    /// Nothing.
+    #[default]
+    Idle,
+    /// A request is being solved.
+    Solving(Run),
+}
+
+/// A request on its way to an answer, and what is known so far.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Run {
+    /// Its number, from 1.
+    pub id: u64,
+    /// The draft that is solved.
+    pub draft: Rc<Draft>,
+    /// The request.
+    pub request: Rc<SolveRequest>,
+    /// The proved lower bound of each cost reached so far.
+    pub bounds: BTreeMap<Cost, u32>,
+    /// The costs of the best plan so far.
+    pub best: Option<Costs>,
+    /// How large the formula is.
+    pub size: Size,
+}
+
+/// How large a formula is, and how far its solution.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct Size {
+    /// SAT variables.
+    pub variables: u64,
+    /// Clauses.
+    pub clauses: u64,
+    /// Conflicts met.
+    pub conflicts: u64,
+}
+
+/// A stroke of the brush on its way over the board.
+#[derive(Clone, Debug, PartialEq)]
+pub(crate) struct Stroke {
+    pub(crate) brush: Brush,
+    /// The cell that it came to last.
+    pub(crate) at: Cell,
+    /// The draft before it: one stroke is one step of undo.
+    pub(crate) before: Rc<Draft>,
+}
+
+/// What the inspector tells of.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum Selection {
+    /// The plan as a whole.
+    #[default]
+    Nothing,
+    /// An agent, by its index in the scene.
+    Agent(usize),
+    /// A cell.
+    Cell(Cell),
+}
+
+/// What a person must be told: something was refused, or failed and was mended.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Notice {
+    /// One sentence: what happened.
+    pub sentence: String,
+    /// More lines: places and reasons.
+    pub details: Vec<String>,
+}
+
+/// The states of the page's specification, as far as they are built.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Phase {
+    /// No answer, or a stale one.
+    Editing,
+    /// The solver works.
+    Solving,
+    /// There is a plan, with a proof that none is better.
+    Planned,
+    /// There is no plan, with a proof.
+    None,
+    /// The budget ran out; there may be a plan.
+    Stopped,
+}
+
+impl State {
+    /// A page that shows a draft and nothing else yet.
+    ///
+    /// ```
+    /// use giveway_model::Scene;
+    /// use giveway_page::{Draft, Phase, State};
+    /// let scene = Scene { map: vec!["..".into()], ..Scene::default() };
+    /// let state = State::new(Draft::new(scene).unwrap());
+    /// assert_eq!(state.phase(), Phase::Editing);
+    /// ```
+    pub fn new(draft: Draft) -> Self {
+        Self {
+            draft: Rc::new(draft),
+            answer: None,
+            work: Work::Idle,
+            history: History::default(),
+            stroke: None,
+            tool: Tool::Select,
+            cursor: Cell::new(0, 0),
+            selection: Selection::Nothing,
+            playback: Playback::default(),
+            settings: Settings::default(),
+            view: View::default(),
+            notice: None,
+            runs: 0,
+        }
+    }
+
+    /// Whether the answer is of another draft than the one on the board.
+    pub fn is_stale(&self) -> bool {
+        self.answer
+            .as_ref()
+            .is_some_and(|answer| *answer.draft != *self.draft)
+    }
+
+    /// The answer, where it is of the draft on the board.
+    pub fn fresh_answer(&self) -> Option<&Answer> {
+        self.answer.as_deref().filter(|_| !self.is_stale())
+    }
+
+    /// The plan that is shown: that of the last answer, stale or not.
+    pub fn plan(&self) -> Option<&Plan> {
+        self.answer.as_ref()?.plan()
+    }
+
+    /// The last time that can be shown, in steps.
+    pub fn last_time(&self) -> u32 {
+        self.answer.as_ref().map_or(0, |answer| answer.makespan())
+    }
+
+    /// The agent that is shown on a cell at the time shown: where the plan has
+    /// it then (in transit it is on both cells), or at its start without a plan.
+    pub fn agent_at(&self, cell: Cell) -> Option<usize> {
+        let time = self.playback.time as usize;
+        let is_on = |name: &str, start: Cell| {
+            let path = self.plan().map_or(&[][..], |plan| plan.path(name));
+            match path.get(time) {
+                None => path.last().copied().flatten().unwrap_or(start) == cell,
+                Some(Some(at)) => *at == cell,
+                Some(None) => [time.wrapping_sub(1), time + 1]
+                    .iter()
+                    .any(|&t| path.get(t) == Some(&Some(cell))),
+            }
+        };
+        let mut agents = self.draft.agents().iter();
+        agents.position(|agent| is_on(&agent.name, agent.start))
+    }
+
+    /// Where the page stands.
+    pub fn phase(&self) -> Phase {
+        if let Work::Solving(_) = self.work {
+            return Phase::Solving;
+        }
+        match self.fresh_answer().map(|answer| answer.solved.status) {
+            None => Phase::Editing,
+            Some(Status::Optimal) => Phase::Planned,
+            Some(Status::Impossible) => Phase::None,
+            Some(Status::Feasible | Status::Unknown) => Phase::Stopped,
+        }
+    }
+}

@@ -1,0 +1,3 @@
+//! The worker's part of the Wasm: solves what the page asks for.
+
+fn main() {}
