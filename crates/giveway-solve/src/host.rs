@@ -21,6 +21,13 @@ pub trait Host {
         false
     }
 
+    /// Bytes that the program holds of the surroundings' memory, where they can
+    /// tell: in Wasm the size of the linear memory. A request that makes it
+    /// grow beyond its memory limit is stopped.
+    fn memory_bytes(&self) -> u64 {
+        0
+    }
+
     /// Something became known. Called at most a few hundred times a second.
     fn progress(&self, event: &Progress);
 }

@@ -53,6 +53,7 @@ pub(crate) struct Meter<'h> {
     limits: Limits,
     wall_start: f64,
     cpu_start: f64,
+    memory_start: u64,
     calls: Cell<u64>,
     variables: Cell<u64>,
     clauses: Cell<u64>,
@@ -70,6 +71,7 @@ impl<'h> Meter<'h> {
             limits,
             wall_start: host.wall_seconds(),
             cpu_start: host.cpu_seconds(),
+            memory_start: host.memory_bytes(),
             calls: Cell::new(0),
             variables: Cell::new(0),
             clauses: Cell::new(0),
@@ -87,10 +89,9 @@ impl<'h> Meter<'h> {
             return Err(stop);
         }
         let spent = |limit: Option<u64>, used: u64| limit.is_some_and(|limit| used > limit);
-        let memory = self.limits.memory_bytes.unwrap_or(DEFAULT_MEMORY);
         let stop = if self.host.cancelled() {
             Stop::Cancelled
-        } else if self.held.get() > memory {
+        } else if self.is_too_large() {
             Stop::Memory
         } else if spent(self.limits.conflicts, self.conflicts.get()) {
             Stop::Conflicts
@@ -105,6 +106,14 @@ impl<'h> Meter<'h> {
         };
         self.stopped.set(Some(stop));
         Err(stop)
+    }
+
+    /// Whether it holds too much, by its own estimate or by the host's word.
+    /// What was there before the request may be used again.
+    fn is_too_large(&self) -> bool {
+        let most = self.limits.memory_bytes.unwrap_or(DEFAULT_MEMORY);
+        let size = self.host.memory_bytes();
+        self.held.get() > most || size > most.max(self.memory_start)
     }
 
     /// As [`Meter::check`], but looks at the clock only now and then: for the

@@ -55,8 +55,8 @@ pub struct Limits {
     /// Conflicts of the SAT solver for the whole request.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub conflicts: Option<u64>,
-    /// Bytes that the request may hold, by the solver's own estimate; 1.5 GB
-    /// where it is not given.
+    /// Bytes that the request may hold, by the solver's own estimate and, where
+    /// the host can tell, in fact; 1.5 GB where it is not given.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub memory_bytes: Option<u64>,
 }

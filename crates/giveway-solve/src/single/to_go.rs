@@ -63,8 +63,13 @@ impl ToGo {
         metric: Metric,
         meter: &Meter,
     ) -> Result<Self, Stop> {
-        let states = terrain.len() * task.masks();
-        meter.hold(states * 16);
+        // Where this overflows, as it can in 32 bits, no memory is enough.
+        let states = terrain.len().checked_mul(task.masks());
+        let bytes = states.and_then(|states| states.checked_mul(16));
+        let (Some(states), Some(bytes)) = (states, bytes) else {
+            return Err(Stop::Memory);
+        };
+        meter.hold(bytes);
         meter.check()?;
         let mut search = Search {
             task,
