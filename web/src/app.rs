@@ -6,36 +6,32 @@ use giveway_model::format::native;
 use giveway_page::{Action, Draft, State, reduce};
 use yew::prelude::*;
 
-use crate::Clock;
+use crate::{Clock, Shown};
 
 /// The scene that the page opens on.
 const OPENING: &str = include_str!("../../static/examples/warehouse.json");
 
-/// The state in the hands of Yew.
-#[derive(Clone, PartialEq)]
-struct Desk(Rc<State>);
-
-impl Reducible for Desk {
+impl Reducible for Shown {
     type Action = Action;
 
     fn reduce(self: Rc<Self>, action: Action) -> Rc<Self> {
-        Rc::new(Self(Rc::new(reduce(&self.0, action))))
+        Rc::new(Self::new(reduce(&self, action)))
     }
 }
 
-fn opening() -> Desk {
+fn opening() -> Shown {
     let scene = native::read_scene(OPENING).unwrap_or_default();
     let draft = Draft::new(scene).unwrap_or_default();
-    Desk(Rc::new(reduce(&State::new(draft), Action::Solve)))
+    Shown::new(reduce(&State::new(draft), Action::Solve))
 }
 
 /// The page.
 #[component]
 pub fn App() -> Html {
-    let desk = use_reducer_eq(opening);
-    let state = Rc::clone(&desk.0);
-    let send = use_callback(desk.dispatcher(), |action: Action, desk| {
-        desk.dispatch(action);
+    let shown = use_reducer(opening);
+    let state: Shown = (*shown).clone();
+    let send = use_callback(shown.dispatcher(), |action: Action, shown| {
+        shown.dispatch(action);
     });
     let clock = {
         let send = send.clone();

@@ -7,7 +7,9 @@
 mod app;
 mod clock;
 mod icon;
+mod shown;
 
 pub use app::App;
 pub use clock::{Clock, Listening};
 pub use icon::{Icon, IconProps};
+pub use shown::Shown;
