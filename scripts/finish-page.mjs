@@ -1,0 +1,102 @@
+// Trunk's last step (Trunk.toml): makes of what it has built a folder for any static host.
+//
+// 1. The worker gets the hash of what it holds into its path, as Trunk gives all other
+//    files: so no cache can mix two versions.
+// 2. The policy loses the nonce, which only `trunk serve` needs.
+// 3. The service worker gets the list of files.
+//
+// While `trunk serve` runs, nothing of this is done, so that nothing old is ever shown.
+
+import { createHash } from "node:crypto";
+import { mkdirSync, readFileSync, readdirSync, renameSync, writeFileSync } from "node:fs";
+import { join } from "node:path";
+
+const NONCE = "trunk-nonce";
+const PAGE = "index.html";
+const WORKER = ["worker_loader.js", "worker.js", "worker_bg.wasm"];
+// A path that says what it holds; the few others are found by a name that others know.
+const HASHED = /-[0-9a-f]{8,16}\b/;
+
+const source = process.env.TRUNK_SOURCE_DIR;
+const built = process.env.TRUNK_STAGING_DIR;
+if (!source || !built) {
+  fail("found no TRUNK_SOURCE_DIR and TRUNK_STAGING_DIR, expected to be called by Trunk");
+}
+
+const isServed = readFileSync(join(built, PAGE), "utf8").includes("/.well-known/trunk/ws");
+if (!isServed) {
+  const folder = moveWorker();
+  finishPage(folder);
+  writeServiceWorker();
+}
+
+function fail(message) {
+  console.error(`finish-page: ${message}`);
+  process.exit(1);
+}
+
+function hash(contents) {
+  const digest = createHash("sha256");
+  for (const content of contents) {
+    digest.update(content);
+  }
+  return digest.digest("hex").slice(0, 16);
+}
+
+function read(name) {
+  return readFileSync(join(built, name));
+}
+
+// The loader names the other two relative to itself, so they move together.
+function moveWorker() {
+  const folder = `worker-${hash(WORKER.map(read))}`;
+  mkdirSync(join(built, folder));
+  for (const name of WORKER) {
+    renameSync(join(built, name), join(built, folder, name));
+  }
+  return folder;
+}
+
+function finishPage(folder) {
+  const text = read(PAGE).toString();
+  const finished = replace(text, [
+    [` 'nonce-${NONCE}'`, ""],
+    [`content="./${WORKER[0]}">`, `content="./${folder}/${WORKER[0]}">\n  <meta name="giveway-service-worker" content="./service-worker.js">`],
+  ]);
+  // What the policy would refuse is found here and not by a user.
+  for (const refused of [/<script(?![^>]*\bsrc=)/, /\bstyle=/, /<style/, /\bon[a-z]+=/, new RegExp(NONCE)]) {
+    const found = finished.match(refused);
+    if (found) {
+      fail(`${PAGE} has ${found[0]}, which its policy does not allow`);
+    }
+  }
+  writeFileSync(join(built, PAGE), finished);
+}
+
+function replace(text, pairs) {
+  for (const [from, to] of pairs) {
+    if (text.split(from).length !== 2) {
+      fail(`expected ${JSON.stringify(from)} once in what was built`);
+    }
+    text = text.replace(from, () => to);
+  }
+  return text;
+}
+
+function writeServiceWorker() {
+  const names = readdirSync(built, { recursive: true, withFileTypes: true })
+    .filter((entry) => entry.isFile())
+    .map((entry) => join(entry.parentPath ?? entry.path, entry.name).slice(built.length + 1).replaceAll("\\", "/"))
+    .sort();
+  const version = hash(names.flatMap((name) => [name, "\0", read(name)]));
+  const files = names.map((name) => ({
+    path: name === PAGE ? "./" : name,
+    hashed: HASHED.test(name),
+  }));
+  const template = readFileSync(join(source, "static/service-worker.js"), "utf8");
+  const script = replace(template, [
+    ['"{version}"', JSON.stringify(version)],
+    ['["{files}"]', JSON.stringify(files, null, 2)],
+  ]);
+  writeFileSync(join(built, "service-worker.js"), script);
+}
