@@ -3,10 +3,10 @@
 use std::rc::Rc;
 
 use giveway_model::format::native;
-use giveway_page::{Action, Draft, State, reduce};
+use giveway_page::{Action, Draft, Phase, State, Tab, reduce};
 use yew::prelude::*;
 
-use crate::{Clock, Shown};
+use crate::{Clock, Shown, status::StatusBar, theme::use_theme, top_bar::TopBar};
 
 /// The scene that the page opens on.
 const OPENING: &str = include_str!("../../static/examples/warehouse.json");
@@ -44,12 +44,37 @@ pub fn App() -> Html {
             move |&(playback, last)| clock.follow(playback, last),
         );
     }
+    use_theme(state.view.theme);
     html! {
         <ContextProvider<Clock> context={(*clock).clone()}>
-            <div class="app">
-                <p role="status">{ format!("{:?}", state.phase()) }</p>
+            <div class={classes!("app", phase_class(state.phase()))} data-tab={tab(state.view.tab)}>
+                <TopBar state={state.clone()} send={send.clone()} />
+                <StatusBar state={state.clone()} send={send.clone()} />
+                <main class="stage"></main>
+                <aside class="insp" aria-label="Inspector"></aside>
+                <section class="dock empty" aria-label="Timeline"></section>
             </div>
         </ContextProvider<Clock>>
+    }
+}
+
+/// The phase in the style sheets.
+const fn phase_class(phase: Phase) -> &'static str {
+    match phase {
+        Phase::Editing => "st-editing",
+        Phase::Solving => "st-solving",
+        Phase::Planned => "st-planned",
+        Phase::None => "st-none",
+        Phase::Stopped => "st-stopped",
+    }
+}
+
+/// What a phone shows below the board, in the style sheets.
+const fn tab(tab: Tab) -> &'static str {
+    match tab {
+        Tab::Inspector => "inspector",
+        Tab::Timeline => "timeline",
+        Tab::Plan => "plan",
     }
 }
 

@@ -8,6 +8,9 @@ mod app;
 mod clock;
 mod icon;
 mod shown;
+mod status;
+mod theme;
+mod top_bar;
 
 pub use app::App;
 pub use clock::{Clock, Listening};

@@ -8,12 +8,14 @@
 mod action;
 mod answer;
 mod draft;
+pub mod form;
 mod ground;
 mod history;
 mod playback;
 mod reduce;
 mod settings;
 mod state;
+pub mod words;
 
 pub use action::Action;
 pub use answer::Answer;

@@ -1,0 +1,7 @@
+//! What the page says, made apart from how it is known.
+
+mod costs;
+mod status;
+
+pub use costs::{count, name, objective, title, value};
+pub use status::{Badge, Standing, standing};

@@ -1,0 +1,209 @@
+//! Where the page stands: one badge and one sentence.
+
+use std::collections::BTreeMap;
+
+use giveway_model::{Cost, Costs, Objective};
+use giveway_solve::{SolveAnswer, Status};
+
+use super::costs::{name, value, values};
+use crate::{Answer, Run, State, Work};
+
+/// What stands before the sentence: an icon and one word, never a colour alone.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Badge {
+    /// No answer yet.
+    Draft,
+    /// The scene has a fault.
+    Faulty,
+    /// The solver works.
+    Solving,
+    /// A plan, with a proof that none is better.
+    Proved,
+    /// No plan, with a proof.
+    Impossible,
+    /// The budget ran out.
+    Stopped,
+    /// An answer to what the scene was before.
+    Stale,
+}
+
+impl Badge {
+    /// The word on it.
+    pub const fn word(self) -> &'static str {
+        match self {
+            Self::Draft => "Draft",
+            Self::Faulty => "Problem",
+            Self::Solving => "Solving",
+            Self::Proved => "Proved",
+            Self::Impossible => "Impossible",
+            Self::Stopped => "Stopped",
+            Self::Stale => "Stale",
+        }
+    }
+
+    /// Its icon.
+    pub const fn icon(self) -> &'static str {
+        match self {
+            Self::Draft => "change",
+            Self::Solving | Self::Stopped => "clock",
+            Self::Proved => "proved",
+            Self::Impossible => "cancel",
+            Self::Faulty | Self::Stale => "warning",
+        }
+    }
+
+    /// Its class in the style sheet.
+    pub const fn class(self) -> &'static str {
+        match self {
+            Self::Draft => "plain",
+            Self::Solving => "info",
+            Self::Proved => "proved",
+            Self::Impossible | Self::Faulty => "bad",
+            Self::Stopped | Self::Stale => "warn",
+        }
+    }
+}
+
+/// Where the page stands.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Standing {
+    /// The badge.
+    pub badge: Badge,
+    /// The sentence, to be understood without the badge.
+    pub sentence: String,
+}
+
+/// Where the page stands.
+///
+/// ```
+/// use giveway_page::{Draft, State, words};
+/// let standing = words::standing(&State::new(Draft::default()));
+/// assert_eq!(standing.sentence, "No plan yet.");
+/// ```
+pub fn standing(state: &State) -> Standing {
+    let say = |badge, sentence| Standing { badge, sentence };
+    if let Work::Solving(run) = &state.work {
+        return say(Badge::Solving, solving(run));
+    }
+    if let Err(faults) = state.draft.instance() {
+        let fault = faults.first().map(ToString::to_string);
+        let fault = fault.unwrap_or_default();
+        return say(Badge::Faulty, format!("This cannot be solved: {fault}."));
+    }
+    let Some(answer) = &state.answer else {
+        return say(Badge::Draft, "No plan yet.".to_owned());
+    };
+    if state.is_stale() {
+        let what = match answer.plan() {
+            Some(_) => "The plan is for the scene before the edit: solve it anew.",
+            None => "The scene has changed: solve it anew.",
+        };
+        return say(Badge::Stale, what.to_owned());
+    }
+    let badge = match answer.solved.status {
+        Status::Optimal => Badge::Proved,
+        Status::Impossible => Badge::Impossible,
+        Status::Feasible | Status::Unknown => Badge::Stopped,
+    };
+    say(badge, answered(answer))
+}
+
+/// `Solving: makespan is at least 17, the best plan so far has 20.`
+fn solving(run: &Run) -> String {
+    let known = known(objective(run), &run.bounds, run.best.as_ref());
+    if known.is_empty() {
+        return match &run.best {
+            Some(costs) => format!("Solving: a plan with {}.", values(objective(run), costs)),
+            None => "Solving: no bound yet.".to_owned(),
+        };
+    }
+    format!("Solving: {known}.")
+}
+
+fn objective(run: &Run) -> &Objective {
+    let asked = run.request.objective.as_ref();
+    asked.unwrap_or(&run.request.scene.objective)
+}
+
+/// What is proved of each cost in turn: `makespan is 18; sum of costs is at
+/// least 33, the best plan so far has 35`.
+fn known(objective: &Objective, bounds: &BTreeMap<Cost, u32>, best: Option<&Costs>) -> String {
+    let parts = objective.costs().iter().filter_map(|&cost| {
+        let at_least = *bounds.get(&cost)?;
+        let name = name(cost);
+        Some(match best.map(|costs| costs.get(cost)) {
+            Some(best) if best == at_least => format!("{name} is {best}"),
+            Some(best) if best > at_least => {
+                format!("{name} is at least {at_least}, the best plan so far has {best}")
+            }
+            _ => format!("{name} is at least {at_least}"),
+        })
+    });
+    parts.collect::<Vec<_>>().join("; ")
+}
+
+fn answered(answer: &Answer) -> String {
+    let SolveAnswer {
+        status,
+        costs,
+        bounds,
+        within,
+        complete,
+        reason,
+        ..
+    } = &answer.solved;
+    let objective = &answer.draft.scene().objective;
+    let reason = reason.as_deref().map_or_else(String::new, sentence);
+    let horizon = within.filter(|_| !complete);
+    match (status, costs) {
+        (Status::Optimal, Some(costs)) => {
+            let values = values(objective, costs);
+            match horizon {
+                Some(within) => format!("Optimal within makespan {within}: {values}."),
+                None => format!("Optimal: {values}."),
+            }
+        }
+        (Status::Feasible, Some(costs)) => {
+            let costs = with_bounds(objective, costs, bounds);
+            format!("Best plan so far: {costs}. {reason}")
+        }
+        (Status::Impossible, _) => match horizon {
+            Some(within) if reason.is_empty() => format!("No plan within makespan {within}."),
+            Some(within) => format!("No plan within makespan {within}: {reason}"),
+            None if reason.is_empty() => "No plan, whatever the horizon.".to_owned(),
+            None => format!("No plan, whatever the horizon: {reason}"),
+        },
+        _ => {
+            let known = known(objective, bounds, None);
+            let said = match known.as_str() {
+                "" => String::new(),
+                known => format!(" Proved so far: {known}."),
+            };
+            format!("Undecided: no plan found, and none ruled out. {reason}{said}")
+        }
+    }
+}
+
+/// `makespan 20, proved at least 17; 3 charges`.
+fn with_bounds(objective: &Objective, costs: &Costs, bounds: &BTreeMap<Cost, u32>) -> String {
+    let parts = objective.costs().iter().map(|&cost| {
+        let n = costs.get(cost);
+        let said = value(cost, n);
+        match bounds.get(&cost) {
+            None => said,
+            Some(&bound) if bound >= n => format!("{said}, proved"),
+            Some(&bound) => format!("{said}, proved at least {bound}"),
+        }
+    });
+    parts.collect::<Vec<_>>().join("; ")
+}
+
+/// With a full stop at its end.
+fn sentence(text: &str) -> String {
+    let text = text.trim();
+    if text.is_empty() || text.ends_with(['.', '!', '?']) {
+        text.to_owned()
+    } else {
+        format!("{text}.")
+    }
+}
