@@ -6,13 +6,16 @@
 
 mod app;
 mod clock;
+mod glyph;
 mod icon;
 mod shown;
+mod solver;
 mod status;
 mod theme;
 mod top_bar;
 
 pub use app::App;
 pub use clock::{Clock, Listening};
+pub use glyph::{Glyph, GlyphProps, form};
 pub use icon::{Icon, IconProps};
 pub use shown::Shown;

@@ -1,0 +1,143 @@
+//! What an agent looks like: a colour, a form of its own, a short name.
+//!
+//! Colour is never alone: twelve colours go with six forms, the second six of
+//! them with a rim. Agent 13 begins again, and its name tells it apart.
+
+/// How many looks there are.
+const LOOKS: usize = 12;
+
+/// The six forms around `(0, 0)`, within a radius of 27 units.
+const SHAPES: [Shape; 6] = [
+    Shape {
+        body: "M-27 0a27 27 0 1 1 54 0a27 27 0 1 1-54 0Z",
+        rim: "M-24.3 0a24.3 24.3 0 1 1 48.6 0a24.3 24.3 0 1 1-48.6 0Z",
+        is_padded: false,
+    },
+    Shape {
+        body: "M-15.1-23.2H15.1a8.1 8.1 0 0 1 8.1 8.1V15.1a8.1 8.1 0 0 1-8.1 8.1H-15.1a8.1 8.1 0 0 1-8.1-8.1V-15.1a8.1 8.1 0 0 1 8.1-8.1Z",
+        rim: "M-13.6-20.9H13.6a7.3 7.3 0 0 1 7.3 7.3V13.6a7.3 7.3 0 0 1-7.3 7.3H-13.6a7.3 7.3 0 0 1-7.3-7.3V-13.6a7.3 7.3 0 0 1 7.3-7.3Z",
+        is_padded: false,
+    },
+    Shape {
+        body: "M0-29.2 29.2 0 0 29.2-29.2 0Z",
+        rim: "M0-26.2 26.2 0 0 26.2-26.2 0Z",
+        is_padded: true,
+    },
+    Shape {
+        body: "M0-27 23.4-13.5V13.5L0 27-23.4 13.5V-13.5Z",
+        rim: "M0-24.3 21-12.2V12.2L0 24.3-21 12.2V-12.2Z",
+        is_padded: true,
+    },
+    Shape {
+        body: "M-22.1-22.7H22.1V2.7Q22.1 19.4 0 28.1-22.1 19.4-22.1 2.7Z",
+        rim: "M-19.9-20.4H19.9V2.4Q19.9 17.5 0 25.3-19.9 17.5-19.9 2.4Z",
+        is_padded: true,
+    },
+    Shape {
+        body: "M-13.5-13.5a13.5 13.5 0 0 1 27 0a13.5 13.5 0 0 1 0 27a13.5 13.5 0 0 1-27 0a13.5 13.5 0 0 1 0-27Z",
+        rim: "M-12.15-12.15a12.15 12.15 0 0 1 24.3 0a12.15 12.15 0 0 1 0 24.3a12.15 12.15 0 0 1-24.3 0a12.15 12.15 0 0 1 0-24.3Z",
+        is_padded: false,
+    },
+];
+
+struct Shape {
+    body: &'static str,
+    rim: &'static str,
+    is_padded: bool,
+}
+
+/// The form of an agent, to be drawn in its colour.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Form {
+    /// The outline, as the `d` of an SVG path around `(0, 0)`.
+    pub body: &'static str,
+    /// Whether the outline is also stroked in its colour, which rounds its
+    /// corners: 6.5 units wide.
+    pub is_padded: bool,
+    /// The rim within it, as the `d` of an SVG path.
+    pub rim: Option<&'static str>,
+}
+
+/// The form of an agent, by its index in the scene.
+///
+/// ```
+/// use giveway_page::form;
+/// assert_eq!(form::of(0).rim, None);
+/// assert!(form::of(6).rim.is_some());
+/// assert_eq!(form::of(0), form::of(12));
+/// ```
+pub fn of(agent: usize) -> Form {
+    let look = agent % LOOKS;
+    let shape = &SHAPES[look % SHAPES.len()];
+    Form {
+        body: shape.body,
+        is_padded: shape.is_padded,
+        rim: (look >= SHAPES.len()).then_some(shape.rim),
+    }
+}
+
+/// The class that sets an agent's colours, by its index in the scene: `ag-1` to
+/// `ag-12`.
+pub fn class(agent: usize) -> &'static str {
+    const CLASSES: [&str; LOOKS] = [
+        "ag-1", "ag-2", "ag-3", "ag-4", "ag-5", "ag-6", "ag-7", "ag-8", "ag-9", "ag-10", "ag-11",
+        "ag-12",
+    ];
+    CLASSES[agent % LOOKS]
+}
+
+/// A name as it stands on a form, which has room for two letters, or three
+/// small ones: of a longer name the first letter and the number, or what fits.
+///
+/// ```
+/// use giveway_page::form::short_name;
+/// assert_eq!(short_name("A1"), "A1");
+/// assert_eq!(short_name("A12"), "A12");
+/// assert_eq!(short_name("robot 7"), "r7");
+/// assert_eq!(short_name("a123"), "123");
+/// assert_eq!(short_name("carrier"), "car");
+/// ```
+pub fn short_name(name: &str) -> String {
+    const ROOM: usize = 3;
+    if name.chars().count() <= ROOM {
+        return name.to_owned();
+    }
+    let digits = name.chars().rev().take_while(char::is_ascii_digit).count();
+    let number: String = name.chars().skip(name.chars().count() - digits).collect();
+    match digits {
+        0 => name.chars().take(ROOM).collect(),
+        1 | 2 => name.chars().take(1).chain(number.chars()).collect(),
+        _ => number.chars().skip(digits - ROOM).collect(),
+    }
+}
+
+/// Whether a short name must be set smaller.
+pub fn is_long(short_name: &str) -> bool {
+    short_name.chars().count() > 2
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn twelve_agents_look_different() {
+        let looks: Vec<_> = (0..LOOKS).map(|agent| (of(agent), class(agent))).collect();
+        for (i, look) in looks.iter().enumerate() {
+            assert!(!looks[..i].contains(look), "agent {i}");
+            let forms = looks[..i].iter().map(|look| look.0);
+            assert!(!forms.collect::<Vec<_>>().contains(&look.0), "form {i}");
+        }
+        assert_eq!((of(12), class(12)), looks[0]);
+    }
+
+    #[test]
+    fn a_name_that_is_cut_fits() {
+        for name in ["", "é", "Ångström", "x0001", "漢字かな", "A1 of 30"] {
+            assert!(short_name(name).chars().count() <= 3, "{name}");
+        }
+        assert_eq!(short_name("Ångström"), "Ång");
+        assert_eq!(short_name("x0001"), "001");
+        assert_eq!(short_name("A1 of 30"), "A30");
+    }
+}
