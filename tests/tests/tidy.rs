@@ -103,11 +103,14 @@ mod layers {
     }
 
     #[test]
-    fn nothing_depends_on_a_front_but_the_tests() {
+    fn no_front_is_depended_on_but_by_the_tests() {
+        // The page and its worker share the messages of the Wasm package.
+        let allowed = [("giveway-web", "giveway-wasm")];
         let mut complaints = Vec::new();
         for (name, dependencies) in crates() {
             for front in ["giveway-cli", "giveway-web", "giveway-wasm"] {
-                if name != "giveway-tests" && dependencies.iter().any(|d| d == front) {
+                let excused = name == "giveway-tests" || allowed.contains(&(name.as_str(), front));
+                if !excused && dependencies.iter().any(|d| d == front) {
                     complaints.push(format!("{name} depends on {front}"));
                 }
             }

@@ -1,0 +1,18 @@
+//! What a request may use where it says nothing.
+
+use giveway_solve::Request;
+
+/// Bytes of linear memory up to which a request may make it grow, where it does
+/// not say so itself.
+///
+/// Linear memory never shrinks, and the last growth before a request notices
+/// may nearly double it. So this is well under half of what a tab can stand.
+pub const MEMORY_BYTES: u64 = 224 << 20;
+
+/// The request with the default memory limit where it has none.
+pub(crate) fn within_budget(mut request: Request) -> Request {
+    if let Request::Solve(solve) = &mut request {
+        solve.limits.memory_bytes.get_or_insert(MEMORY_BYTES);
+    }
+    request
+}

@@ -1,0 +1,64 @@
+//! A Web Worker that solves.
+
+use std::cell::Cell;
+
+use giveway_solve::{Host, Progress, serve};
+use wasm_bindgen::{JsCast as _, JsValue, closure::Closure};
+use web_sys::{DedicatedWorkerGlobalScope, MessageEvent};
+
+use crate::{
+    budget::within_budget,
+    host::WebHost,
+    protocol::{Ask, Message},
+};
+
+thread_local! {
+    /// What the worker is at.
+    static AT: Cell<Option<u32>> = const { Cell::new(None) };
+}
+
+/// Answers the messages of [`protocol`](crate::protocol) from now on, in the
+/// worker that it is called in. This is all that a worker's `main` has to do.
+pub fn serve_messages() {
+    std::panic::set_hook(Box::new(|panic| {
+        post(&Message::Failed {
+            id: AT.get(),
+            sentence: format!("The solver broke down, which is a fault of this program: {panic}"),
+        });
+    }));
+    let listen = Closure::<dyn Fn(MessageEvent)>::new(|event: MessageEvent| {
+        let text = event.data().as_string().unwrap_or_default();
+        answer(&text, &post);
+    });
+    scope().set_onmessage(Some(listen.as_ref().unchecked_ref()));
+    listen.forget(); // it listens as long as the worker lives
+    post(&Message::Ready);
+}
+
+/// Answers one message.
+fn answer(text: &str, post: &dyn Fn(&Message)) {
+    match Ask::from_text(text) {
+        Ok(Ask { id, request }) => {
+            AT.set(Some(id));
+            let listen = |event: &Progress| {
+                let event = event.clone();
+                post(&Message::Progress { id, event });
+            };
+            let host = WebHost::new(&listen, None);
+            let response = serve(&within_budget(request), &host as &dyn Host);
+            AT.set(None);
+            post(&Message::Answer { id, response });
+        }
+        Err(sentence) => post(&Message::Failed { id: None, sentence }),
+    }
+}
+
+fn scope() -> DedicatedWorkerGlobalScope {
+    js_sys::global().unchecked_into()
+}
+
+fn post(message: &Message) {
+    let text = JsValue::from_str(&message.to_text());
+    // Text can always be posted.
+    let _ = scope().post_message(&text);
+}
