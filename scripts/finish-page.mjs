@@ -15,7 +15,7 @@ const NONCE = "trunk-nonce";
 const PAGE = "index.html";
 const WORKER = ["worker_loader.js", "worker.js", "worker_bg.wasm"];
 // A path that says what it holds; the few others are found by a name that others know.
-const HASHED = /-[0-9a-f]{8,16}\b/;
+const HASHED = /-[0-9a-f]{8,16}(?=[._/])/;
 
 const source = process.env.TRUNK_SOURCE_DIR;
 const built = process.env.TRUNK_STAGING_DIR;
@@ -58,8 +58,9 @@ function moveWorker() {
 }
 
 function finishPage(folder) {
-  const text = read(PAGE).toString();
-  const finished = replace(text, [
+  // Without the comments, which are for those who read the source, and their lines.
+  const text = read(PAGE).toString().replaceAll(/<!--.*?-->/gs, "").replaceAll(/^\s*\n/gm, "");
+  const finished = replace(text.replaceAll(` nonce="${NONCE}"`, ""), [
     [` 'nonce-${NONCE}'`, ""],
     [`content="./${WORKER[0]}">`, `content="./${folder}/${WORKER[0]}">\n  <meta name="giveway-service-worker" content="./service-worker.js">`],
   ]);

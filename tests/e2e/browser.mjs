@@ -1,0 +1,58 @@
+// Chromium without a window, and pages in it that tell of every complaint.
+
+import { createRequire } from "node:module";
+import assert from "node:assert/strict";
+
+// Not `import`, which does not look where NODE_PATH points: `./x` keeps the packages
+// outside of the clone.
+const { chromium } = createRequire(import.meta.url)("playwright-core");
+
+const FLAGS = [
+  "--headless",
+  "--no-sandbox",
+  "--disable-gpu",
+  "--disable-quic",
+  "--no-first-run",
+  "--disable-background-networking",
+  "--disable-component-update",
+  "--disable-sync",
+];
+
+/** The system's own Chromium. */
+export function launch(flags = []) {
+  const executablePath = process.env.GIVEWAY_CHROMIUM ?? "/usr/bin/chromium";
+  return chromium.launch({ executablePath, args: [...FLAGS, ...flags] });
+}
+
+/**
+ * A page in a browser context of its own: nothing is kept from one test to the next.
+ * @param browser what `launch` gave
+ * @param options `width`, `height`, `theme` ("light" or "dark"), and what a context takes
+ */
+export async function open(browser, { width = 1440, height = 900, theme = "light", ...options } = {}) {
+  const context = await browser.newContext({
+    viewport: { width, height },
+    colorScheme: theme,
+    ...options,
+  });
+  const page = await context.newPage();
+  return { context, page, complaints: complaintsOf(page) };
+}
+
+/** Every error on the console, uncaught or printed; violations of the policy are among them. */
+function complaintsOf(page) {
+  const complaints = [];
+  page.on("pageerror", (error) => complaints.push(`uncaught: ${error.stack ?? error.message}`));
+  page.on("crash", () => complaints.push("the page crashed"));
+  page.on("console", (message) => {
+    if (message.type() === "error") {
+      complaints.push(`console: ${message.text()} (${message.location().url})`);
+    }
+  });
+  return complaints;
+}
+
+/** Fails when the page complained. */
+export function assertQuiet(complaints) {
+  assert.deepEqual(complaints, [], "the page complained");
+}
