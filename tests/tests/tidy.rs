@@ -119,10 +119,10 @@ mod layers {
     }
 
     #[test]
-    fn the_model_and_the_solver_depend_on_nothing_of_a_front() {
+    fn nothing_below_a_front_depends_on_what_only_fronts_need() {
         let mut complaints = Vec::new();
         let crates = crates();
-        for layer in ["giveway-model", "giveway-solve"] {
+        for layer in ["giveway-model", "giveway-solve", "giveway-page"] {
             let (_, dependencies) = crates.iter().find(|(name, _)| name == layer).unwrap();
             for front in ["web-sys", "js-sys", "wasm-bindgen", "yew", "gloo", "clap"] {
                 if dependencies.iter().any(|d| d == front) {
@@ -196,6 +196,27 @@ mod layers {
         // A proof is written into a writer, which is how a solve is stopped.
         let sat = ["crates/giveway-solve/src/sat/"];
         expect_none(&uses("crates/giveway-solve/src", &sat, &["std::io"]));
+    }
+
+    #[test]
+    fn the_state_of_the_page_is_plain_data() {
+        let state = "crates/giveway-page/src";
+        let surroundings = [
+            "std::fs",
+            "std::io",
+            "std::net",
+            "std::env",
+            "std::process",
+            "std::thread",
+            "std::time",
+            "RefCell",
+            "giveway_web",
+        ];
+        expect_none(&uses(state, &[], &surroundings));
+        expect_none(&uses(state, &[], BROWSER));
+        // It tells what should be solved, and leaves the solving to the page.
+        let solving = ["giveway_solve::serve", "giveway_solve::service"];
+        expect_none(&uses(state, &["crates/giveway-page/src/tests"], &solving));
     }
 
     #[test]
