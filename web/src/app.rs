@@ -6,7 +6,7 @@ use giveway_model::format::native;
 use giveway_page::{Action, Draft, Phase, State, Tab, reduce};
 use yew::prelude::*;
 
-use crate::{Clock, Shown, status::StatusBar, theme::use_theme, top_bar::TopBar};
+use crate::{Clock, Shown, solver::use_solver, status::StatusBar, theme::use_theme, top_bar::TopBar};
 
 /// The scene that the page opens on.
 const OPENING: &str = include_str!("../../static/examples/warehouse.json");
@@ -44,6 +44,7 @@ pub fn App() -> Html {
             move |&(playback, last)| clock.follow(playback, last),
         );
     }
+    use_solver(&state, &send);
     use_theme(state.view.theme);
     html! {
         <ContextProvider<Clock> context={(*clock).clone()}>

@@ -63,12 +63,14 @@ pub enum Action {
         /// The answer.
         response: Box<Response>,
     },
-    /// The solver ended without an answer, and was replaced.
+    /// The solver ended without an answer.
     Crash {
         /// The run.
         run: u64,
         /// Why, as a sentence.
         sentence: String,
+        /// Whether it broke off and was replaced; else it did not even start.
+        had_started: bool,
     },
 
     /// Play from the time shown, or from the start where it is the end.

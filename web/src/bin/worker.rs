@@ -1,3 +1,5 @@
 //! The worker's part of the Wasm: solves what the page asks for.
 
-fn main() {}
+fn main() {
+    giveway_wasm::serve_messages();
+}

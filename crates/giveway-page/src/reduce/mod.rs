@@ -54,7 +54,11 @@ fn step(state: &mut State, action: Action) {
         Action::Cancel => solve::cancel(state),
         Action::Progress { run, event } => solve::progress(state, run, &event),
         Action::Respond { run, response } => solve::respond(state, run, *response),
-        Action::Crash { run, sentence } => solve::crash(state, run, sentence),
+        Action::Crash {
+            run,
+            sentence,
+            had_started,
+        } => solve::crash(state, run, sentence, had_started),
 
         Action::Play => play::play(state),
         Action::Pause => state.playback.playing = false,

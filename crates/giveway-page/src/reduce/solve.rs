@@ -104,13 +104,18 @@ pub(super) fn respond(state: &mut State, id: u64, response: Response) {
     }
 }
 
-pub(super) fn crash(state: &mut State, id: u64, sentence: String) {
+pub(super) fn crash(state: &mut State, id: u64, sentence: String, had_started: bool) {
     if current(state, id).is_none() {
         return;
     }
     state.work = Work::Idle;
+    let what = if had_started {
+        "The solver broke off and was started again; the scene is as it was."
+    } else {
+        "The solver could not be started; Solve tries it again."
+    };
     state.notice = Some(Notice {
-        sentence: "The solver broke off and was started again; the scene is as it was.".to_owned(),
+        sentence: what.to_owned(),
         details: vec![sentence],
     });
 }
