@@ -11,10 +11,16 @@ mod draft;
 pub mod form;
 mod ground;
 mod history;
+pub mod inspect;
 mod playback;
 mod reduce;
+mod reserve;
+#[cfg(test)]
+mod sample;
 mod settings;
 mod state;
+pub mod table;
+pub mod timeline;
 pub mod words;
 
 pub use action::Action;
@@ -24,5 +30,6 @@ pub use ground::Tool;
 pub use history::History;
 pub use playback::{Playback, Point, Speed, position};
 pub use reduce::reduce;
+pub use reserve::Reserve;
 pub use settings::{Settings, Tab, Theme, View};
 pub use state::{Notice, Phase, Run, Selection, Size, State, Work};

@@ -1,0 +1,158 @@
+//! A cell: what it is, whose it is, and who passes when.
+
+use giveway_model::{Cell, Ground};
+
+use crate::timeline::Lane;
+use crate::{State, table};
+
+/// What the inspector tells of a cell.
+#[derive(Clone, Debug, PartialEq)]
+pub struct CellFacts {
+    /// Its place: `8, 0`.
+    pub title: String,
+    /// What it is: `Charger in the slow zone`.
+    pub ground: &'static str,
+    /// The icon of that, and none for free cells.
+    pub icon: Option<&'static str>,
+    /// Whose start, goal or waypoint it is: the agent's index, and `Start of A1`.
+    pub roles: Vec<(usize, String)>,
+    /// Who is on it and when, by time; `None` without a plan.
+    pub passes: Option<Vec<Pass>>,
+}
+
+/// A stay of an agent on a cell.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Pass {
+    /// The agent's index in the scene that was solved.
+    pub agent: usize,
+    /// Its name.
+    pub name: String,
+    /// The first time.
+    pub from: u32,
+    /// When: `at 9, charging`, `from 3 to 5`.
+    pub when: String,
+}
+
+/// What there is to tell of a cell; `None` off the map.
+pub fn cell(state: &State, cell: Cell) -> Option<CellFacts> {
+    let (ground, icon) = match state.draft.grid().ground(cell)? {
+        Ground::Free => ("Free cell", None),
+        Ground::Obstacle => ("Obstacle", Some("obstacle")),
+        Ground::Slow => ("Slow zone", Some("slow")),
+        Ground::Charger => ("Charger", Some("charger")),
+        Ground::SlowCharger => ("Charger in the slow zone", Some("charger")),
+    };
+    let mut roles = Vec::new();
+    for (index, agent) in state.draft.agents().iter().enumerate() {
+        let name = &agent.name;
+        for (is, what) in [
+            (agent.start == cell, "Start"),
+            (agent.goal == cell, "Goal"),
+            (agent.waypoints.contains(&cell), "Waypoint"),
+        ] {
+            if is {
+                roles.push((index, format!("{what} of {name}")));
+            }
+        }
+    }
+    let answer = state
+        .answer
+        .as_deref()
+        .filter(|answer| answer.plan().is_some());
+    let passes = answer.map(|answer| {
+        let mut passes: Vec<Pass> = table::lanes(answer)
+            .flat_map(|lane| stays(&lane, cell))
+            .collect();
+        passes.sort_by_key(|pass| (pass.from, pass.agent));
+        passes
+    });
+    Some(CellFacts {
+        title: format!("{}, {}", cell.x, cell.y),
+        ground,
+        icon,
+        roles,
+        passes,
+    })
+}
+
+/// The stays of one agent on a cell.
+fn stays(lane: &Lane, cell: Cell) -> Vec<Pass> {
+    // Entries to cells: the time of each, and the time at which it ends.
+    let mut entries = vec![(lane.begins, lane.entry)];
+    entries.extend(lane.steps.iter().map(|step| (step.ends, step.to)));
+    let mut stays: Vec<(u32, u32)> = Vec::new();
+    for (time, _) in entries.into_iter().filter(|&(_, at)| at == cell) {
+        match stays.last_mut() {
+            Some(stay) if stay.1 + 1 == time => stay.1 = time,
+            _ => stays.push((time, time)),
+        }
+    }
+    let pass = |(from, to): (u32, u32)| {
+        let charges = lane.charges.iter().any(|&time| (from..=to).contains(&time));
+        let mut when = if to == lane.arrival && lane.stays {
+            format!("from {from} on, arrived")
+        } else if from == to {
+            format!("at {from}")
+        } else {
+            format!("from {from} to {to}")
+        };
+        if charges {
+            when += ", charging";
+        }
+        let (agent, name) = (lane.agent, lane.name.clone());
+        Pass {
+            agent,
+            name,
+            from,
+            when,
+        }
+    };
+    stays.into_iter().map(pass).collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::sample;
+
+    fn facts(x: u32, y: u32) -> CellFacts {
+        cell(&sample::solved(), Cell::new(x, y)).unwrap()
+    }
+
+    fn passes(x: u32, y: u32) -> Vec<String> {
+        let passes = facts(x, y).passes.unwrap();
+        let text = |pass: &Pass| format!("{} {}", pass.name, pass.when);
+        passes.iter().map(text).collect()
+    }
+
+    #[test]
+    fn a_charger_and_who_passes() {
+        let facts = facts(6, 2);
+        assert_eq!((facts.title.as_str(), facts.ground), ("6, 2", "Charger"));
+        assert_eq!(passes(6, 2), ["A2 at 3, charging", "A1 at 9, charging"]);
+    }
+
+    #[test]
+    fn a_start_that_is_a_goal() {
+        let roles = facts(0, 0).roles;
+        assert_eq!(
+            roles,
+            [(0, "Start of A1".to_owned()), (1, "Goal of A2".to_owned())]
+        );
+        assert_eq!(passes(0, 0), ["A1 at 0", "A2 from 18 on, arrived"]);
+    }
+
+    #[test]
+    fn nobody_passes_an_obstacle() {
+        let facts = facts(1, 1);
+        assert_eq!((facts.ground, facts.icon), ("Obstacle", Some("obstacle")));
+        assert_eq!(facts.passes, Some(vec![]));
+        assert_eq!(cell(&sample::solved(), Cell::new(10, 0)), None);
+    }
+
+    #[test]
+    fn without_a_plan_nothing_is_said_of_passes() {
+        let state = State::new(sample::draft());
+        assert_eq!(cell(&state, Cell::new(2, 0)).unwrap().passes, None);
+    }
+}

@@ -1,0 +1,82 @@
+//! The warehouse and a plan for it, for tests.
+
+use std::rc::Rc;
+
+use giveway_model::format::native;
+use giveway_model::{Cell, Costs, Plan, Version};
+use giveway_solve::{Response, SolveAnswer, Stats, Status};
+
+use crate::{Action, Answer, Draft, State, reduce};
+
+/// The warehouse.
+pub(crate) fn draft() -> Draft {
+    let scene = include_str!("../../../static/examples/warehouse.json");
+    Draft::new(native::read_scene(scene).unwrap()).unwrap()
+}
+
+/// A path in digits, `xy` a cell, `--` in transit.
+fn path(cells: &str) -> Vec<Option<Cell>> {
+    let digit = |c: char| c.to_digit(10);
+    let cell = |word: &str| {
+        let mut letters = word.chars();
+        let (x, y) = (digit(letters.next()?)?, digit(letters.next()?)?);
+        Some(Cell::new(x, y))
+    };
+    cells.split(' ').map(cell).collect()
+}
+
+fn plan() -> Plan {
+    let mut plan = Plan::default();
+    let paths = [
+        (
+            "A1",
+            "00 10 20 -- 30 31 32 42 52 62 61 60 -- 70 80 90 91 92",
+            vec![9],
+        ),
+        (
+            "A2",
+            "92 82 72 62 61 60 -- 50 -- 40 -- 30 31 32 22 12 02 01 00",
+            vec![3, 13],
+        ),
+    ];
+    for (name, cells, charges) in paths {
+        plan.paths.insert(name.to_owned(), path(cells));
+        plan.charges.insert(name.to_owned(), charges);
+    }
+    plan
+}
+
+/// The page after the warehouse was solved, playing.
+pub(crate) fn solved() -> State {
+    let state = reduce(&State::new(draft()), Action::Solve);
+    let costs = Costs {
+        makespan: 18,
+        sum_of_costs: 35,
+        charges: 3,
+        moves: 30,
+        waits: 0,
+    };
+    let objective = state.draft.scene().objective.clone();
+    let solved = SolveAnswer {
+        giveway: Version,
+        status: Status::Optimal,
+        costs: Some(costs),
+        bounds: objective
+            .costs()
+            .iter()
+            .map(|&c| (c, costs.get(c)))
+            .collect(),
+        within: None,
+        complete: true,
+        reason: None,
+        plan: Some(plan()),
+        stats: Stats::default(),
+    };
+    let response = Box::new(Response::Solved(solved));
+    reduce(&state, Action::Respond { run: 1, response })
+}
+
+/// Its answer.
+pub(crate) fn warehouse() -> Rc<Answer> {
+    solved().answer.unwrap()
+}

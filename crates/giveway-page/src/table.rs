@@ -1,0 +1,176 @@
+//! The plan table: time by agent, cells and levels, as the papers print it.
+
+use giveway_model::Cell;
+
+use crate::timeline::Lane;
+use crate::{Answer, Reserve};
+
+/// Where an agent is.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Place {
+    /// Not there yet, arrived before, or gone.
+    Nowhere,
+    /// On a cell.
+    At(Cell),
+    /// Half way along a slow move.
+    Half,
+}
+
+impl Place {
+    /// As it stands in the table.
+    pub fn text(self) -> String {
+        match self {
+            Self::Nowhere => String::new(),
+            Self::At(cell) => format!("{},{}", cell.x, cell.y),
+            Self::Half => "half".to_owned(),
+        }
+    }
+}
+
+/// A battery's entry.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Level {
+    /// The level.
+    pub level: u32,
+    /// Whether the agent charges then.
+    pub charges: bool,
+    /// How full that is.
+    pub reserve: Reserve,
+}
+
+/// Where an agent is at a time.
+pub fn place(lane: &Lane, time: u32) -> Place {
+    if time == lane.arrival {
+        return Place::At(lane.end());
+    }
+    match lane.step_at(time) {
+        None => Place::Nowhere,
+        Some(step) if step.begins == time => Place::At(step.from),
+        Some(_) => Place::Half,
+    }
+}
+
+/// What an agent's battery has at a time up to its arrival.
+pub fn level(lane: &Lane, time: u32) -> Option<Level> {
+    let index = time.checked_sub(lane.begins)? as usize;
+    let level = *lane.levels.get(index)?;
+    Some(Level {
+        level,
+        charges: lane.charges.contains(&time),
+        reserve: Reserve::of(level, lane.capacity?),
+    })
+}
+
+/// The table as text, for papers and letters: a column a time.
+///
+/// A charge is marked with `*`, half way along a slow move is `..`.
+pub fn text(answer: &Answer) -> String {
+    let last = answer.makespan();
+    let mut rows = vec![row("time", 0..=last, |time| time.to_string() + " ")];
+    for lane in lanes(answer) {
+        rows.push(row(&lane.name, 0..=last, |time| match place(&lane, time) {
+            Place::Half => ".. ".to_owned(),
+            place => place.text() + " ",
+        }));
+        if lane.capacity.is_some() {
+            rows.push(row("  level", 0..=last, |time| {
+                level(&lane, time).map_or(String::new(), |entry| {
+                    format!("{}{}", entry.level, if entry.charges { '*' } else { ' ' })
+                })
+            }));
+        }
+    }
+    aligned(&rows)
+}
+
+/// The plans of all agents.
+pub fn lanes(answer: &Answer) -> impl Iterator<Item = Lane> {
+    (0..answer.draft.agents().len()).filter_map(|agent| Lane::of(answer, agent))
+}
+
+/// The least width of a column that holds its entries, in pixels: some 6.7 a
+/// letter at the table's size.
+pub fn least_column(answer: &Answer) -> f64 {
+    let grid = answer.draft.grid();
+    let digits = |n: u32| n.saturating_sub(1).to_string().len();
+    let cell = digits(grid.width()) + digits(grid.height()) + 1;
+    // "half" is the widest of the small ones.
+    cell.max(4) as f64 * 6.7 + 5.0
+}
+
+fn row(
+    name: &str,
+    times: impl Iterator<Item = u32>,
+    entry: impl FnMut(u32) -> String,
+) -> Vec<String> {
+    // A name of control characters would break the lines.
+    let name = name.replace(char::is_control, " ");
+    std::iter::once(name).chain(times.map(entry)).collect()
+}
+
+fn aligned(rows: &[Vec<String>]) -> String {
+    let length = |text: &String| text.chars().count();
+    let names = rows.iter().filter_map(|row| row.first()).map(length);
+    let names = names.max().unwrap_or(0);
+    let entries = rows.iter().flat_map(|row| row.iter().skip(1)).map(length);
+    let entries = entries.max().unwrap_or(0) + 1;
+    let mut text = String::new();
+    for row in rows {
+        let mut line = String::new();
+        for (i, entry) in row.iter().enumerate() {
+            line += &if i == 0 {
+                format!("{entry:names$}")
+            } else {
+                format!("{entry:>entries$}")
+            };
+        }
+        text += line.trim_end();
+        text.push('\n');
+    }
+    text
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::sample::warehouse;
+
+    #[test]
+    fn the_warehouse_as_text() {
+        let text = text(&warehouse());
+        let lines: Vec<&str> = text.lines().collect();
+        assert_eq!(lines.len(), 5);
+        assert!(
+            lines[0].starts_with("time      0    1    2    3 "),
+            "{text}"
+        );
+        assert!(
+            lines[1].starts_with("A1      0,0  1,0  2,0   ..  3,0"),
+            "{text}"
+        );
+        assert!(
+            lines[2].starts_with("  level  10    9    8    7    6"),
+            "{text}"
+        );
+        assert!(lines[2].contains(" 1*  "), "{text}");
+        assert!(lines[4].ends_with(" 6"), "{text}");
+    }
+
+    #[test]
+    fn nothing_stands_after_the_arrival() {
+        let answer = warehouse();
+        let lane = Lane::of(&answer, 0).unwrap();
+        assert_eq!(place(&lane, 17), Place::At(Cell::new(9, 2)));
+        assert_eq!(place(&lane, 18), Place::Nowhere);
+        assert_eq!(place(&lane, 3), Place::Half);
+        assert_eq!(level(&lane, 18), None);
+        let charge = level(&lane, 9).unwrap();
+        assert_eq!((charge.level, charge.charges), (1, true));
+        assert_eq!(charge.reserve, Reserve::Critical);
+    }
+
+    #[test]
+    fn a_column_has_room_for_its_cells() {
+        assert!(least_column(&warehouse()) <= 32.0);
+    }
+}

@@ -1,0 +1,218 @@
+//! One agent's plan, step by step.
+
+use giveway_model::{AtGoal, Cell};
+
+use crate::{Answer, words};
+
+/// How an agent spends a step.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Way {
+    /// A move to a neighbour.
+    Move,
+    /// A slow move: two time steps, in transit between.
+    Slow,
+    /// A wait.
+    Wait,
+}
+
+/// A move or a wait.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Step {
+    /// What it is.
+    pub way: Way,
+    /// The time at which it begins.
+    pub begins: u32,
+    /// The time at which it ends.
+    pub ends: u32,
+    /// The cell that it leads from.
+    pub from: Cell,
+    /// The cell that it leads to; the same for a wait.
+    pub to: Cell,
+}
+
+/// One agent's plan.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Lane {
+    /// Its index in the scene that was solved.
+    pub agent: usize,
+    /// Its name.
+    pub name: String,
+    /// The cell at which it enters.
+    pub entry: Cell,
+    /// The time at which it enters.
+    pub begins: u32,
+    /// The time at which it arrives.
+    pub arrival: u32,
+    /// Whether it stays where it arrived.
+    pub stays: bool,
+    /// What it does, by time, without gaps.
+    pub steps: Vec<Step>,
+    /// The times at which it charges.
+    pub charges: Vec<u32>,
+    /// The capacity of its battery, if it has one.
+    pub capacity: Option<u32>,
+    /// The level at each time from its entry to its arrival; empty without a
+    /// battery.
+    pub levels: Vec<u32>,
+}
+
+impl Lane {
+    /// The plan of an agent of an answer; `None` where there is none.
+    pub fn of(answer: &Answer, agent: usize) -> Option<Self> {
+        let plan = answer.plan()?;
+        let who = answer.draft.agents().get(agent)?;
+        let path = plan.path(&who.name);
+        let begins = plan.from.get(&who.name).copied().unwrap_or(0);
+        let mut stops = path
+            .iter()
+            .zip(begins..)
+            .filter_map(|(cell, time)| cell.map(|cell| (time, cell)));
+        let (_, entry) = stops.next()?;
+        let mut steps = Vec::with_capacity(path.len());
+        let (mut begin, mut from) = (begins, entry);
+        for (end, to) in stops {
+            let way = match (end - begin, from == to) {
+                (1, true) => Way::Wait,
+                (1, false) => Way::Move,
+                _ => Way::Slow,
+            };
+            steps.push(Step {
+                way,
+                begins: begin,
+                ends: end,
+                from,
+                to,
+            });
+            (begin, from) = (end, to);
+        }
+        let levels = answer.levels.get(agent).map_or(&[][..], Vec::as_slice);
+        Some(Self {
+            agent,
+            name: who.name.clone(),
+            entry,
+            begins,
+            arrival: begin,
+            stays: answer.draft.scene().rules.at_goal == AtGoal::Stay,
+            steps,
+            charges: plan.charges(&who.name).to_vec(),
+            capacity: who.battery.map(|battery| battery.capacity),
+            levels: levels.iter().map(|&n| n.max(0) as u32).collect(),
+        })
+    }
+
+    /// The step that is under way at a time; `None` before the entry and from
+    /// the arrival on.
+    pub fn step_at(&self, time: u32) -> Option<&Step> {
+        let after = self.steps.partition_point(|step| step.ends <= time);
+        let step = self.steps.get(after)?;
+        (step.begins <= time).then_some(step)
+    }
+
+    /// Where it arrives.
+    pub fn end(&self) -> Cell {
+        self.steps.last().map_or(self.entry, |step| step.to)
+    }
+
+    /// The battery level at a time; from the arrival on, that of the arrival.
+    pub fn level_at(&self, time: u32) -> Option<u32> {
+        let index = time.saturating_sub(self.begins) as usize;
+        self.levels.get(index).or(self.levels.last()).copied()
+    }
+
+    /// The number of steps of a kind.
+    pub fn count(&self, way: Way) -> usize {
+        self.steps.iter().filter(|step| step.way == way).count()
+    }
+
+    /// The moves, slow or not.
+    pub fn moves(&self) -> usize {
+        self.steps.len() - self.count(Way::Wait)
+    }
+
+    /// The lane in one sentence, for those who do not see it.
+    pub fn sentence(&self) -> String {
+        let mut parts = vec![words::count(self.moves(), "move")];
+        match self.count(Way::Slow) {
+            0 => {}
+            slow => parts.push(format!("{slow} of them slow")),
+        }
+        match self.count(Way::Wait) {
+            0 => {}
+            waits => parts.push(words::count(waits, "wait")),
+        }
+        if !self.charges.is_empty() {
+            parts.push(format!("charges at {}", list(&self.charges)));
+        }
+        format!(
+            "{}: {}, arrives at {}",
+            self.name,
+            parts.join(", "),
+            self.arrival
+        )
+    }
+}
+
+/// `3, 7 and 13`.
+pub(crate) fn list(times: &[u32]) -> String {
+    let text = |time: &u32| time.to_string();
+    match times {
+        [] => String::new(),
+        [only] => text(only),
+        [first @ .., last] => {
+            let first: Vec<String> = first.iter().map(text).collect();
+            format!("{} and {last}", first.join(", "))
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::sample::warehouse;
+
+    #[test]
+    fn the_lanes_of_the_warehouse() {
+        let answer = warehouse();
+        let lane = Lane::of(&answer, 0).unwrap();
+        assert_eq!(
+            (lane.arrival, lane.moves(), lane.count(Way::Slow)),
+            (17, 15, 2)
+        );
+        assert_eq!(lane.charges, [9]);
+        assert_eq!(lane.levels.len(), 18);
+        assert_eq!(lane.level_at(9), Some(1));
+        assert_eq!(lane.level_at(10), Some(10));
+        assert_eq!(lane.level_at(99), lane.level_at(17));
+        assert_eq!(
+            lane.sentence(),
+            "A1: 15 moves, 2 of them slow, charges at 9, arrives at 17"
+        );
+        assert_eq!(Lane::of(&answer, 2), None);
+    }
+
+    #[test]
+    fn steps_have_no_gaps() {
+        let answer = warehouse();
+        for agent in 0..2 {
+            let lane = Lane::of(&answer, agent).unwrap();
+            let mut at = (lane.begins, lane.entry);
+            for step in &lane.steps {
+                assert_eq!((step.begins, step.from), at);
+                at = (step.ends, step.to);
+                for time in step.begins..step.ends {
+                    assert_eq!(lane.step_at(time), Some(step));
+                }
+            }
+            assert_eq!(at, (lane.arrival, lane.end()));
+            assert_eq!(lane.step_at(lane.arrival), None);
+        }
+    }
+
+    #[test]
+    fn times_in_words() {
+        assert_eq!(list(&[]), "");
+        assert_eq!(list(&[3]), "3");
+        assert_eq!(list(&[3, 13]), "3 and 13");
+        assert_eq!(list(&[3, 7, 13]), "3, 7 and 13");
+    }
+}

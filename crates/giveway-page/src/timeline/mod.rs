@@ -1,0 +1,12 @@
+//! The timeline as plain data: what an agent does in each step, where that
+//! stands on the axis of time, and how far a solve has come.
+
+mod axis;
+mod gauge;
+mod lane;
+mod shapes;
+
+pub use axis::{Axis, MIN_COLUMN};
+pub use gauge::{Gauge, gauge, work_done};
+pub use lane::{Lane, Step, Way};
+pub use shapes::{Row, Shapes};
