@@ -7,11 +7,15 @@
 
 mod action;
 mod answer;
+pub mod board;
 mod draft;
+pub mod examples;
+pub mod files;
 pub mod form;
 mod ground;
 mod history;
 pub mod inspect;
+pub mod keys;
 mod playback;
 mod reduce;
 mod reserve;

@@ -1,0 +1,96 @@
+//! Who is on the board, with all that moves.
+
+use std::rc::Rc;
+
+use giveway_model::Agent;
+
+use super::{Mark, Track, Way, marks};
+use crate::{Answer, Draft, State};
+
+/// The agents of a draft and what they do by the plan shown, if any.
+#[derive(Clone, Debug)]
+pub struct Cast {
+    /// The agents, in the order of the scene.
+    pub agents: Vec<Agent>,
+    /// What each does.
+    pub tracks: Vec<Track>,
+    /// The way of each.
+    pub ways: Vec<Way>,
+    /// Goals and waypoints.
+    pub marks: Vec<Mark>,
+    /// The answer that holds the plan.
+    answer: Option<Rc<Answer>>,
+}
+
+impl PartialEq for Cast {
+    /// A plan is compared by the answer that it came with.
+    fn eq(&self, other: &Self) -> bool {
+        self.agents == other.agents && same(self.answer.as_ref(), other.answer.as_ref())
+    }
+}
+
+fn same(one: Option<&Rc<Answer>>, other: Option<&Rc<Answer>>) -> bool {
+    match (one, other) {
+        (None, None) => true,
+        (Some(one), Some(other)) => Rc::ptr_eq(one, other),
+        _ => false,
+    }
+}
+
+impl Cast {
+    /// The cast of a state.
+    pub fn of(state: &State) -> Self {
+        let answer = state.answer.as_ref();
+        let answer = answer.filter(|answer| answer.plan().is_some() && fits(answer, &state.draft));
+        let agents = state.draft.agents().to_vec();
+        let at_goal = state.draft.scene().rules.at_goal;
+        let track = |(index, agent): (usize, &Agent)| {
+            let plan = answer.and_then(|answer| answer.plan());
+            let mut path = plan.map_or_else(Vec::new, |plan| plan.path(&agent.name).to_vec());
+            let mut charges = plan.map_or_else(Vec::new, |plan| plan.charges(&agent.name).to_vec());
+            charges.sort_unstable();
+            if path.is_empty() {
+                path.push(Some(agent.start));
+            }
+            let battery = agent.battery.map(|battery| {
+                let levels = answer.and_then(|answer| answer.levels.get(index));
+                let levels = levels.filter(|levels| !levels.is_empty()).cloned();
+                let initial = || vec![i64::from(battery.initial)];
+                (levels.unwrap_or_else(initial), battery.capacity)
+            });
+            Track::new(path, charges, battery, at_goal)
+        };
+        let tracks: Vec<Track> = agents.iter().enumerate().map(track).collect();
+        Self {
+            ways: tracks.iter().map(Way::of).collect(),
+            marks: marks(&agents, &tracks),
+            tracks,
+            agents,
+            answer: answer.cloned(),
+        }
+    }
+
+    /// Whether this is still the cast of a state.
+    pub fn is_of(&self, state: &State) -> bool {
+        let answer = state.answer.as_ref();
+        let answer = answer.filter(|answer| answer.plan().is_some() && fits(answer, &state.draft));
+        self.agents == state.draft.agents() && same(self.answer.as_ref(), answer)
+    }
+
+    /// Whether there is a plan to show.
+    pub const fn has_plan(&self) -> bool {
+        self.answer.is_some()
+    }
+}
+
+/// Whether a plan can be drawn on a draft: it may be stale, but not of another
+/// map with other agents.
+fn fits(answer: &Answer, draft: &Draft) -> bool {
+    let (one, other) = (&answer.draft, draft);
+    let size = |draft: &Draft| (draft.grid().width(), draft.grid().height());
+    let named = |draft: &Draft| -> Vec<String> {
+        let agents = draft.agents().iter();
+        agents.map(|agent| agent.name.clone()).collect()
+    };
+    size(one) == size(other) && named(one) == named(other)
+}

@@ -1,0 +1,75 @@
+//! What the signs on the board mean: only those that are there.
+
+use giveway_model::Ground;
+
+use super::{Cast, MarkKind, Track};
+use crate::State;
+
+/// A sign of the board.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Kind {
+    /// The plan is of another scene.
+    Stale,
+    /// A charger.
+    Charger,
+    /// The slow zone.
+    Slow,
+    /// A goal.
+    Goal,
+    /// A waypoint.
+    Waypoint,
+    /// The way ahead.
+    Ahead,
+    /// A wait.
+    Wait,
+}
+
+impl Kind {
+    /// What it means.
+    pub const fn words(self) -> &'static str {
+        match self {
+            Self::Stale => "Stale plan, faded",
+            Self::Charger => "Charger",
+            Self::Slow => "Slow zone: a move takes 2 steps",
+            Self::Goal => "Goal",
+            Self::Waypoint => "Waypoint, filled once visited",
+            Self::Ahead => "Way ahead",
+            Self::Wait => "Waits",
+        }
+    }
+
+    /// The class of its picture.
+    pub const fn class(self) -> &'static str {
+        match self {
+            Self::Stale => "k-stale",
+            Self::Charger => "k-chg",
+            Self::Slow => "k-slow",
+            Self::Goal => "k-goal",
+            Self::Waypoint => "k-wp",
+            Self::Ahead => "k-ahead",
+            Self::Wait => "k-wait",
+        }
+    }
+}
+
+/// The signs on the board of a state, with its cast.
+pub fn legend(state: &State, cast: &Cast) -> Vec<Kind> {
+    let has_ground = |is: fn(Ground) -> bool| state.draft.grid().cells().any(|(_, g)| is(g));
+    let has_mark = |kind| cast.marks.iter().any(|mark| mark.kind == kind);
+    let is_stale = state.is_stale() && cast.has_plan();
+    let moves = cast.tracks.iter().any(|track| track.arrival() > 0);
+    let signs = [
+        (Kind::Stale, is_stale),
+        (Kind::Charger, has_ground(Ground::is_charger)),
+        (Kind::Slow, has_ground(Ground::is_slow)),
+        (Kind::Goal, has_mark(MarkKind::Goal)),
+        (Kind::Waypoint, has_mark(MarkKind::Waypoint)),
+        (Kind::Ahead, state.view.trails && moves),
+        (Kind::Wait, cast.tracks.iter().any(Track::has_waits)),
+    ];
+    signs
+        .into_iter()
+        .filter(|sign| sign.1)
+        .map(|sign| sign.0)
+        .collect()
+}

@@ -1,0 +1,38 @@
+//! What the board shows: pure functions from the state to shapes, names and
+//! motion. Lengths are in units, 100 a cell; `y` goes down.
+
+mod camera;
+mod cast;
+mod detail;
+mod floor;
+mod hit;
+mod legend;
+mod marks;
+mod names;
+mod outline;
+#[cfg(test)]
+mod tests;
+mod track;
+mod way;
+
+pub use camera::{Camera, Frame, MAX_CELL_PX};
+pub use cast::Cast;
+pub use detail::Detail;
+pub use floor::{Floor, floor};
+pub use legend::{Kind, legend};
+pub use marks::{Mark, MarkKind, marks};
+pub use names::{CellNames, Window};
+pub use track::{Badge, Charge, Pose, Track};
+pub use way::{Way, WayEnds};
+
+/// The side of a cell, in units.
+pub const CELL: f64 = 100.0;
+
+/// A number of cells or steps, rounded down; 0 for what is below.
+#[expect(
+    clippy::cast_sign_loss,
+    reason = "a conversion of floats saturates, and below 0 becomes 0 as said"
+)]
+const fn whole(number: f64) -> u32 {
+    number as u32
+}

@@ -1,0 +1,130 @@
+//! What is said of a cell, and which cells are said at all.
+
+use std::collections::BTreeMap;
+
+use giveway_model::{Cell, Grid, Ground};
+
+use super::{Cast, Frame, whole};
+
+/// The most cells a side that have a name at once.
+const SIDE: u32 = 32;
+/// A window moves in steps of so many cells, so that it seldom does.
+const STEP: u32 = 8;
+
+/// The part of the map whose cells have names.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Window {
+    /// The first column and row.
+    pub first: Cell,
+    /// Columns and rows.
+    pub size: (u32, u32),
+}
+
+impl Window {
+    /// The window around a cell: all of a small map, else what lies around the
+    /// cell, and as much as may be of what is in sight.
+    pub fn around(cursor: Cell, frame: &Frame, board: (u32, u32)) -> Self {
+        let (columns, rows) = frame.cells(board);
+        let part = |at: u32, seen: (u32, u32), side: u32| {
+            if side <= SIDE {
+                return (0, side);
+            }
+            let middle = u32::midpoint(seen.0, seen.1);
+            // Where the cell is in sight the middle of the screen is best.
+            let reach = SIDE / 2 - STEP;
+            let middle = middle.clamp(at.saturating_sub(reach), at + reach);
+            let first = middle.saturating_sub(SIDE / 2) / STEP * STEP;
+            let first = first.min(side - SIDE);
+            (first, SIDE)
+        };
+        let (x, width) = part(cursor.x, columns, board.0);
+        let (y, height) = part(cursor.y, rows, board.1);
+        Self {
+            first: Cell::new(x, y),
+            size: (width, height),
+        }
+    }
+
+    /// The rows, by their number in the map.
+    pub fn rows(&self) -> std::ops::Range<u32> {
+        self.first.y..self.first.y + self.size.1
+    }
+
+    /// The columns, by their number in the map.
+    pub fn columns(&self) -> std::ops::Range<u32> {
+        self.first.x..self.first.x + self.size.0
+    }
+}
+
+/// What is on each cell at a time, in words.
+#[derive(Clone, Debug, Default)]
+pub struct CellNames {
+    parts: BTreeMap<Cell, Vec<String>>,
+}
+
+impl CellNames {
+    /// What the agents have to do with each cell at a whole time.
+    pub fn new(cast: &Cast, time: u32) -> Self {
+        let mut names = Self::default();
+        let agents = || cast.agents.iter().zip(&cast.tracks);
+        for (agent, _) in agents() {
+            names.add(agent.start, format!("start of {}", agent.name));
+        }
+        for (agent, _) in agents() {
+            names.add(agent.goal, format!("goal of {}", agent.name));
+        }
+        for (agent, track) in agents() {
+            for &cell in &agent.waypoints {
+                let path = track.path().iter().take(time as usize + 1);
+                let is_visited = cast.has_plan() && path.into_iter().any(|&at| at == Some(cell));
+                let visited = if is_visited { ", visited" } else { "" };
+                names.add(cell, format!("waypoint of {}{visited}", agent.name));
+            }
+        }
+        for (agent, track) in agents() {
+            let Some(pose) = track.pose(f64::from(time)) else {
+                continue;
+            };
+            if pose.is_gone {
+                continue;
+            }
+            if let Some((from, to)) = pose.transit {
+                names.add(from, format!("{} leaves", agent.name));
+                names.add(to, format!("{} comes", agent.name));
+                continue;
+            }
+            let cell = Cell::new(whole(pose.at.x), whole(pose.at.y));
+            // Where it starts it is at first: that need not be said twice.
+            if time > 0 || cell != agent.start {
+                names.add(cell, format!("{} is here", agent.name));
+            }
+        }
+        names
+    }
+
+    fn add(&mut self, cell: Cell, part: String) {
+        self.parts.entry(cell).or_default().push(part);
+    }
+
+    /// The name of a cell: its column and row, then what is on it.
+    pub fn name(&self, grid: &Grid, cell: Cell) -> String {
+        let ground = grid.ground(cell).unwrap_or(Ground::Obstacle);
+        let parts = self.parts.get(&cell).map_or(&[][..], Vec::as_slice);
+        let ground = match ground {
+            Ground::Free if parts.is_empty() => "free",
+            Ground::Free => "",
+            Ground::Obstacle => "obstacle",
+            Ground::Slow => "slow zone",
+            Ground::Charger => "charger",
+            Ground::SlowCharger => "charger in the slow zone",
+        };
+        let mut name = format!("{}, {}: {ground}", cell.x, cell.y);
+        for (index, part) in parts.iter().enumerate() {
+            if index > 0 || !ground.is_empty() {
+                name += ", ";
+            }
+            name += part;
+        }
+        name
+    }
+}
