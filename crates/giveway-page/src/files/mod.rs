@@ -1,0 +1,176 @@
+//! Files that a person opens, and those that are saved.
+
+mod kind;
+mod save;
+mod scenario;
+
+#[cfg(test)]
+mod tests;
+
+use giveway_model::format::{movingai, native, read_text};
+use giveway_model::{Fault, Scene};
+
+use crate::{Notice, words::count};
+use kind::Kind;
+
+pub use save::{Saved, plan_file, scene_file};
+pub use scenario::Choice;
+
+/// The largest file that is read, in bytes.
+pub const MAX_BYTES: u64 = 10_000_000;
+
+/// A file, read wholly.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Opened {
+    /// Its name, without folders.
+    pub name: String,
+    /// What is in it.
+    pub bytes: Vec<u8>,
+}
+
+/// What files hold together.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Reading {
+    /// A scene.
+    Scene(Box<Scene>),
+    /// A map and a scenario: a person chooses how many of its agents.
+    Scenario(Box<Choice>),
+}
+
+/// Why a file is too large to be read at all, by its size in bytes.
+pub fn too_large(name: &str, bytes: u64) -> Option<Notice> {
+    (bytes > MAX_BYTES).then(|| {
+        let megabytes = bytes.div_ceil(1_000_000);
+        refusal(
+            name,
+            &format!("found {megabytes} MB, expected at most 10 MB"),
+        )
+    })
+}
+
+/// Reads the files that were opened together: a scene in the project's own
+/// JSON, or a MovingAI map, with or without one scenario for it.
+///
+/// # Errors
+/// What is wrong, with file, line and column where there are some; or what is
+/// missing.
+///
+/// ```
+/// use giveway_page::files::{Opened, Reading, read};
+/// let map = Opened { name: "a.map".into(), bytes: b"type octile\nheight 1\nwidth 2\nmap\n..\n".into() };
+/// assert!(matches!(read(&[map]), Ok(Reading::Scene(_))));
+/// ```
+pub fn read(files: &[Opened]) -> Result<Reading, Notice> {
+    let files = files.iter().map(|file| Ok((file, text(file)?)));
+    let files: Vec<(&Opened, &str)> = files.collect::<Result<_, Notice>>()?;
+    let of = |kind: Kind| {
+        let files = files.iter().copied();
+        files.filter(move |(file, text)| Kind::of(&file.name, text) == kind)
+    };
+    let (scenes, maps): (Vec<_>, Vec<_>) = (of(Kind::Json).collect(), of(Kind::Map).collect());
+    let scenarios: Vec<_> = of(Kind::Scenario).collect();
+    match (&*scenes, &*maps, &*scenarios) {
+        ([], [], []) => Err(one_sentence("There is no file to open.".to_owned())),
+        (&[(file, text)], [], []) => scene(file, text),
+        ([], &[(file, text)], []) => map(file, text),
+        ([], [], &[(file, text)]) => Err(map_missing(file, text)),
+        ([], [map], [scenario]) => scenario::read(*map, *scenario),
+        _ => Err(Notice {
+            sentence: "These files are no single scene.".to_owned(),
+            details: vec![
+                format!(
+                    "found {}, {}, {}",
+                    count(scenes.len(), "JSON file"),
+                    count(maps.len(), "map"),
+                    count(scenarios.len(), "scenario")
+                ),
+                "expected one JSON file, or one .map and one .scen".to_owned(),
+            ],
+        }),
+    }
+}
+
+fn text(file: &Opened) -> Result<&str, Notice> {
+    if let Some(notice) = too_large(&file.name, file.bytes.len() as u64) {
+        return Err(notice);
+    }
+    read_text(&file.bytes).map_err(|fault| faulty(&file.name, &[fault]))
+}
+
+fn scene(file: &Opened, text: &str) -> Result<Reading, Notice> {
+    native::read_instance(text)
+        .map(|instance| Reading::Scene(Box::new(named(instance.to_scene(), &file.name))))
+        .map_err(|faults| faulty(&file.name, &faults))
+}
+
+fn map(file: &Opened, text: &str) -> Result<Reading, Notice> {
+    let grid = movingai::read_map(text).map_err(|fault| faulty(&file.name, &[fault]))?;
+    let scene = Scene {
+        map: grid.rows(),
+        ..Scene::default()
+    };
+    Ok(Reading::Scene(Box::new(named(scene, &file.name))))
+}
+
+fn map_missing(file: &Opened, text: &str) -> Notice {
+    let scenario = match movingai::read_scenario(text) {
+        Ok(scenario) => scenario,
+        Err(fault) => return faulty(&file.name, &[fault]),
+    };
+    let name = scenario.map_name().map(base).unwrap_or_default();
+    let map = if name.is_empty() { "its map" } else { name };
+    refusal(
+        &file.name,
+        &format!("it is a scenario for {map}: open both files together"),
+    )
+}
+
+/// The scene with the name of its file, where it has none of its own.
+fn named(mut scene: Scene, file: &str) -> Scene {
+    if scene.name.is_empty() {
+        stem(file).clone_into(&mut scene.name);
+    }
+    scene
+}
+
+/// The most faults that are told of one file.
+const TOLD: usize = 5;
+
+fn faulty(file: &str, faults: &[Fault]) -> Notice {
+    let told = faults.iter().take(TOLD);
+    let mut details: Vec<String> = told.map(|fault| format!("{file}, {fault}")).collect();
+    if let more @ 1.. = faults.len().saturating_sub(TOLD) {
+        details.push(format!("and {}", count(more, "more fault")));
+    }
+    Notice {
+        sentence: format!("{file} cannot be opened; the scene stays as it is."),
+        details,
+    }
+}
+
+fn refusal(file: &str, why: &str) -> Notice {
+    Notice {
+        sentence: format!("{file} cannot be opened; the scene stays as it is."),
+        details: vec![why.to_owned()],
+    }
+}
+
+fn one_sentence(sentence: String) -> Notice {
+    Notice {
+        sentence,
+        details: Vec::new(),
+    }
+}
+
+/// A name without folders.
+fn base(path: &str) -> &str {
+    path.rsplit(['/', '\\']).next().unwrap_or(path)
+}
+
+/// A file's name without its ending.
+fn stem(file: &str) -> &str {
+    match file.rsplit_once('.') {
+        Some((stem, _)) if !stem.is_empty() => stem,
+        _ => file,
+    }
+}

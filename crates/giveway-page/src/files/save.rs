@@ -1,0 +1,71 @@
+//! What is saved: texts, and names for their files.
+
+use giveway_model::format::native;
+
+use crate::State;
+
+/// A file to be saved.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Saved {
+    /// Its name.
+    pub name: String,
+    /// What is in it.
+    pub text: String,
+}
+
+/// The scene on the board, in the project's own JSON.
+///
+/// ```
+/// use giveway_page::{Draft, State, files};
+/// let saved = files::scene_file(&State::new(Draft::default()));
+/// assert_eq!(saved.name, "scene.json");
+/// ```
+pub fn scene_file(state: &State) -> Saved {
+    let scene = state.draft.scene();
+    Saved {
+        name: format!("{}.json", file_stem(&scene.name, "scene")),
+        text: native::write_scene(scene),
+    }
+}
+
+/// The plan that is shown; `None` without one, and where it is stale, since it
+/// would not fit the scene that is saved.
+pub fn plan_file(state: &State) -> Option<Saved> {
+    let plan = state.fresh_answer()?.plan()?;
+    let stem = file_stem(&state.draft.scene().name, "scene");
+    Some(Saved {
+        name: format!("{stem}-plan.json"),
+        text: native::write_plan(plan),
+    })
+}
+
+/// The longest name that is made, in characters.
+const LONGEST: usize = 60;
+
+/// A scene's name as a file's: letters, figures, `-`, `_`; all else is one `-`.
+fn file_stem(name: &str, otherwise: &str) -> String {
+    let keeps = |c: char| c.is_alphanumeric() || c == '_';
+    let words = name.split(|c| !keeps(c)).filter(|word| !word.is_empty());
+    let stem: String = words.collect::<Vec<_>>().join("-");
+    match stem.chars().take(LONGEST).collect::<String>() {
+        stem if stem.is_empty() => otherwise.to_owned(),
+        stem => stem,
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn names_of_files() {
+        let check = |name, expect: &str| assert_eq!(file_stem(name, "scene"), expect);
+        check("warehouse", "warehouse");
+        check("scenario 6", "scenario-6");
+        check("../../etc/passwd", "etc-passwd");
+        check("Größe_2", "Größe_2");
+        check("", "scene");
+        check("...", "scene");
+        assert_eq!(file_stem(&"x".repeat(100), "scene").len(), LONGEST);
+    }
+}

@@ -1,0 +1,145 @@
+//! Files as a person may open them.
+
+use giveway_model::{Cell, Fault};
+
+use super::*;
+
+fn file(name: &str, text: &str) -> Opened {
+    Opened {
+        name: name.to_owned(),
+        bytes: text.as_bytes().to_vec(),
+    }
+}
+
+const MAP: &str = "type octile\nheight 2\nwidth 3\nmap\n.@.\n...\n";
+const SCEN: &str =
+    "version 1\n0\tmaps/small.map\t3\t2\t0\t0\t2\t0\t4\n0\tmaps/small.map\t3\t2\t2\t1\t0\t1\t2\n";
+
+fn scene_of(files: &[Opened]) -> Scene {
+    match read(files) {
+        Ok(Reading::Scene(scene)) => *scene,
+        other => panic!("{other:?}"),
+    }
+}
+
+#[track_caller]
+fn refused(files: &[Opened], detail: &str) {
+    let notice = read(files).unwrap_err();
+    assert!(!notice.sentence.is_empty());
+    assert_eq!(notice.details, [detail]);
+}
+
+#[test]
+fn a_scene_of_its_own() {
+    let text = r#"{"giveway": 1, "map": ["..", ".."], "agents": []}"#;
+    let scene = scene_of(&[file("two by two.json", text)]);
+    assert_eq!(scene.map, ["..", ".."]);
+    assert_eq!(scene.name, "two by two", "named by its file");
+}
+
+#[test]
+fn the_name_in_the_file_counts_more() {
+    let text = r#"{"giveway": 1, "name": "own", "map": ["."], "agents": []}"#;
+    assert_eq!(scene_of(&[file("other.json", text)]).name, "own");
+}
+
+#[test]
+fn a_broken_scene_is_told_with_file_line_and_column() {
+    let text = "{\n  \"giveway\": 1,\n  \"mapp\": []\n}";
+    refused(
+        &[file("broken.json", text)],
+        &format!(
+            "broken.json, {}",
+            Fault::at(
+                "",
+                "the unknown key \"mapp\"",
+                "one of giveway, name, map, rules, objective, agents"
+            )
+            .in_text(3, 3)
+        ),
+    );
+}
+
+#[test]
+fn a_map_alone_has_no_agents() {
+    let scene = scene_of(&[file("small.map", MAP)]);
+    assert_eq!(scene.map, [".#.", "..."]);
+    assert!(scene.agents.is_empty());
+    assert_eq!(scene.name, "small");
+}
+
+#[test]
+fn a_map_and_a_scenario_ask_for_a_number() {
+    let files = [file("small-random-1.scen", SCEN), file("small.MAP", MAP)];
+    let Ok(Reading::Scenario(choice)) = read(&files) else {
+        panic!("no scenario");
+    };
+    assert_eq!((choice.most(), choice.proposed()), (2, 2));
+    assert_eq!(choice.file(), "small-random-1.scen");
+    let scene = choice.scene(2).unwrap();
+    assert_eq!(scene.name, "small-random-1");
+    assert_eq!(scene.agents[1].start, Cell::new(2, 1));
+    assert!(choice.scene(3).is_err());
+}
+
+#[test]
+fn a_scenario_alone_says_which_map_is_missing() {
+    refused(
+        &[file("small.scen", SCEN)],
+        "it is a scenario for small.map: open both files together",
+    );
+}
+
+#[test]
+fn a_scenario_for_another_size_is_refused_at_once() {
+    let wider = "type octile\nheight 2\nwidth 4\nmap\n....\n....\n";
+    let files = [file("small.scen", SCEN), file("wider.map", wider)];
+    let notice = read(&files).unwrap_err();
+    assert!(notice.details[0].starts_with("small.scen, line 2"));
+}
+
+#[test]
+fn too_many_files() {
+    let files = [file("a.json", "{}"), file("b.map", MAP)];
+    let notice = read(&files).unwrap_err();
+    assert_eq!(notice.details[0], "found 1 JSON file, 1 map, 0 scenarios");
+    assert!(read(&[]).is_err());
+}
+
+#[test]
+fn bytes_that_are_no_text() {
+    let file = Opened {
+        name: "photo.json".to_owned(),
+        bytes: vec![b'{', 0xff, 0xd8],
+    };
+    refused(
+        &[file],
+        "photo.json, line 1, column 2: found the byte 0xFF, expected text in UTF-8",
+    );
+}
+
+#[test]
+fn large_files_are_refused_by_their_size() {
+    assert_eq!(too_large("a.json", MAX_BYTES), None);
+    let notice = too_large("a.json", MAX_BYTES + 1).unwrap();
+    assert_eq!(notice.details, ["found 11 MB, expected at most 10 MB"]);
+}
+
+#[test]
+fn an_unknown_ending_is_told_by_its_beginning() {
+    assert_eq!(scene_of(&[file("small.txt", MAP)]).map.len(), 2);
+    assert!(read(&[file("small", SCEN)]).is_err());
+}
+
+#[test]
+fn many_faults_are_not_all_told() {
+    let agent = |i| format!(r#"{{"name": "A{i}", "start": [9, 9], "goal": [0, 0]}}"#);
+    let agents: Vec<String> = (0..9).map(agent).collect();
+    let text = format!(
+        r#"{{"giveway": 1, "map": ["..."], "agents": [{}]}}"#,
+        agents.join(",")
+    );
+    let notice = read(&[file("many.json", &text)]).unwrap_err();
+    assert_eq!(notice.details.len(), TOLD + 1);
+    assert!(notice.details[TOLD].starts_with("and "));
+}

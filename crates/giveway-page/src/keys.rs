@@ -1,0 +1,235 @@
+//! The keys that work wherever the focus is.
+
+use crate::{Action, Phase, Selection, State, Tool};
+
+/// A key as it was pressed.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct Key<'a> {
+    /// Its name as the browser has it: `a`, `Enter`, ` `.
+    pub name: &'a str,
+    /// Whether Ctrl was held, or Command.
+    pub ctrl: bool,
+    /// Whether Shift was held.
+    pub shift: bool,
+    /// Whether Alt was held.
+    pub alt: bool,
+}
+
+/// What a key asks for.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Command {
+    /// A change of the state.
+    Act(Action),
+    /// To see the keys.
+    Help,
+}
+
+/// What a key does; `None` where it does nothing, so that the browser keeps it.
+///
+/// ```
+/// use giveway_page::{Action, Draft, State, Tool, keys::{Command, Key, command}};
+/// let state = State::new(Draft::default());
+/// let key = Key { name: "o", ..Key::default() };
+/// assert_eq!(command(key, &state), Some(Command::Act(Action::PickTool(Tool::Obstacle))));
+/// ```
+pub fn command(key: Key<'_>, state: &State) -> Option<Command> {
+    if key.alt {
+        return None;
+    }
+    if key.ctrl {
+        return with_ctrl(key).map(Command::Act);
+    }
+    let playing = state.playback.playing;
+    let has_plan = state.last_time() > 0;
+    let on_plan = |action| has_plan.then_some(action);
+    let action = match key.name {
+        "?" => return Some(Command::Help),
+        "Escape" => escape(state),
+        " " => on_plan(if playing { Action::Pause } else { Action::Play }),
+        "," => on_plan(Action::StepBack),
+        "." => on_plan(Action::StepForward),
+        "Home" => on_plan(Action::Seek(0)),
+        "End" => on_plan(Action::Seek(state.last_time())),
+        name => tool(name).map(Action::PickTool),
+    };
+    action.map(Command::Act)
+}
+
+fn with_ctrl(key: Key<'_>) -> Option<Action> {
+    match (key.name, key.shift) {
+        ("Enter", _) => Some(Action::Solve),
+        ("z" | "Z", false) => Some(Action::Undo),
+        ("z" | "Z", true) | ("y" | "Y", false) => Some(Action::Redo),
+        _ => None,
+    }
+}
+
+/// One thing after the other: the solver, the notice, the selection.
+fn escape(state: &State) -> Option<Action> {
+    if state.phase() == Phase::Solving {
+        Some(Action::Cancel)
+    } else if state.notice.is_some() {
+        Some(Action::DismissNotice)
+    } else if state.selection != Selection::Nothing {
+        Some(Action::Select(Selection::Nothing))
+    } else {
+        None
+    }
+}
+
+fn tool(name: &str) -> Option<Tool> {
+    let mut letters = name.chars();
+    let key = letters.next()?.to_ascii_lowercase();
+    if letters.next().is_some() {
+        return None;
+    }
+    Tool::ALL.into_iter().find(|tool| tool.key() == key)
+}
+
+/// A row of the help: keys that belong together, and what they do.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Row {
+    /// The keys, each as it stands on a keyboard; those of a chord joined by `+`.
+    pub keys: &'static [&'static str],
+    /// What they do.
+    pub what: &'static str,
+}
+
+/// The help: groups of rows, each with a title.
+pub const HELP: [(&str, &[Row]); 4] = [
+    (
+        "Solving",
+        &[
+            row(&["Ctrl+Enter"], "Solve"),
+            row(&["Escape"], "Cancel; close what is open"),
+            row(&["Ctrl+Z"], "Undo"),
+            row(&["Ctrl+Shift+Z"], "Redo"),
+        ],
+    ),
+    (
+        "Time",
+        &[
+            row(&["Space"], "Play or pause"),
+            row(&[",", "."], "One step back, one step forward"),
+            row(&["Home", "End"], "To the start, to the end"),
+        ],
+    ),
+    (
+        "Tools",
+        &[
+            row(&["V"], "Select"),
+            row(&["O"], "Obstacle"),
+            row(&["C"], "Charger"),
+            row(&["S"], "Slow zone"),
+            row(&["E"], "Erase"),
+        ],
+    ),
+    (
+        "Board",
+        &[
+            row(
+                &["\u{2190}", "\u{2191}", "\u{2192}", "\u{2193}"],
+                "Move the cursor",
+            ),
+            row(&["Enter", "Space"], "Use the tool on the cell"),
+            row(&["+", "\u{2212}", "0"], "Zoom in, zoom out, fit"),
+            row(&["?"], "This list"),
+        ],
+    ),
+];
+
+const fn row(keys: &'static [&'static str], what: &'static str) -> Row {
+    Row { keys, what }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::{Draft, Notice, reduce};
+
+    fn state() -> State {
+        State::new(Draft::default())
+    }
+
+    fn key(name: &str) -> Key<'_> {
+        Key {
+            name,
+            ..Key::default()
+        }
+    }
+
+    fn act(key: Key<'_>, state: &State) -> Option<Action> {
+        match command(key, state) {
+            Some(Command::Act(action)) => Some(action),
+            _ => None,
+        }
+    }
+
+    #[test]
+    fn every_tool_has_its_key_and_its_row() {
+        let rows = HELP.iter().flat_map(|(_, rows)| rows.iter());
+        let rows: Vec<_> = rows.collect();
+        for tool in Tool::ALL {
+            let name = tool.key().to_string();
+            assert_eq!(act(key(&name), &state()), Some(Action::PickTool(tool)));
+            let upper = name.to_uppercase();
+            let told = rows.iter().find(|row| row.keys == [upper.as_str()]);
+            assert_eq!(told.map(|row| row.what), Some(tool.name()));
+        }
+    }
+
+    #[test]
+    fn chords() {
+        let ctrl = |name, shift| Key {
+            name,
+            ctrl: true,
+            shift,
+            alt: false,
+        };
+        assert_eq!(act(ctrl("Enter", false), &state()), Some(Action::Solve));
+        assert_eq!(act(ctrl("z", false), &state()), Some(Action::Undo));
+        assert_eq!(act(ctrl("Z", true), &state()), Some(Action::Redo));
+        assert_eq!(act(ctrl("c", false), &state()), None, "copying stays");
+        assert_eq!(act(ctrl("o", false), &state()), None);
+    }
+
+    #[test]
+    fn without_a_plan_there_is_no_time() {
+        for name in [" ", ",", ".", "Home", "End"] {
+            assert_eq!(command(key(name), &state()), None, "{name:?}");
+        }
+    }
+
+    #[test]
+    fn escape_takes_one_thing_after_the_other() {
+        let mut state = reduce(&state(), Action::Solve);
+        state.notice = Some(Notice {
+            sentence: String::new(),
+            details: Vec::new(),
+        });
+        state.selection = Selection::Agent(0);
+        for expect in [
+            Action::Cancel,
+            Action::DismissNotice,
+            Action::Select(Selection::Nothing),
+        ] {
+            let action = act(key("Escape"), &state);
+            assert_eq!(action, Some(expect.clone()));
+            state = reduce(&state, expect);
+        }
+        assert_eq!(command(key("Escape"), &state), None);
+    }
+
+    #[test]
+    fn other_keys_are_left_alone() {
+        let alt = Key {
+            alt: true,
+            ..key("o")
+        };
+        assert_eq!(command(alt, &state()), None);
+        for name in ["x", "F5", "Tab", "Dead", ""] {
+            assert_eq!(command(key(name), &state()), None, "{name}");
+        }
+        assert_eq!(command(key("?"), &state()), Some(Command::Help));
+    }
+}
