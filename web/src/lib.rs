@@ -8,14 +8,18 @@ mod app;
 mod clock;
 mod glyph;
 mod icon;
+mod inspector;
 mod shown;
 mod solver;
 mod status;
 mod theme;
+mod timeline;
 mod top_bar;
 
 pub use app::App;
 pub use clock::{Clock, Listening};
 pub use glyph::{Glyph, GlyphProps, form};
 pub use icon::{Icon, IconProps};
+pub use inspector::{Inspector, InspectorProps};
 pub use shown::Shown;
+pub use timeline::{Dock, DockProps};

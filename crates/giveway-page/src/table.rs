@@ -1,5 +1,7 @@
 //! The plan table: time by agent, cells and levels, as the papers print it.
 
+use std::fmt::Write as _;
+
 use giveway_model::Cell;
 
 use crate::timeline::Lane;
@@ -118,10 +120,10 @@ fn aligned(rows: &[Vec<String>]) -> String {
     for row in rows {
         let mut line = String::new();
         for (i, entry) in row.iter().enumerate() {
-            line += &if i == 0 {
-                format!("{entry:names$}")
+            let _ = if i == 0 {
+                write!(line, "{entry:names$}")
             } else {
-                format!("{entry:>entries$}")
+                write!(line, "{entry:>entries$}")
             };
         }
         text += line.trim_end();

@@ -41,8 +41,7 @@ impl Axis {
 
     /// The time whose column is nearest.
     pub fn time_at(&self, x: f64) -> u32 {
-        let column = (x / self.column).floor().max(0.0);
-        (column as u32).min(self.times - 1)
+        whole(x / self.column).min(self.times - 1)
     }
 
     /// The columns to draw where those between two places are seen: a bundle
@@ -72,6 +71,20 @@ impl Axis {
         }
         labels
     }
+}
+
+/// A number rounded down; 0 for one below.
+///
+/// ```
+/// use giveway_page::timeline::whole;
+/// assert_eq!((whole(2.9), whole(-1.0)), (2, 0));
+/// ```
+#[allow(
+    clippy::cast_sign_loss,
+    reason = "what is below 0 becomes 0, as it should"
+)]
+pub const fn whole(x: f64) -> u32 {
+    x as u32
 }
 
 #[cfg(test)]

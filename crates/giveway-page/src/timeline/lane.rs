@@ -96,7 +96,7 @@ impl Lane {
             steps,
             charges: plan.charges(&who.name).to_vec(),
             capacity: who.battery.map(|battery| battery.capacity),
-            levels: levels.iter().map(|&n| n.max(0) as u32).collect(),
+            levels: levels.iter().map(|&n| level(n)).collect(),
         })
     }
 
@@ -150,6 +150,11 @@ impl Lane {
             self.arrival
         )
     }
+}
+
+/// A level of a plan that was judged: none is below 0.
+fn level(n: i64) -> u32 {
+    u32::try_from(n).unwrap_or(0)
 }
 
 /// `3, 7 and 13`.

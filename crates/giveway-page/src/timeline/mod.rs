@@ -6,7 +6,7 @@ mod gauge;
 mod lane;
 mod shapes;
 
-pub use axis::{Axis, MIN_COLUMN};
+pub use axis::{Axis, MIN_COLUMN, whole};
 pub use gauge::{Gauge, gauge, work_done};
 pub use lane::{Lane, Step, Way};
 pub use shapes::{Row, Shapes};

@@ -3,7 +3,7 @@
 use std::fmt::Write as _;
 use std::ops::Range;
 
-use super::{Axis, Lane, Step, Way};
+use super::{Axis, Lane, Step, Way, whole};
 
 /// The heights within a lane, in pixels from its top.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -187,7 +187,7 @@ fn stripes(path: &mut String, left: f64, top: f64, width: f64, tall: f64) {
     let count = ((width - slant - 3.0) / EVERY).floor().max(0.0);
     let used = count * EVERY + slant;
     let first = left + (width - used) / 2.0;
-    for n in 0..=(count as u32) {
+    for n in 0..=whole(count) {
         let x = first + f64::from(n) * EVERY;
         let (top, bottom) = (px(top + 1.0), px(top + tall - 1.0));
         let _ = write!(path, "M{} {bottom}L{} {top}", px(x), px(x + slant));

@@ -1,0 +1,84 @@
+//! An agent at the time shown.
+
+use giveway_page::Action;
+use giveway_page::inspect::{AgentFacts, BatteryFacts};
+use giveway_page::timeline::{Lane, Way};
+use yew::prelude::*;
+
+use super::back;
+use crate::Glyph;
+
+pub(super) fn show(facts: &AgentFacts, send: &Callback<Action>) -> Html {
+    let (visited, waypoints) = facts.waypoints;
+    html! {
+        <>
+            <header class="ih">
+                { back(send) }
+                <Glyph agent={facts.agent} name={facts.name.clone()} class="insp-glyph" />
+                <div><h2>{ facts.name.clone() }</h2><p class="doing">{ facts.doing.clone() }</p></div>
+            </header>
+            <dl class="facts">
+                if let Some(battery) = facts.battery {
+                    <div><dt>{ "Battery" }</dt><dd>{ show_battery(battery) }</dd></div>
+                }
+                if waypoints > 0 {
+                    <div><dt>{ "Waypoints" }</dt><dd><span><b>{ visited }</b>{ format!(" of {waypoints} visited") }</span></dd></div>
+                }
+                if let Some(lane) = &facts.lane {
+                    { show_plan(lane, send) }
+                }
+            </dl>
+        </>
+    }
+}
+
+fn show_plan(lane: &Lane, send: &Callback<Action>) -> Html {
+    let (slow, waits) = (lane.count(Way::Slow), lane.count(Way::Wait));
+    let arrival = lane.arrival;
+    html! {
+        <>
+            <div><dt>{ "Arrives" }</dt><dd><span>{ "at " }{ time(arrival, send) }</span></dd></div>
+            <div>
+                <dt>{ "Path" }</dt>
+                <dd><span>
+                    <b>{ lane.moves() }</b>{ if lane.moves() == 1 { " move" } else { " moves" } }
+                    if slow > 0 { { format!(", {slow} of them slow") } }
+                </span></dd>
+            </div>
+            if waits > 0 {
+                <div><dt>{ "Waits" }</dt><dd><span><b>{ waits }</b>{ if waits == 1 { " step" } else { " steps" } }</span></dd></div>
+            }
+            if !lane.charges.is_empty() {
+                <div>
+                    <dt>{ "Charges" }</dt>
+                    <dd><span class="times">{ "at " }{ for lane.charges.iter().map(|&at| html! { <>{ time(at, send) }{ " " }</> }) }</span></dd>
+                </div>
+            }
+        </>
+    }
+}
+
+/// A time that can be shown by pressing it.
+fn time(at: u32, send: &Callback<Action>) -> Html {
+    html! {
+        <button type="button" class="link time" title={format!("Show time {at}")} onclick={send.reform(move |_| Action::Seek(at))}>{ at }</button>
+    }
+}
+
+fn show_battery(battery: BatteryFacts) -> Html {
+    let (full, cells) = battery.cells();
+    let cell = |n: u32| {
+        let class = match n {
+            n if n < full => Some("on"),
+            _ if battery.charges => Some("fill"),
+            _ => None,
+        };
+        html! { <i class={classes!(class)}></i> }
+    };
+    html! {
+        <>
+            <span class={classes!("cells", battery.reserve.class())} aria-hidden="true">{ for (0..cells).map(cell) }</span>
+            <span><b>{ battery.level }</b>{ format!(" of {}", battery.capacity) }{ if battery.charges { ", then full" } else { "" } }</span>
+        </>
+    }
+}

@@ -1,0 +1,66 @@
+//! A cell: what it is and who passes when.
+
+use giveway_page::inspect::{CellFacts, Pass};
+use giveway_page::{Action, Selection};
+use yew::prelude::*;
+
+use super::{back, in_draft};
+use crate::{Glyph, Icon, Shown};
+
+/// The most lines of who passes.
+const MAX_PASSES: usize = 60;
+
+pub(super) fn show(state: &Shown, facts: &CellFacts, send: &Callback<Action>) -> Html {
+    html! {
+        <>
+            <header class="ih">
+                { back(send) }
+                <span class={classes!("cellsw", facts.icon)}>
+                    if let Some(icon) = facts.icon { <Icon name={icon} /> }
+                </span>
+                <div><h2>{ facts.title.clone() }</h2><p>{ facts.ground }</p></div>
+            </header>
+            if !facts.roles.is_empty() {
+                <ul class="picks">
+                    { for facts.roles.iter().map(|(agent, role)| show_role(*agent, role, send)) }
+                </ul>
+            }
+            if let Some(passes) = &facts.passes {
+                <section>
+                    <h3>{ "Who is here when" }</h3>
+                    if passes.is_empty() {
+                        <p class="quiet">{ "Nobody passes here." }</p>
+                    } else {
+                        <ul class="picks">{ for passes.iter().take(MAX_PASSES).map(|pass| show_pass(state, pass, send)) }</ul>
+                        if passes.len() > MAX_PASSES {
+                            <p class="quiet">{ format!("And {} more.", passes.len() - MAX_PASSES) }</p>
+                        }
+                    }
+                </section>
+            }
+        </>
+    }
+}
+
+fn show_role(agent: usize, role: &str, send: &Callback<Action>) -> Html {
+    let onclick = send.reform(move |_| Action::Select(Selection::Agent(agent)));
+    html! {
+        <li><button type="button" class="pick" {onclick}>
+            <Glyph {agent} class="pick-glyph" /><span>{ role.to_owned() }</span><Icon name="chevron" class="end" />
+        </button></li>
+    }
+}
+
+/// Pressing it shows the time at which the agent comes.
+fn show_pass(state: &Shown, pass: &Pass, send: &Callback<Action>) -> Html {
+    let from = pass.from;
+    let time = state.playback.time;
+    let is_past = time > from;
+    let agent = in_draft(state, &pass.name).unwrap_or(pass.agent);
+    html! {
+        <li><button type="button" class={classes!("pick", is_past.then_some("past"))} title={format!("Show time {from}")}
+            onclick={send.reform(move |_| Action::Seek(from))}>
+            <Glyph {agent} class="pick-glyph" /><span><b>{ pass.name.clone() }</b>{ format!(" {}", pass.when) }</span>
+        </button></li>
+    }
+}

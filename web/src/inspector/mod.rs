@@ -1,0 +1,63 @@
+//! The inspector: the agent or cell selected, at the time shown; the plan as a
+//! whole where nothing is.
+
+mod agent;
+mod cell;
+mod whole;
+
+use giveway_page::{Action, Selection, State, inspect};
+use yew::prelude::*;
+
+use crate::{Icon, Shown};
+
+/// The state and where actions go.
+#[derive(Clone, PartialEq, Properties)]
+pub struct InspectorProps {
+    /// The state.
+    pub state: Shown,
+    /// Takes actions.
+    pub send: Callback<Action>,
+}
+
+/// What is selected, at the time shown.
+#[component]
+pub fn Inspector(props: &InspectorProps) -> Html {
+    let InspectorProps { state, send } = props;
+    // Without a plan a phone has no tabs: this place is all there is.
+    let alone = state.plan().is_none().then_some("alone");
+    html! {
+        <aside class={classes!("insp", alone)} id="inspector" aria-label="Inspector">
+            <div class="scroll">{ content(state, send) }</div>
+        </aside>
+    }
+}
+
+fn content(state: &Shown, send: &Callback<Action>) -> Html {
+    match state.selection {
+        Selection::Agent(index) => match inspect::agent(state, index) {
+            Some(facts) => agent::show(&facts, send),
+            None => whole::show(state, send),
+        },
+        Selection::Cell(cell) => match inspect::cell(state, cell) {
+            Some(facts) => cell::show(state, &facts, send),
+            None => whole::show(state, send),
+        },
+        Selection::Nothing => whole::show(state, send),
+    }
+}
+
+/// The way back to the plan as a whole.
+fn back(send: &Callback<Action>) -> Html {
+    html! {
+        <button type="button" class="crumb" onclick={send.reform(|_| Action::Select(Selection::Nothing))}>
+            <Icon name="back" />{ "Whole plan" }
+        </button>
+    }
+}
+
+/// The index in the draft of an agent of the answer, which may be of an older
+/// draft: agents are the same if their names are.
+fn in_draft(state: &State, name: &str) -> Option<usize> {
+    let mut agents = state.draft.agents().iter();
+    agents.position(|agent| agent.name == name)
+}

@@ -1,0 +1,149 @@
+//! The scene and its plan as a whole, and the agents to pick from.
+
+use std::rc::Rc;
+
+use giveway_page::inspect::{CostFacts, Whole, whole};
+use giveway_page::{Action, Answer, Draft, Selection, Work};
+use yew::prelude::*;
+
+use crate::{Glyph, Icon, Shown};
+
+/// So many agents are listed at first, and with every press of `More`.
+const AGENTS: usize = 50;
+
+pub(super) fn show(state: &Shown, send: &Callback<Action>) -> Html {
+    let facts = whole(state);
+    let is_solving = matches!(state.work, Work::Solving(_));
+    html! {
+        <>
+            <header class="ih"><div><h2>{ facts.title.clone() }</h2><p>{ facts.contents.clone() }</p></div></header>
+            if !facts.problems.is_empty() {
+                { problems(&facts) }
+            }
+            if !facts.costs.is_empty() || !facts.claims.is_empty() || facts.work.is_some() {
+                <section>
+                    <h3>{ if is_solving { "So far" } else { "Plan" } }</h3>
+                    { costs(&facts.costs) }
+                    { for facts.claims.iter().map(|claim| html! { <p class="claim">{ claim.clone() }</p> }) }
+                    if let Some(work) = facts.work {
+                        <p class="quiet">{ work }</p>
+                    }
+                </section>
+            }
+            <Agents draft={Rc::clone(&state.draft)} answer={state.answer.clone()} send={send.clone()} />
+        </>
+    }
+}
+
+fn problems(facts: &Whole) -> Html {
+    let one = |problem: &String| {
+        html! { <li class="problem"><Icon name="warning" /><span>{ problem.clone() }</span></li> }
+    };
+    html! {
+        <section>
+            <h3>{ "Problems " }<span class="count">{ facts.problems.len() }</span></h3>
+            <ul>{ for facts.problems.iter().map(one) }</ul>
+        </section>
+    }
+}
+
+fn costs(costs: &[CostFacts]) -> Html {
+    if costs.is_empty() {
+        return Html::default();
+    }
+    let number = |n: Option<u32>| n.map_or_else(|| "\u{2013}".to_owned(), |n| n.to_string());
+    let row = |facts: &CostFacts| {
+        let minor = (!facts.is_minimised).then_some("minor");
+        html! {
+            <tr key={facts.title} class={classes!(minor)}>
+                <th scope="row">{ facts.title }</th>
+                <td>{ number(facts.value) }</td>
+                <td>
+                    if facts.is_proved() {
+                        <span class="seal"><Icon name="proved" /><span class="vh">{ "proved least: " }</span></span>
+                    }
+                    if facts.is_minimised { { number(facts.at_least) } }
+                </td>
+            </tr>
+        }
+    };
+    html! {
+        <table class="costs" aria-label="Costs">
+            <thead><tr><th scope="col">{ "Cost" }</th><th scope="col">{ "Plan" }</th><th scope="col">{ "At least" }</th></tr></thead>
+            <tbody>{ for costs.iter().map(row) }</tbody>
+        </table>
+    }
+}
+
+#[derive(Clone, Properties)]
+struct AgentsProps {
+    draft: Rc<Draft>,
+    answer: Option<Rc<Answer>>,
+    send: Callback<Action>,
+}
+
+impl PartialEq for AgentsProps {
+    /// The same objects: to compare long plans would take long.
+    fn eq(&self, other: &Self) -> bool {
+        let answers = match (&self.answer, &other.answer) {
+            (Some(a), Some(b)) => Rc::ptr_eq(a, b),
+            (None, None) => true,
+            _ => false,
+        };
+        answers && Rc::ptr_eq(&self.draft, &other.draft) && self.send == other.send
+    }
+}
+
+/// The agents to pick from.
+#[component]
+fn Agents(props: &AgentsProps) -> Html {
+    let AgentsProps {
+        draft,
+        answer,
+        send,
+    } = props;
+    let shown = use_state_eq(|| AGENTS);
+    let agents = draft.agents();
+    let arrival = |name: &str| {
+        let answer = answer.as_deref()?;
+        let index = answer
+            .draft
+            .agents()
+            .iter()
+            .position(|agent| agent.name == name)?;
+        *answer.arrivals.get(index)?
+    };
+    let one = |(agent, who): (usize, &giveway_model::Agent)| {
+        let onclick = send.reform(move |_| Action::Select(Selection::Agent(agent)));
+        html! {
+            <li key={agent}><button type="button" class="pick" {onclick}>
+                <Glyph {agent} class="pick-glyph" />
+                <span>
+                    <b>{ who.name.clone() }</b>
+                    <small>{ format!("({},{}) to ({},{})", who.start.x, who.start.y, who.goal.x, who.goal.y) }
+                        if let Some(time) = arrival(&who.name) { { format!(", arrives at {time}") } }
+                    </small>
+                </span>
+                <Icon name="chevron" class="end" />
+            </button></li>
+        }
+    };
+    let more = {
+        let shown = shown.clone();
+        let next = *shown + AGENTS * 2;
+        move |_| shown.set(next)
+    };
+    html! {
+        if agents.is_empty() {
+            <p class="quiet">{ "No agents." }</p>
+        } else {
+            <section>
+                <h3>{ "Agents" }</h3>
+                <ul class="picks">{ for agents.iter().enumerate().take(*shown).map(one) }</ul>
+                if agents.len() > *shown {
+                    <button type="button" class="btn outline more" onclick={more}>{ format!("Show more of {}", agents.len()) }</button>
+                }
+            </section>
+        }
+    }
+}

@@ -1,0 +1,30 @@
+//! Text to the clipboard.
+
+use giveway_page::Notice;
+use wasm_bindgen_futures::JsFuture;
+use yew::platform::spawn_local;
+
+/// Puts a text into the clipboard, then tells how that went.
+pub(super) fn text(text: &str, done: impl FnOnce(Result<(), Notice>) + 'static) {
+    let refused = |why: &str| Notice {
+        sentence: "The plan table could not be copied.".to_owned(),
+        details: vec![why.to_owned()],
+    };
+    let window = gloo::utils::window();
+    if !window.is_secure_context() {
+        // There is no clipboard at all then.
+        done(Err(refused(
+            "A page may write to the clipboard only over https or on this machine.",
+        )));
+        return;
+    }
+    let written = window.navigator().clipboard().write_text(text);
+    spawn_local(async move {
+        let written = JsFuture::from(written).await;
+        done(
+            written
+                .map(|_| ())
+                .map_err(|_| refused("The browser did not let the page write to the clipboard.")),
+        );
+    });
+}

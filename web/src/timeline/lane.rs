@@ -1,0 +1,118 @@
+//! A lane: an agent's label and its bars.
+
+use std::ops::Range;
+
+use giveway_page::form;
+use giveway_page::timeline::{Axis, Lane, Row, Shapes};
+use yew::prelude::*;
+
+use super::same::Same;
+use crate::Glyph;
+
+/// The bolt and the flag of the icons, for use among the bars.
+const BOLT: &str = "M11.4 2.8 5 11.2h4.6l-1 6L15 8.8h-4.6Z";
+const FLAG: &str = "M5 17.2V3.2M5 4h9.6l-2.4 3.4 2.4 3.4H5";
+
+#[derive(Clone, PartialEq, Properties)]
+pub(super) struct LaneRowProps {
+    pub lanes: Same<Vec<Lane>>,
+    /// Which of the lanes.
+    pub index: usize,
+    pub axis: Axis,
+    pub row: Row,
+    /// The columns to draw.
+    pub columns: Range<u32>,
+    /// The battery's level at the time shown.
+    pub level: Option<u32>,
+    pub selected: bool,
+    /// Whether the tab key comes to it.
+    pub tab_stop: bool,
+    /// Takes the index of the lane that was picked.
+    pub pick: Callback<usize>,
+}
+
+/// One lane.
+#[component]
+pub(super) fn LaneRow(props: &LaneRowProps) -> Html {
+    let Some(lane) = props.lanes.get(props.index) else {
+        return Html::default();
+    };
+    let index = props.index;
+    let level = props.level.zip(lane.capacity);
+    html! {
+        <div class={classes!("row", "lane", form::class(lane.agent), props.selected.then_some("sel"))}
+            onclick={props.pick.reform(move |_| index)}>
+            <button type="button" class="lab" aria-pressed={props.selected.to_string()}
+                tabindex={if props.tab_stop { "0" } else { "-1" }} data-lane={index.to_string()} title={lane.name.clone()}>
+                <Glyph agent={lane.agent} class="lane-glyph" />
+                <span class="lane-name">
+                    <b>{ lane.name.clone() }</b>
+                    if let Some((level, capacity)) = level {
+                        <small>{ format!("{level} of {capacity}") }</small>
+                    }
+                </span>
+            </button>
+            <Bars lanes={props.lanes.clone()} index={index} axis={props.axis} row={props.row} columns={props.columns.clone()} />
+        </div>
+    }
+}
+
+#[derive(Clone, PartialEq, Properties)]
+struct BarsProps {
+    lanes: Same<Vec<Lane>>,
+    index: usize,
+    axis: Axis,
+    row: Row,
+    columns: Range<u32>,
+}
+
+/// The bars and the battery of a lane; the time shown changes nothing in it.
+#[component]
+fn Bars(props: &BarsProps) -> Html {
+    let BarsProps {
+        lanes,
+        index,
+        axis,
+        row,
+        columns,
+    } = props;
+    let Some(lane) = lanes.get(*index) else {
+        return Html::default();
+    };
+    let shapes = Shapes::of(lane, *axis, *row, columns);
+    let middle = row.middle();
+    let radius = shapes.charge_radius;
+    let charge = |x: &f64| {
+        // The bolt is drawn in a square of 20 around (10, 10).
+        let scale = radius * 14.0 / 11.0 / 20.0;
+        html! {
+            <g key={x.to_string()} class="charge" transform={format!("translate({x} {middle})")}>
+                <circle class="ring" r={(radius + 2.0).to_string()} />
+                <circle r={(radius - 0.5).to_string()} />
+                <path transform={format!("scale({scale:.3}) translate(-10 -10)")} d={BOLT} />
+            </g>
+        }
+    };
+    let path = |class: &'static str, d: &str| {
+        (!d.is_empty()).then(|| html! { <path class={class} d={d.to_owned()} /> })
+    };
+    html! {
+        <svg class="bars" width={axis.width().to_string()} height={row.height.to_string()} role="img" aria-label={lane.sentence()}>
+            { path("level-area", &shapes.area) }
+            { path("level-line", &shapes.level) }
+            { path("moves", &shapes.moves) }
+            { path("slow", &shapes.slow) }
+            { path("stripes", &shapes.stripes) }
+            { path("waits", &shapes.waits) }
+            { path("pauses", &shapes.pauses) }
+            { path("after", &shapes.after) }
+            if let Some(x) = shapes.entry {
+                <path class="entry" d={format!("M{} {}l5 5-5 5", x - 10.0, middle - 5.0)} />
+            }
+            if let Some(x) = shapes.flag {
+                <path class="flag" transform={format!("translate({} {}) scale(0.85)", x - 3.0, middle - 9.0)} d={FLAG} />
+            }
+            { for shapes.charges.iter().map(charge) }
+        </svg>
+    }
+}

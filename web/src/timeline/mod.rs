@@ -1,0 +1,107 @@
+//! The dock below the board: transport, lanes and plan table; while a plan is
+//! sought, how far that has come.
+
+mod copy;
+mod head;
+mod lane;
+mod plan;
+mod plan_table;
+mod ruler;
+mod same;
+mod seen;
+mod tabs;
+mod transport;
+mod wait;
+
+use giveway_page::{Action, Phase, Work};
+use yew::prelude::*;
+
+use crate::{Icon, Shown};
+use plan::Plan;
+use same::Same;
+use tabs::Tabs;
+use transport::Transport;
+use wait::Wait;
+
+/// Lanes are lower from this many agents on.
+const DENSE_FROM: usize = 4;
+/// Windows lower than this, in pixels, begin with the plan table closed, so
+/// that the board keeps its room.
+const LOW_WINDOW: f64 = 800.0;
+/// Up to this width, in pixels, the page is that of a phone.
+const PHONE: f64 = 720.0;
+
+/// The state and where actions go.
+#[derive(Clone, PartialEq, Properties)]
+pub struct DockProps {
+    /// The state.
+    pub state: Shown,
+    /// Takes actions.
+    pub send: Callback<Action>,
+}
+
+/// Transport, lanes and plan table.
+#[component]
+pub fn Dock(props: &DockProps) -> Html {
+    let DockProps { state, send } = props;
+    {
+        let send = send.clone();
+        use_effect_with((), move |()| {
+            if is_low_window() {
+                send.emit(Action::ShowTable(false));
+            }
+        });
+    }
+    let planned = state
+        .answer
+        .clone()
+        .filter(|answer| answer.plan().is_some());
+    if let Some(answer) = planned {
+        // The one dark button is elsewhere while the plan is not the answer.
+        let quiet = matches!(state.phase(), Phase::Editing | Phase::Solving);
+        let stale = state.is_stale();
+        return html! {
+            <section class={classes!("dock", quiet.then_some("quiet"), stale.then_some("stale"))} aria-label="Timeline">
+                <Transport state={state.clone()} send={send.clone()} />
+                <Tabs tab={state.view.tab} send={send.clone()} />
+                <Plan answer={Same::new(answer)} state={state.clone()} send={send.clone()} />
+            </section>
+        };
+    }
+    if let Work::Solving(run) = &state.work {
+        return html! {
+            <section class="dock wait" aria-label="Timeline">
+                <Wait run={run.clone()} table={state.view.table} />
+            </section>
+        };
+    }
+    let (head, text) = match state.phase() {
+        Phase::None => (
+            "Nothing to play",
+            "Change the scene and solve it again: the lanes appear here.",
+        ),
+        Phase::Stopped => (
+            "No plan within the limits",
+            "Raise the time limit, or change the scene, and solve again.",
+        ),
+        _ => (
+            "Nothing to play yet",
+            "Solve the scene: a lane for each agent appears here.",
+        ),
+    };
+    html! {
+        <section class="dock empty" aria-label="Timeline">
+            <div class="nil">
+                <Icon name="clock" />
+                <p><b>{ head }</b>{ text }</p>
+            </div>
+        </section>
+    }
+}
+
+fn is_low_window() -> bool {
+    let window = gloo::utils::window();
+    let side = |side: Result<wasm_bindgen::JsValue, _>| side.ok().and_then(|side| side.as_f64());
+    let (width, height) = (side(window.inner_width()), side(window.inner_height()));
+    width.is_some_and(|width| width > PHONE) && height.is_some_and(|height| height <= LOW_WINDOW)
+}

@@ -1,0 +1,266 @@
+//! Lanes and plan table: two places that scroll sideways as one.
+
+use std::rc::Rc;
+
+use giveway_page::timeline::{Lane, Row};
+use giveway_page::{Action, Answer, Selection, State, Tab, table};
+use wasm_bindgen::JsCast;
+use wasm_bindgen::closure::Closure;
+use web_sys::{Element, HtmlElement, ResizeObserver};
+use yew::prelude::*;
+
+use super::DENSE_FROM;
+use super::head::{Moved, use_head};
+use super::lane::LaneRow;
+use super::plan_table::PlanTable;
+use super::ruler::Ruler;
+use super::same::Same;
+use super::seen::{Extent, Seen};
+use crate::Shown;
+
+#[derive(Clone, PartialEq, Properties)]
+pub(super) struct PlanProps {
+    pub answer: Same<Answer>,
+    pub state: Shown,
+    pub send: Callback<Action>,
+}
+
+/// The lanes with their ruler, and the plan table below them.
+#[component]
+pub(super) fn Plan(props: &PlanProps) -> Html {
+    let PlanProps {
+        answer,
+        state,
+        send,
+    } = props;
+    let lanes = use_memo(answer.clone(), |answer| {
+        table::lanes(answer).collect::<Vec<Lane>>()
+    });
+    let lanes = Same::new(lanes);
+    let row = if lanes.len() < DENSE_FROM {
+        Row::WIDE
+    } else {
+        Row::DENSE
+    };
+    let extent = Extent {
+        last: answer.makespan(),
+        lanes: lanes.len(),
+        lane: row.height,
+        rows: lanes
+            .iter()
+            .map(|lane| 1 + usize::from(lane.capacity.is_some()))
+            .sum(),
+        least: table::least_column(answer),
+    };
+    let (lanes_ref, table_ref) = (use_node_ref(), use_node_ref());
+    let (seen, look) = use_seen(
+        extent,
+        &lanes_ref,
+        &table_ref,
+        state.view.tab,
+        state.view.table,
+    );
+    let axis = seen.axis(extent);
+    let moved = Moved {
+        head: use_node_ref(),
+        thumb: use_node_ref(),
+        places: [lanes_ref.clone(), table_ref.clone()],
+    };
+    use_head(&moved, axis, &seen, state.playback.playing);
+
+    let selected = selected_lane(state, &lanes);
+    let focus = use_mut_ref(|| None::<usize>);
+    use_selected_in_view(selected, extent, &lanes_ref, &focus);
+    let pick = {
+        let (state, lanes) = (state.clone(), lanes.clone());
+        send.reform(move |index: usize| {
+            let again = selected_lane(&state, &lanes) == Some(index);
+            Action::Select(if again {
+                Selection::Nothing
+            } else {
+                selection(&state, &lanes, index)
+            })
+        })
+    };
+    let onkeydown = {
+        let (state, lanes, send) = (state.clone(), lanes.clone(), send.clone());
+        move |event: KeyboardEvent| {
+            let Some(at) = lane_of(&event) else { return };
+            let to = match event.key().as_str() {
+                "ArrowDown" => at + 1,
+                "ArrowUp" if at > 0 => at - 1,
+                _ => return,
+            };
+            if to < lanes.len() {
+                event.prevent_default();
+                event.stop_propagation();
+                *focus.borrow_mut() = Some(to);
+                send.emit(Action::Select(selection(&state, &lanes, to)));
+            }
+        }
+    };
+    let scrolled = |from: &NodeRef, to: &NodeRef| {
+        let (from, to, look) = (from.clone(), to.clone(), look.clone());
+        move |_: Event| {
+            if let (Some(from), Some(to)) = (from.cast::<Element>(), to.cast::<Element>())
+                && to.scroll_left() != from.scroll_left()
+            {
+                to.set_scroll_left(from.scroll_left());
+            }
+            look();
+        }
+    };
+
+    let time = state.playback.time;
+    let (above, below) = Seen::beyond(&seen.lanes, lanes.len(), row.height);
+    let tab_stop = selected.filter(|index| seen.lanes.contains(index));
+    let tab_stop = tab_stop.unwrap_or(seen.lanes.start);
+    let lane_row = |index: usize| {
+        html! {
+            <LaneRow key={index} lanes={lanes.clone()} {index} {axis} {row} columns={seen.columns.clone()}
+                level={lanes[index].level_at(time)} selected={selected == Some(index)}
+                tab_stop={index == tab_stop} pick={pick.clone()} />
+        }
+    };
+    let spacer = |height: f64| {
+        let height = height.to_string();
+        (height != "0")
+            .then(|| html! { <svg class="spacer" width="1" {height} aria-hidden="true" /> })
+    };
+    html! {
+        <>
+            <div class={classes!("lanes", (row == Row::DENSE).then_some("dense"))} id="lanes" ref={lanes_ref.clone()}
+                onscroll={scrolled(&lanes_ref, &table_ref)}>
+                <div class="rows">
+                    <Ruler {axis} columns={seen.columns.clone()} {time} thumb={moved.thumb.clone()} send={send.clone()} />
+                    <div role="group" aria-label="Lanes" {onkeydown}>
+                        { spacer(above) }
+                        { for seen.lanes.clone().map(lane_row) }
+                        { spacer(below) }
+                    </div>
+                    <i class="head" ref={moved.head.clone()}></i>
+                </div>
+            </div>
+            <div class={classes!("tblwrap", (!state.view.table).then_some("closed"))} id="plan-table" ref={table_ref.clone()}
+                onscroll={scrolled(&table_ref, &lanes_ref)}>
+                <PlanTable lanes={lanes.clone()} {axis} columns={seen.columns.clone()} rows={seen.rows.clone()}
+                    beyond={seen.beyond_rows(extent)} {time} />
+            </div>
+        </>
+    }
+}
+
+/// What is seen, and a function that looks again.
+#[hook]
+fn use_seen(
+    extent: Extent,
+    lanes: &NodeRef,
+    table: &NodeRef,
+    tab: Tab,
+    open: bool,
+) -> (Seen, Rc<dyn Fn()>) {
+    let seen = use_state_eq(Seen::default);
+    // The function stays the same, so that the observer need not change.
+    let latest = use_mut_ref(|| extent);
+    *latest.borrow_mut() = extent;
+    let look = {
+        let (lanes, table, setter) = (lanes.clone(), table.clone(), seen.setter());
+        use_memo((), move |()| {
+            let look: Rc<dyn Fn()> = Rc::new(move || {
+                setter.set(Seen::look(*latest.borrow(), &lanes, &table));
+            });
+            look
+        })
+    };
+    let look: Rc<dyn Fn()> = (*look).clone();
+    {
+        let look = Rc::clone(&look);
+        use_effect_with((extent, tab, open), move |_| look());
+    }
+    {
+        let (look, places) = (Rc::clone(&look), [lanes.clone(), table.clone()]);
+        use_effect_with((), move |()| {
+            let resized = Closure::<dyn FnMut()>::new(move || look());
+            let observer = ResizeObserver::new(resized.as_ref().unchecked_ref()).ok();
+            if let Some(observer) = &observer {
+                for place in places.iter().filter_map(NodeRef::cast::<Element>) {
+                    observer.observe(&place);
+                }
+            }
+            move || {
+                if let Some(observer) = observer {
+                    observer.disconnect();
+                }
+                drop(resized);
+            }
+        });
+    }
+    ((*seen).clone(), look)
+}
+
+/// Brings the lane that was selected into view, and the focus to it where the
+/// keyboard selected it.
+#[hook]
+fn use_selected_in_view(
+    selected: Option<usize>,
+    extent: Extent,
+    lanes: &NodeRef,
+    focus: &Rc<std::cell::RefCell<Option<usize>>>,
+) {
+    const RULER: f64 = 24.0;
+    {
+        let lanes = lanes.clone();
+        use_effect_with((selected, extent.lanes), move |(selected, _)| {
+            let (Some(index), Some(place)) = (*selected, lanes.cast::<Element>()) else {
+                return;
+            };
+            let top = index as f64 * extent.lane;
+            let shown = f64::from(place.client_height()) - RULER;
+            let scrolled = f64::from(place.scroll_top());
+            let to = if top < scrolled {
+                top
+            } else if top + extent.lane > scrolled + shown {
+                top + extent.lane - shown
+            } else {
+                return;
+            };
+            place.set_scroll_top(to.ceil() as i32);
+        });
+    }
+    // After every render: the lane may have been drawn only now.
+    let (lanes, focus) = (lanes.clone(), Rc::clone(focus));
+    use_effect(move || {
+        let wanted = *focus.borrow();
+        let button = wanted.and_then(|index| {
+            let selector = format!("[data-lane=\"{index}\"]");
+            lanes.cast::<Element>()?.query_selector(&selector).ok()?
+        });
+        if let Some(button) = button.and_then(|button| button.dyn_into::<HtmlElement>().ok()) {
+            let _ = button.focus();
+            *focus.borrow_mut() = None;
+        }
+    });
+}
+
+/// The lane whose label has the focus.
+fn lane_of(event: &KeyboardEvent) -> Option<usize> {
+    let target: Element = event.target()?.dyn_into().ok()?;
+    target.get_attribute("data-lane")?.parse().ok()
+}
+
+/// The lane of the agent that is selected. The answer may be of an older draft:
+/// agents are the same if their names are.
+fn selected_lane(state: &State, lanes: &[Lane]) -> Option<usize> {
+    let Selection::Agent(agent) = state.selection else {
+        return None;
+    };
+    let name = &state.draft.agents().get(agent)?.name;
+    lanes.iter().position(|lane| lane.name == *name)
+}
+
+fn selection(state: &State, lanes: &[Lane], index: usize) -> Selection {
+    let name = lanes.get(index).map(|lane| &lane.name);
+    let mut agents = state.draft.agents().iter();
+    let agent = agents.position(|agent| Some(&agent.name) == name);
+    agent.map_or(Selection::Nothing, Selection::Agent)
+}

@@ -1,0 +1,138 @@
+//! The plan table: time by agent, in the columns of the lanes.
+
+use std::ops::Range;
+
+use giveway_page::table::{Place, level, place};
+use giveway_page::timeline::{Axis, Lane};
+use giveway_page::{Reserve, form};
+use yew::prelude::*;
+
+use super::same::Same;
+
+#[derive(Clone, PartialEq, Properties)]
+pub(super) struct PlanTableProps {
+    pub lanes: Same<Vec<Lane>>,
+    pub axis: Axis,
+    /// The columns to draw.
+    pub columns: Range<u32>,
+    /// The rows to draw.
+    pub rows: Range<usize>,
+    /// The room above and below them, in pixels.
+    pub beyond: (f64, f64),
+    /// The time shown.
+    pub time: u32,
+}
+
+/// A row: of cells, or of the levels of the battery.
+#[derive(Clone, Copy, PartialEq, Eq)]
+enum Kind {
+    Cells,
+    Levels,
+}
+
+/// The table `Plan`.
+#[component]
+pub(super) fn PlanTable(props: &PlanTableProps) -> Html {
+    let PlanTableProps {
+        lanes,
+        axis,
+        columns,
+        rows,
+        beyond: (above, below),
+        time,
+    } = props;
+    let all = use_memo(lanes.clone(), |lanes| {
+        let mut rows = Vec::new();
+        for (index, lane) in lanes.iter().enumerate() {
+            rows.push((index, Kind::Cells));
+            if lane.capacity.is_some() {
+                rows.push((index, Kind::Levels));
+            }
+        }
+        rows
+    });
+    let times = axis.times;
+    let drawn = columns.start.min(times)..columns.end.min(times);
+    // Columns that are not drawn are one wide cell on each side.
+    let side = |columns: u32| {
+        (columns > 0).then(|| html! { <td class="side" colspan={columns.to_string()}></td> })
+    };
+    let head = |at: u32| {
+        let now = (at == *time).then_some("now");
+        html! { <th key={at} class={classes!(now)} scope="col">{ at }</th> }
+    };
+    let row = |at: usize| {
+        let (index, kind) = all.get(at).copied()?;
+        let lane = lanes.get(index)?;
+        let entries = drawn
+            .clone()
+            .map(|entry| cell(lane, kind, entry, entry == *time));
+        let first = (kind == Kind::Cells).then_some("first");
+        Some(html! {
+            <tr key={at} class={classes!(form::class(lane.agent), first, (kind == Kind::Levels).then_some("lv"))}
+                aria-rowindex={(at + 2).to_string()}>
+                if kind == Kind::Cells {
+                    <th scope="row" class="lab"><span>{ lane.name.clone() }{ " " }<small>{ "cell" }</small></span></th>
+                } else {
+                    <th scope="row" class="lab"><span><span class="vh">{ lane.name.clone() }{ " " }</span><small>{ "level" }</small></span></th>
+                }
+                { side(drawn.start) }
+                { for entries }
+                { side(times - drawn.end) }
+            </tr>
+        })
+    };
+    let spacer = |height: f64| {
+        (height > 0.0).then(|| html! {
+            <tr class="side" aria-hidden="true"><td colspan={(times + 1).to_string()} height={height.to_string()}></td></tr>
+        })
+    };
+    html! {
+        <table aria-label="Plan" class="tbl" aria-rowcount={(all.len() + 1).to_string()} aria-colcount={(times + 1).to_string()}
+            width={axis.width().to_string()}>
+            <colgroup>
+                <col class="c0" />
+                <col span={times.to_string()} width={axis.column.to_string()} />
+            </colgroup>
+            <thead>
+                <tr aria-rowindex="1">
+                    <th scope="col" class="lab">{ "Time" }</th>
+                    { side(drawn.start) }
+                    { for drawn.clone().map(head) }
+                    { side(times - drawn.end) }
+                </tr>
+            </thead>
+            <tbody>
+                { spacer(*above) }
+                { for rows.clone().filter_map(row) }
+                { spacer(*below) }
+            </tbody>
+        </table>
+    }
+}
+
+fn cell(lane: &Lane, kind: Kind, time: u32, is_now: bool) -> Html {
+    let now = is_now.then_some("now");
+    match kind {
+        Kind::Cells => {
+            let place = place(lane, time);
+            let half = (place == Place::Half).then_some("half");
+            html! { <td key={time} class={classes!(now, half)}>{ place.text() }</td> }
+        }
+        Kind::Levels => {
+            let Some(entry) = level(lane, time) else {
+                return html! { <td key={time} class={classes!(now)}></td> };
+            };
+            let charges = entry.charges.then_some("chg");
+            let low = (entry.reserve == Reserve::Critical && !entry.charges).then_some("low");
+            html! {
+                <td key={time} class={classes!(now, charges, low)}>
+                    { entry.level }
+                    if entry.charges {
+                        <span aria-hidden="true">{ "\u{2191}" }</span><span class="vh">{ ", charges" }</span>
+                    }
+                </td>
+            }
+        }
+    }
+}

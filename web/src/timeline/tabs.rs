@@ -1,0 +1,63 @@
+//! What a phone shows below the board.
+
+use giveway_page::{Action, Tab};
+use web_sys::HtmlElement;
+use yew::prelude::*;
+
+#[derive(Clone, PartialEq, Properties)]
+pub(super) struct TabsProps {
+    pub tab: Tab,
+    pub send: Callback<Action>,
+}
+
+const TABS: [(Tab, &str, &str); 3] = [
+    (Tab::Inspector, "Inspector", "inspector"),
+    (Tab::Timeline, "Timeline", "lanes"),
+    (Tab::Plan, "Plan", "plan-table"),
+];
+
+/// The tabs; wider pages show all three places at once and no tabs.
+#[component]
+pub(super) fn Tabs(props: &TabsProps) -> Html {
+    let TabsProps { tab, send } = props;
+    let list = use_node_ref();
+    let onkeydown = {
+        let (list, send, tab) = (list.clone(), send.clone(), *tab);
+        move |event: KeyboardEvent| {
+            let at = TABS
+                .iter()
+                .position(|&(other, ..)| other == tab)
+                .unwrap_or(0);
+            let to = match event.key().as_str() {
+                "ArrowRight" => (at + 1) % TABS.len(),
+                "ArrowLeft" => (at + TABS.len() - 1) % TABS.len(),
+                "Home" => 0,
+                "End" => TABS.len() - 1,
+                _ => return,
+            };
+            event.prevent_default();
+            event.stop_propagation();
+            send.emit(Action::ShowTab(TABS[to].0));
+            let list = list.cast::<HtmlElement>();
+            let button = list.and_then(|list| list.children().item(to as u32));
+            if let Some(button) =
+                button.and_then(|button| wasm_bindgen::JsCast::dyn_into::<HtmlElement>(button).ok())
+            {
+                let _ = button.focus();
+            }
+        }
+    };
+    let one = |&(choice, name, place): &(Tab, &'static str, &'static str)| {
+        let is_shown = choice == *tab;
+        html! {
+            <button type="button" role="tab" aria-selected={is_shown.to_string()} aria-controls={place}
+                tabindex={if is_shown { "0" } else { "-1" }}
+                onclick={send.reform(move |_| Action::ShowTab(choice))}>{ name }</button>
+        }
+    };
+    html! {
+        <div class="tabs" role="tablist" aria-label="Below the board" ref={list} {onkeydown}>
+            { for TABS.iter().map(one) }
+        </div>
+    }
+}

@@ -1,0 +1,137 @@
+//! The transport: time shown, playing, speed, and what is shown of the plan.
+
+use giveway_page::{Action, Speed, table};
+use gloo::timers::callback::Timeout;
+use yew::prelude::*;
+
+use super::{DockProps, copy};
+use crate::Icon;
+
+/// How long it is shown that the table was copied, in milliseconds.
+const COPIED_MS: u32 = 1600;
+
+/// The buttons above the lanes.
+#[component]
+pub(super) fn Transport(props: &DockProps) -> Html {
+    let DockProps { state, send } = props;
+    let playback = state.playback;
+    let last = state.last_time();
+    let button = |icon: &'static str, name: &'static str, key: &str, action: Action, off: bool| {
+        let send = send.clone();
+        html! {
+            <button type="button" class="btn ghost round" title={format!("{name} ({key})")} disabled={off}
+                onclick={move |_| send.emit(action.clone())}>
+                <Icon name={icon} /><span class="vh">{ name }</span>
+            </button>
+        }
+    };
+    let (at_start, at_end) = (playback.time == 0, playback.time >= last);
+    let (icon, name, action) = if playback.playing {
+        ("pause", "Pause", Action::Pause)
+    } else {
+        ("play", "Play", Action::Play)
+    };
+    html! {
+        <div class="transport">
+            <div class="keys">
+                { button("start", "To start", "Home", Action::Seek(0), at_start && !playback.playing) }
+                { button("step-back", "Step back", ",", Action::StepBack, at_start) }
+                <button type="button" class="btn playb" title={format!("{name} (Space)")} disabled={last == 0}
+                    onclick={send.reform(move |_| action.clone())}>
+                    <Icon name={icon} /><span class="vh">{ name }</span>
+                </button>
+                { button("step", "Step forward", ".", Action::StepForward, at_end) }
+                { button("end", "To end", "End", Action::Seek(last), at_end) }
+            </div>
+            // No live region: nobody wants every step read aloud.
+            <p class="clock"><b>{ playback.time }</b><span>{ format!(" of {last}") }</span></p>
+            <SpeedPicker speed={playback.speed} send={send.clone()} />
+            <span class="grow"></span>
+            { views(props) }
+        </div>
+    }
+}
+
+fn views(props: &DockProps) -> Html {
+    let DockProps { state, send } = props;
+    let chip = |icon: &'static str, name: &'static str, on: bool, action: Action| {
+        let send = send.clone();
+        html! {
+            <button type="button" class={classes!("btn", "chip", on.then_some("on"))} title={name}
+                aria-pressed={on.to_string()} onclick={move |_| send.emit(action.clone())}>
+                <Icon name={icon} /><span>{ name }</span>
+            </button>
+        }
+    };
+    let view = state.view;
+    html! {
+        <div class="views">
+            { chip("trail", "Trails", view.trails, Action::ShowTrails(!view.trails)) }
+            { chip("down", "Plan table", view.table, Action::ShowTable(!view.table)) }
+            <CopyButton ..props.clone() />
+        </div>
+    }
+}
+
+/// Copies the plan table as text, and says that it did.
+#[component]
+fn CopyButton(props: &DockProps) -> Html {
+    let copied = use_state_eq(|| false);
+    {
+        let copied = copied.clone();
+        use_effect_with(*copied, move |&is_copied| {
+            let later = is_copied.then(|| Timeout::new(COPIED_MS, move || copied.set(false)));
+            move || drop(later)
+        });
+    }
+    let onclick = {
+        let DockProps { state, send } = props.clone();
+        let copied = copied.clone();
+        move |_| {
+            let Some(answer) = &state.answer else { return };
+            let copied = copied.clone();
+            let send = send.clone();
+            copy::text(&table::text(answer), move |done| match done {
+                Ok(()) => copied.set(true),
+                Err(notice) => send.emit(Action::Refuse(notice)),
+            });
+        }
+    };
+    html! {
+        <>
+            <button type="button" class="btn ghost round" title="Copy the plan table as text" {onclick}>
+                <Icon name={if *copied { "check" } else { "copy" }} /><span class="vh">{ "Copy as text" }</span>
+            </button>
+            <span class="vh" aria-live="polite">{ if *copied { "Copied" } else { "" } }</span>
+        </>
+    }
+}
+
+#[derive(Clone, PartialEq, Properties)]
+struct SpeedProps {
+    speed: Speed,
+    send: Callback<Action>,
+}
+
+/// The speeds side by side; on a phone one button that goes on to the next.
+#[component]
+fn SpeedPicker(props: &SpeedProps) -> Html {
+    let SpeedProps { speed, send } = props;
+    let one = |&choice: &Speed| {
+        let onclick = send.reform(move |_| Action::SetSpeed(choice));
+        html! {
+            <button type="button" aria-pressed={(choice == *speed).to_string()} {onclick}>{ choice.name() }</button>
+        }
+    };
+    let at = Speed::ALL.iter().position(|choice| choice == speed);
+    let next = Speed::ALL[(at.unwrap_or(0) + 1) % Speed::ALL.len()];
+    html! {
+        <>
+            <div class="seg speed" role="group" aria-label="Speed">{ for Speed::ALL.iter().map(one) }</div>
+            <button type="button" class="btn outline speed-next" title="Speed"
+                onclick={send.reform(move |_| Action::SetSpeed(next))}>
+                <span class="vh">{ "Speed " }</span>{ speed.name() }
+            </button>
+        </>
+    }
+}

@@ -1,0 +1,145 @@
+//! While no plan is there: what is proved, what is found, and the gap between.
+
+use giveway_page::timeline::{Gauge, Row, gauge, whole, work_done};
+use giveway_page::{Run, words};
+use gloo::timers::callback::Interval;
+use yew::prelude::*;
+
+use super::DENSE_FROM;
+
+#[derive(Clone, PartialEq, Properties)]
+pub(super) struct WaitProps {
+    pub run: Run,
+    /// Whether the plan table will be open.
+    pub table: bool,
+}
+
+/// How far the solve has come, in the room that the lanes will take.
+#[component]
+pub(super) fn Wait(props: &WaitProps) -> Html {
+    let WaitProps { run, table } = props;
+    let seconds = use_state_eq(|| 0_u32);
+    {
+        let seconds = seconds.clone();
+        use_effect_with(run.id, move |_| {
+            seconds.set(0);
+            let begin = js_sys::Date::now();
+            let ticking = Interval::new(1000, move || {
+                seconds.set(whole((js_sys::Date::now() - begin) / 1000.0));
+            });
+            move || drop(ticking)
+        });
+    }
+    let gauge = gauge(run);
+    // The bar grows from the left and shrinks from the right, and nothing else:
+    // its scale never becomes smaller within a cost.
+    let widest = use_mut_ref(|| ((0, gauge.cost), 0));
+    let scale = {
+        let mut widest = widest.borrow_mut();
+        let is_same = widest.0 == (run.id, gauge.cost);
+        let scale = if is_same {
+            widest.1.max(gauge.scale())
+        } else {
+            gauge.scale()
+        };
+        *widest = ((run.id, gauge.cost), scale);
+        scale
+    };
+    let mut work = vec![work_done(run.size)];
+    work.push(format!("{} s", *seconds));
+    work.retain(|part| !part.is_empty());
+    html! {
+        <>
+            <Room agents={run.draft.agents().len()} batteries={run.draft.agents().iter().filter(|agent| agent.battery.is_some()).count()} {table} />
+            <div class="bound">
+                <p class="bl">
+                    <b>{ words::title(gauge.cost) }</b>
+                    if let Some(least) = gauge.at_least {
+                        <span>{ "proved: at least " }<b>{ least }</b></span>
+                    }
+                    if let Some(best) = gauge.best {
+                        <span>{ "best plan so far " }<b>{ best }</b></span>
+                    }
+                </p>
+                { bar(&gauge, scale) }
+                <p class="bl"><span>{ gauge.sentence.clone() }</span><span class="grow"></span><span>{ work.join(", ") }</span></p>
+            </div>
+        </>
+    }
+}
+
+fn bar(gauge: &Gauge, scale: u32) -> Html {
+    let share = |n: u32| f64::from(n.min(scale)) / f64::from(scale) * 100.0;
+    let percent = |n: f64| format!("{n:.2}%");
+    let least = gauge.at_least.map(share);
+    let best = gauge.best.map(share);
+    let from = least.unwrap_or(0.0);
+    // Two numbers side by side must not touch.
+    let is_close = |a: f64, b: f64| b - a < 4.0;
+    let both = least
+        .zip(best)
+        .is_some_and(|(least, best)| is_close(least, best));
+    let is_met = gauge.at_least.is_some() && gauge.at_least == gauge.best;
+    let tick = |at: f64, anchor: &'static str, n: u32| {
+        html! { <text class="tick" x={percent(at)} y="12" text-anchor={anchor}>{ n }</text> }
+    };
+    html! {
+        <div class="bt" aria-hidden="true">
+            <svg class="bt-bar" width="100%" height="14">
+                <defs>
+                    <pattern id="gap" width="9" height="14" patternUnits="userSpaceOnUse" patternTransform="skewX(-25)">
+                        <rect class="gap-a" width="9" height="14" /><rect class="gap-b" width="4" height="14" />
+                    </pattern>
+                </defs>
+                <rect class="bt-floor" width="100%" height="14" />
+                if let Some(best) = best {
+                    <rect class="bt-gap" x={percent(from)} width={percent((best - from).max(0.0))} height="14" />
+                }
+                if let Some(least) = least {
+                    <rect class="bt-done" width={percent(least)} height="14" />
+                }
+            </svg>
+            <svg class="bt-ticks" width="100%" height="18">
+                <text class="tick zero" x="0" y="12">{ "0" }</text>
+                if let (Some(n), Some(at)) = (gauge.at_least, least) {
+                    { tick(at, if both && !is_met { "end" } else { "middle" }, n) }
+                }
+                if let (Some(n), Some(at), false) = (gauge.best, best, is_met) {
+                    { tick(at, if both { "start" } else { "middle" }, n) }
+                }
+            </svg>
+        </div>
+    }
+}
+
+#[derive(Clone, PartialEq, Properties)]
+struct RoomProps {
+    agents: usize,
+    batteries: usize,
+    table: bool,
+}
+
+/// The room that transport, lanes and table will take: nothing jumps when the
+/// plan arrives.
+#[component]
+fn Room(props: &RoomProps) -> Html {
+    let RoomProps {
+        agents,
+        batteries,
+        table,
+    } = props;
+    let row = if *agents < DENSE_FROM {
+        Row::WIDE
+    } else {
+        Row::DENSE
+    };
+    let lanes = 24.0 + *agents as f64 * row.height;
+    let rows = (agents + batteries) * 22 + 5;
+    html! {
+        <div class="room" aria-hidden="true">
+            <div class="transport"></div>
+            <div class="lanes"><svg class="spacer" width="1" height={lanes.to_string()} /></div>
+            <div class={classes!("tblwrap", (!table).then_some("closed"))}><svg class="spacer" width="1" height={rows.to_string()} /></div>
+        </div>
+    }
+}
