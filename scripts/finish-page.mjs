@@ -14,8 +14,6 @@ import { join } from "node:path";
 const NONCE = "trunk-nonce";
 const PAGE = "index.html";
 const WORKER = ["worker_loader.js", "worker.js", "worker_bg.wasm"];
-// A path that says what it holds; the few others are found by a name that others know.
-const HASHED = /-[0-9a-f]{8,16}(?=[._/])/;
 
 const source = process.env.TRUNK_SOURCE_DIR;
 const built = process.env.TRUNK_STAGING_DIR;
@@ -90,10 +88,7 @@ function writeServiceWorker() {
     .map((entry) => join(entry.parentPath ?? entry.path, entry.name).slice(built.length + 1).replaceAll("\\", "/"))
     .sort();
   const version = hash(names.flatMap((name) => [name, "\0", read(name)]));
-  const files = names.map((name) => ({
-    path: name === PAGE ? "./" : name,
-    hashed: HASHED.test(name),
-  }));
+  const files = names.map((name) => (name === PAGE ? "./" : name));
   const template = readFileSync(join(source, "static/service-worker.js"), "utf8");
   const script = replace(template, [
     ['"{version}"', JSON.stringify(version)],

@@ -2,7 +2,7 @@
 // network, and when a new version is put in its place.
 
 import assert from "node:assert/strict";
-import { cp, mkdtemp, readFile, rm, writeFile } from "node:fs/promises";
+import { cp, mkdtemp, readFile, rename, rm, writeFile } from "node:fs/promises";
 import { tmpdir } from "node:os";
 import { join } from "node:path";
 import { after, before, describe, test } from "node:test";
@@ -53,44 +53,56 @@ describe("the built folder on a static host", () => {
     await host.close();
     await playground.reload();
     assertQuiet(complaints);
-    const worker = await page.locator('meta[name="giveway-worker"]').getAttribute("content");
-    assert.equal(await fetched(page, worker), 200);
+    assert.equal(await fetched(page, await workerOf(page)), 200);
   });
 
-  test("takes a new version at the next visit, and leaves an open page its own", async (t) => {
-    const newer = await mkdtemp(join(tmpdir(), "giveway-"));
-    t.after(() => rm(newer, { recursive: true }));
-    await cp(dist, newer, { recursive: true });
-    await change(join(newer, "index.html"), /<title>/, "<title>New: ");
-    await change(join(newer, "service-worker.js"), /VERSION = "/, '$&new-');
-    const worker = await moveWorker(newer);
-
+  test("shows a new version at the next visit, and leaves an open page its own", async (t) => {
     const { host, page, complaints } = await visit(t, browser);
     const playground = new Playground(page);
     await playground.goto(host.url);
     await playground.kept();
-    const old = await page.locator('meta[name="giveway-worker"]').getAttribute("content");
+    const old = await workerOf(page);
 
-    host.folder = newer;
-    // The visit that finds the new version still shows the one that is there.
+    const deployed = await newVersion(t);
+    host.folder = deployed.folder;
+    assert.equal(await fetched(page, old), 200, "the open page lost its worker");
     await playground.reload();
-    assert.doesNotMatch(await page.title(), /^New: /);
+    assert.match(await page.title(), /^New: /);
+    assert.equal(await workerOf(page), deployed.worker);
+    assert.equal(await fetched(page, deployed.worker), 200);
+    assertQuiet(complaints);
+    assert.deepEqual(host.missing, []);
+  });
+
+  test("keeps a new version once no page of the old one is open", async (t) => {
+    const { host, context, page, complaints } = await visit(t, browser);
+    const playground = new Playground(page);
+    await playground.goto(host.url);
+    await playground.kept();
+
+    host.folder = (await newVersion(t)).folder;
     await page.evaluate(async () => {
       const registration = await navigator.serviceWorker.ready;
       await registration.update();
+      const installing = registration.installing ?? registration.waiting;
+      while (installing.state === "installing") {
+        await new Promise((resolve) => installing.addEventListener("statechange", resolve, { once: true }));
+      }
     });
-    await page.waitForFunction(async () => (await caches.keys()).length === 2);
-    await page.waitForFunction(async () => {
-      const registration = await navigator.serviceWorker.ready;
-      return !registration.installing && !registration.waiting && registration.active.state === "activated";
+    const next = await context.newPage();
+    await page.close();
+    // What was kept before is gone as soon as the new keeper has taken over.
+    await until(async () => {
+      await next.goto(host.url);
+      return next.evaluate(async () => {
+        const versions = await caches.keys();
+        return versions.length === 1 && versions[0].includes(" new-");
+      });
     });
-    assert.equal(await fetched(page, old), 200, "the open page lost its worker");
-
-    await playground.reload();
-    assert.match(await page.title(), /^New: /);
-    assert.equal(await page.locator('meta[name="giveway-worker"]').getAttribute("content"), worker);
+    await host.close();
+    await new Playground(next).reload();
+    assert.match(await next.title(), /^New: /);
     assertQuiet(complaints);
-    assert.deepEqual(host.missing, []);
   });
 });
 
@@ -103,22 +115,40 @@ async function visit(t, browser, base) {
   return { host, ...opened };
 }
 
+/** A copy of the built folder in which page, worker and version are other ones. */
+async function newVersion(t) {
+  const folder = await mkdtemp(join(tmpdir(), "giveway-"));
+  t.after(() => rm(folder, { recursive: true }));
+  await cp(dist, folder, { recursive: true });
+  await change(join(folder, "index.html"), /<title>/, "<title>New: ");
+  await change(join(folder, "service-worker.js"), /VERSION = "/, "$&new-");
+  const page = await readFile(join(folder, "index.html"), "utf8");
+  const [, path] = page.match(/(worker-[0-9a-f]+)\/worker_loader\.js/);
+  const moved = "worker-0123456789abcdef";
+  await rename(join(folder, path), join(folder, moved));
+  await change(join(folder, "index.html"), new RegExp(path, "g"), moved);
+  await change(join(folder, "service-worker.js"), new RegExp(path, "g"), moved);
+  return { folder, worker: `./${moved}/worker_loader.js` };
+}
+
 async function change(file, pattern, replacement) {
   const text = await readFile(file, "utf8");
   assert.match(text, pattern, file);
   await writeFile(file, text.replace(pattern, replacement));
 }
 
-/** Gives the worker of a copied page another path, as one that has changed would have. */
-async function moveWorker(folder) {
-  const page = await readFile(join(folder, "index.html"), "utf8");
-  const [, path] = page.match(/(worker-[0-9a-f]+)\/worker_loader\.js/);
-  const moved = `worker-${"0123456789abcdef"}`;
-  await cp(join(folder, path), join(folder, moved), { recursive: true });
-  await rm(join(folder, path), { recursive: true });
-  await change(join(folder, "index.html"), new RegExp(path, "g"), moved);
-  await change(join(folder, "service-worker.js"), new RegExp(path, "g"), moved);
-  return `./${moved}/worker_loader.js`;
+async function until(isTrue) {
+  for (let tries = 0; tries < 50; tries += 1) {
+    if (await isTrue()) {
+      return;
+    }
+    await new Promise((resolve) => setTimeout(resolve, 100));
+  }
+  assert.fail("it did not come to be true within 5 seconds");
+}
+
+function workerOf(page) {
+  return page.locator('meta[name="giveway-worker"]').getAttribute("content");
 }
 
 function fetched(page, path) {
