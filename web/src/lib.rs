@@ -5,21 +5,21 @@
 //! elements, events and motion.
 
 mod app;
+mod board;
 mod clock;
 mod glyph;
 mod icon;
-mod inspector;
 mod shown;
 mod solver;
 mod status;
 mod theme;
-mod timeline;
 mod top_bar;
 
 pub use app::App;
+pub use board::{Board, BoardProps};
 pub use clock::{Clock, Listening};
 pub use glyph::{Glyph, GlyphProps, form};
 pub use icon::{Icon, IconProps};
-pub use inspector::{Inspector, InspectorProps};
 pub use shown::Shown;
-pub use timeline::{Dock, DockProps};
+mod tools;
+pub use tools::{Tools, ToolsProps};

@@ -61,6 +61,24 @@ pub struct Point {
     pub y: f64,
 }
 
+impl Point {
+    /// The cell whose middle is nearest; one in the first row or column for a
+    /// point beyond it.
+    ///
+    /// ```
+    /// use giveway_model::Cell;
+    /// use giveway_page::Point;
+    /// assert_eq!(Point { x: 2.4, y: -3.0 }.nearest_cell(), Cell::new(2, 0));
+    /// ```
+    #[expect(
+        clippy::cast_sign_loss,
+        reason = "a conversion of floats saturates, and below 0 becomes 0 as said"
+    )]
+    pub const fn nearest_cell(self) -> Cell {
+        Cell::new(self.x.round() as u32, self.y.round() as u32)
+    }
+}
+
 /// Where an agent is at a time that need not be whole, by its path from time 0.
 ///
 /// It goes evenly from cell to cell; a slow move takes two steps, so that at the

@@ -1,4 +1,6 @@
-//! Which agent is under a pointer.
+//! What is at a point of the board.
+
+use giveway_model::Cell;
 
 use super::Cast;
 use crate::Point;
@@ -18,5 +20,12 @@ impl Cast {
         let near = (0..self.tracks.len()).filter_map(far);
         near.min_by(|a, b| a.0.total_cmp(&b.0))
             .map(|(_, agent)| agent)
+    }
+
+    /// Whether some agent's goal is on the cell at a point.
+    pub fn has_goal_at(&self, point: Point) -> bool {
+        let is_at = |side: u32, at: f64| (f64::from(side) - at).abs() < 0.5;
+        let is_there = |cell: Cell| is_at(cell.x, point.x) && is_at(cell.y, point.y);
+        self.agents.iter().any(|agent| is_there(agent.goal))
     }
 }

@@ -9,6 +9,7 @@ mod hit;
 mod legend;
 mod marks;
 mod names;
+mod occupied;
 mod outline;
 #[cfg(test)]
 mod tests;
@@ -22,6 +23,7 @@ pub use floor::{Floor, floor};
 pub use legend::{Kind, legend};
 pub use marks::{Mark, MarkKind, marks};
 pub use names::{CellNames, Window};
+pub use occupied::Occupied;
 pub use track::{Badge, Charge, Pose, Track};
 pub use way::{Way, WayEnds};
 

@@ -4,7 +4,7 @@ use std::collections::BTreeMap;
 
 use giveway_model::{Cell, Grid, Ground};
 
-use super::{Cast, Frame, whole};
+use super::{Cast, Frame};
 
 /// The most cells a side that have a name at once.
 const SIDE: u32 = 32;
@@ -82,21 +82,16 @@ impl CellNames {
             }
         }
         for (agent, track) in agents() {
-            let Some(pose) = track.pose(f64::from(time)) else {
-                continue;
-            };
-            if pose.is_gone {
-                continue;
-            }
-            if let Some((from, to)) = pose.transit {
-                names.add(from, format!("{} leaves", agent.name));
-                names.add(to, format!("{} comes", agent.name));
-                continue;
-            }
-            let cell = Cell::new(whole(pose.at.x), whole(pose.at.y));
-            // Where it starts it is at first: that need not be said twice.
-            if time > 0 || cell != agent.start {
-                names.add(cell, format!("{} is here", agent.name));
+            match track.cells_at(time)[..] {
+                [from, to] => {
+                    names.add(from, format!("{} leaves", agent.name));
+                    names.add(to, format!("{} comes", agent.name));
+                }
+                // Where it starts it is at first: that need not be said twice.
+                [cell] if time > 0 || cell != agent.start => {
+                    names.add(cell, format!("{} is here", agent.name));
+                }
+                _ => {}
             }
         }
         names

@@ -24,10 +24,20 @@ pub(super) struct Region<'a> {
     pub(super) contains: &'a dyn Fn(Cell) -> bool,
 }
 
-type Step = (i64, i64);
+type Step = (i32, i32);
 
 /// Right, down, left, up: walking clockwise, the shape lies to the right.
 const AHEAD: [Step; 4] = [(1, 0), (0, 1), (-1, 0), (0, -1)];
+const UP: usize = 3;
+
+/// The side after a turn to the right, and after one to the left.
+const fn right(side: usize) -> usize {
+    (side + 1) % 4
+}
+
+const fn left(side: usize) -> usize {
+    (side + 3) % 4
+}
 
 impl Region<'_> {
     /// The `d` of SVG paths that fill the set. Cells that share a side are one
@@ -38,53 +48,54 @@ impl Region<'_> {
         let mut blocks = vec![String::new(); (across * self.height.div_ceil(BLOCK)) as usize];
         let firsts = self.first_cells();
         let mut walked = vec![false; firsts.len()];
-        for (index, first) in firsts.iter().enumerate() {
-            let (x, y) = (
-                index as i64 % i64::from(self.width),
-                index as i64 / i64::from(self.width),
-            );
-            let Some(first) = *first else { continue };
-            if walked[index] || self.has((x, y - 1)) {
+        for cell in self.cells() {
+            let index = self.index(cell);
+            let Some(first) = firsts[index] else { continue };
+            if walked[index] || self.beside(cell, UP).is_some() {
                 continue;
             }
             let block = (first.y / BLOCK * across + first.x / BLOCK) as usize;
-            self.walk((x, y), &mut walked, pen, &mut blocks[block]);
+            self.walk(cell, &mut walked, pen, &mut blocks[block]);
         }
         blocks.retain(|path| !path.is_empty());
         blocks
     }
 
-    fn has(&self, (x, y): Step) -> bool {
-        let cell = (u32::try_from(x), u32::try_from(y));
-        let (Ok(x), Ok(y)) = cell else { return false };
-        x < self.width && y < self.height && (self.contains)(Cell::new(x, y))
+    fn cells(&self) -> impl Iterator<Item = Cell> + use<> {
+        let width = self.width;
+        (0..self.height).flat_map(move |y| (0..width).map(move |x| Cell::new(x, y)))
+    }
+
+    const fn index(&self, cell: Cell) -> usize {
+        cell.y as usize * self.width as usize + cell.x as usize
+    }
+
+    /// The cell of the set beyond a side of a cell.
+    fn beside(&self, cell: Cell, side: usize) -> Option<Cell> {
+        let (across, down) = AHEAD[side];
+        let x = cell.x.checked_add_signed(across)?;
+        let y = cell.y.checked_add_signed(down)?;
+        let beside = Cell::new(x, y);
+        let is_on_map = x < self.width && y < self.height;
+        (is_on_map && (self.contains)(beside)).then_some(beside)
     }
 
     /// For each cell of the set the first one of its shape, row by row.
     fn first_cells(&self) -> Vec<Option<Cell>> {
         let mut firsts = vec![None; self.width as usize * self.height as usize];
-        let index = |cell: Cell| cell.y as usize * self.width as usize + cell.x as usize;
         let mut open = Vec::new();
-        for y in 0..self.height {
-            for x in 0..self.width {
-                let first = Cell::new(x, y);
-                if firsts[index(first)].is_some() || !(self.contains)(first) {
-                    continue;
-                }
-                firsts[index(first)] = Some(first);
-                open.push(first);
-                while let Some(cell) = open.pop() {
-                    let at = (i64::from(cell.x), i64::from(cell.y));
-                    for step in AHEAD {
-                        let next = (at.0 + step.0, at.1 + step.1);
-                        if !self.has(next) {
-                            continue;
-                        }
-                        let next = Cell::new(next.0 as u32, next.1 as u32);
-                        if firsts[index(next)].is_none() {
-                            firsts[index(next)] = Some(first);
-                            open.push(next);
-                        }
+        for first in self.cells() {
+            if firsts[self.index(first)].is_some() || !(self.contains)(first) {
+                continue;
+            }
+            firsts[self.index(first)] = Some(first);
+            open.push(first);
+            while let Some(cell) = open.pop() {
+                for next in (0..4).filter_map(|side| self.beside(cell, side)) {
+                    let known = &mut firsts[self.index(next)];
+                    if known.is_none() {
+                        *known = Some(first);
+                        open.push(next);
                     }
                 }
             }
@@ -94,22 +105,20 @@ impl Region<'_> {
 
     /// Walks once around, from the upper side of a cell. `walked` keeps the
     /// upper sides that a walk went along: every outline and hole has one.
-    fn walk(&self, begin: Step, walked: &mut [bool], pen: Pen, path: &mut String) {
+    fn walk(&self, begin: Cell, walked: &mut [bool], pen: Pen, path: &mut String) {
         let (mut cell, mut side) = (begin, 0);
         let mut corners = Vec::new();
         loop {
             if side == 0 {
-                walked[(cell.1 * i64::from(self.width) + cell.0) as usize] = true;
+                walked[self.index(cell)] = true;
             }
-            let (ahead, out) = (AHEAD[side], AHEAD[(side + 3) % 4]);
-            let next = (cell.0 + ahead.0, cell.1 + ahead.1);
-            let beside = (next.0 + out.0, next.1 + out.1);
-            let (next_cell, next_side) = if !self.has(next) {
-                (cell, (side + 1) % 4)
-            } else if self.has(beside) {
-                (beside, (side + 3) % 4)
-            } else {
-                (next, side)
+            let next = self.beside(cell, side);
+            let (next_cell, next_side) = match next {
+                None => (cell, right(side)),
+                Some(next) => match self.beside(next, left(side)) {
+                    None => (next, side),
+                    Some(inner) => (inner, left(side)),
+                },
             };
             if next_side != side {
                 corners.push(corner(cell, side, next_side, pen));
@@ -125,29 +134,29 @@ impl Region<'_> {
 
 /// A corner of an outline.
 struct Corner {
-    at: Step,
+    at: (i64, i64),
     from: usize,
     to: usize,
 }
 
 /// The corner at the end of a cell's side, moved into the shape.
-fn corner((x, y): Step, from: usize, to: usize, pen: Pen) -> Corner {
+fn corner(cell: Cell, from: usize, to: usize, pen: Pen) -> Corner {
     // The end of the upper side is the upper right corner, and so on.
-    let (right, down) = [(1, 0), (1, 1), (0, 1), (0, 0)][from];
-    let inset = i64::from(pen.inset);
-    let (a, b) = (AHEAD[(from + 3) % 4], AHEAD[(to + 3) % 4]);
-    let at = (
-        100 * (x + right) - inset * (a.0 + b.0),
-        100 * (y + down) - inset * (a.1 + b.1),
-    );
+    let (across, down) = [(1, 0), (1, 1), (0, 1), (0, 0)][from];
+    let (a, b) = (AHEAD[left(from)], AHEAD[left(to)]);
+    let at = |cell: u32, end: i64, a: i32, b: i32| {
+        100 * (i64::from(cell) + end) - i64::from(pen.inset * (a + b))
+    };
+    let at = (at(cell.x, across, a.0, b.0), at(cell.y, down, a.1, b.1));
     Corner { at, from, to }
 }
 
 fn draw(corners: &[Corner], pen: Pen, path: &mut String) {
     let radius = i64::from(pen.radius);
     let along = |corner: &Corner, side: usize, by: i64| {
-        let ahead = AHEAD[side];
-        (corner.at.0 + by * ahead.0, corner.at.1 + by * ahead.1)
+        let (across, down) = AHEAD[side];
+        let (across, down) = (by * i64::from(across), by * i64::from(down));
+        (corner.at.0 + across, corner.at.1 + down)
     };
     // Writing to a string cannot fail.
     let Some(last) = corners.last() else { return };
@@ -161,7 +170,7 @@ fn draw(corners: &[Corner], pen: Pen, path: &mut String) {
         };
         if radius > 0 {
             let end = along(corner, corner.to, radius);
-            let outwards = u8::from(corner.to == (corner.from + 1) % 4);
+            let outwards = u8::from(corner.to == right(corner.from));
             let (dx, dy) = (end.0 - x, end.1 - y);
             let _ = write!(path, "a{radius} {radius} 0 0 {outwards} {dx} {dy}");
         }

@@ -116,6 +116,17 @@ impl Track {
         })
     }
 
+    /// The cell that it is on at a whole time; in transit both.
+    pub fn cells_at(&self, time: u32) -> Vec<Cell> {
+        let Some(pose) = self.pose(f64::from(time)).filter(|pose| !pose.is_gone) else {
+            return Vec::new();
+        };
+        match pose.transit {
+            Some((from, to)) => vec![from, to],
+            None => vec![Cell::new(whole(pose.at.x), whole(pose.at.y))],
+        }
+    }
+
     /// Whether it waits anywhere before its arrival.
     pub fn has_waits(&self) -> bool {
         (0..self.path.len()).any(|step| self.badge(step) == Some(Badge::Waits))

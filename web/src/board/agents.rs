@@ -1,0 +1,201 @@
+//! The agents, moving evenly from cell to cell.
+
+use std::cell::RefCell;
+use std::rc::Rc;
+
+use giveway_model::Cell;
+use giveway_page::board::{Badge, Cast, Detail, Pose};
+use giveway_page::form;
+use web_sys::Element;
+use yew::prelude::*;
+
+use super::motion::{Attribute, children, use_motion};
+use super::units;
+
+/// The circumference of a battery ring, in units.
+const RING: f64 = 226.2;
+
+/// Who, how fine, and which is selected.
+#[derive(Clone, PartialEq, Properties)]
+pub(super) struct AgentsProps {
+    pub(super) cast: Rc<Cast>,
+    pub(super) detail: Detail,
+    pub(super) selected: Option<usize>,
+}
+
+/// The capsules of slow moves, and the agents above them.
+#[component]
+pub(super) fn Agents(props: &AgentsProps) -> Html {
+    let (transits, agents) = (use_node_ref(), use_node_ref());
+    {
+        let (props, transits, agents) = (props.clone(), transits.clone(), agents.clone());
+        use_motion(move || {
+            let transits = children(&transits).into_iter().map(Transit::new);
+            let parts = children(&agents).into_iter().map(Parts::new);
+            let moving: Vec<(Transit, Parts)> = transits.zip(parts).collect();
+            move |time| {
+                for ((transit, parts), track) in moving.iter().zip(&props.cast.tracks) {
+                    if let Some(pose) = track.pose(time) {
+                        transit.show(pose.transit);
+                        parts.show(&pose, &props.cast);
+                    }
+                }
+            }
+        });
+    }
+    let transit = |agent: usize| {
+        html! { <rect key={agent} class={classes!("transit", form::class(agent))} rx="42" data-off="" /> }
+    };
+    let count = props.cast.agents.len();
+    html! {
+        <g aria-hidden="true">
+            <g ref={transits}>{ for (0..count).map(transit) }</g>
+            <g ref={agents}>{ for (0..count).map(|agent| agent_shape(props, agent)) }</g>
+        </g>
+    }
+}
+
+fn agent_shape(props: &AgentsProps, agent: usize) -> Html {
+    let detail = props.detail;
+    let has_battery = props.cast.agents[agent].battery.is_some();
+    let is_selected = props.selected == Some(agent);
+    let class = classes!(
+        "agent",
+        form::class(agent),
+        (!has_battery).then_some("no-battery")
+    );
+    let selection = html! {
+        if is_selected {
+            <circle class="selring" r="47" />
+        }
+    };
+    let shape = match detail {
+        Detail::Dots => html! { <circle class="form" r="38" /> },
+        Detail::Forms => html! { <g class="body">{ crate::form(agent) }</g> },
+        Detail::Plain | Detail::All => html! {
+            <>
+                <circle class="halo" r="41" />
+                <path class="beak" d="M38-9.5 49 0 38 9.5Z" visibility="hidden" />
+                if has_battery {
+                    <circle class="ring" r="36" />
+                    <circle class="lvl" r="36" transform="rotate(-90)" />
+                }
+                <g class="body">
+                    { crate::form(agent) }
+                    { name(&props.cast.agents[agent].name) }
+                </g>
+                <g class="badge-at">
+                    <g class="chbadge"><circle r="17" /><path d="M2.5-10-7 2.5h6l-2 9L8-3.5H1.5Z" /></g>
+                    <g class="wbadge"><circle r="17" /><path d="M-4-6V6M4-6V6" /></g>
+                </g>
+            </>
+        },
+    };
+    html! { <g key={agent} {class}>{ selection }{ shape }</g> }
+}
+
+fn name(name: &str) -> Html {
+    let short = form::short_name(name);
+    let is_long = form::is_long(&short);
+    html! {
+        <text class={classes!("name", is_long.then_some("long"))} y={if is_long { "6.5" } else { "8.6" }} text-anchor="middle">
+            { short }
+        </text>
+    }
+}
+
+/// What moves of an agent.
+struct Parts {
+    place: Attribute,
+    gone: Attribute,
+    turn: Option<Attribute>,
+    turns: Option<Attribute>,
+    ring: Option<Attribute>,
+    level: Option<Attribute>,
+    charges: Option<Attribute>,
+    waits: Option<Attribute>,
+    badge: Option<Attribute>,
+}
+
+impl Parts {
+    fn new(agent: Element) -> Self {
+        let part = |class, name| Attribute::of_part(&agent, class, name);
+        Self {
+            turn: part("beak", "transform"),
+            turns: part("beak", "visibility"),
+            ring: part("lvl", "stroke-dasharray"),
+            level: part("lvl", "data-level"),
+            charges: part("chbadge", "data-on"),
+            waits: part("wbadge", "data-on"),
+            badge: part("badge-at", "transform"),
+            gone: Attribute::new(agent.clone(), "data-gone"),
+            place: Attribute::new(agent, "transform"),
+        }
+    }
+
+    fn show(&self, pose: &Pose, cast: &Cast) {
+        let (x, y) = (units(pose.at.x), units(pose.at.y));
+        self.place.set(&format!("translate({x:.1} {y:.1})"));
+        self.gone.toggle(pose.is_gone);
+        if let (Some(turn), Some(turns), Some(heading)) = (&self.turn, &self.turns, pose.heading) {
+            turn.set(&format!("rotate({heading:.0})"));
+            turns.set("visible");
+        }
+        if let (Some(ring), Some(level), Some(charge)) = (&self.ring, &self.level, pose.charge) {
+            ring.set(&format!("{:.1} {RING}", charge.share * RING));
+            level.set(charge.class());
+        }
+        if let (Some(charges), Some(waits), Some(badge)) = (&self.charges, &self.waits, &self.badge)
+        {
+            charges.toggle(pose.badge == Some(Badge::Charges));
+            waits.toggle(pose.badge == Some(Badge::Waits));
+            if pose.badge.is_some() {
+                // The flag of a goal has the upper right corner.
+                let has_flag = cast.has_goal_at(pose.at);
+                badge.set(if has_flag {
+                    "translate(29 29)"
+                } else {
+                    "translate(29 -29)"
+                });
+            }
+        }
+    }
+}
+
+/// The capsule over both cells of a slow move.
+struct Transit {
+    element: Element,
+    off: Attribute,
+    over: RefCell<Option<(Cell, Cell)>>,
+}
+
+impl Transit {
+    fn new(element: Element) -> Self {
+        let off = Attribute::new(element.clone(), "data-off");
+        Self {
+            element,
+            off,
+            over: RefCell::new(None),
+        }
+    }
+
+    fn show(&self, over: Option<(Cell, Cell)>) {
+        self.off.toggle(over.is_none());
+        let Some((from, to)) = over else { return };
+        if self.over.replace(Some((from, to))) == Some((from, to)) {
+            return;
+        }
+        let (left, top) = (from.x.min(to.x), from.y.min(to.y));
+        let (across, down) = (from.x.abs_diff(to.x), from.y.abs_diff(to.y));
+        let sides = [
+            ("x", 100 * left + 8),
+            ("y", 100 * top + 8),
+            ("width", 100 * across + 84),
+            ("height", 100 * down + 84),
+        ];
+        for (name, value) in sides {
+            // The names are valid, so that it cannot fail.
+            let _ = self.element.set_attribute(name, &value.to_string());
+        }
+    }
+}

@@ -1,0 +1,55 @@
+//! What lies on the floor.
+
+use std::rc::Rc;
+
+use giveway_page::Draft;
+use giveway_page::board::{Detail, floor};
+use yew::prelude::*;
+
+/// Which map, and whether its cells are large enough for more than their colour.
+#[derive(Clone, Properties)]
+pub(super) struct FloorProps {
+    pub(super) draft: Rc<Draft>,
+    pub(super) is_fine: bool,
+}
+
+impl PartialEq for FloorProps {
+    fn eq(&self, other: &Self) -> bool {
+        self.is_fine == other.is_fine
+            && (Rc::ptr_eq(&self.draft, &other.draft) || self.draft.grid() == other.draft.grid())
+    }
+}
+
+/// Floor, slow zone, lines, obstacles, chargers, edge: from below to above.
+#[component]
+pub(super) fn FloorShapes(props: &FloorProps) -> Html {
+    let grid = props.draft.grid();
+    let detail = if props.is_fine {
+        Detail::All
+    } else {
+        Detail::Dots
+    };
+    let floor = floor(grid, detail);
+    let (width, height) = (100 * grid.width(), 100 * grid.height());
+    let shape = |class: &'static str| move |d: String| html! { <path {class} {d} /> };
+    let sheet = |class: &'static str| {
+        html! { <rect {class} width={width.to_string()} height={height.to_string()} rx="12" /> }
+    };
+    html! {
+        <g aria-hidden="true">
+            <defs>
+                <pattern id="hatch" width="14" height="14" patternUnits="userSpaceOnUse" patternTransform="rotate(45)">
+                    <path class="hatch-l" d="M7 0V14" />
+                </pattern>
+            </defs>
+            { sheet("floor") }
+            <g>{ for floor.slow_tint.into_iter().map(shape("slow-t")) }</g>
+            <path class="grid" d={floor.lines} />
+            <g>{ for floor.slow.into_iter().map(shape("slow")) }</g>
+            <g>{ for floor.obstacles.into_iter().map(shape("obst")) }</g>
+            <path class="chg" d={floor.chargers} />
+            <path class="bolt" d={floor.bolts} />
+            { sheet("edge") }
+        </g>
+    }
+}

@@ -1,0 +1,44 @@
+//! What stands below the board: the legend, and how near the map is.
+
+use giveway_page::board::Kind;
+use yew::prelude::*;
+
+use super::viewport::Look;
+use crate::Icon;
+
+/// By how much a button or key enlarges.
+pub(super) const ZOOM: f64 = 1.5;
+
+/// What to explain, and how the view can change.
+#[derive(Clone, PartialEq, Properties)]
+pub(super) struct UnderProps {
+    pub(super) kinds: Vec<Kind>,
+    pub(super) look: Callback<Look>,
+    pub(super) is_fit: bool,
+    pub(super) is_nearest: bool,
+}
+
+/// The legend and the buttons of the view.
+#[component]
+pub(super) fn Under(props: &UnderProps) -> Html {
+    let kind = |kind: &Kind| html! { <li><i class={kind.class()}></i>{ kind.words() }</li> };
+    let button = |name: &'static str, icon: &'static str, key: char, is_off: bool, look: Look| {
+        let onclick = props.look.reform(move |_| look);
+        html! {
+            <button class="btn ghost round" title={format!("{name} ({key})")} aria-label={name}
+                aria-disabled={is_off.then_some("true")} {onclick}>
+                <Icon name={icon} />
+            </button>
+        }
+    };
+    html! {
+        <div class="under">
+            <ul class="legend" aria-label="Legend">{ for props.kinds.iter().map(kind) }</ul>
+            <div class="zoom" role="group" aria-label="View">
+                { button("Zoom out", "minus", '-', props.is_fit, Look::Zoom(1.0 / ZOOM, None)) }
+                { button("Fit", "fit", '0', props.is_fit, Look::Fit) }
+                { button("Zoom in", "plus", '+', props.is_nearest, Look::Zoom(ZOOM, None)) }
+            </div>
+        </div>
+    }
+}

@@ -1,0 +1,111 @@
+//! Goals and waypoints. Where an agent stands on them they shrink into corners.
+
+use std::cell::RefCell;
+use std::rc::Rc;
+
+use giveway_model::Cell;
+use giveway_page::board::{Cast, Detail, Mark, MarkKind, Occupied};
+use giveway_page::form;
+use yew::prelude::*;
+
+use super::motion::{Attribute, children, use_motion};
+
+const FLAG_POLE: &str = "M66 46V14";
+const FLAG_CLOTH: &str = "M66 14h24l-7 9 7 9H66Z";
+const FLAG: &str = "M66 46V14h24l-7 9 7 9H66";
+const STAR: &str = "M0-25 7.4-8.5 25-6.5 11.9 5.4 15.6 23 0 14.2-15.6 23-11.9 5.4-25-6.5-7.4-8.5Z";
+
+/// Whose, and how fine.
+#[derive(Clone, PartialEq, Properties)]
+pub(super) struct MarksProps {
+    pub(super) cast: Rc<Cast>,
+    pub(super) detail: Detail,
+}
+
+/// All flags and stars.
+#[component]
+pub(super) fn Marks(props: &MarksProps) -> Html {
+    let layer = use_node_ref();
+    {
+        let (cast, layer) = (Rc::clone(&props.cast), layer.clone());
+        use_motion(move || {
+            let marks = children(&layer).into_iter().map(|mark| {
+                let occupied = Attribute::new(mark.clone(), "data-occupied");
+                (occupied, Attribute::new(mark, "data-visited"))
+            });
+            let marks: Vec<_> = marks.collect();
+            let occupied = RefCell::new(Occupied::default());
+            move |time| {
+                let mut occupied = occupied.borrow_mut();
+                occupied.see(&cast, time);
+                for ((is_occupied, is_visited), mark) in marks.iter().zip(&cast.marks) {
+                    is_occupied.toggle(occupied.has(mark.cell));
+                    is_visited.toggle(mark.visited.is_some_and(|at| f64::from(at) <= time));
+                }
+            }
+        });
+    }
+    let shape = |mark: &Mark| match props.detail {
+        Detail::Dots => dot(mark),
+        detail => match mark.kind {
+            MarkKind::Goal => flag(mark, detail),
+            MarkKind::Waypoint => star(mark, detail),
+        },
+    };
+    html! {
+        <g aria-hidden="true" ref={layer}>{ for props.cast.marks.iter().map(shape) }</g>
+    }
+}
+
+fn flag(mark: &Mark, detail: Detail) -> Html {
+    html! {
+        <g class={classes!("flag", form::class(mark.agent))} transform={place(mark, (0.0, 0.0))}>
+            <g class="in">
+                <path class="halo" d={FLAG} />
+                <path class="pole" d={FLAG_POLE} />
+                <path class="cloth" d={FLAG_CLOTH} />
+                { label(mark, detail, ("61", "30", "end")) }
+            </g>
+        </g>
+    }
+}
+
+fn star(mark: &Mark, detail: Detail) -> Html {
+    html! {
+        <g class={classes!("star", form::class(mark.agent))} transform={place(mark, (50.0, 42.0))}>
+            <g class="in">
+                <path class="halo" d={STAR} />
+                <path class="body" d={STAR} />
+                { label(mark, detail, ("0", "46", "middle")) }
+            </g>
+        </g>
+    }
+}
+
+/// Where nothing else has room: goals as rings; waypoints are left out.
+fn dot(mark: &Mark) -> Html {
+    let class = classes!("goal-dot", form::class(mark.agent));
+    html! {
+        <g transform={place(mark, (50.0, 50.0))}>
+            if mark.kind == MarkKind::Goal {
+                <circle {class} r="28" />
+            }
+        </g>
+    }
+}
+
+fn label(mark: &Mark, detail: Detail, (x, y, anchor): (&str, &str, &str)) -> Html {
+    match &mark.label {
+        Some(label) if detail == Detail::All => html! {
+            <text class="tag" x={x.to_owned()} y={y.to_owned()} text-anchor={anchor.to_owned()}>{ label }</text>
+        },
+        _ => Html::default(),
+    }
+}
+
+fn place(mark: &Mark, within: (f64, f64)) -> String {
+    let Cell { x, y } = mark.cell;
+    let x = f64::from(x) * 100.0 + within.0 + mark.shift.0;
+    let y = f64::from(y) * 100.0 + within.1 + mark.shift.1;
+    format!("translate({x} {y})")
+}

@@ -1,0 +1,80 @@
+//! Moving by hand: attributes set in every frame, past the page's rendering.
+
+use std::cell::RefCell;
+
+use web_sys::Element;
+use yew::prelude::*;
+
+use crate::Clock;
+
+/// An attribute of an element that is set only where it changes.
+pub(super) struct Attribute {
+    element: Element,
+    name: &'static str,
+    value: RefCell<Option<String>>,
+}
+
+impl Attribute {
+    /// An attribute that is not set yet.
+    pub(super) fn new(element: Element, name: &'static str) -> Self {
+        Self {
+            element,
+            name,
+            value: RefCell::new(None),
+        }
+    }
+
+    /// The attribute of the first part of an element with a class.
+    pub(super) fn of_part(element: &Element, class: &str, name: &'static str) -> Option<Self> {
+        let part = element.get_elements_by_class_name(class).item(0)?;
+        Some(Self::new(part, name))
+    }
+
+    /// Sets it.
+    pub(super) fn set(&self, value: &str) {
+        let mut old = self.value.borrow_mut();
+        if old.as_deref() == Some(value) {
+            return;
+        }
+        // The names are valid, so that it cannot fail.
+        let _ = self.element.set_attribute(self.name, value);
+        *old = Some(value.to_owned());
+    }
+
+    /// Sets it to something, or takes it away.
+    pub(super) fn toggle(&self, on: bool) {
+        let mut old = self.value.borrow_mut();
+        if old.is_some() == on {
+            return;
+        }
+        if on {
+            let _ = self.element.set_attribute(self.name, "");
+            *old = Some(String::new());
+        } else {
+            let _ = self.element.remove_attribute(self.name);
+            *old = None;
+        }
+    }
+}
+
+/// The children of a layer, in order.
+pub(super) fn children(layer: &NodeRef) -> Vec<Element> {
+    let Some(layer) = layer.cast::<Element>() else {
+        return Vec::new();
+    };
+    std::iter::successors(layer.first_element_child(), Element::next_element_sibling).collect()
+}
+
+/// After each rendering of the component, makes a function of what it rendered
+/// and calls it with the time of every frame.
+#[hook]
+pub(super) fn use_motion<M>(make: impl FnOnce() -> M + 'static)
+where
+    M: Fn(f64) + 'static,
+{
+    let clock = use_context::<Clock>();
+    use_effect(move || {
+        let listening = clock.map(|clock| clock.listen(make()));
+        move || drop(listening)
+    });
+}

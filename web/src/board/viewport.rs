@@ -1,0 +1,167 @@
+//! The size of the board on the screen, and the camera over it.
+
+use std::rc::Rc;
+
+use giveway_model::Cell;
+use giveway_page::board::{CELL, Camera, Frame};
+use wasm_bindgen::JsCast;
+use wasm_bindgen::closure::Closure;
+use web_sys::{Element, HtmlElement, ResizeObserver};
+use yew::prelude::*;
+
+/// What changes what is in sight. Pixels count from the board's upper left.
+#[derive(Clone, Copy, Debug)]
+pub(super) enum Look {
+    /// The board got another size.
+    Screen((f64, f64)),
+    /// Another map is on it, of so many cells.
+    Board((u32, u32)),
+    /// Larger or smaller around a pixel, or around the middle.
+    Zoom(f64, Option<(f64, f64)>),
+    /// Moved by so many pixels.
+    Pan((f64, f64)),
+    /// All of the map.
+    Fit,
+    /// This cell too.
+    Show(Cell),
+}
+
+#[derive(Clone, PartialEq)]
+struct Sight {
+    camera: Camera,
+    board: (u32, u32),
+    screen: Option<(f64, f64)>,
+}
+
+impl Reducible for Sight {
+    type Action = Look;
+
+    fn reduce(self: Rc<Self>, look: Look) -> Rc<Self> {
+        let Self {
+            camera,
+            board,
+            screen,
+        } = *self;
+        let px = screen.unwrap_or((0.0, 0.0));
+        let middle = (px.0 / 2.0, px.1 / 2.0);
+        let camera = match look {
+            Look::Screen(px) => {
+                return Rc::new(Self {
+                    screen: Some(px),
+                    ..(*self).clone()
+                });
+            }
+            Look::Board(board) if board == self.board => return self,
+            Look::Board(board) => {
+                return Rc::new(Self {
+                    board,
+                    camera: Camera::default(),
+                    screen,
+                });
+            }
+            Look::Zoom(factor, at) => camera.zoom(factor, at.unwrap_or(middle), board, px),
+            Look::Pan(by) => camera.pan(by, board, px),
+            Look::Fit => Camera::default(),
+            Look::Show(cell) => camera.show(cell, board, px),
+        };
+        Rc::new(Self {
+            camera,
+            board,
+            screen,
+        })
+    }
+}
+
+/// What is in sight, and how that is changed.
+#[derive(Clone, PartialEq)]
+pub(super) struct Viewport {
+    /// The camera.
+    pub(super) camera: Camera,
+    /// Changes what is in sight.
+    pub(super) look: Callback<Look>,
+    screen: Option<(f64, f64)>,
+}
+
+impl Viewport {
+    /// What is in sight of a map of some cells.
+    pub(super) fn frame(&self, board: (u32, u32)) -> Frame {
+        self.camera.frame(board, self.screen_for(board))
+    }
+
+    /// Whether cells are as large as they get.
+    pub(super) fn is_nearest(&self, board: (u32, u32)) -> bool {
+        self.camera.is_nearest(board, self.screen_for(board))
+    }
+
+    /// Before the board was measured: some size of the right shape.
+    fn screen_for(&self, board: (u32, u32)) -> (f64, f64) {
+        let guess = (f64::from(board.0) * CELL, f64::from(board.1) * CELL);
+        self.screen.unwrap_or(guess)
+    }
+}
+
+/// The viewport of an area that shows a map of some cells.
+#[hook]
+pub(super) fn use_viewport(area: &NodeRef, board: (u32, u32)) -> Viewport {
+    let sight = use_reducer_eq(|| Sight {
+        camera: Camera::default(),
+        board,
+        screen: None,
+    });
+    let look = use_callback(sight.dispatcher(), |look, sight| sight.dispatch(look));
+    {
+        let (area, look) = (area.clone(), look.clone());
+        use_effect_with((), move |()| watch_size(&area, look));
+    }
+    {
+        let (area, look) = (area.clone(), look.clone());
+        use_effect_with(board, move |&board| {
+            tell_shape(&area, board);
+            look.emit(Look::Board(board));
+        });
+    }
+    let is_new = sight.board != board;
+    Viewport {
+        camera: if is_new {
+            Camera::default()
+        } else {
+            sight.camera
+        },
+        look,
+        screen: sight.screen,
+    }
+}
+
+/// Tells the style sheets how many cells there are: where the board may be as
+/// high as it likes, its height follows from them.
+fn tell_shape(area: &NodeRef, board: (u32, u32)) {
+    if let Some(area) = area.cast::<HtmlElement>() {
+        let style = area.style();
+        // A browser that refuses shows a board of another height.
+        let _ = style.set_property("--columns", &board.0.to_string());
+        let _ = style.set_property("--rows", &board.1.to_string());
+    }
+}
+
+fn watch_size(area: &NodeRef, look: Callback<Look>) -> Box<dyn FnOnce()> {
+    let Some(area) = area.cast::<Element>() else {
+        return Box::new(|| ());
+    };
+    let measure = {
+        let area = area.clone();
+        move || {
+            let rect = area.get_bounding_client_rect();
+            look.emit(Look::Screen((rect.width(), rect.height())));
+        }
+    };
+    measure();
+    let measured = Closure::<dyn Fn()>::new(measure);
+    let Ok(observer) = ResizeObserver::new(measured.as_ref().unchecked_ref()) else {
+        return Box::new(|| ());
+    };
+    observer.observe(&area);
+    Box::new(move || {
+        observer.disconnect();
+        drop(measured);
+    })
+}

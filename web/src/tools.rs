@@ -1,0 +1,103 @@
+//! The tools: what the pointer and the keys do on the board.
+
+use giveway_page::{Action, Tool};
+use web_sys::HtmlElement;
+use yew::prelude::*;
+
+use crate::Icon;
+
+/// Which tool is picked.
+#[derive(Clone, PartialEq, Properties)]
+pub struct ToolsProps {
+    /// The tool.
+    pub tool: Tool,
+    /// Takes actions.
+    pub send: Callback<Action>,
+}
+
+/// The toolbar. One of its buttons is in the order of the page, and arrows go
+/// from button to button.
+#[component]
+pub fn Tools(props: &ToolsProps) -> Html {
+    let buttons = use_memo((), |()| Tool::ALL.map(|_| NodeRef::default()));
+    // The button that Tab goes to.
+    let current = use_state(|| None::<usize>);
+    let pressed = Tool::ALL.iter().position(|&tool| tool == props.tool);
+    let reached = current.or(pressed).unwrap_or(0);
+    let onkeydown = {
+        let (buttons, current) = (buttons.clone(), current.clone());
+        Callback::from(move |event: KeyboardEvent| {
+            let has_modifier = event.ctrl_key() || event.alt_key() || event.meta_key();
+            let Some(next) = next(&event.key(), reached).filter(|_| !has_modifier) else {
+                return;
+            };
+            event.prevent_default();
+            event.stop_propagation();
+            current.set(Some(next));
+            if let Some(button) = buttons[next].cast::<HtmlElement>() {
+                // Without focus the next key just goes on from here.
+                let _ = button.focus();
+            }
+        })
+    };
+    // Left by the keyboard, it is entered at the pressed tool again.
+    let onfocusout = {
+        let current = current.clone();
+        Callback::from(move |_: FocusEvent| current.set(None))
+    };
+    let onfocusin = {
+        let buttons = buttons.clone();
+        Callback::from(move |event: FocusEvent| {
+            let target = event.target();
+            let is_it = |button: &NodeRef| {
+                let button = button.cast::<HtmlElement>();
+                button.map(web_sys::EventTarget::from) == target
+            };
+            current.set(buttons.iter().position(is_it));
+        })
+    };
+    let button = |(index, tool): (usize, Tool)| {
+        let onclick = props.send.reform(move |_| Action::PickTool(tool));
+        html! {
+            <>
+                if index == 1 {
+                    <i class="sep"></i>
+                }
+                <button class="tool" ref={buttons[index].clone()} {onclick}
+                    aria-pressed={(tool == props.tool).to_string()}
+                    aria-label={tool.name()} aria-keyshortcuts={tool.key().to_string()}
+                    title={format!("{} ({})", tool.name(), tool.key())}
+                    tabindex={if index == reached { "0" } else { "-1" }}>
+                    <Icon name={icon(tool)} />
+                </button>
+            </>
+        }
+    };
+    html! {
+        <div class="tools" role="toolbar" aria-label="Tools" {onkeydown} {onfocusin} {onfocusout}>
+            { for Tool::ALL.into_iter().enumerate().map(button) }
+        </div>
+    }
+}
+
+/// The button that a key goes to, around the ends; a column and a row alike.
+fn next(key: &str, from: usize) -> Option<usize> {
+    let count = Tool::ALL.len();
+    match key {
+        "ArrowDown" | "ArrowRight" => Some((from + 1) % count),
+        "ArrowUp" | "ArrowLeft" => Some((from + count - 1) % count),
+        "Home" => Some(0),
+        "End" => Some(count - 1),
+        _ => None,
+    }
+}
+
+const fn icon(tool: Tool) -> &'static str {
+    match tool {
+        Tool::Select => "select",
+        Tool::Obstacle => "obstacle",
+        Tool::Charger => "charger",
+        Tool::SlowZone => "slow",
+        Tool::Erase => "erase",
+    }
+}
