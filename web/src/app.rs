@@ -6,7 +6,15 @@ use giveway_model::format::native;
 use giveway_page::{Action, Draft, Phase, State, Tab, reduce};
 use yew::prelude::*;
 
-use crate::{Clock, Shown, solver::use_solver, status::StatusBar, theme::use_theme, top_bar::TopBar};
+use crate::dialog::{Agents, Examples, Help, Panel};
+use crate::drop::Drop;
+use crate::keys::use_keys;
+use crate::notice::Notices;
+use crate::solver::use_solver;
+use crate::status::StatusBar;
+use crate::theme::{use_theme, wants_less_motion};
+use crate::top_bar::TopBar;
+use crate::{Board, Clock, Dock, Inspector, Shown, Tools};
 
 /// The scene that the page opens on.
 const OPENING: &str = include_str!("../../static/examples/warehouse.json");
@@ -33,6 +41,9 @@ pub fn App() -> Html {
     let send = use_callback(shown.dispatcher(), |action: Action, shown| {
         shown.dispatch(action);
     });
+    let open = use_state_eq(Panel::default);
+    let panel: Panel = (*open).clone();
+    let show = use_callback(open.setter(), |panel: Panel, open| open.set(panel));
     let clock = {
         let send = send.clone();
         use_memo((), move |()| Clock::new(send, wants_less_motion()))
@@ -46,16 +57,37 @@ pub fn App() -> Html {
     }
     use_solver(&state, &send);
     use_theme(state.view.theme);
+    use_keys(&state, &send, &show);
     html! {
         <ContextProvider<Clock> context={(*clock).clone()}>
             <div class={classes!("app", phase_class(state.phase()))} data-tab={tab(state.view.tab)}>
-                <TopBar state={state.clone()} send={send.clone()} />
-                <StatusBar state={state.clone()} send={send.clone()} />
-                <main class="stage"></main>
-                <aside class="insp" aria-label="Inspector"></aside>
-                <section class="dock empty" aria-label="Timeline"></section>
+                <TopBar state={state.clone()} panel={panel.clone()} send={send.clone()}
+                    show={show.clone()} />
+                <StatusBar state={state.clone()} panel={panel.clone()} send={send.clone()}
+                    show={show.clone()} />
+                <main class="stage">
+                    <Tools tool={state.tool} send={send.clone()} />
+                    <Board state={state.clone()} send={send.clone()} />
+                </main>
+                <Inspector state={state.clone()} send={send.clone()} />
+                <Dock state={state.clone()} send={send.clone()} />
+                <Notices notice={state.notice.clone()} send={send.clone()} />
+                <Drop send={send.clone()} show={show.clone()} />
+                { dialog(&panel, &send, &show) }
             </div>
         </ContextProvider<Clock>>
+    }
+}
+
+/// The dialog that is open, if one is.
+fn dialog(panel: &Panel, send: &Callback<Action>, show: &Callback<Panel>) -> Html {
+    let send = send.clone();
+    let on_close = show.reform(|()| Panel::Nothing);
+    match panel {
+        Panel::Examples => html! { <Examples {send} {on_close} /> },
+        Panel::Agents(choice) => html! { <Agents choice={choice.clone()} {send} {on_close} /> },
+        Panel::Help => html! { <Help {on_close} /> },
+        Panel::Nothing | Panel::Menu | Panel::Save | Panel::Settings => html! {},
     }
 }
 
@@ -77,9 +109,4 @@ const fn tab(tab: Tab) -> &'static str {
         Tab::Timeline => "timeline",
         Tab::Plan => "plan",
     }
-}
-
-fn wants_less_motion() -> bool {
-    let query = gloo::utils::window().match_media("(prefers-reduced-motion: reduce)");
-    query.ok().flatten().is_some_and(|query| query.matches())
 }

@@ -18,3 +18,18 @@ pub(crate) fn use_theme(theme: Theme) {
         };
     });
 }
+
+/// Whether the system is dark now.
+pub(crate) fn system_is_dark() -> bool {
+    matches("(prefers-color-scheme: dark)")
+}
+
+/// Whether a person asked the system for less motion.
+pub(crate) fn wants_less_motion() -> bool {
+    matches("(prefers-reduced-motion: reduce)")
+}
+
+fn matches(query: &str) -> bool {
+    let query = gloo::utils::window().match_media(query);
+    query.ok().flatten().is_some_and(|query| query.matches())
+}

@@ -1,23 +1,57 @@
 //! The top bar: the scene's name and size, and what is done to it as a whole.
 
-use giveway_page::{Action, words};
+use giveway_page::{Action, files, words};
+use web_sys::{Event, HtmlInputElement};
 use yew::prelude::*;
 
+use crate::dialog::{Panel, use_dismiss};
+use crate::theme::system_is_dark;
 use crate::{Icon, Shown};
 
-/// The state and where actions go.
+/// The state, what is open, and where changes of both go.
 #[derive(Clone, PartialEq, Properties)]
 pub(crate) struct TopBarProps {
     /// The state.
-    pub state: Shown,
+    pub(crate) state: Shown,
+    /// What is open.
+    pub(crate) panel: Panel,
     /// Takes actions.
-    pub send: Callback<Action>,
+    pub(crate) send: Callback<Action>,
+    /// Opens and closes.
+    pub(crate) show: Callback<Panel>,
 }
 
 /// The top bar.
 #[component]
 pub(crate) fn TopBar(props: &TopBarProps) -> Html {
-    let TopBarProps { state, send } = props;
+    let TopBarProps {
+        state,
+        panel,
+        send,
+        show,
+    } = props;
+    let acts = use_node_ref();
+    let picker = use_node_ref();
+    let menu_open = matches!(panel, Panel::Menu | Panel::Save);
+    use_dismiss(&acts, menu_open, &show.reform(|()| Panel::Nothing));
+    let pick = {
+        let (picker, show) = (picker.clone(), show.clone());
+        Callback::from(move |_: MouseEvent| {
+            show.emit(Panel::Nothing);
+            if let Some(input) = picker.cast::<HtmlInputElement>() {
+                input.click();
+            }
+        })
+    };
+    let picked = {
+        let (send, show) = (send.clone(), show.clone());
+        Callback::from(move |event: Event| {
+            let input: HtmlInputElement = event.target_unchecked_into();
+            crate::files::open(input.files(), send.clone(), show.clone());
+            // So that the same file can be opened again.
+            input.set_value("");
+        })
+    };
     let scene = state.draft.scene();
     let grid = state.draft.grid();
     let name = match scene.name.as_str() {
@@ -25,6 +59,10 @@ pub(crate) fn TopBar(props: &TopBarProps) -> Html {
         name => name,
     };
     let agents = words::count(scene.agents.len(), "agent");
+    let examples = show.reform(|_: MouseEvent| Panel::Examples);
+    let help = show.reform(|_: MouseEvent| Panel::Help);
+    let theme = press_theme(state, send);
+    let theme_title = format!("Theme: {}", state.view.theme.name());
     let undo = send.reform(|_| Action::Undo);
     let redo = send.reform(|_| Action::Redo);
     html! {
@@ -35,12 +73,22 @@ pub(crate) fn TopBar(props: &TopBarProps) -> Html {
                 </svg>
                 <b>{ "Giveway" }</b>
             </span>
-            <span class="scene">
-                <span>{ name.to_owned() }</span>
+            <h1 class="scene">
+                <span title={name.to_owned()}>{ name.to_owned() }</span>
                 <small>{ format!("{} \u{d7} {}, {agents}", grid.width(), grid.height()) }</small>
-            </span>
+            </h1>
             <span class="grow"></span>
-            <div class="acts">
+            <div class="acts" ref={acts}>
+                <button class="btn ghost wide" title="Examples" onclick={examples.clone()}>
+                    <Icon name="examples" /><span>{ "Examples" }</span>
+                </button>
+                <button class="btn ghost wide" title="Open a file" onclick={pick.clone()}>
+                    <Icon name="open" /><span>{ "Open" }</span>
+                </button>
+                <input ref={picker} type="file" hidden=true multiple=true onchange={picked}
+                    accept=".json,.map,.scen,application/json" />
+                { toggle(panel, Panel::Save, "btn ghost wide", "save", "Save", show) }
+                <i class="sep"></i>
                 <button class="btn ghost ph" title="Undo (Ctrl Z)" onclick={undo}
                     disabled={!state.history.can_undo()}>
                     <Icon name="undo" /><span class="vh">{ "Undo" }</span>
@@ -49,7 +97,82 @@ pub(crate) fn TopBar(props: &TopBarProps) -> Html {
                     disabled={!state.history.can_redo()}>
                     <Icon name="redo" /><span class="vh">{ "Redo" }</span>
                 </button>
+                <i class="sep"></i>
+                <button class="btn ghost" title={theme_title.clone()} onclick={theme.clone()}>
+                    <Icon name="theme" /><span class="vh">{ "Theme" }</span>
+                </button>
+                <button class="btn ghost" title="Help (?)" onclick={help.clone()}>
+                    <Icon name="help" /><span class="vh">{ "Help" }</span>
+                </button>
+                { toggle(panel, Panel::Menu, "btn ghost only-ph", "more", "More", show) }
+                if *panel == Panel::Save {
+                    <div class="menu save">{ save_items(state, show) }</div>
+                }
+                if *panel == Panel::Menu {
+                    <div class="menu">
+                        { item("examples", "Examples", examples) }
+                        { item("open", "Open", pick) }
+                        { save_items(state, show) }
+                        <hr />
+                        { item("settings", "Settings", show.reform(|_| Panel::Settings)) }
+                        { item("theme", &theme_title, theme) }
+                        { item("help", "Help", help) }
+                    </div>
+                }
             </div>
         </header>
     }
+}
+
+/// A button that opens and closes a menu.
+fn toggle(
+    panel: &Panel,
+    own: Panel,
+    class: &'static str,
+    icon: &'static str,
+    name: &'static str,
+    show: &Callback<Panel>,
+) -> Html {
+    let open = *panel == own;
+    let press = show.reform(move |_: MouseEvent| if open { Panel::Nothing } else { own.clone() });
+    html! {
+        <button {class} title={name} aria-expanded={open.to_string()} onclick={press}>
+            <Icon name={icon} /><span class={(name == "More").then_some("vh")}>{ name }</span>
+        </button>
+    }
+}
+
+fn item(icon: &'static str, name: &str, press: Callback<MouseEvent>) -> Html {
+    html! { <button onclick={press}><Icon name={icon} />{ name.to_owned() }</button> }
+}
+
+fn save_items(state: &Shown, show: &Callback<Panel>) -> Html {
+    let press = |save: fn(&Shown)| {
+        let (state, show) = (state.clone(), show.clone());
+        Callback::from(move |_: MouseEvent| {
+            show.emit(Panel::Nothing);
+            save(&state);
+        })
+    };
+    let scene = press(|state| crate::files::save(&files::scene_file(state)));
+    let plan = press(|state| {
+        if let Some(saved) = files::plan_file(state) {
+            crate::files::save(&saved);
+        }
+    });
+    let has_plan = state
+        .fresh_answer()
+        .and_then(|answer| answer.plan())
+        .is_some();
+    html! {
+        <>
+            { item("save", "Save scene", scene) }
+            if has_plan { { item("save", "Save plan", plan) } }
+        </>
+    }
+}
+
+fn press_theme(state: &Shown, send: &Callback<Action>) -> Callback<MouseEvent> {
+    let theme = state.view.theme;
+    send.reform(move |_| Action::SetTheme(theme.next(system_is_dark())))
 }

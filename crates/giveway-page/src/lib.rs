@@ -16,6 +16,7 @@ mod ground;
 mod history;
 pub mod inspect;
 pub mod keys;
+pub mod objective;
 mod playback;
 mod reduce;
 mod reserve;

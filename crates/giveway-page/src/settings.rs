@@ -35,6 +35,34 @@ pub enum Theme {
     Dark,
 }
 
+impl Theme {
+    /// The next one, so that every press but one changes what is seen: first
+    /// the other one than the system's, then the system's own, then whichever
+    /// the system has.
+    ///
+    /// ```
+    /// use giveway_page::Theme;
+    /// assert_eq!(Theme::System.next(true), Theme::Light);
+    /// ```
+    #[must_use]
+    pub const fn next(self, system_is_dark: bool) -> Self {
+        match (self, system_is_dark) {
+            (Self::System, false) | (Self::Light, true) => Self::Dark,
+            (Self::System, true) | (Self::Dark, false) => Self::Light,
+            (Self::Light, false) | (Self::Dark, true) => Self::System,
+        }
+    }
+
+    /// Its name in a sentence.
+    pub const fn name(self) -> &'static str {
+        match self {
+            Self::System => "as the system has it",
+            Self::Light => "light",
+            Self::Dark => "dark",
+        }
+    }
+}
+
 /// What a phone shows below the board.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum Tab {
@@ -67,6 +95,27 @@ impl Default for View {
             table: true,
             theme: Theme::System,
             tab: Tab::Timeline,
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn three_presses_come_back_and_the_first_is_seen() {
+        for system_is_dark in [false, true] {
+            let first = Theme::System.next(system_is_dark);
+            let unlike = if system_is_dark {
+                Theme::Light
+            } else {
+                Theme::Dark
+            };
+            assert_eq!(first, unlike);
+            let second = first.next(system_is_dark);
+            assert!(![Theme::System, first].contains(&second));
+            assert_eq!(second.next(system_is_dark), Theme::System);
         }
     }
 }

@@ -3,6 +3,8 @@
 mod edit;
 mod play;
 mod solve;
+#[cfg(test)]
+mod tests;
 
 use crate::{Action, Selection, State, Tool};
 

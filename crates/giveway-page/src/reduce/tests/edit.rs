@@ -1,0 +1,148 @@
+//! Edits, undo and redo.
+
+use giveway_model::{Cell, Scene};
+
+use super::{after, edit, fresh, stroke};
+use crate::sample::solved;
+use crate::{Action, Phase, Selection, State, Tool, Work};
+
+fn row(state: &State, y: usize) -> &str {
+    &state.draft.scene().map[y]
+}
+
+#[test]
+fn a_stroke_is_one_step_of_undo() {
+    let painted = after(&fresh(), stroke(Tool::Obstacle, &[(5, 2), (6, 2), (8, 2)]));
+    assert_eq!(row(&painted, 2), "...+.####.", "without gaps");
+    let undone = after(&painted, [Action::Undo]);
+    assert_eq!(undone.draft, fresh().draft);
+    assert!(!undone.history.can_undo());
+    let redone = after(&undone, [Action::Redo]);
+    assert_eq!(redone.draft, painted.draft);
+    assert!(!redone.history.can_redo());
+}
+
+#[test]
+fn a_stroke_shows_before_it_ends() {
+    let actions = [
+        Action::PickTool(Tool::Charger),
+        Action::Press(Cell::new(0, 1)),
+        Action::Drag(Cell::new(0, 2)),
+    ];
+    let state = after(&fresh(), actions);
+    assert_eq!(
+        (row(&state, 1), row(&state, 2)),
+        ("+##.##.##.", "+..+..+...")
+    );
+    assert!(!state.history.can_undo(), "not yet");
+    let state = after(&state, [Action::PickTool(Tool::Select)]);
+    assert!(state.history.can_undo(), "another tool ends it");
+}
+
+#[test]
+fn a_stroke_that_changes_nothing_is_none() {
+    let state = after(&fresh(), stroke(Tool::Erase, &[(1, 0)]));
+    assert!(!state.history.can_undo());
+}
+
+#[test]
+fn what_agents_need_is_not_built_over() {
+    let state = after(&fresh(), stroke(Tool::Obstacle, &[(1, 0), (0, 0)]));
+    assert_eq!(row(&state, 0), ".#~~~~~~..");
+}
+
+#[test]
+fn a_new_edit_forgets_what_was_undone() {
+    let state = after(&fresh(), edit());
+    let state = after(&state, [Action::Undo]);
+    let state = after(&state, stroke(Tool::Obstacle, &[(9, 1)]));
+    assert!(!state.history.can_redo());
+}
+
+#[test]
+fn an_edit_makes_the_plan_stale_and_undo_fresh_again() {
+    let planned = solved();
+    assert_eq!(planned.phase(), Phase::Planned);
+    let stale = after(&planned, edit());
+    assert!(stale.is_stale() && !stale.playback.playing);
+    assert_eq!(stale.phase(), Phase::Editing);
+    assert!(stale.plan().is_some(), "shown faded");
+    assert!(stale.fresh_answer().is_none());
+    let undone = after(&stale, [Action::Undo]);
+    assert!(!undone.is_stale());
+    assert_eq!(undone.phase(), Phase::Planned);
+    assert_eq!(after(&undone, [Action::Redo]).phase(), Phase::Editing);
+}
+
+#[test]
+fn edits_cancel_a_solve() {
+    let solving = after(&fresh(), [Action::Solve]);
+    assert_eq!(after(&solving, edit()).work, Work::Idle);
+    let undone = after(&fresh(), edit());
+    let undone = after(&undone, [Action::Solve, Action::Undo]);
+    assert_eq!(undone.work, Work::Idle);
+    let redone = after(&undone, [Action::Solve, Action::Redo]);
+    assert_eq!(redone.work, Work::Idle);
+}
+
+#[test]
+fn every_edit_may_be_solved_at_once() {
+    let state = after(&solved(), [Action::SetSolveOnChange(true)]);
+    let state = after(&state, edit());
+    assert_eq!(state.phase(), Phase::Solving);
+    let Work::Solving(run) = &state.work else {
+        panic!("not solving");
+    };
+    assert_eq!(run.draft, state.draft);
+    let undone = after(&state, [Action::Undo]);
+    assert_eq!(undone.phase(), Phase::Planned, "answered already");
+}
+
+#[test]
+fn undo_of_nothing_does_nothing() {
+    let state = fresh();
+    assert_eq!(after(&state, [Action::Undo, Action::Redo]), state);
+}
+
+fn open(rows: &[&str]) -> Action {
+    Action::Open(Box::new(Scene {
+        name: "other".to_owned(),
+        map: rows.iter().map(|&row| row.to_owned()).collect(),
+        ..Scene::default()
+    }))
+}
+
+#[test]
+fn opening_replaces_the_scene_and_can_be_undone() {
+    let state = after(&solved(), [Action::Select(Selection::Agent(1))]);
+    let state = after(
+        &state,
+        [Action::MoveCursor(Cell::new(9, 2)), open(&["..", ".."])],
+    );
+    assert_eq!(state.draft.scene().name, "other");
+    assert_eq!(state.answer, None);
+    assert_eq!(state.selection, Selection::Nothing);
+    assert_eq!((state.playback.time, state.playback.playing), (0, false));
+    assert_eq!(state.cursor, Cell::new(1, 1));
+    let undone = after(&state, [Action::Undo]);
+    assert_eq!(undone.draft, solved().draft);
+}
+
+#[test]
+fn opening_cancels_a_solve() {
+    let state = after(&fresh(), [Action::Solve, open(&[".."])]);
+    assert_eq!(state.work, Work::Idle);
+}
+
+#[test]
+fn what_cannot_be_drawn_or_solved_is_refused_and_the_old_scene_stays() {
+    let before = solved();
+    let wide = ".".repeat(300);
+    for rows in [&["..", "."][..], &[], &[wide.as_str()], &["x"]] {
+        let state = after(&before, [open(rows)]);
+        let notice = state.notice.clone().unwrap();
+        assert!(!notice.details.is_empty(), "{rows:?}");
+        let dismissed = after(&state, [Action::DismissNotice]);
+        assert_eq!(dismissed, before, "{rows:?}");
+    }
+}

@@ -1,0 +1,125 @@
+//! Every action, on the warehouse.
+
+mod edit;
+mod play;
+mod solve;
+mod words;
+
+use giveway_model::{AtGoal, Cell, Cost, Objective};
+
+use crate::sample::{draft, solved};
+use crate::{Action, Notice, Selection, Speed, State, Tab, Theme, Tool, reduce};
+
+/// The warehouse before anything was done.
+fn fresh() -> State {
+    State::new(draft())
+}
+
+/// The state after one action after the other.
+fn after(state: &State, actions: impl IntoIterator<Item = Action>) -> State {
+    actions.into_iter().fold(state.clone(), |state, action| {
+        let next = reduce(&state, action.clone());
+        assert_eq!(next, reduce(&state, action), "pure");
+        next
+    })
+}
+
+/// A stroke of a tool over cells.
+fn stroke(tool: Tool, cells: &[(u32, u32)]) -> Vec<Action> {
+    let mut cells = cells.iter().map(|&(x, y)| Cell::new(x, y));
+    let first = cells.next().unwrap();
+    let mut actions = vec![Action::PickTool(tool), Action::Press(first)];
+    actions.extend(cells.map(Action::Drag));
+    actions.push(Action::Release);
+    actions
+}
+
+/// An edit that no plan of the warehouse minds.
+fn edit() -> Vec<Action> {
+    stroke(Tool::Charger, &[(1, 0)])
+}
+
+#[test]
+fn tools_cursor_and_selection() {
+    let state = after(&fresh(), [Action::PickTool(Tool::Erase)]);
+    assert_eq!(state.tool, Tool::Erase);
+    let state = after(&state, [Action::MoveCursor(Cell::new(99, 1))]);
+    assert_eq!(state.cursor, Cell::new(9, 1), "kept on the map");
+    let state = after(&state, [Action::Select(Selection::Agent(1))]);
+    assert_eq!(state.selection, Selection::Agent(1));
+}
+
+#[test]
+fn select_takes_the_agent_or_else_the_cell() {
+    let press = |x, y| Action::Press(Cell::new(x, y));
+    let state = after(&fresh(), [press(9, 2)]);
+    assert_eq!(state.selection, Selection::Agent(1));
+    let state = after(&state, [press(4, 1)]);
+    assert_eq!(state.selection, Selection::Cell(Cell::new(4, 1)));
+    assert!(!state.history.can_undo());
+}
+
+#[test]
+fn what_is_shown() {
+    let actions = [
+        Action::ShowTrails(false),
+        Action::ShowTable(false),
+        Action::ShowTab(Tab::Plan),
+        Action::SetTheme(Theme::Dark),
+        Action::SetSpeed(Speed::Four),
+    ];
+    let state = after(&fresh(), actions);
+    assert!(!state.view.trails && !state.view.table);
+    assert_eq!((state.view.tab, state.view.theme), (Tab::Plan, Theme::Dark));
+    assert_eq!(state.playback.speed, Speed::Four);
+    assert!(!state.history.can_undo(), "nothing of the scene");
+}
+
+#[test]
+fn notices_come_and_go() {
+    let notice = Notice {
+        sentence: "No.".to_owned(),
+        details: Vec::new(),
+    };
+    let before = solved();
+    let state = after(&before, [Action::Refuse(notice.clone())]);
+    assert_eq!(state.notice, Some(notice));
+    assert_eq!(after(&state, [Action::DismissNotice]), before);
+}
+
+#[test]
+fn limits_are_no_part_of_the_scene() {
+    let actions = [
+        Action::SetWithin(Some(40)),
+        Action::SetSeconds(0),
+        Action::SetSolveOnChange(true),
+    ];
+    let state = after(&solved(), actions);
+    assert_eq!(state.settings.within, Some(40));
+    assert_eq!(state.settings.seconds, 1, "at least one second");
+    assert!(state.settings.solve_on_change);
+    assert!(!state.is_stale() && !state.history.can_undo());
+}
+
+#[test]
+fn objective_and_rules_are_edits_of_the_scene() {
+    let objective = Objective::new(vec![Cost::Charges]).unwrap();
+    let actions = [
+        Action::SetObjective(objective.clone()),
+        Action::SetAtGoal(AtGoal::Vanish),
+        Action::SetBatteryFloor(2),
+    ];
+    let mut state = solved();
+    for action in actions.clone() {
+        state = after(&state, [action]);
+        assert!(state.is_stale() && state.history.can_undo());
+    }
+    let scene = state.draft.scene();
+    assert_eq!(scene.objective, objective);
+    assert_eq!(scene.rules.at_goal, AtGoal::Vanish);
+    assert_eq!(scene.rules.battery_floor, 2);
+    let again = after(&state, actions);
+    assert_eq!(again, state, "what changes nothing is no step of undo");
+    let undone = after(&state, [Action::Undo, Action::Undo, Action::Undo]);
+    assert_eq!(undone.draft, solved().draft);
+}

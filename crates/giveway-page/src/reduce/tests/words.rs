@@ -1,0 +1,161 @@
+//! What the page says in each state.
+
+use giveway_model::{Cell, Cost, Costs, Scene};
+use giveway_solve::{Progress, Response, SolveAnswer, Status};
+
+use super::solve::respond;
+use super::{after, edit, fresh};
+use crate::sample::solved;
+use crate::words::{Badge, standing};
+use crate::{Action, Draft, State};
+
+#[track_caller]
+fn check(state: &State, badge: Badge, sentence: &str) {
+    let standing = standing(state);
+    assert_eq!(
+        (standing.badge, standing.sentence.as_str()),
+        (badge, sentence)
+    );
+}
+
+/// The answer to the warehouse, changed.
+fn answered(change: impl FnOnce(&mut SolveAnswer)) -> State {
+    let Action::Respond { mut response, .. } = respond(1, Status::Unknown) else {
+        panic!("no response");
+    };
+    if let Response::Solved(solved) = &mut *response {
+        change(solved);
+    }
+    after(
+        &fresh(),
+        [Action::Solve, Action::Respond { run: 1, response }],
+    )
+}
+
+const COSTS: Costs = Costs {
+    makespan: 20,
+    sum_of_costs: 40,
+    charges: 1,
+    moves: 30,
+    waits: 4,
+};
+
+#[test]
+fn without_an_answer() {
+    check(&fresh(), Badge::Draft, "No plan yet.");
+}
+
+#[test]
+fn with_a_plan() {
+    let planned = solved();
+    let sentence = "Optimal: makespan 18, sum of costs 35, 3 charges.";
+    check(&planned, Badge::Proved, sentence);
+    let stale = "The plan is for the scene before the edit: solve it anew.";
+    check(&after(&planned, edit()), Badge::Stale, stale);
+    let bounded = answered(|answer| {
+        answer.status = Status::Optimal;
+        answer.costs = Some(COSTS);
+        answer.within = Some(40);
+    });
+    let sentence = "Optimal within makespan 40: makespan 20, sum of costs 40, 1 charge.";
+    check(&bounded, Badge::Proved, sentence);
+}
+
+#[test]
+fn while_it_solves() {
+    let tell = |event| Action::Progress { run: 1, event };
+    let bound = |cost, at_least| tell(Progress::Bound { cost, at_least });
+    let mut state = after(&fresh(), [Action::Solve]);
+    check(&state, Badge::Solving, "Solving: no bound yet.");
+    let steps = [
+        (
+            bound(Cost::Makespan, 17),
+            "Solving: makespan is at least 17.",
+        ),
+        (
+            tell(Progress::Plan { costs: COSTS }),
+            "Solving: makespan is at least 17, the best plan so far has 20.",
+        ),
+        (bound(Cost::Makespan, 20), "Solving: makespan is 20."),
+        (
+            bound(Cost::SumOfCosts, 33),
+            "Solving: makespan is 20; sum of costs is at least 33, the best plan so far has 40.",
+        ),
+    ];
+    for (action, sentence) in steps {
+        state = after(&state, [action]);
+        check(&state, Badge::Solving, sentence);
+    }
+}
+
+#[test]
+fn a_plan_before_any_bound() {
+    let event = Progress::Plan { costs: COSTS };
+    let state = after(
+        &fresh(),
+        [Action::Solve, Action::Progress { run: 1, event }],
+    );
+    let sentence = "Solving: a plan with makespan 20, sum of costs 40, 1 charge.";
+    check(&state, Badge::Solving, sentence);
+}
+
+#[test]
+fn without_a_plan() {
+    let none = |within, reason: Option<&str>| {
+        answered(|answer| {
+            answer.status = Status::Impossible;
+            answer.within = within;
+            answer.complete = within.is_none();
+            answer.reason = reason.map(str::to_owned);
+        })
+    };
+    let check = |state: &State, sentence| check(state, Badge::Impossible, sentence);
+    check(&none(Some(40), None), "No plan within makespan 40.");
+    check(&none(None, None), "No plan, whatever the horizon.");
+    let reason = Some("A1 and A2 cannot all arrive.");
+    let sentence = "No plan, whatever the horizon: A1 and A2 cannot all arrive.";
+    check(&none(None, reason), sentence);
+    let sentence = "No plan within makespan 40: A1 and A2 cannot all arrive.";
+    check(&none(Some(40), reason), sentence);
+}
+
+#[test]
+fn a_stale_answer_without_a_plan() {
+    let state = answered(|answer| answer.status = Status::Impossible);
+    let sentence = "The scene has changed: solve it anew.";
+    check(&after(&state, edit()), Badge::Stale, sentence);
+}
+
+#[test]
+fn out_of_budget() {
+    let reason = Some("The time limit was reached.".to_owned());
+    let unknown = answered(|answer| answer.reason = reason.clone());
+    let sentence = "Undecided: no plan found, and none ruled out. The time limit was reached. \
+                    Proved so far: makespan is at least 17.";
+    check(&unknown, Badge::Stopped, sentence);
+    let feasible = answered(|answer| {
+        answer.status = Status::Feasible;
+        answer.costs = Some(COSTS);
+        answer.bounds = [(Cost::Makespan, 20), (Cost::SumOfCosts, 38)].into();
+        answer.reason = reason;
+    });
+    let sentence = "Best plan so far: makespan 20, proved; sum of costs 40, proved at least 38; \
+                    1 charge. The time limit was reached.";
+    check(&feasible, Badge::Stopped, sentence);
+}
+
+#[test]
+fn a_scene_that_cannot_be_solved() {
+    let mut scene: Scene = fresh().draft.scene().clone();
+    scene.agents[0].goal = Cell::new(1, 1);
+    let state = State::new(Draft::new(scene).unwrap());
+    let standing = standing(&state);
+    assert_eq!(standing.badge, Badge::Faulty);
+    assert!(
+        standing
+            .sentence
+            .starts_with("This cannot be solved: agents[0].goal: ")
+    );
+    let state = after(&state, [Action::Solve]);
+    assert!(state.notice.is_some(), "told when it is tried");
+}

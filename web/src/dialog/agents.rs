@@ -1,0 +1,69 @@
+//! How many agents of a scenario are wanted.
+
+use std::rc::Rc;
+
+use giveway_page::{Action, files::Choice, words};
+use web_sys::HtmlInputElement;
+use yew::prelude::*;
+
+use super::frame::Frame;
+
+#[derive(Clone, PartialEq, Properties)]
+pub(crate) struct AgentsProps {
+    /// The map and the scenario.
+    pub(crate) choice: Rc<Choice>,
+    /// Takes the scene, or why there is none.
+    pub(crate) send: Callback<Action>,
+    /// Called when it was closed.
+    pub(crate) on_close: Callback<()>,
+}
+
+/// The question how many agents are wanted.
+#[component]
+pub(crate) fn Agents(props: &AgentsProps) -> Html {
+    let AgentsProps {
+        choice,
+        send,
+        on_close,
+    } = props;
+    let input = use_node_ref();
+    let open = {
+        let (choice, send, on_close) = (Rc::clone(choice), send.clone(), on_close.clone());
+        let input = input.clone();
+        Callback::from(move |()| {
+            let typed = input.cast::<HtmlInputElement>().map(|input| input.value());
+            let typed = typed.and_then(|text| text.trim().parse::<usize>().ok());
+            let agents = typed.unwrap_or(choice.proposed()).clamp(1, choice.most());
+            on_close.emit(());
+            send.emit(match choice.scene(agents) {
+                Ok(scene) => Action::Open(Box::new(scene)),
+                Err(notice) => Action::Refuse(notice),
+            });
+        })
+    };
+    let enter = {
+        let open = open.clone();
+        Callback::from(move |event: KeyboardEvent| {
+            if event.key() == "Enter" {
+                event.prevent_default();
+                open.emit(());
+            }
+        })
+    };
+    let there_are = words::count(choice.most(), "agent");
+    html! {
+        <Frame title="How many agents?" narrow=true on_close={on_close.clone()}>
+            <p>{ format!("{} has {there_are}. The first of them are taken.", choice.file()) }</p>
+            <div class="ask-number">
+                <label for="agents">{ "Agents" }</label>
+                <input id="agents" class="field" ref={input} type="number" inputmode="numeric"
+                    min="1" max={choice.most().to_string()} value={choice.proposed().to_string()}
+                    onkeydown={enter} autofocus=true />
+            </div>
+            <div class="dialog-foot">
+                <button class="btn outline" onclick={on_close.reform(|_| ())}>{ "Back" }</button>
+                <button class="btn primary" onclick={open.reform(|_| ())}>{ "Open scene" }</button>
+            </div>
+        </Frame>
+    }
+}

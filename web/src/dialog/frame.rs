@@ -1,0 +1,72 @@
+//! A dialog: the browser's own, so that focus stays inside and comes back
+//! afterwards, and Escape closes it.
+
+use gloo::events::EventListener;
+use web_sys::HtmlDialogElement;
+use yew::prelude::*;
+
+use crate::Icon;
+
+#[derive(Clone, PartialEq, Properties)]
+pub(super) struct FrameProps {
+    /// The title, which is its name.
+    pub(super) title: AttrValue,
+    /// Whether it holds little.
+    #[prop_or_default]
+    pub(super) narrow: bool,
+    /// Called when it was closed.
+    pub(super) on_close: Callback<()>,
+    /// What is in it.
+    pub(super) children: Html,
+}
+
+/// The frame of a dialog; open as long as it is there.
+#[component]
+pub(super) fn Frame(props: &FrameProps) -> Html {
+    let FrameProps {
+        title,
+        narrow,
+        on_close,
+        children,
+    } = props;
+    let node = use_node_ref();
+    {
+        let (node, on_close) = (node.clone(), on_close.clone());
+        use_effect_with((), move |()| {
+            let dialog = node.cast::<HtmlDialogElement>();
+            let listening = dialog.as_ref().map(|dialog| {
+                // It can only fail for a dialog that is open or not on the page.
+                let _ = dialog.show_modal();
+                EventListener::new(dialog, "close", move |_| on_close.emit(()))
+            });
+            move || {
+                drop(listening);
+                if let Some(dialog) = dialog {
+                    dialog.close();
+                }
+            }
+        });
+    }
+    let close = on_close.reform(|_: MouseEvent| ());
+    // A press on the dialog itself, and not in it, is one beside it.
+    let beside = {
+        let (node, on_close) = (node.clone(), on_close.clone());
+        Callback::from(move |event: MouseEvent| {
+            if event.target() == node.get().map(Into::into) {
+                on_close.emit(());
+            }
+        })
+    };
+    html! {
+        <dialog ref={node} class={classes!("dialog", narrow.then_some("narrow"))}
+            aria-labelledby="dialog-title" onmousedown={beside}>
+            <header>
+                <h2 id="dialog-title">{ title }</h2>
+                <button class="btn ghost round" title="Close (Escape)" onclick={close}>
+                    <Icon name="cancel" /><span class="vh">{ "Close" }</span>
+                </button>
+            </header>
+            <div class="dialog-body">{ children.clone() }</div>
+        </dialog>
+    }
+}

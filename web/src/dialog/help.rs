@@ -1,0 +1,49 @@
+//! The keys.
+
+use giveway_page::keys::{HELP, Row};
+use yew::prelude::*;
+
+use super::frame::Frame;
+
+#[derive(Clone, PartialEq, Properties)]
+pub(crate) struct HelpProps {
+    /// Called when it was closed.
+    pub(crate) on_close: Callback<()>,
+}
+
+/// All keys, by what they are for.
+#[component]
+pub(crate) fn Help(props: &HelpProps) -> Html {
+    html! {
+        <Frame title="Keys" on_close={props.on_close.clone()}>
+            { for HELP.iter().map(|(title, rows)| group(title, rows)) }
+        </Frame>
+    }
+}
+
+fn group(title: &'static str, rows: &[Row]) -> Html {
+    html! {
+        <>
+            <h3>{ title }</h3>
+            <dl class="keylist">{ for rows.iter().map(row) }</dl>
+        </>
+    }
+}
+
+fn row(row: &Row) -> Html {
+    html! {
+        <>
+            <dt>{ for row.keys.iter().map(|keys| chord(keys)) }</dt>
+            <dd>{ row.what }</dd>
+        </>
+    }
+}
+
+/// Keys held together; `+` by itself is a key.
+fn chord(keys: &'static str) -> Html {
+    let keys: Vec<_> = match keys {
+        "+" => vec![keys],
+        _ => keys.split('+').collect(),
+    };
+    html! { for key in keys { <kbd>{ key }</kbd> } }
+}

@@ -1,0 +1,36 @@
+//! What opens over the page.
+
+mod agents;
+mod examples;
+mod frame;
+mod help;
+mod popover;
+
+use std::rc::Rc;
+
+use giveway_page::files::Choice;
+
+pub(crate) use agents::Agents;
+pub(crate) use examples::Examples;
+pub(crate) use help::Help;
+pub(crate) use popover::use_dismiss;
+
+/// What is open: at most one thing at a time.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub(crate) enum Panel {
+    /// Nothing.
+    #[default]
+    Nothing,
+    /// The menu of a phone.
+    Menu,
+    /// What can be saved.
+    Save,
+    /// The settings.
+    Settings,
+    /// The examples.
+    Examples,
+    /// How many agents of a scenario are wanted.
+    Agents(Rc<Choice>),
+    /// The keys.
+    Help,
+}

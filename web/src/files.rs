@@ -1,0 +1,98 @@
+//! Files from a person's disk and from beside the page, and files to save.
+
+use std::rc::Rc;
+
+use giveway_model::Scene;
+use giveway_model::format::native;
+use giveway_page::files::{Opened, Reading, Saved, read, too_large};
+use giveway_page::{Action, Notice};
+use gloo::file::{Blob, File, ObjectUrl, futures::read_as_bytes};
+use gloo::net::http::Request;
+use gloo::timers::callback::Timeout;
+use wasm_bindgen::JsCast as _;
+use web_sys::{FileList, HtmlAnchorElement};
+use yew::Callback;
+use yew::platform::spawn_local;
+
+use crate::dialog::Panel;
+
+/// Where the examples are, from the page on.
+const EXAMPLES: &str = "static/examples";
+
+/// How long a saved file's text is kept for the browser, in milliseconds.
+const KEPT_MS: u32 = 60_000;
+
+/// The text of a file among the examples.
+///
+/// # Errors
+/// Why it did not arrive, as a sentence.
+pub(crate) async fn fetch(file: &str) -> Result<String, String> {
+    let address = format!("{EXAMPLES}/{file}");
+    let response = Request::get(&address).send().await;
+    let response = response.map_err(|error| error.to_string())?;
+    if !response.ok() {
+        return Err(format!("{address}: status {}", response.status()));
+    }
+    response.text().await.map_err(|error| error.to_string())
+}
+
+/// The scene of an example.
+///
+/// # Errors
+/// Why there is none, as a sentence.
+pub(crate) async fn example(file: &str) -> Result<Scene, String> {
+    let text = fetch(file).await?;
+    native::read_scene(&text).map_err(|fault| format!("{file}, {fault}"))
+}
+
+/// Reads the files that a person chose or dropped, and opens what they hold.
+pub(crate) fn open(files: Option<FileList>, send: Callback<Action>, show: Callback<Panel>) {
+    let Some(files) = files.filter(|files| files.length() > 0) else {
+        return;
+    };
+    let files: Vec<File> = gloo::file::FileList::from(files).to_vec();
+    spawn_local(async move {
+        let reading = match read_all(&files).await {
+            Ok(opened) => read(&opened),
+            Err(notice) => Err(notice),
+        };
+        match reading {
+            Ok(Reading::Scene(scene)) => send.emit(Action::Open(scene)),
+            Ok(Reading::Scenario(choice)) => show.emit(Panel::Agents(Rc::new(*choice))),
+            Err(notice) => send.emit(Action::Refuse(notice)),
+        }
+    });
+}
+
+async fn read_all(files: &[File]) -> Result<Vec<Opened>, Notice> {
+    if let Some(notice) = files
+        .iter()
+        .find_map(|file| too_large(&file.name(), file.size()))
+    {
+        return Err(notice);
+    }
+    let mut opened = Vec::new();
+    for file in files {
+        let name = file.name();
+        let bytes = read_as_bytes(file).await.map_err(|error| Notice {
+            sentence: format!("{name} cannot be read; the scene stays as it is."),
+            details: vec![error.to_string()],
+        })?;
+        opened.push(Opened { name, bytes });
+    }
+    Ok(opened)
+}
+
+/// Hands a file to the browser to be saved.
+pub(crate) fn save(saved: &Saved) {
+    let blob = Blob::new_with_options(saved.text.as_str(), Some("application/json"));
+    let url = ObjectUrl::from(blob);
+    let link = gloo::utils::document().create_element("a").ok();
+    if let Some(link) = link.and_then(|link| link.dyn_into::<HtmlAnchorElement>().ok()) {
+        link.set_href(&url);
+        link.set_download(&saved.name);
+        link.click();
+    }
+    // The browser reads it after this returns.
+    Timeout::new(KEPT_MS, move || drop(url)).forget();
+}

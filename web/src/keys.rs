@@ -1,0 +1,75 @@
+//! The keys that work wherever the focus is, unless something there has a use
+//! for them.
+
+use giveway_page::{
+    Action,
+    keys::{Command, Key, command},
+};
+use gloo::events::{EventListener, EventListenerOptions};
+use wasm_bindgen::JsCast as _;
+use web_sys::{Element, KeyboardEvent};
+use yew::prelude::*;
+
+use crate::Shown;
+use crate::dialog::Panel;
+
+/// Where a person types.
+const FIELDS: &str = "input, textarea, select, [contenteditable]";
+/// What Space presses.
+const PRESSED: &str = "button, a, summary, label";
+
+/// Listens for keys that no place of the page took for itself.
+#[hook]
+pub(crate) fn use_keys(state: &Shown, send: &Callback<Action>, show: &Callback<Panel>) {
+    let latest = use_mut_ref(|| state.clone());
+    latest.replace(state.clone());
+    let (send, show) = (send.clone(), show.clone());
+    use_effect_with((), move |()| {
+        let window = gloo::utils::window();
+        let options = EventListenerOptions::enable_prevent_default();
+        let listening =
+            EventListener::new_with_options(&window, "keydown", options, move |event| {
+                let Some(event) = event.dyn_ref::<KeyboardEvent>() else {
+                    return;
+                };
+                let command = wanted(event, &latest.borrow());
+                let Some(command) = command else {
+                    return;
+                };
+                event.prevent_default();
+                match command {
+                    Command::Act(action) => send.emit(action),
+                    Command::Help => show.emit(Panel::Help),
+                }
+            });
+        move || drop(listening)
+    });
+}
+
+fn wanted(event: &KeyboardEvent, state: &Shown) -> Option<Command> {
+    if event.default_prevented() || event.is_composing() || dialog_is_open() {
+        return None;
+    }
+    let name = event.key();
+    let key = Key {
+        name: &name,
+        ctrl: event.ctrl_key() || event.meta_key(),
+        shift: event.shift_key(),
+        alt: event.alt_key(),
+    };
+    let target = event.target().and_then(|t| t.dyn_into::<Element>().ok());
+    let is_in = |places: &str| {
+        let place = target.as_ref().map(|element| element.closest(places));
+        place.is_some_and(|place| place.is_ok_and(|place| place.is_some()))
+    };
+    let everywhere = name == "Escape" || (key.ctrl && name == "Enter");
+    if (is_in(FIELDS) && !everywhere) || (name == " " && is_in(PRESSED)) {
+        return None;
+    }
+    command(key, state)
+}
+
+fn dialog_is_open() -> bool {
+    let dialog = gloo::utils::document().query_selector("dialog[open]");
+    dialog.is_ok_and(|dialog| dialog.is_some())
+}

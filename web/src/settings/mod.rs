@@ -1,0 +1,116 @@
+//! What the solver is told: objective, rules, limits.
+
+mod number;
+mod order;
+
+use std::rc::Rc;
+
+use giveway_model::AtGoal;
+use giveway_page::{Action, Draft, Settings};
+use web_sys::HtmlInputElement;
+use yew::prelude::*;
+
+use crate::Icon;
+use number::Number;
+use order::Order;
+
+/// The longest horizon that can be asked for, in time steps.
+const LONGEST: u32 = 10_000;
+/// The longest time limit, in seconds.
+const PATIENCE: u32 = 3600;
+/// The highest battery floor.
+const HIGHEST_FLOOR: u32 = 100_000;
+
+#[derive(Clone, PartialEq, Properties)]
+pub(crate) struct SettingsCardProps {
+    /// The scene, which has objective and rules.
+    pub(crate) draft: Rc<Draft>,
+    /// What is set beside it.
+    pub(crate) settings: Settings,
+    /// Takes actions.
+    pub(crate) send: Callback<Action>,
+    /// Called when it should close.
+    pub(crate) on_close: Callback<()>,
+}
+
+/// The card with all settings; each takes effect at once.
+#[component]
+pub(crate) fn SettingsCard(props: &SettingsCardProps) -> Html {
+    let SettingsCardProps {
+        draft,
+        settings,
+        send,
+        on_close,
+    } = props;
+    let scene = draft.scene();
+    let close = on_close.reform(|_: MouseEvent| ());
+    html! {
+        <div class="settings" role="group" aria-labelledby="settings-title">
+            <header>
+                <h2 id="settings-title">{ "Settings" }</h2>
+                <button class="btn ghost round" title="Close (Escape)" onclick={close}>
+                    <Icon name="cancel" /><span class="vh">{ "Close" }</span>
+                </button>
+            </header>
+            <fieldset>
+                <legend>{ "Objective" }</legend>
+                <Order objective={scene.objective.clone()} send={send.clone()} />
+            </fieldset>
+            <fieldset>
+                <legend>{ "At its goal an agent" }</legend>
+                { arrival(scene.rules.at_goal, send) }
+            </fieldset>
+            <fieldset>
+                <legend>{ "Limits" }</legend>
+                <div class="fields">
+                    <Number label="Battery floor" value={Some(scene.rules.battery_floor)}
+                        most={HIGHEST_FLOOR}
+                        on_change={send.reform(|n: Option<u32>| {
+                            Action::SetBatteryFloor(n.unwrap_or(0))
+                        })} />
+                    <Number label="Horizon, steps" value={settings.within} empty="auto"
+                        most={LONGEST} on_change={send.reform(Action::SetWithin)} />
+                    <Number label="Time limit, s" value={Some(settings.seconds)} least=1
+                        most={PATIENCE}
+                        on_change={send.reform(|n: Option<u32>| {
+                            Action::SetSeconds(n.unwrap_or(Settings::default().seconds))
+                        })} />
+                </div>
+                <p class="hint">
+                    { "No battery falls below the floor before its agent arrives. \
+                       Only plans within the horizon count; empty leaves it to the solver." }
+                </p>
+            </fieldset>
+            <fieldset>{ on_change(settings.solve_on_change, send) }</fieldset>
+        </div>
+    }
+}
+
+/// Whether agents stay at their goals or leave.
+fn arrival(at_goal: AtGoal, send: &Callback<Action>) -> Html {
+    let option = |own: AtGoal, name: &'static str| {
+        let press = send.reform(move |_| Action::SetAtGoal(own));
+        let pressed = (own == at_goal).to_string();
+        html! { <button aria-pressed={pressed} onclick={press}>{ name }</button> }
+    };
+    html! {
+        <div class="seg full" role="group" aria-label="Arrival">
+            { option(AtGoal::Stay, "stays") }
+            { option(AtGoal::Vanish, "leaves the map") }
+        </div>
+    }
+}
+
+fn on_change(on: bool, send: &Callback<Action>) -> Html {
+    let change = send.reform(|event: Event| {
+        let input: HtmlInputElement = event.target_unchecked_into();
+        Action::SetSolveOnChange(input.checked())
+    });
+    html! {
+        <label class="switch">
+            <input type="checkbox" role="switch" checked={on} onchange={change} />
+            <i></i>
+            { "Solve on every change" }
+        </label>
+    }
+}

@@ -1,0 +1,113 @@
+//! The status sentence, the button that solves, and its settings.
+
+mod live;
+
+use giveway_page::{Action, Phase, words};
+use yew::prelude::*;
+
+use crate::dialog::{Panel, use_dismiss};
+use crate::settings::SettingsCard;
+use crate::{Icon, Shown};
+use live::Live;
+
+/// The state, what is open, and where changes of both go.
+#[derive(Clone, PartialEq, Properties)]
+pub(crate) struct StatusBarProps {
+    /// The state.
+    pub(crate) state: Shown,
+    /// What is open.
+    pub(crate) panel: Panel,
+    /// Takes actions.
+    pub(crate) send: Callback<Action>,
+    /// Opens and closes.
+    pub(crate) show: Callback<Panel>,
+}
+
+/// The status sentence with its badge; the objective; `Solve` or `Cancel`.
+#[component]
+pub(crate) fn StatusBar(props: &StatusBarProps) -> Html {
+    let StatusBarProps {
+        state,
+        panel,
+        send,
+        show,
+    } = props;
+    let around = use_node_ref();
+    let open = *panel == Panel::Settings;
+    let close = show.reform(|()| Panel::Nothing);
+    use_dismiss(&around, open, &close);
+    let toggle = show.reform(move |_: MouseEvent| {
+        if open {
+            Panel::Nothing
+        } else {
+            Panel::Settings
+        }
+    });
+    let standing = words::standing(state);
+    let badge = standing.badge;
+    html! {
+        <section class="status">
+            <p class="status-line" aria-hidden="true">
+                <span class={classes!("badge", badge.class())}>
+                    <Icon name={badge.icon()} />{ badge.word() }
+                </span>
+                <span class="say">{ after_badge(&standing) }</span>
+            </p>
+            <Live {standing} />
+            <div class="solve" ref={around}>
+                <button class="obj" title="Settings: objective, rules and limits"
+                    aria-expanded={open.to_string()} onclick={toggle}>
+                    <Icon name="settings" />
+                    <b class="vh">{ "Settings" }</b>
+                    { objective(state) }
+                </button>
+                { solve_button(state.phase(), send) }
+                if open {
+                    <SettingsCard draft={state.draft.clone()} settings={state.settings}
+                        send={send.clone()} on_close={close} />
+                }
+            </div>
+        </section>
+    }
+}
+
+/// The sentence, without the word that the badge before it already says.
+fn after_badge(standing: &words::Standing) -> String {
+    let sentence = &standing.sentence;
+    let Some(rest) = sentence.strip_prefix("Solving: ") else {
+        return sentence.clone();
+    };
+    let mut letters = rest.chars();
+    let first = letters.next().map(char::to_uppercase);
+    first.into_iter().flatten().chain(letters).collect()
+}
+
+fn objective(state: &Shown) -> Html {
+    let costs = words::objective(&state.draft.scene().objective);
+    let mut costs = costs.into_iter();
+    let first = costs.next();
+    html! {
+        <>
+            <span>{ first }</span>
+            { for costs.map(|cost| html! { <><em>{ "then" }</em><span>{ cost }</span></> }) }
+        </>
+    }
+}
+
+/// The one next step is dark: to cancel, or to solve where nothing fits the
+/// scene.
+fn solve_button(phase: Phase, send: &Callback<Action>) -> Html {
+    let (class, title, action) = match phase {
+        Phase::Solving => ("primary", "Cancel (Escape)", Action::Cancel),
+        Phase::Editing => ("primary", "Solve (Ctrl Enter)", Action::Solve),
+        _ => ("outline", "Solve (Ctrl Enter)", Action::Solve),
+    };
+    let solving = phase == Phase::Solving;
+    let press = send.reform(move |_| action.clone());
+    html! {
+        <button class={classes!("btn", class)} {title} onclick={press}>
+            if solving { <Icon name="cancel" /> }
+            <span>{ if solving { "Cancel" } else { "Solve" } }</span>
+        </button>
+    }
+}
