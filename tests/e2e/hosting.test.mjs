@@ -89,15 +89,15 @@ describe("the built folder on a static host", () => {
         await new Promise((resolve) => installing.addEventListener("statechange", resolve, { once: true }));
       }
     });
-    const next = await context.newPage();
     await page.close();
-    // What was kept before is gone as soon as the new keeper has taken over.
+    // What was kept before goes as soon as the new keeper takes over.
+    let next;
     await until(async () => {
+      await next?.close();
+      next = await context.newPage();
       await next.goto(host.url);
-      return next.evaluate(async () => {
-        const versions = await caches.keys();
-        return versions.length === 1 && versions[0].includes(" new-");
-      });
+      const versions = await next.evaluate(() => caches.keys());
+      return versions.length === 1 && versions[0].includes(" new-");
     });
     await host.close();
     await new Playground(next).reload();
