@@ -21,7 +21,7 @@ if (!source || !built) {
   fail("found no TRUNK_SOURCE_DIR and TRUNK_STAGING_DIR, expected to be called by Trunk");
 }
 
-const isServed = readFileSync(join(built, PAGE), "utf8").includes("/.well-known/trunk/ws");
+const isServed = readFileSync(join(built, PAGE), "utf8").includes("__TRUNK_ADDRESS__");
 if (!isServed) {
   const folder = moveWorker();
   finishPage(folder);
