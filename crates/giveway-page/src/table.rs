@@ -90,14 +90,23 @@ pub fn lanes(answer: &Answer) -> impl Iterator<Item = Lane> {
     (0..answer.draft.agents().len()).filter_map(|agent| Lane::of(answer, agent))
 }
 
-/// The least width of a column that holds its entries, in pixels: some 6.7 a
-/// letter at the table's size.
+/// The least width of a column that holds its entries, in pixels: up to 7 a
+/// digit at the table's size.
 pub fn least_column(answer: &Answer) -> f64 {
+    const HALF: f64 = 24.0;
     let grid = answer.draft.grid();
-    let digits = |n: u32| n.saturating_sub(1).to_string().len();
-    let cell = digits(grid.width()) + digits(grid.height()) + 1;
-    // "half" is the widest of the small ones.
-    cell.max(4) as f64 * 6.7 + 5.0
+    let digits = |n: u32| n.to_string().len() as f64;
+    let last = |side: u32| digits(side.saturating_sub(1));
+    let cell = (last(grid.width()) + last(grid.height())) * 7.0 + 3.0;
+    let batteries = answer
+        .draft
+        .agents()
+        .iter()
+        .filter_map(|agent| agent.battery);
+    // A charge has an arrow beside its level.
+    let level = |capacity: u32| digits(capacity) * 7.0 + 7.0;
+    let widest = batteries.map(|battery| level(battery.capacity));
+    widest.fold(cell.max(HALF), f64::max) + 5.0
 }
 
 fn row(
@@ -173,6 +182,7 @@ mod tests {
 
     #[test]
     fn a_column_has_room_for_its_cells() {
-        assert!(least_column(&warehouse()) <= 32.0);
+        let least = least_column(&warehouse());
+        assert!((24.0..32.0).contains(&least), "{least}");
     }
 }

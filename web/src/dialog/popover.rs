@@ -23,7 +23,7 @@ fn listen(around: &NodeRef, close: &Callback<()>) -> [EventListener; 3] {
         let (around, close) = (around.clone(), close.clone());
         let options = EventListenerOptions::run_in_capture_phase();
         EventListener::new_with_options(&document, kind, options, move |event| {
-            if !is_inside(&around, event) {
+            if !is_inside(&around, event) && !is_in_dialog(event) {
                 close.emit(());
             }
         })
@@ -50,6 +50,14 @@ fn is_inside(around: &NodeRef, event: &Event) -> bool {
     around
         .get()
         .is_some_and(|node| node.contains(target.as_ref()))
+}
+
+/// A dialog that is opened from a menu takes its place, and the focus, before
+/// the menu is gone.
+fn is_in_dialog(event: &Event) -> bool {
+    let target = event.target().and_then(|t| t.dyn_into::<Element>().ok());
+    let dialog = target.map(|target| target.closest("dialog"));
+    dialog.is_some_and(|dialog| dialog.is_ok_and(|dialog| dialog.is_some()))
 }
 
 fn focus_opener(around: &NodeRef) {

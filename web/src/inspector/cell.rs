@@ -21,7 +21,7 @@ pub(super) fn show(state: &Shown, facts: &CellFacts, send: &Callback<Action>) ->
                 <div><h2>{ facts.title.clone() }</h2><p>{ facts.ground }</p></div>
             </header>
             if !facts.roles.is_empty() {
-                <ul class="picks">
+                <ul class="choices">
                     { for facts.roles.iter().map(|(agent, role)| show_role(*agent, role, send)) }
                 </ul>
             }
@@ -29,11 +29,11 @@ pub(super) fn show(state: &Shown, facts: &CellFacts, send: &Callback<Action>) ->
                 <section>
                     <h3>{ "Who is here when" }</h3>
                     if passes.is_empty() {
-                        <p class="quiet">{ "Nobody passes here." }</p>
+                        <p class="remark">{ "Nobody passes here." }</p>
                     } else {
-                        <ul class="picks">{ for passes.iter().take(MAX_PASSES).map(|pass| show_pass(state, pass, send)) }</ul>
+                        <ul class="choices">{ for passes.iter().take(MAX_PASSES).map(|pass| show_pass(state, pass, send)) }</ul>
                         if passes.len() > MAX_PASSES {
-                            <p class="quiet">{ format!("And {} more.", passes.len() - MAX_PASSES) }</p>
+                            <p class="remark">{ format!("And {} more.", passes.len() - MAX_PASSES) }</p>
                         }
                     }
                 </section>
@@ -45,8 +45,8 @@ pub(super) fn show(state: &Shown, facts: &CellFacts, send: &Callback<Action>) ->
 fn show_role(agent: usize, role: &str, send: &Callback<Action>) -> Html {
     let onclick = send.reform(move |_| Action::Select(Selection::Agent(agent)));
     html! {
-        <li><button type="button" class="pick" {onclick}>
-            <Glyph {agent} class="pick-glyph" /><span>{ role.to_owned() }</span><Icon name="chevron" class="end" />
+        <li><button type="button" class="choice" {onclick}>
+            <Glyph {agent} class="choice-glyph" /><span>{ role.to_owned() }</span><Icon name="chevron" class="end" />
         </button></li>
     }
 }
@@ -58,9 +58,9 @@ fn show_pass(state: &Shown, pass: &Pass, send: &Callback<Action>) -> Html {
     let is_past = time > from;
     let agent = in_draft(state, &pass.name).unwrap_or(pass.agent);
     html! {
-        <li><button type="button" class={classes!("pick", is_past.then_some("past"))} title={format!("Show time {from}")}
+        <li><button type="button" class={classes!("choice", is_past.then_some("past"))} title={format!("Show time {from}")}
             onclick={send.reform(move |_| Action::Seek(from))}>
-            <Glyph {agent} class="pick-glyph" /><span><b>{ pass.name.clone() }</b>{ format!(" {}", pass.when) }</span>
+            <Glyph {agent} class="choice-glyph" /><span><b>{ pass.name.clone() }</b>{ format!(" {}", pass.when) }</span>
         </button></li>
     }
 }

@@ -26,7 +26,7 @@ pub(super) fn show(state: &Shown, send: &Callback<Action>) -> Html {
                     { costs(&facts.costs) }
                     { for facts.claims.iter().map(|claim| html! { <p class="claim">{ claim.clone() }</p> }) }
                     if let Some(work) = facts.work {
-                        <p class="quiet">{ work }</p>
+                        <p class="remark">{ work }</p>
                     }
                 </section>
             }
@@ -116,8 +116,8 @@ fn Agents(props: &AgentsProps) -> Html {
     let one = |(agent, who): (usize, &giveway_model::Agent)| {
         let onclick = send.reform(move |_| Action::Select(Selection::Agent(agent)));
         html! {
-            <li key={agent}><button type="button" class="pick" {onclick}>
-                <Glyph {agent} class="pick-glyph" />
+            <li key={agent}><button type="button" class="choice" {onclick}>
+                <Glyph {agent} class="choice-glyph" />
                 <span>
                     <b>{ who.name.clone() }</b>
                     <small>{ format!("({},{}) to ({},{})", who.start.x, who.start.y, who.goal.x, who.goal.y) }
@@ -135,11 +135,11 @@ fn Agents(props: &AgentsProps) -> Html {
     };
     html! {
         if agents.is_empty() {
-            <p class="quiet">{ "No agents." }</p>
+            <p class="remark">{ "No agents." }</p>
         } else {
             <section>
                 <h3>{ "Agents" }</h3>
-                <ul class="picks">{ for agents.iter().enumerate().take(*shown).map(one) }</ul>
+                <ul class="choices">{ for agents.iter().enumerate().take(*shown).map(one) }</ul>
                 if agents.len() > *shown {
                     <button type="button" class="btn outline more" onclick={more}>{ format!("Show more of {}", agents.len()) }</button>
                 }

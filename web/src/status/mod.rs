@@ -43,6 +43,7 @@ pub(crate) fn StatusBar(props: &StatusBarProps) -> Html {
             Panel::Settings
         }
     });
+    let costs = words::objective(&state.draft.scene().objective);
     let standing = words::standing(state);
     let badge = standing.badge;
     html! {
@@ -55,11 +56,11 @@ pub(crate) fn StatusBar(props: &StatusBarProps) -> Html {
             </p>
             <Live {standing} />
             <div class="solve" ref={around}>
-                <button class="obj" title="Settings: objective, rules and limits"
+                <button class="obj" title="Objective, rules and limits"
+                    aria-label={format!("Settings: {}", costs.join(" then "))}
                     aria-expanded={open.to_string()} onclick={toggle}>
                     <Icon name="settings" />
-                    <b class="vh">{ "Settings" }</b>
-                    { objective(state) }
+                    { objective(&costs) }
                 </button>
                 { solve_button(state.phase(), send) }
                 if open {
@@ -82,14 +83,16 @@ fn after_badge(standing: &words::Standing) -> String {
     first.into_iter().flatten().chain(letters).collect()
 }
 
-fn objective(state: &Shown) -> Html {
-    let costs = words::objective(&state.draft.scene().objective);
-    let mut costs = costs.into_iter();
-    let first = costs.next();
+/// The costs in short: there is room for three.
+fn objective(costs: &[&'static str]) -> Html {
+    let (told, more) = costs.split_at(costs.len().min(3));
+    let mut told = told.iter();
+    let first = told.next().copied();
     html! {
         <>
             <span>{ first }</span>
-            { for costs.map(|cost| html! { <><em>{ "then" }</em><span>{ cost }</span></> }) }
+            { for told.map(|&cost| html! { <><em>{ "then" }</em><span>{ cost }</span></> }) }
+            if !more.is_empty() { <em>{ format!("and {} more", more.len()) }</em> }
         </>
     }
 }

@@ -97,6 +97,7 @@ fn Bars(props: &BarsProps) -> Html {
         (!d.is_empty()).then(|| html! { <path class={class} d={d.to_owned()} /> })
     };
     html! {
+        <>
         <svg class="bars" width={axis.width().to_string()} height={row.height.to_string()} role="img" aria-label={lane.sentence()}>
             { path("level-area", &shapes.area) }
             { path("level-line", &shapes.level) }
@@ -112,7 +113,12 @@ fn Bars(props: &BarsProps) -> Html {
             if let Some(x) = shapes.flag {
                 <path class="flag" transform={format!("translate({} {}) scale(0.85)", x - 3.0, middle - 9.0)} d={FLAG} />
             }
-            { for shapes.charges.iter().map(charge) }
         </svg>
+        if !shapes.charges.is_empty() {
+            <svg class="bars charges" width={axis.width().to_string()} height={row.height.to_string()} aria-hidden="true">
+                { for shapes.charges.iter().map(charge) }
+            </svg>
+        }
+        </>
     }
 }

@@ -58,10 +58,10 @@ pub fn Dock(props: &DockProps) -> Html {
         .filter(|answer| answer.plan().is_some());
     if let Some(answer) = planned {
         // The one dark button is elsewhere while the plan is not the answer.
-        let quiet = matches!(state.phase(), Phase::Editing | Phase::Solving);
+        let calm = matches!(state.phase(), Phase::Editing | Phase::Solving);
         let stale = state.is_stale();
         return html! {
-            <section class={classes!("dock", quiet.then_some("quiet"), stale.then_some("stale"))} aria-label="Timeline">
+            <section class={classes!("dock", calm.then_some("calm"), stale.then_some("stale"))} aria-label="Timeline">
                 <Transport state={state.clone()} send={send.clone()} />
                 <Tabs tab={state.view.tab} send={send.clone()} />
                 <Plan answer={Same::new(answer)} state={state.clone()} send={send.clone()} />

@@ -122,6 +122,7 @@ pub(super) fn Plan(props: &PlanProps) -> Html {
                 tab_stop={index == tab_stop} pick={pick.clone()} />
         }
     };
+    let gutter = seen.gutter.then_some("gutter");
     let spacer = |height: f64| {
         let height = height.to_string();
         (height != "0")
@@ -129,7 +130,7 @@ pub(super) fn Plan(props: &PlanProps) -> Html {
     };
     html! {
         <>
-            <div class={classes!("lanes", (row == Row::DENSE).then_some("dense"))} id="lanes" ref={lanes_ref.clone()}
+            <div class={classes!("lanes", (row == Row::DENSE).then_some("dense"), gutter)} id="lanes" ref={lanes_ref.clone()}
                 onscroll={scrolled(&lanes_ref, &table_ref)}>
                 <div class="rows">
                     <Ruler {axis} columns={seen.columns.clone()} {time} thumb={moved.thumb.clone()} send={send.clone()} />
@@ -141,9 +142,9 @@ pub(super) fn Plan(props: &PlanProps) -> Html {
                     <i class="head" ref={moved.head.clone()}></i>
                 </div>
             </div>
-            <div class={classes!("tblwrap", (!state.view.table).then_some("closed"))} id="plan-table" ref={table_ref.clone()}
+            <div class={classes!("tblwrap", (!state.view.table).then_some("closed"), gutter)} id="plan-table" ref={table_ref.clone()}
                 onscroll={scrolled(&table_ref, &lanes_ref)}>
-                <PlanTable lanes={lanes.clone()} {axis} columns={seen.columns.clone()} rows={seen.rows.clone()}
+                <PlanTable lanes={lanes.clone()} {axis} label={seen.label} columns={seen.columns.clone()} rows={seen.rows.clone()}
                     beyond={seen.beyond_rows(extent)} {time} />
             </div>
         </>

@@ -13,6 +13,8 @@ use super::same::Same;
 pub(super) struct PlanTableProps {
     pub lanes: Same<Vec<Lane>>,
     pub axis: Axis,
+    /// The width of the column of names, in pixels.
+    pub label: f64,
     /// The columns to draw.
     pub columns: Range<u32>,
     /// The rows to draw.
@@ -36,6 +38,7 @@ pub(super) fn PlanTable(props: &PlanTableProps) -> Html {
     let PlanTableProps {
         lanes,
         axis,
+        label,
         columns,
         rows,
         beyond: (above, below),
@@ -89,7 +92,7 @@ pub(super) fn PlanTable(props: &PlanTableProps) -> Html {
     };
     html! {
         <table aria-label="Plan" class="tbl" aria-rowcount={(all.len() + 1).to_string()} aria-colcount={(times + 1).to_string()}
-            width={axis.width().to_string()}>
+            width={(label + axis.width()).to_string()}>
             <colgroup>
                 <col class="c0" />
                 <col span={times.to_string()} width={axis.column.to_string()} />

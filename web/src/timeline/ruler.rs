@@ -7,6 +7,9 @@ use giveway_page::timeline::Axis;
 use web_sys::Element;
 use yew::prelude::*;
 
+/// Half the width of the thumb and a little more, in pixels.
+const THUMB: f64 = 17.0;
+
 #[derive(Clone, PartialEq, Properties)]
 pub(super) struct RulerProps {
     pub axis: Axis,
@@ -93,7 +96,7 @@ pub(super) fn Ruler(props: &RulerProps) -> Html {
                 aria-valuetext={format!("{time} of {last}")}
                 {onpointerdown} {onpointermove} onpointerup={release.clone()} onpointercancel={release}
                 {onkeydown}>
-                <Labels axis={*axis} columns={columns.clone()} />
+                <Labels axis={*axis} columns={columns.clone()} time={*time} />
                 <i class="thumb" ref={thumb}><b>{ time }</b></i>
             </div>
         </div>
@@ -104,16 +107,27 @@ pub(super) fn Ruler(props: &RulerProps) -> Html {
 struct LabelsProps {
     axis: Axis,
     columns: Range<u32>,
+    time: u32,
 }
 
 /// The times that have room for their names.
 #[component]
 fn Labels(props: &LabelsProps) -> Html {
-    let LabelsProps { axis, columns } = props;
+    let LabelsProps {
+        axis,
+        columns,
+        time: now,
+    } = props;
     let times = axis.labels().into_iter();
     let drawn = times.filter(|time| columns.contains(time));
     let label = |time: u32| {
-        html! { <text key={time} x={axis.x(f64::from(time)).to_string()} y="16" text-anchor="middle">{ time }</text> }
+        let apart = f64::from(time.abs_diff(*now)) * axis.column;
+        let digits = time.to_string().len() as f64;
+        let cut = time != *now && apart < THUMB + digits * 3.5;
+        html! {
+            <text key={time} class={classes!(cut.then_some("cut"))} x={axis.x(f64::from(time)).to_string()}
+                y="16" text-anchor="middle">{ time }</text>
+        }
     };
     html! {
         <svg width={axis.width().to_string()} height="24" aria-hidden="true">{ for drawn.map(label) }</svg>

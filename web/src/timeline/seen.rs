@@ -35,6 +35,8 @@ pub(super) struct Seen {
     pub label: f64,
     /// Whether the table is seen.
     pub table: bool,
+    /// Whether one of them scrolls up and down.
+    pub gutter: bool,
     /// The columns to draw.
     pub columns: Range<u32>,
     /// The lanes to draw.
@@ -61,6 +63,7 @@ impl Seen {
             room: f64::from(place.client_width()) - label,
             label,
             table: table.is_some(),
+            gutter: [lanes, table].into_iter().flatten().any(scrolls_down),
             ..Self::default()
         };
         let left = f64::from(place.scroll_left());
@@ -90,6 +93,10 @@ impl Seen {
     pub(super) fn beyond_rows(&self, extent: Extent) -> (f64, f64) {
         Self::beyond(&self.rows, extent.rows, TABLE_ROW)
     }
+}
+
+fn scrolls_down(place: &Element) -> bool {
+    place.scroll_height() > place.client_height() + 1
 }
 
 /// The rows of one height that are seen in a place that scrolls.

@@ -104,7 +104,11 @@ fn tell(whole: &mut Whole, answer: &Answer) {
     if work.is_empty() {
         "No formula was needed".clone_into(&mut work);
     }
-    whole.work = Some(format!("{work}, {:.1} s", solved.stats.cpu_seconds));
+    let seconds = match solved.stats.cpu_seconds {
+        little if little < 0.05 => "less than 0.1 s".to_owned(),
+        seconds => format!("{seconds:.1} s"),
+    };
+    whole.work = Some(format!("{work}, {seconds}"));
 }
 
 fn costs(objective: &[Cost], known: impl Fn(Cost) -> (Option<u32>, Option<u32>)) -> Vec<CostFacts> {
@@ -180,7 +184,10 @@ mod tests {
         let proved: Vec<_> = whole.costs.iter().map(CostFacts::is_proved).collect();
         assert_eq!(proved, [true, true, true, false, false]);
         assert_eq!(whole.costs[1].title, "Sum of costs");
-        assert_eq!(whole.work.as_deref(), Some("No formula was needed, 0.0 s"));
+        assert_eq!(
+            whole.work.as_deref(),
+            Some("No formula was needed, less than 0.1 s")
+        );
     }
 
     #[test]

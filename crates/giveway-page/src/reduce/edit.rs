@@ -31,6 +31,8 @@ pub(super) fn open(state: &mut State, scene: Scene) {
     state.notice = None;
     state.answer = None;
     state.selection = Selection::Nothing;
+    // A horizon is for one scene; the other limits are for all.
+    state.settings.within = None;
     state.playback.time = 0;
     state.playback.playing = false;
     replace(state, draft);

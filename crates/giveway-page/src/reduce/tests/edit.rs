@@ -114,13 +114,20 @@ fn open(rows: &[&str]) -> Action {
 
 #[test]
 fn opening_replaces_the_scene_and_can_be_undone() {
-    let state = after(&solved(), [Action::Select(Selection::Agent(1))]);
+    let actions = [
+        Action::Select(Selection::Agent(1)),
+        Action::SetWithin(Some(20)),
+        Action::SetSeconds(7),
+    ];
+    let state = after(&solved(), actions);
     let state = after(
         &state,
         [Action::MoveCursor(Cell::new(9, 2)), open(&["..", ".."])],
     );
     assert_eq!(state.draft.scene().name, "other");
     assert_eq!(state.answer, None);
+    let settings = state.settings;
+    assert_eq!((settings.within, settings.seconds), (None, 7));
     assert_eq!(state.selection, Selection::Nothing);
     assert_eq!((state.playback.time, state.playback.playing), (0, false));
     assert_eq!(state.cursor, Cell::new(1, 1));

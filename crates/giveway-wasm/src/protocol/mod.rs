@@ -9,6 +9,8 @@
 //! may also break without a word, when the browser gives it no more memory:
 //! then the `Worker` object in the page has an `error` event only.
 
+mod compact;
+
 use giveway_solve::{Progress, Request, Response};
 use serde::{Deserialize, Serialize};
 
@@ -18,6 +20,7 @@ pub struct Ask {
     /// A number that all messages about it carry.
     pub id: u32,
     /// What to do.
+    #[serde(with = "compact::Request")]
     pub request: Request,
 }
 
@@ -32,6 +35,7 @@ pub enum Message {
         /// Of the [`Ask`].
         id: u32,
         /// What.
+        #[serde(with = "compact::Progress")]
         event: Progress,
     },
     /// The answer.
@@ -39,6 +43,7 @@ pub enum Message {
         /// Of the [`Ask`].
         id: u32,
         /// The answer; an error is one, too.
+        #[serde(with = "compact::Response")]
         response: Response,
     },
     /// A fault of the program; the worker is of no more use.
@@ -84,3 +89,6 @@ fn to_text<T: Serialize>(message: &T) -> String {
     // Maps by text, numbers and lists always have a JSON form.
     serde_json::to_string(message).unwrap_or_default()
 }
+
+#[cfg(test)]
+mod tests;

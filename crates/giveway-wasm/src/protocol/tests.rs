@@ -1,0 +1,123 @@
+//! Every message is read as it was written.
+
+use giveway_model::{Cost, Costs, Fault, Plan, Scene, Version, format::native};
+use giveway_solve::{
+    CheckAnswer, CheckRequest, FrontAnswer, Limits, Progress, Refusal, Request, Response,
+    SilentHost, SolveRequest, Status, serve,
+};
+
+use super::{Ask, Message};
+
+/// A scene with a battery and a name that is awkward in JSON.
+fn scene() -> Scene {
+    let text = r##"{ "giveway": 1, "map": ["..+", "~#."], "agents": [
+        { "name": "a \"1\"\n{", "start": [0, 0], "goal": [2, 1], "waypoints": [[2, 0]],
+          "battery": { "capacity": 9, "initial": 9 } }] }"##;
+    native::read_scene(text).unwrap()
+}
+
+fn check_ask(request: Request) {
+    let ask = Ask { id: 7, request };
+    assert_eq!(Ask::from_text(&ask.to_text()), Ok(ask));
+}
+
+fn check_message(message: &Message) {
+    assert_eq!(Message::from_text(&message.to_text()).as_ref(), Ok(message));
+}
+
+fn check_response(response: Response) {
+    check_message(&Message::Answer { id: 7, response });
+}
+
+fn solve_request() -> SolveRequest {
+    SolveRequest {
+        scene: scene(),
+        objective: Some("moves,waits".parse().unwrap()),
+        pareto: true,
+        within: Some(30),
+        limits: Limits {
+            seconds: Some(0.5),
+            conflicts: Some(u64::MAX),
+            memory_bytes: None,
+        },
+    }
+}
+
+#[test]
+fn requests_come_back() {
+    check_ask(Request::Solve(solve_request()));
+    check_ask(Request::Check(CheckRequest {
+        scene: scene(),
+        plan: Plan::default(),
+    }));
+}
+
+#[test]
+fn responses_come_back() {
+    let mut request = solve_request();
+    request.pareto = false;
+    let response = serve(&Request::Solve(request), &SilentHost);
+    let Response::Solved(answer) = &response else {
+        panic!("{response:?}");
+    };
+    assert_eq!(answer.status, Status::Optimal);
+    let (plan, answer) = (answer.plan.clone().unwrap(), answer.clone());
+    check_response(response);
+    check_response(Response::Front(FrontAnswer {
+        giveway: Version,
+        status: Status::Feasible,
+        complete: false,
+        within: Some(3),
+        front: vec![answer],
+    }));
+    let scene = scene();
+    check_response(serve(
+        &Request::Check(CheckRequest { scene, plan }),
+        &SilentHost,
+    ));
+    check_response(Response::Checked(CheckAnswer {
+        giveway: Version,
+        valid: false,
+        costs: None,
+        violations: Vec::new(),
+    }));
+    let faults = vec![Fault::at("agents[0].goal", "a \"text\"", "a cell").in_text(3, 4)];
+    check_response(Response::Refused(Refusal::Scene { faults }));
+    let fault = Fault::at("", "one cost", "two");
+    check_response(Response::Refused(Refusal::Request { fault }));
+}
+
+#[test]
+fn what_is_told_on_the_way_comes_back() {
+    let progress = |event| {
+        check_message(&Message::Progress {
+            id: u32::MAX,
+            event,
+        })
+    };
+    progress(Progress::Bound {
+        cost: Cost::SumOfCosts,
+        at_least: 3,
+    });
+    progress(Progress::Plan {
+        costs: Costs::default(),
+    });
+    progress(Progress::Size {
+        variables: 1,
+        clauses: u64::MAX,
+        conflicts: 0,
+    });
+    check_message(&Message::Ready);
+    check_message(&Message::Failed {
+        id: None,
+        sentence: "It broke.".to_owned(),
+    });
+}
+
+#[test]
+fn what_is_no_message_is_told() {
+    for text in ["", "null", "{}", r#"{ "id": 1 }"#, r#"{ "id": -1 }"#] {
+        assert!(!Ask::from_text(text).unwrap_err().is_empty(), "{text}");
+        assert!(!Message::from_text(text).unwrap_err().is_empty(), "{text}");
+    }
+}
