@@ -128,18 +128,25 @@ impl Solver {
 
     fn hear(&self, event: Event) {
         match event {
-            Event::Said(Message::Ready) => {
+            Event::Said(message) => self.read(*message),
+            Event::Broke(sentence) => self.broken(sentence),
+        }
+    }
+
+    fn read(&self, message: Message) {
+        match message {
+            Message::Ready => {
                 if let Some(worker) = self.0.worker.borrow_mut().as_mut() {
                     worker.set_ready();
                 }
                 self.post();
             }
-            Event::Said(Message::Progress { id, event }) => {
+            Message::Progress { id, event } => {
                 if self.is_at(id) {
                     self.learn(event);
                 }
             }
-            Event::Said(Message::Answer { id, response }) => {
+            Message::Answer { id, response } => {
                 if self.is_at(id)
                     && let Some(Job { run, .. }) = self.0.job.take()
                 {
@@ -148,11 +155,13 @@ impl Solver {
                     self.0.send.emit(Action::Respond { run, response });
                 }
             }
-            Event::Said(Message::Failed { sentence, .. }) | Event::Broke(sentence) => {
-                let had_started = self.0.worker.take().is_some_and(|w| w.is_ready());
-                self.fail(sentence, had_started);
-            }
+            Message::Failed { sentence, .. } => self.broken(sentence),
         }
+    }
+
+    fn broken(&self, sentence: String) {
+        let had_started = self.0.worker.take().is_some_and(|w| w.is_ready());
+        self.fail(sentence, had_started);
     }
 
     /// Tells of a worker that is no more. One that had worked is replaced at

@@ -15,7 +15,7 @@ const PATIENCE_MS: u32 = 60_000;
 /// What is heard of a worker.
 pub(super) enum Event {
     /// It said something.
-    Said(Message),
+    Said(Box<Message>),
     /// It is of no more use, for this reason.
     Broke(String),
 }
@@ -87,7 +87,7 @@ fn said(event: &web_sys::Event) -> Event {
     let data = event.dyn_ref().map(MessageEvent::data);
     let text = data.and_then(|data| data.as_string()).unwrap_or_default();
     match Message::from_text(&text) {
-        Ok(message) => Event::Said(message),
+        Ok(message) => Event::Said(Box::new(message)),
         Err(error) => Event::Broke(format!("The solver said what nobody understands: {error}")),
     }
 }
