@@ -1,6 +1,29 @@
 //! Structures that are read from objects only.
 
-use serde::de::{Deserializer, Visitor};
+use serde::de::{Deserialize, Deserializer, Visitor};
+
+/// Reads a structure from an object only: for `deserialize_with`.
+///
+/// # Errors
+/// As the structure's own reader, and when it stands as a list of its fields'
+/// values.
+///
+/// ```
+/// use giveway_model::format::from_object;
+/// #[derive(serde::Deserialize)]
+/// struct One { value: u32 }
+/// let mut list = serde_json::Deserializer::from_str("[1]");
+/// assert!(from_object::<One, _>(&mut list).is_err());
+/// let mut object = serde_json::Deserializer::from_str(r#"{ "value": 1 }"#);
+/// assert_eq!(from_object::<One, _>(&mut object).unwrap().value, 1);
+/// ```
+pub fn from_object<'de, T, D>(deserializer: D) -> Result<T, D::Error>
+where
+    T: Deserialize<'de>,
+    D: Deserializer<'de>,
+{
+    T::deserialize(ObjectOnly(deserializer))
+}
 
 /// A deserializer that asks for an object where a structure is wanted.
 ///

@@ -1,6 +1,6 @@
 //! What a front may ask: plain data.
 
-use giveway_model::{Objective, Plan, Scene};
+use giveway_model::{Objective, Plan, Scene, format::from_object};
 use serde::{Deserialize, Serialize};
 
 /// A request to the [service](crate::service).
@@ -15,7 +15,7 @@ pub enum Request {
 
 /// Find and prove the best plan, or the Pareto front.
 #[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
-#[serde(deny_unknown_fields, rename_all = "kebab-case")]
+#[serde(deny_unknown_fields)]
 pub struct SolveRequest {
     /// The instance, unchecked.
     pub scene: Scene,
@@ -31,13 +31,13 @@ pub struct SolveRequest {
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub within: Option<u32>,
     /// The budget.
-    #[serde(default)]
+    #[serde(default, deserialize_with = "from_object")]
     pub limits: Limits,
 }
 
 /// Judge a plan.
 #[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
-#[serde(deny_unknown_fields, rename_all = "kebab-case")]
+#[serde(deny_unknown_fields)]
 pub struct CheckRequest {
     /// The instance, unchecked.
     pub scene: Scene,
@@ -47,7 +47,7 @@ pub struct CheckRequest {
 
 /// A budget; what is `None` is not limited (memory: see the field).
 #[derive(Clone, Copy, Debug, Default, PartialEq, Serialize, Deserialize)]
-#[serde(deny_unknown_fields, rename_all = "kebab-case", default)]
+#[serde(deny_unknown_fields, default)]
 pub struct Limits {
     /// Wall seconds for the whole request, by the host's clock.
     #[serde(skip_serializing_if = "Option::is_none")]

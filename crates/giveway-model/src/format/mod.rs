@@ -9,5 +9,6 @@ mod phrase;
 mod schema;
 mod text;
 
+pub use crate::object::from_object;
 pub use schema::schema;
 pub use text::read_text;

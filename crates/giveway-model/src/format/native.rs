@@ -48,6 +48,22 @@ pub fn read_plan(text: &str) -> Result<Plan, Fault> {
     read(text, Kind::Plan)
 }
 
+/// Reads an object that holds others of the format, such as a request.
+///
+/// # Errors
+/// When the text is no JSON or is not of the type. The fault has a line and a
+/// column, and the keys on the way to its place.
+///
+/// ```
+/// use giveway_model::{Scene, format::native};
+/// let text = r#"[{ "giveway": 1, "map": [3], "agents": [] }]"#;
+/// let fault = native::read_object::<Vec<Scene>>(text).unwrap_err();
+/// assert_eq!(fault.place, "[0].map[0]");
+/// ```
+pub fn read_object<'a, T: Deserialize<'a>>(text: &'a str) -> Result<T, Fault> {
+    json::read(without_mark(text))
+}
+
 /// Gives faults of a scene their lines and columns in the text that it was
 /// read from. Places that are not in the text get those of what is around them.
 pub fn in_text(text: &str, faults: Vec<Fault>) -> Vec<Fault> {
