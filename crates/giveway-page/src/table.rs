@@ -90,23 +90,23 @@ pub fn lanes(answer: &Answer) -> impl Iterator<Item = Lane> {
     (0..answer.draft.agents().len()).filter_map(|agent| Lane::of(answer, agent))
 }
 
-/// The least width of a column that holds its entries, in pixels: up to 7 a
-/// digit at the table's size.
+/// The least width of a column that holds its entries, in pixels: up to 7.4 a
+/// digit at the table's size, and some room between two of them.
 pub fn least_column(answer: &Answer) -> f64 {
     const HALF: f64 = 24.0;
     let grid = answer.draft.grid();
     let digits = |n: u32| n.to_string().len() as f64;
     let last = |side: u32| digits(side.saturating_sub(1));
-    let cell = (last(grid.width()) + last(grid.height())) * 7.0 + 3.0;
+    let cell = (last(grid.width()) + last(grid.height())) * 7.4 + 3.5;
     let batteries = answer
         .draft
         .agents()
         .iter()
         .filter_map(|agent| agent.battery);
     // A charge has an arrow beside its level.
-    let level = |capacity: u32| digits(capacity) * 7.0 + 7.0;
+    let level = |capacity: u32| digits(capacity) * 7.4 + 7.0;
     let widest = batteries.map(|battery| level(battery.capacity));
-    widest.fold(cell.max(HALF), f64::max) + 5.0
+    widest.fold(cell.max(HALF), f64::max) + 7.0
 }
 
 fn row(

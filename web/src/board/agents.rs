@@ -137,9 +137,13 @@ impl Parts {
         let (x, y) = (units(pose.at.x), units(pose.at.y));
         self.place.set(&format!("translate({x:.1} {y:.1})"));
         self.gone.toggle(pose.is_gone);
-        if let (Some(turn), Some(turns), Some(heading)) = (&self.turn, &self.turns, pose.heading) {
-            turn.set(&format!("rotate({heading:.0})"));
-            turns.set("visible");
+        if let (Some(turn), Some(turns)) = (&self.turn, &self.turns) {
+            if let Some(heading) = pose.heading {
+                turn.set(&format!("rotate({heading:.0})"));
+                turns.set("visible");
+            } else {
+                turns.set("hidden");
+            }
         }
         if let (Some(ring), Some(level), Some(charge)) = (&self.ring, &self.level, pose.charge) {
             ring.set(&format!("{:.1} {RING}", charge.share * RING));

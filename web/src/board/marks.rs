@@ -72,11 +72,14 @@ fn flag(mark: &Mark, detail: Detail) -> Html {
 
 fn star(mark: &Mark, detail: Detail) -> Html {
     html! {
-        <g class={classes!("star", form::class(mark.agent))} transform={place(mark, (50.0, 42.0))}>
-            <g class="in">
-                <path class="halo" d={STAR} />
-                <path class="body" d={STAR} />
-                { label(mark, detail, ("0", "46", "middle")) }
+        <g class={classes!("star", form::class(mark.agent))} transform={cell(mark, (50.0, 42.0))}>
+            // In the corner of an occupied cell they stand in a row.
+            <g class={classes!("by", format!("by-{}", mark.place.min(2)))} transform={shift(mark)}>
+                <g class="in">
+                    <path class="halo" d={STAR} />
+                    <path class="body" d={STAR} />
+                    { label(mark, detail, ("0", "46", "middle")) }
+                </g>
             </g>
         </g>
     }
@@ -104,8 +107,17 @@ fn label(mark: &Mark, detail: Detail, (x, y, anchor): (&str, &str, &str)) -> Htm
 }
 
 fn place(mark: &Mark, within: (f64, f64)) -> String {
+    cell(mark, (within.0 + mark.shift.0, within.1 + mark.shift.1))
+}
+
+fn cell(mark: &Mark, within: (f64, f64)) -> String {
     let Cell { x, y } = mark.cell;
-    let x = f64::from(x) * 100.0 + within.0 + mark.shift.0;
-    let y = f64::from(y) * 100.0 + within.1 + mark.shift.1;
+    let x = f64::from(x) * 100.0 + within.0;
+    let y = f64::from(y) * 100.0 + within.1;
+    format!("translate({x} {y})")
+}
+
+fn shift(mark: &Mark) -> String {
+    let (x, y) = mark.shift;
     format!("translate({x} {y})")
 }

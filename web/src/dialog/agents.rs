@@ -26,14 +26,21 @@ pub(crate) fn Agents(props: &AgentsProps) -> Html {
         send,
         on_close,
     } = props;
-    let input = use_node_ref();
+    // Kept here: the page may be rendered anew while somebody types.
+    let typed = use_state_eq(|| choice.proposed().to_string());
+    let input = {
+        let typed = typed.clone();
+        Callback::from(move |event: InputEvent| {
+            let input: HtmlInputElement = event.target_unchecked_into();
+            typed.set(input.value());
+        })
+    };
     let open = {
         let (choice, send, on_close) = (Rc::clone(choice), send.clone(), on_close.clone());
-        let input = input.clone();
+        let typed = typed.clone();
         Callback::from(move |()| {
-            let typed = input.cast::<HtmlInputElement>().map(|input| input.value());
-            let typed = typed.and_then(|text| text.trim().parse::<usize>().ok());
-            let agents = typed.unwrap_or(choice.proposed()).clamp(1, choice.most());
+            let agents = typed.trim().parse::<usize>().unwrap_or(choice.proposed());
+            let agents = agents.clamp(1, choice.most());
             on_close.emit(());
             send.emit(match choice.scene(agents) {
                 Ok(scene) => Action::Open(Box::new(scene)),
@@ -56,9 +63,9 @@ pub(crate) fn Agents(props: &AgentsProps) -> Html {
             <p>{ format!("{} has {there_are}. The first of them are taken.", choice.file()) }</p>
             <div class="ask-number">
                 <label for="agents">{ "Agents" }</label>
-                <input id="agents" class="field" ref={input} type="number" inputmode="numeric"
-                    min="1" max={choice.most().to_string()} value={choice.proposed().to_string()}
-                    onkeydown={enter} autofocus=true />
+                <input id="agents" class="field" type="number" inputmode="numeric"
+                    min="1" max={choice.most().to_string()} value={(*typed).clone()}
+                    oninput={input} onkeydown={enter} autofocus=true />
             </div>
             <div class="dialog-foot">
                 <button class="btn outline" onclick={on_close.reform(|_| ())}>{ "Back" }</button>

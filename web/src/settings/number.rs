@@ -25,6 +25,16 @@ pub(super) struct NumberProps {
 #[component]
 pub(super) fn Number(props: &NumberProps) -> Html {
     let text = |value: Option<u32>| value.map(|n| n.to_string()).unwrap_or_default();
+    // The page may be rendered anew while somebody types: that must not take it back.
+    let typing = use_state_eq(|| None::<String>);
+    let input = {
+        let typing = typing.clone();
+        Callback::from(move |event: InputEvent| {
+            let input: HtmlInputElement = event.target_unchecked_into();
+            typing.set(Some(input.value()));
+        })
+    };
+    let shown = (*typing).clone().unwrap_or_else(|| text(props.value));
     let change = {
         let props = props.clone();
         Callback::from(move |event: Event| {
@@ -39,6 +49,7 @@ pub(super) fn Number(props: &NumberProps) -> Html {
             };
             // What is shown differs from what was typed where that was no number.
             input.set_value(&text(value));
+            typing.set(None);
             if value != props.value {
                 props.on_change.emit(value);
             }
@@ -48,7 +59,8 @@ pub(super) fn Number(props: &NumberProps) -> Html {
         <label>
             { &props.label }
             <input class="field" type="text" inputmode="numeric" autocomplete="off"
-                value={text(props.value)} placeholder={props.empty.clone()} onchange={change} />
+                value={shown} placeholder={props.empty.clone()} oninput={input}
+                onchange={change} />
         </label>
     }
 }

@@ -17,6 +17,8 @@ pub struct Mark {
     pub cell: Cell,
     /// How far it makes way for others on its cell, in units.
     pub shift: (f64, f64),
+    /// Its number among those of its kind on its cell, from 0.
+    pub place: usize,
     /// The names written at it; `None` where another mark of the cell has them.
     pub label: Option<String>,
     /// When it is first visited; `None` if never.
@@ -49,6 +51,7 @@ pub fn marks(agents: &[Agent], tracks: &[Track]) -> Vec<Mark> {
                 agent: index,
                 cell,
                 shift: (0.0, 0.0),
+                place: 0,
                 label: None,
                 visited: visited.map(|time| time as u32),
             });
@@ -92,6 +95,7 @@ fn arrange(marks: &mut [Mark], agents: &[Agent], shift: impl Fn(f64, f64) -> (f6
     }
     for (place, mark) in marks.iter_mut().enumerate() {
         mark.shift = shift(place as f64, count as f64);
+        mark.place = place;
         mark.label = (place + 1 == count).then(|| std::mem::take(&mut label));
     }
 }
@@ -139,6 +143,7 @@ mod tests {
         assert_eq!([&marks[0].label, &marks[1].label], [&None, &None]);
         let shifts: Vec<_> = stars.iter().map(|mark| mark.shift).collect();
         assert_eq!(shifts, [(-30.0, 10.0), (-12.0, 10.0), (6.0, 10.0)]);
+        assert!(stars.iter().map(|mark| mark.place).eq(0..3));
     }
 
     #[test]

@@ -10,6 +10,9 @@ use crate::ground::Brush;
 use crate::state::Stroke;
 use crate::{Draft, Notice, Selection, State};
 
+/// A scene of more agents opens without the plan table.
+const MANY: usize = 6;
+
 /// Replaces the scene, if it can be drawn and solved.
 pub(super) fn open(state: &mut State, scene: Scene) {
     let refused = |faults: &[giveway_model::Fault]| Notice {
@@ -33,6 +36,8 @@ pub(super) fn open(state: &mut State, scene: Scene) {
     state.selection = Selection::Nothing;
     // A horizon is for one scene; the other limits are for all.
     state.settings.within = None;
+    // Of many agents a table is long: the board keeps its room.
+    state.view.table &= draft.agents().len() <= MANY;
     state.playback.time = 0;
     state.playback.playing = false;
     replace(state, draft);

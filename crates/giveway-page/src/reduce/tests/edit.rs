@@ -1,6 +1,6 @@
 //! Edits, undo and redo.
 
-use giveway_model::{Cell, Scene};
+use giveway_model::{Agent, Cell, Scene};
 
 use super::{after, edit, fresh, stroke};
 use crate::sample::solved;
@@ -110,6 +110,28 @@ fn open(rows: &[&str]) -> Action {
         map: rows.iter().map(|&row| row.to_owned()).collect(),
         ..Scene::default()
     }))
+}
+
+#[test]
+fn a_crowd_opens_without_the_plan_table() {
+    let agent = |x| Agent {
+        name: format!("A{x}"),
+        start: Cell::new(x, 0),
+        goal: Cell::new(x, 1),
+        waypoints: Vec::new(),
+        battery: None,
+    };
+    let crowd = |agents| {
+        Action::Open(Box::new(Scene {
+            map: vec![".".repeat(9); 2],
+            agents: (0..agents).map(agent).collect(),
+            ..Scene::default()
+        }))
+    };
+    let before = solved();
+    assert!(before.view.table);
+    let table = |agents| after(&before, [crowd(agents)]).view.table;
+    assert_eq!((table(6), table(7)), (true, false));
 }
 
 #[test]
