@@ -155,7 +155,7 @@ impl Joint<'_> {
         } = state
             && self.task(i).is_end(v, mask)
         {
-            choices.push(if self.problem.stays {
+            choices.push(if self.problem.rests(self.agents[i]) {
                 Single::Arrived
             } else {
                 Single::Leaving
@@ -190,7 +190,8 @@ impl Joint<'_> {
             let free = chosen.iter().enumerate().all(|(j, other)| {
                 let meet = place.is_some() && place == self.stands(j, other.to);
                 let swap = choice.arc.is_some() && choice.arc == other.arc.map(|arc| arc ^ 1);
-                !meet && !swap
+                let collide = self.problem.collide(self.agents[i], self.agents[j]);
+                !(collide && (meet || swap))
             });
             if free {
                 chosen.push(choice);
@@ -208,7 +209,7 @@ impl Joint<'_> {
                 ..
             } => Some(v),
             Single::Leaving => Some(self.task(i).goal),
-            Single::Arrived if self.problem.stays => Some(self.task(i).goal),
+            Single::Arrived if self.problem.rests(self.agents[i]) => Some(self.task(i).goal),
             _ => None,
         }
     }

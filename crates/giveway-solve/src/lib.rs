@@ -7,6 +7,7 @@
 
 mod answer;
 mod encode;
+pub mod explain;
 mod host;
 mod joint;
 mod local;

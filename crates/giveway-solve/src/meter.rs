@@ -62,6 +62,8 @@ pub(crate) struct Meter<'h> {
     until_clock: Cell<u32>,
     reported_at: Cell<u64>,
     stopped: Cell<Option<Stop>>,
+    /// Whether the host hears nothing of what becomes known.
+    quiet: bool,
 }
 
 impl<'h> Meter<'h> {
@@ -80,7 +82,39 @@ impl<'h> Meter<'h> {
             until_clock: Cell::new(CLOCK_INTERVAL),
             reported_at: Cell::new(0),
             stopped: Cell::new(None),
+            quiet: false,
         }
+    }
+
+    /// A meter for one part of the work: with limits of its own, which are never
+    /// more than what is left here. The host hears nothing of it, since bounds
+    /// and plans of a part are not those of the whole.
+    #[allow(dead_code, reason = "the parts come one by one")]
+    pub(crate) fn part(&self, limits: Limits) -> Self {
+        let used = self.host.wall_seconds() - self.wall_start;
+        let seconds = self.limits.seconds.map(|limit| (limit - used).max(0.0));
+        let spent = self.conflicts.get();
+        let conflicts = self.limits.conflicts.map(|most| most.saturating_sub(spent));
+        let mut part = Self::new(
+            self.host,
+            Limits {
+                seconds: seconds.into_iter().chain(limits.seconds).reduce(f64::min),
+                conflicts: conflicts.into_iter().chain(limits.conflicts).min(),
+                memory_bytes: limits.memory_bytes.or(self.limits.memory_bytes),
+            },
+        );
+        part.quiet = true;
+        part
+    }
+
+    /// Adds the work of a part to this tally.
+    #[allow(dead_code, reason = "the parts come one by one")]
+    pub(crate) fn absorb(&self, part: &Self) {
+        let add = |cell: &Cell<u64>, more: &Cell<u64>| cell.set(cell.get() + more.get());
+        add(&self.calls, &part.calls);
+        add(&self.variables, &part.variables);
+        add(&self.clauses, &part.clauses);
+        add(&self.conflicts, &part.conflicts);
     }
 
     /// Whether to go on; once it says no, it says no for good.
@@ -156,7 +190,9 @@ impl<'h> Meter<'h> {
 
     /// Tells the host that something became known.
     pub(crate) fn report(&self, event: &Progress) {
-        self.host.progress(event);
+        if !self.quiet {
+            self.host.progress(event);
+        }
     }
 
     /// Tells the host the size of the work, when it has grown by a tenth.

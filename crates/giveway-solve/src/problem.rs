@@ -1,6 +1,8 @@
 //! An instance as the search sees it: a graph, tasks, exact distances.
 
-use giveway_model::Instance;
+use std::collections::BTreeSet;
+
+use giveway_model::{Grid, Instance};
 
 use crate::{
     meter::{Meter, Stop},
@@ -8,11 +10,30 @@ use crate::{
     terrain::Terrain,
 };
 
+/// Rules between agents that do not count, by the agents' numbers: what an
+/// explanation leaves out to see whether a plan exists without it.
+#[derive(Clone, Debug, Default, PartialEq, Eq)]
+pub(crate) struct Relaxed {
+    /// Pairs that ignore each other, the lower number first.
+    pub(crate) ignored: BTreeSet<(usize, usize)>,
+    /// Agents that are gone on arrival, where the others stay.
+    pub(crate) gone: BTreeSet<usize>,
+}
+
+impl Relaxed {
+    /// Whether two agents ignore each other.
+    pub(crate) fn ignores(&self, a: usize, b: usize) -> bool {
+        self.ignored.contains(&(a.min(b), a.max(b)))
+    }
+}
+
 /// Everything that is known of an instance before agents meet.
 pub(crate) struct Problem {
     pub(crate) terrain: Terrain,
-    /// Whether arrived agents stay at their goals.
+    /// Whether arrived agents stay at their goals, but for those that the
+    /// relaxation lets go.
     pub(crate) stays: bool,
+    pub(crate) relaxed: Relaxed,
     pub(crate) tasks: Vec<Task>,
     /// The time that each agent alone still needs, from anywhere.
     pub(crate) to_go: Vec<ToGo>,
@@ -38,10 +59,20 @@ impl From<Stop> for Setback {
 
 impl Problem {
     pub(crate) fn new(instance: &Instance, meter: &Meter) -> Result<Self, Setback> {
+        Self::relaxed(instance, Relaxed::default(), meter)
+    }
+
+    /// The same with some rules between agents left out.
+    pub(crate) fn relaxed(
+        instance: &Instance,
+        relaxed: Relaxed,
+        meter: &Meter,
+    ) -> Result<Self, Setback> {
         let terrain = Terrain::new(instance.grid());
         let mut problem = Self {
             terrain,
             stays: instance.stays(),
+            relaxed,
             tasks: Vec::new(),
             to_go: Vec::new(),
             optima: Vec::new(),
@@ -66,5 +97,21 @@ impl Problem {
     /// The number of agents.
     pub(crate) fn agents(&self) -> usize {
         self.tasks.len()
+    }
+
+    /// Whether an agent stays at its goal and blocks it.
+    pub(crate) fn rests(&self, agent: usize) -> bool {
+        self.stays && !self.relaxed.gone.contains(&agent)
+    }
+
+    /// Whether two agents must not collide.
+    pub(crate) fn collide(&self, a: usize, b: usize) -> bool {
+        a != b && !self.relaxed.ignores(a, b)
+    }
+
+    /// The makespan beyond which nothing is looked for, by default.
+    pub(crate) fn default_horizon(&self, grid: &Grid) -> u32 {
+        let longest = self.optima.iter().copied().max().unwrap_or(0);
+        longest + 4 * (grid.width() + grid.height()) + 10
     }
 }

@@ -40,9 +40,7 @@ impl<'h> Task<'h> {
 
     /// The horizon: what the person set, or the default of the problem's rules.
     pub(crate) fn horizon(&self, problem: &Problem) -> u32 {
-        let grid = self.instance.grid();
-        let longest = problem.optima.iter().copied().max().unwrap_or(0);
-        let default = longest + 4 * (grid.width() + grid.height()) + 10;
+        let default = problem.default_horizon(self.instance.grid());
         self.within.unwrap_or(default)
     }
 }

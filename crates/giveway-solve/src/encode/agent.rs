@@ -66,7 +66,7 @@ impl AgentCode {
         let task = &problem.tasks[id];
         Self {
             id,
-            stays: problem.stays,
+            stays: problem.rests(id),
             optimum: problem.optima[id],
             diagram: Diagram::new(task, problem.optima[id]),
             nodes: Vec::new(),

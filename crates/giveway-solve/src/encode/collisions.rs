@@ -5,8 +5,11 @@
 //! that direction. A slow move crosses in both of its steps, so two of them in
 //! opposite directions exclude each other just when they leave less than two
 //! steps apart. Nothing is written for what only one agent uses.
+//!
+//! Where some pairs ignore each other, every other pair excludes each other by
+//! a clause of its own instead.
 
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
 
 use super::at_most_one::AtMostOne;
 use crate::{
@@ -33,12 +36,46 @@ struct Crossings {
 pub(crate) struct Collisions {
     cells: BTreeMap<(u32, Vertex), AtMostOne>,
     edges: BTreeMap<(u32, u32), Crossings>,
+    /// Pairs that ignore each other, the lower number first.
+    ignored: BTreeSet<(AgentId, AgentId)>,
+    /// Who may be where, where pairs ignore each other.
+    members: BTreeMap<(u32, Vertex), Vec<(AgentId, Lit)>>,
 }
 
 impl Collisions {
+    /// Collisions of all pairs but these, given with the lower number first.
+    pub(crate) fn new(ignored: BTreeSet<(AgentId, AgentId)>) -> Self {
+        Self {
+            ignored,
+            ..Self::default()
+        }
+    }
+
+    fn collide(&self, a: AgentId, b: AgentId) -> bool {
+        a != b && !self.ignored.contains(&(a.min(b), a.max(b)))
+    }
+
     /// An agent may be at a vertex at a time; once for each agent.
-    pub(crate) fn occupy(&mut self, time: u32, v: Vertex, at: Lit, out: &mut impl Clauses) {
-        self.cells.entry((time, v)).or_default().add(at, out);
+    pub(crate) fn occupy(
+        &mut self,
+        time: u32,
+        v: Vertex,
+        agent: AgentId,
+        at: Lit,
+        out: &mut impl Clauses,
+    ) {
+        if self.ignored.is_empty() {
+            self.cells.entry((time, v)).or_default().add(at, out);
+            return;
+        }
+        let members = self.members.remove(&(time, v)).unwrap_or_default();
+        for &(other, there) in &members {
+            if self.collide(agent, other) {
+                out.clause(&[!at, !there]);
+            }
+        }
+        let members = self.members.entry((time, v)).or_insert(members);
+        members.push((agent, at));
     }
 
     /// An agent may cross an arc in the step that begins at a time, namely
@@ -51,6 +88,10 @@ impl Collisions {
         premise: Premise,
         out: &mut impl Clauses,
     ) {
+        if !self.ignored.is_empty() {
+            self.cross_pairwise(time, arc, agent, premise, out);
+            return;
+        }
         let crossings = self.edges.entry((time, arc.edge())).or_default();
         if let Some(direction) = crossings.direction {
             imply(direction, arc.forward(), premise, out);
@@ -72,6 +113,29 @@ impl Collisions {
                 }
             }
         }
+    }
+
+    /// The same with a clause for each pair that does not ignore each other.
+    fn cross_pairwise(
+        &mut self,
+        time: u32,
+        arc: Arc,
+        agent: AgentId,
+        premise: Premise,
+        out: &mut impl Clauses,
+    ) {
+        let key = (time, arc.edge());
+        let mut crossings = self.edges.remove(&key).unwrap_or_default();
+        let (same, opposite) = if arc.forward() { (0, 1) } else { (1, 0) };
+        for &(other, against) in &crossings.waiting[opposite] {
+            if self.collide(agent, other) {
+                let mut clause = vec![!premise[0], !premise[1], !against[0], !against[1]];
+                clause.dedup();
+                out.clause(&clause);
+            }
+        }
+        crossings.waiting[same].push((agent, premise));
+        self.edges.insert(key, crossings);
     }
 }
 

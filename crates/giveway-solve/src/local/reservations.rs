@@ -65,7 +65,7 @@ impl<'p> Reservations<'p> {
                     .push(agent);
             }
         }
-        if self.problem.stays {
+        if self.problem.rests(agent) {
             let goal = self.problem.tasks[agent].goal;
             self.rests.insert(goal, (arrival(walk) + 1, agent));
         }
@@ -91,7 +91,7 @@ impl<'p> Reservations<'p> {
                 drop(&mut self.along, (time as u32, arc.id));
             }
         }
-        if self.problem.stays {
+        if self.problem.rests(agent) {
             self.rests.remove(&self.problem.tasks[agent].goal);
         }
     }
@@ -139,11 +139,11 @@ impl<'p> Reservations<'p> {
                 met.extend(self.against(step, arc.id));
             }
         }
-        if self.problem.stays {
+        if self.problem.rests(agent) {
             let goal = self.problem.tasks[agent].goal;
             met.extend(self.after(arrival(walk), goal));
         }
-        met.remove(&agent);
+        met.retain(|&other| self.problem.collide(agent, other));
         met
     }
 }

@@ -64,7 +64,10 @@ pub(crate) fn plan_one(
     // Under `stay` nobody can rest at a goal that others still pass. To know
     // that from the beginning spares all tries to arrive sooner.
     let goal = problem.tasks[query.agent].goal;
-    let waits = problem.stays && query.price.is_none_or(|price| price >= DEAR);
+    // Some of those that pass may not count, where pairs ignore each other.
+    let all_count = problem.relaxed.ignored.is_empty();
+    let rests = problem.rests(query.agent) && all_count;
+    let waits = rests && query.price.is_none_or(|price| price >= DEAR);
     let passed = others.last_visit(goal).filter(|_| waits);
     let earliest = passed.map_or(0, |time| time + 1);
     let mut search = Search {
@@ -100,7 +103,7 @@ impl Search<'_, '_> {
     fn run(&mut self, meter: &Meter) -> Result<Option<(Walk, u32)>, Stop> {
         let task = &self.problem.tasks[self.query.agent];
         let start = Place::At(task.start);
-        let collisions = self.others.at(0, task.start).count() as u32;
+        let collisions = self.count(self.others.at(0, task.start));
         if collisions > 0 && self.query.price.is_none() {
             return Ok(None);
         }
@@ -128,6 +131,13 @@ impl Search<'_, '_> {
         Ok(None)
     }
 
+    /// How many of some agents it must not meet.
+    fn count(&self, met: impl Iterator<Item = AgentId>) -> u32 {
+        let agent = self.query.agent;
+        met.filter(|&other| self.problem.collide(agent, other))
+            .count() as u32
+    }
+
     /// An agent at its goal may end there, if nobody comes by later.
     fn try_to_end(&mut self, id: u32) {
         let task = &self.problem.tasks[self.query.agent];
@@ -135,8 +145,8 @@ impl Search<'_, '_> {
         if !matches!(state.place, Place::At(v) if task.is_end(v, state.mask)) {
             return;
         }
-        let later = if self.problem.stays {
-            self.others.after(state.time, task.goal).count() as u32
+        let later = if self.problem.rests(self.query.agent) {
+            self.count(self.others.after(state.time, task.goal))
         } else {
             0
         };
@@ -157,7 +167,7 @@ impl Search<'_, '_> {
         match state.place {
             Place::Along(arc) => {
                 let (_, v) = terrain.ends(arc);
-                let met = self.others.against(time, arc).count() as u32;
+                let met = self.count(self.others.against(time, arc));
                 let mask = mask | task.bit(v);
                 self.reach(
                     Place::At(v),
@@ -172,7 +182,7 @@ impl Search<'_, '_> {
                 let level = task.level_after(terrain, u, battery, 1);
                 self.reach(Place::At(u), mask, level, time + 1, collisions, id);
                 for arc in terrain.arcs(u) {
-                    let met = self.others.against(time, arc.id).count() as u32;
+                    let met = self.count(self.others.against(time, arc.id));
                     let steps = 1 + u32::from(arc.slow);
                     let level = task.level_after(terrain, u, battery, steps);
                     let (place, mask) = if arc.slow {
@@ -196,7 +206,7 @@ impl Search<'_, '_> {
         parent: u32,
     ) {
         let met = match place {
-            Place::At(v) => self.others.at(time, v).count() as u32,
+            Place::At(v) => self.count(self.others.at(time, v)),
             Place::Along(_) => 0,
         };
         if self.query.price.is_some() || collisions + met == 0 {

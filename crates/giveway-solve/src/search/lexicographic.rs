@@ -56,6 +56,38 @@ fn latest_of_sum(problem: &Problem, sum: u32) -> u32 {
     sum.saturating_sub(total) + longest
 }
 
+/// What is looked for.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub(crate) enum Aim {
+    /// The best plan, and the proof that it is.
+    Best,
+    /// A plan whose costs, in the order of the objective, are no worse than
+    /// these.
+    AtMost(Vec<u32>),
+    /// Any plan.
+    Any,
+}
+
+impl Aim {
+    /// Whether a plan of these costs is all that is looked for.
+    fn is_met(&self, vector: &[u32]) -> bool {
+        match self {
+            Self::Best => false,
+            Self::AtMost(most) => vector <= most.as_slice(),
+            Self::Any => true,
+        }
+    }
+
+    /// Whether nothing can be as good as is looked for, where `least` are the
+    /// optima of the first costs.
+    fn is_missed(&self, least: &[u32]) -> bool {
+        match self {
+            Self::AtMost(most) => most.get(..least.len()).is_some_and(|most| most < least),
+            _ => false,
+        }
+    }
+}
+
 /// What is known at the end.
 #[derive(Debug)]
 pub(crate) struct Verdict {
@@ -78,6 +110,25 @@ pub(crate) fn solve(
     bounded: &Bounded,
     meter: &Rc<Meter>,
 ) -> Verdict {
+    find(problem, objective, bounded, &Aim::Best, meter)
+}
+
+/// Finds what is looked for, or proves that there is nothing like it.
+pub(crate) fn find(
+    problem: &Problem,
+    objective: &Objective,
+    bounded: &Bounded,
+    aim: &Aim,
+    meter: &Rc<Meter>,
+) -> Verdict {
+    let mut bounded = bounded.clone();
+    if let Aim::AtMost(most) = aim
+        && let (Some(&cost), Some(&most)) = (objective.costs().first(), most.first())
+    {
+        let limit = bounded.limits.entry(cost).or_insert(most);
+        *limit = most.min(*limit);
+    }
+    let bounded = &bounded;
     let mut incumbent = Incumbent::new(objective.clone(), bounded.horizon, bounded.limits.clone());
     let mut verdict = Verdict {
         best: None,
@@ -86,15 +137,22 @@ pub(crate) fn solve(
         stop: None,
         clash: Vec::new(),
     };
-    let end = run(problem, bounded, &mut incumbent, &mut verdict, meter);
+    let end = run(problem, bounded, aim, &mut incumbent, &mut verdict, meter);
     verdict.stop = end.err();
     verdict.best = incumbent.into_best();
+    if *aim != Aim::Best
+        && let Some((_, costs)) = &verdict.best
+        && !aim.is_met(&costs.vector(objective))
+    {
+        verdict.best = None;
+    }
     verdict
 }
 
 fn run(
     problem: &Problem,
     bounded: &Bounded,
+    aim: &Aim,
     incumbent: &mut Incumbent,
     verdict: &mut Verdict,
     meter: &Rc<Meter>,
@@ -130,7 +188,16 @@ fn run(
             return Ok(());
         }
     }
-    prove(problem, &walks, bounded, incumbent, verdict, meter)
+    if is_met(aim, incumbent) {
+        return Ok(());
+    }
+    prove(problem, &walks, bounded, aim, incumbent, verdict, meter)
+}
+
+/// Whether the best plan is all that is looked for.
+fn is_met(aim: &Aim, incumbent: &Incumbent) -> bool {
+    let vector = incumbent.costs().map(|c| c.vector(incumbent.objective()));
+    vector.is_some_and(|vector| aim.is_met(&vector))
 }
 
 /// The stages, one for each cost of the objective.
@@ -138,6 +205,7 @@ fn prove(
     problem: &Problem,
     walks: &[Walk],
     bounded: &Bounded,
+    aim: &Aim,
     incumbent: &mut Incumbent,
     verdict: &mut Verdict,
     meter: &Rc<Meter>,
@@ -146,14 +214,19 @@ fn prove(
         let mut limited = bounded.clone();
         limited.limits.insert(cost, least);
         let known = Some(least);
-        if stages(problem, walks, &limited, known, incumbent, verdict, meter)? {
+        let limited = &limited;
+        if stages(
+            problem, walks, limited, aim, known, incumbent, verdict, meter,
+        )? {
             return Ok(());
         }
         // Its plans all need more time than the horizon allows.
         verdict.bounds.clear();
         verdict.complete = true;
     }
-    if stages(problem, walks, bounded, None, incumbent, verdict, meter)? {
+    if stages(
+        problem, walks, bounded, aim, None, incumbent, verdict, meter,
+    )? {
         return Ok(());
     }
     Err(Stop::Contradiction) // a plan is at hand, so there is one
@@ -161,10 +234,12 @@ fn prove(
 
 /// One stage after the other; false where there is no plan. The optimum of the
 /// first cost may be `known`, and a limit.
+#[expect(clippy::too_many_arguments, reason = "all that a search is made of")]
 fn stages(
     problem: &Problem,
     walks: &[Walk],
     bounded: &Bounded,
+    aim: &Aim,
     known: Option<u32>,
     incumbent: &mut Incumbent,
     verdict: &mut Verdict,
@@ -183,6 +258,7 @@ fn stages(
     // Once the makespan or the sum of costs is bounded, no later plan counts.
     let mut bounds_time = bounded.limits_time(problem);
     let mut known = known;
+    let mut optima = Vec::new();
     for (i, &cost) in objective.costs().iter().enumerate() {
         let mut bound = 0;
         let known = known.take();
@@ -202,6 +278,10 @@ fn stages(
         verdict.complete &=
             bounds_time || known.is_some() || holds_for_ever(&mut search, cost, least, bounded)?;
         bounds_time |= matches!(cost, Cost::Makespan | Cost::SumOfCosts);
+        optima.push(least);
+        if aim.is_missed(&optima) || is_met(aim, search.incumbent) {
+            return Ok(true);
+        }
     }
     Ok(true)
 }

@@ -16,4 +16,4 @@ mod sum;
 mod tally;
 mod team;
 
-pub(crate) use lexicographic::{Bounded, Verdict, solve};
+pub(crate) use lexicographic::{Aim, Bounded, Verdict, find, solve};

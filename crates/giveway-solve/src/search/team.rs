@@ -49,7 +49,7 @@ impl<'p, 'h> Team<'p, 'h> {
             problem,
             sat: Sat::new(Rc::clone(&meter)),
             meter,
-            collisions: Collisions::default(),
+            collisions: Collisions::new(problem.relaxed.ignored.clone()),
             inside: problem.tasks.iter().map(|_| None).collect(),
             walks,
             owners: goals.map(|(agent, task)| (task.goal, agent)).collect(),
@@ -85,11 +85,11 @@ impl<'p, 'h> Team<'p, 'h> {
         let problem = self.problem;
         self.inside[agent] = Some(AgentCode::new(agent, problem));
         self.grow(agent, problem.optima[agent])?;
-        if problem.stays {
+        if problem.rests(agent) {
             // Whoever is on its goal later than it may arrive keeps it away.
             let visits = self.on_goals.get(&problem.tasks[agent].goal);
             for (time, other, lit) in visits.cloned().unwrap_or_default() {
-                if other != agent {
+                if problem.collide(agent, other) {
                     self.keep_away(agent, time, lit);
                 }
             }
@@ -120,7 +120,7 @@ impl<'p, 'h> Team<'p, 'h> {
     /// Makes what an agent may do known to all others.
     fn absorb(&mut self, agent: AgentId, added: &Added) {
         for &(time, v, lit) in &added.positions {
-            self.collisions.occupy(time, v, lit, &mut self.sat);
+            self.collisions.occupy(time, v, agent, lit, &mut self.sat);
             if !self.problem.stays {
                 continue;
             }
@@ -128,7 +128,9 @@ impl<'p, 'h> Team<'p, 'h> {
                 && owner != agent
             {
                 self.on_goals.entry(v).or_default().push((time, agent, lit));
-                self.keep_away(owner, time, lit);
+                if self.problem.rests(owner) && self.problem.collide(owner, agent) {
+                    self.keep_away(owner, time, lit);
+                }
             }
         }
         for &(time, arc, premise) in &added.crossings {

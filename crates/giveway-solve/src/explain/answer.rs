@@ -1,0 +1,139 @@
+//! Reasons as data, in the shapes in which they are written as JSON.
+
+use giveway_model::{Cell, Costs, Plan, check::Violation};
+use serde::{Deserialize, Serialize};
+
+/// One thing that would go wrong.
+#[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
+pub struct WitnessEntry {
+    /// What, where, when, who.
+    #[serde(flatten)]
+    pub violation: Violation,
+    /// The rules that were soft, where there is no plan at all.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub class: Option<Class>,
+}
+
+/// A class of rules, of which a relaxed plan breaks as few as it can.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Serialize, Deserialize)]
+#[serde(rename_all = "kebab-case")]
+pub enum Class {
+    /// Vertex and swap collisions, counted by pair and time.
+    Collision,
+    /// Agents in obstacles, counted by agent and time.
+    Obstacle,
+    /// Batteries that run empty, counted by agent.
+    Battery,
+    /// Waypoints not visited, counted by agent and waypoint.
+    Waypoint,
+}
+
+/// What kind of thing a fact is, and so what leaving it out means.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Serialize, Deserialize)]
+#[serde(rename_all = "kebab-case")]
+pub enum FactKind {
+    /// The agent is there at all.
+    Task,
+    /// A waypoint must be visited.
+    Waypoint,
+    /// A battery is limited.
+    Battery,
+    /// A cell is an obstacle.
+    Obstacle,
+    /// Slow zones are slow.
+    Slow,
+    /// Two agents must not collide.
+    Collision,
+    /// An arrived agent blocks its goal.
+    Stay,
+    /// The horizon that a person set.
+    Deadline,
+}
+
+/// A fact of an instance that can be left out.
+#[derive(Clone, Debug, PartialEq, Eq, PartialOrd, Ord, Serialize, Deserialize)]
+pub struct Fact {
+    /// What kind of thing it is.
+    pub kind: FactKind,
+    /// Whose it is: none, one, or the two of a pair, in the instance's order.
+    pub agents: Vec<String>,
+    /// Where, for a waypoint or an obstacle.
+    pub cell: Option<Cell>,
+    /// The fact as a clause for people: `A1 must visit (2, 1)`.
+    pub text: String,
+}
+
+/// Facts that together make it impossible.
+#[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
+pub struct Core {
+    /// With all of these, there is no plan.
+    pub facts: Vec<Fact>,
+    /// Whether every fact was tried: without any one of them a plan is at hand.
+    pub minimal: bool,
+    /// Whether "no plan" holds whatever the horizon.
+    pub complete: bool,
+    /// The makespan up to which it holds; `null` where complete.
+    pub within: Option<u32>,
+}
+
+/// A change of the instance that a person may make.
+#[derive(Clone, Debug, PartialEq, Eq, PartialOrd, Ord, Serialize, Deserialize)]
+#[serde(tag = "edit", rename_all = "kebab-case", deny_unknown_fields)]
+pub enum Edit {
+    /// Free an obstacle's cell.
+    RemoveObstacle {
+        /// The cell.
+        cell: Cell,
+    },
+    /// Put a charger on a cell.
+    AddCharger {
+        /// The cell.
+        cell: Cell,
+    },
+    /// Give an agent a larger and fuller battery.
+    Battery {
+        /// The agent.
+        agent: String,
+        /// Its new capacity.
+        capacity: u32,
+        /// Its new level at time 0.
+        initial: u32,
+    },
+    /// Allow a later makespan.
+    Deadline {
+        /// The new horizon.
+        within: u32,
+    },
+    /// Take a cell out of the slow zone.
+    MakeNormal {
+        /// The cell.
+        cell: Cell,
+    },
+    /// Let an agent leave a waypoint out.
+    DropWaypoint {
+        /// The agent.
+        agent: String,
+        /// The waypoint.
+        cell: Cell,
+    },
+    /// Let arrived agents vanish instead of stay.
+    Vanish,
+    /// Leave an agent out.
+    LeaveOut {
+        /// The agent.
+        agent: String,
+    },
+}
+
+/// A repair: edits after which there is a plan.
+#[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
+pub struct Repair {
+    /// The edits, all of them needed.
+    pub edits: Vec<Edit>,
+    /// The costs of the plan.
+    pub costs: Costs,
+    /// A best plan of the edited instance, or one found in time.
+    pub plan: Plan,
+    /// The repair as a sentence.
+    pub text: String,
+}

@@ -1,0 +1,166 @@
+//! The search, asked about a changed instance.
+//!
+//! Every part of an explanation is made of questions like these: is there a
+//! plan, and what is the best, with some facts left out, some edits made, some
+//! costs capped? A plan that comes back was judged, rules left out apart.
+
+use std::collections::BTreeMap;
+use std::rc::Rc;
+
+use giveway_model::{
+    Cost, Costs, Instance, Objective, Plan, Scene,
+    check::{Rule, Violation, arrivals, check},
+};
+
+use crate::{
+    Status,
+    meter::{Meter, Stop},
+    problem::{Problem, Relaxed, Setback},
+    search::{Aim, Bounded, Verdict, find},
+    walk::to_plan,
+};
+
+/// A question to the search.
+#[derive(Clone, Copy)]
+pub(crate) struct Ask<'a> {
+    /// The instance, after all edits. It keeps the promises of an instance.
+    pub(crate) scene: &'a Scene,
+    /// Rules between agents that do not count.
+    pub(crate) relaxed: &'a Relaxed,
+    /// What is minimised.
+    pub(crate) objective: &'a Objective,
+    /// The most that a plan may have of some costs.
+    pub(crate) caps: &'a BTreeMap<Cost, u32>,
+    /// The horizon; by default that of the problem's rules.
+    pub(crate) within: Option<u32>,
+    /// The least horizon, where none is set: what holds up to a horizon for the
+    /// instance as it is should not be asked up to a lesser one.
+    pub(crate) at_least_within: u32,
+}
+
+/// What the search knows at the end.
+#[derive(Clone, Debug)]
+pub(crate) struct Found {
+    /// What is known. Where any plan will do, a plan is `Feasible`.
+    pub(crate) status: Status,
+    /// The plan, judged.
+    pub(crate) plan: Option<Plan>,
+    /// Its costs.
+    pub(crate) costs: Option<Costs>,
+    /// The proved lower bounds.
+    pub(crate) bounds: BTreeMap<Cost, u32>,
+    /// Whether the claim holds whatever the horizon.
+    pub(crate) complete: bool,
+    /// The horizon of the search.
+    pub(crate) horizon: u32,
+}
+
+/// The lexicographic optimum.
+pub(crate) fn best(ask: &Ask, meter: &Rc<Meter>) -> Found {
+    run(ask, &Aim::Best, meter)
+}
+
+/// Any plan, or the proof that there is none.
+pub(crate) fn any(ask: &Ask, meter: &Rc<Meter>) -> Found {
+    run(ask, &Aim::Any, meter)
+}
+
+/// A plan that costs no more than this in the order of the objective, or the
+/// proof that there is none.
+pub(crate) fn at_most(ask: &Ask, vector: Vec<u32>, meter: &Rc<Meter>) -> Found {
+    run(ask, &Aim::AtMost(vector), meter)
+}
+
+fn run(ask: &Ask, aim: &Aim, meter: &Rc<Meter>) -> Found {
+    let nothing = Found {
+        status: Status::Unknown,
+        plan: None,
+        costs: None,
+        bounds: BTreeMap::new(),
+        complete: false,
+        horizon: ask.within.unwrap_or(ask.at_least_within),
+    };
+    let Ok(instance) = Instance::new(ask.scene.clone()) else {
+        return nothing;
+    };
+    let problem = match Problem::relaxed(&instance, ask.relaxed.clone(), meter) {
+        Ok(problem) => problem,
+        Err(Setback::Alone(_)) => {
+            return Found {
+                status: Status::Impossible,
+                complete: true,
+                ..nothing
+            };
+        }
+        Err(_) => return nothing,
+    };
+    let default = problem.default_horizon(instance.grid());
+    let horizon = ask.within.unwrap_or(default.max(ask.at_least_within));
+    let bounded = Bounded {
+        horizon,
+        limits: ask.caps.clone(),
+    };
+    let verdict = find(&problem, ask.objective, &bounded, aim, meter);
+    judged(&instance, &problem, aim, horizon, verdict)
+}
+
+/// A verdict with its plan judged: a plan that the judge refuses is no plan.
+fn judged(
+    instance: &Instance,
+    problem: &Problem,
+    aim: &Aim,
+    horizon: u32,
+    verdict: Verdict,
+) -> Found {
+    let names: Vec<String> = instance.agents().iter().map(|a| a.name.clone()).collect();
+    let mut stop = verdict.stop;
+    let mut found = verdict
+        .best
+        .map(|(walks, costs)| (to_plan(problem, &names, &walks), costs));
+    if let Some((plan, costs)) = &found {
+        let broken = violations(instance, &problem.relaxed, plan);
+        if !broken.is_empty() || giveway_model::check::costs(instance, plan) != Some(*costs) {
+            found = None;
+            stop = Some(Stop::Contradiction);
+        }
+    }
+    let status = match (&found, stop) {
+        (Some(_), None) if *aim == Aim::Best => Status::Optimal,
+        (Some(_), _) => Status::Feasible,
+        (None, None) => Status::Impossible,
+        (None, Some(_)) => Status::Unknown,
+    };
+    let (plan, costs) = found.unzip();
+    Found {
+        status,
+        plan,
+        costs,
+        bounds: verdict.bounds,
+        complete: stop.is_none() && verdict.complete,
+        horizon,
+    }
+}
+
+/// The violations of a plan, but for those of rules left out.
+pub(crate) fn violations(instance: &Instance, relaxed: &Relaxed, plan: &Plan) -> Vec<Violation> {
+    let mut violations = check(instance, plan).violations;
+    if *relaxed == Relaxed::default() {
+        return violations;
+    }
+    let arrivals = arrivals(instance, plan);
+    let index = |name: &String| instance.agents().iter().position(|a| a.name == *name);
+    violations.retain(|violation| {
+        let agents: Vec<usize> = violation.agents.iter().filter_map(index).collect();
+        let collides = matches!(violation.rule, Rule::Vertex | Rule::Swap | Rule::SlowSwap);
+        let [a, b] = agents[..] else { return true };
+        if !collides {
+            return true;
+        }
+        let is_gone = |agent: usize| {
+            let arrival = arrivals.get(agent).copied().flatten();
+            relaxed.gone.contains(&agent) && arrival.is_some_and(|at| violation.time > at)
+        };
+        !(relaxed.ignores(a, b) || is_gone(a) || is_gone(b))
+    });
+    violations
+}

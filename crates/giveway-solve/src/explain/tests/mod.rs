@@ -1,0 +1,3 @@
+//! Reasons, judged by other means than those that found them.
+
+mod ask;
