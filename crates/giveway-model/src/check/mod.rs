@@ -20,10 +20,11 @@ use serde::{Deserialize, Serialize};
 
 use crate::{Cell, Costs, Instance, Plan};
 use findings::Findings;
-use walk::Walk;
 
 pub use battery::levels;
 pub use costs::{arrivals, costs};
+pub(crate) use steps::{Step, steps};
+pub(crate) use walk::Walk;
 
 /// The most violations that a report lists. A plan that breaks more is noise
 /// rather than a plan, and pairs of colliding agents would fill the memory.

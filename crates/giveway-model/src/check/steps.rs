@@ -4,7 +4,7 @@ use crate::{Cell, Grid};
 
 /// What an agent does from one listed cell to the next.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(super) enum Step {
+pub(crate) enum Step {
     /// It waits a step.
     Wait,
     /// It crosses a normal edge in a step.
@@ -17,7 +17,7 @@ pub(super) enum Step {
 
 /// Why a step is none.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(super) enum Broken {
+pub(crate) enum Broken {
     /// The cells do not share a side.
     Jump,
     /// A slow edge in one step.
@@ -32,7 +32,7 @@ pub(super) enum Broken {
 
 /// The steps of a path, each with the time at which it begins. Entries in
 /// transit at the very beginning and end belong to no step.
-pub(super) fn steps<'a>(
+pub(crate) fn steps<'a>(
     grid: &'a Grid,
     path: &'a [Option<Cell>],
 ) -> impl Iterator<Item = (usize, Step)> + 'a {
@@ -48,7 +48,7 @@ pub(super) fn steps<'a>(
 }
 
 /// The step from a cell to another that takes some time.
-pub(super) fn step(grid: &Grid, from: Cell, to: Cell, duration: usize) -> Step {
+pub(crate) fn step(grid: &Grid, from: Cell, to: Cell, duration: usize) -> Step {
     let why = match duration {
         1 if from == to => return Step::Wait,
         2 if from == to => Broken::TurnBack,

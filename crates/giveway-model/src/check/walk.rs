@@ -7,20 +7,20 @@ use crate::{Agent, Cell, Instance, Plan};
 /// It has at least one entry, and the last is a cell. The path may break any
 /// rule otherwise: it may begin in transit or end elsewhere than at the goal.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Walk<'a> {
+pub(crate) struct Walk<'a> {
     /// The agent's index in the instance.
-    pub(super) index: usize,
+    pub(crate) index: usize,
     /// The agent.
-    pub(super) agent: &'a Agent,
+    pub(crate) agent: &'a Agent,
     /// Where it is at each time up to its arrival.
-    pub(super) path: &'a [Option<Cell>],
+    pub(crate) path: &'a [Option<Cell>],
     /// The times at which the plan says that it charges, as listed.
-    pub(super) charges: &'a [u32],
+    pub(crate) charges: &'a [u32],
 }
 
 impl<'a> Walk<'a> {
     /// The walk of an agent; `None` where the plan gives it no cell at all.
-    pub(super) fn of(instance: &'a Instance, index: usize, plan: &'a Plan) -> Option<Self> {
+    pub(crate) fn of(instance: &'a Instance, index: usize, plan: &'a Plan) -> Option<Self> {
         let agent = instance.agents().get(index)?;
         let path = cut(plan.path(&agent.name), agent.goal);
         (!path.is_empty()).then(|| Self {
@@ -32,24 +32,24 @@ impl<'a> Walk<'a> {
     }
 
     /// The walks of all agents that have one.
-    pub(super) fn all(instance: &'a Instance, plan: &'a Plan) -> Vec<Self> {
+    pub(crate) fn all(instance: &'a Instance, plan: &'a Plan) -> Vec<Self> {
         (0..instance.agents().len())
             .filter_map(|index| Self::of(instance, index, plan))
             .collect()
     }
 
     /// The arrival: the time of the last entry.
-    pub(super) const fn arrival(&self) -> usize {
+    pub(crate) const fn arrival(&self) -> usize {
         self.path.len().saturating_sub(1)
     }
 
     /// Where the agent is at a time up to its arrival; `None` in transit.
-    pub(super) fn at(&self, time: usize) -> Option<Cell> {
+    pub(crate) fn at(&self, time: usize) -> Option<Cell> {
         self.path.get(time).copied().flatten()
     }
 
     /// The cell of the last entry.
-    pub(super) fn end(&self) -> Option<Cell> {
+    pub(crate) fn end(&self) -> Option<Cell> {
         self.at(self.arrival())
     }
 }

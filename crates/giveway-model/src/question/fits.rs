@@ -1,0 +1,277 @@
+//! Whether a question can be asked of a plan: it names what exists, and what it
+//! asks about is so.
+
+use std::fmt;
+
+use serde::{Deserialize, Serialize};
+
+use super::holds::{first_visit, holds, is_at, walk};
+use super::not_so::not_so;
+use super::{Question, so, to_words};
+use crate::check::Walk;
+use crate::{Cell, Fault, Ground, Instance, Plan};
+
+/// Agents that a fault lists by name.
+const NAMED: usize = 8;
+
+/// Why a question cannot be answered.
+#[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(tag = "misfit", rename_all = "kebab-case")]
+pub enum Misfit {
+    /// It names what does not exist, or not where it could be.
+    Fault {
+        /// What was found and what was expected.
+        fault: Fault,
+    },
+    /// It asks about what is not so.
+    NotSo {
+        /// What is so, as sentences.
+        is_so: String,
+        /// What can be asked, in the words of a question; there need be nothing.
+        #[serde(default, skip_serializing_if = "Option::is_none")]
+        ask: Option<Question>,
+    },
+}
+
+impl fmt::Display for Misfit {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::Fault { fault } => fault.fmt(f),
+            Self::NotSo { is_so, ask: None } => f.write_str(is_so),
+            Self::NotSo {
+                is_so,
+                ask: Some(ask),
+            } => {
+                write!(f, "{is_so} You can ask: {}", to_words(ask))
+            }
+        }
+    }
+}
+
+impl std::error::Error for Misfit {}
+
+/// Checks that a question names agents and cells of the instance, whatever the
+/// plan.
+///
+/// # Errors
+/// The first thing that it names and that does not exist.
+pub fn names_exist(question: &Question, instance: &Instance) -> Result<(), Misfit> {
+    let about = Names { instance };
+    for name in question.agents() {
+        about.agent(name)?;
+    }
+    let on_map = |key, cell| about.on_map(key, cell);
+    match *question {
+        Question::Wait {
+            at,
+            from,
+            to,
+            at_least,
+            ..
+        } => {
+            at.map_or(Ok(()), |at| on_map("at", at))?;
+            let from = from.unwrap_or(0);
+            if let Some(to) = to.filter(|&to| to <= from) {
+                let expected = format!("a time after {from}, since a wait takes a step");
+                return fault("to", format!("time {to}"), expected);
+            }
+            if at_least == Some(0) {
+                return fault("at-least", "0", "at least 1 step");
+            }
+            Ok(())
+        }
+        Question::Charge { at, .. } => at.map_or(Ok(()), |at| about.charger(at)),
+        Question::NoCharge { at, .. } => about.charger(at),
+        Question::Visit { at, .. } => on_map("at", at),
+        Question::NoVisit { at, .. } | Question::Yield { at, .. } => about.vertex("at", at),
+        Question::Move {
+            from_cell, to_cell, ..
+        }
+        | Question::NoMove {
+            from_cell, to_cell, ..
+        } => about.edge(from_cell, to_cell),
+        Question::Slow {
+            from_cell: Some(u),
+            to_cell: Some(v),
+            ..
+        } => about.edge(u, v),
+        Question::Order { first, second, .. } => {
+            about.vertex("first", first)?;
+            about.vertex("second", second)?;
+            if first == second {
+                return fault("second", format!("{second} again"), "another cell");
+            }
+            Ok(())
+        }
+        _ => Ok(()),
+    }
+}
+
+/// Checks that a question can be asked of a valid plan: what it names exists,
+/// and what it asks about is so.
+///
+/// # Errors
+/// What is so instead, and what can be asked.
+///
+/// ```
+/// use giveway_model::{Question, format::native, question::fits};
+/// let instance = native::read_instance(r#"{ "giveway": 1, "map": ["..."],
+///     "agents": [{ "name": "A1", "start": [0, 0], "goal": [2, 0] }] }"#).unwrap();
+/// let plan = native::read_plan(
+///     r#"{ "giveway": 1, "paths": { "A1": [[0, 0], [1, 0], [2, 0]] } }"#).unwrap();
+/// let why = Question::Wait {
+///     agent: "A1".into(), at: None, from: None, to: None, at_least: None,
+/// };
+/// let misfit = fits(&why, &instance, &plan).unwrap_err();
+/// assert_eq!(
+///     misfit.to_string(),
+///     "A1 does not wait. It never waits before its arrival. You can ask: arrival A1",
+/// );
+/// ```
+pub fn fits(question: &Question, instance: &Instance, plan: &Plan) -> Result<(), Misfit> {
+    names_exist(question, instance)?;
+    if let Question::Yield { agent, to, at } = question {
+        return precedence(instance, plan, agent, to, *at);
+    }
+    // What is asked about is so, just where the contrast does not hold.
+    let order = matches!(question, Question::Order { .. });
+    if !order && holds(question, instance, plan, plan) != Some(true) {
+        return Ok(());
+    }
+    let Some(walk) = question
+        .agent()
+        .and_then(|name| walk(instance, plan, name))
+        .or_else(|| visitor(question, instance, plan))
+    else {
+        return Ok(());
+    };
+    not_so(question, instance, &walk)
+}
+
+/// The first agent that passes where nobody is said to.
+fn visitor<'a>(question: &Question, instance: &'a Instance, plan: &'a Plan) -> Option<Walk<'a>> {
+    let Question::NoVisit { agent: None, at } = question else {
+        return None;
+    };
+    Walk::all(instance, plan)
+        .into_iter()
+        .find(|walk| is_at(instance, walk, *at, None))
+}
+
+/// One agent gives way to another at a cell: both are there, the other first.
+fn precedence(
+    instance: &Instance,
+    plan: &Plan,
+    agent: &str,
+    to: &str,
+    at: Cell,
+) -> Result<(), Misfit> {
+    if agent == to {
+        return fault("agents", format!("{agent} twice"), "two agents");
+    }
+    let visit = |name: &str| walk(instance, plan, name).and_then(|walk| first_visit(&walk, at));
+    let (is_so, ask) = match (visit(agent), visit(to)) {
+        (Some(late), Some(early)) if early < late => return Ok(()),
+        (Some(early), Some(late)) => (
+            format!("{agent} is at {at} first, at time {early}, and {to} at time {late}."),
+            Question::Yield {
+                agent: to.to_owned(),
+                to: agent.to_owned(),
+                at,
+            },
+        ),
+        (None, _) => (
+            format!("{agent} is never at {at}, so it gives way to nobody there."),
+            Question::NoVisit {
+                agent: Some(agent.to_owned()),
+                at,
+            },
+        ),
+        (Some(_), None) => (
+            format!("{to} is never at {at}, so {agent} does not give way to it there."),
+            Question::NoVisit {
+                agent: Some(to.to_owned()),
+                at,
+            },
+        ),
+    };
+    let ask = Some(ask);
+    Err(Misfit::NotSo { is_so, ask })
+}
+
+fn fault<T>(
+    place: &str,
+    found: impl Into<String>,
+    expected: impl Into<String>,
+) -> Result<T, Misfit> {
+    let fault = Fault::at(place, found, expected);
+    Err(Misfit::Fault { fault })
+}
+
+/// Looks names up.
+struct Names<'a> {
+    instance: &'a Instance,
+}
+
+impl Names<'_> {
+    fn agent(&self, name: &str) -> Result<(), Misfit> {
+        let agents = self.instance.agents();
+        if agents.iter().any(|agent| agent.name == name) {
+            return Ok(());
+        }
+        let names: Vec<&str> = agents.iter().map(|agent| agent.name.as_str()).collect();
+        let expected = match names.as_slice() {
+            [] => "an agent, of which there is none".to_owned(),
+            [one] => one.to_string(),
+            names if names.len() <= NAMED => format!("one of {}", names.join(", ")),
+            [first, .., last] => format!("one of the {} agents {first} to {last}", names.len()),
+        };
+        fault("agent", format!("\"{name}\""), expected)
+    }
+
+    fn on_map(&self, key: &str, cell: Cell) -> Result<(), Misfit> {
+        let grid = self.instance.grid();
+        if grid.ground(cell).is_some() {
+            return Ok(());
+        }
+        let expected = format!("a cell of the {} x {} map", grid.width(), grid.height());
+        fault(key, cell.to_string(), expected)
+    }
+
+    fn vertex(&self, key: &str, cell: Cell) -> Result<(), Misfit> {
+        self.on_map(key, cell)?;
+        if self.instance.grid().ground(cell) == Some(Ground::Obstacle) {
+            return fault(key, format!("the obstacle {cell}"), "a free cell");
+        }
+        Ok(())
+    }
+
+    fn charger(&self, cell: Cell) -> Result<(), Misfit> {
+        self.on_map("at", cell)?;
+        let grid = self.instance.grid();
+        if grid.is_charger(cell) {
+            return Ok(());
+        }
+        let chargers: Vec<String> = grid
+            .cells()
+            .filter(|(_, ground)| ground.is_charger())
+            .map(|(cell, _)| cell.to_string())
+            .collect();
+        let expected = if chargers.is_empty() {
+            "a charger, of which the map has none".to_owned()
+        } else {
+            format!("a charger: {}", so::list(&chargers))
+        };
+        fault("at", format!("{cell}, which is none"), expected)
+    }
+
+    fn edge(&self, from: Cell, to: Cell) -> Result<(), Misfit> {
+        self.vertex("from-cell", from)?;
+        self.vertex("to-cell", to)?;
+        if from.touches(to) {
+            return Ok(());
+        }
+        let expected = format!("a neighbour of {from}");
+        fault("to-cell", to.to_string(), expected)
+    }
+}

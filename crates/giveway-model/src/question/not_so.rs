@@ -1,0 +1,202 @@
+//! What is so instead of what a question about one agent asks about.
+
+use super::fits::Misfit;
+use super::holds::{first_visit, goes, moves};
+use super::{Question, so};
+use crate::Instance;
+use crate::check::Walk;
+
+/// What is so instead, for the questions about one agent.
+#[expect(clippy::too_many_lines, reason = "an arm for each kind of question")]
+pub(super) fn not_so(
+    question: &Question,
+    instance: &Instance,
+    walk: &Walk<'_>,
+) -> Result<(), Misfit> {
+    let name = walk.agent.name.as_str();
+    let agent = || name.to_owned();
+    let misfit = |is_so: String, ask: Option<Question>| Err(Misfit::NotSo { is_so, ask });
+    match *question {
+        Question::Wait {
+            at,
+            from,
+            to,
+            at_least,
+            ..
+        } => {
+            let place = at.map_or(String::new(), |at| format!(" at {at}"));
+            let time = match (from, to) {
+                (None, None) => String::new(),
+                (from, Some(to)) => format!(" from time {} to {to}", from.unwrap_or(0)),
+                (Some(from), None) => format!(" from time {from} on"),
+            };
+            let long = match at_least {
+                Some(steps) if steps > 1 => format!(" {steps} steps on end"),
+                _ => String::new(),
+            };
+            let waits = so::waits(instance, walk);
+            let asked = waits
+                .iter()
+                .find(|(cell, ..)| at.is_none_or(|at| at == *cell));
+            let ask = match asked.or(waits.first()) {
+                Some(&(cell, from, to)) => Question::Wait {
+                    agent: agent(),
+                    at: Some(cell),
+                    from: Some(from),
+                    to: Some(to),
+                    at_least: None,
+                },
+                None => Question::Arrival { agent: agent() },
+            };
+            let so = so::waiting(instance, walk);
+            misfit(
+                format!("{name} does not wait{place}{time}{long}. {so}"),
+                Some(ask),
+            )
+        }
+        Question::Charge { at, time, .. } => {
+            let place = at.map_or(String::new(), |at| format!(" at {at}"));
+            let when = time.map_or(String::new(), |time| format!(" at time {time}"));
+            let ask = match (walk.charges.first(), at) {
+                (Some(&charge), _) => Some(Question::Charge {
+                    agent: agent(),
+                    at: walk.at(charge as usize),
+                    time: Some(charge),
+                }),
+                (None, Some(at)) => Some(Question::NoCharge { agent: agent(), at }),
+                (None, None) => None,
+            };
+            let so = so::charging(walk);
+            misfit(format!("{name} does not charge{place}{when}. {so}"), ask)
+        }
+        Question::NoCharge { at, .. } => {
+            let ask = Question::Charge {
+                agent: agent(),
+                at: Some(at),
+                time: None,
+            };
+            let so = so::charging(walk);
+            misfit(format!("{name} does charge at {at}. {so}"), Some(ask))
+        }
+        Question::Visit { at, time, .. } => {
+            let visit = first_visit(walk, at);
+            let is_so = match (time, visit) {
+                (Some(time), Some(_)) => format!(
+                    "{name} is not at {at} at time {time}. {}",
+                    so::whereabouts(instance, walk, time)
+                ),
+                _ => format!("{name} never passes {at}."),
+            };
+            let ask = if visit.is_some() {
+                Some(Question::Visit {
+                    agent: agent(),
+                    at,
+                    time: None,
+                })
+            } else if instance.grid().is_vertex(at) {
+                let agent = Some(agent());
+                Some(Question::NoVisit { agent, at })
+            } else {
+                None
+            };
+            misfit(is_so, ask)
+        }
+        Question::NoVisit { at, .. } => {
+            let time = first_visit(walk, at).unwrap_or(0);
+            let ask = Question::Visit {
+                agent: agent(),
+                at,
+                time: None,
+            };
+            misfit(format!("{name} does pass {at}, at time {time}."), Some(ask))
+        }
+        Question::Move {
+            from_cell,
+            to_cell,
+            time,
+            ..
+        } => {
+            let ever = goes(instance, walk, from_cell, to_cell, None);
+            let when = time.map_or(String::new(), |time| format!(" at time {time}"));
+            let so = so::going(instance, walk, from_cell, to_cell);
+            let agent = agent();
+            let ask = if ever {
+                Question::Move {
+                    agent,
+                    from_cell,
+                    to_cell,
+                    time: None,
+                }
+            } else {
+                Question::NoMove {
+                    agent,
+                    from_cell,
+                    to_cell,
+                    time,
+                }
+            };
+            misfit(
+                format!("{name} does not go from {from_cell} to {to_cell}{when}. {so}"),
+                Some(ask),
+            )
+        }
+        Question::NoMove {
+            from_cell,
+            to_cell,
+            time,
+            ..
+        } => {
+            let so = so::going(instance, walk, from_cell, to_cell);
+            let ask = Question::Move {
+                agent: agent(),
+                from_cell,
+                to_cell,
+                time,
+            };
+            misfit(format!("{name} does go that way. {so}"), Some(ask))
+        }
+        Question::Slow {
+            from_cell, to_cell, ..
+        } => {
+            let so = so::slowly(instance, walk);
+            let over = match (from_cell, to_cell) {
+                (Some(u), Some(v)) => format!(" over {u} - {v}"),
+                _ => String::new(),
+            };
+            let ask = (so != "It makes no slow move.").then(|| Question::Slow {
+                agent: agent(),
+                from_cell: None,
+                to_cell: None,
+            });
+            let so = if ask.is_some() { so } else { String::new() };
+            let is_so = format!("{name} makes no slow move{over}. {so}");
+            misfit(is_so.trim_end().to_owned(), ask)
+        }
+        Question::Order { first, second, .. } => {
+            let is_so = match (first_visit(walk, first), first_visit(walk, second)) {
+                (Some(first), Some(second)) if first < second => return Ok(()),
+                (Some(p), Some(q)) => {
+                    format!("{name} visits {second} first, at time {q}, and {first} at time {p}.")
+                }
+                (None, _) => format!("{name} never visits {first}."),
+                (_, None) => format!("{name} never visits {second}."),
+            };
+            let both = first_visit(walk, first).and(first_visit(walk, second));
+            let ask = both.map(|_| Question::Order {
+                agent: agent(),
+                first: second,
+                second: first,
+            });
+            misfit(is_so, ask)
+        }
+        Question::Length { .. } => {
+            let moves = moves(instance, walk);
+            let ask = Question::Length {
+                agent: agent(),
+                fewer_than: None,
+            };
+            misfit(format!("{name} makes only {moves} moves."), Some(ask))
+        }
+        _ => Ok(()),
+    }
+}

@@ -1,0 +1,124 @@
+//! What an agent does in a plan, as parts of sentences.
+
+use super::holds::{first_visit, turns};
+use crate::check::{Step, Walk, steps};
+use crate::{Cell, Instance};
+
+/// Things that a sentence lists before it says how many there are more.
+const LISTED: usize = 4;
+
+/// Some things as a list: `a, b and c`.
+pub(super) fn list(things: &[String]) -> String {
+    match things {
+        [] => String::new(),
+        [one] => one.clone(),
+        [init @ .., last] if things.len() <= LISTED => format!("{} and {last}", init.join(", ")),
+        _ => {
+            let shown = things.get(..LISTED - 1).unwrap_or(things);
+            format!(
+                "{} and {} more",
+                shown.join(", "),
+                things.len() - shown.len()
+            )
+        }
+    }
+}
+
+/// Whole stays of an agent at a cell before its arrival: cell, first time at
+/// it, last time at it.
+pub(super) fn waits(instance: &Instance, walk: &Walk<'_>) -> Vec<(Cell, u32, u32)> {
+    let mut waits: Vec<(Cell, u32, u32)> = Vec::new();
+    for (time, step) in steps(instance.grid(), walk.path) {
+        let (time, Some(cell)) = (time as u32, walk.at(time)) else {
+            continue;
+        };
+        if step != Step::Wait {
+            continue;
+        }
+        match waits.last_mut() {
+            Some((at, _, until)) if *at == cell && *until == time => *until = time + 1,
+            _ => waits.push((cell, time, time + 1)),
+        }
+    }
+    waits
+}
+
+/// Where and when it waits, as a sentence.
+pub(super) fn waiting(instance: &Instance, walk: &Walk<'_>) -> String {
+    let waits: Vec<String> = waits(instance, walk)
+        .into_iter()
+        .map(|(cell, from, to)| format!("at {cell} from time {from} to {to}"))
+        .collect();
+    if waits.is_empty() {
+        return "It never waits before its arrival.".to_owned();
+    }
+    format!("It waits {}.", list(&waits))
+}
+
+/// Where and when it charges, as a sentence.
+pub(super) fn charging(walk: &Walk<'_>) -> String {
+    let charges: Vec<String> = walk
+        .charges
+        .iter()
+        .filter_map(|&time| Some(format!("at {} at time {time}", walk.at(time as usize)?)))
+        .collect();
+    if walk.agent.battery.is_none() {
+        return "It has no battery.".to_owned();
+    }
+    if charges.is_empty() {
+        return "It never charges.".to_owned();
+    }
+    format!("It charges {}.", list(&charges))
+}
+
+/// Where it is at a time, as a sentence.
+pub(super) fn whereabouts(instance: &Instance, walk: &Walk<'_>, time: u32) -> String {
+    let arrival = walk.arrival();
+    match walk.at(time as usize) {
+        Some(cell) => format!("At time {time} it is at {cell}."),
+        None if time as usize <= arrival => format!("At time {time} it is in transit."),
+        None if instance.stays() => {
+            format!("It has arrived at {} at time {arrival}.", walk.agent.goal)
+        }
+        None => format!("It arrived at time {arrival} and is gone since."),
+    }
+}
+
+/// When it goes over an edge, or where else it goes from there, as a sentence.
+pub(super) fn going(instance: &Instance, walk: &Walk<'_>, from: Cell, to: Cell) -> String {
+    let name = |(time, _, to): &(u32, Cell, Cell)| format!("to {to} at time {time}");
+    let leaves: Vec<_> = turns(instance, walk)
+        .into_iter()
+        .filter(|&(_, u, _)| u == from)
+        .collect();
+    let there: Vec<String> = leaves
+        .iter()
+        .filter(|&&(_, _, v)| v == to)
+        .map(name)
+        .collect();
+    if !there.is_empty() {
+        return format!("It goes from {from} {}.", list(&there));
+    }
+    if !leaves.is_empty() {
+        let leaves: Vec<String> = leaves.iter().map(name).collect();
+        return format!("It goes from {from} {}.", list(&leaves));
+    }
+    match first_visit(walk, from) {
+        Some(_) => format!("It is at {from}, its goal, to the end."),
+        None => format!("It is never at {from}."),
+    }
+}
+
+/// Its slow moves, as a sentence.
+pub(super) fn slowly(instance: &Instance, walk: &Walk<'_>) -> String {
+    let moves: Vec<String> = steps(instance.grid(), walk.path)
+        .filter_map(|(time, step)| match step {
+            Step::SlowMove { from, to } => Some(format!("from {from} to {to} at time {time}")),
+            _ => None,
+        })
+        .collect();
+    if moves.is_empty() {
+        return "It makes no slow move.".to_owned();
+    }
+    format!("It moves slowly {}.", list(&moves))
+}
