@@ -54,7 +54,7 @@ mod tests {
         let scenes = files.filter(|file| {
             let name = file.as_ref().unwrap().file_name();
             let name = name.to_string_lossy().into_owned();
-            name.ends_with(".json") && name != "index.json"
+            name.rsplit('.').next() == Some("json") && name != "index.json"
         });
         assert_eq!(scenes.count(), examples.len(), "each is listed");
     }

@@ -5,6 +5,14 @@
 //! waits, or knows that there is a browser: the page (`web/`) shows the state,
 //! sends actions, and runs what [`State::work`] says should run.
 
+#![cfg_attr(
+    test,
+    allow(
+        clippy::float_cmp,
+        reason = "what is drawn is compared with what is exact in binary"
+    )
+)]
+
 mod action;
 mod answer;
 pub mod board;

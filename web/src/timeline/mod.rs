@@ -23,8 +23,6 @@ use tabs::Tabs;
 use transport::Transport;
 use wait::Wait;
 
-/// Lanes are lower from this many agents on.
-const DENSE_FROM: usize = 4;
 /// Windows lower than this, in pixels, begin with the plan table closed, so
 /// that the board keeps its room.
 const LOW_WINDOW: f64 = 800.0;

@@ -9,7 +9,6 @@ use wasm_bindgen::closure::Closure;
 use web_sys::{Element, HtmlElement, ResizeObserver};
 use yew::prelude::*;
 
-use super::DENSE_FROM;
 use super::head::{Moved, use_head};
 use super::lane::LaneRow;
 use super::plan_table::PlanTable;
@@ -37,19 +36,13 @@ pub(super) fn Plan(props: &PlanProps) -> Html {
         table::lanes(answer).collect::<Vec<Lane>>()
     });
     let lanes = Same::new(lanes);
-    let row = if lanes.len() < DENSE_FROM {
-        Row::WIDE
-    } else {
-        Row::DENSE
-    };
+    let batteries = lanes.iter().filter(|lane| lane.capacity.is_some()).count();
+    let row = Row::of(lanes.len(), batteries);
     let extent = Extent {
         last: answer.makespan(),
         lanes: lanes.len(),
         lane: row.height,
-        rows: lanes
-            .iter()
-            .map(|lane| 1 + usize::from(lane.capacity.is_some()))
-            .sum(),
+        rows: lanes.len() + batteries,
         least: table::least_column(answer),
     };
     let (lanes_ref, table_ref) = (use_node_ref(), use_node_ref());
@@ -130,7 +123,7 @@ pub(super) fn Plan(props: &PlanProps) -> Html {
     };
     html! {
         <>
-            <div class={classes!("lanes", (row == Row::DENSE).then_some("dense"), gutter)} id="lanes" ref={lanes_ref.clone()}
+            <div class={classes!("lanes", row.class(), gutter)} id="lanes" ref={lanes_ref.clone()}
                 onscroll={scrolled(&lanes_ref, &table_ref)}>
                 <div class="rows">
                     <Ruler {axis} columns={seen.columns.clone()} {time} thumb={moved.thumb.clone()} send={send.clone()} />

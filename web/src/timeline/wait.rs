@@ -5,8 +5,6 @@ use giveway_page::{Run, words};
 use gloo::timers::callback::Interval;
 use yew::prelude::*;
 
-use super::DENSE_FROM;
-
 #[derive(Clone, PartialEq, Properties)]
 pub(super) struct WaitProps {
     pub run: Run,
@@ -128,11 +126,7 @@ fn Room(props: &RoomProps) -> Html {
         batteries,
         table,
     } = props;
-    let row = if *agents < DENSE_FROM {
-        Row::WIDE
-    } else {
-        Row::DENSE
-    };
+    let row = Row::of(*agents, *batteries);
     let lanes = 24.0 + *agents as f64 * row.height;
     let rows = (agents + batteries) * 22 + 5;
     html! {

@@ -20,6 +20,9 @@ pub struct Row {
     pub tall: f64,
 }
 
+/// Lanes are lower from this many agents on.
+const DENSE_FROM: usize = 4;
+
 impl Row {
     /// Room for a few agents.
     pub const WIDE: Self = Self {
@@ -37,6 +40,33 @@ impl Row {
         level: 21.0,
         tall: 11.0,
     };
+
+    /// Where nobody has a battery.
+    pub const BARE: Self = Self {
+        height: 32.0,
+        bar: 10.0,
+        thick: 12.0,
+        level: 22.0,
+        tall: 0.0,
+    };
+
+    /// Of so many agents, so many of them with a battery.
+    pub const fn of(agents: usize, batteries: usize) -> Self {
+        match (agents, batteries) {
+            (_, 0) => Self::BARE,
+            (..DENSE_FROM, _) => Self::WIDE,
+            _ => Self::DENSE,
+        }
+    }
+
+    /// The class of its lanes in the style sheet.
+    pub fn class(&self) -> Option<&'static str> {
+        match self {
+            row if *row == Self::BARE => Some("bare"),
+            row if *row == Self::DENSE => Some("dense"),
+            _ => None,
+        }
+    }
 
     /// The middle of the bars.
     pub const fn middle(&self) -> f64 {
