@@ -1,18 +1,25 @@
 // The playground as a person finds it: by roles and names, never by classes.
 
+import { eventually } from "./wait.mjs";
+
 /** The page's places and the things a person does there. */
 export class Playground {
-  constructor(page) {
+  /**
+   * @param page of the browser
+   * @param pathOf where the picture of a title goes
+   */
+  constructor(page, pathOf) {
     this.page = page;
+    this.pathOf = pathOf;
     this.board = page.getByRole("grid", { name: "Board" });
+    this.sceneName = page.getByRole("heading", { level: 1 });
     this.status = page.getByRole("status");
-    this.solveButton = page.getByRole("button", { name: "Solve", exact: true });
-    this.cancelButton = page.getByRole("button", { name: "Cancel", exact: true });
-    this.playButton = page.getByRole("button", { name: "Play", exact: true });
-    this.pauseButton = page.getByRole("button", { name: "Pause", exact: true });
+    this.notice = page.getByRole("alert");
     this.time = page.getByRole("slider", { name: "Time" });
     this.plan = page.getByRole("table", { name: "Plan" });
     this.tools = page.getByRole("toolbar", { name: "Tools" });
+    this.inspector = page.getByRole("complementary", { name: "Inspector" });
+    this.settings = page.getByRole("group", { name: "Settings" });
   }
 
   /** Opens the address and waits until the application has taken the page over. */
@@ -30,5 +37,176 @@ export class Playground {
   async kept() {
     await this.page.evaluate(() => navigator.serviceWorker.ready.then(() => undefined));
     await this.page.waitForFunction(() => navigator.serviceWorker.controller !== null);
+  }
+
+  /** Leaves a picture of the page as it is. */
+  picture(title) {
+    return this.page.screenshot({ path: this.pathOf(title) });
+  }
+
+  button(name) {
+    return this.page.getByRole("button", { name, exact: true });
+  }
+
+  /** Presses the button of this name. */
+  press(name) {
+    return this.button(name).click();
+  }
+
+  /** Presses a key where the focus is. */
+  key(...keys) {
+    return keys.reduce((before, key) => before.then(() => this.page.keyboard.press(key)), Promise.resolve());
+  }
+
+  /** Waits for a sentence of the status, and gives it. */
+  says(pattern) {
+    return eventually(`the status to say ${pattern}`, () => this.status.textContent(), (text) => pattern.test(text));
+  }
+
+  /** Waits for a sentence in the notice, and gives all of it. */
+  warns(pattern) {
+    return eventually(`a notice of ${pattern}`, () => this.notice.innerText(), (text) => pattern.test(text));
+  }
+
+  /** Waits until the scene of this name is on the board. */
+  shows(name) {
+    return eventually(`the scene ${name}`, () => this.sceneName.innerText(), (text) => text.startsWith(name));
+  }
+
+  /** The time shown, in steps. */
+  async now() {
+    return Number(await this.time.getAttribute("aria-valuenow"));
+  }
+
+  /** Waits until this time is shown, or one that is accepted. */
+  reaches(time, accept = (now) => now === time) {
+    return eventually(`time ${time}`, () => this.now(), accept);
+  }
+
+  /** Stops playing, and gives the time where it stands still. */
+  async pause() {
+    await this.press("Pause");
+    await this.button("Play").waitFor();
+    // It goes on to the end of its step.
+    let before = -1;
+    return eventually("the time to stand still", () => this.#afterFrames(), (now) => {
+      const stands = now === before;
+      before = now;
+      return stands;
+    });
+  }
+
+  async #afterFrames() {
+    await this.page.evaluate(() => new Promise((resolve) => {
+      requestAnimationFrame(() => requestAnimationFrame(resolve));
+    }));
+    return this.now();
+  }
+
+  /** A cell of the board, by column and row. */
+  cell(x, y) {
+    return this.page.getByRole("gridcell", { name: new RegExp(`^${x}, ${y}: `) });
+  }
+
+  /** What is on a cell, in words. */
+  async onCell(x, y) {
+    const name = await this.cell(x, y).getAttribute("aria-label");
+    return name.slice(name.indexOf(": ") + 2);
+  }
+
+  /** Waits until a cell tells this of itself. */
+  cellTells(x, y, pattern) {
+    return eventually(`cell ${x}, ${y} to be ${pattern}`, () => this.onCell(x, y), (words) => pattern.test(words));
+  }
+
+  /** The middle of a cell on the screen, in pixels. */
+  async middleOf(x, y) {
+    const box = await this.cell(x, y).boundingBox();
+    return { x: box.x + box.width / 2, y: box.y + box.height / 2 };
+  }
+
+  /** Picks a tool. */
+  pick(tool) {
+    return this.tools.getByRole("button", { name: tool, exact: true }).click();
+  }
+
+  /** Draws with the mouse through the middles of cells, in one stroke. */
+  async stroke(...cells) {
+    const [first, ...rest] = await Promise.all(cells.map(([x, y]) => this.middleOf(x, y)));
+    const { mouse } = this.page;
+    await mouse.move(first.x, first.y);
+    await mouse.down();
+    for (const { x, y } of rest) {
+      await mouse.move(x, y, { steps: 4 });
+    }
+    await mouse.up();
+  }
+
+  /** The rows of the plan table: its cells' texts, the name first. */
+  async planRows() {
+    await this.showTab("Plan");
+    const rows = this.plan.getByRole("row");
+    const texts = await rows.evaluateAll((all) => all.map((row) => [...row.cells].map((cell) => cell.innerText.trim())));
+    await this.showTab("Timeline");
+    return texts;
+  }
+
+  /** Whether the page has the form of a phone. */
+  isPhone() {
+    return this.page.viewportSize().width <= 720;
+  }
+
+  /** Shows one of the places that a phone has in turn. */
+  async showTab(name) {
+    if (this.isPhone()) {
+      await this.page.getByRole("tab", { name, exact: true }).click();
+    }
+  }
+
+  /** Presses what is in the top bar, or in the menu of a phone. */
+  async act(name) {
+    if (this.isPhone()) {
+      await this.press("More");
+    }
+    await this.press(name);
+  }
+
+  async openSettings() {
+    if (this.isPhone()) {
+      await this.act("Settings");
+    } else {
+      await this.page.getByRole("button", { name: /^Settings: / }).click();
+    }
+    await this.settings.waitFor();
+  }
+
+  async closeSettings() {
+    await this.settings.getByRole("button", { name: "Close", exact: true }).click();
+    await this.settings.waitFor({ state: "detached" });
+  }
+
+  /** Types a number into a field of the settings. */
+  async set(label, value) {
+    const field = this.settings.getByLabel(label, { exact: true });
+    await field.fill(String(value));
+    await field.press("Tab");
+  }
+
+  /** Chooses files in the dialog of `Open`: paths, or names with their bytes. */
+  async open(...files) {
+    const chooser = this.page.waitForEvent("filechooser");
+    await this.act("Open");
+    const chosen = files.map((file) => typeof file === "string"
+      ? file
+      : { name: file.name, mimeType: "application/octet-stream", buffer: Buffer.from(file.bytes) });
+    await (await chooser).setFiles(chosen);
+  }
+
+  /** Opens an example by its title; it is solved at once. */
+  async example(title) {
+    await this.act("Examples");
+    const dialog = this.page.getByRole("dialog", { name: "Examples" });
+    await dialog.getByRole("button", { name: title }).click();
+    await dialog.waitFor({ state: "detached" });
   }
 }

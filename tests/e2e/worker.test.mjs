@@ -1,0 +1,71 @@
+// A worker that does not start, or breaks off: it is told, and mended.
+
+import assert from "node:assert/strict";
+import { describe } from "node:test";
+
+import { flows } from "./flow.mjs";
+
+const OPENING = /^Optimal: makespan 18/;
+const LOADER = "**/worker-*/worker_loader.js";
+const SCRIPT = "**/worker-*/worker.js";
+const WASM = "**/worker-*/worker_bg.wasm";
+
+describe("a broken worker", () => {
+  const flow = flows();
+  const screens = ["desktop"];
+
+  const garbage = (contentType) => (route) => route.fulfill({ body: "this is none", contentType });
+  for (const [what, path, answer] of [
+    ["no script", LOADER, garbage("text/javascript")],
+    ["no WebAssembly", WASM, garbage("application/wasm")],
+    ["not there", LOADER, (route) => route.fulfill({ status: 404 })],
+    ["without its WebAssembly", WASM, (route) => route.abort()],
+  ]) {
+    flow(`that is ${what} is told, and tried again`, async (playground, { context }) => {
+      await playground.warns(/The solver could not be started; Solve tries it again\./);
+      await playground.says(/^No plan yet\.$/);
+      await playground.shows("warehouse");
+      await playground.picture("worker-broken");
+      await context.unroute(path);
+      await playground.press("Solve");
+      await playground.says(OPENING);
+      await playground.warns(/^\s*$/);
+    }, { screens, complains: true, before: (context) => context.route(path, answer) });
+  }
+
+  flow("that breaks off is replaced, and the scene stays", async (playground, { context, page }) => {
+    await playground.says(OPENING);
+    // The next one answers its first request with an exception.
+    await context.route(SCRIPT, async (route) => {
+      const response = await route.fetch();
+      const body = `${await response.text()}\n;self.addEventListener("message", () => { throw new Error("out of order"); });`;
+      await route.fulfill({ response, body });
+    });
+    await playground.example("Thirty robots");
+    await playground.button("Cancel").waitFor();
+    const broken = page.waitForEvent("worker");
+    await playground.press("Cancel");
+    await broken;
+    await playground.press("Solve");
+    await playground.warns(/The solver broke off and was started again; the scene is as it was\..*out of order/s);
+    await playground.shows("A17");
+    await context.unroute(SCRIPT);
+    await playground.press("Solve");
+    // The worker that was started in place of it was broken, too.
+    await playground.says(/^No plan yet\.$|^Solving/);
+    await playground.example("Who waits?");
+    await playground.says(/^Optimal: /);
+  }, { screens, complains: true });
+
+  flow("of which there are many is only one at last", async (playground, { page }) => {
+    for (let times = 0; times < 3; times += 1) {
+      await playground.example("Thirty robots");
+      await playground.button("Cancel").waitFor();
+      await playground.press("Cancel");
+      await playground.button("Solve").waitFor();
+    }
+    await playground.example("Who waits?");
+    await playground.says(/^Optimal: /);
+    assert.equal(page.workers().length, 1, "a worker was left behind");
+  }, { screens });
+});
