@@ -4,8 +4,9 @@
 //    files: so no cache can mix two versions.
 // 2. The policy loses the nonce, which only `trunk serve` needs.
 // 3. The service worker gets the list of files.
+// 4. The worker's loader tells the page when the worker cannot start.
 //
-// While `trunk serve` runs, nothing of this is done, so that nothing old is ever shown.
+// While `trunk serve` runs, only the last is done, so that nothing old is ever shown.
 
 import { createHash } from "node:crypto";
 import { mkdirSync, readFileSync, readdirSync, renameSync, writeFileSync } from "node:fs";
@@ -21,6 +22,7 @@ if (!source || !built) {
   fail("found no TRUNK_SOURCE_DIR and TRUNK_STAGING_DIR, expected to be called by Trunk");
 }
 
+writeLoader();
 const isServed = readFileSync(join(built, PAGE), "utf8").includes("__TRUNK_ADDRESS__");
 if (!isServed) {
   const folder = moveWorker();
@@ -43,6 +45,14 @@ function hash(contents) {
 
 function read(name) {
   return readFileSync(join(built, name));
+}
+
+// Instead of Trunk's own: a promise that is rejected in a worker is told to nobody, while
+// an exception there is an event of the page.
+function writeLoader() {
+  const [loader, script, wasm] = WORKER;
+  const start = `wasm_bindgen({ module_or_path: "./${wasm}" }).catch(reportError);`;
+  writeFileSync(join(built, loader), `importScripts("./${script}");\n${start}\n`);
 }
 
 // The loader names the other two relative to itself, so they move together.

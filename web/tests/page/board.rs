@@ -1,0 +1,72 @@
+//! The board: roles, names, keys, motion.
+
+use giveway_model::Cell;
+use giveway_page::{Action, Tool, reduce};
+use wasm_bindgen_test::wasm_bindgen_test;
+
+use crate::stage::{Stage, drafted, press, solved, until};
+
+#[wasm_bindgen_test]
+async fn a_grid_of_named_cells() {
+    let stage = Stage::of(solved()).await;
+    let board = stage.find("[role=grid][aria-label=Board]").await;
+    assert_eq!(board.get_attribute("aria-rowcount").as_deref(), Some("3"));
+    assert_eq!(board.get_attribute("aria-colcount").as_deref(), Some("10"));
+    let names = stage.all("[role=gridcell]", "aria-label");
+    assert_eq!(names.len(), 30);
+    for name in [
+        "0, 0: start of A1, goal of A2",
+        "1, 1: obstacle",
+        "3, 2: charger",
+        "4, 0: slow zone",
+        "9, 1: free",
+    ] {
+        assert!(names.iter().any(|found| found == name), "{name}: {names:?}");
+    }
+}
+
+#[wasm_bindgen_test]
+async fn keys_go_to_a_cell_and_apply_the_tool() {
+    let state = reduce(&solved(), Action::PickTool(Tool::Obstacle));
+    let stage = Stage::of(reduce(&state, Action::MoveCursor(Cell::new(3, 1)))).await;
+    let board = stage.find("[role=grid]").await;
+    press(&board, "ArrowRight");
+    press(&board, "Enter");
+    let at = Cell::new(3, 1);
+    let expect = [
+        Action::MoveCursor(Cell::new(4, 1)),
+        Action::Press(at),
+        Action::Release,
+    ];
+    assert_eq!(stage.sent(), expect);
+}
+
+#[wasm_bindgen_test]
+async fn agents_move_evenly_with_the_clock() {
+    let state = solved();
+    let stage = Stage::of(state.clone()).await;
+    let places = || stage.all(".agent", "transform");
+    until("the agents", || places().len() == 2).await;
+    let at_start = places();
+    stage.clock.follow(state.playback, state.last_time());
+    // Between two cells, which are 100 units apart.
+    until("an agent between two cells", || {
+        let now = places();
+        now != at_start && now.iter().any(|place| !place.contains("50.0 "))
+    })
+    .await;
+}
+
+#[wasm_bindgen_test]
+async fn a_name_is_text_whatever_it_is() {
+    let scene = r#"{"giveway": 1, "map": ["..."], "agents":
+        [{"name": "<b>x</b>", "start": [0, 0], "goal": [2, 0]}]}"#;
+    let stage = Stage::of(drafted(scene)).await;
+    let names = stage.all("[role=gridcell]", "aria-label");
+    assert_eq!(names[0], "0, 0: start of <b>x</b>");
+    let inspector = stage.find("[aria-label=Inspector]").await;
+    let text = inspector.text_content().unwrap_or_default();
+    assert!(text.contains("<b>x</b>"), "{text}");
+    let inside = stage.place.query_selector("b b");
+    assert_eq!(inside, Ok(None));
+}
