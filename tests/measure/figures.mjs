@@ -1,0 +1,162 @@
+// The figures of the page, each with what it should be.
+
+import { join } from "node:path";
+
+import { launch, open } from "../e2e/browser.mjs";
+import { root } from "../e2e/dist.mjs";
+import { Playground } from "../e2e/page.mjs";
+import { eventually } from "../e2e/wait.mjs";
+import { MAIN_THREAD, Tab, WORKER_THREAD } from "./process.mjs";
+import { frames, untilBound, watch } from "./watch.mjs";
+
+/** A sharp figure of a machine that does other things too: the middle one of so many. */
+const TIMES = 5;
+/** How long playing is watched, in seconds. */
+const PLAYING = 5;
+/** How long solving is watched, in seconds. */
+const SOLVING = 8;
+const SOLVED = /^Optimal: /;
+
+/** All figures of the page at an address, one after the other. */
+export async function* figures(url) {
+  yield* await opening(url);
+  yield* await playing(url);
+  yield* await solving(url);
+  yield await firstBound(url);
+  yield await hardScene(url);
+  yield await largest(url);
+}
+
+/** A browser of its own for every figure, so that nothing is warm but what should be. */
+async function inPage(url, act) {
+  const browser = await launch();
+  try {
+    const { context, page } = await open(browser, { serviceWorkers: "block" });
+    await context.addInitScript(watch);
+    const playground = new Playground(page);
+    await playground.goto(url);
+    return await act(playground, browser);
+  } finally {
+    await browser.close();
+  }
+}
+
+async function opening(url) {
+  const paints = [];
+  const moves = [];
+  for (let time = 0; time < TIMES; time += 1) {
+    await inPage(url, async ({ page }) => {
+      moves.push(await eventually("an agent to move", () => page.evaluate(() => window.seen.moving)));
+      paints.push(await page.evaluate(() => performance.getEntriesByName("first-contentful-paint")[0].startTime));
+    });
+  }
+  return [
+    figure("first paint, nothing cached", middle(paints), "ms", { most: 500 }),
+    figure("until the solved example moves", middle(moves), "ms", { most: 1500 }),
+  ];
+}
+
+/** 30 agents on 32 x 32 cells. */
+function playing(url) {
+  return inPage(url, async (playground, browser) => {
+    await playground.example("Random map");
+    await playground.says(SOLVED);
+    await playground.reaches("2 or later", (now) => now >= 2);
+    const tab = await Tab.of(browser);
+    const cpu = tab.cpuSeconds(MAIN_THREAD);
+    const times = await playground.page.evaluate(frames, PLAYING);
+    const busy = tab.cpuSeconds(MAIN_THREAD) - cpu;
+    const count = times.length - 1;
+    const seconds = (times.at(-1) - times[0]) / 1000;
+    return [
+      figure("frames per second, 30 agents playing on 32 x 32 cells", count / seconds, "", { least: 58 }),
+      figure("main thread per frame of these", (busy * 1000) / count, "ms of CPU", { most: 1000 / 60, digits: 1 }),
+    ];
+  });
+}
+
+function solving(url) {
+  return inPage(url, async (playground) => {
+    await playground.says(SOLVED);
+    await playground.example("Thirty robots");
+    await playground.button("Cancel").waitFor();
+    const from = await playground.page.evaluate(() => performance.now());
+    await playground.says(/is at least/);
+    await playground.page.evaluate(frames, SOLVING);
+    const begin = performance.now();
+    await playground.press("Cancel");
+    await playground.button("Solve").waitFor();
+    const cancelled = performance.now() - begin;
+    const tasks = await playground.page.evaluate((from) => window.seen.longTasks.filter(({ startTime }) => startTime >= from), from);
+    const longest = Math.max(0, ...tasks.map(({ duration }) => duration));
+    return [
+      figure("longest task of the main thread while 30 agents are solved", longest, "ms", { most: 50, below: 50 }),
+      figure("from Cancel until the page is ready for the next solve", cancelled, "ms", { most: 200 }),
+    ];
+  });
+}
+
+function firstBound(url) {
+  return inPage(url, async (playground) => {
+    await playground.says(SOLVED);
+    await playground.open(join(root, "tests/data/mmapf/A05_mm_10x10_o10_a10.json"));
+    await playground.says(/^No plan yet/);
+    const times = [];
+    for (let time = 0; time < TIMES; time += 1) {
+      times.push(await playground.page.evaluate(untilBound));
+      await playground.says(SOLVED);
+    }
+    return figure("from Solve to the first bound, 10 agents (A05), warm", middle(times), "ms", { most: 200 });
+  });
+}
+
+function hardScene(url) {
+  return inPage(url, async (playground, browser) => {
+    await playground.says(SOLVED);
+    await playground.open(join(root, "tests/data/mmapf/A05_mm_10x10_o10_a10.json"));
+    await playground.says(/^No plan yet/);
+    const tab = await Tab.of(browser);
+    const times = [];
+    for (let time = 0; time < TIMES; time += 1) {
+      const before = tab.cpuSeconds(WORKER_THREAD);
+      await playground.press("Solve");
+      await playground.button("Cancel").waitFor();
+      await playground.says(/^Optimal: makespan 31, sum of costs 254, 10 charges\.$/);
+      times.push(tab.cpuSeconds(WORKER_THREAD) - before);
+    }
+    return figure("A05 proved in the worker", middle(times), "s of CPU", { most: 1, digits: 2 });
+  });
+}
+
+/** The largest scene that the page takes. */
+function largest(url) {
+  const side = 256;
+  const count = 1000;
+  const row = ".".repeat(side);
+  const at = (place) => [(place * 37) % side, Math.floor(place / 4) % side];
+  const agents = Array.from({ length: count }, (_, n) => ({ name: `R${n}`, start: at(n), goal: at(count - 1 - n + 8) }));
+  const scene = { giveway: 1, name: "largest", map: Array.from({ length: side }, () => row), agents };
+  return inPage(url, async (playground, browser) => {
+    await playground.says(SOLVED);
+    await playground.open({ name: "largest.json", bytes: JSON.stringify(scene) });
+    await playground.shows("largest");
+    await playground.press("Solve");
+    await playground.button("Cancel").waitFor();
+    const tab = await Tab.of(browser);
+    let most = 0;
+    await eventually("the end of the solve", () => {
+      most = Math.max(most, tab.bytes());
+      return playground.button("Solve").isVisible();
+    }, Boolean, 120_000);
+    most = Math.max(most, tab.bytes());
+    return figure("memory of the tab at most, 1000 agents on 256 x 256 cells, opened and solved for 30 s", most / 1e6, "MB", { most: 600 });
+  });
+}
+
+function figure(what, value, unit, { digits = 0, ...target }) {
+  return { what, value, unit, digits, ...target };
+}
+
+function middle(values) {
+  return values.toSorted((a, b) => a - b)[Math.floor(values.length / 2)];
+}

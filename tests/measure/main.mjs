@@ -1,0 +1,60 @@
+// Measures the built page and writes docs/page.md: `./x measure`.
+
+import { writeFileSync } from "node:fs";
+import { cpus } from "node:os";
+import { join } from "node:path";
+
+import { launch } from "../e2e/browser.mjs";
+import { dist, root } from "../e2e/dist.mjs";
+import { serve } from "../e2e/server.mjs";
+import { figures } from "./figures.mjs";
+
+const host = await serve(dist);
+const rows = [];
+for await (const figure of figures(host.url)) {
+  rows.push(figure);
+  console.log(line(figure));
+}
+await host.close();
+writeFileSync(join(root, "docs/page.md"), await document(rows));
+console.log("written: docs/page.md");
+process.exitCode = rows.every(isMet) ? 0 : 1;
+
+function isMet({ value, most = Infinity, least = -Infinity }) {
+  return value <= most && value >= least;
+}
+
+function line(figure) {
+  return `${isMet(figure) ? "ok    " : "missed"}  ${figure.what}: ${told(figure)} (${target(figure)})`;
+}
+
+function told({ value, unit, digits, below }) {
+  // The browser tells nothing of what is shorter.
+  const number = below !== undefined && value === 0 ? `below ${below}` : value.toFixed(digits);
+  return `${number} ${unit}`.trim();
+}
+
+function target({ most, least, unit, digits }) {
+  const bound = most === undefined ? `at least ${least}` : `at most ${most.toFixed(digits)}`;
+  return `${bound} ${unit}`.trim();
+}
+
+async function document(rows) {
+  const browser = await launch();
+  const version = browser.version();
+  await browser.close();
+  const table = rows.map((row) => `| ${row.what} | ${told(row)} | ${target(row)} | ${isMet(row) ? "yes" : "**no**"} |`);
+  return `# How fast the page is
+
+\`./x measure\` builds the page, measures it as it is served to a person, and writes this file. Times are the middle
+ones of five; the page is opened in a fresh browser for each line. Frames are those of a browser without a graphics
+card, which draws everything on the processor. Processor time and memory are what the system says of the threads and
+the process of the tab.
+
+Chromium ${version}, ${cpus().length} x ${cpus()[0].model.trim()}.
+
+| what | measured | should be | met |
+|---|---:|---:|---|
+${table.join("\n")}
+`;
+}

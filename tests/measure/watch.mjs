@@ -1,0 +1,56 @@
+// What runs inside of the page to watch it: added before the page's own scripts.
+
+/** Notes when the page is first painted, when an agent first moves, and long tasks. */
+export function watch() {
+  const seen = { moving: undefined, longTasks: [] };
+  window.seen = seen;
+  new PerformanceObserver((list) => {
+    seen.longTasks.push(...list.getEntries().map(({ startTime, duration }) => ({ startTime, duration })));
+  }).observe({ type: "longtask", buffered: true });
+
+  const places = () => [...document.querySelectorAll(".agent")].map((agent) => agent.getAttribute("transform")).join();
+  let first;
+  const look = (now) => {
+    const found = places();
+    first ||= found;
+    if (found === first) {
+      requestAnimationFrame(look);
+    } else {
+      seen.moving = now;
+    }
+  };
+  requestAnimationFrame(look);
+}
+
+/** The time of every frame of some seconds, in milliseconds. */
+export function frames(seconds) {
+  return new Promise((resolve) => {
+    const times = [];
+    const note = (now) => {
+      times.push(now);
+      if (now - times[0] < seconds * 1000) {
+        requestAnimationFrame(note);
+      } else {
+        resolve(times);
+      }
+    };
+    requestAnimationFrame(note);
+  });
+}
+
+/** Milliseconds from a click on `Solve` until the page tells a bound. */
+export function untilBound() {
+  return new Promise((resolve) => {
+    const status = document.querySelector("[role=status]");
+    const begin = performance.now();
+    const observer = new MutationObserver(() => {
+      if (/ is at least /.test(status.textContent)) {
+        observer.disconnect();
+        requestAnimationFrame((now) => resolve(Math.max(now, performance.now()) - begin));
+      }
+    });
+    observer.observe(status, { childList: true, characterData: true, subtree: true });
+    const buttons = [...document.querySelectorAll("button")];
+    buttons.find((button) => button.textContent.trim() === "Solve").click();
+  });
+}
