@@ -69,6 +69,7 @@ export function flows() {
           await playground.picture(`failed-${name.replaceAll(/\W+/g, "-")}`).catch(() => undefined);
           throw error;
         } finally {
+          await context.unrouteAll({ behavior: "ignoreErrors" });
           await context.close();
         }
       });

@@ -15,12 +15,14 @@ pub(super) struct Attribute {
 }
 
 impl Attribute {
-    /// An attribute that is not set yet.
+    /// An attribute, as the element has it: it may be one that showed another
+    /// agent before.
     pub(super) fn new(element: Element, name: &'static str) -> Self {
+        let value = RefCell::new(element.get_attribute(name));
         Self {
             element,
             name,
-            value: RefCell::new(None),
+            value,
         }
     }
 

@@ -58,6 +58,27 @@ async fn agents_move_evenly_with_the_clock() {
 }
 
 #[wasm_bindgen_test]
+async fn an_agent_that_charged_does_so_no_longer_in_another_scene() {
+    let mut state = reduce(&solved(), Action::Pause);
+    let time = state.plan().map_or(0, |plan| plan.charges("A2")[0]);
+    state = reduce(&state, Action::Seek(time));
+    let mut stage = Stage::of(state.clone()).await;
+    stage.clock.follow(state.playback, state.last_time());
+    stage.find(".chbadge[data-on]").await;
+    let other = r#"{"giveway": 1, "map": ["..."], "agents":
+        [{"name": "A1", "start": [0, 0], "goal": [1, 0]}, {"name": "A2", "start": [2, 0], "goal": [2, 0]}]}"#;
+    stage.show(drafted(other));
+    until("the other scene", || {
+        stage.all("[role=gridcell]", "id").len() == 3
+    })
+    .await;
+    until("the end of charging", || {
+        stage.all(".chbadge[data-on]", "class").is_empty()
+    })
+    .await;
+}
+
+#[wasm_bindgen_test]
 async fn a_name_is_text_whatever_it_is() {
     let scene = r#"{"giveway": 1, "map": ["..."], "agents":
         [{"name": "<b>x</b>", "start": [0, 0], "goal": [2, 0]}]}"#;

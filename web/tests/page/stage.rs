@@ -60,6 +60,7 @@ fn Places(props: &StageProps) -> Html {
 pub(crate) struct Stage {
     pub(crate) place: Element,
     pub(crate) clock: Clock,
+    props: StageProps,
     sent: Rc<RefCell<Vec<Action>>>,
     app: Option<yew::AppHandle<Places>>,
 }
@@ -87,15 +88,25 @@ impl Stage {
             send,
             clock: clock.clone(),
         };
-        let app = yew::Renderer::<Places>::with_root_and_props(place.clone(), props).render();
+        let app =
+            yew::Renderer::<Places>::with_root_and_props(place.clone(), props.clone()).render();
         let stage = Self {
             place,
             clock,
+            props,
             sent,
             app: Some(app),
         };
         stage.find("[role=grid]").await;
         stage
+    }
+
+    /// Goes on to another state.
+    pub(crate) fn show(&mut self, state: State) {
+        self.props.state = Shown::new(state);
+        if let Some(app) = &mut self.app {
+            app.update(self.props.clone());
+        }
     }
 
     /// What was sent since the last time.
