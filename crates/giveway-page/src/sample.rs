@@ -3,7 +3,7 @@
 use std::rc::Rc;
 
 use giveway_model::format::native;
-use giveway_model::{Cell, Costs, Plan, Version};
+use giveway_model::{Cell, Costs, Objective, Plan, Version};
 use giveway_solve::{Response, SolveAnswer, Stats, Status};
 
 use crate::{Action, Answer, Draft, State, reduce};
@@ -46,6 +46,22 @@ fn plan() -> Plan {
     plan
 }
 
+/// A plan as it comes when it is proved optimal.
+pub(crate) fn proved(objective: &Objective, costs: Costs, plan: Plan) -> SolveAnswer {
+    let bounds = objective.costs().iter();
+    SolveAnswer {
+        giveway: Version,
+        status: Status::Optimal,
+        costs: Some(costs),
+        bounds: bounds.map(|&cost| (cost, costs.get(cost))).collect(),
+        within: None,
+        complete: true,
+        reason: None,
+        plan: Some(plan),
+        stats: Stats::default(),
+    }
+}
+
 /// The page after the warehouse was solved, playing.
 pub(crate) fn solved() -> State {
     let state = reduce(&State::new(draft()), Action::Solve);
@@ -57,22 +73,7 @@ pub(crate) fn solved() -> State {
         waits: 0,
     };
     let objective = state.draft.scene().objective.clone();
-    let solved = SolveAnswer {
-        giveway: Version,
-        status: Status::Optimal,
-        costs: Some(costs),
-        bounds: objective
-            .costs()
-            .iter()
-            .map(|&c| (c, costs.get(c)))
-            .collect(),
-        within: None,
-        complete: true,
-        reason: None,
-        plan: Some(plan()),
-        stats: Stats::default(),
-    };
-    let response = Box::new(Response::Solved(solved));
+    let response = Box::new(Response::Solved(proved(&objective, costs, plan())));
     reduce(&state, Action::Respond { run: 1, response })
 }
 

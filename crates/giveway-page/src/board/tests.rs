@@ -2,10 +2,11 @@
 
 use std::rc::Rc;
 
-use giveway_model::{Cell, Plan, Scene};
-use giveway_solve::{SolveAnswer, SolveRequest};
+use giveway_model::{Cell, Costs, Plan, Scene};
+use giveway_solve::SolveRequest;
 
 use super::*;
+use crate::sample::proved;
 use crate::{Action, Answer, Draft, Point, State, Tool, reduce};
 
 const SCENE: &str = r#"{
@@ -34,23 +35,14 @@ fn scene() -> State {
 fn planned() -> State {
     let mut state = scene();
     let plan: Plan = serde_json::from_str(PLAN).unwrap();
-    let solved: SolveAnswer = {
-        let request = SolveRequest {
-            scene: state.draft.scene().clone(),
-            ..SolveRequest::default()
-        };
-        let response = giveway_solve::serve(
-            &giveway_solve::Request::Solve(request),
-            &giveway_solve::SilentHost,
-        );
-        let giveway_solve::Response::Solved(solved) = response else {
-            panic!("not solved");
-        };
-        SolveAnswer {
-            plan: Some(plan),
-            ..solved
-        }
+    let costs = Costs {
+        makespan: 4,
+        sum_of_costs: 6,
+        moves: 4,
+        waits: 1,
+        ..Costs::default()
     };
+    let solved = proved(&state.draft.scene().objective, costs, plan);
     let request = Rc::new(SolveRequest::default());
     let draft = Rc::clone(&state.draft);
     state.answer = Some(Rc::new(Answer::new(draft, request, solved)));
