@@ -15,6 +15,7 @@
 
 mod action;
 mod answer;
+pub mod ask;
 pub mod board;
 mod draft;
 pub mod examples;

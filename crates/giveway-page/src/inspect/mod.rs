@@ -11,6 +11,6 @@ pub use cell::{CellFacts, Pass, cell};
 pub use whole::{CostFacts, Whole, contents, whole};
 
 /// A cell in a sentence: `(3,1)`.
-fn at(cell: Cell) -> String {
+pub(crate) fn at(cell: Cell) -> String {
     format!("({},{})", cell.x, cell.y)
 }

@@ -1,7 +1,9 @@
 //! What the page says, made apart from how it is known.
 
 mod costs;
+mod question;
 mod status;
 
 pub use costs::{count, name, objective, title, value};
+pub use question::question;
 pub use status::{Badge, Standing, standing};

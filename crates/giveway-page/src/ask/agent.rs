@@ -1,0 +1,190 @@
+//! Questions about an agent: this moment, and its way as a whole.
+
+use giveway_model::{Cell, Question};
+
+use super::{Group, Offer};
+use crate::Answer;
+use crate::timeline::{Lane, Step, Way};
+
+/// The most orders of waypoints that are offered.
+const ORDERS: usize = 2;
+
+pub(super) fn groups(answer: &Answer, agent: usize, time: u32) -> Vec<Group> {
+    let Some(lane) = Lane::of(answer, agent) else {
+        return Vec::new();
+    };
+    vec![
+        Group {
+            title: "Ask about this moment".to_owned(),
+            offers: moment(answer, &lane, time),
+        },
+        Group {
+            title: format!("Ask about {}", lane.name),
+            offers: whole(answer, &lane),
+        },
+    ]
+}
+
+fn moment(answer: &Answer, lane: &Lane, time: u32) -> Vec<Offer> {
+    let mut offers = Vec::new();
+    let Some(step) = lane.step_at(time) else {
+        return offers;
+    };
+    let agent = || lane.name.clone();
+    if step.way == Way::Wait {
+        let (from, to) = whole_wait(lane, step);
+        let wait = Question::Wait {
+            agent: agent(),
+            at: Some(step.from),
+            from: Some(from),
+            to: Some(to),
+            at_least: None,
+        };
+        offers.push(Offer::new("pause", wait).with(format!("from time {from} to {to}")));
+        offers.extend(gives_way(answer, lane, step));
+    }
+    if lane.charges.contains(&time) {
+        let charge = Question::Charge {
+            agent: agent(),
+            at: Some(step.from),
+            time: Some(time),
+        };
+        let left = lane.level_at(time).unwrap_or_default();
+        offers.push(Offer::new("charger", charge).with(format!("with {left} left")));
+    }
+    if step.way != Way::Wait {
+        let go = Question::Move {
+            agent: agent(),
+            from_cell: step.from,
+            to_cell: step.to,
+            time: Some(step.begins),
+        };
+        offers.push(Offer::new("question", go));
+    }
+    if step.way == Way::Slow {
+        let slow = Question::Slow {
+            agent: agent(),
+            from_cell: Some(step.from),
+            to_cell: Some(step.to),
+        };
+        offers.push(Offer::new("slow", slow));
+    }
+    offers
+}
+
+/// The wait that a step is part of: its first and its last time.
+fn whole_wait(lane: &Lane, step: &Step) -> (u32, u32) {
+    let is_same = |other: &&Step| other.way == Way::Wait && other.from == step.from;
+    let after = lane.steps.iter().filter(|s| s.begins >= step.begins);
+    let to = after
+        .take_while(is_same)
+        .last()
+        .map_or(step.ends, |s| s.ends);
+    let before = lane.steps.iter().rev().filter(|s| s.begins <= step.begins);
+    let from = before.take_while(is_same).last();
+    (from.map_or(step.begins, |s| s.begins), to)
+}
+
+/// Whether the agent waits for another to pass the cell that it goes to next.
+fn gives_way(answer: &Answer, lane: &Lane, step: &Step) -> Option<Offer> {
+    let next = lane
+        .steps
+        .iter()
+        .find(|s| s.begins >= step.begins && s.way != Way::Wait)?;
+    let others = (0..answer.draft.agents().len()).filter(|&other| other != lane.agent);
+    // Who was there last before the agent comes.
+    let last = others
+        .filter_map(|other| {
+            let other = Lane::of(answer, other)?;
+            let visits = other.steps.iter().filter(|s| s.from == next.to);
+            let leaves = visits.map(|s| s.begins).filter(|&t| t < next.ends).max()?;
+            (leaves >= step.begins).then_some((leaves, other.name))
+        })
+        .max_by_key(|(leaves, _)| *leaves)?;
+    let question = Question::Yield {
+        agent: lane.name.clone(),
+        to: last.1,
+        at: next.to,
+    };
+    Some(Offer::new("question", question))
+}
+
+fn whole(answer: &Answer, lane: &Lane) -> Vec<Offer> {
+    let agent = || lane.name.clone();
+    let mut offers = vec![
+        Offer::new("clock", Question::Arrival { agent: agent() })
+            .with(format!("it arrives at {}", lane.arrival)),
+    ];
+    let waits = lane.count(Way::Wait);
+    if waits > 0 {
+        let waits = format!("it waits for {waits} in all");
+        offers.push(
+            Offer::new(
+                "pause",
+                Question::Waits {
+                    agent: Some(agent()),
+                },
+            )
+            .with(waits),
+        );
+    }
+    if !lane.charges.is_empty() {
+        let charges = format!("it charges at {}", list(&lane.charges));
+        let ask = Question::Charges {
+            agent: Some(agent()),
+        };
+        offers.push(Offer::new("charger", ask).with(charges));
+    }
+    offers.extend(orders(answer, lane));
+    if lane.steps.iter().any(|step| step.way == Way::Slow) {
+        let slow = Question::Slow {
+            agent: agent(),
+            from_cell: None,
+            to_cell: None,
+        };
+        offers.push(Offer::new("slow", slow));
+    }
+    let length = Question::Length {
+        agent: agent(),
+        fewer_than: None,
+    };
+    offers.push(Offer::new("trail", length).with(format!("it makes {} moves", lane.moves())));
+    offers
+}
+
+/// Waypoints that are visited one after the other.
+fn orders(answer: &Answer, lane: &Lane) -> Vec<Offer> {
+    let Some(who) = answer.draft.agents().get(lane.agent) else {
+        return Vec::new();
+    };
+    let first_visit = |cell: Cell| {
+        let entry = (lane.entry == cell).then_some(lane.begins);
+        let steps = lane.steps.iter().filter(|step| step.to == cell);
+        entry.into_iter().chain(steps.map(|step| step.ends)).min()
+    };
+    let mut visits: Vec<(u32, Cell)> = who
+        .waypoints
+        .iter()
+        .filter_map(|&cell| Some((first_visit(cell)?, cell)))
+        .collect();
+    visits.sort_unstable();
+    let pairs = visits.windows(2).take(ORDERS);
+    pairs
+        .map(|pair| {
+            let order = Question::Order {
+                agent: lane.name.clone(),
+                first: pair[0].1,
+                second: pair[1].1,
+            };
+            Offer::new("waypoint", order)
+        })
+        .collect()
+}
+
+fn list(times: &[u32]) -> String {
+    let times: Vec<String> = times.iter().map(u32::to_string).collect();
+    match times.as_slice() {
+        [init @ .., last] if !init.is_empty() => format!("{} and {last}", init.join(", ")),
+        times => times.concat(),
+    }
+}

@@ -1,0 +1,62 @@
+//! Questions about a cell: why is it passed, or why not?
+
+use giveway_model::{Cell, Ground, Question};
+
+use super::{Group, Offer};
+use crate::Answer;
+use crate::inspect::at;
+use crate::timeline::Lane;
+
+/// The most agents whose visits are asked about.
+const AGENTS: usize = 3;
+
+pub(super) fn groups(answer: &Answer, cell: Cell) -> Vec<Group> {
+    let grid = answer.draft.grid();
+    let ground = grid.ground(cell);
+    if ground.is_none() || ground == Some(Ground::Obstacle) {
+        return Vec::new();
+    }
+    let lanes = (0..answer.draft.agents().len()).filter_map(|agent| Lane::of(answer, agent));
+    let passes = |lane: &Lane| lane.entry == cell || lane.steps.iter().any(|s| s.to == cell);
+    let mut offers: Vec<Offer> = Vec::new();
+    let mut nobody = true;
+    for lane in lanes {
+        if passes(&lane) {
+            nobody = false;
+            let visit = Question::Visit {
+                agent: lane.name.clone(),
+                at: cell,
+                time: None,
+            };
+            let given = answer.draft.agents().get(lane.agent);
+            // It must, and a question would only say so.
+            let must = given.is_some_and(|agent| {
+                agent.start == cell || agent.goal == cell || agent.waypoints.contains(&cell)
+            });
+            if !must && offers.len() < AGENTS {
+                offers.push(Offer::new("question", visit));
+            }
+        }
+    }
+    if nobody {
+        offers.push(Offer::new(
+            "question",
+            Question::NoVisit {
+                agent: None,
+                at: cell,
+            },
+        ));
+    }
+    if grid.is_charger(cell) {
+        let batteries = answer.draft.agents().iter().filter(|a| a.battery.is_some());
+        let asks = batteries.map(|agent| Question::NoCharge {
+            agent: agent.name.clone(),
+            at: cell,
+        });
+        offers.extend(asks.take(AGENTS).map(|ask| Offer::new("charger", ask)));
+    }
+    vec![Group {
+        title: format!("Ask about {}", at(cell)),
+        offers,
+    }]
+}

@@ -1,0 +1,55 @@
+//! Questions about the plan as a whole, or about there being none.
+
+use giveway_model::{Cost, Question};
+use giveway_solve::Status;
+
+use super::{Group, Offer};
+use crate::{Answer, words};
+
+pub(super) fn groups(answer: &Answer) -> Vec<Group> {
+    let Some(costs) = answer.solved.costs else {
+        return Vec::new();
+    };
+    let scene = answer.draft.scene();
+    let asked = answer.request.objective.as_ref();
+    let objective = asked.unwrap_or(&scene.objective);
+    let proved = |cost: Cost| answer.solved.bounds.get(&cost) == Some(&costs.get(cost));
+    let mut offers = Vec::new();
+    for &cost in objective.costs() {
+        let (icon, question) = match cost {
+            Cost::Makespan => ("clock", Question::Makespan),
+            Cost::SumOfCosts => ("clock", Question::SumOfCosts),
+            Cost::Charges => ("charger", Question::Charges { agent: None }),
+            Cost::Moves => ("trail", Question::Moves { agent: None }),
+            Cost::Waits => ("pause", Question::Waits { agent: None }),
+        };
+        let value = costs.get(cost);
+        if value == 0 {
+            continue;
+        }
+        let detail = if proved(cost) {
+            format!("{} {value}, proved", words::name(cost))
+        } else {
+            format!("{} {value}", words::name(cost))
+        };
+        offers.push(Offer::new(icon, question).with(detail));
+    }
+    if answer.solved.status != Status::Optimal {
+        offers.push(Offer::new("question", Question::Plan));
+    }
+    vec![Group {
+        title: "Ask about the plan".to_owned(),
+        offers,
+    }]
+}
+
+/// Where there is no plan, that is the question.
+pub(super) fn without(answer: &Answer) -> Vec<Group> {
+    if answer.solved.status != Status::Impossible {
+        return Vec::new();
+    }
+    vec![Group {
+        title: "Ask".to_owned(),
+        offers: vec![Offer::new("question", Question::Unsolvable)],
+    }]
+}

@@ -1,0 +1,132 @@
+//! The questions offered in the warehouse.
+
+use giveway_model::Cell;
+
+use super::*;
+use crate::{Action, reduce, sample};
+
+fn texts(state: &State) -> Vec<(String, Vec<String>)> {
+    let text = |offer: Offer| match offer.detail {
+        Some(detail) => format!("{} [{detail}]", offer.text),
+        None => offer.text,
+    };
+    let group = |group: Group| (group.title, group.offers.into_iter().map(text).collect());
+    offers(state).into_iter().map(group).collect()
+}
+
+fn selected(selection: Selection, time: u32) -> State {
+    let state = reduce(&sample::solved(), Action::Seek(time));
+    reduce(&state, Action::Select(selection))
+}
+
+#[track_caller]
+fn check(state: &State, expect: &[(&str, &[&str])]) {
+    let expect: Vec<(String, Vec<String>)> = expect
+        .iter()
+        .map(|(title, texts)| {
+            let texts = texts.iter().map(|&text| text.to_owned()).collect();
+            ((*title).to_owned(), texts)
+        })
+        .collect();
+    assert_eq!(texts(state), expect);
+}
+
+const PLAN: (&str, &[&str]) = (
+    "Ask about the plan",
+    &[
+        "Why does it take this long? [makespan 18, proved]",
+        "Why is the sum of costs not less? [sum of costs 35, proved]",
+        "Why are there not fewer charges? [charges 3, proved]",
+    ],
+);
+
+#[test]
+fn an_agent_that_charges() {
+    check(
+        &selected(Selection::Agent(0), 9),
+        &[
+            (
+                "Ask about this moment",
+                &[
+                    "Why does A1 charge at (6,2) at time 9? [with 1 left]",
+                    "Why does A1 go from (6,2) to (6,1) at time 9?",
+                ],
+            ),
+            (
+                "Ask about A1",
+                &[
+                    "Why does A1 not arrive sooner? [it arrives at 17]",
+                    "Why are there not fewer charges of A1? [it charges at 9]",
+                    "Why does A1 visit (2,0) before (4,2)?",
+                    "Why does A1 visit (4,2) before (7,0)?",
+                    "Why does A1 take the slow way?",
+                    "Why is the path of A1 this long? [it makes 15 moves]",
+                ],
+            ),
+            PLAN,
+        ],
+    );
+}
+
+#[test]
+fn after_its_arrival_an_agent_does_nothing_to_ask_about() {
+    let groups = offers(&selected(Selection::Agent(0), 18));
+    assert_eq!(groups[0].title, "Ask about A1");
+}
+
+#[test]
+fn cells() {
+    let state = |x, y| selected(Selection::Cell(Cell::new(x, y)), 0);
+    let title = "Ask about (6,0)";
+    check(
+        &state(6, 0),
+        &[(
+            title,
+            &["Why does A1 pass (6,0)?", "Why does A2 pass (6,0)?"],
+        )],
+    );
+    check(
+        &state(5, 2),
+        &[("Ask about (5,2)", &["Why does A1 pass (5,2)?"])],
+    );
+    check(&state(1, 1), &[]);
+    check(
+        &state(3, 2),
+        &[(
+            "Ask about (3,2)",
+            &[
+                "Why does A1 pass (3,2)?",
+                "Why does A2 pass (3,2)?",
+                "Why does A1 not charge at (3,2)?",
+            ],
+        )],
+    );
+}
+
+#[test]
+fn nothing_is_asked_of_a_stale_plan() {
+    let state = selected(Selection::Nothing, 0);
+    check(&state, &[PLAN]);
+    let stale = reduce(&state, Action::PickTool(crate::Tool::Obstacle));
+    let stale = reduce(&stale, Action::Press(Cell::new(8, 2)));
+    let stale = reduce(&stale, Action::Release);
+    assert!(stale.is_stale());
+    check(&stale, &[]);
+}
+
+#[test]
+fn every_question_at_every_time_can_be_asked() {
+    for time in 0..=18 {
+        for agent in 0..2 {
+            let state = selected(Selection::Agent(agent), time);
+            let groups = offers(&state);
+            assert!(groups.len() >= 2, "{time} {agent}");
+            let names: std::collections::BTreeSet<_> = groups
+                .iter()
+                .flat_map(|group| group.offers.iter().map(|offer| offer.text.clone()))
+                .collect();
+            let count: usize = groups.iter().map(|group| group.offers.len()).sum();
+            assert_eq!(names.len(), count, "no question twice");
+        }
+    }
+}

@@ -1,0 +1,199 @@
+//! A question as a person says it.
+
+use giveway_model::{Cell, Question};
+
+use crate::inspect::at;
+
+/// The question as a sentence with the names that the person knows.
+///
+/// ```
+/// use giveway_model::{Cell, Question};
+/// use giveway_page::words::question;
+/// let ask = Question::NoVisit { agent: None, at: Cell::new(3, 1) };
+/// assert_eq!(question(&ask), "Why does nobody pass (3,1)?");
+/// ```
+pub fn question(question: &Question) -> String {
+    match question {
+        Question::Wait {
+            agent,
+            at: cell,
+            at_least,
+            ..
+        } => {
+            let place = place(*cell, "at");
+            match at_least {
+                Some(_) => format!("Why does {agent} wait so long{place}?"),
+                None => format!("Why does {agent} wait{place}?"),
+            }
+        }
+        Question::Charge {
+            agent,
+            at: cell,
+            time,
+        } => {
+            format!(
+                "Why does {agent} charge{}{}?",
+                place(*cell, "at"),
+                when(*time)
+            )
+        }
+        Question::NoCharge { agent, at: cell } => {
+            format!("Why does {agent} not charge at {}?", at(*cell))
+        }
+        Question::Visit {
+            agent,
+            at: cell,
+            time,
+        } => format!("Why does {agent} pass {}{}?", at(*cell), when(*time)),
+        Question::NoVisit {
+            agent: Some(agent),
+            at: cell,
+        } => format!("Why does {agent} not pass {}?", at(*cell)),
+        Question::NoVisit {
+            agent: None,
+            at: cell,
+        } => format!("Why does nobody pass {}?", at(*cell)),
+        Question::Move {
+            agent,
+            from_cell,
+            to_cell,
+            time,
+        } => format!(
+            "Why does {agent} go from {} to {}{}?",
+            at(*from_cell),
+            at(*to_cell),
+            when(*time)
+        ),
+        Question::NoMove {
+            agent,
+            from_cell,
+            to_cell,
+            time,
+        } => format!(
+            "Why does {agent} not go from {} to {}{}?",
+            at(*from_cell),
+            at(*to_cell),
+            when(*time)
+        ),
+        Question::Slow {
+            agent,
+            from_cell,
+            to_cell,
+        } => {
+            let over = from_cell.zip(*to_cell);
+            let over = over.map(|(u, v)| format!(" over {} and {}", at(u), at(v)));
+            format!(
+                "Why does {agent} take the slow way{}?",
+                over.unwrap_or_default()
+            )
+        }
+        Question::Order {
+            agent,
+            first,
+            second,
+        } => format!(
+            "Why does {agent} visit {} before {}?",
+            at(*first),
+            at(*second)
+        ),
+        Question::Arrival { agent } => format!("Why does {agent} not arrive sooner?"),
+        Question::Length {
+            agent,
+            fewer_than: None,
+        } => format!("Why is the path of {agent} this long?"),
+        Question::Length {
+            agent,
+            fewer_than: Some(moves),
+        } => format!("Why does {agent} not make fewer than {moves} moves?"),
+        Question::Makespan => "Why does it take this long?".to_owned(),
+        Question::SumOfCosts => "Why is the sum of costs not less?".to_owned(),
+        Question::Charges { agent } => fewer(agent.as_deref(), "charges"),
+        Question::Moves { agent } => fewer(agent.as_deref(), "moves"),
+        Question::Waits { agent } => fewer(agent.as_deref(), "waits"),
+        Question::Yield {
+            agent,
+            to,
+            at: cell,
+        } => format!("Why does {agent} give way to {to} at {}?", at(*cell)),
+        Question::Unsolvable => "Why is there no plan?".to_owned(),
+        Question::Plan => "Is this plan the best?".to_owned(),
+    }
+}
+
+fn fewer(agent: Option<&str>, what: &str) -> String {
+    match agent {
+        Some(agent) => format!("Why are there not fewer {what} of {agent}?"),
+        None => format!("Why are there not fewer {what}?"),
+    }
+}
+
+fn place(cell: Option<Cell>, word: &str) -> String {
+    cell.map_or_else(String::new, |cell| format!(" {word} {}", at(cell)))
+}
+
+fn when(time: Option<u32>) -> String {
+    time.map_or_else(String::new, |time| format!(" at time {time}"))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[track_caller]
+    fn check(ask: &Question, expect: &str) {
+        assert_eq!(question(ask), expect);
+    }
+
+    #[test]
+    fn questions_read_as_they_are_asked() {
+        let agent = || "A1".to_owned();
+        let (u, v) = (Cell::new(6, 2), Cell::new(6, 1));
+        let wait = |at_least| Question::Wait {
+            agent: agent(),
+            at: Some(u),
+            from: Some(1),
+            to: Some(4),
+            at_least,
+        };
+        check(&wait(None), "Why does A1 wait at (6,2)?");
+        check(&wait(Some(3)), "Why does A1 wait so long at (6,2)?");
+        let charge = Question::Charge {
+            agent: agent(),
+            at: Some(u),
+            time: Some(9),
+        };
+        check(&charge, "Why does A1 charge at (6,2) at time 9?");
+        let go = Question::Move {
+            agent: agent(),
+            from_cell: u,
+            to_cell: v,
+            time: None,
+        };
+        check(&go, "Why does A1 go from (6,2) to (6,1)?");
+        let slow = Question::Slow {
+            agent: agent(),
+            from_cell: Some(u),
+            to_cell: Some(v),
+        };
+        check(&slow, "Why does A1 take the slow way over (6,2) and (6,1)?");
+        let order = Question::Order {
+            agent: agent(),
+            first: u,
+            second: v,
+        };
+        check(&order, "Why does A1 visit (6,2) before (6,1)?");
+        let give_way = Question::Yield {
+            agent: agent(),
+            to: "A2".to_owned(),
+            at: u,
+        };
+        check(&give_way, "Why does A1 give way to A2 at (6,2)?");
+        let charges = |agent| Question::Charges { agent };
+        check(&charges(None), "Why are there not fewer charges?");
+        check(
+            &charges(Some(agent())),
+            "Why are there not fewer charges of A1?",
+        );
+        check(&Question::Unsolvable, "Why is there no plan?");
+    }
+}
