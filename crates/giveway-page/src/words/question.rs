@@ -12,6 +12,10 @@ use crate::inspect::at;
 /// let ask = Question::NoVisit { agent: None, at: Cell::new(3, 1) };
 /// assert_eq!(question(&ask), "Why does nobody pass (3,1)?");
 /// ```
+#[expect(
+    clippy::too_many_lines,
+    reason = "a sentence for each kind of question"
+)]
 pub fn question(question: &Question) -> String {
     match question {
         Question::Wait {

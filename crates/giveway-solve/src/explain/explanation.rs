@@ -1,0 +1,121 @@
+//! A question to the service, and its answer as far as it is known.
+
+use std::collections::BTreeMap;
+
+use giveway_model::{
+    Cost, Costs, Objective, Plan, Question, Scene, Version, check::Violation, format::from_object,
+};
+use serde::{Deserialize, Serialize};
+
+use super::{Core, Repair, WitnessEntry};
+use crate::{Limits, Stats};
+
+/// Answer a question about a plan, or about there being none.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct ExplainRequest {
+    /// The instance, unchecked.
+    pub scene: Scene,
+    /// The plan that is asked about, unchecked; without one the instance is
+    /// solved first.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub plan: Option<Plan>,
+    /// The question.
+    pub question: Question,
+    /// The objective, where it is not the scene's own.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub objective: Option<Objective>,
+    /// The horizon, in time steps; never less than the plan's makespan.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub within: Option<u32>,
+    /// The budget for all parts of the answer together.
+    #[serde(default, deserialize_with = "from_object")]
+    pub limits: Limits,
+}
+
+/// What the comparison with the best other plan says.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Serialize, Deserialize)]
+#[serde(rename_all = "kebab-case")]
+pub enum Verdict {
+    /// The best other plan costs the same: it need not be so.
+    Needless,
+    /// It costs less: the plan was not optimal.
+    Improvable,
+    /// It costs more.
+    Costly,
+    /// There is no other plan: none at all, or none within the horizon.
+    Necessary,
+    /// The budget ran out.
+    Unknown,
+}
+
+/// A part of an answer.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Serialize, Deserialize)]
+#[serde(rename_all = "kebab-case")]
+pub enum Part {
+    /// The verdict with an other plan.
+    Verdict,
+    /// The other plan closest to the one asked about.
+    Closest,
+    /// What would happen.
+    Witness,
+    /// What together makes it impossible.
+    Core,
+    /// What would help.
+    Repairs,
+}
+
+/// The answer to a question. On the way it comes with what is known so far.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+pub struct ExplainAnswer {
+    /// The format's version.
+    pub giveway: Version,
+    /// The question.
+    pub question: Question,
+    /// The plan asked about, where the request had none; `null` where there is
+    /// none.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub plan: Option<Plan>,
+    /// The verdict. Of `unsolvable` it is `necessary` where there is indeed no
+    /// plan; of `plan` it is `needless` where the plan is optimal, `improvable`
+    /// where it is not.
+    pub verdict: Verdict,
+    /// The costs of the other plan.
+    pub costs: Option<Costs>,
+    /// What the other plan costs more than the one asked about, for each cost
+    /// of the objective.
+    pub deltas: BTreeMap<Cost, i64>,
+    /// The makespan up to which the verdict was proved; `null` where it holds
+    /// whatever the horizon.
+    pub within: Option<u32>,
+    /// Whether the verdict holds whatever the horizon.
+    pub complete: bool,
+    /// The other plan.
+    pub alternative: Option<Plan>,
+    /// Whether it is proved that no other best plan is closer.
+    pub closest: bool,
+    /// What would happen.
+    pub witness: Vec<WitnessEntry>,
+    /// What together makes it impossible, or so costly.
+    pub core: Option<Core>,
+    /// What would help, the best first.
+    pub repairs: Vec<Repair>,
+    /// Whether all repairs were tried.
+    pub exhaustive: bool,
+    /// Of `plan`: whether it breaks no rule.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub valid: Option<bool>,
+    /// Of `plan`: the rules that it breaks.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub violations: Option<Vec<Violation>>,
+    /// Of `plan`: whether it is proved that none is better.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub optimal: Option<bool>,
+    /// The parts that are not there yet; none at the end.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub pending: Vec<Part>,
+    /// All of it in words.
+    pub words: String,
+    /// How much work it took.
+    pub stats: Stats,
+}
