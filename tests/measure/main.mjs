@@ -1,4 +1,5 @@
-// Measures the built page and writes docs/page.md: `./x measure`.
+// Measures the built page and writes docs/page.md: `./x measure`. With names of figures
+// only these are measured, and nothing is written.
 
 import { writeFileSync } from "node:fs";
 import { cpus } from "node:os";
@@ -7,17 +8,30 @@ import { join } from "node:path";
 import { launch } from "../e2e/browser.mjs";
 import { dist, root } from "../e2e/dist.mjs";
 import { serve } from "../e2e/server.mjs";
-import { figures } from "./figures.mjs";
+import { FIGURES } from "./figures.mjs";
+
+const wanted = process.argv.slice(2);
+const unknown = wanted.filter((name) => !(name in FIGURES));
+if (unknown.length > 0) {
+  console.error(`found ${unknown.join(" ")}, expected some of ${Object.keys(FIGURES).join(" ")}`);
+  process.exit(2);
+}
 
 const host = await serve(dist);
 const rows = [];
-for await (const figure of figures(host.url)) {
-  rows.push(figure);
-  console.log(line(figure));
+for (const [name, measure] of Object.entries(FIGURES)) {
+  if (wanted.length === 0 || wanted.includes(name)) {
+    for (const figure of await measure(host.url)) {
+      rows.push(figure);
+      console.log(line(figure));
+    }
+  }
 }
 await host.close();
-writeFileSync(join(root, "docs/page.md"), await document(rows));
-console.log("written: docs/page.md");
+if (wanted.length === 0) {
+  writeFileSync(join(root, "docs/page.md"), await document(rows));
+  console.log("written: docs/page.md");
+}
 process.exitCode = rows.every(isMet) ? 0 : 1;
 
 function isMet({ value, most = Infinity, least = -Infinity }) {

@@ -22,15 +22,24 @@ export class Tab {
     this.pid = pid;
   }
 
-  /** Processor seconds so far of all threads whose name begins so. */
-  cpuSeconds(thread) {
+  /** Processor seconds so far of the main thread, which runs the page. */
+  mainSeconds() {
+    return this.#seconds((task) => Number(task) === this.pid);
+  }
+
+  /** Processor seconds so far of all workers that are there. */
+  workerSeconds() {
+    return this.#seconds((_, name) => name.startsWith("DedicatedWorker"));
+  }
+
+  #seconds(isIt) {
     const tasks = `/proc/${this.pid}/task`;
     let ticks = 0;
     for (const task of readdirSync(tasks)) {
       const stat = readOrNothing(`${tasks}/${task}/stat`);
       // The name stands in parentheses and may itself have some.
       const name = stat.slice(stat.indexOf("(") + 1, stat.lastIndexOf(")"));
-      if (name.startsWith(thread)) {
+      if (isIt(task, name)) {
         const fields = stat.slice(stat.lastIndexOf(")") + 2).split(" ");
         ticks += Number(fields[11]) + Number(fields[12]);
       }
@@ -44,9 +53,6 @@ export class Tab {
     return Number(kilobytes ?? 0) * 1024;
   }
 }
-
-export const MAIN_THREAD = "CrRendererMain";
-export const WORKER_THREAD = "DedicatedWorker";
 
 /** A thread may end while it is looked at. */
 function readOrNothing(path) {
