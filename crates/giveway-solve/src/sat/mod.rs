@@ -4,6 +4,7 @@
 //! [`Clauses`]; searches see [`Sat`].
 
 mod lit;
+mod minimise;
 mod solver;
 mod tap;
 #[cfg(test)]

@@ -47,6 +47,8 @@ pub(crate) struct Sat<'h> {
     model: Vec<bool>,
     buffer: Vec<varisat::Lit>,
     verify: bool,
+    /// Literals of the last core that are known to be needed in it.
+    pub(super) needed: Vec<Lit>,
 }
 
 impl<'h> Sat<'h> {
@@ -66,6 +68,7 @@ impl<'h> Sat<'h> {
             model: Vec::new(),
             buffer: Vec::new(),
             verify: true,
+            needed: Vec::new(),
         }
     }
 
@@ -85,6 +88,7 @@ impl<'h> Sat<'h> {
         let Some(mut core) = self.call(assumptions)? else {
             return Ok(Outcome::Sat);
         };
+        self.needed.clear();
         if !self.verify {
             return Ok(Outcome::Unsat(core));
         }
@@ -124,11 +128,17 @@ impl<'h> Sat<'h> {
                 _ => {}
             }
         }
+        self.needed = needed;
         Ok(Outcome::Unsat(proved))
     }
 
+    /// The conflicts of the whole request so far.
+    pub(super) fn conflicts(&self) -> u64 {
+        self.meter.stats().conflicts
+    }
+
     /// One call: `None` for a model, else the core as varisat states it.
-    fn call(&mut self, assumptions: &[Lit]) -> Result<Option<Vec<Lit>>, Stop> {
+    pub(super) fn call(&mut self, assumptions: &[Lit]) -> Result<Option<Vec<Lit>>, Stop> {
         self.meter.check()?;
         self.meter.count_call();
         self.buffer.clear();

@@ -66,6 +66,9 @@ pub(crate) struct SumStage {
     cost: Cost,
     bound: u32,
     known: bool,
+    /// No agent has a battery. Where one has, calls that end with a model take
+    /// so long that smaller cores cost more than they save, as measured.
+    light: bool,
     softs: BTreeMap<Lit, Soft>,
     /// What cores set free, to be assumed again with the next round.
     waiting: Vec<Soft>,
@@ -92,6 +95,7 @@ impl SumStage {
             cost,
             bound: search.sum_of_minima(cost)?.max(known.unwrap_or(0)),
             known: known.is_some(),
+            light: search.problem.tasks.iter().all(|t| t.reserve.is_none()),
             softs: BTreeMap::new(),
             waiting: Vec::new(),
             cores: Vec::new(),
@@ -118,7 +122,7 @@ impl SumStage {
                 Cost::SumOfCosts => BTreeMap::new(),
                 _ => search.guards(),
             };
-            let mut assumptions: Vec<Lit> = stage.softs.keys().copied().collect();
+            let mut assumptions = stage.in_order();
             assumptions.extend(guards.keys().filter(|lit| !stage.softs.contains_key(lit)));
             match search.team.solve(&assumptions)? {
                 Outcome::Sat if stage.is_waiting() => stage.assume_waiting(search)?,
@@ -132,6 +136,11 @@ impl SumStage {
                     }
                 }
                 Outcome::Unsat(core) => {
+                    let core = if stage.light {
+                        search.team.minimise(core)?
+                    } else {
+                        core
+                    };
                     if core.is_empty() {
                         return Ok(End::None);
                     }
@@ -144,6 +153,19 @@ impl SumStage {
                 }
             }
         }
+    }
+
+    /// All that is assumed. Assumptions are made in this order. Without
+    /// batteries totalizers come first, so that what many agents share is
+    /// settled before what only one of them does: measured, that gives smaller
+    /// cores and fewer conflicts.
+    fn in_order(&self) -> Vec<Lit> {
+        let is_agent = |soft: &Soft| matches!(soft, Soft::Agent(..));
+        let mut softs: Vec<(&Lit, &Soft)> = self.softs.iter().collect();
+        if self.light {
+            softs.sort_by_key(|(_, soft)| is_agent(soft));
+        }
+        softs.into_iter().map(|(&lit, _)| lit).collect()
     }
 
     fn is_waiting(&self) -> bool {

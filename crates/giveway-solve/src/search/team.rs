@@ -202,6 +202,11 @@ impl<'p, 'h> Team<'p, 'h> {
         self.sat.solve(assumptions)
     }
 
+    /// Makes the core of the last call smaller, where that is cheap.
+    pub(crate) fn minimise(&mut self, core: Vec<Lit>) -> Result<Vec<Lit>, Stop> {
+        self.sat.minimise(core)
+    }
+
     /// Reads the walks of the inside agents from the last model.
     pub(crate) fn read(&mut self) {
         for (agent, code) in self.inside.iter().enumerate() {

@@ -37,6 +37,7 @@ fn every_answer_is_right() {
                 all.sat += ends.sat;
                 all.unsat += ends.unsat;
                 all.smaller += ends.smaller;
+                all.minimised += ends.minimised;
             }
             Err(wrong) => panic!("{session}# seed {seed}: {wrong}"),
         }
@@ -46,6 +47,7 @@ fn every_answer_is_right() {
     assert!(all.sat > calls / 10, "{all:?}");
     assert!(all.unsat > calls / 10, "{all:?}");
     assert!(all.smaller > calls / 20, "{all:?}");
+    assert!(all.minimised > 0, "{all:?}");
 }
 
 #[test]

@@ -31,6 +31,8 @@ pub(super) struct Ends {
     pub(super) unsat: u32,
     /// Unsatisfiable with fewer than all assumptions.
     pub(super) smaller: u32,
+    /// Cores made smaller still by leaving assumptions out.
+    pub(super) minimised: u32,
 }
 
 impl Session {
@@ -129,6 +131,14 @@ impl Session {
                     Ok(Outcome::Unsat(core)) => {
                         ends.unsat += 1;
                         ends.smaller += u32::from(core.len() < assumed.len());
+                        let trimmed = core.len();
+                        let core = if verify {
+                            let core = sat.leave_out(core);
+                            core.map_err(|stop| format!("stopped: {stop:?}"))?
+                        } else {
+                            core
+                        };
+                        ends.minimised += u32::from(core.len() < trimmed);
                         if let Some(wrong) = core.iter().find(|lit| !lits.contains(lit)) {
                             return Err(format!("a core with {wrong:?}, which is not assumed"));
                         }
