@@ -11,16 +11,30 @@ use std::collections::{BTreeMap, BinaryHeap};
 use giveway_model::Cost;
 
 use crate::{
+    condition::Precedence,
     encode::collisions::AgentId,
     meter::{Meter, Stop},
     problem::Problem,
-    single::{Place, Task},
+    single::{Demand, Place, State, Task},
 };
 
 /// Joint steps to look at before giving up.
 const MOST_STEPS: usize = 1_500_000;
 /// Agents beyond which not even a small map is small enough.
 const MOST_AGENTS: usize = 3;
+
+/// Joint states up to which they are exhausted before anything else is tried.
+const FEW_STATES: usize = 50_000;
+
+/// Whether there are so few joint states that they are best exhausted at once.
+pub(crate) fn is_small(problem: &Problem) -> bool {
+    let states = problem.tasks.iter().map(|task| {
+        let battery = task.reserve.map_or(1, |reserve| reserve.full as usize + 1);
+        let cells = problem.terrain.len();
+        cells.saturating_mul(task.masks()).saturating_mul(battery)
+    });
+    problem.agents() <= MOST_AGENTS && states.fold(1, usize::saturating_mul) <= FEW_STATES
+}
 
 /// What exhausting the states has shown.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -41,6 +55,10 @@ enum Single {
         place: Place,
         mask: u32,
         battery: u32,
+        /// The time, as far as a demand on the agent looks at it.
+        clock: u32,
+        /// Events that a demand on the agent counts.
+        count: u32,
     },
     /// Arrived this very time step, under `vanish`: it still holds its goal.
     Leaving,
@@ -125,10 +143,15 @@ impl Joint<'_> {
         let mut joint = vec![Vec::new()];
         for i in 0..self.agents.len() {
             let task = self.task(i);
+            let Some(state) = task.first() else {
+                return Vec::new();
+            };
             let first = Single::Going {
-                place: Place::At(task.start),
-                mask: task.first_mask(),
-                battery: task.first_level(),
+                place: state.place,
+                mask: state.mask,
+                battery: state.battery,
+                clock: 0,
+                count: 0,
             };
             let choices = self.or_arrived(i, first);
             joint = joint
@@ -142,18 +165,41 @@ impl Joint<'_> {
                 })
                 .collect();
         }
+        joint.retain(|state| self.is_in_order(state));
         joint
+    }
+
+    /// Whether who has to be somewhere first has been there, if the other is.
+    fn is_in_order(&self, state: &[Single]) -> bool {
+        let Some(Precedence { first, second, at }) = self.problem.precedence else {
+            return true;
+        };
+        let number = |agent| self.agents.iter().position(|&other| other == agent);
+        let (Some(first), Some(second)) = (number(first), number(second)) else {
+            return true;
+        };
+        if self.stands(second, state[second]) != Some(at) {
+            return true;
+        }
+        match state[first] {
+            Single::Going { mask, .. } => mask & self.task(first).bit(at) != 0,
+            Single::Leaving | Single::Arrived => true,
+        }
     }
 
     /// A state, and the arrival that it allows.
     fn or_arrived(&self, i: usize, state: Single) -> Vec<Single> {
         let mut choices = vec![state];
+        let task = self.task(i);
         if let Single::Going {
             place: Place::At(v),
             mask,
+            clock,
             ..
         } = state
-            && self.task(i).is_end(v, mask)
+            && task.is_end(v, mask)
+            && task.not_before <= clock
+            && clock <= task.not_after()
         {
             choices.push(if self.problem.rests(self.agents[i]) {
                 Single::Arrived
@@ -170,6 +216,7 @@ impl Joint<'_> {
         let mut found = Vec::new();
         let mut chosen = Vec::new();
         self.combine(&moves, &mut chosen, &mut found);
+        found.retain(|(state, _)| self.is_in_order(state));
         found
     }
 
@@ -219,6 +266,8 @@ impl Joint<'_> {
             place,
             mask,
             battery,
+            clock,
+            count,
         } = state
         else {
             return vec![Move {
@@ -229,65 +278,98 @@ impl Joint<'_> {
         };
         let mut moves = Vec::new();
         let task = self.task(i);
+        let from = State {
+            place,
+            mask,
+            battery,
+        };
         let terrain = &self.problem.terrain;
-        match place {
-            Place::Along(arc) => {
-                let (_, v) = terrain.ends(arc);
-                self.arrive(i, v, mask, Some(battery), Some(arc), 0, &mut moves);
+        for charged in [false, true] {
+            let charger = matches!(place, Place::At(u) if task.may_charge(terrain, u, Some(clock)));
+            if charged && !(charger && task.reserve.is_some()) {
+                continue;
             }
-            Place::At(u) => {
-                for charged in [false, true] {
-                    if charged && (task.reserve.is_none() || !terrain.is_charger(u)) {
-                        continue;
-                    }
-                    let after = |steps: u32| match task.reserve {
-                        None => Some(0),
-                        Some(reserve) if charged => (reserve.full + 1).checked_sub(steps),
-                        Some(_) => battery.checked_sub(steps),
-                    };
-                    let charge = u32::from(charged && self.cost == Cost::Charges);
-                    let wait = charge + u32::from(self.cost == Cost::Waits);
-                    self.arrive(i, u, mask, after(1), None, wait, &mut moves);
-                    let go = charge + u32::from(self.cost == Cost::Moves);
-                    for arc in terrain.arcs(u) {
-                        if !arc.slow {
-                            self.arrive(i, arc.to, mask, after(1), Some(arc.id), go, &mut moves);
-                        } else if let Some(battery) = after(2) {
-                            let to = Single::Going {
-                                place: Place::Along(arc.id),
-                                mask,
-                                battery,
-                            };
-                            let arc = Some(arc.id);
-                            moves.push(Move { to, arc, cost: go });
-                        }
-                    }
+            task.onward(terrain, from, clock, charged, |step| {
+                let event = Event {
+                    from: place,
+                    to: step.to.place,
+                    clock,
+                    charged,
+                };
+                let Some((count, mask)) = follow(task, count, [mask, step.to.mask], event) else {
+                    return;
+                };
+                let last = task.demand.as_ref().and_then(Demand::last_time);
+                if clock >= task.not_after() {
+                    return;
                 }
-            }
+                let to = Single::Going {
+                    place: step.to.place,
+                    mask,
+                    battery: step.to.battery,
+                    clock: last.map_or(0, |last| (clock + 1).min(last.saturating_add(1))),
+                    count,
+                };
+                let cost = event.costs(self.cost);
+                for to in self.or_arrived(i, to) {
+                    let arc = step.arc;
+                    moves.push(Move { to, arc, cost });
+                }
+            });
         }
         moves
     }
+}
 
-    /// A step that ends at a vertex: on the way, or there for good.
-    #[expect(clippy::too_many_arguments, reason = "one step has that many parts")]
-    fn arrive(
-        &self,
-        i: usize,
-        v: u32,
-        mask: u32,
-        battery: Option<u32>,
-        arc: Option<u32>,
-        cost: u32,
-        moves: &mut Vec<Move>,
-    ) {
-        let Some(battery) = battery else { return };
-        let state = Single::Going {
-            place: Place::At(v),
-            mask: mask | self.task(i).bit(v),
-            battery,
+/// What happens to one agent in a step.
+#[derive(Clone, Copy, Debug)]
+struct Event {
+    from: Place,
+    to: Place,
+    clock: u32,
+    charged: bool,
+}
+
+impl Event {
+    fn waits(self) -> bool {
+        matches!((self.from, self.to), (Place::At(u), Place::At(v)) if u == v)
+    }
+
+    /// What the step adds to a cost.
+    fn costs(self, cost: Cost) -> u32 {
+        let counts = match cost {
+            Cost::Charges => self.charged,
+            Cost::Waits => self.waits(),
+            Cost::Moves => matches!(self.from, Place::At(_)) && !self.waits(),
+            Cost::Makespan | Cost::SumOfCosts => false,
         };
-        for to in self.or_arrived(i, state) {
-            moves.push(Move { to, arc, cost });
+        u32::from(counts)
+    }
+}
+
+/// What the demand on an agent counts after a step, and its mask; `None` where
+/// it counts too much.
+fn follow(task: &Task, count: u32, [before, mask]: [u32; 2], event: Event) -> Option<(u32, u32)> {
+    match (&task.demand, event.from) {
+        (Some(demand @ Demand::Wait { steps, .. }), Place::At(v)) => {
+            let counts = event.waits() && demand.counts_wait(v, event.clock);
+            let run = if counts { count + 1 } else { 0 };
+            (run < *steps).then_some((run, mask))
         }
+        (Some(Demand::AtMost { cost, most }), _) => {
+            let count = count + event.costs(*cost);
+            (count <= *most).then_some((count, mask))
+        }
+        // Leaving sets the bit just where it charged while it was there.
+        (Some(Demand::Charge { v, .. }), Place::At(u)) if u == *v => {
+            let charged = count.max(u32::from(event.charged));
+            if event.waits() {
+                return Some((charged, mask));
+            }
+            let bit = task.demanded_bit();
+            let uncharged = mask & !bit | before & bit;
+            Some((0, if charged == 0 { uncharged } else { mask }))
+        }
+        _ => Some((0, mask)),
     }
 }

@@ -5,9 +5,11 @@ use std::collections::BTreeSet;
 use giveway_model::{Grid, Instance};
 
 use crate::{
+    condition::{Condition, Precedence},
     meter::{Meter, Stop},
-    single::{MAX_WAYPOINTS, Metric, Task, ToGo},
+    single::{Demand, MAX_WAYPOINTS, Metric, Task, ToGo, earliest},
     terrain::Terrain,
+    walk::{Walk, costs_of},
 };
 
 /// Rules between agents that do not count, by the agents' numbers: what an
@@ -39,6 +41,10 @@ pub(crate) struct Problem {
     pub(crate) to_go: Vec<ToGo>,
     /// The earliest arrival of each agent alone.
     pub(crate) optima: Vec<u32>,
+    /// The largest of these, where nothing is demanded beside the tasks.
+    longest: u32,
+    /// Who must be at a vertex before whom, where a question asks for it.
+    pub(crate) precedence: Option<Precedence>,
 }
 
 /// Why an instance has no [`Problem`].
@@ -59,13 +65,15 @@ impl From<Stop> for Setback {
 
 impl Problem {
     pub(crate) fn new(instance: &Instance, meter: &Meter) -> Result<Self, Setback> {
-        Self::relaxed(instance, Relaxed::default(), meter)
+        Self::relaxed(instance, Relaxed::default(), None, meter)
     }
 
-    /// The same with some rules between agents left out.
+    /// The same with some rules between agents left out, and with what a
+    /// question asks for.
     pub(crate) fn relaxed(
         instance: &Instance,
         relaxed: Relaxed,
+        condition: Option<&Condition>,
         meter: &Meter,
     ) -> Result<Self, Setback> {
         let terrain = Terrain::new(instance.grid());
@@ -76,6 +84,8 @@ impl Problem {
             tasks: Vec::new(),
             to_go: Vec::new(),
             optima: Vec::new(),
+            longest: 0,
+            precedence: None,
         };
         for (i, agent) in instance.agents().iter().enumerate() {
             if agent.waypoints.len() > MAX_WAYPOINTS {
@@ -83,15 +93,33 @@ impl Problem {
             }
             let task =
                 Task::new(agent, instance.rules(), &problem.terrain).ok_or(Setback::Alone(i))?;
-            let to_go = ToGo::new(&task, &problem.terrain, Metric::Time, meter)?;
-            let optimum = to_go
-                .from(task.start, task.first_mask(), task.first_level())
-                .ok_or(Setback::Alone(i))?;
-            problem.tasks.push(task);
-            problem.to_go.push(to_go);
-            problem.optima.push(optimum);
+            problem.add(i, task, meter)?;
+        }
+        problem.longest = problem.optima.iter().copied().max().unwrap_or(0);
+        if let Some(condition) = condition {
+            condition.impose(instance, &mut problem, meter)?;
         }
         Ok(problem)
+    }
+
+    /// Adds an agent, or gives it another task.
+    pub(crate) fn add(&mut self, agent: usize, task: Task, meter: &Meter) -> Result<(), Setback> {
+        if task.waypoints.len() >= MAX_WAYPOINTS + usize::from(task.demand.is_none()) {
+            return Err(Setback::TooManyWaypoints(agent));
+        }
+        let to_go = ToGo::new(&task, &self.terrain, Metric::Time, meter)?;
+        let optimum = earliest(&task, &self.terrain, &to_go, meter)?;
+        let optimum = optimum.ok_or(Setback::Alone(agent))?;
+        if agent < self.tasks.len() {
+            self.tasks[agent] = task;
+            self.to_go[agent] = to_go;
+            self.optima[agent] = optimum;
+        } else {
+            self.tasks.push(task);
+            self.to_go.push(to_go);
+            self.optima.push(optimum);
+        }
+        Ok(())
     }
 
     /// The number of agents.
@@ -109,9 +137,49 @@ impl Problem {
         a != b && !self.relaxed.ignores(a, b)
     }
 
+    /// The latest arrival of an agent that its demand allows.
+    pub(crate) fn not_after(&self, agent: usize) -> u32 {
+        self.tasks[agent].not_after()
+    }
+
+    /// Agents that the SAT solver has to plan, since plans made outside of it
+    /// keep to what is asked for by chance only.
+    pub(crate) fn insiders(&self) -> BTreeSet<usize> {
+        let demands = self.tasks.iter().map(|task| task.demand.as_ref());
+        let mut agents: BTreeSet<usize> = demands
+            .enumerate()
+            .filter(|(_, demand)| demand.is_some_and(Demand::counts))
+            .map(|(agent, _)| agent)
+            .collect();
+        if let Some(Precedence { first, second, .. }) = self.precedence {
+            agents.extend([first, second]);
+        }
+        agents
+    }
+
+    /// Whether a question asks for anything beside the rules.
+    pub(crate) fn is_asked(&self) -> bool {
+        self.precedence.is_some() || self.tasks.iter().any(|task| task.demand.is_some())
+    }
+
+    /// Whether walks keep to what is asked for beside the rules, as far as
+    /// walks made outside the SAT solver may fail to.
+    pub(crate) fn keeps(&self, walks: &[Walk]) -> bool {
+        let demands = self.tasks.iter().enumerate();
+        let alone = demands.zip(walks).all(|((agent, task), walk)| {
+            let own = || costs_of(self, agent, walk);
+            match &task.demand {
+                Some(Demand::AtMost { cost, most }) => own().get(*cost) <= *most,
+                Some(Demand::ArriveBy(time)) => own().makespan <= *time,
+                Some(demand) => demand.keeps_waits(walk),
+                None => true,
+            }
+        });
+        alone && self.precedence.is_none_or(|p| p.is_kept(walks))
+    }
+
     /// The makespan beyond which nothing is looked for, by default.
     pub(crate) fn default_horizon(&self, grid: &Grid) -> u32 {
-        let longest = self.optima.iter().copied().max().unwrap_or(0);
-        longest + 4 * (grid.width() + grid.height()) + 10
+        self.longest + 4 * (grid.width() + grid.height()) + 10
     }
 }

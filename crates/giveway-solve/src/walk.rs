@@ -4,7 +4,7 @@ use giveway_model::{Costs, Plan, Version};
 
 use crate::{
     problem::Problem,
-    single::{Place, Task},
+    single::{Demand, Place, Task},
     terrain::{Arc, Terrain},
 };
 
@@ -34,21 +34,57 @@ pub(crate) fn charges(task: &Task, terrain: &Terrain, walk: &[Place]) -> Option<
     let Some(reserve) = task.reserve else {
         return Some(Vec::new());
     };
+    let free = fewest(task, terrain, walk, reserve.initial, 0)?;
+    let Some(Demand::Charge { v, .. }) = task.demand else {
+        return Some(free);
+    };
+    let there = |time: u32| walk.get(time as usize) == Some(&Place::At(v));
+    if free.iter().any(|&time| there(time)) {
+        return Some(free);
+    }
+    // One charge is demanded there: any of the times, what is before and after
+    // it as it is best.
+    let mut best: Option<Vec<u32>> = None;
+    for time in (0..arrival(walk)).filter(|&time| there(time)) {
+        let Some(mut charges) = fewest(task, terrain, &walk[..=time as usize], reserve.initial, 0)
+        else {
+            continue;
+        };
+        charges.push(time);
+        let after = fewest(task, terrain, walk, time + 1 + reserve.full, time + 1);
+        let Some(after) = after else { continue };
+        charges.extend(after);
+        if best.as_ref().is_none_or(|best| charges.len() <= best.len()) {
+            best = Some(charges);
+        }
+    }
+    best
+}
+
+/// The fewest charges from a time on, where the battery lasts up to and
+/// including the time `until`.
+fn fewest(
+    task: &Task,
+    terrain: &Terrain,
+    walk: &[Place],
+    until: u32,
+    from: u32,
+) -> Option<Vec<u32>> {
+    let full = task.reserve?.full;
+    let mut until = until;
     let mut charges = Vec::new();
-    // The battery lasts up to and including this time.
-    let mut until = reserve.initial;
     let mut last_charger = None;
-    for (time, place) in walk.iter().enumerate() {
+    for (time, place) in walk.iter().enumerate().skip(from as usize) {
         let time = time as u32;
         if time > until {
             let charge: u32 = last_charger.take()?;
             charges.push(charge);
-            until = charge + 1 + reserve.full;
+            until = charge + 1 + full;
             if time > until {
                 return None;
             }
         }
-        if matches!(place, Place::At(v) if terrain.is_charger(*v)) {
+        if matches!(place, Place::At(v) if task.may_charge(terrain, *v, Some(time))) {
             last_charger = Some(time);
         }
     }

@@ -19,7 +19,7 @@ use crate::{
     meter::{Meter, Stop},
     problem::Problem,
     sat::{Clauses, Lit},
-    single::{Diagram, NodeId, Place, Task},
+    single::{Demand, Diagram, Node, NodeId, Place, Task},
     terrain::{Arc, Terrain, Vertex},
 };
 
@@ -159,6 +159,9 @@ impl AgentCode {
             let optimum = self.optimum;
             battery.grow(deadline, |time, out| by(chain, optimum, time, out), out);
         }
+        if let Some(demand) = &task.demand {
+            self.write_waits(old, demand, out);
+        }
         meter.check()?;
         Ok(added)
     }
@@ -193,9 +196,12 @@ impl AgentCode {
                 let several = task.masks() > 1 || (self.stays && v == task.goal);
                 self.stand(time, v, lit, several, added, out);
                 if let Some(battery) = &mut self.battery
-                    && terrain.is_charger(v)
+                    && task.may_charge(terrain, v, Some(time))
                 {
                     battery.place(time, lit);
+                    if matches!(task.demand, Some(Demand::Charge { v: there, .. }) if there == v) {
+                        battery.demand(time, lit);
+                    }
                 }
             }
             Place::Along(arc) => {
@@ -203,6 +209,35 @@ impl AgentCode {
                 if let Some(&arc) = terrain.arcs(from).iter().find(|a| a.id == arc) {
                     added.crossings.push((time - 1, arc, [lit, lit]));
                     added.crossings.push((time, arc, [lit, lit]));
+                }
+            }
+        }
+    }
+
+    /// No wait of so many steps on end: of every row of nodes at one vertex that
+    /// a new node is part of, one is left out.
+    fn write_waits(&self, old: NodeId, demand: &Demand, out: &mut impl Clauses) {
+        let Demand::Wait {
+            steps: steps @ 2.., ..
+        } = *demand
+        else {
+            return;
+        };
+        for id in old..self.diagram.len() {
+            let node = self.diagram.node(id);
+            let Place::At(v) = node.place else { continue };
+            for first in node.time.saturating_sub(steps)..=node.time {
+                if !(first..first + steps).all(|time| demand.counts_wait(v, time)) {
+                    continue;
+                }
+                let row = (first..=first + steps)
+                    .map(|time| self.diagram.find(time, node.place, node.mask));
+                let Some(row) = row.collect::<Option<Vec<NodeId>>>() else {
+                    continue;
+                };
+                if row.iter().all(|&other| other <= id) {
+                    let clause: Vec<Lit> = row.iter().map(|&other| !self.node(other)).collect();
+                    out.clause(&clause);
                 }
             }
         }
@@ -277,7 +312,7 @@ impl AgentCode {
         let node = self.diagram.node(id);
         let time = node.time;
         let mut clause = vec![!self.nodes[id as usize]];
-        if matches!(node.place, Place::At(v) if task.is_end(v, node.mask)) {
+        if self.is_end(node, task) {
             if !self.stays {
                 return; // it may end here, whatever the deadline
             }
@@ -304,6 +339,13 @@ impl AgentCode {
             self.due.entry(level).or_default().push(id);
         }
         out.clause(&clause);
+    }
+
+    /// Whether it may have arrived at a node: never before its optimum, which
+    /// knows of demands on times.
+    fn is_end(&self, node: &Node, task: &Task) -> bool {
+        let end = matches!(node.place, Place::At(v) if task.is_end(v, node.mask));
+        end && node.time >= self.optimum
     }
 
     fn cross(&self, from: NodeId, to: NodeId, terrain: &Terrain, added: &mut Added) {
@@ -336,9 +378,8 @@ impl AgentCode {
         loop {
             let node = self.diagram.node(id);
             walk.push(node.place);
-            let end = matches!(node.place, Place::At(v) if task.is_end(v, node.mask));
             let resting = self.rest(node.time + 1);
-            if end && (!self.stays || resting.is_none_or(&is_true)) {
+            if self.is_end(node, task) && (!self.stays || resting.is_none_or(&is_true)) {
                 return walk;
             }
             let written = self.written[id as usize] as usize;

@@ -23,6 +23,18 @@ pub(crate) struct BatteryCode {
     /// The first time whose window is not written yet; windows are named by
     /// their last time.
     next_window: u32,
+    /// Where a charge at one charger is demanded.
+    demanded: Demanded,
+}
+
+/// A charge at one charger, at whichever time.
+#[derive(Default)]
+struct Demanded {
+    is_on: bool,
+    /// Nodes there that no literal of `charges` speaks of yet.
+    nodes: Vec<(u32, Lit)>,
+    /// It charges there, one literal a node.
+    charges: Vec<Lit>,
 }
 
 impl BatteryCode {
@@ -32,7 +44,16 @@ impl BatteryCode {
             charges: Vec::new(),
             places: Vec::new(),
             next_window: reserve.initial,
+            demanded: Demanded::default(),
         }
+    }
+
+    /// A node at the charger at which a charge is demanded. (Where it may be the
+    /// arrival, at which nobody charges, the agent has left the charger before,
+    /// and a charge then costs the same.)
+    pub(crate) fn demand(&mut self, time: u32, node: Lit) {
+        self.demanded.is_on = true;
+        self.demanded.nodes.push((time, node));
     }
 
     /// The charge literals, by time.
@@ -66,6 +87,22 @@ impl BatteryCode {
         for (time, &charge) in self.charges.iter().enumerate() {
             let mut clause = vec![!charge];
             clause.extend(self.places.get(time).into_iter().flatten());
+            clause.extend(guard);
+            out.clause(&clause);
+        }
+        if self.demanded.is_on {
+            let Demanded { nodes, charges, .. } = &mut self.demanded;
+            nodes.retain(|&(time, node)| {
+                let Some(&charge) = self.charges.get(time as usize) else {
+                    return true;
+                };
+                let both = out.fresh();
+                out.clause(&[!both, node]);
+                out.clause(&[!both, charge]);
+                charges.push(both);
+                false
+            });
+            let mut clause = charges.clone();
             clause.extend(guard);
             out.clause(&clause);
         }

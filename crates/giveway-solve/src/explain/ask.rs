@@ -14,6 +14,7 @@ use giveway_model::{
 
 use crate::{
     Status,
+    condition::Condition,
     meter::{Meter, Stop},
     problem::{Problem, Relaxed, Setback},
     search::{Aim, Bounded, Verdict, find},
@@ -27,6 +28,8 @@ pub(crate) struct Ask<'a> {
     pub(crate) scene: &'a Scene,
     /// Rules between agents that do not count.
     pub(crate) relaxed: &'a Relaxed,
+    /// What a question asks for beside the rules.
+    pub(crate) condition: Option<&'a Condition>,
     /// What is minimised.
     pub(crate) objective: &'a Objective,
     /// The most that a plan may have of some costs.
@@ -83,7 +86,7 @@ fn run(ask: &Ask, aim: &Aim, meter: &Rc<Meter>) -> Found {
     let Ok(instance) = Instance::new(ask.scene.clone()) else {
         return nothing;
     };
-    let problem = match Problem::relaxed(&instance, ask.relaxed.clone(), meter) {
+    let problem = match Problem::relaxed(&instance, ask.relaxed.clone(), ask.condition, meter) {
         Ok(problem) => problem,
         Err(Setback::Alone(_)) => {
             return Found {
@@ -96,18 +99,26 @@ fn run(ask: &Ask, aim: &Aim, meter: &Rc<Meter>) -> Found {
     };
     let default = problem.default_horizon(instance.grid());
     let horizon = ask.within.unwrap_or(default.max(ask.at_least_within));
-    let bounded = Bounded {
-        horizon,
-        limits: ask.caps.clone(),
-    };
+    let mut limits = ask.caps.clone();
+    if !ask.condition.is_none_or(|it| it.limit_costs(&mut limits)) {
+        // Nothing costs less than nothing.
+        return Found {
+            status: Status::Impossible,
+            complete: true,
+            horizon,
+            ..nothing
+        };
+    }
+    let bounded = Bounded { horizon, limits };
     let verdict = find(&problem, ask.objective, &bounded, aim, meter);
-    judged(&instance, &problem, aim, horizon, verdict)
+    judged(&instance, &problem, ask.condition, aim, horizon, verdict)
 }
 
 /// A verdict with its plan judged: a plan that the judge refuses is no plan.
 fn judged(
     instance: &Instance,
     problem: &Problem,
+    condition: Option<&Condition>,
     aim: &Aim,
     horizon: u32,
     verdict: Verdict,
@@ -119,7 +130,9 @@ fn judged(
         .map(|(walks, costs)| (to_plan(problem, &names, &walks), costs));
     if let Some((plan, costs)) = &found {
         let broken = violations(instance, &problem.relaxed, plan);
-        if !broken.is_empty() || giveway_model::check::costs(instance, plan) != Some(*costs) {
+        let met = condition.is_none_or(|it| it.is_met_by(instance, plan));
+        if !met || !broken.is_empty() || giveway_model::check::costs(instance, plan) != Some(*costs)
+        {
             found = None;
             stop = Some(Stop::Contradiction);
         }

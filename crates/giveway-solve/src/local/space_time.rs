@@ -14,7 +14,7 @@ use crate::{
     encode::collisions::AgentId,
     meter::{Meter, Stop},
     problem::Problem,
-    single::Place,
+    single::{self as task, Place},
     walk::Walk,
 };
 
@@ -63,7 +63,12 @@ pub(crate) fn plan_one(
 ) -> Result<Option<(Walk, u32)>, Stop> {
     // Under `stay` nobody can rest at a goal that others still pass. To know
     // that from the beginning spares all tries to arrive sooner.
-    let goal = problem.tasks[query.agent].goal;
+    let task = &problem.tasks[query.agent];
+    let goal = task.goal;
+    let query = Query {
+        latest: query.latest.min(task.not_after()),
+        ..query
+    };
     // Some of those that pass may not count, where pairs ignore each other.
     let all_count = problem.relaxed.ignored.is_empty();
     let rests = problem.rests(query.agent) && all_count;
@@ -102,19 +107,14 @@ const NO_PARENT: u32 = u32::MAX;
 impl Search<'_, '_> {
     fn run(&mut self, meter: &Meter) -> Result<Option<(Walk, u32)>, Stop> {
         let task = &self.problem.tasks[self.query.agent];
-        let start = Place::At(task.start);
         let collisions = self.count(self.others.at(0, task.start));
         if collisions > 0 && self.query.price.is_none() {
             return Ok(None);
         }
-        self.push(
-            start,
-            task.first_mask(),
-            Some(task.first_level()),
-            0,
-            collisions,
-            NO_PARENT,
-        );
+        let Some(first) = task.first() else {
+            return Ok(None);
+        };
+        self.push(first, 0, collisions, NO_PARENT);
         let mut effort = self.query.effort;
         while let Some(Reverse(((_, collisions, _, id), ends))) = self.heap.pop() {
             meter.tick()?;
@@ -142,7 +142,8 @@ impl Search<'_, '_> {
     fn try_to_end(&mut self, id: u32) {
         let task = &self.problem.tasks[self.query.agent];
         let state = &self.states[id as usize];
-        if !matches!(state.place, Place::At(v) if task.is_end(v, state.mask)) {
+        let is_end = matches!(state.place, Place::At(v) if task.is_end(v, state.mask));
+        if !is_end || state.time < task.not_before {
             return;
         }
         let later = if self.problem.rests(self.query.agent) {
@@ -160,70 +161,37 @@ impl Search<'_, '_> {
     fn expand(&mut self, id: u32) {
         let problem = self.problem;
         let task = &problem.tasks[self.query.agent];
-        let terrain = &problem.terrain;
         let state = &self.states[id as usize];
-        let (mask, battery, time, collisions) =
-            (state.mask, state.battery, state.time, state.collisions);
-        match state.place {
-            Place::Along(arc) => {
-                let (_, v) = terrain.ends(arc);
-                let met = self.count(self.others.against(time, arc));
-                let mask = mask | task.bit(v);
-                self.reach(
-                    Place::At(v),
-                    mask,
-                    Some(battery),
-                    time + 1,
-                    collisions + met,
-                    id,
-                );
-            }
-            Place::At(u) => {
-                let level = task.level_after(terrain, u, battery, 1);
-                self.reach(Place::At(u), mask, level, time + 1, collisions, id);
-                for arc in terrain.arcs(u) {
-                    let met = self.count(self.others.against(time, arc.id));
-                    let steps = 1 + u32::from(arc.slow);
-                    let level = task.level_after(terrain, u, battery, steps);
-                    let (place, mask) = if arc.slow {
-                        (Place::Along(arc.id), mask)
-                    } else {
-                        (Place::At(arc.to), mask | task.bit(arc.to))
-                    };
-                    self.reach(place, mask, level, time + 1, collisions + met, id);
-                }
-            }
-        }
+        let (time, collisions) = (state.time, state.collisions);
+        let from = task::State {
+            place: state.place,
+            mask: state.mask,
+            battery: state.battery,
+        };
+        let others = self.others;
+        task.onward(&problem.terrain, from, time, true, |step| {
+            let against = step.arc.map(|arc| self.count(others.against(time, arc)));
+            let collisions = collisions + against.unwrap_or(0);
+            self.reach(step.to, time + 1, collisions, id);
+        });
     }
 
-    fn reach(
-        &mut self,
-        place: Place,
-        mask: u32,
-        battery: Option<u32>,
-        time: u32,
-        collisions: u32,
-        parent: u32,
-    ) {
-        let met = match place {
+    fn reach(&mut self, to: task::State, time: u32, collisions: u32, parent: u32) {
+        let met = match to.place {
             Place::At(v) => self.count(self.others.at(time, v)),
             Place::Along(_) => 0,
         };
         if self.query.price.is_some() || collisions + met == 0 {
-            self.push(place, mask, battery, time, collisions + met, parent);
+            self.push(to, time, collisions + met, parent);
         }
     }
 
-    fn push(
-        &mut self,
-        place: Place,
-        mask: u32,
-        battery: Option<u32>,
-        time: u32,
-        collisions: u32,
-        parent: u32,
-    ) {
-        let Some(battery) = battery else { return };
+    fn push(&mut self, to: task::State, time: u32, collisions: u32, parent: u32) {
+        let task::State {
+            place,
+            mask,
+            battery,
+        } = to;
         let task = &self.problem.tasks[self.query.agent];
         let (arrival, delay) = match place {
             Place::At(v) => (v, 0),

@@ -42,7 +42,7 @@ impl Incumbent {
             .as_ref()
             .is_none_or(|(_, best)| costs.vector(&self.objective) < best.vector(&self.objective));
         let within = walks.iter().all(|walk| arrival(walk) <= self.horizon);
-        if !(kept && better && within) {
+        if !(kept && better && within && problem.keeps(walks)) {
             return false;
         }
         self.best = Some((walks.to_vec(), costs));

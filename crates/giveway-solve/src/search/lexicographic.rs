@@ -18,6 +18,7 @@ use crate::{
     local::{apart, first_plan},
     meter::{Meter, Stop},
     problem::Problem,
+    single::Demand,
     walk::Walk,
 };
 
@@ -158,10 +159,16 @@ fn run(
     meter: &Rc<Meter>,
 ) -> Result<(), Stop> {
     let horizon = bounded.latest();
-    let late = (0..problem.agents()).find(|&a| problem.optima[a] > horizon);
+    let latest = |agent: usize| horizon.min(problem.not_after(agent));
+    let late = (0..problem.agents()).find(|&agent| problem.optima[agent] > latest(agent));
     if let Some(agent) = late {
         verdict.clash = vec![agent];
-        verdict.complete = bounded.limits_time(problem);
+        verdict.complete =
+            bounded.limits_time(problem) || problem.optima[agent] > problem.not_after(agent);
+        return Ok(());
+    }
+    if let Some(agent) = above_least(problem, meter)? {
+        verdict.clash = vec![agent];
         return Ok(());
     }
     let walks = apart(problem, meter)?;
@@ -173,8 +180,11 @@ fn run(
     if incumbent.costs().is_none() {
         // Where few agents find no plan there is mostly none, which is quickly
         // shown where their joint states can be exhausted.
+        // Where a question asks for something, a plan was just not looked for.
         let all: Vec<usize> = (0..problem.agents()).collect();
-        if joint::least(problem, &all, Cost::Makespan, meter)? == joint::Found::None {
+        if (!problem.is_asked() || joint::is_small(problem))
+            && joint::least(problem, &all, Cost::Makespan, meter)? == joint::Found::None
+        {
             verdict.clash = all;
             return Ok(());
         }
@@ -192,6 +202,18 @@ fn run(
         return Ok(());
     }
     prove(problem, &walks, bounded, aim, incumbent, verdict, meter)
+}
+
+/// An agent of which a question asks for less than it could have alone.
+fn above_least(problem: &Problem, meter: &Meter) -> Result<Option<usize>, Stop> {
+    for (agent, task) in problem.tasks.iter().enumerate() {
+        if let Some(Demand::AtMost { cost, most }) = task.demand
+            && least(problem, agent, cost, meter)? > most
+        {
+            return Ok(Some(agent));
+        }
+    }
+    Ok(None)
 }
 
 /// Whether the best plan is all that is looked for.
@@ -288,6 +310,7 @@ fn stages(
 
 /// Makes the limits hold; false where the agents' own minima break one.
 fn keep_limits(search: &mut Search, bounded: &Bounded) -> Result<bool, Stop> {
+    search.enter_insiders()?;
     for (&cost, &most) in &bounded.limits {
         if cost != Cost::Makespan && !search.limit(cost, most)? {
             return Ok(false);

@@ -18,6 +18,7 @@ use crate::{
     problem::Problem,
     progress::Progress,
     sat::Lit,
+    single::Demand,
     walk::Walk,
 };
 
@@ -77,7 +78,9 @@ impl<'p, 'h> Search<'p, 'h> {
             team: Team::new(problem, walks, Rc::clone(&meter)),
             meter,
             incumbent,
-            caps: vec![horizon; problem.agents()],
+            caps: (0..problem.agents())
+                .map(|agent| horizon.min(problem.not_after(agent)))
+                .collect(),
             capped: BTreeSet::new(),
             hard_caps: true,
             met_horizon: false,
@@ -178,6 +181,12 @@ impl<'p, 'h> Search<'p, 'h> {
         }
         self.team.enter(agent)?;
         self.harden_cap(agent);
+        if let Some(Demand::AtMost { cost, most }) = self.problem.tasks[agent].demand {
+            // No agent is asked for less than it could have alone.
+            if let Some(more) = self.team.more_than(agent, cost, most)? {
+                self.team.harden(!more);
+            }
+        }
         let costs: Vec<Cost> = self.limits.keys().copied().collect();
         for cost in costs {
             let digits = self.digits(agent, cost)?;
@@ -190,6 +199,15 @@ impl<'p, 'h> Search<'p, 'h> {
             if let Some(more) = self.team.more_than(agent, cost, least)? {
                 self.team.harden(!more);
             }
+        }
+        Ok(())
+    }
+
+    /// Takes those inside whom a question asks for what only the SAT solver can
+    /// keep.
+    pub(crate) fn enter_insiders(&mut self) -> Result<(), Stop> {
+        for agent in self.problem.insiders() {
+            self.enter(agent)?;
         }
         Ok(())
     }

@@ -58,10 +58,7 @@ impl Tally {
         let mut base = 0;
         let mut potential = None;
         if cost == Cost::Moves {
-            let task = Task {
-                reserve: None,
-                ..problem.tasks[agent].clone()
-            };
+            let task = problem.tasks[agent].for_moves();
             let table = ToGo::new(&task, &problem.terrain, Metric::Moves, meter)?;
             base = table.from(task.start, task.first_mask(), 0).unwrap_or(0);
             potential = Some(table);

@@ -12,6 +12,7 @@ use giveway_model::Cost;
 
 use super::tally::{Tally, least};
 use crate::{
+    condition::Precedence,
     encode::{
         agent::{Added, AgentCode},
         collisions::{AgentId, Collisions},
@@ -20,6 +21,7 @@ use crate::{
     meter::{Meter, Stop},
     problem::Problem,
     sat::{Clauses, Lit, Outcome, Sat},
+    single::NodeId,
     terrain::Vertex,
     walk::Walk,
 };
@@ -37,6 +39,8 @@ pub(crate) struct Team<'p, 'h> {
     owners: BTreeMap<Vertex, AgentId>,
     /// Positions of inside agents on goals, by goal.
     on_goals: BTreeMap<Vertex, Vec<(u32, AgentId, Lit)>>,
+    /// "Not been there yet", by time, where a question asks who is first.
+    not_yet: BTreeMap<u32, Lit>,
     tallies: BTreeMap<(AgentId, Cost), Tally>,
     minima: BTreeMap<(AgentId, Cost), u32>,
 }
@@ -54,6 +58,7 @@ impl<'p, 'h> Team<'p, 'h> {
             walks,
             owners: goals.map(|(agent, task)| (task.goal, agent)).collect(),
             on_goals: BTreeMap::new(),
+            not_yet: BTreeMap::new(),
             tallies: BTreeMap::new(),
             minima: BTreeMap::new(),
         }
@@ -103,8 +108,10 @@ impl<'p, 'h> Team<'p, 'h> {
         let Some(code) = &mut self.inside[agent] else {
             return Ok(());
         };
+        let old = code.diagram().len();
         let added = code.grow(deadline, problem, &self.meter, &mut self.sat)?;
         self.absorb(agent, &added);
+        self.precede(agent, old, &added);
         let Some(code) = &self.inside[agent] else {
             return Ok(());
         };
@@ -137,6 +144,42 @@ impl<'p, 'h> Team<'p, 'h> {
             self.collisions
                 .cross(time, arc, agent, premise, &mut self.sat);
         }
+    }
+
+    /// Who has to be somewhere first is in its way until it has been there.
+    fn precede(&mut self, agent: AgentId, old: NodeId, added: &Added) {
+        let Some(Precedence { first, second, at }) = self.problem.precedence else {
+            return;
+        };
+        if agent == second {
+            for &(time, v, lit) in &added.positions {
+                if v == at {
+                    let not_yet = self.not_yet(time);
+                    self.sat.clause(&[!lit, !not_yet]);
+                }
+            }
+        }
+        if agent == first {
+            let visited = self.problem.tasks[first].bit(at);
+            let Some(code) = self.inside[first].as_ref() else {
+                return;
+            };
+            let diagram = code.diagram();
+            let nodes: Vec<(u32, Lit)> = (old..diagram.len())
+                .filter(|&id| diagram.node(id).mask & visited == 0)
+                .map(|id| (diagram.node(id).time, code.node(id)))
+                .collect();
+            for (time, node) in nodes {
+                let not_yet = self.not_yet(time);
+                self.sat.clause(&[!node, not_yet]);
+            }
+        }
+    }
+
+    /// The literal "who has to be there first has not been there by a time".
+    fn not_yet(&mut self, time: u32) -> Lit {
+        let sat = &mut self.sat;
+        *self.not_yet.entry(time).or_insert_with(|| sat.fresh())
     }
 
     /// Somebody on the owner's goal at a time: the owner arrives later.

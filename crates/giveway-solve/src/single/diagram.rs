@@ -17,7 +17,7 @@ use rustc_hash::FxBuildHasher;
 
 use super::{
     ToGo,
-    task::{Mask, Task},
+    task::{Mask, State, Task},
 };
 use crate::{
     meter::{Meter, Stop},
@@ -74,6 +74,8 @@ pub(crate) struct Diagram {
     /// Steps that lead to no node yet, by level, then by the time they lead to.
     open: BTreeMap<(u32, u32), Vec<Step>>,
     deadline: Option<u32>,
+    /// No plan arrives earlier, whatever the tables say, which know no times.
+    optimum: u32,
 }
 
 impl Diagram {
@@ -90,6 +92,7 @@ impl Diagram {
             index: Index::default(),
             open: BTreeMap::from([((optimum, 0), vec![first])]),
             deadline: None,
+            optimum,
         }
     }
 
@@ -156,9 +159,22 @@ impl Diagram {
         meter: &Meter,
     ) {
         let mut steps = Vec::new();
-        let mut push = |place, mask, battery: Option<u32>, arrival: Vertex, delay: u32| {
-            let Some(battery) = battery else { return };
+        let state = State {
+            place: at.place,
+            mask: at.mask,
+            battery: at.battery,
+        };
+        task.onward(terrain, state, time, true, |step| {
+            let State {
+                place,
+                mask,
+                battery,
+            } = step.to;
             // A place half way counts with the level that it leads to.
+            let (arrival, delay) = match place {
+                Place::At(v) => (v, 0),
+                Place::Along(arc) => (terrain.ends(arc).1, 1),
+            };
             let Some(rest) = to_go.from(arrival, mask | task.bit(arrival), battery) else {
                 return;
             };
@@ -166,29 +182,9 @@ impl Diagram {
                 place,
                 mask,
                 battery,
-                level: time + 1 + delay + rest,
+                level: (time + 1 + delay + rest).max(self.optimum),
             });
-        };
-        match at.place {
-            Place::At(u) => {
-                let wait = task.level_after(terrain, u, at.battery, 1);
-                push(Place::At(u), at.mask, wait, u, 0);
-                for arc in terrain.arcs(u) {
-                    let after = task.level_after(terrain, u, at.battery, 1 + u32::from(arc.slow));
-                    if arc.slow {
-                        push(Place::Along(arc.id), at.mask, after, arc.to, 1);
-                    } else {
-                        let mask = at.mask | task.bit(arc.to);
-                        push(Place::At(arc.to), mask, after, arc.to, 0);
-                    }
-                }
-            }
-            Place::Along(arc) => {
-                let (_, v) = terrain.ends(arc);
-                // The battery of a node half way is the one on arrival.
-                push(Place::At(v), at.mask | task.bit(v), Some(at.battery), v, 0);
-            }
-        }
+        });
         steps.sort_by_key(|s| s.level);
         meter.hold(96 + steps.len() * 48);
         for step in &steps {

@@ -2,9 +2,11 @@
 
 use giveway_model::{Agent, Rules};
 
+use super::{Demand, Place};
 use crate::terrain::{Terrain, Vertex};
 
-/// A set of visited waypoints, one bit each in the order of the agent's list.
+/// A set of visited waypoints, one bit each in the order of the agent's list;
+/// after them the bit of a demand that has one.
 pub(crate) type Mask = u32;
 
 /// The largest number of waypoints that masks can hold, and that exact tables
@@ -29,6 +31,30 @@ pub(crate) struct Task {
     pub(crate) waypoints: Vec<Vertex>,
     /// `None` is unlimited.
     pub(crate) reserve: Option<Reserve>,
+    /// What a question asks of it beside the task.
+    pub(crate) demand: Option<Demand>,
+    /// It must not have arrived before this time.
+    pub(crate) not_before: u32,
+}
+
+/// The state of an agent on its way, with the best battery level that it may
+/// have there.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct State {
+    pub(crate) place: Place,
+    pub(crate) mask: Mask,
+    /// 0 where it is unlimited. Half way along a slow arc it is the level on
+    /// arrival.
+    pub(crate) battery: u32,
+}
+
+/// One time step of an agent.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Onward {
+    /// The state that it leads to.
+    pub(crate) to: State,
+    /// The arc that is crossed in this step.
+    pub(crate) arc: Option<u32>,
 }
 
 impl Task {
@@ -49,23 +75,39 @@ impl Task {
             goal: terrain.vertex(agent.goal)?,
             waypoints: waypoints?,
             reserve,
+            demand: None,
+            not_before: 0,
         })
     }
 
+    /// The number of bits of a mask.
+    fn bits(&self) -> usize {
+        let demanded = self.demand.as_ref().is_some_and(Demand::has_bit);
+        self.waypoints.len() + usize::from(demanded)
+    }
+
     /// The set of all waypoints.
-    pub(crate) const fn all(&self) -> Mask {
-        (1 << self.waypoints.len()) - 1
+    pub(crate) fn all(&self) -> Mask {
+        (1 << self.bits()) - 1
     }
 
     /// The number of sets of waypoints.
-    pub(crate) const fn masks(&self) -> usize {
-        1 << self.waypoints.len()
+    pub(crate) fn masks(&self) -> usize {
+        1 << self.bits()
     }
 
     /// The waypoint at a vertex, as a set of one; empty elsewhere.
     pub(crate) fn bit(&self, v: Vertex) -> Mask {
         let found = self.waypoints.iter().position(|&w| w == v);
         found.map_or(0, |i| 1 << i)
+    }
+
+    /// Makes a vertex a waypoint, where it is none; the set of it alone.
+    pub(crate) fn visit(&mut self, v: Vertex) -> Mask {
+        if self.bit(v) == 0 {
+            self.waypoints.push(v);
+        }
+        self.bit(v)
     }
 
     /// The waypoints visited at time 0.
@@ -78,25 +120,143 @@ impl Task {
         self.reserve.map_or(0, |r| r.initial)
     }
 
+    /// The bit that beginning to cross an arc sets; none for most arcs.
+    pub(crate) fn crossed(&self, arc: u32, now: Option<u32>) -> Mask {
+        match &self.demand {
+            Some(demand) if demand.is_set_by(arc, now) => 1 << self.waypoints.len(),
+            _ => 0,
+        }
+    }
+
+    /// The bit of the demand; none where it has none.
+    pub(crate) fn demanded_bit(&self) -> Mask {
+        self.all() & !((1 << self.waypoints.len()) - 1)
+    }
+
+    /// Whether it may be at a vertex, the waypoints of the mask visited.
+    pub(crate) fn may_stand(&self, v: Vertex, mask: Mask, now: Option<u32>) -> bool {
+        let demand = self.demand.as_ref();
+        demand.is_none_or(|demand| demand.may_stand(v, mask, now))
+    }
+
+    /// Whether it may begin to cross an arc.
+    pub(crate) fn may_cross(&self, arc: u32, now: Option<u32>) -> bool {
+        let demand = self.demand.as_ref();
+        demand.is_none_or(|demand| demand.may_cross(arc, now))
+    }
+
+    /// Whether it may wait a step.
+    pub(crate) fn may_wait(&self, v: Vertex, now: u32) -> bool {
+        let demand = self.demand.as_ref();
+        demand.is_none_or(|demand| demand.may_wait(v, now))
+    }
+
+    /// Whether it may charge at a vertex.
+    pub(crate) fn may_charge(&self, terrain: &Terrain, v: Vertex, now: Option<u32>) -> bool {
+        let demand = self.demand.as_ref();
+        terrain.is_charger(v) && demand.is_none_or(|demand| demand.may_charge(v, now))
+    }
+
+    /// Whether the mask has what it must have from some time on.
+    pub(crate) fn is_on_time(&self, mask: Mask, now: u32) -> bool {
+        let from = self.demand.as_ref().and_then(Demand::set_from);
+        from.is_none_or(|from| now < from || mask & self.demanded_bit() != 0)
+    }
+
+    /// The latest arrival that is allowed.
+    pub(crate) fn not_after(&self) -> u32 {
+        match self.demand {
+            Some(Demand::ArriveBy(time)) => time,
+            _ => u32::MAX,
+        }
+    }
+
+    /// The state at time 0; `None` where the demand forbids it.
+    pub(crate) fn first(&self) -> Option<State> {
+        let mask = self.first_mask();
+        let state = State {
+            place: Place::At(self.start),
+            mask,
+            battery: self.first_level(),
+        };
+        self.may_stand(self.start, mask, Some(0)).then_some(state)
+    }
+
     /// Whether being at a vertex with these waypoints visited is arriving.
-    pub(crate) const fn is_end(&self, v: Vertex, mask: Mask) -> bool {
+    pub(crate) fn is_end(&self, v: Vertex, mask: Mask) -> bool {
         v == self.goal && mask == self.all()
     }
 
-    /// The best level after `steps` more steps, one or two, begun at a vertex
-    /// with a level, charging there if that is possible; `None` where the
-    /// battery would fall below its floor.
-    pub(crate) fn level_after(
+    /// The steps that begin in a state at a time, charging or not. Charging is
+    /// what gives the best levels.
+    pub(crate) fn onward(
         &self,
         terrain: &Terrain,
-        from: Vertex,
-        level: u32,
-        steps: u32,
-    ) -> Option<u32> {
+        from: State,
+        now: u32,
+        charging: bool,
+        mut take: impl FnMut(Onward),
+    ) {
+        let mut go = |place, mask, battery: Option<u32>, arc| {
+            let Some(battery) = battery else { return };
+            let stands = match place {
+                Place::At(v) => self.may_stand(v, mask, Some(now + 1)),
+                Place::Along(_) => true,
+            };
+            if stands && self.is_on_time(mask, now + 1) {
+                let to = State {
+                    place,
+                    mask,
+                    battery,
+                };
+                take(Onward { to, arc });
+            }
+        };
+        match from.place {
+            Place::Along(arc) => {
+                let (_, v) = terrain.ends(arc);
+                let mask = from.mask | self.bit(v);
+                go(Place::At(v), mask, Some(from.battery), Some(arc));
+            }
+            Place::At(u) => {
+                let charges = charging && self.may_charge(terrain, u, Some(now));
+                let after = |steps| self.level_after(from.battery, steps, charges);
+                if self.may_wait(u, now) {
+                    go(Place::At(u), from.mask, after(1), None);
+                }
+                for arc in terrain.arcs(u) {
+                    if !self.may_cross(arc.id, Some(now)) {
+                        continue;
+                    }
+                    let mask = from.mask | self.crossed(arc.id, Some(now));
+                    if arc.slow {
+                        go(Place::Along(arc.id), mask, after(2), Some(arc.id));
+                    } else {
+                        let mask = mask | self.bit(arc.to);
+                        go(Place::At(arc.to), mask, after(1), Some(arc.id));
+                    }
+                }
+            }
+        }
+    }
+
+    /// The level after `steps` more steps, one or two, begun with a level,
+    /// charging first or not; `None` where it would fall below the floor.
+    fn level_after(&self, level: u32, steps: u32, charges: bool) -> Option<u32> {
         match self.reserve {
             None => Some(0),
-            Some(reserve) if terrain.is_charger(from) => (reserve.full + 1).checked_sub(steps),
+            Some(reserve) if charges => (reserve.full + 1).checked_sub(steps),
             Some(_) => level.checked_sub(steps),
+        }
+    }
+
+    /// The same task for counting moves: without a battery, and without what is
+    /// forbidden, so that every move can be taken back.
+    pub(crate) fn for_moves(&self) -> Self {
+        Self {
+            reserve: None,
+            demand: self.demand.clone().filter(Demand::has_bit),
+            ..self.clone()
         }
     }
 }

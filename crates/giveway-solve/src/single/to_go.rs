@@ -143,7 +143,9 @@ struct Search<'a> {
 
 impl Search<'_> {
     fn run(&mut self, meter: &Meter) -> Result<(), Stop> {
-        self.push(self.task.goal, self.task.all(), 0, 0);
+        if self.task.may_stand(self.task.goal, self.task.all(), None) {
+            self.push(self.task.goal, self.task.all(), 0, 0);
+        }
         let mut cost = 0;
         while cost < self.buckets.len() {
             // First in, first out: among labels of one cost those with less
@@ -172,15 +174,24 @@ impl Search<'_> {
         let terrain = self.terrain;
         for arc in terrain.arcs(v) {
             let u = arc.to;
+            let forth = arc.id ^ 1;
+            if !self.task.may_cross(forth, None) {
+                continue;
+            }
             let cost = cost + self.metric.of_move(arc.slow);
             let steps = 1 + u32::from(arc.slow);
-            for before in [mask, mask & !bit] {
+            let crossed = self.task.crossed(forth, None);
+            if mask & crossed != crossed {
+                continue; // whoever came that way has crossed the arc
+            }
+            let bits = [0, bit, crossed, bit | crossed];
+            for (i, set) in bits.iter().enumerate() {
+                let before = mask & !set;
                 // Being at u has visited u's own waypoint.
-                if before & self.task.bit(u) == self.task.bit(u) {
+                let visited = before & self.task.bit(u) == self.task.bit(u);
+                let again = bits.iter().take(i).any(|other| other == set);
+                if visited && !again && self.task.may_stand(u, before, None) {
                     self.step_back(u, before, cost, need, steps);
-                }
-                if bit == 0 {
-                    break;
                 }
             }
         }
@@ -195,7 +206,7 @@ impl Search<'_> {
             self.push(u, mask, cost, need + steps);
         }
         // A charge fills the battery for the next time step already.
-        if self.terrain.is_charger(u) && need + steps <= reserve.full + 1 {
+        if self.task.may_charge(self.terrain, u, None) && need + steps <= reserve.full + 1 {
             self.push(u, mask, cost + self.metric.of_charge(), 0);
         }
     }

@@ -28,6 +28,7 @@ fn ask<T>(
     with(&Ask {
         scene: &instance.to_scene(),
         relaxed,
+        condition: None,
         objective: &objective.parse().unwrap(),
         caps: &BTreeMap::new(),
         within: None,
@@ -84,7 +85,7 @@ fn relaxed_optima_are_those_of_the_joint_states() {
         };
         let found = ask(&instance, &relaxed, "moves", |ask| best(ask, &meter()));
         let any = by_any(&instance, &relaxed);
-        let problem = Problem::relaxed(&instance, relaxed.clone(), &meter()).ok();
+        let problem = Problem::relaxed(&instance, relaxed.clone(), None, &meter()).ok();
         let all = [0, 1, 2];
         let least = problem.map(|p| joint::least(&p, &all, Cost::Moves, &meter()).unwrap());
         let found = match least {

@@ -1,0 +1,316 @@
+//! What a question contrasts the plan with, as the search sees it.
+//!
+//! Most of it is a demand on one agent ([`Demand`]) or a limit on a cost; who
+//! comes first at a cell is the one thing between two agents. Names and cells
+//! are looked up anew in each instance, since explanations ask about edited
+//! ones, too, with other agents and other obstacles.
+
+use std::collections::BTreeMap;
+
+use giveway_model::{
+    Cell, Cost, Instance, Plan, Question,
+    check::{arrivals, costs},
+    question::holds,
+};
+
+use crate::{
+    meter::Meter,
+    problem::{Problem, Setback},
+    single::{Demand, Place, Task},
+    terrain::Vertex,
+    walk::Walk,
+};
+
+/// A constraint on the other plan.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub(crate) struct Condition {
+    /// The question; where it is about whichever agent, about one of them.
+    question: Question,
+    /// The plan that is asked about.
+    plan: Plan,
+    /// What a number must be below, where the question is about one.
+    below: u32,
+}
+
+/// One agent is at a vertex before another has been there.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) struct Precedence {
+    /// Who has to be there first; the vertex is one of its waypoints.
+    pub(crate) first: usize,
+    /// Who may be there later.
+    pub(crate) second: usize,
+    pub(crate) at: Vertex,
+}
+
+impl Precedence {
+    /// Whether walks, in which the first does visit the vertex, keep to it.
+    pub(crate) fn is_kept(self, walks: &[Walk]) -> bool {
+        let visit = |agent: usize| {
+            let walk = walks.get(agent)?;
+            walk.iter().position(|&place| place == Place::At(self.at))
+        };
+        match (visit(self.first), visit(self.second)) {
+            (Some(first), Some(second)) => first < second,
+            (first, _) => first.is_some(),
+        }
+    }
+}
+
+impl Condition {
+    /// What must hold in the other plan, one way or another: there are several
+    /// where a question is about whichever agent, and none where it has no
+    /// contrast. The question fits the plan.
+    pub(crate) fn of(question: &Question, instance: &Instance, plan: &Plan) -> Vec<Self> {
+        let whole = |agent: &Option<String>| agent.is_none();
+        let total = |cost: Cost| costs(instance, plan).map_or(0, |costs| costs.get(cost));
+        let below = match question {
+            Question::Makespan => total(Cost::Makespan),
+            Question::SumOfCosts => total(Cost::SumOfCosts),
+            Question::Charges { agent } if whole(agent) => total(Cost::Charges),
+            Question::Moves { agent } if whole(agent) => total(Cost::Moves),
+            Question::Waits { agent } if whole(agent) => total(Cost::Waits),
+            Question::Charges { agent: Some(agent) } => own(instance, plan, agent, Cost::Charges),
+            Question::Waits { agent: Some(agent) } => own(instance, plan, agent, Cost::Waits),
+            Question::Arrival { agent } => own(instance, plan, agent, Cost::Makespan),
+            Question::Length {
+                fewer_than: Some(fewer_than),
+                ..
+            } => *fewer_than,
+            Question::Moves { agent: Some(agent) } | Question::Length { agent, .. } => {
+                own(instance, plan, agent, Cost::Moves)
+            }
+            _ => 0,
+        };
+        let about = |question: Question| Self {
+            question,
+            plan: plan.clone(),
+            below,
+        };
+        match question {
+            Question::Unsolvable | Question::Plan => Vec::new(),
+            Question::NoVisit { agent: None, at } => {
+                let agents = instance.agents().iter();
+                agents
+                    .map(|agent| {
+                        about(Question::NoVisit {
+                            agent: Some(agent.name.clone()),
+                            at: *at,
+                        })
+                    })
+                    .collect()
+            }
+            question => vec![about(question.clone())],
+        }
+    }
+
+    /// The agent that is asked about, if there is one.
+    pub(crate) fn agent(&self) -> Option<&str> {
+        self.question.agent()
+    }
+
+    /// The limit on a cost of the whole plan, if that is what is asked for.
+    pub(crate) fn limit(&self) -> Option<(Cost, u32)> {
+        let cost = match self.question {
+            Question::Makespan => Cost::Makespan,
+            Question::SumOfCosts => Cost::SumOfCosts,
+            Question::Charges { agent: None } => Cost::Charges,
+            Question::Moves { agent: None } => Cost::Moves,
+            Question::Waits { agent: None } => Cost::Waits,
+            _ => return None,
+        };
+        Some((cost, self.below))
+    }
+
+    /// Adds the limit on a cost to others; false where no plan can keep it.
+    pub(crate) fn limit_costs(&self, limits: &mut BTreeMap<Cost, u32>) -> bool {
+        let Some((cost, below)) = self.limit() else {
+            return true;
+        };
+        let Some(most) = below.checked_sub(1) else {
+            return false;
+        };
+        let limit = limits.entry(cost).or_insert(most);
+        *limit = most.min(*limit);
+        true
+    }
+
+    /// Whether a plan of an instance, edited maybe, is what is asked for. The
+    /// judge of questions says so, which knows nothing of the search.
+    pub(crate) fn is_met_by(&self, instance: &Instance, other: &Plan) -> bool {
+        if let Some((cost, below)) = self.limit() {
+            return costs(instance, other).is_some_and(|costs| costs.get(cost) < below);
+        }
+        let question = match &self.question {
+            // Whoever is not there has not been there before.
+            Question::Yield { agent, to, at } if index(instance, to).is_none() => {
+                Question::NoVisit {
+                    agent: Some(agent.clone()),
+                    at: *at,
+                }
+            }
+            question => question.clone(),
+        };
+        holds(&question, instance, &self.plan, other) == Some(true)
+    }
+
+    /// Makes a problem keep to it.
+    ///
+    /// # Errors
+    /// Where the agent alone cannot, or the budget is spent.
+    pub(crate) fn impose(
+        &self,
+        instance: &Instance,
+        problem: &mut Problem,
+        meter: &Meter,
+    ) -> Result<(), Setback> {
+        let Some(agent) = self.agent().and_then(|name| index(instance, name)) else {
+            return Ok(());
+        };
+        let impossible = Setback::Alone(agent);
+        let mut task = problem.tasks[agent].clone();
+        let to = match &self.question {
+            Question::Yield { to, .. } => index(instance, to),
+            _ => None,
+        };
+        if self.demand(problem, agent, &mut task).is_none() {
+            return Err(impossible);
+        }
+        if let (Some(second), Question::Yield { at, .. }) = (to, &self.question) {
+            let at = problem.terrain.vertex(*at).ok_or(impossible)?;
+            problem.precedence = Some(Precedence {
+                first: agent,
+                second,
+                at,
+            });
+        }
+        problem.add(agent, task, meter)
+    }
+
+    /// Puts the demand into the agent's task; `None` where it cannot be kept.
+    fn demand(&self, problem: &Problem, agent: usize, task: &mut Task) -> Option<()> {
+        let terrain = &problem.terrain;
+        let vertex = |cell: Cell| terrain.vertex(cell);
+        let arc = |from: Cell, to: Cell| {
+            let (u, v) = (vertex(from)?, vertex(to)?);
+            let arc = terrain.arcs(u).iter().find(|arc| arc.to == v)?;
+            Some(arc.id)
+        };
+        let fewer = |cost| {
+            let most = self.below.checked_sub(1)?;
+            Some(Demand::AtMost { cost, most })
+        };
+        task.demand = match self.question {
+            Question::Wait {
+                at,
+                from,
+                to,
+                at_least,
+                ..
+            } => match at.map(vertex) {
+                Some(None) => None, // nobody waits in an obstacle
+                v => Some(Demand::Wait {
+                    v: v.flatten(),
+                    from: from.unwrap_or(0),
+                    to: to.unwrap_or(u32::MAX),
+                    steps: at_least.unwrap_or(1).max(1),
+                }),
+            },
+            Question::Charge { at, time, .. } => Some(Demand::NotCharge {
+                v: at.and_then(vertex),
+                time,
+            }),
+            Question::NoCharge { at, .. } => {
+                task.reserve?;
+                let v = vertex(at)?;
+                let leaving = terrain.arcs(v).iter().map(|arc| arc.id).collect();
+                Some(Demand::Charge { v, leaving })
+            }
+            Question::Visit { at, time, .. } => {
+                let v = vertex(at);
+                if let (Some(time), Some(v)) = (time, v)
+                    && v == task.goal
+                    && problem.rests(agent)
+                {
+                    // Resting there is being there.
+                    task.not_before = time.checked_add(1)?;
+                }
+                v.map(|v| Demand::Avoid { v, time })
+            }
+            Question::NoVisit { at, .. } | Question::Yield { at, .. } => {
+                task.visit(vertex(at)?);
+                None
+            }
+            Question::Move {
+                from_cell,
+                to_cell,
+                time,
+                ..
+            } => Some(Demand::NotCross {
+                arcs: arc(from_cell, to_cell).into_iter().collect(),
+                time,
+            }),
+            Question::NoMove {
+                from_cell,
+                to_cell,
+                time,
+                ..
+            } => Some(Demand::Cross {
+                arcs: vec![arc(from_cell, to_cell)?],
+                time,
+            }),
+            Question::Slow {
+                from_cell, to_cell, ..
+            } => {
+                let edge = from_cell.zip(to_cell);
+                let is_asked = |id: u32| {
+                    let (u, v) = terrain.ends(id);
+                    let ends = (terrain.cell(u), terrain.cell(v));
+                    edge.is_none_or(|(u, v)| ends == (u, v) || ends == (v, u))
+                };
+                let arcs = (0..terrain.len() as Vertex).flat_map(|u| terrain.arcs(u));
+                let slow = arcs.filter(|arc| arc.slow && is_asked(arc.id));
+                Some(Demand::NotCross {
+                    arcs: slow.map(|arc| arc.id).collect(),
+                    time: None,
+                })
+            }
+            Question::Order { first, second, .. } => {
+                let waypoint = task.visit(vertex(second)?);
+                let v = vertex(first);
+                v.map(|v| Demand::After { v, waypoint })
+            }
+            Question::Arrival { .. } => Some(Demand::ArriveBy(self.below.checked_sub(1)?)),
+            Question::Length { .. } | Question::Moves { .. } => Some(fewer(Cost::Moves)?),
+            Question::Charges { .. } => Some(fewer(Cost::Charges)?),
+            Question::Waits { .. } => Some(fewer(Cost::Waits)?),
+            Question::Makespan | Question::SumOfCosts | Question::Unsolvable | Question::Plan => {
+                None
+            }
+        };
+        Some(())
+    }
+}
+
+fn index(instance: &Instance, name: &str) -> Option<usize> {
+    instance
+        .agents()
+        .iter()
+        .position(|agent| agent.name == name)
+}
+
+/// A cost of one agent in a plan; its makespan is its arrival.
+fn own(instance: &Instance, plan: &Plan, name: &str, cost: Cost) -> u32 {
+    let Some(agent) = index(instance, name) else {
+        return 0;
+    };
+    let arrival = arrivals(instance, plan).get(agent).copied().flatten();
+    let mut scene = instance.to_scene();
+    scene.agents.retain(|other| other.name == name);
+    match cost {
+        Cost::Makespan => arrival.unwrap_or(0),
+        _ => Instance::new(scene)
+            .ok()
+            .and_then(|alone| costs(&alone, plan))
+            .map_or(0, |costs| costs.get(cost)),
+    }
+}

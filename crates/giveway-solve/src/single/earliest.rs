@@ -1,0 +1,84 @@
+//! The earliest arrival of an agent alone, where a demand is about times.
+//!
+//! Tables know no times, so they only bound it from below. Up to the last time
+//! that the demand is about, all states are followed step by step, each with
+//! its fullest battery; from there on the tables are exact.
+
+use std::collections::BTreeMap;
+
+use super::{Place, State, Task, ToGo, task::Mask};
+use crate::{
+    meter::{Meter, Stop},
+    terrain::Terrain,
+};
+
+/// Times that are followed step by step; later ones are beyond every horizon.
+const MOST_TIMES: u32 = 20_000;
+
+/// The earliest arrival; `None` where there is no plan whatever the horizon. For
+/// a demand about very late times it is a lower bound.
+///
+/// # Errors
+/// When the budget is spent.
+pub(crate) fn earliest(
+    task: &Task,
+    terrain: &Terrain,
+    to_go: &ToGo,
+    meter: &Meter,
+) -> Result<Option<u32>, Stop> {
+    let Some(first) = task.first() else {
+        return Ok(None);
+    };
+    let table = to_go.from(task.start, first.mask, first.battery);
+    let Some(table) = table.map(|table| table.max(task.not_before)) else {
+        return Ok(None);
+    };
+    let demand = task.demand.as_ref();
+    if matches!(demand, Some(super::Demand::Wait { .. })) {
+        return Ok(Some(table)); // alone it has no need to wait
+    }
+    let Some(last) = demand.and_then(super::Demand::last_time) else {
+        return Ok(Some(table));
+    };
+    let bound = table.max(demand.and_then(super::Demand::set_from).unwrap_or(0));
+    if task.not_after() < bound {
+        return Ok(None);
+    }
+    if last > MOST_TIMES || task.not_after() < u32::MAX {
+        return Ok(Some(bound));
+    }
+    let mut layer: BTreeMap<(Place, Mask), u32> = BTreeMap::new();
+    layer.insert((first.place, first.mask), first.battery);
+    let mut best: Option<u32> = None;
+    for now in 0..=last {
+        let mut next = BTreeMap::new();
+        for ((place, mask), battery) in layer {
+            meter.tick()?;
+            let is_end = matches!(place, Place::At(v) if task.is_end(v, mask));
+            if is_end && now >= task.not_before {
+                best = Some(best.map_or(now, |best| best.min(now)));
+            }
+            let state = State {
+                place,
+                mask,
+                battery,
+            };
+            task.onward(terrain, state, now, true, |step| {
+                let key = (step.to.place, step.to.mask);
+                let fullest = next.entry(key).or_insert(step.to.battery);
+                *fullest = step.to.battery.max(*fullest);
+            });
+        }
+        layer = next;
+    }
+    for ((place, mask), battery) in layer {
+        let (v, delay) = match place {
+            Place::At(v) => (v, 0),
+            Place::Along(arc) => (terrain.ends(arc).1, 1),
+        };
+        let rest = to_go.from(v, mask | task.bit(v), battery);
+        let arrival = rest.map(|rest| (last + 1 + delay + rest).max(task.not_before));
+        best = best.into_iter().chain(arrival).min();
+    }
+    Ok(best)
+}
