@@ -24,6 +24,8 @@ pub(crate) enum Failure {
         /// What is wrong with it.
         faults: Vec<Fault>,
     },
+    /// What was asked cannot be answered: sentences.
+    Refused(Vec<String>),
     /// The command line is wrong: a sentence without its full stop.
     Usage(String),
     /// A result could not be written.
@@ -57,6 +59,15 @@ impl Failure {
         match self {
             Self::Input { file, faults } => {
                 stream::error_lines(&fault_lines(file, faults));
+                Exit::Wrong
+            }
+            Self::Refused(sentences) => {
+                let told = sentences.iter().take(TOLD);
+                let mut lines: Vec<String> = told.map(|line| plain::text(line)).collect();
+                if sentences.len() > TOLD {
+                    lines.push(format!("and {} more", sentences.len() - TOLD));
+                }
+                stream::error_lines(&lines);
                 Exit::Wrong
             }
             Self::Usage(sentence) => {

@@ -138,6 +138,7 @@ impl Known {
             }
             Progress::Plan { costs } => self.best = Some(*costs),
             Progress::Size { conflicts, .. } => self.conflicts = *conflicts,
+            Progress::Explained { .. } => {}
         }
     }
 

@@ -3,6 +3,8 @@
 use giveway_model::{Cost, Costs};
 use serde::{Deserialize, Serialize};
 
+use crate::explain::ExplainAnswer;
+
 /// An event on the way to an answer.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 #[serde(tag = "event", rename_all = "kebab-case")]
@@ -28,5 +30,10 @@ pub enum Progress {
         clauses: u64,
         /// Conflicts that it met.
         conflicts: u64,
+    },
+    /// A part of an answer to a question became known.
+    Explained {
+        /// The answer as far as it is known; `pending` names what is to come.
+        answer: Box<ExplainAnswer>,
     },
 }

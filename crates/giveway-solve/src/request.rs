@@ -3,6 +3,8 @@
 use giveway_model::{Objective, Plan, Scene, format::from_object};
 use serde::{Deserialize, Serialize};
 
+use crate::explain::ExplainRequest;
+
 /// A request to the [service](crate::service).
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 #[serde(tag = "request", rename_all = "kebab-case")]
@@ -11,6 +13,8 @@ pub enum Request {
     Solve(SolveRequest),
     /// Judge a plan.
     Check(CheckRequest),
+    /// Answer a question about a plan, or about there being none.
+    Explain(ExplainRequest),
 }
 
 /// Find and prove the best plan, or the Pareto front.

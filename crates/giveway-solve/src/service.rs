@@ -1,10 +1,16 @@
 //! The one door of the solver: requests in, progress and a response out.
 
-use giveway_model::{Fault, Instance, Version, check::check};
+use giveway_model::{
+    Fault, Instance, Version,
+    check::{Violation, check},
+    question::Misfit,
+};
 use serde::{Deserialize, Serialize};
 
 use crate::{
-    CheckAnswer, CheckRequest, FrontAnswer, Host, Request, SolveAnswer, SolveRequest, pareto,
+    CheckAnswer, CheckRequest, FrontAnswer, Host, Request, SolveAnswer, SolveRequest,
+    explain::{ExplainAnswer, engine},
+    pareto,
     solve::{self, Task},
 };
 
@@ -18,6 +24,8 @@ pub enum Response {
     Front(FrontAnswer),
     /// To [`Request::Check`].
     Checked(CheckAnswer),
+    /// To [`Request::Explain`].
+    Explained(Box<ExplainAnswer>),
     /// The request is wrong; nothing was done.
     Refused(Refusal),
 }
@@ -36,6 +44,28 @@ pub enum Refusal {
         /// What was found and what was expected.
         fault: Fault,
     },
+    /// The plan that is asked about is none.
+    Plan {
+        /// Every rule that it breaks.
+        violations: Vec<Violation>,
+    },
+    /// The question cannot be asked of the plan.
+    Question {
+        /// What is so instead, and what can be asked.
+        misfit: Misfit,
+    },
+}
+
+impl Refusal {
+    /// What is wrong, in sentences or phrases, one each.
+    pub fn sentences(&self) -> Vec<String> {
+        match self {
+            Self::Scene { faults } => faults.iter().map(ToString::to_string).collect(),
+            Self::Request { fault } => vec![fault.to_string()],
+            Self::Plan { violations } => violations.iter().map(|v| v.message.clone()).collect(),
+            Self::Question { misfit } => vec![misfit.to_string()],
+        }
+    }
 }
 
 /// Serves a request; the same request gives the same response, stats and
@@ -44,6 +74,10 @@ pub fn serve(request: &Request, host: &dyn Host) -> Response {
     match request {
         Request::Check(request) => serve_check(request),
         Request::Solve(request) => serve_solve(request, host),
+        Request::Explain(request) => match engine::explain(request, host) {
+            Ok(answer) => Response::Explained(Box::new(answer)),
+            Err(refusal) => Response::Refused(refusal),
+        },
     }
 }
 

@@ -11,8 +11,11 @@ pub const MEMORY_BYTES: u64 = 224 << 20;
 
 /// The request with the default memory limit where it has none.
 pub(crate) fn within_budget(mut request: Request) -> Request {
-    if let Request::Solve(solve) = &mut request {
-        solve.limits.memory_bytes.get_or_insert(MEMORY_BYTES);
-    }
+    let limits = match &mut request {
+        Request::Solve(solve) => &mut solve.limits,
+        Request::Explain(explain) => &mut explain.limits,
+        Request::Check(_) => return request,
+    };
+    limits.memory_bytes.get_or_insert(MEMORY_BYTES);
     request
 }

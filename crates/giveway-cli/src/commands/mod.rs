@@ -33,6 +33,7 @@ fn refused(refusal: Refusal, file: &std::path::Path) -> Failure {
             faults,
         },
         Refusal::Request { fault } => Failure::Usage(fault.to_string()),
+        refusal => Failure::Refused(refusal.sentences()),
     }
 }
 

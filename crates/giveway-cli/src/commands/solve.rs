@@ -57,7 +57,7 @@ pub(crate) fn run(args: &Solve, common: &Common, clock: Clock) -> Result<Exit, F
             Ok(exit(answer.status))
         }
         Response::Refused(refusal) => Err(refused(refusal, &args.source.instance)),
-        Response::Checked(_) => Err(unexpected(&args.source.instance)),
+        Response::Checked(_) | Response::Explained(_) => Err(unexpected(&args.source.instance)),
     }
 }
 

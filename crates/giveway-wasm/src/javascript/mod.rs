@@ -72,6 +72,7 @@ fn respond(request: Request, host: &dyn Host) -> Result<JsValue, JsValue> {
         Response::Solved(answer) => objects::write(&answer),
         Response::Front(answer) => objects::write(&answer),
         Response::Checked(answer) => objects::write(&answer),
+        Response::Explained(answer) => objects::write(&answer),
         Response::Refused(Refusal::Scene { faults }) => {
             let in_request = |mut fault: Fault| {
                 fault.place = format!("scene.{}", fault.place);
@@ -81,6 +82,11 @@ fn respond(request: Request, host: &dyn Host) -> Result<JsValue, JsValue> {
             Err(error(Code::BadScene, &faults))
         }
         Response::Refused(Refusal::Request { fault }) => Err(error(Code::BadInput, &[fault])),
+        Response::Refused(refusal) => {
+            let found = refusal.sentences().join(" ");
+            let fault = Fault::at("question", found, "what can be asked of the plan");
+            Err(error(Code::BadInput, &[fault]))
+        }
     }
 }
 

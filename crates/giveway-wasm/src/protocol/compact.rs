@@ -4,7 +4,8 @@
 //! it. To read that takes code that first keeps the whole object as a tree, for
 //! every type in it: a tenth of the worker. Here the kind stands outside.
 
-use giveway_model::{Cost, Costs, Fault};
+use giveway_model::{Cost, Costs, Fault, check::Violation, question::Misfit};
+use giveway_solve::explain::{ExplainAnswer, ExplainRequest};
 use giveway_solve::{CheckAnswer, CheckRequest, FrontAnswer, SolveAnswer, SolveRequest};
 use serde::{Deserialize, Serialize};
 
@@ -13,6 +14,7 @@ use serde::{Deserialize, Serialize};
 pub(super) enum Request {
     Solve(SolveRequest),
     Check(CheckRequest),
+    Explain(ExplainRequest),
 }
 
 #[derive(Serialize, Deserialize)]
@@ -30,6 +32,9 @@ pub(super) enum Progress {
         clauses: u64,
         conflicts: u64,
     },
+    Explained {
+        answer: Box<ExplainAnswer>,
+    },
 }
 
 #[derive(Serialize, Deserialize)]
@@ -38,6 +43,7 @@ pub(super) enum Response {
     Solved(SolveAnswer),
     Front(FrontAnswer),
     Checked(CheckAnswer),
+    Explained(Box<ExplainAnswer>),
     Refused(#[serde(with = "Refusal")] giveway_solve::Refusal),
 }
 
@@ -46,4 +52,6 @@ pub(super) enum Response {
 pub(super) enum Refusal {
     Scene { faults: Vec<Fault> },
     Request { fault: Fault },
+    Plan { violations: Vec<Violation> },
+    Question { misfit: Misfit },
 }

@@ -1,0 +1,143 @@
+//! A question answered, part after part: the verdict with an other plan first,
+//! then what makes it plain why.
+
+use std::collections::BTreeMap;
+use std::rc::Rc;
+
+use giveway_model::{
+    Instance, Question, Version,
+    check::check,
+    question::{Misfit, fits, names_exist},
+};
+
+use super::{
+    ExplainAnswer, ExplainRequest, Part, Verdict,
+    verdict::{Case, compare},
+};
+use crate::{
+    Host, Progress, Refusal, SolveAnswer, Status,
+    meter::Meter,
+    solve::{self, Task},
+};
+
+/// Answers a question, and tells the host of every part.
+///
+/// # Errors
+/// Where the scene, the plan or the question is wrong.
+pub(crate) fn explain(request: &ExplainRequest, host: &dyn Host) -> Result<ExplainAnswer, Refusal> {
+    let mut instance =
+        Instance::new(request.scene.clone()).map_err(|faults| Refusal::Scene { faults })?;
+    if let Some(objective) = &request.objective {
+        instance = instance.with_objective(objective.clone());
+    }
+    let question = &request.question;
+    names_exist(question, &instance).map_err(|misfit| Refusal::Question { misfit })?;
+    let meter = Rc::new(Meter::new(host, request.limits));
+    let mut answer = empty(question);
+    let solved = match &request.plan {
+        Some(_) => None,
+        None => Some(solved(&instance, request, &meter)?),
+    };
+    let best = solved.as_ref().and_then(|solved| solved.plan.clone());
+    let Some(plan) = request.plan.clone().or_else(|| best.clone()) else {
+        answer
+            .words
+            .push_str("No plan to ask about was found in time.");
+        answer.stats = meter.stats();
+        return Ok(answer);
+    };
+    let report = check(&instance, &plan);
+    let Some(costs) = report.costs.filter(|_| report.violations.is_empty()) else {
+        let violations = report.violations;
+        return Err(Refusal::Plan { violations });
+    };
+    fits(question, &instance, &plan).map_err(|misfit| Refusal::Question { misfit })?;
+    answer.plan = best;
+    let mut case = Case::new(&instance, question, &plan, costs, request.within);
+    case.optimal = solved.is_some_and(|solved| solved.status == Status::Optimal);
+    let telling = Telling {
+        meter: &meter,
+        host,
+    };
+    tell_verdict(&case, &mut answer, &telling);
+    Ok(answer)
+}
+
+/// The verdict with an other plan: the first part.
+fn tell_verdict(case: &Case, answer: &mut ExplainAnswer, telling: &Telling) {
+    let compared = compare(case, telling.meter);
+    answer.verdict = compared.verdict;
+    answer.deltas = compared.deltas;
+    answer.within = compared.within;
+    answer.complete = compared.complete;
+    let (alternative, costs) = compared.other.unzip();
+    (answer.alternative, answer.costs) = (alternative, costs);
+    telling.tell(answer, Part::Verdict);
+}
+
+/// Whom to tell of what becomes known.
+struct Telling<'a, 'h> {
+    meter: &'a Rc<Meter<'h>>,
+    host: &'h dyn Host,
+}
+
+impl Telling<'_, '_> {
+    /// Tells that a part of the answer is there.
+    fn tell(&self, answer: &mut ExplainAnswer, part: Part) {
+        answer.pending.retain(|&pending| pending != part);
+        answer.stats = self.meter.stats();
+        if !answer.pending.is_empty() {
+            let answer = Box::new(answer.clone());
+            self.host.progress(&Progress::Explained { answer });
+        }
+    }
+}
+
+/// The plan that is asked about, where none was given: the best one.
+fn solved(
+    instance: &Instance,
+    request: &ExplainRequest,
+    meter: &Rc<Meter>,
+) -> Result<SolveAnswer, Refusal> {
+    let task = Task {
+        instance: instance.clone(),
+        objective: instance.objective().clone(),
+        within: request.within,
+        meter: Rc::clone(meter),
+    };
+    let answer = solve::solve(&task);
+    if answer.status == Status::Impossible {
+        let misfit = Misfit::NotSo {
+            is_so: "There is no plan to ask about.".to_owned(),
+            ask: Some(Question::Unsolvable),
+        };
+        return Err(Refusal::Question { misfit });
+    }
+    Ok(answer)
+}
+
+/// An answer of which nothing is known yet.
+fn empty(question: &Question) -> ExplainAnswer {
+    ExplainAnswer {
+        giveway: Version,
+        question: question.clone(),
+        plan: None,
+        verdict: Verdict::Unknown,
+        costs: None,
+        deltas: BTreeMap::new(),
+        within: None,
+        complete: false,
+        alternative: None,
+        closest: false,
+        witness: Vec::new(),
+        core: None,
+        repairs: Vec::new(),
+        exhaustive: false,
+        valid: None,
+        violations: None,
+        optimal: None,
+        pending: Vec::new(),
+        words: String::new(),
+        stats: crate::Stats::default(),
+    }
+}

@@ -1,0 +1,187 @@
+//! The verdict: the best plan with what a question asks for, beside the plan
+//! that is asked about.
+
+use std::collections::BTreeMap;
+use std::rc::Rc;
+
+use giveway_model::{Cost, Costs, Instance, Objective, Plan, Question};
+
+use super::{
+    Verdict,
+    ask::{Ask, Found, at_most, best},
+};
+use crate::{Status, condition::Condition, meter::Meter, problem::Relaxed};
+
+/// A question that fits a valid plan, and what is to be known of both.
+pub(crate) struct Case<'a> {
+    /// The instance, with the objective in which costs compare.
+    pub(crate) instance: &'a Instance,
+    pub(crate) question: &'a Question,
+    /// The plan that is asked about.
+    pub(crate) plan: &'a Plan,
+    /// Its costs.
+    pub(crate) costs: Costs,
+    /// Whether it is proved that no plan is better, for every horizon or up to
+    /// the one that is looked at.
+    pub(crate) optimal: bool,
+    /// What must hold in the other plan: one of these.
+    pub(crate) conditions: Vec<Condition>,
+    /// The horizon, where a person set one.
+    pub(crate) within: Option<u32>,
+}
+
+impl<'a> Case<'a> {
+    pub(crate) fn new(
+        instance: &'a Instance,
+        question: &'a Question,
+        plan: &'a Plan,
+        costs: Costs,
+        within: Option<u32>,
+    ) -> Self {
+        Self {
+            instance,
+            question,
+            plan,
+            costs,
+            optimal: false,
+            conditions: Condition::of(question, instance, plan),
+            // What is at hand is never beyond what is looked at.
+            within: within.map(|within| within.max(costs.makespan)),
+        }
+    }
+
+    pub(crate) fn objective(&self) -> &Objective {
+        self.instance.objective()
+    }
+
+    /// Calls the search with each of the conditions in turn.
+    fn each(&self, mut with: impl FnMut(&Ask)) {
+        let scene = self.instance.to_scene();
+        for condition in &self.conditions {
+            with(&Ask {
+                scene: &scene,
+                relaxed: &Relaxed::default(),
+                condition: Some(condition),
+                objective: self.objective(),
+                caps: &BTreeMap::new(),
+                within: self.within,
+                at_least_within: self.costs.makespan,
+            });
+        }
+    }
+}
+
+/// How the best other plan compares.
+pub(crate) struct Compared {
+    pub(crate) verdict: Verdict,
+    /// An other plan and its costs, the best where that is proved.
+    pub(crate) other: Option<(Plan, Costs)>,
+    /// Whether it is proved that no other plan with it is better.
+    pub(crate) proved: bool,
+    /// What it costs more, by the costs of the objective.
+    pub(crate) deltas: BTreeMap<Cost, i64>,
+    /// Whether the verdict holds whatever the horizon.
+    pub(crate) complete: bool,
+    /// The makespan up to which it was proved; `None` where complete, or where
+    /// nothing was proved.
+    pub(crate) within: Option<u32>,
+}
+
+/// Compares the plan with the best one that is as asked for.
+pub(crate) fn compare(case: &Case, meter: &Rc<Meter>) -> Compared {
+    let found = best_with(case, meter);
+    let objective = case.objective();
+    let before = case.costs.vector(objective);
+    let other = found.plan.zip(found.costs);
+    let after = other.as_ref().map(|(_, costs)| costs.vector(objective));
+    let proved = matches!(found.status, Status::Optimal | Status::Impossible);
+    let verdict = match &after {
+        None if proved => Verdict::Necessary,
+        Some(after) if *after < before => Verdict::Improvable,
+        // Nothing is better than the best, with or without what is asked for.
+        Some(after) if *after == before && (proved || case.optimal) => Verdict::Needless,
+        Some(_) if proved => Verdict::Costly,
+        _ => Verdict::Unknown,
+    };
+    let mut deltas = BTreeMap::new();
+    if let Some((_, costs)) = &other {
+        for &cost in objective.costs() {
+            let more = i64::from(costs.get(cost)) - i64::from(case.costs.get(cost));
+            deltas.insert(cost, more);
+        }
+    }
+    // That a plan at hand costs no more needs no proof.
+    let at_hand = verdict == Verdict::Needless && case.optimal;
+    let complete = found.complete && proved || at_hand;
+    Compared {
+        verdict,
+        proved: proved || at_hand,
+        other,
+        deltas,
+        complete,
+        within: (proved && !complete).then_some(found.horizon),
+    }
+}
+
+/// The best plan with any of the conditions.
+fn best_with(case: &Case, meter: &Rc<Meter>) -> Found {
+    let objective = case.objective();
+    let mut all: Option<Found> = None;
+    case.each(|ask| {
+        let Some(so_far) = all.take() else {
+            all = Some(best(ask, meter));
+            return;
+        };
+        // Only what is better than the best so far is of interest.
+        let vector = so_far.costs.map(|costs| costs.vector(objective));
+        let better = match vector.map(just_below) {
+            None => best(ask, meter),
+            Some(None) => {
+                all = Some(so_far);
+                return; // nothing costs less than nothing
+            }
+            Some(Some(most)) => match at_most(ask, most, meter) {
+                found if found.plan.is_some() => best(ask, meter),
+                found => found,
+            },
+        };
+        all = Some(join(so_far, better));
+    });
+    all.unwrap_or(Found {
+        status: Status::Impossible,
+        plan: None,
+        costs: None,
+        bounds: BTreeMap::new(),
+        complete: true,
+        horizon: case.costs.makespan,
+    })
+}
+
+/// What two searches for the best of one kind each tell of the best of both.
+/// The second one was for something better than the first.
+fn join(first: Found, second: Found) -> Found {
+    let settled = |found: &Found| matches!(found.status, Status::Optimal | Status::Impossible);
+    let proved = settled(&first) && settled(&second);
+    let complete = first.complete && second.complete;
+    let best = if second.plan.is_some() { second } else { first };
+    let status = match (best.plan.is_some(), proved) {
+        (true, true) => Status::Optimal,
+        (true, false) => Status::Feasible,
+        (false, true) => Status::Impossible,
+        (false, false) => Status::Unknown,
+    };
+    Found {
+        status,
+        complete,
+        ..best
+    }
+}
+
+/// The largest vector that is less in the order of an objective; components
+/// that no longer matter are without a limit.
+fn just_below(mut vector: Vec<u32>) -> Option<Vec<u32>> {
+    let last = vector.iter().rposition(|&value| value > 0)?;
+    vector[last] -= 1;
+    vector[last + 1..].fill(u32::MAX / 4);
+    Some(vector)
+}
