@@ -153,6 +153,7 @@ fn clash_sentence(agents: &[&str]) -> String {
     match agents {
         [] => "The agents cannot all arrive.".to_owned(),
         [one] => format!("{one} cannot arrive."),
+        [one, two] => format!("{one} and {two} cannot both arrive."),
         [init @ .., last] => format!("{} and {last} cannot all arrive.", init.join(", ")),
     }
 }

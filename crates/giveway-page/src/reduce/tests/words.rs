@@ -112,10 +112,10 @@ fn without_a_plan() {
     let check = |state: &State, sentence| check(state, Badge::Impossible, sentence);
     check(&none(Some(40), None), "No plan within makespan 40.");
     check(&none(None, None), "No plan, whatever the horizon.");
-    let reason = Some("A1 and A2 cannot all arrive.");
-    let sentence = "No plan, whatever the horizon: A1 and A2 cannot all arrive.";
+    let reason = Some("A1 and A2 cannot both arrive.");
+    let sentence = "No plan, whatever the horizon: A1 and A2 cannot both arrive.";
     check(&none(None, reason), sentence);
-    let sentence = "No plan within makespan 40: A1 and A2 cannot all arrive.";
+    let sentence = "No plan within makespan 40: A1 and A2 cannot both arrive.";
     check(&none(Some(40), reason), sentence);
 }
 
