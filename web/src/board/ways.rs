@@ -1,9 +1,13 @@
 //! The way behind each agent, and the way ahead.
+//!
+//! What stands still within a move has a layer of its own, which the browser
+//! need not paint anew in every frame: many dots take long. For the same reason
+//! nothing here has a transform or an opacity: each would be a piece to itself.
 
 use std::cell::Cell;
 use std::rc::Rc;
 
-use giveway_page::board::{Cast, Way};
+use giveway_page::board::Cast;
 use giveway_page::form;
 use web_sys::Element;
 use yew::prelude::*;
@@ -24,7 +28,7 @@ pub(super) struct WaysProps {
 /// The ways.
 #[component]
 pub(super) fn Ways(props: &WaysProps) -> Html {
-    let layer = use_node_ref();
+    let (still, ends) = (use_node_ref(), use_node_ref());
     let count = props.cast.agents.len();
     let shown: Vec<usize> = if count <= MOST {
         (0..count).collect()
@@ -32,9 +36,13 @@ pub(super) fn Ways(props: &WaysProps) -> Html {
         props.selected.into_iter().collect()
     };
     {
-        let (cast, layer, shown) = (Rc::clone(&props.cast), layer.clone(), shown.clone());
+        let (cast, shown) = (Rc::clone(&props.cast), shown.clone());
+        let (still, ends) = (still.clone(), ends.clone());
         use_motion(move || {
-            let ways: Vec<Parts> = children(&layer).iter().filter_map(Parts::new).collect();
+            let pairs = children(&still).into_iter().zip(children(&ends));
+            let ways: Vec<Parts> = pairs
+                .filter_map(|(still, end)| Parts::new(&still, &end))
+                .collect();
             move |time| {
                 for (parts, &agent) in ways.iter().zip(&shown) {
                     parts.show(&cast, agent, time);
@@ -42,21 +50,20 @@ pub(super) fn Ways(props: &WaysProps) -> Html {
             }
         });
     }
-    let way = |agent: usize| {
-        let offset = Way::offset(agent, count);
+    let lines = |&agent: &usize| {
         html! {
-            <g key={agent} class={classes!("way", form::class(agent))} transform={format!("translate({offset} {offset})")}>
-                <polyline class="trail" />
+            <g key={agent} class={form::class(agent)}>
                 <polyline class="trail" />
                 <polyline class="ahead-halo" />
-                <polyline class="ahead-halo" />
-                <polyline class="ahead" />
                 <polyline class="ahead" />
             </g>
         }
     };
     html! {
-        <g aria-hidden="true" ref={layer}>{ for shown.iter().map(|&agent| way(agent)) }</g>
+        <g aria-hidden="true">
+            <g class="ways-still" ref={still}>{ for shown.iter().map(lines) }</g>
+            <g ref={ends}>{ for shown.iter().map(lines) }</g>
+        </g>
     }
 }
 
@@ -70,14 +77,24 @@ struct Parts {
 }
 
 impl Parts {
-    fn new(way: &Element) -> Option<Self> {
-        let part = |index| way.children().item(index);
-        let points = |index| Some(Attribute::new(part(index)?, "points"));
-        let dots = |index| Some(Attribute::new(part(index)?, "stroke-dashoffset"));
+    fn new(still: &Element, end: &Element) -> Option<Self> {
+        let points =
+            |of: &Element, index| Some(Attribute::new(of.children().item(index)?, "points"));
+        let dots = |index| {
+            Some(Attribute::new(
+                end.children().item(index)?,
+                "stroke-dashoffset",
+            ))
+        };
         Some(Self {
-            behind: [points(0)?, points(1)?],
-            ahead: [points(2)?, points(3)?, points(4)?, points(5)?],
-            dots: [dots(3)?, dots(5)?],
+            behind: [points(still, 0)?, points(end, 0)?],
+            ahead: [
+                points(still, 1)?,
+                points(end, 1)?,
+                points(still, 2)?,
+                points(end, 2)?,
+            ],
+            dots: [dots(1)?, dots(2)?],
             stop: Cell::new(None),
         })
     }

@@ -22,6 +22,8 @@ const PLACES: usize = 6;
 #[derive(Clone, Debug, PartialEq)]
 pub struct Way {
     stops: Vec<Stop>,
+    /// How far it lies beside the middle of its cells, in units.
+    offset: f64,
 }
 
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -42,8 +44,18 @@ pub struct WayEnds {
 }
 
 impl Way {
-    /// The way of a track.
-    pub fn of(track: &Track) -> Self {
+    /// The ways of all tracks, side by side.
+    pub fn of_all(tracks: &[Track]) -> Vec<Self> {
+        let beside = |agent| Self::offset(agent, tracks.len());
+        let tracks = tracks.iter().enumerate();
+        tracks
+            .map(|(agent, track)| Self::of(track, beside(agent)))
+            .collect()
+    }
+
+    /// The way of a track, which lies that far beside the middle of its cells,
+    /// down and to the right, in units.
+    pub fn of(track: &Track, offset: f64) -> Self {
         let mut stops: Vec<Stop> = Vec::new();
         for (time, cell) in track.path().iter().enumerate() {
             let Some(cell) = *cell else { continue };
@@ -52,7 +64,7 @@ impl Way {
                 stops.push(Stop { cell, arrives });
             }
         }
-        Self { stops }
+        Self { stops, offset }
     }
 
     /// The stop that an agent came to last.
@@ -66,10 +78,10 @@ impl Way {
     pub fn behind(&self, stop: usize) -> String {
         let mut points = String::new();
         for stop in self.stops.iter().take(stop) {
-            push(&mut points, middle(stop.cell));
+            self.push(&mut points, middle(stop.cell));
         }
         if let Some(half) = self.half_before(stop) {
-            push(&mut points, half);
+            self.push(&mut points, half);
         }
         points
     }
@@ -79,7 +91,7 @@ impl Way {
     pub fn ahead(&self, stop: usize) -> String {
         let mut points = String::new();
         for stop in self.stops.iter().skip(stop + 1).rev() {
-            push(&mut points, middle(stop.cell));
+            self.push(&mut points, middle(stop.cell));
         }
         points
     }
@@ -88,16 +100,16 @@ impl Way {
     pub fn ends(&self, stop: usize, agent: Point) -> WayEnds {
         let (mut behind, mut ahead) = (String::new(), String::new());
         if let Some(half) = self.half_before(stop) {
-            push(&mut behind, half);
+            self.push(&mut behind, half);
         }
         if let Some(stop) = self.stops.get(stop) {
-            push(&mut behind, middle(stop.cell));
+            self.push(&mut behind, middle(stop.cell));
         }
-        push(&mut behind, agent);
+        self.push(&mut behind, agent);
         let still = self.stops.len().saturating_sub(stop + 2);
         if let Some(next) = self.stops.get(stop + 1) {
-            push(&mut ahead, middle(next.cell));
-            push(&mut ahead, agent);
+            self.push(&mut ahead, middle(next.cell));
+            self.push(&mut ahead, agent);
         }
         WayEnds {
             behind,
@@ -113,6 +125,13 @@ impl Way {
             x: f64::midpoint(before.x, at.x),
             y: f64::midpoint(before.y, at.y),
         })
+    }
+
+    fn push(&self, points: &mut String, point: Point) {
+        let unit = |cells: f64| (((cells + 0.5) * CELL + self.offset) * 10.0).round() / 10.0;
+        let gap = if points.is_empty() { "" } else { " " };
+        // Writing to a string cannot fail.
+        let _ = write!(points, "{gap}{},{}", unit(point.x), unit(point.y));
     }
 
     /// How far an agent's way lies beside the middle of its cells, down and to
@@ -135,13 +154,6 @@ fn middle(cell: Cell) -> Point {
     }
 }
 
-fn push(points: &mut String, point: Point) {
-    let unit = |cells: f64| ((cells + 0.5) * CELL * 10.0).round() / 10.0;
-    let gap = if points.is_empty() { "" } else { " " };
-    // Writing to a string cannot fail.
-    let _ = write!(points, "{gap}{},{}", unit(point.x), unit(point.y));
-}
-
 #[cfg(test)]
 mod tests {
     use giveway_model::AtGoal;
@@ -151,7 +163,7 @@ mod tests {
     fn way(row: &str) -> Way {
         let cell = |c: char| c.to_digit(10).map(|x| Cell::new(x, 0));
         let path = row.chars().map(cell).collect();
-        Way::of(&Track::new(path, Vec::new(), None, AtGoal::Stay))
+        Way::of(&Track::new(path, Vec::new(), None, AtGoal::Stay), 0.0)
     }
 
     #[test]
@@ -185,6 +197,11 @@ mod tests {
 
     #[test]
     fn ways_lie_side_by_side() {
+        let beside = Way {
+            offset: -5.5,
+            ..way("01")
+        };
+        assert_eq!(beside.ahead(0), "144.5,44.5");
         assert_eq!([Way::offset(0, 2), Way::offset(1, 2)], [-5.5, 5.5]);
         assert_eq!(
             [Way::offset(0, 30), Way::offset(5, 30), Way::offset(6, 30)],
