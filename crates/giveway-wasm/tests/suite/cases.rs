@@ -1,0 +1,69 @@
+//! What is solved natively and in Wasm, and what must come of it.
+
+/// An instance, the objective if not its own, and the native answer.
+pub struct Case {
+    /// The file in `data/`.
+    pub name: &'static str,
+    /// The scene's text.
+    pub scene: &'static str,
+    /// The objective, as a list of costs separated by commas.
+    pub objective: Option<&'static str>,
+    /// Whether the Pareto front is asked for.
+    pub pareto: bool,
+    /// Conflicts after which to give up.
+    pub conflicts: Option<u64>,
+    /// The native answer, without its seconds.
+    pub expected: &'static str,
+}
+
+macro_rules! case {
+    ($name:literal, $scene:literal, $objective:expr, $pareto:expr, $conflicts:expr) => {
+        Case {
+            name: concat!($name, ".json"),
+            scene: include_str!(concat!("../../../../tests/data/", $scene)),
+            objective: $objective,
+            pareto: $pareto,
+            conflicts: $conflicts,
+            expected: include_str!(concat!("../data/", $name, ".json")),
+        }
+    };
+}
+
+/// The worked examples of the literature, graded instances, a front, and an end
+/// in midst of the work.
+pub const CASES: &[Case] = &[
+    case!("warehouse", "seed/warehouse.json", None, false, None),
+    case!(
+        "warehouse-charges",
+        "seed/warehouse.json",
+        Some("charges,makespan"),
+        false,
+        None
+    ),
+    case!("scenario-1", "seed/scenario-1.json", None, false, None),
+    case!("scenario-6", "seed/scenario-6.json", None, false, None),
+    case!("dynamic-3x3", "seed/dynamic-3x3.json", None, false, None),
+    case!(
+        "front",
+        "seed/warehouse.json",
+        Some("makespan,charges"),
+        true,
+        None
+    ),
+    case!("A05", "mmapf/A05_mm_10x10_o10_a10.json", None, false, None),
+    case!("A10", "mmapf/A10_mm_15x15_o15_a16.json", None, false, None),
+    case!(
+        "B09",
+        "mmapf/B09_cl_16x16_e_a30.json",
+        Some("sum-of-costs"),
+        false,
+        None
+    ),
+    case!(
+        "A05-cut-short",
+        "mmapf/A05_mm_10x10_o10_a10.json",
+        None,
+        false,
+        Some(100)
+    ),
+];

@@ -1,0 +1,46 @@
+//! What is told on the way.
+
+use js_sys::{Object, Reflect};
+use serde_json::{Value, json};
+use wasm_bindgen_test::wasm_bindgen_test;
+
+use super::{data, js, object, warehouse};
+
+#[wasm_bindgen_test]
+fn bounds_and_plans_are_told_on_the_way_and_agree_with_the_answer() {
+    let request = object(&json!({ "scene": warehouse() }));
+    let options = js("(() => { const heard = []; \
+        return { heard, options: { onProgress: (event) => heard.push(event) } }; })()");
+    let get = |key: &str| Reflect::get(&options, &key.into()).unwrap();
+    let answer = data(&giveway_wasm::solve(&request, &get("options")).unwrap());
+    let heard = data(&get("heard"));
+    let heard = heard.as_array().unwrap();
+    let of = |kind: &str| -> Vec<&Value> {
+        heard
+            .iter()
+            .filter(|event| event["event"] == kind)
+            .collect()
+    };
+    assert_eq!(of("plan").last().unwrap()["costs"], answer["costs"]);
+    let bounds = of("bound");
+    let makespans = bounds.iter().filter(|event| event["cost"] == "makespan");
+    let makespans: Vec<u64> = makespans
+        .map(|event| event["at_least"].as_u64().unwrap())
+        .collect();
+    assert!(makespans.is_sorted(), "{makespans:?}");
+    assert_eq!(makespans.last(), Some(&18));
+}
+
+#[wasm_bindgen_test]
+fn a_callback_may_itself_solve() {
+    let request = object(&json!({ "scene": warehouse() }));
+    let options = Object::new();
+    let inner = request.clone();
+    let hear = wasm_bindgen::closure::Closure::<dyn Fn()>::new(move || {
+        let answer = giveway_wasm::solve(&inner, &wasm_bindgen::JsValue::UNDEFINED);
+        assert_eq!(data(&answer.unwrap())["status"], "optimal");
+    });
+    Reflect::set(&options, &"onProgress".into(), hear.as_ref()).unwrap();
+    let answer = giveway_wasm::solve(&request, &options).unwrap();
+    assert_eq!(data(&answer)["status"], "optimal");
+}
