@@ -50,6 +50,18 @@ describe("the look", () => {
     }, { theme });
   }
 
+  // docs/playground.png is a copy of this picture.
+  flow("shows a robot that charges while another is in the slow zone", async (playground) => {
+    await playground.says(OPENING);
+    await playground.pause();
+    await playground.time.focus();
+    await playground.key("Home", ...Array(9).fill("ArrowRight"));
+    await playground.reaches(9);
+    await playground.cellTells(6, 2, /^charger, A1 is here$/);
+    await playground.page.mouse.click(1200, 850);
+    await playground.picture("readme");
+  }, { screens: ["desktop"], reducedMotion: "reduce" });
+
   flow("opens every example", async (playground) => {
     for (const { title, file } of EXAMPLES) {
       await playground.example(title);
@@ -60,7 +72,7 @@ describe("the look", () => {
     }
   });
 
-  for (const width of [320, 390, 600, 768, 1024, 1280, 1920, 2560]) {
+  for (const width of [320, 390, 600, 721, 768, 1024, 1280, 1920, 2560]) {
     flow(`fits into ${width} pixels`, async (playground) => {
       await playground.says(OPENING);
       await playground.pause();

@@ -108,7 +108,7 @@ impl Clock {
             return;
         }
         let target = f64::from(playback.time);
-        let far = (target - now).abs() > 1.0;
+        let far = (target - now).abs() > 1.0 || (inner.jumps && !playback.playing);
         let behind = playback.playing && (now < target || now >= target + 1.0);
         if far || behind {
             inner.now.set(target);
