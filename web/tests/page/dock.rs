@@ -41,16 +41,12 @@ async fn the_transport_says_what_its_buttons_do() {
 }
 
 #[wasm_bindgen_test]
-async fn a_lane_and_rows_for_every_agent() {
+async fn the_plan_table_counts_rows_and_times() {
     let stage = Stage::of(solved()).await;
     let table = stage.find("table[aria-label=Plan]").await;
     // Cells and levels of two agents, below the times.
     assert_eq!(table.get_attribute("aria-rowcount").as_deref(), Some("5"));
     assert_eq!(table.get_attribute("aria-colcount").as_deref(), Some("20"));
-    let lanes = stage.all("svg[role=img]", "aria-label");
-    for name in ["A1", "A2"] {
-        assert!(lanes.iter().any(|lane| lane.contains(name)), "{lanes:?}");
-    }
 }
 
 #[wasm_bindgen_test]

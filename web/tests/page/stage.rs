@@ -109,9 +109,12 @@ impl Stage {
         }
     }
 
-    /// What was sent since the last time.
+    /// What a person sent since the last time: the dock itself opens and closes
+    /// the table by the room that there is.
     pub(crate) fn sent(&self) -> Vec<Action> {
-        self.sent.take()
+        let mut sent = self.sent.take();
+        sent.retain(|action| !matches!(action, Action::ShowTable(_)));
+        sent
     }
 
     /// The first element that a selector fits, once it is there.
