@@ -94,6 +94,11 @@ impl AgentCode {
         self.nodes[id as usize]
     }
 
+    /// The literals "at a vertex at a time".
+    pub(crate) fn positions(&self) -> impl Iterator<Item = ((u32, Vertex), Lit)> + '_ {
+        self.positions.iter().map(|(&at, &lit)| (at, lit))
+    }
+
     pub(crate) fn battery(&self) -> Option<&BatteryCode> {
         self.battery.as_ref()
     }

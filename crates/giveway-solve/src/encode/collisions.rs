@@ -7,7 +7,8 @@
 //! steps apart. Nothing is written for what only one agent uses.
 //!
 //! Where some pairs ignore each other, every other pair excludes each other by
-//! a clause of its own instead.
+//! a clause of its own instead; and where collisions are soft, such a clause has
+//! a literal that says which collision happens.
 
 use std::collections::{BTreeMap, BTreeSet};
 
@@ -31,6 +32,23 @@ struct Crossings {
     waiting: [Vec<(AgentId, Premise)>; 2],
 }
 
+/// A collision that may happen where collisions are soft: when, where (for an
+/// edge: the end that the first agent leaves), who, the lower number first.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+pub(crate) struct Meeting {
+    pub(crate) time: u32,
+    pub(crate) place: Vertex,
+    pub(crate) pair: (AgentId, AgentId),
+}
+
+/// Soft collisions, each with the literal that says that it happens.
+#[derive(Default)]
+struct Soft {
+    meetings: BTreeMap<Meeting, Lit>,
+    /// Two slow moves overlap in two steps, which is one collision.
+    slow: BTreeMap<(Lit, Lit), Lit>,
+}
+
 /// What the agents inside the solver may collide in.
 #[derive(Default)]
 pub(crate) struct Collisions {
@@ -40,6 +58,7 @@ pub(crate) struct Collisions {
     ignored: BTreeSet<(AgentId, AgentId)>,
     /// Who may be where, where pairs ignore each other.
     members: BTreeMap<(u32, Vertex), Vec<(AgentId, Lit)>>,
+    soft: Option<Soft>,
 }
 
 impl Collisions {
@@ -49,6 +68,24 @@ impl Collisions {
             ignored,
             ..Self::default()
         }
+    }
+
+    /// Collisions that may happen, and are told.
+    pub(crate) fn soft() -> Self {
+        Self {
+            soft: Some(Soft::default()),
+            ..Self::default()
+        }
+    }
+
+    /// Where collisions are soft: all that may happen so far.
+    pub(crate) fn meetings(&self) -> impl Iterator<Item = (Meeting, Lit)> + '_ {
+        let soft = self.soft.iter().flat_map(|soft| &soft.meetings);
+        soft.map(|(&meeting, &lit)| (meeting, lit))
+    }
+
+    fn is_pairwise(&self) -> bool {
+        self.soft.is_some() || !self.ignored.is_empty()
     }
 
     fn collide(&self, a: AgentId, b: AgentId) -> bool {
@@ -64,14 +101,15 @@ impl Collisions {
         at: Lit,
         out: &mut impl Clauses,
     ) {
-        if self.ignored.is_empty() {
+        if !self.is_pairwise() {
             self.cells.entry((time, v)).or_default().add(at, out);
             return;
         }
         let members = self.members.remove(&(time, v)).unwrap_or_default();
         for &(other, there) in &members {
             if self.collide(agent, other) {
-                out.clause(&[!at, !there]);
+                let meeting = meeting(time, v, agent, other);
+                self.exclude(meeting, None, vec![!at, !there], out);
             }
         }
         let members = self.members.entry((time, v)).or_insert(members);
@@ -88,7 +126,7 @@ impl Collisions {
         premise: Premise,
         out: &mut impl Clauses,
     ) {
-        if !self.ignored.is_empty() {
+        if self.is_pairwise() {
             self.cross_pairwise(time, arc, agent, premise, out);
             return;
         }
@@ -131,12 +169,42 @@ impl Collisions {
             if self.collide(agent, other) {
                 let mut clause = vec![!premise[0], !premise[1], !against[0], !against[1]];
                 clause.dedup();
-                out.clause(&clause);
+                // In the order of the agents, so that each pair has one name.
+                let (first, second) = (premise[0].min(against[0]), premise[0].max(against[0]));
+                let slow = arc.slow.then_some((first, second));
+                let meeting = meeting(time, arc.to, agent, other);
+                self.exclude(meeting, slow, clause, out);
             }
         }
         crossings.waiting[same].push((agent, premise));
         self.edges.insert(key, crossings);
     }
+
+    /// Makes a clause of what must not be true together, or of what makes a
+    /// soft collision happen. Both steps of two slow moves are one collision.
+    fn exclude(
+        &mut self,
+        meeting: Meeting,
+        slow: Option<(Lit, Lit)>,
+        mut clause: Vec<Lit>,
+        out: &mut impl Clauses,
+    ) {
+        if let Some(soft) = &mut self.soft {
+            let known = slow.and_then(|moves| soft.slow.get(&moves).copied());
+            let happens = known
+                .unwrap_or_else(|| *soft.meetings.entry(meeting).or_insert_with(|| out.fresh()));
+            if let Some(moves) = slow {
+                soft.slow.insert(moves, happens);
+            }
+            clause.push(happens);
+        }
+        out.clause(&clause);
+    }
+}
+
+fn meeting(time: u32, place: Vertex, a: AgentId, b: AgentId) -> Meeting {
+    let pair = (a.min(b), a.max(b));
+    Meeting { time, place, pair }
 }
 
 fn imply(direction: Lit, forward: bool, premise: Premise, out: &mut impl Clauses) {

@@ -20,6 +20,20 @@ pub(crate) fn totalizer(inputs: &[Lit], out: &mut impl Clauses) -> Vec<Lit> {
     }
 }
 
+/// The same with at most `most` outputs: the last one says "at least that many".
+pub(crate) fn capped(inputs: &[Lit], most: usize, out: &mut impl Clauses) -> Vec<Lit> {
+    match inputs {
+        [] => Vec::new(),
+        [one] => vec![*one],
+        _ => {
+            let (left, right) = inputs.split_at(inputs.len() / 2);
+            let left = capped(left, most, out);
+            let right = capped(right, most, out);
+            merge(&left, &right, most, out)
+        }
+    }
+}
+
 /// Adds two unary numbers; outputs beyond `most` are left out, which is sound
 /// only where the sum is bounded by less than `most` for good.
 pub(crate) fn merge(left: &[Lit], right: &[Lit], most: usize, out: &mut impl Clauses) -> Vec<Lit> {

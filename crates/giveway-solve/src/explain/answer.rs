@@ -1,7 +1,19 @@
 //! Reasons as data, in the shapes in which they are written as JSON.
 
-use giveway_model::{Cell, Costs, Plan, check::Violation};
+use giveway_model::{Cell, Cost, Costs, Plan, check::Violation};
 use serde::{Deserialize, Serialize};
+
+/// What an agent has more of than in a better plan.
+#[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
+pub struct Excess {
+    /// The agent.
+    pub agent: String,
+    /// Time steps before its arrival (as `sum-of-costs`), charges, moves or
+    /// waits.
+    pub cost: Cost,
+    /// By how much.
+    pub by: u32,
+}
 
 /// One thing that would go wrong.
 #[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]

@@ -54,6 +54,8 @@ pub(crate) struct Found {
     pub(crate) bounds: BTreeMap<Cost, u32>,
     /// Whether the claim holds whatever the horizon.
     pub(crate) complete: bool,
+    /// Agents that cannot all arrive, where there is no plan and some are known.
+    pub(crate) clash: Vec<String>,
     /// The horizon of the search.
     pub(crate) horizon: u32,
 }
@@ -81,6 +83,7 @@ fn run(ask: &Ask, aim: &Aim, meter: &Rc<Meter>) -> Found {
         costs: None,
         bounds: BTreeMap::new(),
         complete: false,
+        clash: Vec::new(),
         horizon: ask.within.unwrap_or(ask.at_least_within),
     };
     let Ok(instance) = Instance::new(ask.scene.clone()) else {
@@ -88,10 +91,12 @@ fn run(ask: &Ask, aim: &Aim, meter: &Rc<Meter>) -> Found {
     };
     let problem = match Problem::relaxed(&instance, ask.relaxed.clone(), ask.condition, meter) {
         Ok(problem) => problem,
-        Err(Setback::Alone(_)) => {
+        Err(Setback::Alone(agent)) => {
+            let agent = instance.agents().get(agent);
             return Found {
                 status: Status::Impossible,
                 complete: true,
+                clash: agent.map(|a| a.name.clone()).into_iter().collect(),
                 ..nothing
             };
         }
@@ -143,6 +148,7 @@ fn judged(
         (None, None) => Status::Impossible,
         (None, Some(_)) => Status::Unknown,
     };
+    let clash = verdict.clash.iter().filter_map(|&a| names.get(a));
     let (plan, costs) = found.unzip();
     Found {
         status,
@@ -150,6 +156,7 @@ fn judged(
         costs,
         bounds: verdict.bounds,
         complete: stop.is_none() && verdict.complete,
+        clash: clash.cloned().collect(),
         horizon,
     }
 }

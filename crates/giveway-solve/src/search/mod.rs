@@ -17,3 +17,4 @@ mod tally;
 mod team;
 
 pub(crate) use lexicographic::{Aim, Bounded, Verdict, find, solve};
+pub(crate) use team::Team;

@@ -15,7 +15,7 @@ use crate::{
     condition::Precedence,
     encode::{
         agent::{Added, AgentCode},
-        collisions::{AgentId, Collisions},
+        collisions::{AgentId, Collisions, Meeting},
     },
     local::{Query, Reservations, plan_one},
     meter::{Meter, Stop},
@@ -62,6 +62,35 @@ impl<'p, 'h> Team<'p, 'h> {
             tallies: BTreeMap::new(),
             minima: BTreeMap::new(),
         }
+    }
+
+    /// A team whose agents may collide, and tell when they do.
+    pub(crate) fn colliding(problem: &'p Problem, walks: Vec<Walk>, meter: Rc<Meter<'h>>) -> Self {
+        Self {
+            collisions: Collisions::soft(),
+            // Nobody is kept from a goal.
+            owners: BTreeMap::new(),
+            ..Self::new(problem, walks, meter)
+        }
+    }
+
+    /// The collisions that may happen in a team whose agents may collide.
+    pub(crate) fn meetings(&self) -> impl Iterator<Item = (Meeting, Lit)> + '_ {
+        self.collisions.meetings()
+    }
+
+    /// The literals "at a vertex at a time" of an inside agent.
+    pub(crate) fn positions(
+        &self,
+        agent: AgentId,
+    ) -> impl Iterator<Item = ((u32, Vertex), Lit)> + '_ {
+        let code = self.inside[agent].iter();
+        code.flat_map(AgentCode::positions)
+    }
+
+    /// Whether a literal holds in the last model.
+    pub(crate) fn is_true(&self, lit: Lit) -> bool {
+        self.sat.is_true(lit)
     }
 
     pub(crate) fn is_inside(&self, agent: AgentId) -> bool {

@@ -1,0 +1,264 @@
+//! Facts that together make it impossible, minimal by inclusion.
+//!
+//! Facts are left out class by class, in halves of a class, as long as there is
+//! still no plan (deletion with blocks, after Junker, 2004). In the
+//! end every fact that is left is looked at again: with all but it a plan must
+//! be at hand. That last look matters, since a slow zone that becomes normal is
+//! no mere relaxation: an agent half way along a slow edge is in nobody's way.
+
+use std::collections::BTreeSet;
+
+use giveway_model::{Cell, Instance, Plan};
+
+use super::{
+    answer::{Core, FactKind},
+    relax::{Part, Variant, parts, without},
+};
+
+/// What was found out about a variant.
+#[derive(Clone, Debug)]
+pub(crate) enum Tried {
+    /// There is no plan: of which agents that is known, at any horizon
+    /// (`None`) or up to one.
+    None {
+        within: Option<u32>,
+        clash: Vec<String>,
+    },
+    /// There is one.
+    Plan(Plan),
+    /// The budget ran out.
+    Unknown,
+}
+
+/// A question to which the answer is "no plan" for the instance as it is.
+pub(crate) trait Inquiry {
+    /// Looks for a plan.
+    fn search(&mut self, variant: &Variant) -> Tried;
+    /// Whether a plan, known from another variant, is one here.
+    fn accepts(&self, variant: &Variant, plan: &Plan) -> bool;
+}
+
+/// Facts without which there is a plan.
+pub(crate) struct CoreFound {
+    /// Together they exclude a plan.
+    pub(crate) parts: Vec<Part>,
+    /// Whether each of them was shown to be needed.
+    pub(crate) minimal: bool,
+    /// The horizon up to which they exclude one; `None` for any.
+    pub(crate) within: Option<u32>,
+    /// With all but one of them: the fact, and a plan.
+    pub(crate) plans: Vec<(Part, Plan)>,
+}
+
+impl CoreFound {
+    /// The facts for people.
+    pub(crate) fn core(&self, instance: &Instance, within: Option<u32>) -> Core {
+        let facts = self.parts.iter().map(|part| part.fact(instance, within));
+        Core {
+            facts: facts.collect(),
+            minimal: self.minimal,
+            complete: self.within.is_none(),
+            within: self.within,
+        }
+    }
+}
+
+/// Facts that exclude a plan, where the instance as it is has none (up to a
+/// horizon). The agents `asked` about are never left out.
+pub(crate) fn minimal_set(
+    instance: &Instance,
+    asked: &[usize],
+    deadline: Option<u32>,
+    refuted: Tried,
+    inquiry: &mut dyn Inquiry,
+) -> Option<CoreFound> {
+    let Tried::None { within, clash } = refuted else {
+        return None;
+    };
+    let mut shrinking = Shrinking {
+        instance,
+        deadline,
+        inquiry,
+        left_out: BTreeSet::new(),
+        kept: BTreeSet::new(),
+        plans: Vec::new(),
+        within,
+    };
+    let all = parts(instance, asked, deadline.is_some());
+    shrinking.leave_out_strangers(&all, &clash);
+    for kind in [
+        FactKind::Task,
+        FactKind::Waypoint,
+        FactKind::Battery,
+        FactKind::Obstacle,
+        FactKind::Collision,
+        FactKind::Stay,
+        FactKind::Slow,
+        FactKind::Deadline,
+    ] {
+        let mut class: Vec<Part> = all.iter().copied().filter(|p| p.kind() == kind).collect();
+        class.retain(|&part| shrinking.matters(part));
+        if kind == FactKind::Obstacle {
+            shrinking.sort_by_distance(&mut class);
+        }
+        shrinking.shrink(&class, false);
+    }
+    let minimal = shrinking.look_again();
+    Some(CoreFound {
+        parts: shrinking.kept.iter().copied().collect(),
+        minimal,
+        within: shrinking.within,
+        plans: shrinking.needed(),
+    })
+}
+
+struct Shrinking<'a> {
+    instance: &'a Instance,
+    deadline: Option<u32>,
+    inquiry: &'a mut dyn Inquiry,
+    left_out: BTreeSet<Part>,
+    kept: BTreeSet<Part>,
+    /// Plans that some variant had.
+    plans: Vec<Plan>,
+    /// The horizon of the last refutation.
+    within: Option<u32>,
+}
+
+impl Shrinking<'_> {
+    /// Tries to leave out all agents at once but those that clash.
+    fn leave_out_strangers(&mut self, all: &[Part], clash: &[String]) {
+        if clash.is_empty() {
+            return;
+        }
+        let clashes = |&a: &usize| {
+            let agent = self.instance.agents().get(a);
+            agent.is_some_and(|agent| clash.contains(&agent.name))
+        };
+        let strangers: Vec<Part> = all
+            .iter()
+            .copied()
+            .filter(|part| matches!(part, Part::Task(a) if !clashes(a)))
+            .collect();
+        if !strangers.is_empty() {
+            self.leave_out(&strangers);
+        }
+    }
+
+    /// Whether a fact still says anything: it does not where its agent is gone.
+    fn matters(&self, part: Part) -> bool {
+        let gone = |&a: &usize| self.left_out.contains(&Part::Task(a));
+        !self.left_out.contains(&part) && !part.agents().iter().any(gone)
+    }
+
+    /// Obstacles far from the agents first: they matter least.
+    fn sort_by_distance(&self, obstacles: &mut [Part]) {
+        let agents = self.instance.agents().iter().enumerate();
+        let cells: Vec<Cell> = agents
+            .filter(|&(a, _)| !self.left_out.contains(&Part::Task(a)))
+            .flat_map(|(_, agent)| {
+                let ends = [agent.start, agent.goal];
+                agent.waypoints.iter().copied().chain(ends)
+            })
+            .collect();
+        let distance = |part: &Part| match part {
+            Part::Obstacle(o) => {
+                let to = |c: &Cell| o.x.abs_diff(c.x) + o.y.abs_diff(c.y);
+                cells.iter().map(to).min().unwrap_or(0)
+            }
+            _ => 0,
+        };
+        obstacles.sort_by_key(|part| std::cmp::Reverse(distance(part)));
+    }
+
+    /// Leaves out what can be left out of a block; true if something of it is
+    /// needed. Where it is `known` that not all of it can be left out, that is
+    /// not tried.
+    fn shrink(&mut self, block: &[Part], known: bool) -> bool {
+        if block.is_empty() || (!known && self.leave_out(block)) {
+            return false;
+        }
+        if let [one] = block {
+            self.kept.insert(*one);
+            return true;
+        }
+        let (first, second) = block.split_at(block.len() / 2);
+        let needed = self.shrink(first, false);
+        // What is needed lies in the second half if it is not in the first.
+        self.shrink(second, !needed) || needed
+    }
+
+    /// Leaves facts out if there is still no plan without them.
+    fn leave_out(&mut self, block: &[Part]) -> bool {
+        let mut less = self.left_out.clone();
+        less.extend(block);
+        match self.attempt(&less) {
+            Tried::None { within, .. } => {
+                self.left_out = less;
+                self.within = within;
+                true
+            }
+            _ => false,
+        }
+    }
+
+    fn attempt(&mut self, left_out: &BTreeSet<Part>) -> Tried {
+        let variant = without(self.instance, left_out, self.deadline);
+        if let Some(plan) = self.known(&variant) {
+            return Tried::Plan(plan);
+        }
+        let tried = self.inquiry.search(&variant);
+        if let Tried::Plan(plan) = &tried {
+            self.plans.push(plan.clone());
+        }
+        tried
+    }
+
+    /// A plan of some variant that is one here, too.
+    fn known(&self, variant: &Variant) -> Option<Plan> {
+        let fits = self
+            .plans
+            .iter()
+            .map(|plan| super::relax::fit(plan, &variant.scene));
+        let mut fits = fits.filter(|plan| self.inquiry.accepts(variant, plan));
+        fits.next()
+    }
+
+    /// Looks at every fact that is kept: true where all are needed for sure.
+    fn look_again(&mut self) -> bool {
+        let mut minimal = true;
+        let mut next = 0;
+        let kept: Vec<Part> = self.kept.iter().copied().collect();
+        while let Some(&part) = kept.get(next) {
+            next += 1;
+            if !self.kept.contains(&part) {
+                continue;
+            }
+            let mut less = self.left_out.clone();
+            less.insert(part);
+            match self.attempt(&less) {
+                Tried::Plan(_) => {}
+                Tried::Unknown => minimal = false,
+                Tried::None { within, .. } => {
+                    // With it gone, others may be needed no longer.
+                    self.left_out = less;
+                    self.within = within;
+                    self.kept.remove(&part);
+                    minimal = true;
+                    next = 0;
+                }
+            }
+        }
+        minimal
+    }
+
+    /// A plan for each fact that is needed.
+    fn needed(&self) -> Vec<(Part, Plan)> {
+        let plan = |&part: &Part| {
+            let mut less = self.left_out.clone();
+            less.insert(part);
+            let variant = without(self.instance, &less, self.deadline);
+            self.known(&variant).map(|plan| (part, plan))
+        };
+        self.kept.iter().filter_map(plan).collect()
+    }
+}

@@ -1,0 +1,108 @@
+//! A person's own plan: what it breaks, or how it compares with the best.
+
+use std::collections::BTreeMap;
+use std::rc::Rc;
+
+use giveway_model::{
+    Cost, Costs, Instance, Objective, Plan, Scene,
+    check::{Violation, check},
+};
+
+use super::{
+    answer::Excess,
+    ask::{Ask, Found, best},
+};
+use crate::{Status, meter::Meter, problem::Relaxed};
+
+/// What is known of a plan.
+pub(crate) struct Judged {
+    pub(crate) violations: Vec<Violation>,
+    /// Its costs, where every agent has a path.
+    pub(crate) costs: Option<Costs>,
+    /// Whether no plan is better; `None` where that is not known, or the plan
+    /// is none.
+    pub(crate) optimal: Option<bool>,
+    /// A better plan and its costs.
+    pub(crate) better: Option<(Plan, Costs)>,
+    /// What it has more of than that plan, agent by agent.
+    pub(crate) excess: Vec<Excess>,
+    /// The search for the best plan; `None` where the plan is none.
+    pub(crate) found: Option<Found>,
+}
+
+/// Judges a plan.
+pub(crate) fn judge(
+    instance: &Instance,
+    plan: &Plan,
+    objective: &Objective,
+    within: Option<u32>,
+    meter: &Rc<Meter>,
+) -> Judged {
+    let report = check(instance, plan);
+    let mut judged = Judged {
+        violations: report.violations,
+        costs: report.costs,
+        optimal: None,
+        better: None,
+        excess: Vec::new(),
+        found: None,
+    };
+    let Some(costs) = judged.costs.filter(|_| judged.violations.is_empty()) else {
+        return judged;
+    };
+    let found = best(
+        &Ask {
+            scene: &instance.to_scene(),
+            relaxed: &Relaxed::default(),
+            objective,
+            caps: &BTreeMap::new(),
+            // A plan that is at hand is never beyond what is looked at.
+            within: within.map(|within| within.max(costs.makespan)),
+            at_least_within: costs.makespan,
+        },
+        meter,
+    );
+    let vector = |costs: &Costs| costs.vector(objective);
+    if let (Some(other), Some(least)) = (&found.plan, &found.costs) {
+        if vector(least) < vector(&costs) {
+            judged.optimal = Some(false);
+            judged.excess = excess(instance, plan, other);
+            judged.better = Some((other.clone(), *least));
+        } else if found.status == Status::Optimal && vector(least) == vector(&costs) {
+            judged.optimal = Some(true);
+        }
+    }
+    judged.found = Some(found);
+    judged
+}
+
+/// What each agent has more of in one plan than in another.
+fn excess(instance: &Instance, plan: &Plan, other: &Plan) -> Vec<Excess> {
+    let mut excess = Vec::new();
+    for agent in instance.agents() {
+        let costs = [plan, other].map(|plan| own_costs(instance, &agent.name, plan));
+        let [Some(costs), Some(less)] = costs else {
+            continue;
+        };
+        for cost in [Cost::SumOfCosts, Cost::Charges, Cost::Moves, Cost::Waits] {
+            let by = costs.get(cost).saturating_sub(less.get(cost));
+            if by > 0 {
+                let agent = agent.name.clone();
+                excess.push(Excess { agent, cost, by });
+            }
+        }
+    }
+    excess
+}
+
+/// The costs of one agent in a plan.
+pub(crate) fn own_costs(instance: &Instance, name: &str, plan: &Plan) -> Option<Costs> {
+    let scene = instance.to_scene();
+    let agents = scene.agents.into_iter().filter(|a| a.name == name);
+    let alone = Scene {
+        agents: agents.collect(),
+        ..scene
+    };
+    let alone = Instance::new(alone).ok()?;
+    giveway_model::check::costs(&alone, plan)
+}

@@ -1,0 +1,211 @@
+//! Facts of an instance that can be left out, and the instance without some.
+
+use std::collections::BTreeSet;
+
+use giveway_model::{AtGoal, Cell, Grid, Ground, Instance, Plan, Scene};
+
+use super::answer::{Fact, FactKind};
+use super::words;
+use crate::problem::Relaxed;
+
+/// A fact; agents by their numbers. The order is that in which facts are tried:
+/// without agents everything else is quickly tried.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+pub(crate) enum Part {
+    /// The agent is there.
+    Task(usize),
+    /// It must visit the waypoint.
+    Waypoint(usize, Cell),
+    /// Its battery is limited.
+    Battery(usize),
+    /// The cell is an obstacle.
+    Obstacle(Cell),
+    /// The two, the lower number first, must not collide.
+    Collision(usize, usize),
+    /// It stays at its goal.
+    Stay(usize),
+    /// Slow zones are slow.
+    Slow,
+    /// A person set the horizon.
+    Deadline,
+}
+
+impl Part {
+    pub(crate) const fn kind(self) -> FactKind {
+        match self {
+            Self::Task(_) => FactKind::Task,
+            Self::Waypoint(..) => FactKind::Waypoint,
+            Self::Battery(_) => FactKind::Battery,
+            Self::Obstacle(_) => FactKind::Obstacle,
+            Self::Collision(..) => FactKind::Collision,
+            Self::Stay(_) => FactKind::Stay,
+            Self::Slow => FactKind::Slow,
+            Self::Deadline => FactKind::Deadline,
+        }
+    }
+
+    /// The agents that it is about.
+    pub(crate) fn agents(self) -> Vec<usize> {
+        match self {
+            Self::Task(a) | Self::Waypoint(a, _) | Self::Battery(a) | Self::Stay(a) => vec![a],
+            Self::Collision(a, b) => vec![a, b],
+            Self::Obstacle(_) | Self::Slow | Self::Deadline => Vec::new(),
+        }
+    }
+
+    /// The fact for people.
+    pub(crate) fn fact(self, instance: &Instance, within: Option<u32>) -> Fact {
+        let name = |&a: &usize| instance.agents().get(a).map_or("", |a| a.name.as_str());
+        let agents: Vec<String> = self.agents().iter().map(|a| name(a).to_owned()).collect();
+        let cell = match self {
+            Self::Waypoint(_, cell) | Self::Obstacle(cell) => Some(cell),
+            _ => None,
+        };
+        Fact {
+            kind: self.kind(),
+            text: words::fact(self, instance, within),
+            agents,
+            cell,
+        }
+    }
+}
+
+/// Every fact of an instance that can be left out. `asked` is never left out;
+/// a deadline is a fact only where a person set one.
+pub(crate) fn parts(instance: &Instance, asked: &[usize], deadline: bool) -> Vec<Part> {
+    let mut parts = Vec::new();
+    let agents = instance.agents().iter().enumerate();
+    for (i, agent) in agents {
+        if !asked.contains(&i) {
+            parts.push(Part::Task(i));
+        }
+        parts.extend(agent.waypoints.iter().map(|&w| Part::Waypoint(i, w)));
+        parts.extend(agent.battery.map(|_| Part::Battery(i)));
+        parts.extend(instance.stays().then_some(Part::Stay(i)));
+        parts.extend((0..i).map(|other| Part::Collision(other, i)));
+    }
+    let cells = instance.grid().cells();
+    parts.extend(
+        cells
+            .filter(|(_, ground)| !ground.is_vertex())
+            .map(|(cell, _)| Part::Obstacle(cell)),
+    );
+    if has_slow_edge(instance.grid()) {
+        parts.push(Part::Slow);
+    }
+    parts.extend(deadline.then_some(Part::Deadline));
+    parts.sort_unstable();
+    parts
+}
+
+fn has_slow_edge(grid: &Grid) -> bool {
+    let mut slow = grid.cells().filter(|(_, ground)| ground.is_slow());
+    slow.any(|(cell, _)| grid.neighbours(cell).any(|v| grid.is_slow_edge(cell, v)))
+}
+
+/// An instance without some facts.
+#[derive(Clone, Debug)]
+pub(crate) struct Variant {
+    pub(crate) scene: Scene,
+    pub(crate) relaxed: Relaxed,
+    /// The horizon, where a person set one and it is not left out.
+    pub(crate) within: Option<u32>,
+}
+
+/// The instance without some facts.
+pub(crate) fn without(
+    instance: &Instance,
+    left_out: &BTreeSet<Part>,
+    within: Option<u32>,
+) -> Variant {
+    let mut scene = instance.to_scene();
+    let mut relaxed = Relaxed::default();
+    let mut free = BTreeSet::new();
+    let mut within = within;
+    let mut all_normal = false;
+    // Agents that are left out move the numbers of those behind them.
+    let gone = |a: usize| left_out.contains(&Part::Task(a));
+    let number = |a: usize| a - (0..a).filter(|&b| gone(b)).count();
+    for &part in left_out {
+        match part {
+            Part::Task(_) => {}
+            Part::Waypoint(a, cell) => {
+                if let Some(agent) = scene.agents.get_mut(a) {
+                    agent.waypoints.retain(|&w| w != cell);
+                }
+            }
+            Part::Battery(a) => {
+                if let Some(agent) = scene.agents.get_mut(a) {
+                    agent.battery = None;
+                }
+            }
+            Part::Obstacle(cell) => {
+                free.insert(cell);
+            }
+            Part::Collision(a, b) => {
+                if !gone(a) && !gone(b) {
+                    relaxed.ignored.insert((number(a), number(b)));
+                }
+            }
+            Part::Stay(a) => {
+                if !gone(a) {
+                    relaxed.gone.insert(number(a));
+                }
+            }
+            Part::Slow => all_normal = true,
+            Part::Deadline => within = None,
+        }
+    }
+    scene.map = redraw(instance.grid(), |cell, ground| match ground {
+        Ground::Obstacle if free.contains(&cell) => Ground::Free,
+        Ground::Slow if all_normal => Ground::Free,
+        Ground::SlowCharger if all_normal => Ground::Charger,
+        ground => ground,
+    });
+    let mut index = 0;
+    scene.agents.retain(|_| {
+        index += 1;
+        !gone(index - 1)
+    });
+    if scene.rules.at_goal == AtGoal::Vanish {
+        relaxed.gone.clear();
+    }
+    Variant {
+        scene,
+        relaxed,
+        within,
+    }
+}
+
+/// A map with some grounds changed.
+pub(crate) fn redraw(grid: &Grid, change: impl Fn(Cell, Ground) -> Ground) -> Vec<String> {
+    let mut rows = vec![String::new(); grid.height() as usize];
+    for (cell, ground) in grid.cells() {
+        if let Some(row) = rows.get_mut(cell.y as usize) {
+            row.push(change(cell, ground).to_char());
+        }
+    }
+    rows
+}
+
+/// A plan without what a variant has no place for: agents that are not there,
+/// charges of batteries that are unlimited.
+pub(crate) fn fit(plan: &Plan, scene: &Scene) -> Plan {
+    let agent = |name: &String| scene.agents.iter().find(|a| a.name == *name);
+    let mut plan = plan.clone();
+    plan.paths.retain(|name, _| agent(name).is_some());
+    plan.charges
+        .retain(|name, _| agent(name).is_some_and(|a| a.battery.is_some()));
+    for (name, path) in &mut plan.paths {
+        let goal = agent(name).map(|a| a.goal);
+        while path.len() >= 2 && path.ends_with(&[goal, goal]) {
+            path.pop();
+        }
+    }
+    for (name, charges) in &mut plan.charges {
+        let arrival = plan.paths.get(name).map_or(0, |path| path.len() as u32);
+        charges.retain(|&charge| charge + 1 < arrival);
+    }
+    plan.charges.retain(|_, charges| !charges.is_empty());
+    plan
+}

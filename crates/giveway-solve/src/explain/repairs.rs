@@ -1,0 +1,270 @@
+//! What would help: edits after which there is a plan, each tried.
+//!
+//! A minimal set of facts tells what is worth trying. Where an edit weakens no
+//! fact of the set, the set excludes a plan after the edit as before; so single
+//! edits outside of it cannot help.
+
+use std::collections::BTreeSet;
+
+use giveway_model::{Cell, Costs, Instance, MAX_CAPACITY, Objective, Plan};
+
+use super::{
+    answer::{Edit, Repair},
+    core::{Inquiry, Tried},
+    edits::edited,
+    relax::{Part, Variant},
+    words,
+};
+
+/// The most repairs that are told.
+const MOST: usize = 12;
+/// Cells beyond which new chargers and normal cells are not all tried.
+const MOST_CELLS: usize = 64;
+
+/// A question that can also be answered by the best plan.
+pub(crate) trait Solver: Inquiry {
+    /// The best plan that can be had in time.
+    fn best(&mut self, variant: &Variant) -> Option<(Plan, Costs)>;
+}
+
+/// What would help.
+pub(crate) struct Repairs {
+    pub(crate) repairs: Vec<Repair>,
+    /// Whether every single edit was tried that could help, and every pair
+    /// where no single edit does.
+    pub(crate) exhaustive: bool,
+}
+
+/// Finds repairs, where these facts exclude a plan. `asked` agents stay.
+pub(crate) fn repairs(
+    instance: &Instance,
+    within: Option<u32>,
+    facts: &[Part],
+    asked: &[usize],
+    objective: &Objective,
+    solver: &mut dyn Solver,
+) -> Repairs {
+    let mut search = Search {
+        instance,
+        within,
+        solver,
+        exhaustive: true,
+        found: Vec::new(),
+    };
+    let singles = search.candidates(facts, asked);
+    for candidate in &singles {
+        search.attempt(&[candidate]);
+    }
+    if search.found.is_empty() {
+        for (i, first) in singles.iter().enumerate() {
+            for second in &singles[i + 1..] {
+                search.attempt(&[first, second]);
+            }
+        }
+        // The second edit of a pair may be about a fact outside of this set.
+        search.exhaustive = false;
+    }
+    let mut found = search.found;
+    let exhaustive = search.exhaustive;
+    found.sort_by_cached_key(|repair| {
+        let kinds: Vec<u8> = repair.edits.iter().map(rank).collect();
+        let costs = repair.costs.vector(objective);
+        (repair.edits.len(), kinds, costs, repair.edits.clone())
+    });
+    Repairs {
+        repairs: at_most(found),
+        exhaustive,
+    }
+}
+
+/// The place of an edit in the order in which repairs are told.
+const fn rank(edit: &Edit) -> u8 {
+    match edit {
+        Edit::RemoveObstacle { .. } => 0,
+        Edit::AddCharger { .. } => 1,
+        Edit::Battery { .. } => 2,
+        Edit::Deadline { .. } => 3,
+        Edit::MakeNormal { .. } => 4,
+        Edit::DropWaypoint { .. } => 5,
+        Edit::Vanish => 6,
+        Edit::LeaveOut { .. } => 7,
+    }
+}
+
+/// The first of them, the best of each kind among these.
+fn at_most(found: Vec<Repair>) -> Vec<Repair> {
+    let kinds = |repair: &Repair| repair.edits.iter().map(rank).collect::<Vec<_>>();
+    let mut seen = BTreeSet::new();
+    let best: Vec<bool> = found
+        .iter()
+        .map(|repair| seen.insert(kinds(repair)))
+        .collect();
+    let mut spare = MOST.saturating_sub(seen.len());
+    let mut kept = Vec::new();
+    for (repair, best) in found.into_iter().zip(best) {
+        if best {
+            kept.push(repair);
+        } else if spare > 0 {
+            spare -= 1;
+            kept.push(repair);
+        }
+    }
+    kept.truncate(MOST);
+    kept
+}
+
+/// An edit to try; a battery or a deadline as large as is needed.
+#[derive(Clone, Debug)]
+enum Candidate {
+    Edit(Edit),
+    Battery(usize),
+    Deadline,
+}
+
+struct Search<'a> {
+    instance: &'a Instance,
+    within: Option<u32>,
+    solver: &'a mut dyn Solver,
+    exhaustive: bool,
+    found: Vec<Repair>,
+}
+
+impl Search<'_> {
+    /// Every edit that weakens one of the facts.
+    fn candidates(&mut self, facts: &[Part], asked: &[usize]) -> Vec<Candidate> {
+        let agents = self.instance.agents();
+        let name = |a: usize| agents.get(a).map_or_else(String::new, |a| a.name.clone());
+        let mut candidates = Vec::new();
+        let any = |test: fn(&Part) -> bool| facts.iter().any(test);
+        for &fact in facts {
+            match fact {
+                Part::Obstacle(cell) => {
+                    candidates.push(Candidate::Edit(Edit::RemoveObstacle { cell }));
+                }
+                Part::Battery(a) => candidates.push(Candidate::Battery(a)),
+                Part::Deadline => candidates.push(Candidate::Deadline),
+                Part::Waypoint(a, cell) => {
+                    let agent = name(a);
+                    candidates.push(Candidate::Edit(Edit::DropWaypoint { agent, cell }));
+                }
+                Part::Task(a) if !asked.contains(&a) => {
+                    candidates.push(Candidate::Edit(Edit::LeaveOut { agent: name(a) }));
+                }
+                Part::Task(_) | Part::Collision(..) | Part::Stay(_) | Part::Slow => {}
+            }
+        }
+        if any(|fact| matches!(fact, Part::Battery(_))) {
+            let grid = self.instance.grid();
+            let cells = grid.cells();
+            let free = cells.filter(|(_, ground)| ground.is_vertex() && !ground.is_charger());
+            let cells = self.limited(free.map(|(cell, _)| cell).collect());
+            let edits = cells.into_iter().map(|cell| Edit::AddCharger { cell });
+            candidates.extend(edits.map(Candidate::Edit));
+        }
+        if any(|fact| matches!(fact, Part::Slow)) {
+            let cells = self.instance.grid().cells();
+            let slow = cells.filter(|(_, ground)| ground.is_slow());
+            let cells = self.limited(slow.map(|(cell, _)| cell).collect());
+            let edits = cells.into_iter().map(|cell| Edit::MakeNormal { cell });
+            candidates.extend(edits.map(Candidate::Edit));
+        }
+        if any(|fact| matches!(fact, Part::Stay(_))) {
+            candidates.push(Candidate::Edit(Edit::Vanish));
+        }
+        candidates
+    }
+
+    fn limited(&mut self, mut cells: Vec<Cell>) -> Vec<Cell> {
+        self.exhaustive &= cells.len() <= MOST_CELLS;
+        cells.truncate(MOST_CELLS);
+        cells
+    }
+
+    /// Tries edits together; keeps them if they help.
+    fn attempt(&mut self, candidates: &[&Candidate]) {
+        let mut edits = Vec::new();
+        for candidate in candidates {
+            match candidate {
+                Candidate::Edit(edit) => edits.push(edit.clone()),
+                // With the largest battery first, and no deadline.
+                Candidate::Battery(agent) => edits.extend(self.battery(*agent, MAX_CAPACITY)),
+                Candidate::Deadline => {}
+            }
+        }
+        let no_deadline = candidates.iter().any(|c| matches!(c, Candidate::Deadline));
+        let within = self.within.filter(|_| !no_deadline);
+        if !self.helps(&edits, within) {
+            return;
+        }
+        if let [Candidate::Battery(agent)] = candidates {
+            edits = self.least_battery(*agent);
+        }
+        let Some((mut plan, mut costs)) = self.solver.best(&edited(self.instance, &edits, within))
+        else {
+            self.exhaustive = false;
+            return;
+        };
+        if no_deadline && self.within.is_some() {
+            let within = costs.makespan;
+            edits.push(Edit::Deadline { within });
+            let variant = edited(self.instance, &edits, self.within);
+            if let Some(best) = self.solver.best(&variant) {
+                (plan, costs) = best;
+            }
+        }
+        edits.sort_by_key(rank);
+        self.found.push(Repair {
+            text: words::repair(&edits, &costs),
+            edits,
+            costs,
+            plan,
+        });
+    }
+
+    fn helps(&mut self, edits: &[Edit], within: Option<u32>) -> bool {
+        match self.solver.search(&edited(self.instance, edits, within)) {
+            Tried::Plan(_) => true,
+            Tried::None { .. } => false,
+            Tried::Unknown => {
+                self.exhaustive = false;
+                false
+            }
+        }
+    }
+
+    /// A battery that is larger and fuller by some steps.
+    fn battery(&self, agent: usize, by: u32) -> Option<Edit> {
+        let agent = self.instance.agents().get(agent)?;
+        let battery = agent.battery?;
+        let by = by.min(MAX_CAPACITY - battery.capacity);
+        Some(Edit::Battery {
+            agent: agent.name.clone(),
+            capacity: battery.capacity + by,
+            initial: battery.initial + by,
+        })
+    }
+
+    /// The least larger battery that helps, where the largest does.
+    fn least_battery(&mut self, agent: usize) -> Vec<Edit> {
+        // Twice as much each time, then halving: batteries that help are small.
+        let (mut less, mut enough) = (0, 1);
+        while enough < MAX_CAPACITY {
+            let edits: Vec<Edit> = self.battery(agent, enough).into_iter().collect();
+            if self.helps(&edits, self.within) {
+                break;
+            }
+            less = enough;
+            enough *= 2;
+        }
+        while enough - less > 1 {
+            let middle = less + (enough - less) / 2;
+            let edits: Vec<Edit> = self.battery(agent, middle).into_iter().collect();
+            if self.helps(&edits, self.within) {
+                enough = middle;
+            } else {
+                less = middle;
+            }
+        }
+        self.battery(agent, enough).into_iter().collect()
+    }
+}

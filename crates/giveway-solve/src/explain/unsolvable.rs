@@ -1,0 +1,292 @@
+//! Why there is no plan: facts that exclude one, a plan that breaks few rules,
+//! and what would help.
+
+use std::collections::{BTreeMap, BTreeSet};
+use std::rc::Rc;
+
+use giveway_model::{
+    Costs, Instance, Objective, Plan,
+    check::{Rule, Violation, check},
+};
+
+use super::{
+    answer::{Class, Core, WitnessEntry},
+    ask::{Ask, Found, any, best, violations},
+    core::{CoreFound, Inquiry, Tried, minimal_set},
+    relax::{Part, Variant, parts, without},
+    repairs::{Repairs, Solver, repairs},
+    soft::{self, Broken},
+};
+use crate::{Limits, Status, meter::Meter};
+
+/// Conflicts that one of many searches may take.
+const CONFLICTS_EACH: u64 = 20_000;
+/// Sets of batteries or waypoints that are tried.
+const MOST_SETS: usize = 400;
+
+/// The search for any plan at all, of variants of one instance.
+pub(crate) struct AnyPlan<'a, 'h> {
+    pub(crate) objective: &'a Objective,
+    /// The horizon of the instance as it is.
+    pub(crate) horizon: u32,
+    pub(crate) meter: Rc<Meter<'h>>,
+}
+
+impl AnyPlan<'_, '_> {
+    fn with<T>(&self, variant: &Variant, run: impl Fn(&Ask, &Rc<Meter>) -> T) -> T {
+        let part = Rc::new(self.meter.part(Limits {
+            conflicts: Some(CONFLICTS_EACH),
+            ..Limits::default()
+        }));
+        let ask = Ask {
+            scene: &variant.scene,
+            relaxed: &variant.relaxed,
+            condition: None,
+            objective: self.objective,
+            caps: &BTreeMap::new(),
+            within: variant.within,
+            at_least_within: self.horizon,
+        };
+        let result = run(&ask, &part);
+        self.meter.absorb(&part);
+        result
+    }
+}
+
+impl Inquiry for AnyPlan<'_, '_> {
+    fn search(&mut self, variant: &Variant) -> Tried {
+        tried(self.with(variant, any))
+    }
+
+    fn accepts(&self, variant: &Variant, plan: &Plan) -> bool {
+        let Ok(instance) = Instance::new(variant.scene.clone()) else {
+            return false;
+        };
+        let arrives = |within: u32| {
+            let costs = giveway_model::check::costs(&instance, plan);
+            costs.is_some_and(|costs| costs.makespan <= within)
+        };
+        violations(&instance, &variant.relaxed, plan).is_empty()
+            && variant.within.is_none_or(arrives)
+    }
+}
+
+impl Solver for AnyPlan<'_, '_> {
+    fn best(&mut self, variant: &Variant) -> Option<(Plan, Costs)> {
+        let found = self.with(variant, best);
+        found.plan.zip(found.costs)
+    }
+}
+
+/// What a search for any plan tells of a variant.
+pub(crate) fn tried(found: Found) -> Tried {
+    match (found.status, found.plan) {
+        (_, Some(plan)) => Tried::Plan(plan),
+        (Status::Impossible, None) => Tried::None {
+            within: (!found.complete).then_some(found.horizon),
+            clash: found.clash,
+        },
+        _ => Tried::Unknown,
+    }
+}
+
+/// Facts that exclude a plan, where `found` says that there is none.
+pub(crate) fn core(
+    instance: &Instance,
+    within: Option<u32>,
+    found: &Found,
+    any_plan: &mut AnyPlan,
+) -> Option<CoreFound> {
+    minimal_set(instance, &[], within, tried(found.clone()), any_plan)
+}
+
+/// What would help.
+pub(crate) fn helps(
+    instance: &Instance,
+    within: Option<u32>,
+    facts: &[Part],
+    any_plan: &mut AnyPlan,
+) -> Repairs {
+    let objective = any_plan.objective;
+    repairs(instance, within, facts, &[], objective, any_plan)
+}
+
+/// For each class of rules, the plan that breaks the fewest of it and no other.
+/// The flag says whether all classes were settled.
+pub(crate) fn witness(
+    instance: &Instance,
+    within: Option<u32>,
+    any_plan: &mut AnyPlan,
+) -> (Vec<WitnessEntry>, bool) {
+    let mut entries = Vec::new();
+    let mut settled = true;
+    for class in [
+        Class::Collision,
+        Class::Obstacle,
+        Class::Battery,
+        Class::Waypoint,
+    ] {
+        let horizon = any_plan.horizon;
+        let part = Rc::new(any_plan.meter.part(Limits {
+            conflicts: Some(CONFLICTS_EACH),
+            ..Limits::default()
+        }));
+        let broken = match class {
+            Class::Collision => soft::collisions(instance, within, horizon, &part),
+            Class::Obstacle => soft::obstacles(instance, within, horizon, &part),
+            Class::Battery => fewest_left_out(instance, within, any_plan, |part| {
+                matches!(part, Part::Battery(_))
+            }),
+            Class::Waypoint => fewest_left_out(instance, within, any_plan, |part| {
+                matches!(part, Part::Waypoint(..))
+            }),
+        };
+        any_plan.meter.absorb(&part);
+        settled &= part.check().is_ok();
+        if let Some(broken) = broken {
+            settled &= broken.fewest;
+            let found = told(instance, class, &broken.plan);
+            entries.extend(found.into_iter().map(|violation| WitnessEntry {
+                violation,
+                class: Some(class),
+            }));
+        }
+    }
+    (entries, settled)
+}
+
+/// The violations of a plan that breaks rules of one class, batteries once an
+/// agent; none where it breaks others, too.
+fn told(instance: &Instance, class: Class, plan: &Plan) -> Vec<Violation> {
+    let mut violations = check(instance, plan).violations;
+    let of_class = |rule: Rule| match class {
+        Class::Collision => matches!(rule, Rule::Vertex | Rule::Swap | Rule::SlowSwap),
+        Class::Obstacle => rule == Rule::Obstacle,
+        Class::Battery => rule == Rule::Battery,
+        Class::Waypoint => rule == Rule::Waypoint,
+    };
+    if violations.iter().any(|v| !of_class(v.rule)) {
+        return Vec::new();
+    }
+    if class == Class::Battery {
+        let mut seen = BTreeSet::new();
+        violations.retain(|v| seen.insert(v.agents.clone()));
+    }
+    violations
+}
+
+/// The best plan without some batteries or waypoints, as few as can be.
+fn fewest_left_out(
+    instance: &Instance,
+    within: Option<u32>,
+    any_plan: &mut AnyPlan,
+    of_class: impl Fn(&Part) -> bool,
+) -> Option<Broken> {
+    let mut class = parts(instance, &[], false);
+    class.retain(of_class);
+    let all: BTreeSet<Part> = class.iter().copied().collect();
+    if all.is_empty()
+        || !matches!(
+            any_plan.search(&without(instance, &all, within)),
+            Tried::Plan(_)
+        )
+    {
+        return None;
+    }
+    let mut left = MOST_SETS;
+    let mut fewest = true;
+    for count in 1..=class.len() {
+        let mut found: Option<(Vec<u32>, Plan)> = None;
+        let mut settled = true;
+        for set in subsets(&class, count) {
+            if left == 0 {
+                return found.map(|(_, plan)| broken(plan, count, false));
+            }
+            left -= 1;
+            let variant = without(instance, &set, within);
+            match any_plan.search(&variant) {
+                Tried::None { .. } => {}
+                Tried::Unknown => settled = false,
+                Tried::Plan(_) => {
+                    if let Some((plan, costs)) = any_plan.best(&variant) {
+                        let key = vec![costs.makespan, costs.sum_of_costs];
+                        if found.as_ref().is_none_or(|(best, _)| key < *best) {
+                            found = Some((key, plan));
+                        }
+                    }
+                }
+            }
+        }
+        if let Some((_, plan)) = found {
+            return Some(broken(plan, count, fewest && settled));
+        }
+        fewest &= settled;
+    }
+    None
+}
+
+const fn broken(plan: Plan, count: usize, fewest: bool) -> Broken {
+    Broken {
+        plan,
+        count,
+        fewest,
+    }
+}
+
+/// All subsets of a size, in order.
+fn subsets(class: &[Part], count: usize) -> impl Iterator<Item = BTreeSet<Part>> + '_ {
+    let mut chosen: Option<Vec<usize>> = Some((0..count).collect());
+    std::iter::from_fn(move || {
+        let now = chosen.clone()?;
+        // The last index that can move on, and those behind it right after it.
+        let next = (0..count)
+            .rev()
+            .find(|&i| now[i] + (count - i) < class.len());
+        chosen = next.map(|i| {
+            let head = now[..i].iter().copied();
+            head.chain(now[i] + 1..now[i] + 1 + count - i).collect()
+        });
+        Some(now.iter().map(|&i| class[i]).collect())
+    })
+}
+
+/// Takes the classes' plans for what they are: a part of the words.
+pub(crate) fn of_class(entries: &[WitnessEntry], class: Class) -> Vec<&Violation> {
+    let of = entries.iter().filter(|entry| entry.class == Some(class));
+    of.map(|entry| &entry.violation).collect()
+}
+
+/// Why there is no plan.
+pub(crate) struct Reasons {
+    pub(crate) witness: Vec<WitnessEntry>,
+    pub(crate) core: Option<Core>,
+    pub(crate) repairs: Repairs,
+    /// Whether every part came to its end.
+    pub(crate) settled: bool,
+}
+
+/// All that can be told where `found` says that there is no plan; each part has
+/// limits of its own.
+pub(crate) fn reasons(
+    instance: &Instance,
+    objective: &Objective,
+    within: Option<u32>,
+    found: &Found,
+    meter: &Rc<Meter>,
+) -> Reasons {
+    let mut any_plan = AnyPlan {
+        objective,
+        horizon: found.horizon,
+        meter: Rc::clone(meter),
+    };
+    let core = core(instance, within, found, &mut any_plan);
+    let facts = core.as_ref().map_or(&[][..], |core| &core.parts);
+    let repairs = helps(instance, within, facts, &mut any_plan);
+    let (witness, settled) = witness(instance, within, &mut any_plan);
+    Reasons {
+        witness,
+        settled: settled && core.as_ref().is_some_and(|core| core.minimal),
+        core: core.map(|core| core.core(instance, within)),
+        repairs,
+    }
+}

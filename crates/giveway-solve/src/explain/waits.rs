@@ -1,0 +1,76 @@
+//! What would happen without a wait: the asked wait steps taken out of the
+//! plan, everything later of the agent earlier, all others as they are.
+
+use giveway_model::{
+    Cell, Instance, Path, Plan, Question,
+    check::{Violation, check},
+};
+
+/// The violations that would follow; none where the question is about no wait.
+pub(crate) fn witness(instance: &Instance, question: &Question, plan: &Plan) -> Vec<Violation> {
+    let Question::Wait {
+        agent,
+        at,
+        from,
+        to,
+        at_least,
+    } = question
+    else {
+        return Vec::new();
+    };
+    let mut other = plan.clone();
+    other.cut_trailing_goals(instance);
+    let asked = Asked {
+        at: *at,
+        from: from.unwrap_or(0) as usize,
+        to: to.map_or(usize::MAX, |to| to as usize),
+        spared: at_least.map_or(0, |steps| steps.saturating_sub(1)),
+    };
+    let Some(path) = other.paths.get_mut(agent) else {
+        return Vec::new();
+    };
+    let moved = asked.take_out(path);
+    if let Some(charges) = other.charges.get_mut(agent) {
+        // A charge of a wait step is made by the step that takes its place.
+        let now = charges
+            .iter()
+            .filter_map(|&charge| moved.get(charge as usize));
+        let mut now: Vec<u32> = now.copied().collect();
+        now.dedup();
+        *charges = now;
+    }
+    check(instance, &other).violations
+}
+
+/// The wait steps that are asked about.
+struct Asked {
+    at: Option<Cell>,
+    from: usize,
+    to: usize,
+    /// How many wait steps on end may stay.
+    spared: u32,
+}
+
+impl Asked {
+    /// Takes them out of a path; for each time of it, the time that it becomes.
+    fn take_out(&self, path: &mut Path) -> Vec<u32> {
+        let mut shorter = Path::new();
+        let mut moved = Vec::new();
+        let mut run = 0;
+        for (time, &entry) in path.iter().enumerate() {
+            let before = time.checked_sub(1).and_then(|before| path.get(before));
+            let waits = entry.is_some()
+                && before == Some(&entry)
+                && self.at.is_none_or(|at| entry == Some(at))
+                && self.from < time
+                && time <= self.to;
+            run = if waits { run + 1 } else { 0 };
+            if run <= self.spared {
+                shorter.push(entry);
+            }
+            moved.push((shorter.len() as u32).saturating_sub(1));
+        }
+        *path = shorter;
+        moved
+    }
+}

@@ -1,0 +1,27 @@
+//! Costs, and how two plans differ in them.
+
+use giveway_model::{Cost, Costs, Objective};
+
+use super::list::and;
+
+/// The name of a cost, as a noun of one thing.
+pub(crate) const fn name(cost: Cost) -> &'static str {
+    match cost {
+        Cost::Makespan => "makespan",
+        Cost::SumOfCosts => "sum of costs",
+        Cost::Charges => "number of charges",
+        Cost::Moves => "number of moves",
+        Cost::Waits => "number of waits",
+    }
+}
+
+/// `a makespan of 6 instead of 4 and a sum of costs of 9 instead of 7`: where
+/// costs differ, in the order of the objective.
+pub(crate) fn instead(objective: &Objective, now: &Costs, before: &Costs) -> String {
+    let phrase = |&cost: &Cost| {
+        let (now, before) = (now.get(cost), before.get(cost));
+        (now != before).then(|| format!("a {} of {now} instead of {before}", name(cost)))
+    };
+    let phrases: Vec<String> = objective.costs().iter().filter_map(phrase).collect();
+    and(&phrases)
+}

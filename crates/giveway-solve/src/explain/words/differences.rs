@@ -1,0 +1,62 @@
+//! What is different in the other plan, in a few words.
+
+use giveway_model::{Cell, Cost, Instance, Plan, Question};
+
+use super::list::and;
+use crate::explain::own_plan::own_costs;
+
+/// What could be instead, as a clause: `A1 could wait instead`; `None` where
+/// there is nothing short to say.
+pub(crate) fn instead(
+    question: &Question,
+    instance: &Instance,
+    plan: &Plan,
+    other: &Plan,
+) -> Option<String> {
+    let asked = question.agent();
+    let changed = |name: &str| {
+        plan.path(name) != other.path(name) || plan.charges(name) != other.charges(name)
+    };
+    let names: Vec<&str> = instance
+        .agents()
+        .iter()
+        .map(|agent| agent.name.as_str())
+        .filter(|name| changed(name))
+        .collect();
+    let waits = |name: &str, plan: &Plan| {
+        own_costs(instance, name, plan).map_or(0, |costs| costs.get(Cost::Waits))
+    };
+    let waits_more = |name: &&&str| waits(name, other) > waits(name, plan);
+    let others: Vec<&&str> = names.iter().filter(|name| Some(**name) != asked).collect();
+    let waiting: Vec<&str> = others.iter().copied().filter(waits_more).copied().collect();
+    let subject = |names: &[&str]| and(names);
+    let about_waiting = matches!(
+        question,
+        Question::Wait { .. } | Question::Waits { .. } | Question::Yield { .. }
+    );
+    if about_waiting && !waiting.is_empty() && waiting.len() <= 3 {
+        return Some(format!("{} could wait instead", subject(&waiting)));
+    }
+    let asked = asked.filter(|name| names.contains(name));
+    match (asked, others.len()) {
+        (Some(name), _) if way(plan, name) != way(other, name) => {
+            Some(format!("{name} could go another way"))
+        }
+        (Some(name), 0) if plan.path(name) == other.path(name) => {
+            Some(format!("{name} could charge at another time"))
+        }
+        (Some(name), 0) if waits(name, other) > 0 => Some(format!("{name} could wait elsewhere")),
+        (_, 1..=3) => {
+            let others: Vec<&str> = others.iter().map(|name| **name).collect();
+            Some(format!("{} could go differently", subject(&others)))
+        }
+        _ => None,
+    }
+}
+
+/// The cells of a path, each once for each stay.
+fn way(plan: &Plan, name: &str) -> Vec<Cell> {
+    let mut cells: Vec<Cell> = plan.path(name).iter().copied().flatten().collect();
+    cells.dedup();
+    cells
+}

@@ -1,0 +1,38 @@
+//! Facts that can be left out, as clauses.
+
+use giveway_model::Instance;
+
+use crate::explain::relax::Part;
+
+/// A fact as a clause: `A1 must visit (2, 1)`.
+pub(crate) fn fact(part: Part, instance: &Instance, within: Option<u32>) -> String {
+    let agent = |a: usize| instance.agents().get(a);
+    let name = |a: usize| agent(a).map_or("", |agent| agent.name.as_str());
+    match part {
+        Part::Task(a) => agent(a).map_or_else(String::new, |a| {
+            format!("{} must go from {} to {}", a.name, a.start, a.goal)
+        }),
+        Part::Waypoint(a, cell) => format!("{} must visit {cell}", name(a)),
+        Part::Battery(a) => {
+            let battery = agent(a).and_then(|agent| agent.battery);
+            battery.map_or_else(String::new, |battery| {
+                let (initial, capacity) = (battery.initial, battery.capacity);
+                format!(
+                    "{} has a battery of {capacity} with {initial} in it",
+                    name(a)
+                )
+            })
+        }
+        Part::Obstacle(cell) => format!("{cell} is an obstacle"),
+        Part::Collision(a, b) => format!("{} and {} must not collide", name(a), name(b)),
+        Part::Stay(a) => {
+            let goal = agent(a).map(|agent| agent.goal.to_string());
+            format!("{} stays at its goal {}", name(a), goal.unwrap_or_default())
+        }
+        Part::Slow => "the slow zone is slow".to_owned(),
+        Part::Deadline => {
+            let within = within.unwrap_or_default();
+            format!("everyone must arrive by time {within}")
+        }
+    }
+}

@@ -1,0 +1,26 @@
+//! Phrases in a row.
+
+/// `a`, `a and b`, `a, b and c`.
+pub(crate) fn and<S: AsRef<str>>(phrases: &[S]) -> String {
+    match phrases {
+        [] => String::new(),
+        [one] => one.as_ref().to_owned(),
+        [init @ .., last] => {
+            let init: Vec<&str> = init.iter().map(AsRef::as_ref).collect();
+            format!("{} and {}", init.join(", "), last.as_ref())
+        }
+    }
+}
+
+/// A phrase as the beginning of a sentence.
+pub(crate) fn capital(phrase: &str) -> String {
+    let mut chars = phrase.chars();
+    chars.next().map_or_else(String::new, |first| {
+        first.to_uppercase().chain(chars).collect()
+    })
+}
+
+/// `1 step`, `2 steps`.
+pub(crate) fn count(n: u32, one: &str, many: &str) -> String {
+    format!("{n} {}", if n == 1 { one } else { many })
+}

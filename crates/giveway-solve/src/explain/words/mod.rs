@@ -1,0 +1,26 @@
+//! Reasons in words: the one place where they are made.
+//!
+//! Reasons are data; whoever wants other words replaces this folder. A template
+//! a kind, each read as a person would say it.
+
+#![allow(
+    unused_imports,
+    reason = "the service comes to ask for its parts one by one"
+)]
+
+mod contrast;
+mod costs;
+mod differences;
+mod facts;
+mod list;
+mod own_plan;
+mod repairs;
+mod unsolvable;
+mod verdict;
+mod violations;
+
+pub(crate) use facts::fact;
+pub(crate) use own_plan::own_plan;
+pub(crate) use repairs::repair;
+pub(crate) use unsolvable::unsolvable;
+pub(crate) use verdict::{Telling, verdict};

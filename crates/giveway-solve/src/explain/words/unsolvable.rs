@@ -1,0 +1,52 @@
+//! Why there is no plan.
+
+use super::{list::and, verdict::help, violations::would};
+use crate::explain::{
+    answer::{Class, Core, Repair, WitnessEntry},
+    unsolvable::of_class,
+};
+
+/// Why there is no plan, in words; `within` where it is known up to a makespan.
+pub(crate) fn unsolvable(
+    within: Option<u32>,
+    witness: &[WitnessEntry],
+    core: Option<&Core>,
+    repairs: &[Repair],
+) -> String {
+    let within = within.map_or_else(String::new, |n| format!(" with a makespan of at most {n}"));
+    let mut sentences = vec![format!("There is no plan{within}.")];
+    if let Some(core) = core.filter(|core| !core.facts.is_empty()) {
+        let texts: Vec<&str> = core.facts.iter().map(|fact| fact.text.as_str()).collect();
+        sentences.push(format!(
+            "These facts together exclude one: {}.",
+            texts.join("; ")
+        ));
+    }
+    for class in [
+        Class::Collision,
+        Class::Obstacle,
+        Class::Battery,
+        Class::Waypoint,
+    ] {
+        let violations = of_class(witness, class);
+        let Some(first) = violations.first().and_then(|v| v.agents.first()) else {
+            continue;
+        };
+        let if_not = match class {
+            Class::Collision => "If agents could pass through each other",
+            Class::Obstacle => "If agents could pass through obstacles",
+            Class::Battery => "If batteries did not count",
+            Class::Waypoint => "If waypoints could be left out",
+        };
+        let phrases: Vec<String> = violations
+            .chunk_by(|a, b| a.agents.first() == b.agents.first())
+            .filter_map(|own| {
+                let agent = own.first()?.agents.first().unwrap_or(first);
+                Some(format!("{agent} would only {}", would(agent, own)))
+            })
+            .collect();
+        sentences.push(format!("{if_not}, {}.", and(&phrases)));
+    }
+    sentences.extend(help(repairs));
+    sentences.join(" ")
+}

@@ -1,0 +1,122 @@
+//! The answer to a question about a plan.
+
+use giveway_model::{Costs, Instance, Objective, Plan, Question, check::costs};
+
+use super::{
+    contrast::contrast, costs::instead as in_costs, differences::instead, violations::would,
+};
+use crate::explain::{Core, Repair, Verdict, WitnessEntry};
+
+/// All that is known, as far as it is known.
+pub(crate) struct Telling<'a> {
+    pub(crate) instance: &'a Instance,
+    pub(crate) question: &'a Question,
+    pub(crate) objective: &'a Objective,
+    /// The plan that is asked about.
+    pub(crate) plan: &'a Plan,
+    pub(crate) verdict: Verdict,
+    /// The other plan.
+    pub(crate) alternative: Option<&'a Plan>,
+    /// The makespan up to which the verdict holds; `None` for any.
+    pub(crate) within: Option<u32>,
+    /// Who would run into what: the agent that the witness is about.
+    pub(crate) witness: (&'a str, &'a [WitnessEntry]),
+    pub(crate) core: Option<&'a Core>,
+    pub(crate) repairs: &'a [Repair],
+}
+
+/// The answer in words.
+pub(crate) fn verdict(telling: &Telling) -> String {
+    let Some(contrast) = contrast(telling.question, telling.instance, telling.plan) else {
+        return String::new();
+    };
+    let before = costs(telling.instance, telling.plan).unwrap_or_default();
+    let mut sentences = Vec::new();
+    let (agent, entries) = telling.witness;
+    let violations: Vec<_> = entries.iter().map(|entry| &entry.violation).collect();
+    let goes_wrong = !violations.is_empty();
+    if goes_wrong {
+        let of_agent = telling.question.agent() == Some(agent);
+        let who = if of_agent { "it" } else { agent };
+        let what = would(agent, &violations);
+        sentences.push(format!("If {}, {who} would {what}.", contrast.would));
+    }
+    let plan_with = format!("a plan in which {}", contrast.does);
+    let now = telling
+        .alternative
+        .and_then(|plan| costs(telling.instance, plan))
+        .unwrap_or(before);
+    let within = telling
+        .within
+        .map_or_else(String::new, |n| format!(" with a makespan of at most {n}"));
+    sentences.push(match telling.verdict {
+        Verdict::Needless => needless(telling, goes_wrong, &plan_with),
+        Verdict::Improvable => {
+            let instead = in_costs(telling.objective, &now, &before);
+            format!(
+                "There is even a better plan{}: {instead}.",
+                in_which(&contrast.does)
+            )
+        }
+        Verdict::Costly => costly(telling, &contrast.does, &now, &before),
+        Verdict::Necessary => format!("There is no plan{within}{}.", in_which(&contrast.does)),
+        Verdict::Unknown => {
+            format!("Whether there is {plan_with} that costs no more was not found out in time.")
+        }
+    });
+    if matches!(telling.verdict, Verdict::Necessary | Verdict::Costly) {
+        sentences.extend(telling.core.and_then(|core| because(core, telling.verdict)));
+    }
+    sentences.extend(help(telling.repairs));
+    sentences.join(" ")
+}
+
+fn in_which(does: &str) -> String {
+    format!(" in which {does}")
+}
+
+fn needless(telling: &Telling, goes_wrong: bool, plan_with: &str) -> String {
+    let instead = telling
+        .alternative
+        .and_then(|other| instead(telling.question, telling.instance, telling.plan, other));
+    match (instead, goes_wrong) {
+        (Some(instead), true) => {
+            format!("But {instead}: there is another plan that costs the same.")
+        }
+        (Some(instead), false) => {
+            format!("It need not be so. {instead}: there is {plan_with} that costs the same.")
+        }
+        (None, true) => "But there is another plan that costs the same.".to_owned(),
+        (None, false) => format!("It need not be so: there is {plan_with} that costs the same."),
+    }
+}
+
+fn costly(telling: &Telling, does: &str, now: &Costs, before: &Costs) -> String {
+    let instead = in_costs(telling.objective, now, before);
+    format!("There is a plan in which {does}, but the best one has {instead}.")
+}
+
+/// What a set of facts excludes.
+fn because(core: &Core, verdict: Verdict) -> Option<String> {
+    let texts: Vec<&str> = core.facts.iter().map(|fact| fact.text.as_str()).collect();
+    let what = match verdict {
+        Verdict::Costly => "no such plan costs less",
+        _ => "there is no such plan",
+    };
+    (!texts.is_empty()).then(|| format!("That {what} follows from this: {}.", texts.join("; ")))
+}
+
+/// The first repair.
+pub(crate) fn help(repairs: &[Repair]) -> Option<String> {
+    let first = repairs.first()?;
+    let (edit, costs) = first.text.trim_end_matches('.').rsplit_once(": ")?;
+    Some(format!("It would help to {}: {costs}.", lower(edit)))
+}
+
+/// A phrase from the beginning of a sentence in the middle of one.
+fn lower(phrase: &str) -> String {
+    let mut chars = phrase.chars();
+    chars.next().map_or_else(String::new, |first| {
+        first.to_lowercase().chain(chars).collect()
+    })
+}
