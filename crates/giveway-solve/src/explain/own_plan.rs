@@ -54,6 +54,7 @@ pub(crate) fn judge(
         &Ask {
             scene: &instance.to_scene(),
             relaxed: &Relaxed::default(),
+            condition: None,
             objective,
             caps: &BTreeMap::new(),
             // A plan that is at hand is never beyond what is looked at.

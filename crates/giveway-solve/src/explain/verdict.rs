@@ -153,6 +153,7 @@ fn best_with(case: &Case, meter: &Rc<Meter>) -> Found {
         costs: None,
         bounds: BTreeMap::new(),
         complete: true,
+        clash: Vec::new(),
         horizon: case.costs.makespan,
     })
 }
