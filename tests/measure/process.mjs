@@ -32,6 +32,12 @@ export class Tab {
     return this.#seconds((_, name) => name.startsWith("DedicatedWorker"));
   }
 
+  /** The tasks of the main thread in a trace of the browser. */
+  tasks({ traceEvents }) {
+    return traceEvents.filter(({ name, pid, tid, tdur }) =>
+      name === "ThreadControllerImpl::RunTask" && pid === this.pid && tid === this.pid && tdur !== undefined);
+  }
+
   #seconds(isIt) {
     const tasks = `/proc/${this.pid}/task`;
     let ticks = 0;
