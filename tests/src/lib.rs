@@ -7,11 +7,13 @@
     reason = "a test that cannot go on ends with a panic"
 )]
 
+pub mod answers;
 pub mod ask;
 pub mod compare;
 pub mod known;
 pub mod oracle;
 pub mod picture;
+pub mod questions;
 pub mod random;
 pub mod recount;
 pub mod source;

@@ -5,7 +5,7 @@ use std::str::FromStr;
 
 use clap::{Args as ClapArgs, Parser, Subcommand, ValueEnum};
 use clap_complete::Shell;
-use giveway_model::Objective;
+use giveway_model::{Cell, Objective};
 
 const ABOUT: &str = "Plans for several robots on a grid, proved best";
 
@@ -74,6 +74,8 @@ pub(crate) enum Command {
     Solve(Solve),
     /// Tell every rule that a plan breaks, and its costs
     Check(Check),
+    /// Tell why a plan is as it is, or why there is none
+    Explain(Explain),
     /// Write instances and plans in another format
     Convert(Convert),
     /// Write a completion script for a shell to standard output
@@ -153,6 +155,101 @@ pub(crate) struct Check {
     /// A plan, or a result of solve with a plan in it; or - for standard input
     #[arg(value_name = "PLAN")]
     pub(crate) plan: PathBuf,
+}
+
+#[derive(Debug, ClapArgs)]
+#[command(after_help = "\
+A QUESTION is one of
+  wait A [--at X,Y] [--from T] [--to T] [--at-least N]    why does A wait (so long)?
+  charge A [--at X,Y] [--time T]                          why does A charge?
+  no-charge A --at X,Y                                    why does A not charge there?
+  visit A --at X,Y [--time T]                             why does A pass there?
+  no-visit A|any --at X,Y                                 why does A, or anybody, not pass there?
+  move A --from-cell X,Y --to-cell X,Y [--time T]         why does A go that way?
+  no-move A --from-cell X,Y --to-cell X,Y [--time T]      why does A not go that way?
+  slow A [--from-cell X,Y --to-cell X,Y]                  why does A take the slow way?
+  order A --first X,Y --second X,Y                        why does A visit one before the other?
+  arrival A                                               why does A arrive only then?
+  length A [--fewer-than N]                               why is the path of A this long?
+  makespan, sum-of-costs                                  why can it not be less?
+  charges [A], moves [A], waits [A]                       why can it not be fewer?
+  yield A B --at X,Y                                      why does A give way to B there?
+  unsolvable                                              why is there no plan?
+  plan                                                    is my plan all right, and the best?
+
+The answer is one of
+  needless     another plan, in which it is not so, costs the same
+  improvable   it costs less: the plan is not the best
+  costly       it costs more
+  necessary    there is no such plan
+  unknown      the time ran out (exit status 3)
+
+Examples
+  giveway explain scenario-1.json --plan plan-1.json wait A2 --at 3,1
+  giveway explain warehouse.json charge A1 --at 6,2
+  giveway explain scenario-6.json unsolvable")]
+pub(crate) struct Explain {
+    #[command(flatten)]
+    pub(crate) source: Source,
+    #[command(flatten)]
+    pub(crate) question: Typed,
+    /// The plan that is asked about: a plan, or a result of solve with a plan in it; or - for
+    /// standard input. Without it the instance is solved first
+    #[arg(long, value_name = "PLAN")]
+    pub(crate) plan: Option<PathBuf>,
+    /// The costs in which plans compare, the most important first [default: the instance's own,
+    /// or makespan,sum-of-costs,charges]
+    #[arg(long, value_name = "LIST")]
+    pub(crate) objective: Option<Objective>,
+    /// Only plans of at most this makespan, or that of the plan asked about [default: the largest
+    /// optimum of an agent alone + 4 (width + height) + 10]
+    #[arg(long, value_name = "N", value_parser = whole::<u32>, allow_negative_numbers = true)]
+    pub(crate) within: Option<u32>,
+    /// Wall seconds for the whole command; 0.5 is legal
+    #[arg(long, value_name = "SECONDS", value_parser = seconds, allow_negative_numbers = true)]
+    pub(crate) time_limit: Option<f64>,
+}
+
+/// A question as it is typed.
+#[derive(Debug, ClapArgs)]
+pub(crate) struct Typed {
+    /// What is asked: wait, charge, no-charge, visit, no-visit, move, no-move, slow, order,
+    /// arrival, length, makespan, sum-of-costs, charges, moves, waits, yield, unsolvable, plan
+    #[arg(value_name = "QUESTION")]
+    pub(crate) kind: String,
+    /// The agents that it is about
+    #[arg(value_name = "AGENT")]
+    pub(crate) who: Vec<String>,
+    /// The cell
+    #[arg(long, value_name = "X,Y")]
+    pub(crate) at: Option<Cell>,
+    /// The first time of an interval
+    #[arg(long, value_name = "T", value_parser = whole::<u32>, allow_negative_numbers = true)]
+    pub(crate) from: Option<u32>,
+    /// The last time of an interval
+    #[arg(long, value_name = "T", value_parser = whole::<u32>, allow_negative_numbers = true)]
+    pub(crate) to: Option<u32>,
+    /// The time
+    #[arg(long, value_name = "T", value_parser = whole::<u32>, allow_negative_numbers = true)]
+    pub(crate) time: Option<u32>,
+    /// The wait steps on end that count as long
+    #[arg(long, value_name = "N", value_parser = whole::<u32>, allow_negative_numbers = true)]
+    pub(crate) at_least: Option<u32>,
+    /// The moves that would be too many
+    #[arg(long, value_name = "N", value_parser = whole::<u32>, allow_negative_numbers = true)]
+    pub(crate) fewer_than: Option<u32>,
+    /// The cell that is left
+    #[arg(long, value_name = "X,Y")]
+    pub(crate) from_cell: Option<Cell>,
+    /// The cell that is gone to
+    #[arg(long, value_name = "X,Y")]
+    pub(crate) to_cell: Option<Cell>,
+    /// The cell that is visited first
+    #[arg(long, value_name = "X,Y")]
+    pub(crate) first: Option<Cell>,
+    /// The cell that is visited after that
+    #[arg(long, value_name = "X,Y")]
+    pub(crate) second: Option<Cell>,
 }
 
 #[derive(Debug, ClapArgs)]

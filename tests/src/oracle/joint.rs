@@ -1,7 +1,8 @@
 //! All agents together: joint states, joint steps, and what is a collision.
 
-use giveway_model::{Cell, Instance};
+use giveway_model::{Cell, Instance, Question};
 
+use super::contrast::{Asked, Contrast};
 use super::lone::{Lone, Step};
 use super::price::Price;
 use super::world::World;
@@ -9,6 +10,8 @@ use super::world::World;
 /// The agents of an instance, each with its own states and steps.
 pub(crate) struct Joint {
     pub(crate) agents: Vec<Lone>,
+    /// Who must have been at a cell before whom, where a question asks for it.
+    precedence: Option<(usize, usize, Cell)>,
 }
 
 /// One state of each agent, as one number: the states are its digits, and the
@@ -18,17 +21,32 @@ pub(crate) type Code = u64;
 impl Joint {
     /// Explores each agent alone.
     pub(crate) fn new(instance: &Instance) -> Self {
+        Self::asked(instance, None)
+    }
+
+    /// The same with what a question asks for.
+    pub(crate) fn asked(instance: &Instance, contrast: Option<Contrast>) -> Self {
         let world = World::new(&instance.to_scene().map);
         let agents: Vec<Lone> = instance
             .agents()
             .iter()
-            .map(|agent| Lone::new(&world, instance, agent))
+            .map(|agent| {
+                let asked = contrast.and_then(|c| Asked::of(instance, c, &agent.name));
+                Lone::new(&world, instance, agent, asked)
+            })
             .collect();
         let size = agents
             .iter()
             .try_fold(1_u64, |size, a| size.checked_mul(a.states.len() as u64));
         assert!(size.is_some(), "too many joint states for the oracle");
-        Self { agents }
+        let number = |name: &str| agents.iter().position(|a| a.name == name);
+        let precedence = match contrast.map(|contrast| contrast.question) {
+            Some(Question::Yield { agent, to, at }) => {
+                number(agent).zip(number(to)).map(|(a, b)| (a, b, *at))
+            }
+            _ => None,
+        };
+        Self { agents, precedence }
     }
 
     /// The least arrival of each agent alone; `None` where it has none.
@@ -109,6 +127,9 @@ impl Joint {
         let a = chosen.len();
         let Some(steps) = choices.get(a) else {
             let states: Vec<usize> = chosen.iter().map(|step| step.to).collect();
+            if !self.in_order(&states) {
+                return;
+            }
             let price = chosen
                 .iter()
                 .fold(Price::default(), |sum, step| sum.and(step.price));
@@ -126,6 +147,17 @@ impl Joint {
                 chosen.pop();
             }
         }
+    }
+
+    /// Whether the one that must have been at a cell first has been there, if
+    /// the other is there.
+    fn in_order(&self, states: &[usize]) -> bool {
+        let Some((first, second, cell)) = self.precedence else {
+            return true;
+        };
+        let (a, b) = (&self.agents[first], &self.agents[second]);
+        let been = a.is_done(states[first]) || a.states[states[first]].memory.done;
+        been || b.occupies(states[second]) != Some(cell)
     }
 
     fn cell_after(&self, agent: usize, step: Step) -> Option<Cell> {

@@ -2,6 +2,7 @@
 
 use giveway_model::{Agent, Battery, Cell};
 
+use super::contrast::{Asked, Memory};
 use super::price::Price;
 use super::world::World;
 
@@ -26,6 +27,8 @@ pub(crate) struct State {
     /// One bit for each waypoint that it has visited.
     seen: u32,
     level: Level,
+    /// What it remembers for a question; nothing any more after its arrival.
+    pub(crate) memory: Memory,
 }
 
 /// How full the battery of an agent is.
@@ -55,23 +58,33 @@ pub(super) struct Law<'a> {
     pub(super) floor: u32,
     /// Whether arrived agents stay at their goals.
     pub(super) stays: bool,
+    /// What a question asks of the agent beside its task.
+    pub(super) asked: Option<Asked>,
 }
 
 impl Law<'_> {
     /// The states possible at time 0.
     pub(super) fn first(&self) -> Vec<State> {
-        match self.agent.battery {
-            None => self.on_entering(self.agent.start, 0, Level::Unlimited),
-            Some(battery) if battery.initial < self.floor => Vec::new(),
-            Some(battery) => self.on_entering(self.agent.start, 0, Level::Left(battery.initial)),
-        }
+        let level = match self.agent.battery {
+            None => Level::Unlimited,
+            Some(battery) if battery.initial < self.floor => return Vec::new(),
+            Some(battery) => Level::Left(battery.initial),
+        };
+        self.on_entering(self.agent.start, 0, level, Memory::default())
     }
 
     /// The states possible for an agent that comes to a vertex. When its task is
     /// done there, it may have arrived for good, or may yet go on. There is no
     /// third way, to wait first and to have arrived later: its arrival would be
     /// the beginning of that wait.
-    fn on_entering(&self, cell: Cell, seen: u32, level: Level) -> Vec<State> {
+    fn on_entering(&self, cell: Cell, seen: u32, level: Level, memory: Memory) -> Vec<State> {
+        let entered = match &self.asked {
+            Some(asked) => asked.enter(memory, cell),
+            None => Some(memory),
+        };
+        let Some(memory) = entered else {
+            return Vec::new();
+        };
         let mut seen = seen;
         for (i, &waypoint) in self.agent.waypoints.iter().enumerate() {
             if waypoint == cell {
@@ -82,13 +95,16 @@ impl Law<'_> {
             place: Place::At(cell),
             seen,
             level,
+            memory,
         }];
         let all_seen = seen.count_ones() as usize == self.agent.waypoints.len();
-        if cell == self.agent.goal && all_seen {
+        let may = self.asked.as_ref().is_none_or(|a| a.may_arrive(memory));
+        if cell == self.agent.goal && all_seen && may {
             states.push(State {
                 place: Place::Arrived,
                 seen,
                 level: Level::Unlimited,
+                memory: Memory::default(),
             });
         }
         states
@@ -147,17 +163,30 @@ impl Law<'_> {
                 charges: u32::from(charged),
                 ..Price::default()
             };
-            found.push(Next {
-                state: State { level, ..state },
-                edge: None,
-                price: Price { waits: 1, ..price },
-            });
+            if let Some(memory) = self.remember(state.memory, u, None, charged) {
+                found.push(Next {
+                    state: State {
+                        level,
+                        memory,
+                        ..state
+                    },
+                    edge: None,
+                    price: Price { waits: 1, ..price },
+                });
+            }
             for v in self.world.neighbours(u) {
+                let Some(memory) = self.remember(state.memory, u, Some(v), charged) else {
+                    continue;
+                };
                 let reached = if self.world.is_slow(u, v) {
-                    let place = Place::Between(u, v);
-                    vec![State { place, seen, level }]
+                    vec![State {
+                        place: Place::Between(u, v),
+                        seen,
+                        level,
+                        memory,
+                    }]
                 } else {
-                    self.on_entering(v, seen, level)
+                    self.on_entering(v, seen, level, memory)
                 };
                 found.extend(reached.into_iter().map(|state| Next {
                     state,
@@ -169,12 +198,30 @@ impl Law<'_> {
         found
     }
 
+    /// What it remembers once it has left a vertex, or waited there; `None`
+    /// where that is not what is asked for.
+    fn remember(&self, memory: Memory, u: Cell, v: Option<Cell>, charges: bool) -> Option<Memory> {
+        let Some(asked) = &self.asked else {
+            return Some(memory);
+        };
+        let slow = v.is_some_and(|v| self.world.is_slow(u, v));
+        let memory = asked.leave(memory, u, v, charges, slow)?;
+        match v {
+            Some(_) => Some(memory),
+            None => asked.enter(memory, u),
+        }
+    }
+
     /// The second half of a slow move: no charge, no stopping, no turning.
     fn steps_in_transit(&self, u: Cell, v: Cell, state: State) -> Vec<Next> {
         let Some(level) = self.spend(state.level) else {
             return Vec::new();
         };
-        let reached = self.on_entering(v, state.seen, level);
+        let memory = match &self.asked {
+            Some(asked) => asked.later(state.memory),
+            None => state.memory,
+        };
+        let reached = self.on_entering(v, state.seen, level, memory);
         let each = reached.into_iter().map(|state| Next {
             state,
             edge: Some((u, v)),

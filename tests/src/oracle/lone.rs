@@ -5,6 +5,7 @@ use std::collections::BTreeMap;
 
 use giveway_model::{Agent, Cell, Instance};
 
+use super::contrast::Asked;
 use super::law::{Law, Next, Place, State};
 use super::price::Price;
 use super::world::World;
@@ -38,12 +39,18 @@ pub(crate) struct Lone {
 
 impl Lone {
     /// Explores the states of an agent.
-    pub(crate) fn new(world: &World, instance: &Instance, agent: &Agent) -> Self {
+    pub(crate) fn new(
+        world: &World,
+        instance: &Instance,
+        agent: &Agent,
+        asked: Option<Asked>,
+    ) -> Self {
         let law = Law {
             world,
             agent,
             floor: instance.rules().battery_floor,
             stays: instance.stays(),
+            asked,
         };
         let (states, steps, first) = explore(&law);
         keep_hopeful(agent, &states, &steps, &first)

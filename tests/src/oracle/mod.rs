@@ -13,6 +13,7 @@
 //! with the solver, nor with the judge of plans: of the model it knows the plain
 //! data only. It is meant for maps of some 20 cells and up to three agents.
 
+mod contrast;
 mod joint;
 mod law;
 mod lone;
@@ -21,10 +22,13 @@ mod search;
 mod trace;
 mod world;
 
-use giveway_model::{Cost, Instance, Plan};
+use giveway_model::{Cell, Cost, Instance, Plan};
 
+use crate::recount;
+
+pub use contrast::Contrast;
 use joint::Joint;
-use search::{Aim, Search};
+use search::{Aim, Limit, Search};
 
 /// What the oracle knows about the best plan.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -61,13 +65,55 @@ pub struct Question<'a> {
 impl Question<'_> {
     /// The lexicographically best plan for the objective of the instance.
     pub fn best(&self) -> Verdict {
-        match self.search(Aim::Lexicographic) {
-            None => Verdict::Capped,
-            Some(points) => points
-                .into_iter()
-                .next()
-                .map_or(Verdict::Impossible, Verdict::Best),
+        first(self.search(Aim::Lexicographic))
+    }
+
+    /// The same of all plans that are as a question asks.
+    pub fn best_with(&self, contrast: Contrast) -> Verdict {
+        use giveway_model::Question as Asked;
+        if let Asked::NoVisit { agent: None, at } = contrast.question {
+            return self.best_of_any(contrast, *at);
         }
+        let whole = recount::costs(contrast.plan);
+        let cost = match contrast.question {
+            Asked::Makespan => Some(Cost::Makespan),
+            Asked::SumOfCosts => Some(Cost::SumOfCosts),
+            Asked::Charges { agent: None } => Some(Cost::Charges),
+            Asked::Moves { agent: None } => Some(Cost::Moves),
+            Asked::Waits { agent: None } => Some(Cost::Waits),
+            _ => None,
+        };
+        let limit = cost.map(|cost| Limit {
+            cost,
+            below: whole.get(cost),
+        });
+        if limit.is_some_and(|limit| limit.below == 0) {
+            return Verdict::Impossible;
+        }
+        let joint = Joint::asked(self.instance, Some(contrast));
+        first(self.search_in(&joint, Aim::Lexicographic, limit))
+    }
+
+    /// The best of all plans in which some agent is at a cell.
+    fn best_of_any(&self, contrast: Contrast, at: Cell) -> Verdict {
+        let mut best = Verdict::Impossible;
+        for agent in self.instance.agents() {
+            let question = giveway_model::Question::NoVisit {
+                agent: Some(agent.name.clone()),
+                at,
+            };
+            let one = self.best_with(Contrast {
+                question: &question,
+                ..contrast
+            });
+            best = match (best, one) {
+                (Verdict::Capped, _) | (_, Verdict::Capped) => Verdict::Capped,
+                (Verdict::Impossible, one) => one,
+                (Verdict::Best(a), Verdict::Best(b)) if b.vector < a.vector => Verdict::Best(b),
+                (best, _) => best,
+            };
+        }
+        best
     }
 
     /// Every non-dominated cost vector of the objective, in ascending order,
@@ -78,15 +124,30 @@ impl Question<'_> {
     }
 
     fn search(&self, aim: Aim) -> Option<Vec<Point>> {
-        let joint = Joint::new(self.instance);
+        self.search_in(&Joint::new(self.instance), aim, None)
+    }
+
+    fn search_in(&self, joint: &Joint, aim: Aim, limit: Option<Limit>) -> Option<Vec<Point>> {
         Search {
-            joint: &joint,
+            joint,
             costs: self.instance.objective().costs(),
             aim,
             within: self.within,
             cap: self.cap,
+            limit,
         }
         .run()
+    }
+}
+
+/// The verdict of a search for one point.
+fn first(points: Option<Vec<Point>>) -> Verdict {
+    match points {
+        None => Verdict::Capped,
+        Some(points) => points
+            .into_iter()
+            .next()
+            .map_or(Verdict::Impossible, Verdict::Best),
     }
 }
 

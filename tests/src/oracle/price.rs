@@ -38,7 +38,7 @@ impl Price {
 
     /// What the joint step adds to a cost, when this is what all agents
     /// together pay.
-    const fn adds_to(self, cost: Cost) -> u32 {
+    pub(crate) const fn adds_to(self, cost: Cost) -> u32 {
         match cost {
             Cost::Makespan => {
                 if self.steps > 0 {

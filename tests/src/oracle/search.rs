@@ -14,6 +14,8 @@
 //!   of labels. A label is taken up after all that could make it needless, so
 //!   the ends taken up are the front, as long as each is compared with those
 //!   before it (Martins' algorithm).
+//! - With a limit on a cost, it must not have spent more of it: that is a
+//!   resource like time.
 //! - With a horizon, it must in both cases have taken no more time either, since
 //!   time is then a resource that a cheaper way may lack later.
 
@@ -42,6 +44,8 @@ pub(crate) struct Label {
     vector: Vector,
     /// The time, in steps from 0.
     time: u32,
+    /// What was spent of the cost that is limited.
+    spent: u32,
     pub(crate) state: Code,
     /// The number of the label from which it was made; `None` at time 0.
     pub(crate) parent: Option<usize>,
@@ -54,6 +58,14 @@ pub(crate) struct Search<'a> {
     pub(crate) aim: Aim,
     pub(crate) within: Option<u32>,
     pub(crate) cap: usize,
+    pub(crate) limit: Option<Limit>,
+}
+
+/// A cost that must be below a number.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Limit {
+    pub(crate) cost: Cost,
+    pub(crate) below: u32,
 }
 
 /// The labels of a search under way.
@@ -75,11 +87,11 @@ impl Search<'_> {
         for state in self.joint.first() {
             let states = self.joint.decode(state);
             if self.in_time(0, &states) {
-                self.add(&mut labels, Vector::default(), 0, state, None);
+                self.add(&mut labels, Vector::default(), [0, 0], state, None);
             }
         }
         while let Some(Reverse((vector, time, number))) = labels.waiting.pop() {
-            let state = labels.all[number].state;
+            let Label { state, spent, .. } = labels.all[number];
             if !labels.of_state[&state].contains(&number) {
                 continue;
             }
@@ -101,8 +113,12 @@ impl Search<'_> {
             self.joint.steps(&states, |next, price| {
                 let vector = after(vector, price, self.costs);
                 let time = time + 1;
+                let spent = spent + self.limit.map_or(0, |limit| price.adds_to(limit.cost));
+                if self.limit.is_some_and(|limit| spent >= limit.below) {
+                    return;
+                }
                 if self.within.is_none() || self.in_time(time, &self.joint.decode(next)) {
-                    self.add(&mut labels, vector, time, next, Some(number));
+                    self.add(&mut labels, vector, [time, spent], next, Some(number));
                 }
             });
         }
@@ -119,13 +135,14 @@ impl Search<'_> {
         &self,
         labels: &mut Labels,
         vector: Vector,
-        time: u32,
+        [time, spent]: [u32; 2],
         state: Code,
         parent: Option<usize>,
     ) {
         let new = Label {
             vector,
             time,
+            spent,
             state,
             parent,
         };
@@ -153,7 +170,8 @@ impl Search<'_> {
             Aim::Lexicographic => one.vector <= other.vector,
             Aim::Pareto => nowhere_higher(&one.vector, &other.vector),
         };
-        in_costs && (self.within.is_none() || one.time <= other.time)
+        let in_time = self.within.is_none() || one.time <= other.time;
+        in_costs && in_time && one.spent <= other.spent
     }
 
     fn point(&self, labels: &Labels, end: usize) -> Point {

@@ -2,6 +2,7 @@
 
 mod check;
 mod convert;
+mod explain;
 mod manual;
 mod solve;
 
@@ -19,6 +20,7 @@ pub(crate) fn run(args: &Args, clock: Clock) -> Result<Exit, Failure> {
     match &args.command {
         Command::Solve(solve) => solve::run(solve, &args.common, clock),
         Command::Check(check) => check::run(check, &args.common, clock),
+        Command::Explain(explain) => explain::run(explain, &args.common, clock),
         Command::Convert(convert) => convert::run(convert, &args.common),
         Command::Completions { shell } => manual::completions(*shell),
         Command::Man { command } => manual::man(command.as_deref()),

@@ -39,6 +39,49 @@ pub(crate) fn draw(instance: &Instance, plan: &Plan, columns: usize) -> String {
     }
 }
 
+/// Draws a plan with another one beside it: agents that do something else have
+/// their other row below their own, what differs marked.
+pub(crate) fn beside(instance: &Instance, plan: &Plan, other: &Plan, columns: usize) -> String {
+    let cut = |plan: &Plan| {
+        let mut plan = plan.clone();
+        plan.cut_trailing_goals(instance);
+        plan
+    };
+    let (plan, other) = (cut(plan), cut(other));
+    if instance.agents().len() > MAX_AGENTS {
+        return summary(instance, &other);
+    }
+    let mut rows = Vec::new();
+    for i in 0..instance.agents().len() {
+        let mut own = agent_rows(instance, i, &plan);
+        let mut others = agent_rows(instance, i, &other);
+        let same = own.len() == others.len()
+            && own.iter().zip(&others).all(|(a, b)| a.entries == b.entries);
+        if !same {
+            for (k, row) in others.iter_mut().enumerate() {
+                let before = own.get(k).map_or(&[][..], |row| row.entries.as_slice());
+                // Levels differ all the time; of their row only charges count.
+                row.mark_differences(before, k > 0);
+                let label = if k > 0 { "    level" } else { "  other" };
+                label.clone_into(&mut row.label);
+            }
+            own.append(&mut others);
+        }
+        rows.append(&mut own);
+    }
+    let times = rows.iter().map(|row| row.entries.len()).max().unwrap_or(0);
+    if times > MAX_TIMES {
+        return summary(instance, &other);
+    }
+    let differ = rows.iter().any(|row| row.label == "  other");
+    let words = if differ {
+        "  other: what the agent does in the other plan, ! where it differs\n"
+    } else {
+        ""
+    };
+    blocks(&rows, times, columns) + &legend(&rows) + words
+}
+
 /// One row: its label, and an entry a time from 0.
 struct Row {
     label: String,
@@ -46,8 +89,14 @@ struct Row {
 }
 
 fn rows(instance: &Instance, plan: &Plan) -> Vec<Row> {
+    let agents = 0..instance.agents().len();
+    agents.flat_map(|i| agent_rows(instance, i, plan)).collect()
+}
+
+/// The row of cells of an agent and, where it has a battery, that of levels.
+fn agent_rows(instance: &Instance, i: usize, plan: &Plan) -> Vec<Row> {
     let mut rows = Vec::new();
-    for (i, agent) in instance.agents().iter().enumerate() {
+    if let Some(agent) = instance.agents().get(i) {
         let path = plan.path(&agent.name);
         let from = plan.from.get(&agent.name).map_or(0, |t| *t as usize);
         let charges = plan.charges(&agent.name);
@@ -79,6 +128,21 @@ fn rows(instance: &Instance, plan: &Plan) -> Vec<Row> {
 }
 
 impl Row {
+    /// Marks the entries that are not those of another row, or only those that
+    /// differ in a charge.
+    fn mark_differences(&mut self, before: &[String], charges_only: bool) {
+        for (time, entry) in self.entries.iter_mut().enumerate() {
+            let charges = |entry: &String| entry.ends_with('*');
+            let differs = match before.get(time) {
+                Some(other) if charges_only => charges(other) != charges(entry),
+                other => other != Some(entry) && (charges(entry) || !charges_only),
+            };
+            if differs {
+                entry.insert(0, '!');
+            }
+        }
+    }
+
     /// A row whose first entry stands at the time `from`.
     fn after(from: usize, label: String, entries: impl Iterator<Item = String>) -> Self {
         let from = from.min(MAX_TIMES);

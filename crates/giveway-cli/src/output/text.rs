@@ -1,10 +1,12 @@
 //! Answers as text for people.
 
 mod check;
+mod explain;
 mod front;
 mod solve;
 
 pub(crate) use check::check;
+pub(crate) use explain::explain;
 pub(crate) use front::front;
 pub(crate) use solve::solve;
 

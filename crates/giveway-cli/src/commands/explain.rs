@@ -1,0 +1,87 @@
+//! `giveway explain`: why a plan is as it is.
+
+use giveway_model::question::Asked;
+use giveway_solve::explain::{ExplainRequest, Verdict};
+use giveway_solve::{Limits, Request, Response, serve};
+
+use super::{refused, unexpected};
+use crate::{
+    args::{Common, Explain},
+    clock::Clock,
+    exit::Exit,
+    failure::Failure,
+    input::{self, is_standard_input},
+    output::{self, text},
+    progress::CommandHost,
+};
+
+pub(crate) fn run(args: &Explain, common: &Common, clock: Clock) -> Result<Exit, Failure> {
+    let question = asked(args).question().map_err(|error| {
+        let sentence = error.to_string();
+        Failure::Usage(sentence.trim_end_matches('.').to_owned())
+    })?;
+    let from_input = args.plan.as_deref().is_some_and(is_standard_input);
+    if from_input && is_standard_input(&args.source.instance) {
+        return Err(Failure::Usage(
+            "found - for both INSTANCE and --plan, expected it for one of them".to_owned(),
+        ));
+    }
+    let mut instance = input::instance(&args.source, common)?;
+    if let Some(objective) = &args.objective {
+        instance = instance.with_objective(objective.clone());
+    }
+    let plan = args.plan.as_deref().map(input::plan).transpose()?;
+    let request = Request::Explain(ExplainRequest {
+        scene: instance.to_scene(),
+        plan: plan.clone(),
+        question,
+        objective: None,
+        within: args.within,
+        limits: Limits {
+            // The limit is for the whole command: reading has taken its part.
+            seconds: args
+                .time_limit
+                .map(|limit| (limit - clock.wall_seconds()).max(0.0)),
+            ..Limits::default()
+        },
+    });
+    let host = CommandHost::new(clock, common.quiet, instance.objective().clone());
+    let response = serve(&request, &host);
+    host.finish();
+    match response {
+        Response::Explained(answer) => {
+            let plan = plan.as_ref().or(answer.plan.as_ref());
+            output::answer(common.format, &answer, |columns| {
+                text::explain(&instance, plan, &answer, columns)
+            })?;
+            Ok(match (answer.valid, answer.verdict) {
+                (Some(false), _) => Exit::Wrong,
+                (_, Verdict::Unknown) => Exit::Unknown,
+                _ => Exit::Answered,
+            })
+        }
+        Response::Refused(refusal) => Err(refused(refusal, &args.source.instance)),
+        Response::Solved(_) | Response::Front(_) | Response::Checked(_) => {
+            Err(unexpected(&args.source.instance))
+        }
+    }
+}
+
+/// The question, in the parts in which it was typed.
+fn asked(args: &Explain) -> Asked {
+    let question = &args.question;
+    Asked {
+        kind: question.kind.clone(),
+        agents: question.who.clone(),
+        at: question.at,
+        from: question.from,
+        to: question.to,
+        time: question.time,
+        at_least: question.at_least,
+        fewer_than: question.fewer_than,
+        from_cell: question.from_cell,
+        to_cell: question.to_cell,
+        first: question.first,
+        second: question.second,
+    }
+}

@@ -1,0 +1,133 @@
+//! The answer of `explain` as text.
+
+use std::fmt::Write as _;
+
+use anstyle::AnsiColor;
+use giveway_model::{Cost, Costs, Instance, Plan, check::costs, question::to_words};
+use giveway_solve::explain::{ExplainAnswer, Verdict};
+
+use super::{bold, paint, solve::work, title};
+use crate::output::{map, plain, table, words};
+
+/// So many things of a kind are told one by one; the rest is counted.
+const TOLD: usize = 20;
+
+/// The question, the answer in words, the costs side by side, both plans, the
+/// reasons.
+pub(crate) fn explain(
+    instance: &Instance,
+    plan: Option<&Plan>,
+    answer: &ExplainAnswer,
+    columns: usize,
+) -> String {
+    let mut parts = vec![title(instance), verdict(answer)];
+    let before = plan.and_then(|plan| costs(instance, plan));
+    if let (Some(before), Some(after)) = (before, answer.costs) {
+        parts.push(cost_table(instance, &before, &after));
+    }
+    parts.push(map::draw(instance, columns));
+    if let Some(plan) = plan {
+        parts.push(plans(instance, plan, answer, columns));
+    }
+    let violations = answer.violations.iter().flatten();
+    let broken: Vec<&str> = violations.map(|v| v.message.as_str()).collect();
+    parts.push(listed("What it breaks", &broken));
+    let witness: Vec<&str> = answer
+        .witness
+        .iter()
+        .map(|entry| entry.violation.message.as_str())
+        .collect();
+    parts.push(listed("What would happen", &witness));
+    if let Some(core) = &answer.core {
+        let facts: Vec<&str> = core.facts.iter().map(|fact| fact.text.as_str()).collect();
+        let shown = if core.minimal {
+            "What together makes it so (none of it can be left out)"
+        } else {
+            "What together makes it so (some of it may not be needed)"
+        };
+        parts.push(listed(shown, &facts));
+    }
+    let repairs: Vec<&str> = answer.repairs.iter().map(|r| r.text.as_str()).collect();
+    parts.push(listed("What would help", &repairs));
+    parts.push(work(&answer.stats));
+    parts.retain(|part| !part.is_empty());
+    parts.join("\n")
+}
+
+/// The question and the verdict, with the reach of the claim.
+fn verdict(answer: &ExplainAnswer) -> String {
+    let (colour, word) = match answer.verdict {
+        Verdict::Needless => (AnsiColor::Green, "Needless"),
+        Verdict::Improvable => (AnsiColor::Green, "Improvable"),
+        Verdict::Costly => (AnsiColor::Yellow, "Costly"),
+        Verdict::Necessary => (AnsiColor::Red, "Necessary"),
+        Verdict::Unknown => (AnsiColor::Yellow, "Unknown"),
+    };
+    let word = paint(colour.on_default().bold(), word);
+    let reach = match (answer.complete, answer.within) {
+        (true, _) => ", whatever the horizon".to_owned(),
+        (false, Some(n)) => format!(" within makespan {n}"),
+        (false, None) => String::new(),
+    };
+    let mut text = format!("{}\n{word}{reach}", to_words(&answer.question));
+    if answer.words.is_empty() {
+        text += ".\n";
+    } else {
+        let _ = writeln!(text, ": {}", plain::text(&answer.words));
+    }
+    text
+}
+
+/// All five costs of both plans, those of the objective first.
+fn cost_table(instance: &Instance, before: &Costs, after: &Costs) -> String {
+    let objective = instance.objective().costs();
+    let others = Cost::ALL.iter().filter(|cost| !objective.contains(cost));
+    let mut text = format!(
+        "{:<14}{:>10}{:>12}{:>12}\n",
+        "cost", "this plan", "other plan", "difference"
+    );
+    for &cost in objective.iter().chain(others) {
+        let (a, b) = (before.get(cost), after.get(cost));
+        let more = i64::from(b) - i64::from(a);
+        let more = if more == 0 {
+            "-".to_owned()
+        } else {
+            format!("{more:+}")
+        };
+        let name = plain::pad_right(words::name(cost), 14);
+        let _ = writeln!(text, "{name}{a:>10}{b:>12}{more:>12}");
+    }
+    text
+}
+
+/// The plan that is asked about, the other one beside it.
+fn plans(instance: &Instance, plan: &Plan, answer: &ExplainAnswer, columns: usize) -> String {
+    match &answer.alternative {
+        None => table::draw(instance, plan, columns),
+        Some(other) => {
+            let beside = table::beside(instance, plan, other, columns);
+            let best = if answer.closest {
+                "No other plan as good is closer to this one.\n"
+            } else {
+                ""
+            };
+            format!("{beside}{best}")
+        }
+    }
+}
+
+/// Some sentences below a heading; nothing where there are none.
+fn listed(heading: &str, sentences: &[&str]) -> String {
+    if sentences.is_empty() {
+        return String::new();
+    }
+    let mut text = format!("{}:\n", bold(heading));
+    for sentence in sentences.iter().take(TOLD) {
+        let _ = writeln!(text, "  {}", words::sentence(sentence));
+    }
+    if sentences.len() > TOLD {
+        let more = sentences.len() - TOLD;
+        let _ = writeln!(text, "  and {more} more; --format json has them all");
+    }
+    text
+}

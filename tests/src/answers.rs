@@ -1,0 +1,147 @@
+//! Answers to questions against the oracle and the judges.
+
+use giveway_model::question::{holds, to_words};
+use giveway_solve::explain::{ExplainAnswer, ExplainRequest, Verdict};
+use giveway_solve::{Limits, Request, Response, SilentHost, serve};
+
+use crate::compare::{Comparison, judge};
+use crate::oracle::{self, Contrast};
+use crate::questions::Case;
+use crate::recount;
+
+/// Labels that the oracle may make.
+const CAP: usize = 400_000;
+/// Far more conflicts than a test needs.
+const CONFLICTS: u64 = 300_000;
+
+/// Asks the solver.
+pub fn explained(case: &Case, within: Option<u32>) -> ExplainAnswer {
+    let limits = Limits {
+        conflicts: Some(CONFLICTS),
+        ..Limits::default()
+    };
+    ask(case, within, limits)
+}
+
+/// Asks the solver, which may hold no memory for it.
+pub fn without_budget(case: &Case) -> ExplainAnswer {
+    let limits = Limits {
+        memory_bytes: Some(0),
+        ..Limits::default()
+    };
+    ask(case, None, limits)
+}
+
+fn ask(case: &Case, within: Option<u32>, limits: Limits) -> ExplainAnswer {
+    let request = Request::Explain(ExplainRequest {
+        scene: case.instance.to_scene(),
+        plan: Some(case.plan.clone()),
+        question: case.question.clone(),
+        objective: None,
+        within,
+        limits,
+    });
+    match serve(&request, &SilentHost) {
+        Response::Explained(answer) => *answer,
+        other => panic!("expected an answer, got {other:?}"),
+    }
+}
+
+/// Compares the solver's verdict with the oracle's, and tells both.
+pub fn compare(case: &Case, within: Option<u32>) -> (Comparison, ExplainAnswer) {
+    let answer = explained(case, within);
+    let contrast = Contrast {
+        question: &case.question,
+        plan: &case.plan,
+    };
+    let asked = oracle::Question {
+        instance: &case.instance,
+        within: answer.within,
+        cap: CAP,
+    };
+    let truth = asked.best_with(contrast);
+    let mut faults = plan_faults(case, &answer);
+    faults.extend(horizon_faults(case, within, &answer));
+    let objective = case.instance.objective();
+    let before = recount::costs(&case.plan).vector(objective);
+    let (expected, after) = match &truth {
+        oracle::Verdict::Capped => return (Comparison::TooLarge, answer),
+        oracle::Verdict::Impossible => (Verdict::Necessary, None),
+        oracle::Verdict::Best(point) => {
+            let verdict = match point.vector.cmp(&before) {
+                std::cmp::Ordering::Less => Verdict::Improvable,
+                std::cmp::Ordering::Equal => Verdict::Needless,
+                std::cmp::Ordering::Greater => Verdict::Costly,
+            };
+            (verdict, Some(point.vector.clone()))
+        }
+    };
+    if answer.verdict != expected {
+        let said = answer.verdict;
+        faults.push(format!("{said:?}, the oracle says {expected:?}"));
+    }
+    let deltas: Vec<i64> = match &after {
+        Some(after) => after
+            .iter()
+            .zip(&before)
+            .map(|(&after, &before)| i64::from(after) - i64::from(before))
+            .collect(),
+        None => Vec::new(),
+    };
+    let found: Vec<i64> = objective
+        .costs()
+        .iter()
+        .filter_map(|cost| answer.deltas.get(cost).copied())
+        .collect();
+    if found != deltas {
+        faults.push(format!("deltas {found:?}, the oracle has {deltas:?}"));
+    }
+    if faults.is_empty() {
+        return (Comparison::Agreed, answer);
+    }
+    faults.push(to_words(&case.question));
+    faults.push(serde_json::to_string(&case.plan).unwrap());
+    faults.push(serde_json::to_string(&answer).unwrap());
+    faults.push(format!("{truth:?}"));
+    (Comparison::Differ(faults), answer)
+}
+
+/// What is wrong with the other plan, whatever the verdict.
+fn plan_faults(case: &Case, answer: &ExplainAnswer) -> Vec<String> {
+    let needs = answer.verdict != Verdict::Necessary;
+    let (Some(other), Some(costs)) = (&answer.alternative, &answer.costs) else {
+        let missing = format!("{:?} without an other plan", answer.verdict);
+        return Vec::from_iter(needs.then_some(missing));
+    };
+    let mut faults = judge(&case.instance, other, costs);
+    if holds(&case.question, &case.instance, &case.plan, other) != Some(true) {
+        faults.push("the other plan is not what is asked for".to_owned());
+    }
+    if !needs {
+        faults.push("necessary, but there is an other plan".to_owned());
+    }
+    faults
+}
+
+/// What is wrong with the reach of the claim.
+fn horizon_faults(case: &Case, asked: Option<u32>, answer: &ExplainAnswer) -> Vec<String> {
+    let makespan = recount::costs(&case.plan).makespan;
+    let default = oracle::default_horizon(&case.instance).map(|default| default.max(makespan));
+    let expected = asked.map_or(default, |asked| Some(asked.max(makespan)));
+    let mut faults = Vec::new();
+    if answer.complete == answer.within.is_some() {
+        let (complete, within) = (answer.complete, answer.within);
+        faults.push(format!("complete is {complete} and within is {within:?}"));
+    }
+    if answer.within.is_some() && answer.within != expected {
+        faults.push(format!("within {:?}, not {expected:?}", answer.within));
+    }
+    let bounded = matches!(
+        case.question,
+        giveway_model::Question::Makespan | giveway_model::Question::SumOfCosts
+    );
+    if asked.is_none() && bounded && !answer.complete && answer.verdict == Verdict::Necessary {
+        faults.push("necessary is not complete, though a cost is bounded".to_owned());
+    }
+    faults
+}

@@ -1,0 +1,102 @@
+//! Answers to random questions against the oracle.
+//!
+//! `GIVEWAY_RANDOM_QUESTIONS` sets how many (100 by default),
+//! `GIVEWAY_RANDOM_SEED` the seed. The long run:
+//!
+//! ```text
+//! GIVEWAY_RANDOM_QUESTIONS=2000 GIVEWAY_RANDOM_SEED=7 \
+//!     cargo test --release -p giveway-tests --test explain_oracle -- --nocapture
+//! ```
+#![allow(
+    clippy::unwrap_used,
+    clippy::print_stdout,
+    clippy::panic,
+    reason = "a test that cannot go on ends with a panic"
+)]
+
+use std::collections::BTreeMap;
+
+use giveway_solve::explain::Verdict;
+use giveway_tests::{answers, compare::Comparison, questions};
+
+fn from_environment(name: &str, default: u64) -> u64 {
+    match std::env::var(name) {
+        Ok(value) => value
+            .parse()
+            .unwrap_or_else(|_| panic!("{name} is {value:?}, expected a number")),
+        Err(_) => default,
+    }
+}
+
+#[test]
+fn verdicts_and_deltas() {
+    let seed = from_environment("GIVEWAY_RANDOM_SEED", 1);
+    let count = from_environment("GIVEWAY_RANDOM_QUESTIONS", 100);
+    let (mut differ, mut too_large) = (0, 0);
+    let mut verdicts: BTreeMap<Verdict, u64> = BTreeMap::new();
+    let mut kinds: BTreeMap<&str, u64> = BTreeMap::new();
+    let mut incomplete = 0;
+    for number in 0.. {
+        if verdicts.values().sum::<u64>() >= count || too_large > count {
+            break;
+        }
+        let Some(case) = questions::random(seed, number) else {
+            continue;
+        };
+        let (comparison, answer) = answers::compare(&case, None);
+        match comparison {
+            Comparison::TooLarge => {
+                too_large += 1;
+                continue;
+            }
+            Comparison::Agreed => {}
+            Comparison::Differ(faults) => {
+                differ += 1;
+                let scene = serde_json::to_string(&case.instance.to_scene()).unwrap();
+                println!("question {number} of seed {seed}: {scene}");
+                for fault in faults {
+                    println!("  {fault}");
+                }
+            }
+        }
+        *verdicts.entry(answer.verdict).or_default() += 1;
+        *kinds.entry(case.question.kind()).or_default() += 1;
+        incomplete += u64::from(!answer.complete);
+    }
+    println!(
+        "{verdicts:?}, {incomplete} of them within a horizon, {too_large} too large; {kinds:?}"
+    );
+    assert_eq!(differ, 0, "the scenes and both answers are printed above");
+    assert!(too_large * 5 <= count, "too many for the oracle");
+    for verdict in [
+        Verdict::Needless,
+        Verdict::Improvable,
+        Verdict::Costly,
+        Verdict::Necessary,
+    ] {
+        let seen = verdicts.get(&verdict).copied().unwrap_or(0);
+        assert!(seen * 30 >= count, "{verdict:?}: {seen} of {count}");
+    }
+    assert!(kinds.len() >= 15, "{kinds:?}");
+}
+
+/// The fifth verdict: a budget of nothing leaves every question open.
+#[test]
+fn without_a_budget_nothing_is_known() {
+    let mut seen = 0;
+    for number in 0..20 {
+        let Some(case) = questions::random(3, number) else {
+            continue;
+        };
+        let answer = answers::without_budget(&case);
+        let found = answer.alternative.is_some();
+        assert!(matches!(
+            answer.verdict,
+            Verdict::Unknown | Verdict::Improvable
+        ));
+        assert!(found || answer.verdict == Verdict::Unknown, "{number}");
+        assert!(!answer.complete && answer.within.is_none(), "{number}");
+        seen += 1;
+    }
+    assert!(seen > 5);
+}
