@@ -310,12 +310,13 @@ fn stages(
 
 /// Makes the limits hold; false where the agents' own minima break one.
 fn keep_limits(search: &mut Search, bounded: &Bounded) -> Result<bool, Stop> {
-    search.enter_insiders()?;
     for (&cost, &most) in &bounded.limits {
         if cost != Cost::Makespan && !search.limit(cost, most)? {
             return Ok(false);
         }
     }
+    // Whoever enters takes its share of the limits.
+    search.enter_insiders()?;
     Ok(true)
 }
 
