@@ -11,6 +11,7 @@ import { assertQuiet, launch, open } from "./browser.mjs";
 import { dist } from "./dist.mjs";
 import { Playground } from "./page.mjs";
 import { serve } from "./server.mjs";
+import { eventually } from "./wait.mjs";
 
 describe("the built folder on a static host", () => {
   let browser;
@@ -92,7 +93,7 @@ describe("the built folder on a static host", () => {
     await page.close();
     // What was kept before goes as soon as the new keeper takes over.
     let next;
-    await until(async () => {
+    await eventually("only the new version to be kept", async () => {
       await next?.close();
       next = await context.newPage();
       await next.goto(host.url);
@@ -135,16 +136,6 @@ async function change(file, pattern, replacement) {
   const text = await readFile(file, "utf8");
   assert.match(text, pattern, file);
   await writeFile(file, text.replace(pattern, replacement));
-}
-
-async function until(isTrue) {
-  for (let tries = 0; tries < 50; tries += 1) {
-    if (await isTrue()) {
-      return;
-    }
-    await new Promise((resolve) => setTimeout(resolve, 100));
-  }
-  assert.fail("it did not come to be true within 5 seconds");
 }
 
 function workerOf(page) {
