@@ -1,9 +1,9 @@
 //! What can happen to the page.
 
-use giveway_model::{AtGoal, Cell, Objective, Scene};
+use giveway_model::{AtGoal, Cell, Objective, Question, Scene};
 use giveway_solve::{Progress, Response};
 
-use crate::{Notice, Selection, Speed, Tab, Theme, Tool};
+use crate::{Lit, Notice, Selection, Speed, Tab, Theme, Tool};
 
 /// What a person did, what the solver told, or that time went on.
 #[derive(Clone, Debug, PartialEq)]
@@ -72,6 +72,19 @@ pub enum Action {
         /// Whether it broke off and was replaced; else it did not even start.
         had_started: bool,
     },
+
+    /// Ask a question about the plan that is shown.
+    Ask(Question),
+    /// Leave the question.
+    CloseQuestion,
+    /// Show the other plan, or this one again.
+    ShowOther(bool),
+    /// Light something of the answer up on the map.
+    Light(Option<Lit>),
+    /// Make the other plan the plan.
+    TakeOther,
+    /// Make the edits of a repair, by its index.
+    TakeRepair(usize),
 
     /// Play from the time shown, or from the start where it is the end.
     Play,

@@ -66,10 +66,12 @@ fn with_ctrl(key: Key<'_>) -> Option<Action> {
 
 /// One thing after the other: the solver, the notice, the selection.
 fn escape(state: &State) -> Option<Action> {
-    if state.phase() == Phase::Solving {
+    if matches!(state.phase(), Phase::Solving | Phase::Asking) {
         Some(Action::Cancel)
     } else if state.notice.is_some() {
         Some(Action::DismissNotice)
+    } else if state.asking.is_some() {
+        Some(Action::CloseQuestion)
     } else if state.selection != Selection::Nothing {
         Some(Action::Select(Selection::Nothing))
     } else {

@@ -16,6 +16,7 @@
 mod action;
 mod answer;
 pub mod ask;
+mod asking;
 pub mod board;
 mod draft;
 pub mod examples;
@@ -39,6 +40,7 @@ pub mod words;
 
 pub use action::Action;
 pub use answer::Answer;
+pub use asking::{Asking, Lit};
 pub use draft::{Draft, MAX_AGENTS, MAX_SIDE};
 pub use ground::Tool;
 pub use history::History;
@@ -46,4 +48,4 @@ pub use playback::{Playback, Point, Speed, position};
 pub use reduce::reduce;
 pub use reserve::Reserve;
 pub use settings::{Settings, Tab, Theme, View};
-pub use state::{Notice, Phase, Run, Selection, Size, State, Work};
+pub use state::{Inquiry, Notice, Phase, Run, Selection, Size, State, Work};

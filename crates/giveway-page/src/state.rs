@@ -4,10 +4,11 @@ use std::collections::BTreeMap;
 use std::rc::Rc;
 
 use giveway_model::{Cell, Cost, Costs, Plan};
-use giveway_solve::{SolveRequest, Status};
+use giveway_solve::explain::ExplainRequest;
+use giveway_solve::{Request, SolveRequest, Status};
 
 use crate::ground::Brush;
-use crate::{Answer, Draft, History, Playback, Settings, Tool, View};
+use crate::{Answer, Asking, Draft, History, Playback, Settings, Tool, View};
 
 /// All that the page shows. Plain data: two equal states look the same.
 #[derive(Clone, Debug, PartialEq)]
@@ -16,6 +17,8 @@ pub struct State {
     pub draft: Rc<Draft>,
     /// The last answer; it may be of another draft, see [`State::is_stale`].
     pub answer: Option<Rc<Answer>>,
+    /// The question that was asked last, until it is left.
+    pub asking: Option<Rc<Asking>>,
     /// What the solver does.
     pub work: Work,
     /// Undo and redo.
@@ -48,6 +51,40 @@ pub enum Work {
     Idle,
     /// A request is being solved.
     Solving(Run),
+    /// A question is being answered.
+    Asking(Inquiry),
+}
+
+impl Work {
+    /// What the solver is to do, with the number of the run.
+    pub fn request(&self) -> Option<(u64, Request)> {
+        match self {
+            Self::Idle => None,
+            Self::Solving(run) => Some((run.id, Request::Solve((*run.request).clone()))),
+            Self::Asking(inquiry) => {
+                Some((inquiry.id, Request::Explain((*inquiry.request).clone())))
+            }
+        }
+    }
+
+    /// The number of the run, if there is one.
+    pub const fn id(&self) -> Option<u64> {
+        match self {
+            Self::Idle => None,
+            Self::Solving(run) => Some(run.id),
+            Self::Asking(inquiry) => Some(inquiry.id),
+        }
+    }
+}
+
+/// A question on its way to an answer; what is known stands in
+/// [`State::asking`].
+#[derive(Clone, Debug, PartialEq)]
+pub struct Inquiry {
+    /// The number of the run, from 1.
+    pub id: u64,
+    /// The request.
+    pub request: Rc<ExplainRequest>,
 }
 
 /// A request on its way to an answer, and what is known so far.
@@ -116,6 +153,8 @@ pub enum Phase {
     Editing,
     /// The solver works.
     Solving,
+    /// A question is being answered.
+    Asking,
     /// There is a plan, with a proof that none is better.
     Planned,
     /// There is no plan, with a proof.
@@ -138,6 +177,7 @@ impl State {
         Self {
             draft: Rc::new(draft),
             answer: None,
+            asking: None,
             work: Work::Idle,
             history: History::default(),
             stroke: None,
@@ -164,14 +204,21 @@ impl State {
         self.answer.as_deref().filter(|_| !self.is_stale())
     }
 
-    /// The plan that is shown: that of the last answer, stale or not.
+    /// The answer that is shown: the last one, or the other plan of a question.
+    pub fn shown(&self) -> Option<&Rc<Answer>> {
+        let asking = self.asking.as_deref().filter(|asking| asking.shows_other);
+        let other = asking.and_then(|asking| asking.other.as_ref());
+        other.or(self.answer.as_ref())
+    }
+
+    /// The plan that is shown, stale or not.
     pub fn plan(&self) -> Option<&Plan> {
-        self.answer.as_ref()?.plan()
+        self.shown()?.plan()
     }
 
     /// The last time that can be shown, in steps.
     pub fn last_time(&self) -> u32 {
-        self.answer.as_ref().map_or(0, |answer| answer.makespan())
+        self.shown().map_or(0, |answer| answer.makespan())
     }
 
     /// The agent that is shown on a cell at the time shown: where the plan has
@@ -194,8 +241,10 @@ impl State {
 
     /// Where the page stands.
     pub fn phase(&self) -> Phase {
-        if let Work::Solving(_) = self.work {
-            return Phase::Solving;
+        match self.work {
+            Work::Solving(_) => return Phase::Solving,
+            Work::Asking(_) => return Phase::Asking,
+            Work::Idle => {}
         }
         match self.fresh_answer().map(|answer| answer.solved.status) {
             None => Phase::Editing,

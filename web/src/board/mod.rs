@@ -13,6 +13,7 @@ mod keys;
 mod legend;
 mod marks;
 mod motion;
+mod reasons;
 mod viewport;
 mod ways;
 
@@ -30,6 +31,7 @@ use cells::Cells;
 use floor::FloorShapes;
 use legend::Under;
 use marks::Marks;
+use reasons::ReasonMarks;
 use viewport::use_viewport;
 use ways::Ways;
 
@@ -69,6 +71,7 @@ pub fn Board(props: &BoardProps) -> Html {
     });
     let onkeydown = keys::on_key(state, &props.send, &viewport, &frame);
 
+    let reasons = giveway_page::board::reasons(state);
     let kinds: Vec<Kind> = legend(state, &cast);
     let selected_agent = match state.selection {
         Selection::Agent(agent) => Some(agent),
@@ -105,6 +108,7 @@ pub fn Board(props: &BoardProps) -> Html {
                     if detail == Detail::All {
                         <Axis {frame} {board} />
                     }
+                    <ReasonMarks {reasons} />
                     <g aria-hidden="true">
                         if let Selection::Cell(cell) = state.selection {
                             { square("selcell", cell, 3) }

@@ -2,10 +2,12 @@
 //! whole where nothing is.
 
 mod agent;
+mod answer;
 mod cell;
+mod questions;
 mod whole;
 
-use giveway_page::{Action, Selection, State, inspect};
+use giveway_page::{Action, Selection, State, ask, inspect};
 use yew::prelude::*;
 
 use crate::{Icon, Shown};
@@ -27,7 +29,15 @@ pub fn Inspector(props: &InspectorProps) -> Html {
     let alone = state.plan().is_none().then_some("alone");
     html! {
         <aside class={classes!("insp", alone)} id="inspector" aria-label="Inspector">
-            <div class="scroll">{ content(state, send) }</div>
+            if let Some(card) = ask::card(state) {
+                <div class="scroll">{ answer::show(&card, send) }</div>
+                { answer::foot(&card, send) }
+            } else {
+                <div class="scroll">
+                    { content(state, send) }
+                    { questions::show(&ask::offers(state), send) }
+                </div>
+            }
         </aside>
     }
 }

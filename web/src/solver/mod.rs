@@ -9,8 +9,8 @@ mod worker;
 use std::cell::RefCell;
 use std::rc::Rc;
 
-use giveway_page::{Action, Run, Work};
-use giveway_solve::{Progress, Request};
+use giveway_page::{Action, Work};
+use giveway_solve::Progress;
 use giveway_wasm::protocol::{Ask, Message};
 use gloo::render::{AnimationFrame, request_animation_frame};
 use yew::prelude::*;
@@ -25,16 +25,8 @@ pub(crate) fn use_solver(state: &Shown, send: &Callback<Action>) {
         let send = send.clone();
         use_memo((), move |()| Solver::new(send))
     };
-    let wanted = run(state).map(|run| run.id);
     let state = state.clone();
-    use_effect_with(wanted, move |_| solver.want(run(&state)));
-}
-
-fn run(state: &Shown) -> Option<&Run> {
-    match &state.work {
-        Work::Solving(run) => Some(run),
-        Work::Idle => None,
-    }
+    use_effect_with(state.work.id(), move |_| solver.want(&state.work));
 }
 
 /// The page's end of the link.
@@ -76,26 +68,28 @@ impl Solver {
     }
 
     /// Sees to it that this run runs, and no other.
-    fn want(&self, run: Option<&Run>) {
+    fn want(&self, work: &Work) {
         let inner = &self.0;
         let at = inner.job.borrow().as_ref().map(|job| job.run);
-        if at == run.map(|run| run.id) {
+        if at == work.id() {
             return;
         }
         inner.news.take();
         let busy = inner.job.take().is_some_and(|job| job.waiting.is_none());
-        if let Some(run) = run {
+        let wanted = work.request();
+        let is_wanted = wanted.is_some();
+        if let Some((run, request)) = wanted {
             let ask = Ask {
-                id: message_id(run.id),
-                request: Request::Solve((*run.request).clone()),
+                id: message_id(run),
+                request,
             };
             inner.job.replace(Some(Job {
-                run: run.id,
+                run,
                 waiting: Some(ask.to_text()),
             }));
         }
         let absent = inner.worker.borrow().is_none();
-        if busy || (absent && run.is_some()) {
+        if busy || (absent && is_wanted) {
             self.hire();
         }
         self.post();

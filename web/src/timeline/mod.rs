@@ -50,10 +50,8 @@ pub fn Dock(props: &DockProps) -> Html {
             }
         });
     }
-    let planned = state
-        .answer
-        .clone()
-        .filter(|answer| answer.plan().is_some());
+    let planned = state.shown().cloned();
+    let planned = planned.filter(|answer| answer.plan().is_some());
     if let Some(answer) = planned {
         // The one dark button is elsewhere while the plan is not the answer.
         let calm = matches!(state.phase(), Phase::Editing | Phase::Solving);

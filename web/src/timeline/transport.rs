@@ -88,7 +88,7 @@ fn CopyButton(props: &DockProps) -> Html {
         let DockProps { state, send } = props.clone();
         let copied = copied.clone();
         move |_| {
-            let Some(answer) = &state.answer else { return };
+            let Some(answer) = state.shown() else { return };
             let copied = copied.clone();
             let send = send.clone();
             copy::text(&table::text(answer), move |done| match done {

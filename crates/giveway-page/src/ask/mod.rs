@@ -4,9 +4,11 @@
 //! that is shown ([`giveway_model::question::fits`]).
 
 mod agent;
+mod card;
 mod cell;
 mod plan;
 
+pub use card::{Badge, Card, CostRow, Facts, Happening, Offered, Other, card};
 use giveway_model::{Question, question::fits};
 
 use crate::{Answer, Selection, State, words};

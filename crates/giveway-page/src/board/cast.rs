@@ -40,7 +40,7 @@ fn same(one: Option<&Rc<Answer>>, other: Option<&Rc<Answer>>) -> bool {
 impl Cast {
     /// The cast of a state.
     pub fn of(state: &State) -> Self {
-        let answer = state.answer.as_ref();
+        let answer = state.shown();
         let answer = answer.filter(|answer| answer.plan().is_some() && fits(answer, &state.draft));
         let agents = state.draft.agents().to_vec();
         let at_goal = state.draft.scene().rules.at_goal;
@@ -72,7 +72,7 @@ impl Cast {
 
     /// Whether this is still the cast of a state.
     pub fn is_of(&self, state: &State) -> bool {
-        let answer = state.answer.as_ref();
+        let answer = state.shown();
         let answer = answer.filter(|answer| answer.plan().is_some() && fits(answer, &state.draft));
         self.agents == state.draft.agents() && same(self.answer.as_ref(), answer)
     }

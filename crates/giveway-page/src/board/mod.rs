@@ -10,6 +10,7 @@ mod legend;
 mod marks;
 mod names;
 mod occupied;
+mod reasons;
 mod outline;
 #[cfg(test)]
 mod tests;
@@ -24,6 +25,7 @@ pub use legend::{Kind, legend};
 pub use marks::{Mark, MarkKind, marks};
 pub use names::{CellNames, Window};
 pub use occupied::Occupied;
+pub use reasons::{Place, Reasons, Spot, reasons};
 pub use track::{Badge, Charge, Pose, Track};
 pub use way::{Way, WayEnds};
 

@@ -57,7 +57,7 @@ impl BatteryFacts {
 /// The plan of an agent of the draft. The answer may be of an older draft:
 /// agents are found in it by their names.
 pub fn planned(state: &State, agent: usize) -> Option<Lane> {
-    let answer = state.answer.as_deref()?;
+    let answer = state.shown()?;
     let name = &state.draft.agents().get(agent)?.name;
     let mut solved = answer.draft.agents().iter();
     Lane::of(answer, solved.position(|other| other.name == *name)?)

@@ -55,10 +55,7 @@ pub fn cell(state: &State, cell: Cell) -> Option<CellFacts> {
             }
         }
     }
-    let answer = state
-        .answer
-        .as_deref()
-        .filter(|answer| answer.plan().is_some());
+    let answer = state.shown().filter(|answer| answer.plan().is_some());
     let passes = answer.map(|answer| {
         let mut passes: Vec<Pass> = table::lanes(answer)
             .flat_map(|lane| stays(&lane, cell))

@@ -5,7 +5,7 @@ use std::rc::Rc;
 
 use giveway_model::{Cell, Scene};
 
-use super::solve;
+use super::{ask, solve};
 use crate::ground::Brush;
 use crate::state::Stroke;
 use crate::{Draft, Notice, Selection, State};
@@ -33,6 +33,7 @@ pub(super) fn open(state: &mut State, scene: Scene) {
     release(state);
     state.notice = None;
     state.answer = None;
+    state.asking = None;
     state.selection = Selection::Nothing;
     // A horizon is for one scene; the other limits are for all.
     state.settings.within = None;
@@ -84,6 +85,7 @@ pub(super) fn drag(state: &mut State, cell: Cell) {
         return;
     };
     if let Ok(draft) = Draft::new(scene) {
+        ask::close(state);
         solve::cancel(state);
         state.playback.playing = false;
         state.draft = Rc::new(draft);
@@ -118,6 +120,7 @@ pub(super) fn redo(state: &mut State) {
 }
 
 fn travel(state: &mut State, draft: Rc<Draft>) {
+    ask::close(state);
     solve::cancel(state);
     state.playback.playing = false;
     state.draft = draft;
@@ -127,6 +130,7 @@ fn travel(state: &mut State, draft: Rc<Draft>) {
 }
 
 fn replace(state: &mut State, draft: Draft) {
+    ask::close(state);
     solve::cancel(state);
     state.playback.playing = false;
     let before = std::mem::replace(&mut state.draft, Rc::new(draft));

@@ -1,5 +1,6 @@
 //! From a state and an action to the next state.
 
+mod ask;
 mod edit;
 mod play;
 mod solve;
@@ -39,7 +40,7 @@ fn step(state: &mut State, action: Action) {
         Action::Press(cell) => press(state, cell),
         Action::Drag(cell) => edit::drag(state, cell),
         Action::Release => edit::release(state),
-        Action::Select(selection) => state.selection = selection,
+        Action::Select(selection) => select(state, selection),
         Action::Undo => edit::undo(state),
         Action::Redo => edit::redo(state),
 
@@ -54,13 +55,20 @@ fn step(state: &mut State, action: Action) {
 
         Action::Solve => solve::start(state),
         Action::Cancel => solve::cancel(state),
-        Action::Progress { run, event } => solve::progress(state, run, &event),
+        Action::Progress { run, event } => solve::progress(state, run, event),
         Action::Respond { run, response } => solve::respond(state, run, *response),
         Action::Crash {
             run,
             sentence,
             had_started,
         } => solve::crash(state, run, sentence, had_started),
+
+        Action::Ask(question) => ask::ask(state, question),
+        Action::CloseQuestion => ask::close(state),
+        Action::ShowOther(on) => ask::show_other(state, on),
+        Action::Light(lit) => ask::light(state, lit),
+        Action::TakeOther => ask::take_other(state),
+        Action::TakeRepair(index) => ask::take_repair(state, index),
 
         Action::Play => play::play(state),
         Action::Pause => state.playback.playing = false,
@@ -77,15 +85,22 @@ fn step(state: &mut State, action: Action) {
     }
 }
 
+/// What is selected has the inspector: a question makes way for it.
+fn select(state: &mut State, selection: Selection) {
+    ask::close(state);
+    state.selection = selection;
+}
+
 /// With a brush it paints; else it selects the agent there, or the cell.
 fn press(state: &mut State, cell: giveway_model::Cell) {
     let cell = state.draft.clamp(cell);
     state.cursor = cell;
     if state.tool == Tool::Select {
-        state.selection = match state.agent_at(cell) {
+        let selection = match state.agent_at(cell) {
             Some(agent) => Selection::Agent(agent),
             None => Selection::Cell(cell),
         };
+        select(state, selection);
     } else {
         edit::press(state, cell);
     }

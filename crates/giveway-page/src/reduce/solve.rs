@@ -22,6 +22,7 @@ pub(super) fn start(state: &mut State) {
     }
     state.notice = None;
     state.playback.playing = false;
+    state.asking = None;
     state.runs += 1;
     let request = SolveRequest {
         scene: state.draft.scene().clone(),
@@ -42,7 +43,11 @@ pub(super) fn start(state: &mut State) {
     });
 }
 
+/// Ends what the solver does; what is known of an answer stays.
 pub(super) fn cancel(state: &mut State) {
+    if let Work::Asking(_) = state.work {
+        super::ask::give_up(state);
+    }
     state.work = Work::Idle;
 }
 
@@ -54,11 +59,16 @@ fn current(state: &mut State, id: u64) -> Option<&mut Run> {
     }
 }
 
-pub(super) fn progress(state: &mut State, id: u64, event: &Progress) {
+pub(super) fn progress(state: &mut State, id: u64, event: Progress) {
+    let event = match event {
+        Progress::Explained { answer } => return super::ask::learn(state, id, *answer),
+        event => event,
+    };
     let Some(run) = current(state, id) else {
         return;
     };
-    match *event {
+    match event {
+        Progress::Explained { .. } => {}
         Progress::Bound { cost, at_least } => {
             let bound = run.bounds.entry(cost).or_insert(at_least);
             *bound = at_least.max(*bound);
@@ -79,6 +89,17 @@ pub(super) fn progress(state: &mut State, id: u64, event: &Progress) {
 }
 
 pub(super) fn respond(state: &mut State, id: u64, response: Response) {
+    let response = match response {
+        Response::Explained(answer) => return super::ask::answered(state, id, *answer),
+        response => response,
+    };
+    if super::ask::is_current(state, id) {
+        super::ask::close(state);
+        if let Response::Refused(refusal) = response {
+            refused(state, "The question cannot be answered.", refusal);
+        }
+        return;
+    }
     let Some(run) = current(state, id).cloned() else {
         return;
     };
@@ -90,25 +111,27 @@ pub(super) fn respond(state: &mut State, id: u64, response: Response) {
             state.playback.playing = answer.makespan() > 0;
             state.answer = Some(Rc::new(answer));
         }
-        Response::Refused(refusal) => {
-            let faults = match refusal {
-                Refusal::Scene { faults } => faults,
-                Refusal::Request { fault } => vec![fault],
-            };
-            state.notice = Some(Notice {
-                sentence: "The solver refused the scene.".to_owned(),
-                details: faults.iter().map(ToString::to_string).collect(),
-            });
-        }
-        Response::Front(_) | Response::Checked(_) => {}
+        Response::Refused(refusal) => refused(state, "The solver refused the scene.", refusal),
+        Response::Front(_) | Response::Checked(_) | Response::Explained(_) => {}
     }
 }
 
+fn refused(state: &mut State, sentence: &str, refusal: Refusal) {
+    let faults = match refusal {
+        Refusal::Scene { faults } => faults,
+        Refusal::Request { fault } => vec![fault],
+    };
+    state.notice = Some(Notice {
+        sentence: sentence.to_owned(),
+        details: faults.iter().map(ToString::to_string).collect(),
+    });
+}
+
 pub(super) fn crash(state: &mut State, id: u64, sentence: String, had_started: bool) {
-    if current(state, id).is_none() {
+    if state.work.id() != Some(id) {
         return;
     }
-    state.work = Work::Idle;
+    cancel(state);
     let what = if had_started {
         "The solver broke off and was started again; the scene is as it was."
     } else {

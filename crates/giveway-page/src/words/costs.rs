@@ -43,7 +43,7 @@ pub fn value(cost: Cost, n: u32) -> String {
 }
 
 /// The costs of an objective with their values, for a sentence.
-pub(super) fn values(objective: &Objective, costs: &Costs) -> String {
+pub fn values(objective: &Objective, costs: &Costs) -> String {
     let value = |&cost: &Cost| value(cost, costs.get(cost));
     let parts: Vec<String> = objective.costs().iter().map(value).collect();
     parts.join(", ")

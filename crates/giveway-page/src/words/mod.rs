@@ -4,6 +4,6 @@ mod costs;
 mod question;
 mod status;
 
-pub use costs::{count, name, objective, title, value};
+pub use costs::{count, name, objective, title, value, values};
 pub use question::question;
 pub use status::{Badge, Standing, standing};

@@ -6,7 +6,7 @@ use giveway_model::{Cost, Costs, Objective};
 use giveway_solve::{SolveAnswer, Status};
 
 use super::costs::{name, value, values};
-use crate::{Answer, Run, State, Work};
+use crate::{Answer, Asking, Run, State, Work};
 
 /// What stands before the sentence: an icon and one word, never a colour alone.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -17,6 +17,8 @@ pub enum Badge {
     Faulty,
     /// The solver works.
     Solving,
+    /// It works on a question.
+    Asking,
     /// A plan, with a proof that none is better.
     Proved,
     /// No plan, with a proof.
@@ -34,6 +36,7 @@ impl Badge {
             Self::Draft => "Draft",
             Self::Faulty => "Problem",
             Self::Solving => "Solving",
+            Self::Asking => "Asking",
             Self::Proved => "Proved",
             Self::Impossible => "Impossible",
             Self::Stopped => "Stopped",
@@ -46,6 +49,7 @@ impl Badge {
         match self {
             Self::Draft => "change",
             Self::Solving | Self::Stopped => "clock",
+            Self::Asking => "question",
             Self::Proved => "proved",
             Self::Impossible => "cancel",
             Self::Faulty | Self::Stale => "warning",
@@ -56,7 +60,7 @@ impl Badge {
     pub const fn class(self) -> &'static str {
         match self {
             Self::Draft => "plain",
-            Self::Solving => "info",
+            Self::Solving | Self::Asking => "info",
             Self::Proved => "proved",
             Self::Impossible | Self::Faulty => "bad",
             Self::Stopped | Self::Stale => "warn",
@@ -85,6 +89,9 @@ pub fn standing(state: &State) -> Standing {
     if let Work::Solving(run) = &state.work {
         return say(Badge::Solving, solving(run));
     }
+    if let (Work::Asking(_), Some(asking)) = (&state.work, state.asking.as_deref()) {
+        return say(Badge::Asking, asked(asking));
+    }
     if let Err(faults) = state.draft.instance() {
         let fault = faults.first().map(ToString::to_string);
         let fault = fault.unwrap_or_default();
@@ -106,6 +113,15 @@ pub fn standing(state: &State) -> Standing {
         Status::Feasible | Status::Unknown => Badge::Stopped,
     };
     say(badge, answered(answer))
+}
+
+/// `Asking: why does A1 wait at (3,1)?`, and how far the answer is.
+fn asked(asking: &Asking) -> String {
+    let question = super::question(asking.question());
+    if asking.told.is_none() {
+        return question;
+    }
+    format!("{question} The verdict is there; reasons and repairs follow.")
 }
 
 /// `Solving: makespan is at least 17, the best plan so far has 20.`

@@ -1,0 +1,273 @@
+//! The answer to a question, as the inspector shows it.
+
+use giveway_model::{Cost, Question};
+use giveway_solve::explain::{Edit, Fact, FactKind, Part, Verdict};
+
+use crate::timeline::Lane;
+use crate::{Answer, Asking, Lit, State, words};
+
+/// What is said, part by part, as far as it is known.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Card {
+    /// The question.
+    pub question: String,
+    /// The verdict with all that is known in words; nothing before it is there.
+    pub verdict: Option<(Badge, String)>,
+    /// Costs and arrivals of both plans; none without an other plan.
+    pub rows: Vec<CostRow>,
+    /// Whether the other plan can be shown and taken, and whether it is shown.
+    pub other: Option<Other>,
+    /// What would happen, with its heading.
+    pub witness: Option<(String, Vec<Happening>)>,
+    /// What together makes it impossible.
+    pub core: Option<Facts>,
+    /// What would help.
+    pub repairs: Vec<Offered>,
+    /// What is still looked for, as quiet lines.
+    pub pending: Vec<&'static str>,
+    /// What the claim rests on, once the answer is whole.
+    pub standing: Option<String>,
+}
+
+/// A verdict's word, icon and class.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Badge {
+    /// The word.
+    pub word: &'static str,
+    /// The icon's name.
+    pub icon: &'static str,
+    /// The class in the style sheet.
+    pub class: &'static str,
+}
+
+/// A cost of both plans.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct CostRow {
+    /// Which cost, or whose arrival.
+    pub title: String,
+    /// The agent whose arrival it is, by its index.
+    pub agent: Option<usize>,
+    /// Of this plan.
+    pub this: u32,
+    /// Of the other plan.
+    pub other: u32,
+}
+
+impl CostRow {
+    /// The difference in words: `same`, `+1`.
+    pub fn difference(&self) -> String {
+        match i64::from(self.other) - i64::from(self.this) {
+            0 => "same".to_owned(),
+            more => format!("{more:+}").replace('-', "\u{2212}"),
+        }
+    }
+}
+
+/// The other plan.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Other {
+    /// Whether the board shows it.
+    pub is_shown: bool,
+    /// Whether it is proved that no other is closer to this plan.
+    pub is_closest: bool,
+}
+
+/// Something that would go wrong.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Happening {
+    /// Its number on the map, from 1.
+    pub number: usize,
+    /// What.
+    pub text: String,
+    /// When.
+    pub time: u32,
+    /// Whether it is lit up.
+    pub is_lit: bool,
+}
+
+/// The minimal set.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Facts {
+    /// The heading.
+    pub title: &'static str,
+    /// What is claimed of it.
+    pub claim: &'static str,
+    /// The facts: icon, text, whether it is lit up.
+    pub facts: Vec<(&'static str, String, bool)>,
+}
+
+/// A repair.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Offered {
+    /// The icon of its first edit.
+    pub icon: &'static str,
+    /// What it does.
+    pub text: String,
+    /// What the plan would cost.
+    pub costs: String,
+}
+
+/// What the card shows; nothing where nothing was asked.
+pub fn card(state: &State) -> Option<Card> {
+    let asking = state.asking.as_deref()?;
+    let mut card = Card {
+        question: words::question(asking.question()),
+        verdict: None,
+        rows: Vec::new(),
+        other: None,
+        witness: None,
+        core: None,
+        repairs: Vec::new(),
+        pending: Vec::new(),
+        standing: None,
+    };
+    let Some(told) = asking.told.as_deref() else {
+        card.pending.push("Looking for the verdict");
+        return Some(card);
+    };
+    card.verdict = Some((badge(asking, told.verdict), told.words.clone()));
+    if let Some(other) = &asking.other {
+        card.rows = rows(asking, other);
+        card.other = Some(Other {
+            is_shown: asking.shows_other,
+            is_closest: told.closest,
+        });
+    }
+    let happenings = told.witness.iter().enumerate().map(|(index, entry)| Happening {
+        number: index + 1,
+        text: entry.violation.message.clone(),
+        time: entry.violation.time,
+        is_lit: asking.lit == Some(Lit::Witness(index)),
+    });
+    let happenings: Vec<Happening> = happenings.collect();
+    card.witness = (!happenings.is_empty()).then(|| (would(asking), happenings));
+    card.core = told.core.as_ref().map(|core| Facts {
+        title: "What excludes it together",
+        claim: if core.minimal {
+            "Without any one of these it can be done."
+        } else {
+            "Not shown to be minimal."
+        },
+        facts: core
+            .facts
+            .iter()
+            .enumerate()
+            .map(|(index, fact)| {
+                let is_lit = asking.lit == Some(Lit::Fact(index));
+                (fact_icon(fact), fact.text.clone(), is_lit)
+            })
+            .collect(),
+    });
+    let objective = asking.about.draft.scene().objective.clone();
+    let objective = asking.request.objective.as_ref().unwrap_or(&objective);
+    card.repairs = told
+        .repairs
+        .iter()
+        .map(|repair| Offered {
+            icon: repair.edits.first().map_or("check", edit_icon),
+            text: repair.text.clone(),
+            costs: words::values(objective, &repair.costs),
+        })
+        .collect();
+    if !asking.is_done {
+        card.pending = told.pending.iter().map(|&part| pending(part)).collect();
+    } else if told.complete {
+        card.standing = Some("This holds whatever the horizon.".to_owned());
+    } else if let Some(within) = told.within {
+        card.standing = Some(format!("This holds up to makespan {within}."));
+    }
+    Some(card)
+}
+
+fn badge(asking: &Asking, verdict: Verdict) -> Badge {
+    let (word, icon, class) = match (asking.question(), verdict) {
+        (Question::Unsolvable, Verdict::Necessary) => ("Impossible", "cancel", "necessary"),
+        (Question::Plan, Verdict::Needless) => ("Optimal", "proved", "needless"),
+        (_, Verdict::Needless) => ("Needless", "compare", "needless"),
+        (_, Verdict::Improvable) => ("Improvable", "compare", "needless"),
+        (_, Verdict::Costly) => ("Costly", "warning", "costly"),
+        (_, Verdict::Necessary) => ("Necessary", "proved", "necessary"),
+        (_, Verdict::Unknown) => ("Not known", "clock", "unknown"),
+    };
+    Badge { word, icon, class }
+}
+
+/// The costs of the objective, then the arrivals that differ.
+fn rows(asking: &Asking, other: &Answer) -> Vec<CostRow> {
+    let this = &asking.about;
+    let (Some(before), Some(after)) = (this.solved.costs, other.solved.costs) else {
+        return Vec::new();
+    };
+    let scene = this.draft.scene();
+    let objective = asking.request.objective.as_ref().unwrap_or(&scene.objective);
+    let others = Cost::ALL.into_iter().filter(|cost| {
+        !objective.costs().contains(cost) && before.get(*cost) != after.get(*cost)
+    });
+    let costs = objective.costs().iter().copied().chain(others);
+    let mut rows: Vec<CostRow> = costs
+        .map(|cost| CostRow {
+            title: words::title(cost).to_owned(),
+            agent: None,
+            this: before.get(cost),
+            other: after.get(cost),
+        })
+        .collect();
+    for (agent, who) in this.draft.agents().iter().enumerate() {
+        let arrival = |answer| Lane::of(answer, agent).map(|lane| lane.arrival);
+        if let (Some(before), Some(after)) = (arrival(this), arrival(other))
+            && before != after
+        {
+            rows.push(CostRow {
+                title: format!("{} arrives", who.name),
+                agent: Some(agent),
+                this: before,
+                other: after,
+            });
+        }
+    }
+    rows
+}
+
+fn would(asking: &Asking) -> String {
+    match asking.question() {
+        Question::Wait { agent, .. } => format!("If {agent} did not wait"),
+        Question::Unsolvable => "At the least, this would go wrong".to_owned(),
+        Question::Plan => "What is against the rules".to_owned(),
+        _ => "Otherwise, all else as it is".to_owned(),
+    }
+}
+
+fn pending(part: Part) -> &'static str {
+    match part {
+        Part::Verdict => "Looking for the verdict",
+        Part::Closest => "Looking for a plan closer to this one",
+        Part::Witness => "Looking for what would happen",
+        Part::Core => "Looking for the reasons",
+        Part::Repairs => "Looking for what would help",
+    }
+}
+
+fn fact_icon(fact: &Fact) -> &'static str {
+    match fact.kind {
+        FactKind::Task => "agent",
+        FactKind::Waypoint => "waypoint",
+        FactKind::Battery => "charger",
+        FactKind::Obstacle => "obstacle",
+        FactKind::Slow => "slow",
+        FactKind::Collision => "collision",
+        FactKind::Stay => "goal",
+        FactKind::Deadline => "clock",
+    }
+}
+
+fn edit_icon(edit: &Edit) -> &'static str {
+    match edit {
+        Edit::RemoveObstacle { .. } => "erase",
+        Edit::AddCharger { .. } | Edit::Battery { .. } => "charger",
+        Edit::Deadline { .. } => "clock",
+        Edit::MakeNormal { .. } => "slow",
+        Edit::DropWaypoint { .. } => "waypoint",
+        Edit::Vanish => "goal",
+        Edit::LeaveOut { .. } => "agent",
+    }
+}

@@ -1,0 +1,89 @@
+//! A question that was asked, and its answer as far as it is known.
+
+use std::rc::Rc;
+
+use giveway_model::Question;
+use giveway_solve::explain::{ExplainAnswer, ExplainRequest};
+use giveway_solve::{SolveAnswer, Stats, Status};
+
+use crate::Answer;
+
+/// A question with its answer so far.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Asking {
+    /// What the solver was asked.
+    pub request: Rc<ExplainRequest>,
+    /// The plan that is asked about, or that there is none.
+    pub about: Rc<Answer>,
+    /// What is known; nothing before the verdict.
+    pub told: Option<Rc<ExplainAnswer>>,
+    /// The other plan, as the board shows plans.
+    pub other: Option<Rc<Answer>>,
+    /// Whether the other plan is shown instead of this one.
+    pub shows_other: bool,
+    /// The fact or the collision that is lit up on the map.
+    pub lit: Option<Lit>,
+    /// Whether nothing more will come.
+    pub is_done: bool,
+}
+
+/// What is lit up on the map.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Lit {
+    /// A thing that would go wrong, by its index.
+    Witness(usize),
+    /// A fact of the minimal set, by its index.
+    Fact(usize),
+}
+
+impl Asking {
+    /// A question that was just asked.
+    pub(crate) const fn new(request: Rc<ExplainRequest>, about: Rc<Answer>) -> Self {
+        Self {
+            request,
+            about,
+            told: None,
+            other: None,
+            shows_other: false,
+            lit: None,
+            is_done: false,
+        }
+    }
+
+    /// The question.
+    pub fn question(&self) -> &Question {
+        &self.request.question
+    }
+
+    /// Takes in what became known.
+    pub(crate) fn learn(&mut self, told: ExplainAnswer) {
+        let plan = |answer: &ExplainAnswer| answer.alternative.clone();
+        if self.told.as_deref().and_then(plan) != told.alternative {
+            self.other = self.plan_of(&told);
+            self.shows_other &= self.other.is_some();
+        }
+        self.told = Some(Rc::new(told));
+    }
+
+    /// The other plan, with what is known of it: it is as good as proved where
+    /// it costs what a proved plan costs.
+    fn plan_of(&self, told: &ExplainAnswer) -> Option<Rc<Answer>> {
+        let (plan, costs) = (told.alternative.clone()?, told.costs?);
+        let solved = &self.about.solved;
+        let is_equal = told.deltas.values().all(|&delta| delta == 0);
+        let status = match solved.status {
+            Status::Optimal if is_equal => Status::Optimal,
+            _ => Status::Feasible,
+        };
+        let answer = SolveAnswer {
+            status,
+            costs: Some(costs),
+            plan: Some(plan),
+            reason: None,
+            stats: Stats::default(),
+            ..solved.clone()
+        };
+        let (draft, request) = (Rc::clone(&self.about.draft), Rc::clone(&self.about.request));
+        Some(Rc::new(Answer::new(draft, request, answer)))
+    }
+}

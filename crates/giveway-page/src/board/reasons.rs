@@ -1,0 +1,94 @@
+//! Where the reasons of an answer are on the map.
+
+use giveway_model::Cell;
+use giveway_solve::explain::FactKind;
+
+use super::CELL;
+use crate::{Lit, State};
+
+/// A number on the map: the same as in the list of what would happen.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Spot {
+    /// The number, from 1.
+    pub number: usize,
+    /// The middle of it, in units.
+    pub at: (f64, f64),
+    /// Whether it is lit up.
+    pub is_lit: bool,
+}
+
+/// A cell of the minimal set.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Place {
+    /// The cell.
+    pub cell: Cell,
+    /// Whether it is lit up.
+    pub is_lit: bool,
+}
+
+/// What is drawn of an answer.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Reasons {
+    /// What would go wrong, where it would.
+    pub spots: Vec<Spot>,
+    /// The cells of the minimal set.
+    pub places: Vec<Place>,
+    /// The agents of the fact that is lit up, by their indices.
+    pub agents: Vec<usize>,
+}
+
+/// The numbers that are drawn: more would cover the map.
+const SPOTS: usize = 12;
+
+/// What to draw; nothing where nothing was asked, or while the other plan is
+/// shown, in which nothing goes wrong.
+pub fn reasons(state: &State) -> Reasons {
+    let mut reasons = Reasons::default();
+    let Some(asking) = state.asking.as_deref() else {
+        return reasons;
+    };
+    let Some(told) = asking.told.as_deref().filter(|_| !asking.shows_other) else {
+        return reasons;
+    };
+    for (index, entry) in told.witness.iter().enumerate().take(SPOTS) {
+        let violation = &entry.violation;
+        let middle = |cell: Cell| {
+            let middle = |n: u32| (f64::from(n) + 0.5) * CELL;
+            (middle(cell.x), middle(cell.y))
+        };
+        let at = match (violation.cell, violation.edge) {
+            (Some(cell), _) => middle(cell),
+            (None, Some([from, to])) => {
+                let ((x, y), (u, v)) = (middle(from), middle(to));
+                (f64::midpoint(x, u), f64::midpoint(y, v))
+            }
+            (None, None) => continue,
+        };
+        reasons.spots.push(Spot {
+            number: index + 1,
+            at: apart(&reasons.spots, at),
+            is_lit: asking.lit == Some(Lit::Witness(index)),
+        });
+    }
+    let facts = told.core.iter().flat_map(|core| &core.facts);
+    for (index, fact) in facts.enumerate() {
+        let is_lit = asking.lit == Some(Lit::Fact(index));
+        if let Some(cell) = fact.cell {
+            reasons.places.push(Place { cell, is_lit });
+        }
+        if is_lit && fact.kind != FactKind::Obstacle {
+            let named = state.draft.agents().iter().enumerate();
+            let named = named.filter(|(_, agent)| fact.agents.contains(&agent.name));
+            reasons.agents = named.map(|(index, _)| index).collect();
+        }
+    }
+    reasons
+}
+
+/// A place beside those before it that are at the same one.
+fn apart(before: &[Spot], (x, y): (f64, f64)) -> (f64, f64) {
+    const STEP: f64 = 30.0;
+    let near = |spot: &&Spot| (spot.at.1 - y).abs() < 1.0 && (spot.at.0 - x).abs() < CELL / 2.0;
+    let count = before.iter().filter(near).count();
+    (x + STEP * count as f64, y)
+}

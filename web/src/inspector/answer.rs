@@ -1,0 +1,163 @@
+//! The answer to a question: verdict, costs side by side, what would happen,
+//! what excludes it, what would help.
+
+use giveway_page::ask::{Card, CostRow, Facts, Happening, Offered, Other};
+use giveway_page::{Action, Lit};
+use yew::prelude::*;
+
+use crate::{Glyph, Icon};
+
+/// What scrolls of the card.
+pub(super) fn show(card: &Card, send: &Callback<Action>) -> Html {
+    html! {
+        <>
+            <header class="qh">
+                <button type="button" class="crumb" onclick={send.reform(|_| Action::CloseQuestion)}>
+                    <Icon name="back" />{ "Back" }
+                </button>
+                <h2>{ card.question.clone() }</h2>
+            </header>
+            <div role="status" class="verdict-at">
+                if let Some((badge, words)) = &card.verdict {
+                    <div class={classes!("verdict", badge.class)}>
+                        <p class="vb"><Icon name={badge.icon} /><b>{ badge.word }</b></p>
+                        <p class="vs">{ words.clone() }</p>
+                    </div>
+                }
+            </div>
+            if !card.rows.is_empty() {
+                { costs(&card.rows) }
+            }
+            if let Some((title, happenings)) = &card.witness {
+                { witness(title, happenings, send) }
+            }
+            if let Some(facts) = &card.core {
+                { core(facts, send) }
+            }
+            if !card.repairs.is_empty() {
+                { repairs(&card.repairs, card.other.is_none(), send) }
+            }
+            if !card.pending.is_empty() {
+                <ul class="pending">{ for card.pending.iter().map(|line| html! { <li>{ *line }</li> }) }</ul>
+            }
+            if let Some(standing) = &card.standing {
+                <p class="remark">{ standing.clone() }</p>
+            }
+        </>
+    }
+}
+
+/// What stays at the foot of it.
+pub(super) fn foot(card: &Card, send: &Callback<Action>) -> Html {
+    let Some(Other { is_shown, .. }) = card.other else {
+        return html! {};
+    };
+    let other = if is_shown { "Show this plan" } else { "Show the other plan" };
+    html! {
+        <footer class="foot">
+            <button type="button" class="btn primary" onclick={send.reform(|_| Action::TakeOther)}>
+                <Icon name="check" />{ "Take the other plan" }
+            </button>
+            <button type="button" class="btn outline" aria-pressed={is_shown.to_string()}
+                onclick={send.reform(move |_| Action::ShowOther(!is_shown))}>
+                <Icon name="compare" />{ other }
+            </button>
+        </footer>
+    }
+}
+
+fn costs(rows: &[CostRow]) -> Html {
+    let row = |row: &CostRow| {
+        let class = match row.other.cmp(&row.this) {
+            std::cmp::Ordering::Less => "d better",
+            std::cmp::Ordering::Equal => "d same",
+            std::cmp::Ordering::Greater => "d worse",
+        };
+        html! {
+            <tr>
+                <th scope="row">
+                    if let Some(agent) = row.agent { <Glyph {agent} class="cost-glyph" /> }
+                    { row.title.clone() }
+                </th>
+                <td>{ row.this }</td><td>{ row.other }</td><td {class}>{ row.difference() }</td>
+            </tr>
+        }
+    };
+    html! {
+        <table class="compare" aria-label="Both plans">
+            <thead><tr>
+                <th scope="col"><span class="vh">{ "Cost" }</span></th>
+                <th scope="col">{ "This" }</th><th scope="col">{ "Other" }</th>
+                <th scope="col"><span class="vh">{ "Difference" }</span></th>
+            </tr></thead>
+            <tbody>{ for rows.iter().map(row) }</tbody>
+        </table>
+    }
+}
+
+/// Lights up while it is pointed at or has the focus.
+fn lit(lit: Lit, send: &Callback<Action>) -> [Callback<()>; 2] {
+    let on = send.reform(move |()| Action::Light(Some(lit)));
+    let off = send.reform(|()| Action::Light(None));
+    [on, off]
+}
+
+fn witness(title: &str, happenings: &[Happening], send: &Callback<Action>) -> Html {
+    let one = |(index, happening): (usize, &Happening)| {
+        let [on, off] = lit(Lit::Witness(index), send);
+        let time = happening.time;
+        html! {
+            <li><button type="button" class={classes!("reason", happening.is_lit.then_some("lit"))}
+                title={format!("Show time {time}")} onclick={send.reform(move |_| Action::Seek(time))}
+                onpointerenter={on.reform(|_| ())} onpointerleave={off.reform(|_| ())}
+                onfocus={on.reform(|_| ())} onblur={off.reform(|_| ())}>
+                <span class="no">{ happening.number }</span><span>{ happening.text.clone() }</span>
+            </button></li>
+        }
+    };
+    html! {
+        <section>
+            <h3>{ title.to_owned() }</h3>
+            <ul class="reasons">{ for happenings.iter().enumerate().map(one) }</ul>
+        </section>
+    }
+}
+
+fn core(facts: &Facts, send: &Callback<Action>) -> Html {
+    let one = |(index, (icon, text, is_lit)): (usize, &(&'static str, String, bool))| {
+        let [on, off] = lit(Lit::Fact(index), send);
+        html! {
+            <li><button type="button" class={classes!("fact", is_lit.then_some("lit"))} aria-pressed={is_lit.to_string()}
+                onclick={on.reform(|_: MouseEvent| ())}
+                onpointerenter={on.reform(|_| ())} onpointerleave={off.reform(|_| ())}
+                onfocus={on.reform(|_| ())} onblur={off.reform(|_| ())}>
+                <Icon name={*icon} /><span>{ text.clone() }</span>
+            </button></li>
+        }
+    };
+    html! {
+        <section>
+            <h3>{ facts.title }</h3>
+            <ul class="reasons tight">{ for facts.facts.iter().enumerate().map(one) }</ul>
+            <p class="remark">{ facts.claim }</p>
+        </section>
+    }
+}
+
+fn repairs(offered: &[Offered], leads: bool, send: &Callback<Action>) -> Html {
+    let one = |(index, repair): (usize, &Offered)| {
+        html! {
+            <li><button type="button" class={classes!("repair", (leads && index == 0).then_some("lead"))}
+                onclick={send.reform(move |_| Action::TakeRepair(index))}>
+                <Icon name={repair.icon} />
+                <span>{ repair.text.clone() }<small>{ repair.costs.clone() }</small></span>
+            </button></li>
+        }
+    };
+    html! {
+        <section>
+            <h3>{ "What would help" }</h3>
+            <ul class="repairs">{ for offered.iter().enumerate().map(one) }</ul>
+        </section>
+    }
+}
