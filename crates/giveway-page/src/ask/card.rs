@@ -133,12 +133,16 @@ pub fn card(state: &State) -> Option<Card> {
             is_closest: told.closest,
         });
     }
-    let happenings = told.witness.iter().enumerate().map(|(index, entry)| Happening {
-        number: index + 1,
-        text: entry.violation.message.clone(),
-        time: entry.violation.time,
-        is_lit: asking.lit == Some(Lit::Witness(index)),
-    });
+    let happenings = told
+        .witness
+        .iter()
+        .enumerate()
+        .map(|(index, entry)| Happening {
+            number: index + 1,
+            text: entry.violation.message.clone(),
+            time: entry.violation.time,
+            is_lit: asking.lit == Some(Lit::Witness(index)),
+        });
     let happenings: Vec<Happening> = happenings.collect();
     card.witness = (!happenings.is_empty()).then(|| (would(asking), happenings));
     card.core = told.core.as_ref().map(|core| Facts {
@@ -199,10 +203,14 @@ fn rows(asking: &Asking, other: &Answer) -> Vec<CostRow> {
         return Vec::new();
     };
     let scene = this.draft.scene();
-    let objective = asking.request.objective.as_ref().unwrap_or(&scene.objective);
-    let others = Cost::ALL.into_iter().filter(|cost| {
-        !objective.costs().contains(cost) && before.get(*cost) != after.get(*cost)
-    });
+    let objective = asking
+        .request
+        .objective
+        .as_ref()
+        .unwrap_or(&scene.objective);
+    let others = Cost::ALL
+        .into_iter()
+        .filter(|cost| !objective.costs().contains(cost) && before.get(*cost) != after.get(*cost));
     let costs = objective.costs().iter().copied().chain(others);
     let mut rows: Vec<CostRow> = costs
         .map(|cost| CostRow {

@@ -62,7 +62,7 @@ impl Cast {
         };
         let tracks: Vec<Track> = agents.iter().enumerate().map(track).collect();
         Self {
-            ways: Way::of_all(&tracks),
+            ways: tracks.iter().map(Way::of).collect(),
             marks: marks(&agents, &tracks),
             tracks,
             agents,

@@ -10,8 +10,8 @@ mod legend;
 mod marks;
 mod names;
 mod occupied;
-mod reasons;
 mod outline;
+mod reasons;
 #[cfg(test)]
 mod tests;
 mod track;

@@ -15,7 +15,10 @@ use crate::{Answer, Inquiry, Notice, State, Tab, Work};
 pub(super) fn ask(state: &mut State, question: Question) {
     edit::release(state);
     let Some(answer) = state.answer.clone().filter(|_| !state.is_stale()) else {
-        refuse(state, "Solve the scene first: questions are about its plan.");
+        refuse(
+            state,
+            "Solve the scene first: questions are about its plan.",
+        );
         return;
     };
     if let (Ok(instance), Some(plan)) = (answer.draft.instance(), answer.plan())
@@ -99,7 +102,9 @@ pub(super) fn answered(state: &mut State, id: u64, answer: ExplainAnswer) {
 
 /// Shows the other plan or this one, at the same time.
 pub(super) fn show_other(state: &mut State, on: bool) {
-    change(state, |asking| asking.shows_other = on && asking.other.is_some());
+    change(state, |asking| {
+        asking.shows_other = on && asking.other.is_some()
+    });
     state.playback.time = state.playback.time.min(state.last_time());
 }
 
@@ -109,7 +114,10 @@ pub(super) fn light(state: &mut State, lit: Option<Lit>) {
 
 /// The other plan becomes the plan.
 pub(super) fn take_other(state: &mut State) {
-    let other = state.asking.as_ref().and_then(|asking| asking.other.clone());
+    let other = state
+        .asking
+        .as_ref()
+        .and_then(|asking| asking.other.clone());
     if let Some(other) = other {
         close(state);
         state.answer = Some(other);

@@ -1,5 +1,6 @@
 //! Every action, on the warehouse.
 
+mod ask;
 mod edit;
 mod play;
 mod solve;

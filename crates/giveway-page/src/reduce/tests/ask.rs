@@ -1,0 +1,223 @@
+//! Questions: asked, answered bit by bit, left, and what is taken from them.
+
+use std::collections::BTreeMap;
+
+use giveway_model::{Cell, Cost, Costs, Plan, Question, Version};
+use giveway_solve::explain::{Edit, ExplainAnswer, Part, Repair, Verdict};
+use giveway_solve::{Progress, Response, Stats, Status};
+
+use super::{after, stroke};
+use crate::ask::card;
+use crate::sample::solved;
+use crate::{Action, Lit, Phase, Selection, State, Tool, Work, words};
+
+fn question() -> Question {
+    Question::Charge {
+        agent: "A1".to_owned(),
+        at: Some(Cell::new(6, 2)),
+        time: Some(9),
+    }
+}
+
+fn asked() -> State {
+    after(&solved(), [Action::Ask(question())])
+}
+
+fn id(state: &State) -> u64 {
+    state.work.id().unwrap()
+}
+
+/// An answer whose other plan is the plan itself, at one more charge.
+fn told(state: &State) -> ExplainAnswer {
+    let plan: Plan = state.answer.as_ref().unwrap().plan().unwrap().clone();
+    let costs = state.answer.as_ref().unwrap().solved.costs.unwrap();
+    let costs = Costs {
+        charges: costs.charges + 1,
+        ..costs
+    };
+    let repair = Repair {
+        edits: vec![Edit::DropWaypoint {
+            agent: "A1".to_owned(),
+            cell: Cell::new(4, 2),
+        }],
+        costs,
+        plan: plan.clone(),
+        text: "Drop A1's waypoint (4,2)".to_owned(),
+    };
+    ExplainAnswer {
+        giveway: Version,
+        question: question(),
+        plan: None,
+        verdict: Verdict::Costly,
+        costs: Some(costs),
+        deltas: BTreeMap::from([
+            (Cost::Makespan, 0),
+            (Cost::SumOfCosts, 0),
+            (Cost::Charges, 1),
+        ]),
+        within: None,
+        complete: true,
+        alternative: Some(plan),
+        closest: false,
+        witness: Vec::new(),
+        core: None,
+        repairs: vec![repair],
+        exhaustive: false,
+        valid: None,
+        violations: None,
+        optimal: None,
+        pending: vec![Part::Witness, Part::Core],
+        words: "1 more charge.".to_owned(),
+        stats: Stats::default(),
+    }
+}
+
+fn learn(state: &State) -> State {
+    let answer = Box::new(told(state));
+    let event = Progress::Explained { answer };
+    let run = id(state);
+    after(state, [Action::Progress { run, event }])
+}
+
+fn answered(state: &State) -> State {
+    let answer = ExplainAnswer {
+        pending: Vec::new(),
+        ..told(state)
+    };
+    let response = Box::new(Response::Explained(Box::new(answer)));
+    let run = id(state);
+    after(state, [Action::Respond { run, response }])
+}
+
+#[test]
+fn a_question_runs_in_the_solver_and_is_said() {
+    let state = asked();
+    assert_eq!(state.phase(), Phase::Asking);
+    let standing = words::standing(&state);
+    let said = "Why does A1 charge at (6,2) at time 9?";
+    assert_eq!(standing.sentence, said);
+    let card = card(&state).unwrap();
+    assert_eq!(card.question, said);
+    assert_eq!(
+        (card.verdict, card.pending),
+        (None, vec!["Looking for the verdict"])
+    );
+    let Work::Asking(inquiry) = &state.work else {
+        panic!("{:?}", state.work);
+    };
+    assert!(inquiry.request.plan.is_some());
+}
+
+#[test]
+fn the_answer_grows_until_it_is_whole() {
+    let state = learn(&asked());
+    let grown = card(&state).unwrap();
+    assert_eq!(grown.verdict.as_ref().unwrap().0.word, "Costly");
+    assert_eq!(grown.pending.len(), 2);
+    assert_eq!(grown.standing, None);
+    let charges = &grown.rows[2];
+    assert_eq!((charges.this, charges.other), (3, 4));
+    assert_eq!(charges.difference(), "+1");
+    assert_eq!(
+        grown.repairs[0].costs,
+        "makespan 18, sum of costs 35, 4 charges"
+    );
+
+    let state = answered(&state);
+    assert_eq!(state.work, Work::Idle);
+    let whole = card(&state).unwrap();
+    assert_eq!(whole.pending, Vec::<&str>::new());
+    assert!(whole.standing.is_some());
+}
+
+#[test]
+fn what_comes_late_is_ignored() {
+    let old = asked();
+    let state = after(
+        &old,
+        [Action::CloseQuestion, Action::Ask(Question::Makespan)],
+    );
+    let run = id(&old);
+    let event = Progress::Explained {
+        answer: Box::new(told(&old)),
+    };
+    let later = after(&state, [Action::Progress { run, event }]);
+    assert_eq!(later, state);
+}
+
+#[test]
+fn the_other_plan_is_shown_and_taken() {
+    let state = answered(&asked());
+    let this = state.answer.clone();
+    assert_eq!(state.shown(), this.as_ref());
+    let shown = after(&state, [Action::ShowOther(true)]);
+    assert_ne!(shown.shown(), this.as_ref());
+    assert_eq!(shown.answer, this, "nothing is taken yet");
+    let back = after(&shown, [Action::ShowOther(false)]);
+    assert_eq!(back.shown(), this.as_ref());
+
+    let taken = after(&shown, [Action::TakeOther]);
+    assert_eq!(taken.asking, None);
+    let answer = taken.answer.unwrap();
+    // It costs more than what was proved.
+    assert_eq!(answer.solved.status, Status::Feasible);
+    assert_eq!(answer.solved.costs.unwrap().charges, 4);
+}
+
+#[test]
+fn a_repair_is_an_edit_that_can_be_undone() {
+    let state = answered(&asked());
+    let before = state.draft.clone();
+    let repaired = after(&state, [Action::TakeRepair(0)]);
+    assert_eq!(repaired.draft.agents()[0].waypoints.len(), 2);
+    assert_eq!(repaired.phase(), Phase::Solving);
+    assert!(repaired.plan().is_some(), "its plan is there already");
+    assert_eq!(repaired.asking, None);
+    let undone = after(&repaired, [Action::Undo]);
+    assert_eq!(undone.draft, before);
+    let none = after(&state, [Action::TakeRepair(7)]);
+    assert_eq!(none, state);
+}
+
+#[test]
+fn cancelling_keeps_what_is_known() {
+    let state = after(&learn(&asked()), [Action::Cancel]);
+    assert_eq!(state.work, Work::Idle);
+    let kept = card(&state).unwrap();
+    assert!(kept.verdict.is_some() && kept.pending.is_empty());
+    let state = after(&asked(), [Action::Cancel]);
+    assert_eq!(card(&state), None, "nothing was known");
+}
+
+#[test]
+fn an_edit_or_a_selection_leaves_the_question() {
+    let state = learn(&asked());
+    let edited = after(&state, stroke(Tool::Obstacle, &[(8, 2)]));
+    assert_eq!((edited.asking, edited.work), (None, Work::Idle));
+    let selected = after(&state, [Action::Select(Selection::Agent(1))]);
+    assert_eq!((selected.asking, selected.work), (None, Work::Idle));
+}
+
+#[test]
+fn what_is_not_so_is_refused_with_what_is() {
+    let wait = Question::Wait {
+        agent: "A1".to_owned(),
+        at: None,
+        from: None,
+        to: None,
+        at_least: None,
+    };
+    let state = after(&solved(), [Action::Ask(wait)]);
+    let notice = state.notice.unwrap();
+    assert!(notice.sentence.contains("does not wait"), "{notice:?}");
+    assert_eq!(state.work, Work::Idle);
+}
+
+#[test]
+fn a_fact_lights_up_while_it_is_pointed_at() {
+    let state = answered(&asked());
+    let lit = after(&state, [Action::Light(Some(Lit::Fact(0)))]);
+    assert_eq!(lit.asking.unwrap().lit, Some(Lit::Fact(0)));
+    let dark = after(&state, [Action::Light(None)]);
+    assert_eq!(dark.asking.unwrap().lit, None);
+}
