@@ -103,7 +103,7 @@ pub(super) fn answered(state: &mut State, id: u64, answer: ExplainAnswer) {
 /// Shows the other plan or this one, at the same time.
 pub(super) fn show_other(state: &mut State, on: bool) {
     change(state, |asking| {
-        asking.shows_other = on && asking.other.is_some()
+        asking.shows_other = on && asking.other.is_some();
     });
     state.playback.time = state.playback.time.min(state.last_time());
 }
