@@ -96,7 +96,7 @@ pub(super) fn respond(state: &mut State, id: u64, response: Response) {
     if super::ask::is_current(state, id) {
         super::ask::close(state);
         if let Response::Refused(refusal) = response {
-            refused(state, "The question cannot be answered.", refusal);
+            refused(state, "The question cannot be answered.", &refusal);
         }
         return;
     }
@@ -111,19 +111,15 @@ pub(super) fn respond(state: &mut State, id: u64, response: Response) {
             state.playback.playing = answer.makespan() > 0;
             state.answer = Some(Rc::new(answer));
         }
-        Response::Refused(refusal) => refused(state, "The solver refused the scene.", refusal),
+        Response::Refused(refusal) => refused(state, "The solver refused the scene.", &refusal),
         Response::Front(_) | Response::Checked(_) | Response::Explained(_) => {}
     }
 }
 
-fn refused(state: &mut State, sentence: &str, refusal: Refusal) {
-    let faults = match refusal {
-        Refusal::Scene { faults } => faults,
-        Refusal::Request { fault } => vec![fault],
-    };
+fn refused(state: &mut State, sentence: &str, refusal: &Refusal) {
     state.notice = Some(Notice {
         sentence: sentence.to_owned(),
-        details: faults.iter().map(ToString::to_string).collect(),
+        details: refusal.sentences(),
     });
 }
 
