@@ -52,11 +52,7 @@ pub(super) fn foot(card: &Card, send: &Callback<Action>) -> Html {
     let Some(Other { is_shown, .. }) = card.other else {
         return html! {};
     };
-    let other = if is_shown {
-        "Show this plan"
-    } else {
-        "Show the other plan"
-    };
+    let other = if is_shown { "Show this" } else { "Show other" };
     html! {
         <footer class="foot">
             <button type="button" class="btn primary" onclick={send.reform(|_| Action::TakeOther)}>

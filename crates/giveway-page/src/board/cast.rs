@@ -62,7 +62,7 @@ impl Cast {
         };
         let tracks: Vec<Track> = agents.iter().enumerate().map(track).collect();
         Self {
-            ways: tracks.iter().map(Way::of).collect(),
+            ways: Way::of_all(&tracks),
             marks: marks(&agents, &tracks),
             tracks,
             agents,

@@ -2,13 +2,27 @@
 
 use std::collections::BTreeSet;
 
-use giveway_model::{AtGoal, Battery, Ground, Instance};
+use giveway_model::{AtGoal, Battery, Ground, Instance, Scene};
 
 use super::{
     answer::Edit,
     relax::{Variant, redraw},
 };
 use crate::problem::Relaxed;
+
+/// The scene after some edits, deadlines apart, which are no part of it.
+///
+/// ```
+/// use giveway_model::{Cell, format::native};
+/// use giveway_solve::explain::{Edit, edited_scene};
+/// let instance = native::read_instance(r#"{ "giveway": 1, "map": [".#."],
+///     "agents": [{ "name": "A1", "start": [0, 0], "goal": [2, 0] }] }"#).unwrap();
+/// let edit = Edit::RemoveObstacle { cell: Cell::new(1, 0) };
+/// assert_eq!(edited_scene(&instance, &[edit]).map, ["..."]);
+/// ```
+pub fn edited_scene(instance: &Instance, edits: &[Edit]) -> Scene {
+    edited(instance, edits, None).scene
+}
 
 /// The instance after some edits.
 pub(crate) fn edited(instance: &Instance, edits: &[Edit], within: Option<u32>) -> Variant {

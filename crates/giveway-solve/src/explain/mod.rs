@@ -39,4 +39,5 @@ pub(crate) mod waits;
 pub(crate) mod words;
 
 pub use answer::{Class, Core, Edit, Excess, Fact, FactKind, Repair, WitnessEntry};
+pub use edits::edited_scene;
 pub use explanation::{ExplainAnswer, ExplainRequest, Part, Verdict};
