@@ -9,10 +9,6 @@ mod answer;
 #[allow(dead_code, reason = "the parts that ask come one by one")]
 mod condition;
 mod encode;
-#[allow(
-    dead_code,
-    reason = "the service comes to ask for its parts one by one"
-)]
 pub mod explain;
 mod host;
 mod joint;

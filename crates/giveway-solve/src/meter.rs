@@ -64,6 +64,9 @@ pub(crate) struct Meter<'h> {
     stopped: Cell<Option<Stop>>,
     /// Whether the host hears nothing of what becomes known.
     quiet: bool,
+    /// Clauses that may be written: a measure of work that needs no clock, so
+    /// that the same request is cut off at the same place.
+    most_clauses: u64,
 }
 
 impl<'h> Meter<'h> {
@@ -83,6 +86,7 @@ impl<'h> Meter<'h> {
             reported_at: Cell::new(0),
             stopped: Cell::new(None),
             quiet: false,
+            most_clauses: u64::MAX,
         }
     }
 
@@ -91,8 +95,7 @@ impl<'h> Meter<'h> {
     /// and plans of a part are not those of the whole.
     #[allow(dead_code, reason = "the parts come one by one")]
     pub(crate) fn part(&self, limits: Limits) -> Self {
-        let used = self.host.wall_seconds() - self.wall_start;
-        let seconds = self.limits.seconds.map(|limit| (limit - used).max(0.0));
+        let seconds = self.seconds_left();
         let spent = self.conflicts.get();
         let conflicts = self.limits.conflicts.map(|most| most.saturating_sub(spent));
         let mut part = Self::new(
@@ -105,6 +108,23 @@ impl<'h> Meter<'h> {
         );
         part.quiet = true;
         part
+    }
+
+    /// The same meter with a limit of clauses.
+    pub(crate) fn with_clauses(mut self, most: u64) -> Self {
+        self.most_clauses = most;
+        self
+    }
+
+    /// Wall seconds that are left, where they are limited.
+    pub(crate) fn seconds_left(&self) -> Option<f64> {
+        let used = self.host.wall_seconds() - self.wall_start;
+        self.limits.seconds.map(|limit| (limit - used).max(0.0))
+    }
+
+    /// Clauses that are left, where they are limited.
+    pub(crate) fn clauses_left(&self) -> u64 {
+        self.most_clauses.saturating_sub(self.clauses.get())
     }
 
     /// Adds the work of a part to this tally.
@@ -127,7 +147,9 @@ impl<'h> Meter<'h> {
             Stop::Cancelled
         } else if self.is_too_large() {
             Stop::Memory
-        } else if spent(self.limits.conflicts, self.conflicts.get()) {
+        } else if spent(self.limits.conflicts, self.conflicts.get())
+            || self.clauses.get() > self.most_clauses
+        {
             Stop::Conflicts
         } else if self
             .limits

@@ -46,8 +46,6 @@ pub(crate) struct CoreFound {
     pub(crate) minimal: bool,
     /// The horizon up to which they exclude one; `None` for any.
     pub(crate) within: Option<u32>,
-    /// With all but one of them: the fact, and a plan.
-    pub(crate) plans: Vec<(Part, Plan)>,
 }
 
 impl CoreFound {
@@ -108,7 +106,6 @@ pub(crate) fn minimal_set(
         parts: shrinking.kept.iter().copied().collect(),
         minimal,
         within: shrinking.within,
-        plans: shrinking.needed(),
     })
 }
 
@@ -249,16 +246,5 @@ impl Shrinking<'_> {
             }
         }
         minimal
-    }
-
-    /// A plan for each fact that is needed.
-    fn needed(&self) -> Vec<(Part, Plan)> {
-        let plan = |&part: &Part| {
-            let mut less = self.left_out.clone();
-            less.insert(part);
-            let variant = without(self.instance, &less, self.deadline);
-            self.known(&variant).map(|plan| (part, plan))
-        };
-        self.kept.iter().filter_map(plan).collect()
     }
 }

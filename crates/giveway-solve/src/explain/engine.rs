@@ -12,11 +12,14 @@ use giveway_model::{
 
 use super::{
     ExplainAnswer, ExplainRequest, Part, Verdict,
+    ask::{Ask, any},
+    reasons,
     verdict::{Case, compare},
 };
 use crate::{
     Host, Progress, Refusal, SolveAnswer, Status,
     meter::Meter,
+    problem::Relaxed,
     solve::{self, Task},
 };
 
@@ -34,6 +37,14 @@ pub(crate) fn explain(request: &ExplainRequest, host: &dyn Host) -> Result<Expla
     names_exist(question, &instance).map_err(|misfit| Refusal::Question { misfit })?;
     let meter = Rc::new(Meter::new(host, request.limits));
     let mut answer = empty(question);
+    let telling = Telling {
+        meter: &meter,
+        host,
+    };
+    if matches!(question, Question::Unsolvable) {
+        no_plan(&instance, request.within, &mut answer, &telling)?;
+        return Ok(answer);
+    }
     let solved = match &request.plan {
         Some(_) => None,
         None => Some(solved(&instance, request, &meter)?),
@@ -46,6 +57,12 @@ pub(crate) fn explain(request: &ExplainRequest, host: &dyn Host) -> Result<Expla
         answer.stats = meter.stats();
         return Ok(answer);
     };
+    if matches!(question, Question::Plan) {
+        reasons::of_own_plan(&instance, &plan, request.within, &mut answer, &meter);
+        answer.plan = best;
+        answer.stats = meter.stats();
+        return Ok(answer);
+    }
     let report = check(&instance, &plan);
     let Some(costs) = report.costs.filter(|_| report.violations.is_empty()) else {
         let violations = report.violations;
@@ -55,11 +72,11 @@ pub(crate) fn explain(request: &ExplainRequest, host: &dyn Host) -> Result<Expla
     answer.plan = best;
     let mut case = Case::new(&instance, question, &plan, costs, request.within);
     case.optimal = solved.is_some_and(|solved| solved.status == Status::Optimal);
-    let telling = Telling {
-        meter: &meter,
-        host,
-    };
+    answer.pending = vec![Part::Verdict, Part::Witness, Part::Core, Part::Repairs];
     tell_verdict(&case, &mut answer, &telling);
+    reasons::of_case(&case, &mut answer, &meter, &mut |answer, part| {
+        telling.tell(answer, part);
+    });
     Ok(answer)
 }
 
@@ -72,6 +89,7 @@ fn tell_verdict(case: &Case, answer: &mut ExplainAnswer, telling: &Telling) {
     answer.complete = compared.complete;
     let (alternative, costs) = compared.other.unzip();
     (answer.alternative, answer.costs) = (alternative, costs);
+    reasons::word(case, "", answer);
     telling.tell(answer, Part::Verdict);
 }
 
@@ -91,6 +109,45 @@ impl Telling<'_, '_> {
             self.host.progress(&Progress::Explained { answer });
         }
     }
+}
+
+/// Why there is no plan.
+fn no_plan(
+    instance: &Instance,
+    within: Option<u32>,
+    answer: &mut ExplainAnswer,
+    telling: &Telling,
+) -> Result<(), Refusal> {
+    let found = any(
+        &Ask {
+            scene: &instance.to_scene(),
+            relaxed: &Relaxed::default(),
+            condition: None,
+            objective: instance.objective(),
+            caps: &BTreeMap::new(),
+            within,
+            at_least_within: 0,
+        },
+        telling.meter,
+    );
+    if let Some(costs) = found.costs {
+        let misfit = Misfit::NotSo {
+            is_so: format!("There is a plan; one has a makespan of {}.", costs.makespan),
+            ask: Some(Question::Makespan),
+        };
+        return Err(Refusal::Question { misfit });
+    }
+    if found.status == Status::Unknown {
+        answer
+            .words
+            .push_str("Whether there is a plan was not found out in time.");
+        answer.stats = telling.meter.stats();
+        return Ok(());
+    }
+    answer.pending = vec![Part::Verdict, Part::Witness, Part::Core, Part::Repairs];
+    let tell = &mut |answer: &mut ExplainAnswer, part| telling.tell(answer, part);
+    reasons::of_no_plan(instance, within, &found, answer, telling.meter, tell);
+    Ok(())
 }
 
 /// The plan that is asked about, where none was given: the best one.
@@ -136,6 +193,7 @@ fn empty(question: &Question) -> ExplainAnswer {
         valid: None,
         violations: None,
         optimal: None,
+        excess: Vec::new(),
         pending: Vec::new(),
         words: String::new(),
         stats: crate::Stats::default(),

@@ -7,7 +7,7 @@ use giveway_model::{
 };
 use serde::{Deserialize, Serialize};
 
-use super::{Core, Repair, WitnessEntry};
+use super::{Core, Excess, Repair, WitnessEntry};
 use crate::{Limits, Stats};
 
 /// Answer a question about a plan, or about there being none.
@@ -111,6 +111,9 @@ pub struct ExplainAnswer {
     /// Of `plan`: whether it is proved that none is better.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub optimal: Option<bool>,
+    /// Of `plan`: what its agents have more of than in a better plan.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub excess: Vec<Excess>,
     /// The parts that are not there yet; none at the end.
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
     pub pending: Vec<Part>,

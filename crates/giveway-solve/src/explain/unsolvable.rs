@@ -10,7 +10,7 @@ use giveway_model::{
 };
 
 use super::{
-    answer::{Class, Core, WitnessEntry},
+    answer::{Class, WitnessEntry},
     ask::{Ask, Found, any, best, violations},
     core::{CoreFound, Inquiry, Tried, minimal_set},
     relax::{Part, Variant, parts, without},
@@ -21,8 +21,20 @@ use crate::{Limits, Status, meter::Meter};
 
 /// Conflicts that one of many searches may take.
 const CONFLICTS_EACH: u64 = 20_000;
+/// Clauses that one of many searches may write.
+const CLAUSES_EACH: u64 = 1_500_000;
 /// Sets of batteries or waypoints that are tried.
 const MOST_SETS: usize = 400;
+
+/// The budget of one search of many.
+pub(crate) fn one_search<'h>(meter: &Meter<'h>) -> Rc<Meter<'h>> {
+    let limits = Limits {
+        conflicts: Some(CONFLICTS_EACH),
+        ..Limits::default()
+    };
+    let clauses = CLAUSES_EACH.min(meter.clauses_left());
+    Rc::new(meter.part(limits).with_clauses(clauses))
+}
 
 /// The search for any plan at all, of variants of one instance.
 pub(crate) struct AnyPlan<'a, 'h> {
@@ -34,10 +46,7 @@ pub(crate) struct AnyPlan<'a, 'h> {
 
 impl AnyPlan<'_, '_> {
     fn with<T>(&self, variant: &Variant, run: impl Fn(&Ask, &Rc<Meter>) -> T) -> T {
-        let part = Rc::new(self.meter.part(Limits {
-            conflicts: Some(CONFLICTS_EACH),
-            ..Limits::default()
-        }));
+        let part = one_search(&self.meter);
         let ask = Ask {
             scene: &variant.scene,
             relaxed: &variant.relaxed,
@@ -127,10 +136,7 @@ pub(crate) fn witness(
         Class::Waypoint,
     ] {
         let horizon = any_plan.horizon;
-        let part = Rc::new(any_plan.meter.part(Limits {
-            conflicts: Some(CONFLICTS_EACH),
-            ..Limits::default()
-        }));
+        let part = one_search(&any_plan.meter);
         let broken = match class {
             Class::Collision => soft::collisions(instance, within, horizon, &part),
             Class::Obstacle => soft::obstacles(instance, within, horizon, &part),
@@ -145,7 +151,11 @@ pub(crate) fn witness(
         settled &= part.check().is_ok();
         if let Some(broken) = broken {
             settled &= broken.fewest;
-            let found = told(instance, class, &broken.plan);
+            let mut found = told(instance, class, &broken.plan);
+            // What was counted and what the judge says must be the same.
+            if found.len() != broken.count {
+                found.clear();
+            }
             entries.extend(found.into_iter().map(|violation| WitnessEntry {
                 violation,
                 class: Some(class),
@@ -254,39 +264,4 @@ fn subsets(class: &[Part], count: usize) -> impl Iterator<Item = BTreeSet<Part>>
 pub(crate) fn of_class(entries: &[WitnessEntry], class: Class) -> Vec<&Violation> {
     let of = entries.iter().filter(|entry| entry.class == Some(class));
     of.map(|entry| &entry.violation).collect()
-}
-
-/// Why there is no plan.
-pub(crate) struct Reasons {
-    pub(crate) witness: Vec<WitnessEntry>,
-    pub(crate) core: Option<Core>,
-    pub(crate) repairs: Repairs,
-    /// Whether every part came to its end.
-    pub(crate) settled: bool,
-}
-
-/// All that can be told where `found` says that there is no plan; each part has
-/// limits of its own.
-pub(crate) fn reasons(
-    instance: &Instance,
-    objective: &Objective,
-    within: Option<u32>,
-    found: &Found,
-    meter: &Rc<Meter>,
-) -> Reasons {
-    let mut any_plan = AnyPlan {
-        objective,
-        horizon: found.horizon,
-        meter: Rc::clone(meter),
-    };
-    let core = core(instance, within, found, &mut any_plan);
-    let facts = core.as_ref().map_or(&[][..], |core| &core.parts);
-    let repairs = helps(instance, within, facts, &mut any_plan);
-    let (witness, settled) = witness(instance, within, &mut any_plan);
-    Reasons {
-        witness,
-        settled: settled && core.as_ref().is_some_and(|core| core.minimal),
-        core: core.map(|core| core.core(instance, within)),
-        repairs,
-    }
 }

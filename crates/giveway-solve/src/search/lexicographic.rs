@@ -182,7 +182,8 @@ fn run(
         // shown where their joint states can be exhausted.
         // Where a question asks for something, a plan was just not looked for.
         let all: Vec<usize> = (0..problem.agents()).collect();
-        if (!problem.is_asked() || joint::is_small(problem))
+        if !bounded.limits_time(problem) // (else SAT is quick, and its proof complete)
+            && (!problem.is_asked() || joint::is_small(problem))
             && joint::least(problem, &all, Cost::Makespan, meter)? == joint::Found::None
         {
             verdict.clash = all;

@@ -1,6 +1,7 @@
 //! Reasons, judged by other means than those that found them.
 
 mod ask;
+mod contrast;
 mod fewest;
 mod own_plan;
 mod unsolvable;

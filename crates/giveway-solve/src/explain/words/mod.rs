@@ -3,11 +3,6 @@
 //! Reasons are data; whoever wants other words replaces this folder. A template
 //! a kind, each read as a person would say it.
 
-#![allow(
-    unused_imports,
-    reason = "the service comes to ask for its parts one by one"
-)]
-
 mod contrast;
 mod costs;
 mod differences;

@@ -1,0 +1,124 @@
+//! The search for a plan that is as asked for, of variants of one instance: for
+//! any such plan, or for one that costs no more than the plan asked about.
+
+use std::collections::BTreeMap;
+use std::rc::Rc;
+
+use giveway_model::{Costs, Instance, Plan, check::costs};
+
+use super::{
+    ask::{Ask, Found, any, at_most, best, violations},
+    core::{Inquiry, Tried},
+    relax::Variant,
+    repairs::Solver,
+    unsolvable::{one_search, tried},
+    verdict::Case,
+};
+use crate::{condition::Condition, meter::Meter};
+
+/// What is looked for.
+pub(crate) struct Contrasted<'a, 'h> {
+    pub(crate) case: &'a Case<'a>,
+    /// The most that it may cost, in the order of the objective.
+    pub(crate) most: Option<Vec<u32>>,
+    /// The horizon of the instance as it is.
+    pub(crate) horizon: u32,
+    pub(crate) meter: Rc<Meter<'h>>,
+}
+
+impl Contrasted<'_, '_> {
+    /// What must hold, one of these: those about agents that are still there.
+    fn conditions(&self, variant: &Variant) -> impl Iterator<Item = &Condition> {
+        let agents = variant.scene.agents.iter();
+        let names: Vec<String> = agents.map(|agent| agent.name.clone()).collect();
+        let there = move |name: &str| names.iter().any(|there| there == name);
+        let conditions = self.case.conditions.iter();
+        conditions.filter(move |condition| condition.agent().is_none_or(&there))
+    }
+
+    fn with<T>(
+        &self,
+        variant: &Variant,
+        condition: &Condition,
+        run: impl Fn(&Ask, &Rc<Meter>) -> T,
+    ) -> T {
+        let part = one_search(&self.meter);
+        let ask = Ask {
+            scene: &variant.scene,
+            relaxed: &variant.relaxed,
+            condition: Some(condition),
+            objective: self.case.objective(),
+            caps: &BTreeMap::new(),
+            within: variant.within,
+            at_least_within: self.horizon,
+        };
+        let result = run(&ask, &part);
+        self.meter.absorb(&part);
+        result
+    }
+
+    fn find(&self, variant: &Variant, condition: &Condition) -> Found {
+        match &self.most {
+            Some(most) => self.with(variant, condition, |ask, meter| {
+                at_most(ask, most.clone(), meter)
+            }),
+            None => self.with(variant, condition, any),
+        }
+    }
+
+    fn is_cheap(&self, costs: &Costs) -> bool {
+        let vector = costs.vector(self.case.objective());
+        self.most.as_ref().is_none_or(|most| vector <= *most)
+    }
+}
+
+impl Inquiry for Contrasted<'_, '_> {
+    fn search(&mut self, variant: &Variant) -> Tried {
+        let mut horizon: Option<u32> = None;
+        let mut agents: Vec<String> = Vec::new();
+        let mut unknown = false;
+        for condition in self.conditions(variant) {
+            match tried(self.find(variant, condition)) {
+                Tried::Plan(plan) => return Tried::Plan(plan),
+                Tried::Unknown => unknown = true,
+                Tried::None { within, clash } => {
+                    horizon = horizon.into_iter().chain(within).min();
+                    agents.extend(clash);
+                }
+            }
+        }
+        if unknown {
+            return Tried::Unknown;
+        }
+        Tried::None {
+            within: horizon,
+            clash: agents,
+        }
+    }
+
+    fn accepts(&self, variant: &Variant, plan: &Plan) -> bool {
+        let Ok(instance) = Instance::new(variant.scene.clone()) else {
+            return false;
+        };
+        let Some(costs) = costs(&instance, plan) else {
+            return false;
+        };
+        let mut conditions = self.conditions(variant);
+        variant.within.is_none_or(|within| costs.makespan <= within)
+            && self.is_cheap(&costs)
+            && violations(&instance, &variant.relaxed, plan).is_empty()
+            && conditions.any(|condition| condition.is_met_by(&instance, plan))
+    }
+}
+
+impl Solver for Contrasted<'_, '_> {
+    fn best(&mut self, variant: &Variant) -> Option<(Plan, Costs)> {
+        let objective = self.case.objective();
+        let plans = self.conditions(variant).filter_map(|condition| {
+            let found = self.with(variant, condition, best);
+            found.plan.zip(found.costs)
+        });
+        let cheapest = plans.min_by_key(|(_, costs)| costs.vector(objective));
+        cheapest.filter(|(_, costs)| self.is_cheap(costs))
+    }
+}

@@ -1,0 +1,224 @@
+//! The parts of an answer that say why, in their order, each with limits of its
+//! own: what would happen, what together makes it impossible, what would help.
+
+use std::rc::Rc;
+
+use giveway_model::{Cost, Costs, Instance, Plan, check::costs};
+
+use super::{
+    ExplainAnswer, Part, Verdict, WitnessEntry,
+    ask::Found,
+    contrasted::Contrasted,
+    core::{CoreFound, Tried, minimal_set},
+    own_plan::{Judged, judge},
+    own_way,
+    relax::Part as FactPart,
+    repairs::repairs,
+    unsolvable::{self, AnyPlan},
+    verdict::Case,
+    words,
+};
+use crate::{Limits, Status, meter::Meter};
+
+/// Conflicts and clauses that one part may take.
+const CONFLICTS: u64 = 60_000;
+const CLAUSES: u64 = 6_000_000;
+/// What one part may take of the seconds that are left.
+const SHARE: f64 = 0.4;
+
+/// The budget of one part.
+fn part<'h>(meter: &Meter<'h>) -> Rc<Meter<'h>> {
+    let limits = Limits {
+        conflicts: Some(CONFLICTS),
+        seconds: meter.seconds_left().map(|seconds| seconds * SHARE),
+        ..Limits::default()
+    };
+    Rc::new(meter.part(limits).with_clauses(CLAUSES))
+}
+
+/// Who hears of the answer when a part of it is there.
+pub(crate) type Tell<'a> = &'a mut dyn FnMut(&mut ExplainAnswer, Part);
+
+/// Why, where the verdict is known.
+pub(crate) fn of_case(case: &Case, answer: &mut ExplainAnswer, meter: &Rc<Meter>, tell: Tell) {
+    let mut about = String::new();
+    let budget = part(meter);
+    if let Some((agent, violations)) = own_way::witness(case, &budget) {
+        about = agent;
+        let entries = violations.into_iter().map(|violation| WitnessEntry {
+            violation,
+            class: None,
+        });
+        answer.witness = entries.collect();
+    }
+    meter.absorb(&budget);
+    word(case, &about, answer);
+    tell(answer, Part::Witness);
+
+    let refuted = matches!(answer.verdict, Verdict::Necessary | Verdict::Costly);
+    if refuted {
+        let core = core_of_case(case, answer, meter);
+        let facts = core.as_ref().map_or(Vec::new(), |core| core.parts.clone());
+        answer.core = core.map(|core| core.core(case.instance, case.within));
+        word(case, &about, answer);
+        tell(answer, Part::Core);
+        help_case(case, &facts, answer, meter);
+        word(case, &about, answer);
+    } else {
+        tell(answer, Part::Core);
+    }
+    tell(answer, Part::Repairs);
+}
+
+/// The answer in words, as far as it is known; `about` is whom the witness is about.
+pub(crate) fn word(case: &Case, about: &str, answer: &mut ExplainAnswer) {
+    answer.words = words::verdict(&words::Telling {
+        instance: case.instance,
+        question: case.question,
+        objective: case.objective(),
+        plan: case.plan,
+        verdict: answer.verdict,
+        alternative: answer.alternative.as_ref(),
+        within: answer.within,
+        witness: (about, &answer.witness),
+        core: answer.core.as_ref(),
+        repairs: &answer.repairs,
+    });
+}
+
+/// The agents that are never left out.
+fn asked(case: &Case) -> Vec<usize> {
+    let agents = case.instance.agents().iter();
+    let asked = |name: &str| case.question.agent() == Some(name);
+    let asked = agents.enumerate().filter(|(_, agent)| asked(&agent.name));
+    asked.map(|(index, _)| index).collect()
+}
+
+/// The search for what would contradict the verdict, with one part's budget.
+fn contrasted<'a, 'h>(
+    case: &'a Case<'a>,
+    answer: &ExplainAnswer,
+    meter: &Rc<Meter<'h>>,
+) -> Contrasted<'a, 'h> {
+    let costly = answer.verdict == Verdict::Costly;
+    Contrasted {
+        case,
+        most: costly.then(|| case.costs.vector(case.objective())),
+        horizon: answer.within.unwrap_or(case.costs.makespan),
+        meter: part(meter),
+    }
+}
+
+fn core_of_case(case: &Case, answer: &ExplainAnswer, meter: &Rc<Meter>) -> Option<CoreFound> {
+    let mut contrasted = contrasted(case, answer, meter);
+    let refuted = Tried::None {
+        within: answer.within,
+        clash: Vec::new(),
+    };
+    let core = minimal_set(
+        case.instance,
+        &asked(case),
+        case.within,
+        refuted,
+        &mut contrasted,
+    );
+    meter.absorb(&contrasted.meter);
+    core
+}
+
+fn help_case(case: &Case, facts: &[FactPart], answer: &mut ExplainAnswer, meter: &Rc<Meter>) {
+    let mut contrasted = contrasted(case, answer, meter);
+    let found = repairs(
+        case.instance,
+        case.within,
+        facts,
+        &asked(case),
+        case.objective(),
+        &mut contrasted,
+    );
+    meter.absorb(&contrasted.meter);
+    (answer.repairs, answer.exhaustive) = (found.repairs, found.exhaustive);
+}
+
+/// Why there is no plan, where `found` says so.
+pub(crate) fn of_no_plan(
+    instance: &Instance,
+    within: Option<u32>,
+    found: &Found,
+    answer: &mut ExplainAnswer,
+    meter: &Rc<Meter>,
+    tell: Tell,
+) {
+    answer.verdict = Verdict::Necessary;
+    answer.complete = found.complete;
+    answer.within = (!found.complete).then_some(found.horizon);
+    tell_no_plan(answer, Part::Verdict, tell);
+    let searching = || AnyPlan {
+        objective: instance.objective(),
+        horizon: found.horizon,
+        meter: part(meter),
+    };
+    let mut any_plan = searching();
+    (answer.witness, _) = unsolvable::witness(instance, within, &mut any_plan);
+    meter.absorb(&any_plan.meter);
+    tell_no_plan(answer, Part::Witness, tell);
+
+    let mut any_plan = searching();
+    let core = unsolvable::core(instance, within, found, &mut any_plan);
+    meter.absorb(&any_plan.meter);
+    let facts = core.as_ref().map_or(Vec::new(), |core| core.parts.clone());
+    answer.core = core.map(|core| core.core(instance, within));
+    tell_no_plan(answer, Part::Core, tell);
+
+    let mut any_plan = searching();
+    let helps = unsolvable::helps(instance, within, &facts, &mut any_plan);
+    meter.absorb(&any_plan.meter);
+    (answer.repairs, answer.exhaustive) = (helps.repairs, helps.exhaustive);
+    tell_no_plan(answer, Part::Repairs, tell);
+}
+
+fn tell_no_plan(answer: &mut ExplainAnswer, part: Part, tell: Tell) {
+    answer.words = words::unsolvable(
+        answer.within,
+        &answer.witness,
+        answer.core.as_ref(),
+        &answer.repairs,
+    );
+    tell(answer, part);
+}
+
+/// What there is to say of a person's own plan.
+pub(crate) fn of_own_plan(
+    instance: &Instance,
+    plan: &Plan,
+    within: Option<u32>,
+    answer: &mut ExplainAnswer,
+    meter: &Rc<Meter>,
+) {
+    let objective = instance.objective();
+    let judged: Judged = judge(instance, plan, objective, within, meter);
+    answer.words = words::own_plan(&judged, objective);
+    answer.valid = Some(judged.violations.is_empty());
+    answer.optimal = judged.optimal;
+    answer.violations = Some(judged.violations);
+    answer.verdict = match judged.optimal {
+        Some(true) => Verdict::Needless,
+        Some(false) => Verdict::Improvable,
+        None => Verdict::Unknown,
+    };
+    answer.excess = judged.excess;
+    if let Some(found) = &judged.found {
+        let proved = found.status == Status::Optimal;
+        answer.complete = proved && found.complete;
+        answer.within = (proved && !found.complete).then_some(found.horizon);
+    }
+    let own = costs(instance, plan).filter(|_| answer.valid == Some(true));
+    let least: Option<Costs> = judged.better.as_ref().map(|(_, costs)| *costs).or(own);
+    if let (Some(least), Some(own)) = (least, own) {
+        let more = |cost: Cost| i64::from(least.get(cost)) - i64::from(own.get(cost));
+        let costs = objective.costs().iter();
+        answer.deltas = costs.map(|&cost| (cost, more(cost))).collect();
+    }
+    answer.costs = least.or(judged.costs);
+    answer.alternative = judged.better.map(|(plan, _)| plan);
+}
