@@ -8,7 +8,12 @@ use std::collections::BTreeSet;
 
 use fastrand::Rng;
 
-use super::{Query, Reservations, plan_one, space_time::DEAR};
+use super::{
+    Query, Reservations,
+    chance::{below, shuffle},
+    plan_one,
+    space_time::DEAR,
+};
 use crate::{
     encode::collisions::AgentId,
     meter::{Meter, Stop},
@@ -67,7 +72,7 @@ pub(crate) fn first_plan(
             return Ok(Some(repair.walks));
         }
         let before = colliding.len();
-        let seed = colliding[rng.usize(..colliding.len())];
+        let seed = colliding[below(&mut rng, colliding.len())];
         let group = repair.choose_group(seed, &mut rng, meter)?;
         repair.effort = EFFORT << (stuck / STUCK).min(2);
         repair.replan(&group, meter)?;
@@ -165,16 +170,16 @@ impl<'p> Repair<'p> {
             if let Some((walk, _)) = plan_one(self.problem, &alone, query, meter)? {
                 candidates.extend(self.others.met_by(seed, &walk));
             }
-            rng.shuffle(&mut candidates);
+            shuffle(rng, &mut candidates);
         }
-        let by_chance = (0..GROUP).map(|_| rng.usize(..self.walks.len()));
+        let by_chance = (0..GROUP).map(|_| below(rng, self.walks.len()));
         let mut group = vec![seed];
         for other in candidates.into_iter().chain(by_chance) {
             if group.len() < GROUP && !group.contains(&other) {
                 group.push(other);
             }
         }
-        rng.shuffle(&mut group);
+        shuffle(rng, &mut group);
         Ok(group)
     }
 

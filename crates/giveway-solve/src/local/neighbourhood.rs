@@ -7,7 +7,11 @@
 use fastrand::Rng;
 use giveway_model::Objective;
 
-use super::{Query, Reservations, plan_one};
+use super::{
+    Query, Reservations,
+    chance::{below, shuffle},
+    plan_one,
+};
 use crate::{
     encode::collisions::AgentId,
     meter::{Meter, Stop},
@@ -97,7 +101,7 @@ impl Improver {
             .find(|&a| arrival(&walks[a]) == latest);
         let seed = match last {
             Some(last) if self.rng.u8(..4) == 0 => last,
-            _ => delayed[self.rng.usize(..delayed.len())],
+            _ => delayed[below(&mut self.rng, delayed.len())],
         };
         let spare = arrival(&walks[seed]) - problem.optima[seed];
         let sooner = problem.optima[seed] + self.rng.u32(..spare);
@@ -111,16 +115,16 @@ impl Improver {
         if let Some((walk, _)) = plan_one(problem, others, query, meter)? {
             group.extend(others.met_by(seed, &walk));
         }
-        let size = self.rng.usize(2..=8).max(group.len().min(10));
+        let size = (2 + below(&mut self.rng, 7)).max(group.len().min(10));
         group.truncate(size);
         while group.len() < size.min(walks.len()) {
-            let other = self.rng.usize(..walks.len());
+            let other = below(&mut self.rng, walks.len());
             if !group.contains(&other) {
                 group.push(other);
             }
         }
         if self.rng.bool() {
-            self.rng.shuffle(&mut group);
+            shuffle(&mut self.rng, &mut group);
         }
         Ok(Some(group))
     }
