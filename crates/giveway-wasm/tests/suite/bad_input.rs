@@ -89,7 +89,7 @@ fn what_is_no_plain_object_is_told() {
         ),
         ("({ toJSON() { throw null; } })", "cannot be read"),
         (
-            "({ scene: { giveway: 1, map: [], agents: [], name: NaN } })",
+            "({ scene: { giveway: 1, map: [], agents: [], rules: { battery_floor: NaN } } })",
             "NaN",
         ),
         ("({ scene: new Set() })", "Set"),

@@ -1,19 +1,19 @@
 //! What is solved natively and in Wasm, and what must come of it.
 
 /// An instance, the objective if not its own, and the native answer.
-pub struct Case {
+pub(crate) struct Case {
     /// The file in `data/`.
-    pub name: &'static str,
+    pub(crate) name: &'static str,
     /// The scene's text.
-    pub scene: &'static str,
+    pub(crate) scene: &'static str,
     /// The objective, as a list of costs separated by commas.
-    pub objective: Option<&'static str>,
+    pub(crate) objective: Option<&'static str>,
     /// Whether the Pareto front is asked for.
-    pub pareto: bool,
+    pub(crate) pareto: bool,
     /// Conflicts after which to give up.
-    pub conflicts: Option<u64>,
+    pub(crate) conflicts: Option<u64>,
     /// The native answer, without its seconds.
-    pub expected: &'static str,
+    pub(crate) expected: &'static str,
 }
 
 macro_rules! case {
@@ -31,7 +31,7 @@ macro_rules! case {
 
 /// The worked examples of the literature, graded instances, a front, and an end
 /// in midst of the work.
-pub const CASES: &[Case] = &[
+pub(crate) const CASES: &[Case] = &[
     case!("warehouse", "seed/warehouse.json", None, false, None),
     case!(
         "warehouse-charges",

@@ -13,18 +13,18 @@ use serde_json::{Value, json};
 use wasm_bindgen::{JsCast as _, JsValue};
 
 /// Data as JavaScript's objects.
-pub fn object(value: &Value) -> JsValue {
+pub(crate) fn object(value: &Value) -> JsValue {
     JSON::parse(&value.to_string()).unwrap()
 }
 
 /// JavaScript's objects as data.
-pub fn data(value: &JsValue) -> Value {
+pub(crate) fn data(value: &JsValue) -> Value {
     let text = JSON::stringify(value).unwrap();
     serde_json::from_str(&String::from(text)).unwrap()
 }
 
 /// What an expression of JavaScript gives.
-pub fn js(code: &str) -> JsValue {
+pub(crate) fn js(code: &str) -> JsValue {
     js_sys::Function::new_no_args(&format!("return ({code});"))
         .call0(&JsValue::NULL)
         .unwrap()
@@ -32,19 +32,19 @@ pub fn js(code: &str) -> JsValue {
 
 /// What `solve` answers without options.
 #[track_caller]
-pub fn solve(request: &Value) -> Value {
+pub(crate) fn solve(request: &Value) -> Value {
     data(&giveway_wasm::solve(&object(request), &JsValue::UNDEFINED).unwrap())
 }
 
 /// A graded instance that takes long.
-pub fn hard() -> Value {
+pub(crate) fn hard() -> Value {
     scene(include_str!(
         "../../../../tests/data/mmapf/A17_mm_20x20_o15_a30.json"
     ))
 }
 
 /// The warehouse of the literature.
-pub fn warehouse() -> Value {
+pub(crate) fn warehouse() -> Value {
     scene(include_str!("../../../../tests/data/seed/warehouse.json"))
 }
 
@@ -54,7 +54,7 @@ fn scene(text: &str) -> Value {
 
 /// Fails unless the plan of an answer passes the judge.
 #[track_caller]
-pub fn expect_judged(scene: &Value, answer: &Value) {
+pub(crate) fn expect_judged(scene: &Value, answer: &Value) {
     let request = object(&json!({ "scene": scene, "plan": answer["plan"] }));
     let verdict = data(&giveway_wasm::check(&request).unwrap());
     assert_eq!(verdict["violations"], json!([]));
@@ -64,7 +64,7 @@ pub fn expect_judged(scene: &Value, answer: &Value) {
 
 /// What is told of an error that was thrown, which must be ours.
 #[track_caller]
-pub fn told(thrown: &JsValue) -> (String, String, String) {
+pub(crate) fn told(thrown: &JsValue) -> (String, String, String) {
     let error = thrown.dyn_ref::<js_sys::Error>().expect("an Error");
     assert_eq!(String::from(error.name()), "GivewayError");
     let get = |key: &str| {
