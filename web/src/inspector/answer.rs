@@ -17,7 +17,7 @@ pub(super) fn show(card: &Card, send: &Callback<Action>) -> Html {
                 </button>
                 <h2>{ card.question.clone() }</h2>
             </header>
-            <div role="status" class="verdict-at">
+            <div class="verdict-at" aria-live="polite">
                 if let Some((badge, words)) = &card.verdict {
                     <div class={classes!("verdict", badge.class)}>
                         <p class="vb"><Icon name={badge.icon} /><b>{ badge.word }</b></p>

@@ -1,0 +1,100 @@
+// Asking why: the verdict, the other plan, what excludes a plan, and repairs.
+
+import assert from "node:assert/strict";
+import { describe } from "node:test";
+
+import { flows, sample } from "./flow.mjs";
+import { eventually } from "./wait.mjs";
+
+describe("asking why", () => {
+  const flow = flows();
+
+  flow("shows a plan in which the robot does not wait, and takes it", async (playground) => {
+    await playground.example("Who waits?");
+    await playground.says(/^Optimal: makespan 4, sum of costs 7/);
+    await playground.reaches("its end", (now) => now === 4);
+    await playground.press("To start");
+    await about(playground, "A2");
+    await ask(playground, /^Why does A2 wait at \(3,1\)\?/);
+    await told(playground, "Needless");
+    const costs = playground.inspector.getByRole("table", { name: "Both plans" });
+    assert.match(await costs.innerText(), /A1 arrives\s+3\s+4\s+\+1/);
+    await playground.picture("needless");
+
+    await playground.press("Show other");
+    await playground.press("Step forward");
+    await playground.cellTells(2, 2, /A1/);
+    await playground.picture("other-plan");
+    await playground.press("Show this");
+    await playground.cellTells(2, 1, /A1/);
+    await playground.press("Take the other plan");
+    await playground.cellTells(2, 2, /A1/);
+    await playground.says(/^Optimal: makespan 4, sum of costs 7/);
+  });
+
+  flow("tells why there is no plan, and what would help", async (playground) => {
+    await playground.example("No way past");
+    await playground.says(/^No plan, whatever the horizon/);
+    await ask(playground, /^Why is there no plan\?/);
+    await told(playground, "Impossible");
+    const repairs = playground.inspector.getByRole("listitem").filter({ hasText: "makespan 6, sum of costs 8" });
+    await repairs.first().waitFor();
+    await playground.button("Solve").waitFor();
+    await playground.picture("unsolvable");
+    await repairs.first().getByRole("button").click();
+    await playground.says(/^Optimal: makespan 6, sum of costs 8/);
+    await playground.act("Undo");
+    await playground.says(/^The plan is for the scene before the edit/);
+  });
+
+  flow("refuses nothing that it offers, and is left by Escape", async (playground) => {
+    await playground.says(/^Optimal: /);
+    await playground.press("To end");
+    for (const question of [/^Why does it take this long\?/, /^Why are there not fewer charges\?/]) {
+      await ask(playground, question);
+      await told(playground, /Necessary|Costly|Needless/);
+      await playground.button("Solve").waitFor();
+      await playground.key("Escape");
+      await eventually("the questions to be back", () => asks(playground, question).count());
+    }
+  });
+
+  flow("gives a question up at once", async (playground) => {
+    await playground.openSettings();
+    await playground.set("Time limit, s", 3);
+    await playground.closeSettings();
+    await playground.open(sample("mmapf/A17_mm_20x20_o15_a30.json"));
+    await playground.press("Solve");
+    await playground.button("Cancel").waitFor();
+    await playground.says(/^Best plan so far/);
+    await playground.openSettings();
+    await playground.set("Time limit, s", 60);
+    await playground.closeSettings();
+    await ask(playground, /^Why does it take this long\?/);
+    await playground.button("Cancel").waitFor();
+    await playground.press("Cancel");
+    await playground.button("Solve").waitFor();
+    await playground.says(/^Best plan so far/);
+  }, { screens: ["desktop"] });
+});
+
+/** Selects an agent in the inspector. */
+async function about(playground, name) {
+  await playground.showTab("Inspector");
+  await playground.inspector.getByRole("button", { name: new RegExp(`^${name}\\b`) }).first().click();
+  await playground.inspector.getByRole("heading", { name, level: 2 }).waitFor();
+}
+
+function asks(playground, question) {
+  return playground.inspector.getByRole("button", { name: question });
+}
+
+async function ask(playground, question) {
+  await playground.showTab("Inspector").catch(() => undefined);
+  await asks(playground, question).first().click();
+}
+
+/** Waits for the verdict. */
+function told(playground, verdict) {
+  return playground.inspector.getByText(verdict).first().waitFor({ timeout: 60_000 });
+}
