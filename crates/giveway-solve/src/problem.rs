@@ -2,7 +2,7 @@
 
 use std::collections::BTreeSet;
 
-use giveway_model::{Grid, Instance};
+use giveway_model::{Costs, Grid, Instance};
 
 use crate::{
     condition::{Condition, Precedence},
@@ -165,17 +165,25 @@ impl Problem {
     /// Whether walks keep to what is asked for beside the rules, as far as
     /// walks made outside the SAT solver may fail to.
     pub(crate) fn keeps(&self, walks: &[Walk]) -> bool {
-        let demands = self.tasks.iter().enumerate();
-        let alone = demands.zip(walks).all(|((agent, task), walk)| {
-            let own = || costs_of(self, agent, walk);
-            match &task.demand {
-                Some(Demand::AtMost { cost, most }) => own().get(*cost) <= *most,
-                Some(Demand::ArriveBy(time)) => own().makespan <= *time,
-                Some(demand) => demand.keeps_waits(walk),
-                None => true,
-            }
+        let alone = walks.iter().enumerate().all(|(agent, walk)| {
+            let charges = costs_of(self, agent, walk).charges;
+            self.keeps_alone(agent, walk, charges)
         });
         alone && self.precedence.is_none_or(|p| p.is_kept(walks))
+    }
+
+    /// The same for one agent, with so many charges.
+    pub(crate) fn keeps_alone(&self, agent: usize, walk: &Walk, charges: u32) -> bool {
+        let own = || Costs {
+            charges,
+            ..costs_of(self, agent, walk)
+        };
+        match &self.tasks[agent].demand {
+            Some(Demand::AtMost { cost, most }) => own().get(*cost) <= *most,
+            Some(Demand::ArriveBy(time)) => own().makespan <= *time,
+            Some(demand) => demand.keeps_waits(walk),
+            None => true,
+        }
     }
 
     /// The makespan beyond which nothing is looked for, by default.

@@ -346,9 +346,14 @@ impl AgentCode {
         out.clause(&clause);
     }
 
+    /// The literal "arrived before `time`" under `stay`, if it is written.
+    pub(crate) fn resting(&self, time: u32) -> Option<Lit> {
+        self.rest(time)
+    }
+
     /// Whether it may have arrived at a node: never before its optimum, which
     /// knows of demands on times.
-    fn is_end(&self, node: &Node, task: &Task) -> bool {
+    pub(crate) fn is_end(&self, node: &Node, task: &Task) -> bool {
         let end = matches!(node.place, Place::At(v) if task.is_end(v, node.mask));
         end && node.time >= self.optimum
     }

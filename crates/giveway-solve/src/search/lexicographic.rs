@@ -33,7 +33,7 @@ pub(crate) struct Bounded {
 
 impl Bounded {
     /// The latest arrival of any plan that is looked for.
-    fn latest(&self) -> u32 {
+    pub(super) fn latest(&self) -> u32 {
         let limit = self.limits.get(&Cost::Makespan).copied();
         self.horizon.min(limit.unwrap_or(u32::MAX))
     }
@@ -310,7 +310,7 @@ fn stages(
 }
 
 /// Makes the limits hold; false where the agents' own minima break one.
-fn keep_limits(search: &mut Search, bounded: &Bounded) -> Result<bool, Stop> {
+pub(super) fn keep_limits(search: &mut Search, bounded: &Bounded) -> Result<bool, Stop> {
     for (&cost, &most) in &bounded.limits {
         if cost != Cost::Makespan && !search.limit(cost, most)? {
             return Ok(false);

@@ -4,9 +4,11 @@
 //! - [`stage`]: one cost at a time, in the order of the objective: core-guided
 //!   for sums ([`sum`]), step by step for the makespan ([`makespan`]);
 //! - [`feasible`]: any plan at all, or the proof that there is none;
+//! - [`closest`]: of the best plans one that is close to a given one;
 //! - [`incumbent`]: the best plan so far;
 //! - [`lexicographic`]: all of it in order.
 
+mod closest;
 mod feasible;
 mod incumbent;
 mod lexicographic;
@@ -16,5 +18,6 @@ mod sum;
 mod tally;
 mod team;
 
+pub(crate) use closest::{Before, closest};
 pub(crate) use lexicographic::{Aim, Bounded, Verdict, find, solve};
 pub(crate) use team::Team;

@@ -133,6 +133,11 @@ impl<'p, 'h> Search<'p, 'h> {
         self.caps[agent]
     }
 
+    /// The latest arrival of any agent.
+    pub(crate) const fn horizon(&self) -> u32 {
+        self.horizon
+    }
+
     /// Allows no plan in which an agent arrives later.
     pub(crate) fn lower_cap(&mut self, agent: AgentId, cap: u32) {
         if cap < self.caps[agent] {

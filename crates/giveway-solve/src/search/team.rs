@@ -153,6 +153,16 @@ impl<'p, 'h> Team<'p, 'h> {
         Ok(())
     }
 
+    /// Puts an agent that is not inside in everyone's way.
+    pub(crate) fn place(&mut self, agent: AgentId, added: &Added) {
+        self.absorb(agent, added);
+    }
+
+    /// The clauses of an inside agent.
+    pub(crate) fn code(&self, agent: AgentId) -> Option<&AgentCode> {
+        self.inside[agent].as_ref()
+    }
+
     /// Makes what an agent may do known to all others.
     fn absorb(&mut self, agent: AgentId, added: &Added) {
         for &(time, v, lit) in &added.positions {

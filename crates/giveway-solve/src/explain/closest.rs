@@ -1,0 +1,149 @@
+//! The other plan that is closest to the one asked about.
+
+use std::collections::BTreeMap;
+use std::rc::Rc;
+
+use giveway_model::{Cell, Costs, Instance, Plan, check::check};
+
+use super::verdict::Case;
+use crate::{
+    Limits,
+    condition::Condition,
+    meter::Meter,
+    problem::{Problem, Relaxed},
+    search::{Before, Bounded, closest as search_closest},
+    single::Place,
+    walk::to_plan,
+};
+
+/// Conflicts and seconds that it may take.
+const CONFLICTS: u64 = 20_000;
+const SECONDS: f64 = 3.0;
+
+/// Of the plans that cost as much as the best other one, that which is closest
+/// to the plan asked about, and whether that is proved.
+pub(crate) fn closest(case: &Case, best: (&Plan, Costs), meter: &Rc<Meter>) -> (Plan, bool) {
+    let part = Rc::new(meter.part(Limits {
+        seconds: Some(SECONDS),
+        conflicts: Some(CONFLICTS),
+        ..Limits::default()
+    }));
+    let mut proved = true;
+    let mut nearest = (distance(case, best.0), best.0.clone());
+    for condition in &case.conditions {
+        match with(case, condition, best.1, &part) {
+            Tried::Plan(plan, is_proved) => {
+                proved &= is_proved;
+                let distance = distance(case, &plan);
+                if distance < nearest.0 {
+                    nearest = (distance, plan);
+                }
+            }
+            Tried::None => {}
+            Tried::Unknown => proved = false,
+        }
+    }
+    meter.absorb(&part);
+    (nearest.1, proved)
+}
+
+/// What one way to be as asked for gives.
+enum Tried {
+    /// A plan, and whether none is closer.
+    Plan(Plan, bool),
+    /// None costs so little.
+    None,
+    Unknown,
+}
+
+fn with(case: &Case, condition: &Condition, costs: Costs, meter: &Rc<Meter>) -> Tried {
+    let instance = case.instance;
+    let Ok(problem) = Problem::relaxed(instance, Relaxed::default(), Some(condition), meter) else {
+        return match meter.check() {
+            Ok(()) => Tried::None, // the agent alone cannot
+            Err(_) => Tried::Unknown,
+        };
+    };
+    let default = problem.default_horizon(instance.grid());
+    let horizon = case.within.unwrap_or(default.max(case.costs.makespan));
+    let objective = case.objective().costs().iter();
+    let mut limits: BTreeMap<_, _> = objective.map(|&cost| (cost, costs.get(cost))).collect();
+    if !condition.limit_costs(&mut limits) {
+        return Tried::None;
+    }
+    let Some(before) = before(&problem, instance, case.plan) else {
+        return Tried::Unknown;
+    };
+    let bounded = Bounded { horizon, limits };
+    if (0..problem.agents()).any(|a| problem.optima[a] > problem.not_after(a).min(horizon)) {
+        return Tried::None;
+    }
+    match search_closest(&problem, &before, &bounded, meter) {
+        Ok(None) => Tried::None,
+        Err(_) => Tried::Unknown,
+        Ok(Some(close)) => {
+            let names: Vec<String> = instance.agents().iter().map(|a| a.name.clone()).collect();
+            let mut plan = to_plan(&problem, &names, &close.walks);
+            for (name, same) in names.iter().zip(close.same) {
+                let charges = case.plan.charges(name);
+                if same && !charges.is_empty() {
+                    plan.charges.insert(name.clone(), charges.to_vec());
+                }
+            }
+            let report = check(instance, &plan);
+            let as_good = report
+                .costs
+                .is_some_and(|own| own.vector(case.objective()) == costs.vector(case.objective()));
+            if report.is_valid() && as_good && condition.is_met_by(instance, &plan) {
+                Tried::Plan(plan, close.proved)
+            } else {
+                Tried::Unknown
+            }
+        }
+    }
+}
+
+/// A valid plan as walks.
+fn before(problem: &Problem, instance: &Instance, plan: &Plan) -> Option<Vec<Before>> {
+    let mut plan = plan.clone();
+    plan.cut_trailing_goals(instance);
+    let terrain = &problem.terrain;
+    let agents = instance.agents().iter();
+    let each = agents.map(|agent| {
+        let path = plan.path(&agent.name);
+        let mut walk = Vec::with_capacity(path.len());
+        for (time, entry) in path.iter().enumerate() {
+            walk.push(match entry {
+                Some(cell) => Place::At(terrain.vertex(*cell)?),
+                None => {
+                    let from = terrain.vertex(path.get(time.checked_sub(1)?).copied()??)?;
+                    let to = terrain.vertex(path.get(time + 1).copied()??)?;
+                    let arc = terrain.arcs(from).iter().find(|arc| arc.to == to)?;
+                    Place::Along(arc.id)
+                }
+            });
+        }
+        let mut charges = plan.charges(&agent.name).to_vec();
+        charges.sort_unstable();
+        Some(Before { walk, charges })
+    });
+    each.collect()
+}
+
+/// How far a plan is from the one asked about: agents that do something else,
+/// then entries that differ, arrived agents padded.
+fn distance(case: &Case, other: &Plan) -> (usize, usize) {
+    let (mut agents, mut entries) = (0, 0);
+    for agent in case.instance.agents() {
+        let (a, b) = (case.plan.path(&agent.name), other.path(&agent.name));
+        let at = |path: &[Option<Cell>], time: usize| {
+            path.get(time).copied().unwrap_or(Some(agent.goal))
+        };
+        let times = 0..a.len().max(b.len());
+        let differ = times.filter(|&time| at(a, time) != at(b, time)).count();
+        let recharged = case.plan.charges(&agent.name) != other.charges(&agent.name);
+        agents += usize::from(differ > 0 || recharged);
+        entries += differ;
+    }
+    (agents, entries)
+}
