@@ -1,6 +1,7 @@
 //! Answers to questions against the oracle and the judges.
 
 use giveway_model::question::{holds, to_words};
+use giveway_model::{Path, Plan};
 use giveway_solve::explain::{ExplainAnswer, ExplainRequest, Verdict};
 use giveway_solve::{Limits, Request, Response, SilentHost, serve};
 
@@ -96,6 +97,19 @@ pub fn compare(case: &Case, within: Option<u32>) -> (Comparison, ExplainAnswer) 
     if found != deltas {
         faults.push(format!("deltas {found:?}, the oracle has {deltas:?}"));
     }
+    if answer.closest
+        && let Some(other) = &answer.alternative
+    {
+        let makespan = recount::costs(&case.plan).makespan;
+        let reach = within.or(oracle::default_horizon(&case.instance));
+        let reach = reach.map_or(makespan, |reach| reach.max(makespan));
+        let least = oracle::least_distance(&case.instance, contrast, reach, CAP);
+        let found = distance(case, other);
+        // What is about no one agent is more than this search follows.
+        if case.question.agent().is_some() && least.is_some_and(|least| least != found) {
+            faults.push(format!("closest at {found:?}, the oracle has {least:?}"));
+        }
+    }
     if faults.is_empty() {
         return (Comparison::Agreed, answer);
     }
@@ -121,6 +135,21 @@ fn plan_faults(case: &Case, answer: &ExplainAnswer) -> Vec<String> {
         faults.push("necessary, but there is an other plan".to_owned());
     }
     faults
+}
+
+/// How far another plan is from the one asked about.
+fn distance(case: &Case, other: &Plan) -> oracle::Distance {
+    let (mut agents, mut entries) = (0, 0);
+    for agent in case.instance.agents() {
+        let [a, b] = [&case.plan, other].map(|plan| &plan.paths[&agent.name]);
+        let at = |path: &Path, time: usize| path.get(time).copied().unwrap_or(Some(agent.goal));
+        let times = 0..a.len().max(b.len());
+        let differ = times.filter(|&t| at(a, t) != at(b, t)).count() as u32;
+        let [c, d] = [&case.plan, other].map(|plan| plan.charges(&agent.name));
+        agents += u32::from(differ > 0 || c != d);
+        entries += differ;
+    }
+    (agents, entries)
 }
 
 /// What is wrong with the reach of the claim.

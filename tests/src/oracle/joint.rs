@@ -102,12 +102,17 @@ impl Joint {
             .collect();
         let mut found = Vec::new();
         let choices: Vec<&[Step]> = choices.iter().map(Vec::as_slice).collect();
-        self.combine(&choices, &mut Vec::new(), &mut |to, _| found.push(to));
+        self.combine(&choices, &mut Vec::new(), &mut |to, _, _| found.push(to));
         found
     }
 
     /// Calls `each` for every joint step: where it ends and what it costs.
     pub(crate) fn steps(&self, states: &[usize], mut each: impl FnMut(Code, Price)) {
+        self.each_step(states, |to, price, _| each(to, price));
+    }
+
+    /// The same with the agents that charge, a bit each.
+    pub(crate) fn each_step(&self, states: &[usize], mut each: impl FnMut(Code, Price, u32)) {
         let choices: Vec<&[Step]> = self
             .agents
             .iter()
@@ -122,7 +127,7 @@ impl Joint {
         &self,
         choices: &[&[Step]],
         chosen: &mut Vec<Step>,
-        each: &mut impl FnMut(Code, Price),
+        each: &mut impl FnMut(Code, Price, u32),
     ) {
         let a = chosen.len();
         let Some(steps) = choices.get(a) else {
@@ -133,7 +138,12 @@ impl Joint {
             let price = chosen
                 .iter()
                 .fold(Price::default(), |sum, step| sum.and(step.price));
-            each(self.encode(&states), price);
+            let charges = (0..chosen.len()).filter(|&i| chosen[i].price.charges > 0);
+            each(
+                self.encode(&states),
+                price,
+                charges.fold(0, |set, i| set | 1 << i),
+            );
             return;
         };
         for &step in *steps {

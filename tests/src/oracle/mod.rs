@@ -17,6 +17,7 @@ mod contrast;
 mod joint;
 mod law;
 mod lone;
+mod near;
 mod price;
 mod search;
 mod trace;
@@ -28,6 +29,7 @@ use crate::recount;
 
 pub use contrast::Contrast;
 use joint::Joint;
+pub use near::{Distance, least_distance};
 use search::{Aim, Limit, Search};
 
 /// What the oracle knows about the best plan.

@@ -113,15 +113,14 @@ fn before(problem: &Problem, instance: &Instance, plan: &Plan) -> Option<Vec<Bef
         let path = plan.path(&agent.name);
         let mut walk = Vec::with_capacity(path.len());
         for (time, entry) in path.iter().enumerate() {
-            walk.push(match entry {
-                Some(cell) => Place::At(terrain.vertex(*cell)?),
-                None => {
-                    let from = terrain.vertex(path.get(time.checked_sub(1)?).copied()??)?;
-                    let to = terrain.vertex(path.get(time + 1).copied()??)?;
-                    let arc = terrain.arcs(from).iter().find(|arc| arc.to == to)?;
-                    Place::Along(arc.id)
-                }
-            });
+            if let Some(cell) = entry {
+                walk.push(Place::At(terrain.vertex(*cell)?));
+                continue;
+            }
+            let from = terrain.vertex(path.get(time.checked_sub(1)?).copied()??)?;
+            let to = terrain.vertex(path.get(time + 1).copied()??)?;
+            let arc = terrain.arcs(from).iter().find(|arc| arc.to == to)?;
+            walk.push(Place::Along(arc.id));
         }
         let mut charges = plan.charges(&agent.name).to_vec();
         charges.sort_unstable();

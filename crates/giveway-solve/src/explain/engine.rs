@@ -13,6 +13,7 @@ use giveway_model::{
 use super::{
     ExplainAnswer, ExplainRequest, Part, Verdict,
     ask::{Ask, any},
+    closest::closest,
     reasons,
     verdict::{Case, compare},
 };
@@ -72,7 +73,13 @@ pub(crate) fn explain(request: &ExplainRequest, host: &dyn Host) -> Result<Expla
     answer.plan = best;
     let mut case = Case::new(&instance, question, &plan, costs, request.within);
     case.optimal = solved.is_some_and(|solved| solved.status == Status::Optimal);
-    answer.pending = vec![Part::Verdict, Part::Witness, Part::Core, Part::Repairs];
+    answer.pending = vec![
+        Part::Verdict,
+        Part::Closest,
+        Part::Witness,
+        Part::Core,
+        Part::Repairs,
+    ];
     tell_verdict(&case, &mut answer, &telling);
     reasons::of_case(&case, &mut answer, &meter, &mut |answer, part| {
         telling.tell(answer, part);
@@ -91,6 +98,21 @@ fn tell_verdict(case: &Case, answer: &mut ExplainAnswer, telling: &Telling) {
     (answer.alternative, answer.costs) = (alternative, costs);
     reasons::word(case, "", answer);
     telling.tell(answer, Part::Verdict);
+    if compared.proved {
+        tell_closest(case, answer, telling);
+    }
+    telling.tell(answer, Part::Closest);
+}
+
+/// The closest other plan, where the one at hand is proved best.
+fn tell_closest(case: &Case, answer: &mut ExplainAnswer, telling: &Telling) {
+    if let (Some(other), Some(costs)) = (&answer.alternative, answer.costs) {
+        let (plan, proved) = closest(case, (other, costs), telling.meter);
+        answer.costs = giveway_model::check::costs(case.instance, &plan);
+        answer.alternative = Some(plan);
+        answer.closest = proved;
+        reasons::word(case, "", answer);
+    }
 }
 
 /// Whom to tell of what becomes known.

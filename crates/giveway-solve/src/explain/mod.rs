@@ -4,6 +4,7 @@
 //! - `explanation`: the question to the service, and its answer as far as known;
 //! - [`engine`]: the order of the parts;
 //! - [`verdict`]: the best other plan beside the one asked about;
+//! - [`closest`]: of these, one that is close to it;
 //! - [`relax`], [`edits`]: facts left out, edits made;
 //! - [`reasons`]: the parts that say why, in their order;
 //! - [`contrasted`]: the search for what a question asks for, with facts left out;
@@ -17,8 +18,8 @@
 //! - [`words`]: reasons in words.
 
 pub mod answer;
-#[allow(dead_code, reason = "the closest plan comes to ask for it")]
 pub(crate) mod ask;
+mod closest;
 pub(crate) mod contrasted;
 pub(crate) mod core;
 pub(crate) mod edits;
@@ -33,7 +34,6 @@ pub(crate) mod soft;
 #[cfg(test)]
 mod tests;
 pub(crate) mod unsolvable;
-#[allow(dead_code, reason = "the closest plan comes to ask for it")]
 pub(crate) mod verdict;
 pub(crate) mod waits;
 pub(crate) mod words;

@@ -24,7 +24,7 @@ use crate::{
     meter::{Meter, Stop},
     problem::Problem,
     sat::{Clauses, Lit, Outcome},
-    single::{NodeId, Place},
+    single::{Demand, NodeId, Place},
     walk::{Walk, arrival, costs_of, crossed},
 };
 
@@ -94,7 +94,7 @@ enum Soft {
     /// An agent that is not inside the SAT solver.
     Outside(AgentId),
     /// One that is.
-    Inside(AgentId),
+    Inside,
     /// No more than this one of those that a core names.
     Total,
 }
@@ -160,7 +160,7 @@ impl Near<'_, '_> {
         }
         for agent in entering {
             if let Some(same) = self.enter(agent)? {
-                self.softs.insert(same, Soft::Inside(agent));
+                self.softs.insert(same, Soft::Inside);
             }
         }
         Ok(())
@@ -181,7 +181,15 @@ impl Near<'_, '_> {
                     if task.may_charge(terrain, *v, Some(time)))
             })
             && self.problem.keeps_alone(agent, walk, charges.len() as u32);
-        if !allowed {
+        let charged = |v| {
+            let mut times = charges.iter();
+            times.any(|&time| walk.get(time as usize) == Some(&Place::At(v)))
+        };
+        let demanded = match task.demand {
+            Some(Demand::Charge { v, .. }) => charged(v),
+            _ => true,
+        };
+        if !(allowed && demanded) {
             return None;
         }
         let mut mask = task.first_mask();
@@ -294,7 +302,7 @@ impl Near<'_, '_> {
                         violations.push(!same);
                     }
                 }
-                Some(Soft::Inside(_) | Soft::Total) => violations.push(!*lit),
+                Some(Soft::Inside | Soft::Total) => violations.push(!*lit),
                 None => {}
             }
         }
@@ -403,7 +411,11 @@ impl Near<'_, '_> {
         let insiders = self.search.team.insiders();
         let latest: Vec<u32> = insiders
             .iter()
-            .map(|&agent| self.search.cap(agent).max(arrival(&self.before[agent].walk)))
+            .map(|&agent| {
+                self.search
+                    .cap(agent)
+                    .max(arrival(&self.before[agent].walk))
+            })
             .collect();
         let entries: usize = latest.iter().map(|&cap| cap as usize + 1).sum();
         if entries > MOST_ENTRIES {
