@@ -50,8 +50,6 @@ pub(crate) struct Found {
     pub(crate) plan: Option<Plan>,
     /// Its costs.
     pub(crate) costs: Option<Costs>,
-    /// The proved lower bounds.
-    pub(crate) bounds: BTreeMap<Cost, u32>,
     /// Whether the claim holds whatever the horizon.
     pub(crate) complete: bool,
     /// Agents that cannot all arrive, where there is no plan and some are known.
@@ -81,7 +79,6 @@ fn run(ask: &Ask, aim: &Aim, meter: &Rc<Meter>) -> Found {
         status: Status::Unknown,
         plan: None,
         costs: None,
-        bounds: BTreeMap::new(),
         complete: false,
         clash: Vec::new(),
         horizon: ask.within.unwrap_or(ask.at_least_within),
@@ -154,7 +151,6 @@ fn judged(
         status,
         plan,
         costs,
-        bounds: verdict.bounds,
         complete: stop.is_none() && verdict.complete,
         clash: clash.cloned().collect(),
         horizon,

@@ -151,7 +151,6 @@ fn best_with(case: &Case, meter: &Rc<Meter>) -> Found {
         status: Status::Impossible,
         plan: None,
         costs: None,
-        bounds: BTreeMap::new(),
         complete: true,
         clash: Vec::new(),
         horizon: case.costs.makespan,
