@@ -125,7 +125,7 @@ pub fn card(state: &State) -> Option<Card> {
         card.pending.push("Looking for the verdict");
         return Some(card);
     };
-    card.verdict = Some((badge(asking, told.verdict), told.words.clone()));
+    card.verdict = Some((badge(asking, told.verdict), words::cells(&told.words)));
     if let Some(other) = &asking.other {
         card.rows = rows(asking, other);
         card.other = Some(Other {
@@ -139,7 +139,7 @@ pub fn card(state: &State) -> Option<Card> {
         .enumerate()
         .map(|(index, entry)| Happening {
             number: index + 1,
-            text: entry.violation.message.clone(),
+            text: words::cells(&entry.violation.message),
             time: entry.violation.time,
             is_lit: asking.lit == Some(Lit::Witness(index)),
         });
@@ -158,7 +158,7 @@ pub fn card(state: &State) -> Option<Card> {
             .enumerate()
             .map(|(index, fact)| {
                 let is_lit = asking.lit == Some(Lit::Fact(index));
-                (fact_icon(fact), fact.text.clone(), is_lit)
+                (fact_icon(fact), words::cells(&fact.text), is_lit)
             })
             .collect(),
     });
@@ -169,7 +169,8 @@ pub fn card(state: &State) -> Option<Card> {
         .iter()
         .map(|repair| Offered {
             icon: repair.edits.first().map_or("check", edit_icon),
-            text: repair.text.clone(),
+            // Its costs stand below it.
+            text: words::cells(repair.text.split(": ").next().unwrap_or_default()),
             costs: words::values(objective, &repair.costs),
         })
         .collect();

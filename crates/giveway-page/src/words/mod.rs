@@ -5,5 +5,5 @@ mod question;
 mod status;
 
 pub use costs::{count, name, objective, title, value, values};
-pub use question::question;
+pub use question::{cells, question};
 pub use status::{Badge, Standing, standing};

@@ -4,6 +4,36 @@ use giveway_model::{Cell, Question};
 
 use crate::inspect::at;
 
+/// A text of the solver with its cells written as the page writes them.
+///
+/// ```
+/// use giveway_page::words::cells;
+/// assert_eq!(cells("A1, A2 meet at (3, 1), late"), "A1, A2 meet at (3,1), late");
+/// ```
+pub fn cells(text: &str) -> String {
+    let is_number = |text: &str| !text.is_empty() && text.bytes().all(|b| b.is_ascii_digit());
+    let mut out = String::with_capacity(text.len());
+    let mut rest = text;
+    while let Some(open) = rest.find('(') {
+        let (before, inside) = rest.split_at(open + 1);
+        out.push_str(before);
+        rest = inside;
+        if let Some((cell, after)) = inside.split_once(')')
+            && let Some((x, y)) = cell.split_once(", ")
+            && is_number(x)
+            && is_number(y)
+        {
+            out.push_str(x);
+            out.push(',');
+            out.push_str(y);
+            out.push(')');
+            rest = after;
+        }
+    }
+    out.push_str(rest);
+    out
+}
+
 /// The question as a sentence with the names that the person knows.
 ///
 /// ```

@@ -66,6 +66,7 @@ fn told(state: &State) -> ExplainAnswer {
         valid: None,
         violations: None,
         optimal: None,
+        excess: Vec::new(),
         pending: vec![Part::Witness, Part::Core],
         words: "1 more charge.".to_owned(),
         stats: Stats::default(),
