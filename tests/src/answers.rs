@@ -1,9 +1,11 @@
 //! Answers to questions against the oracle and the judges.
 
+use std::cell::Cell;
+
 use giveway_model::question::{holds, to_words};
 use giveway_model::{Path, Plan};
-use giveway_solve::explain::{ExplainAnswer, ExplainRequest, Verdict};
-use giveway_solve::{Limits, Request, Response, SilentHost, serve};
+use giveway_solve::explain::{ExplainAnswer, ExplainRequest, Part, Verdict};
+use giveway_solve::{Host, Limits, Progress, Request, Response, serve};
 
 use crate::compare::{Comparison, judge};
 use crate::oracle::{self, Contrast};
@@ -15,7 +17,7 @@ const CAP: usize = 400_000;
 /// Far more conflicts than a test needs.
 const CONFLICTS: u64 = 300_000;
 
-/// Asks the solver.
+/// Asks the solver for the verdict and the closest plan.
 pub fn explained(case: &Case, within: Option<u32>) -> ExplainAnswer {
     let limits = Limits {
         conflicts: Some(CONFLICTS),
@@ -33,6 +35,29 @@ pub fn without_budget(case: &Case) -> ExplainAnswer {
     ask(case, None, limits)
 }
 
+/// A host that stops the rest once the verdict and the closest plan are known.
+#[derive(Default)]
+struct Hurried {
+    done: Cell<bool>,
+}
+
+impl Host for Hurried {
+    fn wall_seconds(&self) -> f64 {
+        0.0
+    }
+
+    fn cancelled(&self) -> bool {
+        self.done.get()
+    }
+
+    fn progress(&self, event: &Progress) {
+        if let Progress::Explained { answer } = event {
+            let open = |part: Part| answer.pending.contains(&part);
+            self.done.set(!open(Part::Verdict) && !open(Part::Closest));
+        }
+    }
+}
+
 fn ask(case: &Case, within: Option<u32>, limits: Limits) -> ExplainAnswer {
     let request = Request::Explain(ExplainRequest {
         scene: case.instance.to_scene(),
@@ -42,7 +67,7 @@ fn ask(case: &Case, within: Option<u32>, limits: Limits) -> ExplainAnswer {
         within,
         limits,
     });
-    match serve(&request, &SilentHost) {
+    match serve(&request, &Hurried::default()) {
         Response::Explained(answer) => *answer,
         other => panic!("expected an answer, got {other:?}"),
     }
