@@ -94,38 +94,11 @@ pub(crate) fn least(
         agents,
         cost,
     };
-    let mut best: BTreeMap<Vec<Single>, u32> = BTreeMap::new();
-    let mut heap = BinaryHeap::new();
-    for start in search.starts() {
-        best.insert(start.clone(), 0);
-        heap.push(Reverse((0, start)));
-    }
+    let most = MOST_STEPS.min(usize::try_from(meter.joint_left()).unwrap_or(MOST_STEPS));
     let mut steps = 0;
-    while let Some(Reverse((paid, state))) = heap.pop() {
-        meter.tick()?;
-        if best.get(&state).is_some_and(|&other| other < paid) {
-            continue;
-        }
-        if state
-            .iter()
-            .all(|s| matches!(s, Single::Leaving | Single::Arrived))
-        {
-            return Ok(Found::Least(paid));
-        }
-        let successors = search.successors(&state);
-        steps += successors.len();
-        for (next, cost) in successors {
-            let total = paid + cost;
-            if best.get(&next).is_none_or(|&other| total < other) {
-                best.insert(next.clone(), total);
-                heap.push(Reverse((total, next)));
-            }
-        }
-        if steps > MOST_STEPS {
-            return Ok(Found::TooMany);
-        }
-    }
-    Ok(Found::None)
+    let found = search.run(most, &mut steps, meter);
+    meter.count_joint(steps as u64);
+    found
 }
 
 struct Joint<'a> {
@@ -135,6 +108,40 @@ struct Joint<'a> {
 }
 
 impl Joint<'_> {
+    fn run(&self, most: usize, steps: &mut usize, meter: &Meter) -> Result<Found, Stop> {
+        let mut best: BTreeMap<Vec<Single>, u32> = BTreeMap::new();
+        let mut heap = BinaryHeap::new();
+        for start in self.starts() {
+            best.insert(start.clone(), 0);
+            heap.push(Reverse((0, start)));
+        }
+        while let Some(Reverse((paid, state))) = heap.pop() {
+            meter.tick()?;
+            if best.get(&state).is_some_and(|&other| other < paid) {
+                continue;
+            }
+            if state
+                .iter()
+                .all(|s| matches!(s, Single::Leaving | Single::Arrived))
+            {
+                return Ok(Found::Least(paid));
+            }
+            let successors = self.successors(&state);
+            *steps += successors.len();
+            for (next, cost) in successors {
+                let total = paid + cost;
+                if best.get(&next).is_none_or(|&other| total < other) {
+                    best.insert(next.clone(), total);
+                    heap.push(Reverse((total, next)));
+                }
+            }
+            if *steps > most {
+                return Ok(Found::TooMany);
+            }
+        }
+        Ok(Found::None)
+    }
+
     fn task(&self, i: usize) -> &Task {
         &self.problem.tasks[self.agents[i]]
     }

@@ -16,6 +16,10 @@ const DEFAULT_MEMORY: u64 = 1_500_000_000;
 /// the clock.
 const CLOCK_INTERVAL: u32 = 1024;
 
+/// Steps of joint states that a request may look at, and a part of one.
+const JOINT_STEPS: u64 = 12_000_000;
+const PART_JOINT_STEPS: u64 = 2_000_000;
+
 /// Why the work stopped early.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Stop {
@@ -64,6 +68,9 @@ pub(crate) struct Meter<'h> {
     stopped: Cell<Option<Stop>>,
     /// Whether the host hears nothing of what becomes known.
     quiet: bool,
+    /// Steps of joint states that may be looked at, and what is left of them.
+    joint_given: u64,
+    joint_left: Cell<u64>,
     /// Clauses that may be written: a measure of work that needs no clock, so
     /// that the same request is cut off at the same place.
     most_clauses: u64,
@@ -86,6 +93,8 @@ impl<'h> Meter<'h> {
             reported_at: Cell::new(0),
             stopped: Cell::new(None),
             quiet: false,
+            joint_given: JOINT_STEPS,
+            joint_left: Cell::new(JOINT_STEPS),
             most_clauses: u64::MAX,
         }
     }
@@ -107,7 +116,21 @@ impl<'h> Meter<'h> {
             },
         );
         part.quiet = true;
+        part.joint_given = self.joint_left.get().min(PART_JOINT_STEPS);
+        part.joint_left.set(part.joint_given);
         part
+    }
+
+    /// Steps of joint states that may still be looked at: a bound that needs no
+    /// clock, so that proofs by exhaustion stay as long as they are worth it.
+    pub(crate) fn joint_left(&self) -> u64 {
+        self.joint_left.get()
+    }
+
+    /// Counts steps of joint states that were looked at.
+    pub(crate) fn count_joint(&self, steps: u64) {
+        self.joint_left
+            .set(self.joint_left.get().saturating_sub(steps));
     }
 
     /// The same meter with a limit of clauses.
@@ -135,6 +158,7 @@ impl<'h> Meter<'h> {
         add(&self.variables, &part.variables);
         add(&self.clauses, &part.clauses);
         add(&self.conflicts, &part.conflicts);
+        self.count_joint(part.joint_given - part.joint_left.get());
     }
 
     /// Whether to go on; once it says no, it says no for good.

@@ -180,7 +180,7 @@ fn run(
     if incumbent.costs().is_none() {
         // Where few agents find no plan there is mostly none, which is quickly
         // shown where their joint states can be exhausted.
-        // Where a question asks for something, a plan was just not looked for.
+        // Where more than the rules is asked for, none was looked for as it should be.
         let all: Vec<usize> = (0..problem.agents()).collect();
         if !bounded.limits_time(problem) // (else SAT is quick, and its proof complete)
             && (!problem.is_asked() || joint::is_small(problem))
