@@ -13,6 +13,10 @@ pub(crate) struct Case {
     /// Conflicts after which to give up.
     pub(crate) conflicts: Option<u64>,
     /// The native answer, without its seconds.
+    #[cfg_attr(
+        not(target_arch = "wasm32"),
+        expect(dead_code, reason = "the native tests write it")
+    )]
     pub(crate) expected: &'static str,
 }
 
