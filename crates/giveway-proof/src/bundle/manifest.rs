@@ -1,0 +1,97 @@
+//! `manifest.json`: what a certificate claims and holds.
+
+use std::collections::BTreeMap;
+use std::fmt::Write as _;
+
+use giveway_model::{Costs, Objective};
+use serde::{Deserialize, Serialize};
+use sha2::{Digest as _, Sha256};
+
+use crate::Claim;
+
+/// What a certificate claims and holds.
+#[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct Manifest {
+    /// The version of this format: 1.
+    #[serde(rename = "giveway-certificate")]
+    pub version: u32,
+    /// The order of the costs.
+    pub objective: Objective,
+    /// What the plan costs; `null` without one.
+    pub costs: Option<Costs>,
+    /// The claims, with what each rests on.
+    pub claims: Vec<Entry>,
+    /// The SHA-256 fingerprint of every other file.
+    pub files: BTreeMap<String, String>,
+}
+
+/// A claim, and what it rests on.
+#[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(tag = "kind", rename_all = "kebab-case", deny_unknown_fields)]
+pub enum Entry {
+    /// A proof that can be checked.
+    Proof {
+        /// What is claimed.
+        claim: Claim,
+        /// The name of its files, without their endings.
+        name: String,
+        /// The variables of the formula.
+        variables: usize,
+        /// Its clauses.
+        clauses: usize,
+    },
+    /// A search that can be repeated.
+    Search {
+        /// What is claimed.
+        claim: Claim,
+        /// What is searched.
+        method: Method,
+    },
+    /// Nothing that could be checked.
+    None {
+        /// What is claimed.
+        claim: Claim,
+        /// Why there is nothing: a sentence.
+        why: String,
+    },
+}
+
+impl Entry {
+    /// What is claimed.
+    pub fn claim(&self) -> &Claim {
+        match self {
+            Self::Proof { claim, .. } | Self::Search { claim, .. } | Self::None { claim, .. } => {
+                claim
+            }
+        }
+    }
+}
+
+/// What a search goes through.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(rename_all = "kebab-case")]
+pub enum Method {
+    /// Each agent alone on the map.
+    Alone,
+    /// The states of all agents together.
+    Joint,
+}
+
+impl Manifest {
+    /// The one text that this manifest has: any other is not it.
+    pub(crate) fn text(&self) -> String {
+        let mut text = serde_json::to_string_pretty(self).unwrap_or_default();
+        text.push('\n');
+        text
+    }
+}
+
+/// The SHA-256 fingerprint of a file, in hexadecimal digits.
+pub(crate) fn fingerprint(bytes: &[u8]) -> String {
+    let mut text = String::new();
+    for byte in Sha256::digest(bytes) {
+        let _ = write!(text, "{byte:02x}");
+    }
+    text
+}

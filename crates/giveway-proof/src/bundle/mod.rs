@@ -1,0 +1,32 @@
+//! A certificate as a folder of files: what it claims, and what shows it.
+//!
+//! | file | what |
+//! |---|---|
+//! | `README.md` | what was proved, in words |
+//! | `manifest.json` | the same for programs, with the fingerprint of every other file |
+//! | `instance.json` | the instance |
+//! | `plan.json` | the plan, where there is one |
+//! | `NAME.cnf`, `NAME.drat` | the formula of a claim and the proof that it is unsatisfiable |
+//! | `NAME.names.txt` | what the variables of the formula stand for |
+
+mod export;
+pub(crate) mod manifest;
+pub(crate) mod readme;
+
+use std::collections::BTreeMap;
+
+pub use export::{Solved, export};
+pub use manifest::{Entry, Manifest, Method};
+
+/// The files of a certificate by their names.
+pub type Bundle = BTreeMap<String, Vec<u8>>;
+
+pub(crate) const MANIFEST: &str = "manifest.json";
+pub(crate) const README: &str = "README.md";
+pub(crate) const INSTANCE: &str = "instance.json";
+pub(crate) const PLAN: &str = "plan.json";
+
+/// The three files of a proof.
+pub(crate) fn proof_files(name: &str) -> [String; 3] {
+    ["cnf", "drat", "names.txt"].map(|ending| format!("{name}.{ending}"))
+}

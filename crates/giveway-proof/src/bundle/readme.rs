@@ -1,0 +1,157 @@
+//! `README.md`: what was proved, for people.
+
+use std::fmt::Write as _;
+
+use giveway_model::{Cost, Instance};
+
+use super::manifest::{Entry, Manifest, Method};
+use super::proof_files;
+
+/// The text; it follows from the manifest and the instance.
+pub(crate) fn text(manifest: &Manifest, instance: &Instance) -> String {
+    let grid = instance.grid();
+    let name = if instance.name().is_empty() {
+        "an unnamed instance"
+    } else {
+        instance.name()
+    };
+    // A name is a person's text: no line break or mark of it may look like this one's.
+    let name = name.replace(|c: char| c.is_control(), " ");
+    let mut text = format!(
+        "# Certificate\n\nAbout `{}`: {} x {} cells, {}, for plans that minimise {}.\n",
+        name.replace('`', "'"),
+        grid.width(),
+        grid.height(),
+        count(instance.agents().len(), "agent"),
+        manifest.objective,
+    );
+    text.push_str("\n## What is claimed\n\n");
+    if let Some(costs) = &manifest.costs {
+        let each = Cost::ALL.map(|cost| format!("{cost} {}", costs.get(cost)));
+        let _ = writeln!(
+            text,
+            "- **There is a plan** that keeps every rule: `plan.json`. It costs {}.",
+            each.join(", ")
+        );
+    }
+    for entry in &manifest.claims {
+        let claim = entry.claim();
+        let _ = write!(text, "- **{}** ", claim.sentence());
+        match entry {
+            Entry::Proof {
+                name,
+                variables,
+                clauses,
+                ..
+            } => {
+                let [cnf, drat, names] = proof_files(name);
+                let _ = write!(
+                    text,
+                    "*A proof that can be checked:* `{cnf}` says that there is such a plan ({}, {}; \
+                     `{names}` tells what they mean), `{drat}` proves that nothing satisfies it.",
+                    count(*variables, "variable"),
+                    count(*clauses, "clause"),
+                );
+                text.push_str(horizon(entry, instance).as_str());
+            }
+            Entry::Search { method, .. } => {
+                text.push_str("*No proof: it rests on search.* ");
+                text.push_str(match method {
+                    Method::Alone => {
+                        "Each agent, alone on the map, was searched for the least that it needs."
+                    }
+                    Method::Joint => {
+                        "All states of all agents together were searched; none that can be \
+                         reached ends such a plan."
+                    }
+                });
+                text.push_str(
+                    " To check it is to search again, by another program than the solver.",
+                );
+            }
+            Entry::None { why, .. } => {
+                let _ = write!(text, "*Not certified.* {why}");
+            }
+        }
+        text.push('\n');
+    }
+    if manifest.claims.is_empty() {
+        text.push_str("- Nothing is claimed to be impossible: no cost can be below 0.\n");
+    }
+    text.push_str(conclusion(manifest));
+    text.push_str(HOW);
+    text
+}
+
+/// Why a formula up to some makespan is enough.
+fn horizon(entry: &Entry, instance: &Instance) -> String {
+    let claim = entry.claim();
+    if claim.most.contains_key(&Cost::Makespan) || claim.within.is_some() {
+        return String::new();
+    }
+    claim.horizon(instance).map_or(String::new(), |last| {
+        format!(
+            " It is written for plans of makespan at most {last}: a longer one costs more in sum, as \
+             each other agent needs at least as many steps as its goal is cells away."
+        )
+    })
+}
+
+/// What plan and claims say together.
+fn conclusion(manifest: &Manifest) -> &'static str {
+    let certified = !manifest
+        .claims
+        .iter()
+        .any(|entry| matches!(entry, Entry::None { .. }));
+    let Some(costs) = manifest.costs else {
+        return "";
+    };
+    // The claims stand in the order of the costs; each excludes one less than the plan has.
+    let met = manifest.objective.costs().iter().all(|&cost| {
+        costs.get(cost) == 0
+            || manifest.claims.iter().any(|entry| {
+                let most = &entry.claim().most;
+                most.get(&cost) == Some(&(costs.get(cost) - 1))
+                    && most
+                        .iter()
+                        .all(|(&other, &n)| other == cost || n == costs.get(other))
+            })
+    });
+    match (certified, met) {
+        (true, true) => {
+            "\nTogether: the plan is optimal, one cost of the objective after the other.\n"
+        }
+        (_, true) => {
+            "\nTogether they would say that the plan is optimal; what is not certified has to be \
+             believed.\n"
+        }
+        _ => "\nTogether they are lower bounds; the plan is not shown to be optimal.\n",
+    }
+}
+
+fn count(n: usize, what: &str) -> String {
+    let plural = if n == 1 { "" } else { "s" };
+    format!("{n} {what}{plural}")
+}
+
+const HOW: &str = "
+## How to check it
+
+    giveway verify FOLDER
+
+checks the fingerprints of all files, judges the plan, writes every formula again from
+`instance.json` and compares it byte for byte, checks every proof, and repeats every search. It
+uses none of what found the plan and the bounds.
+
+Formulas are in the format DIMACS CNF, proofs in the standard format DRAT as text, so other programs
+can check them, too; one that takes deletions of unit clauses literally must be told not to:
+
+    drat-trim NAME.cnf NAME.drat
+    rate --skip-unit-deletions NAME.cnf NAME.drat
+
+That a formula says what is claimed can be read in its list of names, or in the source of the
+program that writes it: it follows the rules of the problem one by one, and leaves out only where
+an agent cannot be because start or goal are too many cells away.
+
+`manifest.json` says the same for programs, with the SHA-256 fingerprint of every file.
+";

@@ -1,0 +1,48 @@
+//! Certificates: what a solver claims, proved again so that nobody need trust it.
+//!
+//! A [`Claim`] says that there is no plan of some kind. [`plain`] writes it as a
+//! formula straight from the rules of the problem, [`prove`] finds a proof in
+//! the standard format DRAT, and [`drat`] checks one, knowing nothing of either.
+//! What rests on search instead is searched again by [`exhaust`]. A [`Bundle`]
+//! is a folder with all of it; [`verify`] accepts or rejects one.
+//!
+//! Nothing here reads files or knows the solver whose claims it certifies.
+
+pub mod bundle;
+mod claim;
+pub mod drat;
+pub mod exhaust;
+pub mod plain;
+mod prove;
+mod verify;
+
+pub use bundle::{Bundle, Solved, export};
+pub use claim::Claim;
+pub use prove::{Outcome, prove};
+pub use verify::{Checked, Report, verify};
+
+/// What a certificate may take. Where it is not enough, a claim stays without a
+/// proof and says so.
+#[derive(Clone, Copy)]
+pub struct Budget<'a> {
+    /// The clauses of one formula.
+    pub clauses: usize,
+    /// The bytes of one proof.
+    pub proof_bytes: usize,
+    /// The states of one search.
+    pub states: usize,
+    /// Asked now and then; work ends soon after it says no.
+    pub go_on: &'a dyn Fn() -> bool,
+}
+
+impl Default for Budget<'_> {
+    /// What a machine of today does in about a minute.
+    fn default() -> Self {
+        Self {
+            clauses: 4_000_000,
+            proof_bytes: 64 << 20,
+            states: 400_000,
+            go_on: &|| true,
+        }
+    }
+}

@@ -1,0 +1,112 @@
+//! The rules of the problem as a formula, a second time: plainly.
+//!
+//! The formula of a claim is satisfiable exactly where the claim is wrong. It is
+//! written from the text of the problem, rule by rule, and shares nothing with
+//! the solver's own encoding. Nothing is left out but what grid distances from
+//! the start and to the goal exclude; no clause is lazy, nothing is assumed.
+
+mod agent;
+mod cnf;
+mod count;
+mod distance;
+mod meet;
+mod names;
+
+use giveway_model::{Cost, Instance};
+
+use crate::{Budget, Claim};
+
+pub use cnf::{Cnf, Lit};
+pub use names::Name;
+
+use agent::Walker;
+pub(crate) use distance::grid_distance;
+
+/// Why there is no formula.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum NoFormula {
+    /// The claim is about plans of any makespan, which no formula is.
+    NoHorizon,
+    /// It would be larger than the budget.
+    TooLarge,
+}
+
+/// The formula that is satisfiable exactly where there is a plan of the kind
+/// that the claim excludes.
+///
+/// # Errors
+/// Where the claim has no horizon, or the formula is larger than the budget.
+///
+/// ```
+/// use giveway_model::{Cost, format::native};
+/// use giveway_proof::{Budget, Claim, plain};
+/// let instance = native::read_instance(r#"{ "giveway": 1, "map": ["..."],
+///     "agents": [{ "name": "a", "start": [0, 0], "goal": [2, 0] }] }"#).unwrap();
+/// let claim = Claim::at_most([(Cost::Makespan, 1)]);
+/// let formula = plain::formula(&instance, &claim, &Budget::default()).unwrap();
+/// assert!(formula.text().starts_with("p cnf "));
+/// ```
+pub fn formula(instance: &Instance, claim: &Claim, budget: &Budget<'_>) -> Result<Cnf, NoFormula> {
+    let last = claim.horizon(instance).ok_or(NoFormula::NoHorizon)?;
+    let mut cnf = Cnf::default();
+    let mut walkers = Vec::new();
+    for index in 0..instance.agents().len() {
+        let world = World {
+            instance,
+            index,
+            last,
+        };
+        // Each cell at each time is some clauses; this many are too many anyway.
+        let cells = instance.grid().width() as usize * instance.grid().height() as usize;
+        if cells.saturating_mul(last as usize + 1) > budget.clauses {
+            return Err(NoFormula::TooLarge);
+        }
+        walkers.push(Walker::new(&mut cnf, world));
+        check(&cnf, budget)?;
+    }
+    for walker in &walkers {
+        walker.rules(&mut cnf);
+        check(&cnf, budget)?;
+    }
+    meet::vertices(&mut cnf, instance, last, &walkers);
+    meet::edges(&mut cnf, instance, last, &walkers);
+    check(&cnf, budget)?;
+    for (&cost, &most) in &claim.most {
+        let counted: Vec<Vec<Lit>> = match cost {
+            // The horizon is this limit.
+            Cost::Makespan => continue,
+            Cost::SumOfCosts => walkers.iter().map(Walker::not_done).collect(),
+            Cost::Charges => walkers.iter().map(Walker::charges).collect(),
+            Cost::Moves => walkers.iter().map(|w| w.moves(&mut cnf)).collect(),
+            Cost::Waits => walkers.iter().map(|w| w.waits(&mut cnf)).collect(),
+        };
+        // What comes sorted, as arrivals do, need not be sorted by clauses.
+        let sorted = cost == Cost::SumOfCosts;
+        count::at_most(
+            &mut cnf,
+            cost,
+            &counted,
+            sorted,
+            most as usize,
+            budget.clauses,
+        );
+        check(&cnf, budget)?;
+    }
+    Ok(cnf)
+}
+
+fn check(cnf: &Cnf, budget: &Budget<'_>) -> Result<(), NoFormula> {
+    if cnf.clauses() > budget.clauses || !(budget.go_on)() {
+        return Err(NoFormula::TooLarge);
+    }
+    Ok(())
+}
+
+/// One agent and what it moves in.
+#[derive(Clone, Copy)]
+struct World<'a> {
+    instance: &'a Instance,
+    index: usize,
+    /// The last time; every agent has arrived by then.
+    last: u32,
+}

@@ -1,0 +1,82 @@
+//! What the variables of a formula stand for.
+
+use std::fmt::Write as _;
+
+use giveway_model::{Cell, Cost, Instance};
+
+/// What a variable of a formula stands for; agents by their place in the file.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Name {
+    /// The agent is at the cell at the time.
+    At(usize, Cell, u32),
+    /// It is half way of a slow move from one cell to another at the time.
+    Transit(usize, Cell, Cell, u32),
+    /// It has arrived at the time or before.
+    Done(usize, u32),
+    /// It has been at a waypoint at the time or before.
+    Seen(usize, Cell, u32),
+    /// It charges at the time.
+    Charge(usize, u32),
+    /// It begins a move at the time.
+    Move(usize, u32),
+    /// It waits from the time to the next, before its arrival.
+    Wait(usize, u32),
+    /// Whoever is on the edge between the two cells in the step that begins at
+    /// the time goes from the first to the second.
+    Direction(Cell, Cell, u32),
+    /// Some agents together cost at least so much.
+    AtLeast(Cost, u32),
+    /// An aid to say that at most one of some holds.
+    Group,
+    /// Both true and false: a rule that cannot be kept.
+    Never,
+}
+
+/// Says what the lines of a list of names are.
+const HEAD: &str = "\
+# What each variable of the formula stands for, one a line: its number, then
+#   at AGENT [X,Y] TIME              the agent is at the cell at the time
+#   transit AGENT [X,Y] [X,Y] TIME   it is half way of a slow move between the cells
+#   done AGENT TIME                  it has arrived, at the time or before
+#   seen AGENT [X,Y] TIME            it has been at the waypoint, at the time or before
+#   charge AGENT TIME                it charges at the time
+#   move AGENT TIME                  it begins a move at the time
+#   wait AGENT TIME                  it waits from the time to the next, not arrived yet
+#   direction [X,Y] [X,Y] TIME       who is on the edge in the step from the time on goes from
+#                                    the first cell to the second
+#   at-least N COST                  some agents together cost at least so much
+#   group                            an aid to say that at most one of some variables is true
+#   never                            a rule that cannot be kept
+# Cells are [x,y] from 0 at the top left, times are steps from 0.
+";
+
+/// The list of names, a line a variable.
+pub(super) fn text(names: &[Name], instance: &Instance) -> String {
+    let agents: Vec<String> = instance
+        .agents()
+        .iter()
+        .map(|agent| serde_json::to_string(&agent.name).unwrap_or_default())
+        .collect();
+    let agent = |index: usize| agents.get(index).map_or("?", String::as_str);
+    let cell = |cell: Cell| format!("[{},{}]", cell.x, cell.y);
+    let mut text = HEAD.to_owned();
+    for (variable, name) in (1..).zip(names) {
+        let meaning = match *name {
+            Name::At(a, v, t) => format!("at {} {} {t}", agent(a), cell(v)),
+            Name::Transit(a, u, v, t) => {
+                format!("transit {} {} {} {t}", agent(a), cell(u), cell(v))
+            }
+            Name::Done(a, t) => format!("done {} {t}", agent(a)),
+            Name::Seen(a, w, t) => format!("seen {} {} {t}", agent(a), cell(w)),
+            Name::Charge(a, t) => format!("charge {} {t}", agent(a)),
+            Name::Move(a, t) => format!("move {} {t}", agent(a)),
+            Name::Wait(a, t) => format!("wait {} {t}", agent(a)),
+            Name::Direction(u, v, t) => format!("direction {} {} {t}", cell(u), cell(v)),
+            Name::AtLeast(cost, n) => format!("at-least {n} {cost}"),
+            Name::Group => "group".to_owned(),
+            Name::Never => "never".to_owned(),
+        };
+        let _ = writeln!(text, "{variable} {meaning}");
+    }
+    text
+}
