@@ -6,6 +6,7 @@ readonly cache=${XDG_CACHE_HOME:-$HOME/.cache}/giveway
 readonly wasm_target=wasm32-unknown-unknown
 readonly trunk_version=0.21.14
 readonly wasm_pack_version=0.15.1
+readonly rate_version=0.3.0
 # The command must be of the very version of the library.
 wasm_bindgen_version=$(sed -n '/^name = "wasm-bindgen"$/{n;s/^version = "\(.*\)"$/\1/p}' Cargo.lock)
 readonly wasm_bindgen_version
@@ -126,6 +127,14 @@ set_up_page() {
     unlock_cache
 }
 
+# The checker of somebody else that must accept the proofs of certificates.
+set_up_checker() {
+    lock_cache
+    cargo_tool rate rate "$rate_version"
+    rm -rf "$cache/tools/build"
+    unlock_cache
+}
+
 # What opens it.
 set_up_browser() {
     local missing=()
@@ -141,5 +150,6 @@ set_up_tests() {
     cargo_tool wasm-pack wasm-pack "$wasm_pack_version"
     rm -rf "$cache/tools/build"
     unlock_cache
+    set_up_checker
     set_up_browser
 }

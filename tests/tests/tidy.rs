@@ -122,7 +122,12 @@ mod layers {
     fn nothing_below_a_front_depends_on_what_only_fronts_need() {
         let mut complaints = Vec::new();
         let crates = crates();
-        for layer in ["giveway-model", "giveway-solve", "giveway-page"] {
+        for layer in [
+            "giveway-model",
+            "giveway-proof",
+            "giveway-solve",
+            "giveway-page",
+        ] {
             let (_, dependencies) = crates.iter().find(|(name, _)| name == layer).unwrap();
             for front in ["web-sys", "js-sys", "wasm-bindgen", "yew", "gloo", "clap"] {
                 if dependencies.iter().any(|d| d == front) {
@@ -138,7 +143,8 @@ mod layers {
         let mut complaints = Vec::new();
         for (name, dependencies) in crates() {
             let knows = dependencies.iter().any(|d| d.starts_with("varisat"));
-            if knows && !["giveway-solve", "giveway-tests"].contains(&name.as_str()) {
+            let allowed = ["giveway-solve", "giveway-proof", "giveway-tests"];
+            if knows && !allowed.contains(&name.as_str()) {
                 complaints.push(format!("{name} depends on varisat"));
             }
         }
@@ -173,8 +179,12 @@ mod layers {
     }
 
     #[test]
-    fn only_one_folder_names_the_sat_solver() {
-        let sat = ["crates/giveway-solve/src/sat/", "tests/"];
+    fn only_one_place_a_crate_names_the_sat_solver() {
+        let sat = [
+            "crates/giveway-solve/src/sat/",
+            "crates/giveway-proof/src/prove.rs",
+            "tests/",
+        ];
         let varisat = ["varisat", "varisat_formula", "varisat_checker"];
         expect_none(&uses("", &sat, &varisat));
     }
@@ -220,8 +230,48 @@ mod layers {
     }
 
     #[test]
+    fn certificates_trust_no_solver() {
+        let proof = "crates/giveway-proof/src";
+        expect_none(&uses(proof, &[], &["giveway_solve"]));
+        let surroundings = [
+            "std::fs",
+            "std::net",
+            "std::env",
+            "std::process",
+            "std::thread",
+            "std::time",
+        ];
+        expect_none(&uses(proof, &[], &surroundings));
+        expect_none(&uses(proof, &[], BROWSER));
+    }
+
+    #[test]
+    fn the_checker_of_proofs_knows_texts_only() {
+        let others = [
+            "crate::plain",
+            "crate::exhaust",
+            "crate::bundle",
+            "crate::prove",
+            "crate::claim",
+            "giveway_model",
+            "varisat",
+        ];
+        expect_none(&uses("crates/giveway-proof/src/drat", &[], &others));
+        // And the formulas know neither who proves them nor who searches instead.
+        let plain = "crates/giveway-proof/src/plain";
+        let tested = ["crates/giveway-proof/src/plain/cnf.rs"];
+        let others = ["crate::prove", "crate::drat", "crate::exhaust", "varisat"];
+        expect_none(&uses(plain, &tested, &others));
+    }
+
+    #[test]
     fn the_oracle_shares_nothing_with_the_solver_or_the_judge() {
-        let judged = ["giveway_solve", "check", "giveway_model::Grid"];
+        let judged = [
+            "giveway_solve",
+            "giveway_proof",
+            "check",
+            "giveway_model::Grid",
+        ];
         expect_none(&uses("tests/src/oracle", &[], &judged));
     }
 

@@ -24,7 +24,7 @@ What it is, is told by its ending, else by how it begins.
 
 Exit status
   0   the question was answered; \"impossible\" is an answer, and \"feasible\" too
-  1   the input is wrong, or a check found violations
+  1   the input is wrong, a check found violations, or a certificate was rejected
   2   the command line is wrong
   3   the budget ran out without any answer (unknown)";
 
@@ -76,6 +76,8 @@ pub(crate) enum Command {
     Check(Check),
     /// Tell why a plan is as it is, or why there is none
     Explain(Explain),
+    /// Check an exported certificate again, without the solver
+    Verify(Verify),
     /// Write instances and plans in another format
     Convert(Convert),
     /// Write a completion script for a shell to standard output
@@ -140,6 +142,26 @@ pub(crate) struct Solve {
     /// Wall seconds for the whole command; 0.5 is legal
     #[arg(long, value_name = "SECONDS", value_parser = seconds, allow_negative_numbers = true)]
     pub(crate) time_limit: Option<f64>,
+    /// Write a certificate of what is proved into a new or empty folder: formulas, proofs, and
+    /// a README; giveway verify checks it again
+    #[arg(long, value_name = "DIR", conflicts_with = "pareto")]
+    pub(crate) proof: Option<PathBuf>,
+}
+
+#[derive(Debug, ClapArgs)]
+#[command(after_help = "\
+Every file is compared with its fingerprint, the plan is judged, every formula is written again
+from the instance and compared byte for byte, every proof is checked, and every search that
+stands in for one is repeated. Nothing of it trusts the solver. The exit status is 1 where
+anything differs.
+
+Example
+  giveway solve warehouse.json --proof certificate
+  giveway verify certificate")]
+pub(crate) struct Verify {
+    /// The folder that --proof wrote
+    #[arg(value_name = "DIR")]
+    pub(crate) folder: PathBuf,
 }
 
 #[derive(Debug, ClapArgs)]

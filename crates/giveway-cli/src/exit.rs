@@ -7,8 +7,8 @@ use std::process::ExitCode;
 pub(crate) enum Exit {
     /// 0: the question was answered; impossible is an answer, feasible too.
     Answered,
-    /// 1: the input is wrong, a check found violations, or a result could not
-    /// be written.
+    /// 1: the input is wrong, a check found violations, a certificate was
+    /// rejected, or a result could not be written.
     Wrong,
     /// 2: the command line is wrong.
     Usage,

@@ -5,7 +5,7 @@ use std::collections::BTreeMap;
 use giveway_model::{Cost, Instance};
 use serde::{Deserialize, Serialize};
 
-use crate::plain;
+use crate::{condition::Condition, plain};
 
 /// The claim that no plan of an instance keeps all of these limits.
 ///
@@ -26,6 +26,9 @@ pub struct Claim {
     /// The horizon that the claim is limited to: the makespan up to which
     /// plans are meant. `null` where it holds for plans of any makespan.
     pub within: Option<u32>,
+    /// What such a plan would be like beside its costs.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub condition: Option<Condition>,
 }
 
 impl Claim {
@@ -33,7 +36,7 @@ impl Claim {
     pub fn at_most(most: impl IntoIterator<Item = (Cost, u32)>) -> Self {
         Self {
             most: most.into_iter().collect(),
-            within: None,
+            ..Self::default()
         }
     }
 
@@ -59,7 +62,11 @@ impl Claim {
             [one] => format!(" with {one}"),
             [init @ .., last] => format!(" with {} and {last}", init.join(", ")),
         };
-        format!("There is no plan{of}{with}.")
+        let like = self
+            .condition
+            .as_ref()
+            .map_or(String::new(), |condition| format!(" {}", condition.words()));
+        format!("There is no plan{of}{with}{like}.")
     }
 
     /// The makespan beyond which no plan is of the kind, so that a formula up

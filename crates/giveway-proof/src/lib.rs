@@ -10,6 +10,7 @@
 
 pub mod bundle;
 mod claim;
+mod condition;
 pub mod drat;
 pub mod exhaust;
 pub mod plain;
@@ -18,6 +19,7 @@ mod verify;
 
 pub use bundle::{Bundle, Solved, export};
 pub use claim::Claim;
+pub use condition::Condition;
 pub use prove::{Outcome, prove};
 pub use verify::{Checked, Report, verify};
 

@@ -254,6 +254,7 @@ fn check_proof(
     let [cnf, drat, names] = proof_files(name);
     let formula = plain::formula(instance, claim, budget).map_err(|error| match error {
         plain::NoFormula::NoHorizon => Fault::of(MANIFEST, "a claim with a proof has no horizon"),
+        plain::NoFormula::NoAgent => Fault::of(MANIFEST, "a claim is about no agent"),
         plain::NoFormula::TooLarge => Fault::Stopped(format!("{cnf}: it is too large to check.")),
     })?;
     if size != (formula.variables(), formula.clauses()) {

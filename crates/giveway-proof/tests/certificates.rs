@@ -57,6 +57,8 @@ fn bounds(instance: &Instance, objective: &str, bounds: &[(Cost, u32)]) -> Bundl
         objective: &objective,
         bounds: &bounds.iter().copied().collect(),
         impossible: false,
+        about: Claim::default(),
+        complete: true,
         within: None,
         plan: None,
     };
@@ -149,6 +151,8 @@ fn no_plan_is_a_search_and_up_to_a_makespan_a_proof() {
         objective: instance.objective(),
         bounds: &BTreeMap::new(),
         impossible: true,
+        about: Claim::default(),
+        complete: true,
         within: None,
         plan: None,
     };
@@ -181,6 +185,8 @@ fn a_plan_is_part_of_it_and_judged_again() {
         objective: &objective,
         bounds: &bounds,
         impossible: false,
+        about: Claim::default(),
+        complete: true,
         within: None,
         plan: Some(&plan),
     };
@@ -260,6 +266,8 @@ fn a_budget_that_runs_out_is_no_claim() {
         objective: &objective,
         bounds: &BTreeMap::from([(Cost::Makespan, 18)]),
         impossible: false,
+        about: Claim::default(),
+        complete: true,
         within: None,
         plan: None,
     };

@@ -4,7 +4,9 @@ mod check;
 mod convert;
 mod explain;
 mod manual;
+mod proof;
 mod solve;
+mod verify;
 
 use crate::{
     args::{Args, Command},
@@ -22,6 +24,7 @@ pub(crate) fn run(args: &Args, clock: Clock) -> Result<Exit, Failure> {
         Command::Check(check) => check::run(check, &args.common, clock),
         Command::Explain(explain) => explain::run(explain, &args.common, clock),
         Command::Convert(convert) => convert::run(convert, &args.common),
+        Command::Verify(verify) => verify::run(verify, &args.common),
         Command::Completions { shell } => manual::completions(*shell),
         Command::Man { command } => manual::man(command.as_deref()),
     }

@@ -3,7 +3,7 @@
 use giveway_model::Objective;
 use giveway_solve::{Limits, Request, Response, SolveRequest, Status, serve};
 
-use super::{refused, unexpected};
+use super::{proof, refused, unexpected};
 use crate::{
     args::{Common, Solve},
     clock::Clock,
@@ -17,6 +17,9 @@ use crate::{
 pub(crate) fn run(args: &Solve, common: &Common, clock: Clock) -> Result<Exit, Failure> {
     if let Some(objective) = args.objective.as_ref().filter(|_| args.pareto) {
         check_front(objective)?;
+    }
+    if let Some(folder) = &args.proof {
+        proof::check_folder(folder)?;
     }
     let instance = input::instance(&args.source, common)?;
     let objective = args
@@ -48,6 +51,10 @@ pub(crate) fn run(args: &Solve, common: &Common, clock: Clock) -> Result<Exit, F
             output::answer(common.format, &answer, |columns| {
                 text::solve(&instance, &objective, &answer, columns)
             })?;
+            if let Some(folder) = &args.proof {
+                let limit = args.time_limit;
+                proof::write_solved(folder, &instance, &objective, &answer, limit, common, clock)?;
+            }
             Ok(exit(answer.status))
         }
         Response::Front(answer) => {

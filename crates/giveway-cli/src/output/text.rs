@@ -4,11 +4,13 @@ mod check;
 mod explain;
 mod front;
 mod solve;
+mod verify;
 
 pub(crate) use check::check;
 pub(crate) use explain::explain;
 pub(crate) use front::front;
 pub(crate) use solve::solve;
+pub(crate) use verify::verify;
 
 use anstyle::{AnsiColor, Style};
 use giveway_model::{Instance, Plan};

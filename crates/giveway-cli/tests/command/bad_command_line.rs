@@ -179,12 +179,6 @@ fn what_is_not_built_is_not_offered() {
         error: unrecognized subcommand 'explain'"#]],
     );
     check(
-        "solve warehouse.json --proof here",
-        &expect![[r#"
-        exit 2
-        error: unexpected argument '--proof' found"#]],
-    );
-    check(
         "convert warehouse.json --to lorr",
         &expect![[r#"
         exit 2

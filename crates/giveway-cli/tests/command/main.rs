@@ -13,5 +13,6 @@ mod check;
 mod convert;
 mod harmless_input;
 mod manual;
+mod proof;
 mod run;
 mod solve;

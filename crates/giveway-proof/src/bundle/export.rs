@@ -21,11 +21,16 @@ pub struct Solved<'a> {
     pub instance: &'a Instance,
     /// The order of the costs.
     pub objective: &'a Objective,
+    /// What all of its claims are limited to: for the answer to a question the
+    /// plans that it contrasts one with ([`Claim::contrast`]), else all plans.
+    pub about: Claim,
     /// The lower bounds that it proved, each given those of the costs before.
     pub bounds: &'a BTreeMap<Cost, u32>,
     /// Whether it proved that there is no plan.
     pub impossible: bool,
-    /// The makespan up to which its claims hold; `None` for every horizon.
+    /// Whether its claims hold for every horizon.
+    pub complete: bool,
+    /// Where they do not: the makespan up to which they hold, if it is known.
     pub within: Option<u32>,
     /// Its plan.
     pub plan: Option<&'a Plan>,
@@ -37,7 +42,6 @@ pub fn export(solved: &Solved<'_>, budget: &Budget<'_>) -> Bundle {
     let mut exporter = Exporter {
         solved,
         budget: *budget,
-        default_horizon: None,
         bundle: Bundle::new(),
         claims: Vec::new(),
     };
@@ -50,21 +54,23 @@ pub fn export(solved: &Solved<'_>, budget: &Budget<'_>) -> Bundle {
 /// What is to be certified, each with a name for its files.
 fn claims(solved: &Solved<'_>) -> Vec<(String, Claim)> {
     if solved.impossible {
-        return vec![("no-plan".to_owned(), Claim::default())];
+        return vec![("no-plan".to_owned(), solved.about.clone())];
     }
     let costs = solved
         .plan
         .and_then(|plan| check::costs(solved.instance, plan));
     let mut claims = Vec::new();
-    let mut most = BTreeMap::new();
+    let mut most = solved.about.most.clone();
     for &cost in solved.objective.costs() {
         let Some(&bound) = solved.bounds.get(&cost) else {
             break;
         };
         if let Some(below) = bound.checked_sub(1) {
-            let mut most = most.clone();
-            most.insert(cost, below);
-            claims.push((cost.name().to_owned(), Claim { most, within: None }));
+            let mut claim = solved.about.clone();
+            claim.most.clone_from(&most);
+            let before = claim.most.entry(cost).or_insert(below);
+            *before = below.min(*before);
+            claims.push((cost.name().to_owned(), claim));
         }
         // What comes later was claimed for plans that meet this bound.
         if costs.is_some_and(|costs| costs.get(cost) != bound) {
@@ -78,8 +84,6 @@ fn claims(solved: &Solved<'_>) -> Vec<(String, Claim)> {
 struct Exporter<'a> {
     solved: &'a Solved<'a>,
     budget: Budget<'a>,
-    /// The horizon where nothing else tells one; tried once.
-    default_horizon: Option<Option<u32>>,
     bundle: Bundle,
     claims: Vec<Entry>,
 }
@@ -101,7 +105,7 @@ impl Exporter<'_> {
             return;
         }
         let mut missing = None;
-        if self.solved.within.is_none() {
+        if self.solved.complete {
             match self.search(&claim) {
                 Some(entry) => self.claims.push(entry),
                 None => missing = Some(claim.clone()),
@@ -128,6 +132,7 @@ impl Exporter<'_> {
             Ok(formula) => formula,
             Err(NoFormula::TooLarge) => return Err("Its formula would be too large.".to_owned()),
             Err(NoFormula::NoHorizon) => return Err("It has no horizon.".to_owned()),
+            Err(NoFormula::NoAgent) => return Err("It is about no agent.".to_owned()),
         };
         match prove(&formula, &self.budget) {
             Outcome::Proof(proof) => {
@@ -167,21 +172,19 @@ impl Exporter<'_> {
 
     /// The makespan up to which claims are made by default: the largest optimum
     /// of an agent alone + 4 (width + height) + 10.
-    fn default_horizon(&mut self) -> Option<u32> {
-        let (instance, budget) = (self.solved.instance, self.budget);
-        *self.default_horizon.get_or_insert_with(|| {
-            let mut longest = 0;
-            for agent in 0..instance.agents().len() {
-                match least(instance, agent, Cost::Makespan, &budget) {
-                    Exhausted::Plan(n) => longest = longest.max(n),
-                    // One that never arrives makes no other horizon necessary.
-                    Exhausted::NoPlan => {}
-                    Exhausted::Stopped => return None,
-                }
+    fn default_horizon(&self) -> Option<u32> {
+        let instance = self.solved.instance;
+        let mut longest = 0;
+        for agent in 0..instance.agents().len() {
+            match least(instance, agent, Cost::Makespan, &self.budget) {
+                Exhausted::Plan(n) => longest = longest.max(n),
+                // One that never arrives makes no other horizon necessary.
+                Exhausted::NoPlan => {}
+                Exhausted::Stopped => return None,
             }
-            let grid = instance.grid();
-            Some(longest + 4 * (grid.width() + grid.height()) + 10)
-        })
+        }
+        let grid = instance.grid();
+        Some(longest + 4 * (grid.width() + grid.height()) + 10)
     }
 
     fn finish(mut self) -> Bundle {
@@ -219,7 +222,8 @@ impl Method {
             .chain(joint.then_some(Self::Joint))
     }
 
-    /// Whether this search shows a claim; `None` where the budget ran out.
+    /// Whether this search shows a claim; `None` where the budget ran out. It
+    /// knows no conditions: it shows that there is no plan with or without them.
     pub(crate) fn shows(
         self,
         instance: &Instance,

@@ -2,7 +2,7 @@
 
 use std::collections::BTreeMap;
 
-use giveway_model::{Agent, Cell};
+use giveway_model::{Agent, Cell, Cost};
 
 use super::distance::Distances;
 use super::{Cnf, Lit, Name, World};
@@ -210,8 +210,7 @@ impl<'a> Walker<'a> {
             self.world.instance,
             self.world.instance.rules().battery_floor,
         );
-        for (time, charge) in (0..).zip(&self.charge) {
-            let Some(charge) = *charge else { continue };
+        for (charge, time) in self.charging() {
             let here = self.at[time as usize].iter();
             let chargers = here.filter(|&(&cell, _)| instance.grid().is_charger(cell));
             cnf.implies(&[charge], chargers.map(|(_, &lit)| lit));
@@ -252,20 +251,112 @@ impl<'a> Walker<'a> {
         self.done.get((time as usize).checked_sub(1)?).copied()
     }
 
+    /// The last time.
+    pub(super) fn last(&self) -> u32 {
+        self.world.last
+    }
+
+    /// The literal that it has arrived at a time or before; later than the last
+    /// time it has in any case, as it has then.
+    pub(super) fn done_by(&self, time: u32) -> Option<Lit> {
+        self.done.get(time.min(self.world.last) as usize).copied()
+    }
+
+    /// Whether it stays at this cell in the end.
+    pub(super) fn rests_at(&self, cell: Cell) -> bool {
+        self.world.instance.stays() && self.agent.goal == cell
+    }
+
+    /// The literals that it is at a cell, at one time or at any.
+    pub(super) fn visits(&self, cell: Cell, time: Option<u32>) -> Vec<Lit> {
+        match time {
+            Some(time) => self.at(cell, time).into_iter().collect(),
+            None => (0..=self.world.last)
+                .filter_map(|time| self.at(cell, time))
+                .collect(),
+        }
+    }
+
+    /// The literals that it charges, with their times.
+    pub(super) fn charging(&self) -> Vec<(Lit, u32)> {
+        let charges = self.charge.iter().zip(0..);
+        charges
+            .filter_map(|(charge, time)| Some(((*charge)?, time)))
+            .collect()
+    }
+
+    /// It does not wait at a cell for so many steps from a time on, before its
+    /// arrival.
+    pub(super) fn exclude_wait(&self, cnf: &mut Cnf, cell: Cell, begin: u32, steps: u32) {
+        let there: Option<Vec<Lit>> = (begin..=begin + steps)
+            .map(|time| self.at(cell, time))
+            .collect();
+        if let Some(there) = there {
+            cnf.implies(&there, [self.done[(begin + steps) as usize - 1]]);
+        }
+    }
+
+    /// What holds where it begins to go from one cell to another, at one time or
+    /// at any; all literals of an entry together.
+    pub(super) fn moves_between(
+        &self,
+        u: Cell,
+        v: Cell,
+        time: Option<u32>,
+    ) -> Vec<(Vec<Lit>, u32)> {
+        let grid = self.world.instance.grid();
+        let mut moves = Vec::new();
+        if !u.touches(v) {
+            return moves;
+        }
+        for begin in 0..self.world.last {
+            if time.is_some_and(|time| time != begin) {
+                continue;
+            }
+            if grid.is_slow_edge(u, v) {
+                let half = self.transit(u, v, begin + 1);
+                moves.extend(half.map(|half| (vec![half], begin)));
+            } else if let (Some(here), Some(there)) = (self.at(u, begin), self.at(v, begin + 1)) {
+                moves.push((vec![here, there], begin));
+            }
+        }
+        moves
+    }
+
+    /// The literals of its slow moves, over one edge either way or over any.
+    pub(super) fn slow_moves(&self, edge: Option<(Cell, Cell)>) -> Vec<Lit> {
+        let asked = |&(u, v): &(Cell, Cell)| edge.is_none_or(|e| e == (u, v) || e == (v, u));
+        let moves = self.transit.iter().flatten();
+        moves
+            .filter(|(edge, _)| asked(edge))
+            .map(|(_, &half)| half)
+            .collect()
+    }
+
+    /// The literals of which as many hold as it has of a cost.
+    pub(super) fn counted(&self, cnf: &mut Cnf, cost: Cost) -> Vec<Lit> {
+        match cost {
+            Cost::Makespan | Cost::SumOfCosts => self.not_done(),
+            Cost::Charges => self.charges(),
+            Cost::Moves => self.moves(cnf),
+            Cost::Waits => self.waits(cnf),
+        }
+    }
+
     /// As many of these hold as its arrival is late, the first ones.
-    pub(super) fn not_done(&self) -> Vec<Lit> {
+    fn not_done(&self) -> Vec<Lit> {
         let last = self.world.last as usize;
         self.done.iter().take(last).map(|done| -done).collect()
     }
 
     /// Whether it charges, at each time.
-    pub(super) fn charges(&self) -> Vec<Lit> {
+    fn charges(&self) -> Vec<Lit> {
         self.charge.iter().flatten().copied().collect()
     }
 
     /// Whether it begins a move, at each time: it is somewhere else next, and
     /// has not vanished.
-    pub(super) fn moves(&self, cnf: &mut Cnf) -> Vec<Lit> {
+    fn moves(&self, cnf: &mut Cnf) -> Vec<Lit> {
         let mut moves = Vec::new();
         for time in 0..self.world.last {
             let begins = cnf.variable(Name::Move(self.world.index, time));
@@ -279,7 +370,7 @@ impl<'a> Walker<'a> {
     }
 
     /// Whether it waits before its arrival, at each time.
-    pub(super) fn waits(&self, cnf: &mut Cnf) -> Vec<Lit> {
+    fn waits(&self, cnf: &mut Cnf) -> Vec<Lit> {
         let mut waits = Vec::new();
         for time in 0..self.world.last {
             let waits_now = cnf.variable(Name::Wait(self.world.index, time));

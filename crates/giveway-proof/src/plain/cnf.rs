@@ -52,6 +52,11 @@ impl Cnf {
         text
     }
 
+    /// What the variables stand for, from variable 1 on.
+    pub fn names(&self) -> &[Name] {
+        &self.names
+    }
+
     /// What the variables stand for, a line each.
     pub fn names_text(&self, instance: &Instance) -> String {
         names::text(&self.names, instance)
@@ -60,14 +65,15 @@ impl Cnf {
     /// A new variable.
     pub(super) fn variable(&mut self, name: Name) -> Lit {
         self.names.push(name);
-        self.names.len() as Lit
+        // Far fewer than fit: formulas have a limit of clauses.
+        Lit::try_from(self.names.len()).unwrap_or(Lit::MAX)
     }
 
     /// A clause: at least one of the literals holds.
     ///
     /// One without literals, a rule that cannot be kept, becomes a variable
     /// that is both true and false: no formula consists of an empty clause.
-    pub(super) fn clause(&mut self, literals: impl IntoIterator<Item = Lit>) {
+    pub fn clause(&mut self, literals: impl IntoIterator<Item = Lit>) {
         let begin = self.literals.len();
         self.literals.extend(literals);
         let clause = self.literals.get_mut(begin..).unwrap_or_default();
@@ -104,7 +110,7 @@ impl Cnf {
             }
             return;
         }
-        let side = (1..).find(|n| n * n >= literals.len()).unwrap_or(1);
+        let side = literals.len().isqrt() + 1;
         let rows: Vec<Lit> = (0..literals.len().div_ceil(side))
             .map(|_| self.variable(Name::Group))
             .collect();
@@ -142,17 +148,13 @@ mod tests {
             let mut cnf = Cnf::default();
             let lits: Vec<Lit> = (0..n).map(|_| cnf.variable(Name::Group)).collect();
             cnf.at_most_one(&lits);
+            // A chosen literal decides all others by propagation, or contradicts.
             let satisfiable = |chosen: &[Lit]| {
-                let mut solver = varisat::Solver::new();
-                let lit = |l: &Lit| varisat::Lit::from_dimacs(*l as isize);
-                for clause in cnf.iter() {
-                    let clause: Vec<varisat::Lit> = clause.iter().map(lit).collect();
-                    varisat::ExtendFormula::add_clause(&mut solver, &clause);
+                let mut with = cnf.clone();
+                for &lit in chosen {
+                    with.clause([lit]);
                 }
-                for l in chosen {
-                    varisat::ExtendFormula::add_clause(&mut solver, &[lit(l)]);
-                }
-                solver.solve().unwrap()
+                crate::drat::check(&with.text(), "", &|| true).is_err()
             };
             for (i, a) in lits.iter().enumerate() {
                 assert!(satisfiable(&[*a]), "{n}");

@@ -7,6 +7,7 @@
 
 mod agent;
 mod cnf;
+mod condition;
 mod count;
 mod distance;
 mod meet;
@@ -29,6 +30,8 @@ pub enum NoFormula {
     NoHorizon,
     /// It would be larger than the budget.
     TooLarge,
+    /// The claim is about an agent that there is not.
+    NoAgent,
 }
 
 /// The formula that is satisfiable exactly where there is a plan of the kind
@@ -72,14 +75,13 @@ pub fn formula(instance: &Instance, claim: &Claim, budget: &Budget<'_>) -> Resul
     meet::edges(&mut cnf, instance, last, &walkers);
     check(&cnf, budget)?;
     for (&cost, &most) in &claim.most {
-        let counted: Vec<Vec<Lit>> = match cost {
-            // The horizon is this limit.
-            Cost::Makespan => continue,
-            Cost::SumOfCosts => walkers.iter().map(Walker::not_done).collect(),
-            Cost::Charges => walkers.iter().map(Walker::charges).collect(),
-            Cost::Moves => walkers.iter().map(|w| w.moves(&mut cnf)).collect(),
-            Cost::Waits => walkers.iter().map(|w| w.waits(&mut cnf)).collect(),
-        };
+        if cost == Cost::Makespan {
+            continue; // the horizon is this limit
+        }
+        let counted: Vec<Vec<Lit>> = walkers
+            .iter()
+            .map(|walker| walker.counted(&mut cnf, cost))
+            .collect();
         // What comes sorted, as arrivals do, need not be sorted by clauses.
         let sorted = cost == Cost::SumOfCosts;
         count::at_most(
@@ -90,6 +92,10 @@ pub fn formula(instance: &Instance, claim: &Claim, budget: &Budget<'_>) -> Resul
             most as usize,
             budget.clauses,
         );
+        check(&cnf, budget)?;
+    }
+    if let Some(condition) = &claim.condition {
+        condition::require(&mut cnf, instance, &walkers, condition, budget.clauses)?;
         check(&cnf, budget)?;
     }
     Ok(cnf)

@@ -26,6 +26,11 @@ pub enum Name {
     Direction(Cell, Cell, u32),
     /// Some agents together cost at least so much.
     AtLeast(Cost, u32),
+    /// What a question asks for happens at the time.
+    Happens(u32),
+    /// The agent that would be first has been at the cell of the question, at
+    /// the time or before.
+    Been(u32),
     /// An aid to say that at most one of some holds.
     Group,
     /// Both true and false: a rule that cannot be kept.
@@ -45,6 +50,8 @@ const HEAD: &str = "\
 #   direction [X,Y] [X,Y] TIME       who is on the edge in the step from the time on goes from
 #                                    the first cell to the second
 #   at-least N COST                  some agents together cost at least so much
+#   happens TIME                     what the claim is about happens at the time
+#   been TIME                        what it must not come after has happened, at the time or before
 #   group                            an aid to say that at most one of some variables is true
 #   never                            a rule that cannot be kept
 # Cells are [x,y] from 0 at the top left, times are steps from 0.
@@ -73,6 +80,8 @@ pub(super) fn text(names: &[Name], instance: &Instance) -> String {
             Name::Wait(a, t) => format!("wait {} {t}", agent(a)),
             Name::Direction(u, v, t) => format!("direction {} {} {t}", cell(u), cell(v)),
             Name::AtLeast(cost, n) => format!("at-least {n} {cost}"),
+            Name::Happens(t) => format!("happens {t}"),
+            Name::Been(t) => format!("been {t}"),
             Name::Group => "group".to_owned(),
             Name::Never => "never".to_owned(),
         };

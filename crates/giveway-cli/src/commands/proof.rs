@@ -1,0 +1,109 @@
+//! `--proof DIR`: certificates of what was proved.
+
+use std::fs;
+use std::io::ErrorKind;
+use std::path::Path;
+
+use giveway_model::{Fault, Instance, Objective};
+use giveway_proof::{Budget, Bundle, Claim, Solved, bundle::Entry, bundle::Manifest, export};
+use giveway_solve::{SolveAnswer, Status};
+
+use crate::{
+    args::Common,
+    clock::Clock,
+    failure::Failure,
+    output::{
+        files::{self, NewFile},
+        stream, words,
+    },
+};
+
+/// Whether a certificate can be written to a folder: a new or an empty one,
+/// since all that lies in it belongs to the certificate.
+pub(crate) fn check_folder(folder: &Path) -> Result<(), Failure> {
+    let name = || folder.to_string_lossy();
+    match fs::read_dir(folder) {
+        Ok(mut entries) => match entries.next() {
+            None => Ok(()),
+            Some(_) => Err(Failure::input(
+                name(),
+                Fault::at("", "a folder with files in it", "a new or an empty one"),
+            )),
+        },
+        Err(error) if error.kind() == ErrorKind::NotFound => Ok(()),
+        Err(error) => Err(Failure::output(name(), error)),
+    }
+}
+
+/// Certifies what `solve` answered.
+pub(crate) fn write_solved(
+    folder: &Path,
+    instance: &Instance,
+    objective: &Objective,
+    answer: &SolveAnswer,
+    time_limit: Option<f64>,
+    common: &Common,
+    clock: Clock,
+) -> Result<(), Failure> {
+    let go_on = || time_limit.is_none_or(|limit| clock.wall_seconds() < limit);
+    let budget = Budget {
+        go_on: &go_on,
+        ..Budget::default()
+    };
+    let solved = Solved {
+        instance,
+        objective,
+        about: Claim::default(),
+        bounds: &answer.bounds,
+        impossible: answer.status == Status::Impossible,
+        complete: answer.complete,
+        within: answer.within,
+        plan: answer.plan.as_ref(),
+    };
+    write(folder, export(&solved, &budget), common)
+}
+
+/// Writes a certificate, and tells on standard error what is in it.
+fn write(folder: &Path, bundle: Bundle, common: &Common) -> Result<(), Failure> {
+    let note = summary(&bundle);
+    let mut texts = Vec::new();
+    for (name, bytes) in bundle {
+        let path = folder.join(&name);
+        let text = String::from_utf8(bytes)
+            .map_err(|error| Failure::output(name, std::io::Error::other(error)))?;
+        texts.push(NewFile { path, text });
+    }
+    files::make_folder(folder)?;
+    files::write_all(&texts)?;
+    if !common.quiet {
+        stream::note(&format!("{}: {note}", folder.to_string_lossy()));
+    }
+    Ok(())
+}
+
+/// How many claims rest on what.
+fn summary(bundle: &Bundle) -> String {
+    let manifest = bundle.get("manifest.json");
+    let claims = manifest
+        .and_then(|text| serde_json::from_slice::<Manifest>(text).ok())
+        .map(|manifest| manifest.claims)
+        .unwrap_or_default();
+    let number = |is: fn(&Entry) -> bool| claims.iter().filter(|entry| is(entry)).count() as u64;
+    let proofs = number(|entry| matches!(entry, Entry::Proof { .. }));
+    let searches = number(|entry| matches!(entry, Entry::Search { .. }));
+    let nothing = number(|entry| matches!(entry, Entry::None { .. }));
+    let mut parts = Vec::new();
+    if proofs > 0 {
+        parts.push(format!("{} with a proof", words::count(proofs, "claim")));
+    }
+    if searches > 0 {
+        parts.push(format!("{} with a search", words::count(searches, "claim")));
+    }
+    if nothing > 0 {
+        parts.push(format!("{} not certified", words::count(nothing, "claim")));
+    }
+    if parts.is_empty() {
+        parts.push("nothing to prove".to_owned());
+    }
+    format!("a certificate, {}", parts.join(", "))
+}

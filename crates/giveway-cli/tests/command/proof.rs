@@ -1,0 +1,112 @@
+//! `solve --proof` and `verify`.
+
+use std::fs;
+
+use expect_test::expect;
+
+use crate::run::{Folder, SCENARIO_1, SCENARIO_6, WAREHOUSE};
+
+fn folder() -> Folder {
+    Folder::with(&[
+        ("warehouse.json", WAREHOUSE),
+        ("scenario-1.json", SCENARIO_1),
+        ("scenario-6.json", SCENARIO_6),
+    ])
+}
+
+/// The text of a verification, without what may differ from version to version:
+/// how large formulas and proofs are.
+fn verified(folder: &Folder, dir: &str) -> String {
+    let text = folder.run(&format!("verify {dir}")).answer().to_owned();
+    let without = |line: &str| line.split(" (").next().unwrap_or_default().to_owned();
+    let lines: Vec<String> = text.lines().map(without).collect();
+    lines.join("\n")
+}
+
+#[test]
+fn an_optimum_is_certified_cost_by_cost() {
+    let folder = folder();
+    let run = folder.run("solve warehouse.json --proof certificate --format json");
+    assert_eq!(run.exit, Some(0));
+    expect!["certificate: a certificate, 3 claims with a proof\n"].assert_eq(&run.err);
+    expect![[r#"
+        Accepted: every file is as it was written.
+          proof          There is no plan with makespan at most 17.
+          proof          There is no plan with makespan at most 18 and sum of costs at most 34.
+          proof          There is no plan with makespan at most 18, sum of costs at most 35 and charges at most 2."#]]
+    .assert_eq(&verified(&folder, "certificate"));
+    let readme = folder.read("certificate/README.md");
+    assert!(readme.contains("Together: the plan is optimal"), "{readme}");
+    let json = folder.run("verify certificate --format json").json();
+    assert_eq!(json["accepted"], true);
+    assert_eq!(json["claims"][0]["kind"], "proof");
+    assert_eq!(json["claims"][0]["claim"]["most"]["makespan"], 17);
+}
+
+#[test]
+fn that_there_is_no_plan_rests_on_search_and_on_a_proof_up_to_a_makespan() {
+    let folder = folder();
+    let run = folder.run("solve scenario-6.json --proof certificate --quiet");
+    assert_eq!((run.exit, run.err.as_str()), (Some(0), ""));
+    expect![[r#"
+        Accepted: every file is as it was written.
+          search         There is no plan.
+          proof          There is no plan of makespan at most 40."#]]
+    .assert_eq(&verified(&folder, "certificate"));
+}
+
+#[test]
+fn what_was_changed_is_rejected() {
+    let folder = folder();
+    folder
+        .run("solve scenario-1.json --proof certificate")
+        .answer_but_for_notes();
+    let drat = folder.path("certificate/makespan.drat");
+    let mut proof = fs::read(&drat).unwrap();
+    proof.push(b'\n');
+    fs::write(&drat, proof).unwrap();
+    let run = folder.run("verify certificate");
+    assert_eq!((run.exit, run.err.as_str()), (Some(1), ""));
+    expect![[r#"
+        Rejected: makespan.drat: it was changed: its fingerprint differs.
+    "#]]
+    .assert_eq(&run.out);
+}
+
+#[test]
+fn a_folder_is_new_or_empty() {
+    let folder = folder();
+    folder.refuses(
+        "solve scenario-1.json --proof .",
+        &expect![[r#"
+            exit 1
+            .: found a folder with files in it, expected a new or an empty one
+        "#]],
+    );
+    fs::create_dir(folder.path("empty")).unwrap();
+    folder
+        .run("solve scenario-1.json --proof empty")
+        .answer_but_for_notes();
+    assert!(verified(&folder, "empty").starts_with("Accepted"));
+}
+
+#[test]
+fn what_is_no_certificate() {
+    let folder = folder();
+    let run = folder.run("verify nowhere");
+    assert_eq!((run.exit, run.out.as_str()), (Some(1), ""));
+    assert!(run.err.starts_with("nowhere: found "), "{}", run.err);
+    let run = folder.run("verify .");
+    assert_eq!(run.exit, Some(1));
+    expect![[r#"
+        Rejected: manifest.json: it is missing.
+    "#]]
+    .assert_eq(&run.out);
+}
+
+#[test]
+fn a_front_has_no_certificate() {
+    let run = folder().run("solve warehouse.json --pareto --proof certificate");
+    assert_eq!(run.exit, Some(2));
+    assert!(run.err.contains("--pareto"), "{}", run.err);
+}

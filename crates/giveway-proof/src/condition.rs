@@ -1,0 +1,191 @@
+//! What another plan would have to be like: the contrast of a question, without
+//! the plan that it was asked about.
+
+use giveway_model::{Cost, Instance, Plan, Question, check};
+use serde::{Deserialize, Serialize};
+
+use crate::Claim;
+
+/// A condition on a plan.
+#[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(rename_all = "kebab-case")]
+pub enum Condition {
+    /// The contrast of a question about what an agent does or does not do.
+    Contrast(Question),
+    /// An agent arrives before a time.
+    Arrival {
+        /// The agent.
+        agent: String,
+        /// The time, in steps.
+        before: u32,
+    },
+    /// An agent alone has at most so much of a cost.
+    AtMost {
+        /// The agent.
+        agent: String,
+        /// Charges, moves or waits.
+        cost: Cost,
+        /// So much.
+        most: u32,
+    },
+}
+
+impl Claim {
+    /// The claim that there is no plan such as a question about `plan` contrasts
+    /// it with. `None` where the question contrasts it with none, or nothing could
+    /// be less than what is asked about.
+    ///
+    /// ```
+    /// use giveway_model::{Question, format::native};
+    /// use giveway_proof::Claim;
+    /// let instance = native::read_instance(r#"{ "giveway": 1, "map": ["..."],
+    ///     "agents": [{ "name": "a", "start": [0, 0], "goal": [2, 0] }] }"#).unwrap();
+    /// let plan = native::read_plan(
+    ///     r#"{ "giveway": 1, "paths": { "a": [[0, 0], [1, 0], [2, 0]] } }"#).unwrap();
+    /// let claim = Claim::contrast(&Question::Makespan, &instance, &plan).unwrap();
+    /// assert_eq!(claim.sentence(), "There is no plan with makespan at most 1.");
+    /// let claim = Claim::contrast(
+    ///     &Question::Arrival { agent: "a".into() }, &instance, &plan).unwrap();
+    /// assert_eq!(claim.sentence(), "There is no plan in which a arrives before time 2.");
+    /// ```
+    pub fn contrast(question: &Question, instance: &Instance, plan: &Plan) -> Option<Self> {
+        let costs = check::costs(instance, plan);
+        let total = |cost| {
+            let below = costs?.get(cost).checked_sub(1)?;
+            Some(Self::at_most([(cost, below)]))
+        };
+        let condition = match question {
+            Question::Unsolvable | Question::Plan => return None,
+            Question::Makespan => return total(Cost::Makespan),
+            Question::SumOfCosts => return total(Cost::SumOfCosts),
+            Question::Charges { agent: None } => return total(Cost::Charges),
+            Question::Moves { agent: None } => return total(Cost::Moves),
+            Question::Waits { agent: None } => return total(Cost::Waits),
+            Question::Arrival { agent } => Condition::Arrival {
+                agent: agent.clone(),
+                before: one(instance, plan, agent)?.makespan,
+            },
+            Question::Length { agent, fewer_than } => {
+                let than = match fewer_than {
+                    Some(than) => *than,
+                    None => one(instance, plan, agent)?.moves,
+                };
+                fewer(agent, Cost::Moves, than)?
+            }
+            Question::Charges { agent: Some(agent) } => {
+                fewer(agent, Cost::Charges, one(instance, plan, agent)?.charges)?
+            }
+            Question::Moves { agent: Some(agent) } => {
+                fewer(agent, Cost::Moves, one(instance, plan, agent)?.moves)?
+            }
+            Question::Waits { agent: Some(agent) } => {
+                fewer(agent, Cost::Waits, one(instance, plan, agent)?.waits)?
+            }
+            other => Condition::Contrast(other.clone()),
+        };
+        Some(Self {
+            condition: Some(condition),
+            ..Self::default()
+        })
+    }
+}
+
+fn fewer(agent: &str, cost: Cost, than: u32) -> Option<Condition> {
+    Some(Condition::AtMost {
+        agent: agent.to_owned(),
+        cost,
+        most: than.checked_sub(1)?,
+    })
+}
+
+/// What a plan costs one agent.
+fn one(instance: &Instance, plan: &Plan, agent: &str) -> Option<giveway_model::Costs> {
+    let mut scene = instance.to_scene();
+    scene.agents.retain(|other| other.name == agent);
+    let instance = Instance::new(scene).ok()?;
+    let mut plan = plan.clone();
+    plan.paths.retain(|name, _| name == agent);
+    plan.charges.retain(|name, _| name == agent);
+    (!plan.paths.is_empty()).then_some(())?;
+    check::costs(&instance, &plan)
+}
+
+impl Condition {
+    /// The condition as the end of a sentence: `in which a arrives before time 2`.
+    pub(crate) fn words(&self) -> String {
+        let what = match self {
+            Self::Arrival { agent, before } => format!("{agent} arrives before time {before}"),
+            Self::AtMost { agent, cost, most } => format!("{agent} has at most {most} {cost}"),
+            Self::Contrast(question) => contrast(question),
+        };
+        format!("in which {what}")
+    }
+}
+
+fn contrast(question: &Question) -> String {
+    let at_time = |time: &Option<u32>| time.map_or(String::new(), |t| format!(" at time {t}"));
+    match question {
+        Question::Wait {
+            agent,
+            at,
+            from,
+            to,
+            at_least,
+        } => {
+            let place = at.map_or(String::new(), |cell| format!(" at {cell}"));
+            let begin = from.map_or(String::new(), |t| format!(" from time {t}"));
+            let end = to.map_or(String::new(), |t| format!(" to time {t}"));
+            let long = match at_least {
+                Some(n) if *n > 1 => format!(" for {n} steps on end"),
+                _ => String::new(),
+            };
+            format!("{agent} does not wait{place}{begin}{end}{long}")
+        }
+        Question::Charge { agent, at, time } => {
+            let place = at.map_or(String::new(), |cell| format!(" at {cell}"));
+            format!("{agent} does not charge{place}{}", at_time(time))
+        }
+        Question::NoCharge { agent, at } => format!("{agent} charges at {at}"),
+        Question::Visit { agent, at, time } => {
+            format!("{agent} is not at {at}{}", at_time(time))
+        }
+        Question::NoVisit { agent, at } => {
+            let who = agent.as_deref().unwrap_or("some agent");
+            format!("{who} is at {at} at some time")
+        }
+        Question::Move {
+            agent,
+            from_cell,
+            to_cell,
+            time,
+        } => format!(
+            "{agent} does not go from {from_cell} to {to_cell}{}",
+            at_time(time)
+        ),
+        Question::NoMove {
+            agent,
+            from_cell,
+            to_cell,
+            time,
+        } => format!(
+            "{agent} goes from {from_cell} to {to_cell}{}",
+            at_time(time)
+        ),
+        Question::Slow {
+            agent,
+            from_cell,
+            to_cell,
+        } => match from_cell.zip(*to_cell) {
+            Some((u, v)) => format!("{agent} makes no slow move between {u} and {v}"),
+            None => format!("{agent} makes no slow move"),
+        },
+        Question::Order {
+            agent,
+            first,
+            second,
+        } => format!("{agent} is at {second} before it is at {first}"),
+        Question::Yield { agent, to, at } => format!("{agent} is at {at} before {to} is"),
+        // The others are limits of costs, or contrast a plan with nothing.
+        other => format!("the question \"{}\" has another answer", other.kind()),
+    }
+}
