@@ -79,7 +79,22 @@ fn plans(instance: &Instance) -> Vec<Plan> {
             plans.push(point.plan);
         }
     }
+    let late = plans.first().map(|plan| later(instance, plan));
+    plans.extend(late.filter(|late| check(instance, late).is_valid() && !plans.contains(late)));
     plans
+}
+
+/// The same plan, begun a step later.
+fn later(instance: &Instance, plan: &Plan) -> Plan {
+    let mut late = plan.clone();
+    for path in late.paths.values_mut() {
+        path.insert(0, path[0]);
+    }
+    for time in late.charges.values_mut().flatten() {
+        *time += 1;
+    }
+    late.cut_trailing_goals(instance);
+    late
 }
 
 /// Some agents' paths from one plan, the others' from another; perhaps an entry
@@ -287,7 +302,15 @@ fn a_plan_satisfies_the_formula_of_a_question_exactly_where_its_contrast_holds()
         if plans.is_empty() || instance.agents().is_empty() {
             continue;
         }
-        let asked = plans.choose(random).unwrap();
+        let cost = |plan: &&Plan, cost| check(&instance, plan).costs.unwrap().get(cost);
+        let asked = match number % 18 {
+            11 => plans.iter().max_by_key(|p| cost(p, Cost::SumOfCosts)),
+            13 => plans.iter().max_by_key(|p| cost(p, Cost::Charges)),
+            14 => plans.iter().max_by_key(|p| cost(p, Cost::Moves)),
+            15 => plans.iter().max_by_key(|p| cost(p, Cost::Waits)),
+            _ => plans.choose(random),
+        };
+        let asked = asked.unwrap();
         let question = question(number, &instance, asked, random);
         let Some(claim) = Claim::contrast(&question, &instance, asked) else {
             // There is less than nothing to ask for.
