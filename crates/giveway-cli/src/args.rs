@@ -230,6 +230,10 @@ pub(crate) struct Explain {
     /// Wall seconds for the whole command; 0.5 is legal
     #[arg(long, value_name = "SECONDS", value_parser = seconds, allow_negative_numbers = true)]
     pub(crate) time_limit: Option<f64>,
+    /// Write a certificate of what is proved into a new or empty folder; giveway verify checks it
+    /// again
+    #[arg(long, value_name = "DIR")]
+    pub(crate) proof: Option<PathBuf>,
 }
 
 /// A question as it is typed.

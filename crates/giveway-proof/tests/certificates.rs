@@ -17,15 +17,15 @@ use giveway_proof::bundle::{Entry, Manifest, Method};
 use giveway_proof::{Budget, Bundle, Checked, Claim, Solved, drat, export, plain, verify};
 
 /// Two agents that swap sides of a wall with a gap at the bottom: no plan.
-const SCENARIO_6: &str = r##"{ "giveway": 1, "name": "scenario-6",
+const SCENARIO_6: &str = r#"{ "giveway": 1, "name": "scenario-6",
     "map": [".#.",
             ".#.",
             "..."],
     "agents": [
         { "name": "A1", "start": [0, 0], "goal": [2, 0], "waypoints": [[0, 0]] },
-        { "name": "A2", "start": [2, 0], "goal": [0, 0], "waypoints": [[2, 0]] }] }"##;
+        { "name": "A2", "start": [2, 0], "goal": [0, 0], "waypoints": [[2, 0]] }] }"#;
 
-const WAREHOUSE: &str = r##"{ "giveway": 1, "name": "warehouse",
+const WAREHOUSE: &str = r#"{ "giveway": 1, "name": "warehouse",
     "map": ["..~~~~~~..",
             ".##.##.##.",
             "...+..+..."],
@@ -33,7 +33,7 @@ const WAREHOUSE: &str = r##"{ "giveway": 1, "name": "warehouse",
         { "name": "A1", "start": [0, 0], "goal": [9, 2], "waypoints": [[2, 0], [4, 2], [7, 0]],
           "battery": { "capacity": 10, "initial": 10 } },
         { "name": "A2", "start": [9, 2], "goal": [0, 0], "waypoints": [[5, 0], [1, 2]],
-          "battery": { "capacity": 10, "initial": 8 } }] }"##;
+          "battery": { "capacity": 10, "initial": 8 } }] }"#;
 
 /// Two agents that cross in a corridor with a bay; b makes room.
 const CROSSING: &str = r##"{ "giveway": 1, "name": "crossing",
@@ -231,8 +231,7 @@ fn a_claim_that_is_not_the_formula_s_is_refused() {
 
 fn sha256(bytes: &[u8]) -> String {
     use sha2::Digest as _;
-    let digest = sha2::Sha256::digest(bytes);
-    digest.iter().map(|byte| format!("{byte:02x}")).collect()
+    format!("{:x}", sha2::Sha256::digest(bytes))
 }
 
 #[test]

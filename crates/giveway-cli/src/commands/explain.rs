@@ -4,7 +4,7 @@ use giveway_model::question::Asked;
 use giveway_solve::explain::{ExplainRequest, Verdict};
 use giveway_solve::{Limits, Request, Response, serve};
 
-use super::{refused, unexpected};
+use super::{proof, refused, unexpected};
 use crate::{
     args::{Common, Explain},
     clock::Clock,
@@ -25,6 +25,9 @@ pub(crate) fn run(args: &Explain, common: &Common, clock: Clock) -> Result<Exit,
         return Err(Failure::Usage(
             "found - for both INSTANCE and --plan, expected it for one of them".to_owned(),
         ));
+    }
+    if let Some(folder) = &args.proof {
+        proof::check_folder(folder)?;
     }
     let mut instance = input::instance(&args.source, common)?;
     if let Some(objective) = &args.objective {
@@ -54,6 +57,14 @@ pub(crate) fn run(args: &Explain, common: &Common, clock: Clock) -> Result<Exit,
             output::answer(common.format, &answer, |columns| {
                 text::explain(&instance, plan, &answer, columns)
             })?;
+            if let Some(folder) = &args.proof {
+                let asker = proof::Asker {
+                    time_limit: args.time_limit,
+                    common,
+                    clock,
+                };
+                proof::write_explained(folder, &instance, plan, &answer, &asker)?;
+            }
             Ok(match (answer.valid, answer.verdict) {
                 (Some(false), _) => Exit::Wrong,
                 (_, Verdict::Unknown) => Exit::Unknown,

@@ -1,11 +1,13 @@
 //! `--proof DIR`: certificates of what was proved.
 
+use std::collections::BTreeMap;
 use std::fs;
 use std::io::ErrorKind;
 use std::path::Path;
 
-use giveway_model::{Fault, Instance, Objective};
+use giveway_model::{Fault, Instance, Objective, Plan, Question, check};
 use giveway_proof::{Budget, Bundle, Claim, Solved, bundle::Entry, bundle::Manifest, export};
+use giveway_solve::explain::{ExplainAnswer, Verdict};
 use giveway_solve::{SolveAnswer, Status};
 
 use crate::{
@@ -35,21 +37,23 @@ pub(crate) fn check_folder(folder: &Path) -> Result<(), Failure> {
     }
 }
 
+/// Who asks for a certificate, and how long it may take.
+#[derive(Clone, Copy)]
+pub(crate) struct Asker<'a> {
+    /// Wall seconds for the whole command.
+    pub(crate) time_limit: Option<f64>,
+    pub(crate) common: &'a Common,
+    pub(crate) clock: Clock,
+}
+
 /// Certifies what `solve` answered.
 pub(crate) fn write_solved(
     folder: &Path,
     instance: &Instance,
     objective: &Objective,
     answer: &SolveAnswer,
-    time_limit: Option<f64>,
-    common: &Common,
-    clock: Clock,
+    asker: &Asker<'_>,
 ) -> Result<(), Failure> {
-    let go_on = || time_limit.is_none_or(|limit| clock.wall_seconds() < limit);
-    let budget = Budget {
-        go_on: &go_on,
-        ..Budget::default()
-    };
     let solved = Solved {
         instance,
         objective,
@@ -60,11 +64,57 @@ pub(crate) fn write_solved(
         within: answer.within,
         plan: answer.plan.as_ref(),
     };
-    write(folder, export(&solved, &budget), common)
+    write(folder, &solved, asker)
+}
+
+/// Certifies what `explain` answered about a plan: that there is no other plan
+/// of the kind, or that the best of them costs no less than the one that is shown.
+pub(crate) fn write_explained(
+    folder: &Path,
+    instance: &Instance,
+    plan: Option<&Plan>,
+    answer: &ExplainAnswer,
+    asker: &Asker<'_>,
+) -> Result<(), Failure> {
+    let question = &answer.question;
+    let contrast = plan.and_then(|plan| Claim::contrast(question, instance, plan));
+    // Where a question is about one plan only, that one is the best, or another.
+    let shown = answer.alternative.as_ref().or(match question {
+        Question::Plan => plan.filter(|_| answer.verdict == Verdict::Needless),
+        _ => None,
+    });
+    let costs = shown.and_then(|plan| check::costs(instance, plan));
+    let known = costs.filter(|_| answer.verdict != Verdict::Unknown);
+    let bounds = known.map_or(BTreeMap::new(), |costs| {
+        let objective = instance.objective().costs().iter();
+        objective.map(|&cost| (cost, costs.get(cost))).collect()
+    });
+    let solved = Solved {
+        instance,
+        objective: instance.objective(),
+        // A contrast below 0 is none: nothing is then claimed to be checked.
+        about: contrast.clone().unwrap_or_default(),
+        bounds: &bounds,
+        impossible: answer.verdict == Verdict::Necessary
+            && (contrast.is_some() || *question == Question::Unsolvable),
+        complete: answer.complete,
+        within: answer.within,
+        plan: shown,
+    };
+    write(folder, &solved, asker)
 }
 
 /// Writes a certificate, and tells on standard error what is in it.
-fn write(folder: &Path, bundle: Bundle, common: &Common) -> Result<(), Failure> {
+fn write(folder: &Path, solved: &Solved<'_>, asker: &Asker<'_>) -> Result<(), Failure> {
+    let go_on = || {
+        let limit = asker.time_limit;
+        limit.is_none_or(|limit| asker.clock.wall_seconds() < limit)
+    };
+    let budget = Budget {
+        go_on: &go_on,
+        ..Budget::default()
+    };
+    let bundle = export(solved, &budget);
     let note = summary(&bundle);
     let mut texts = Vec::new();
     for (name, bytes) in bundle {
@@ -75,7 +125,7 @@ fn write(folder: &Path, bundle: Bundle, common: &Common) -> Result<(), Failure> 
     }
     files::make_folder(folder)?;
     files::write_all(&texts)?;
-    if !common.quiet {
+    if !asker.common.quiet {
         stream::note(&format!("{}: {note}", folder.to_string_lossy()));
     }
     Ok(())

@@ -52,8 +52,12 @@ pub(crate) fn run(args: &Solve, common: &Common, clock: Clock) -> Result<Exit, F
                 text::solve(&instance, &objective, &answer, columns)
             })?;
             if let Some(folder) = &args.proof {
-                let limit = args.time_limit;
-                proof::write_solved(folder, &instance, &objective, &answer, limit, common, clock)?;
+                let asker = proof::Asker {
+                    time_limit: args.time_limit,
+                    common,
+                    clock,
+                };
+                proof::write_solved(folder, &instance, &objective, &answer, &asker)?;
             }
             Ok(exit(answer.status))
         }

@@ -4,11 +4,12 @@ use std::fs;
 
 use expect_test::expect;
 
-use crate::run::{Folder, SCENARIO_1, SCENARIO_6, WAREHOUSE};
+use crate::run::{Folder, SCENARIO_1, SCENARIO_6, WAREHOUSE, WAREHOUSE_PLAN};
 
 fn folder() -> Folder {
     Folder::with(&[
         ("warehouse.json", WAREHOUSE),
+        ("plan.json", WAREHOUSE_PLAN),
         ("scenario-1.json", SCENARIO_1),
         ("scenario-6.json", SCENARIO_6),
     ])
@@ -109,4 +110,25 @@ fn a_front_has_no_certificate() {
     let run = folder().run("solve warehouse.json --pareto --proof certificate");
     assert_eq!(run.exit, Some(2));
     assert!(run.err.contains("--pareto"), "{}", run.err);
+}
+
+/// What a question is answered with is certified, too.
+#[test]
+fn answers_to_questions_are_certified() {
+    let folder = folder();
+    folder
+        .run("explain warehouse.json --plan plan.json makespan --proof sooner")
+        .answer_but_for_notes();
+    expect![[r#"
+        Accepted: every file is as it was written.
+          proof          There is no plan with makespan at most 17."#]]
+    .assert_eq(&verified(&folder, "sooner"));
+    folder
+        .run("explain warehouse.json --plan plan.json arrival A2 --within 20 --proof arrival")
+        .answer_but_for_notes();
+    let text = verified(&folder, "arrival");
+    assert!(
+        text.contains("in which A2 arrives before time 18"),
+        "{text}"
+    );
 }

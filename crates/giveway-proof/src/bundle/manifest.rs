@@ -1,7 +1,6 @@
 //! `manifest.json`: what a certificate claims and holds.
 
 use std::collections::BTreeMap;
-use std::fmt::Write as _;
 
 use giveway_model::{Costs, Objective};
 use serde::{Deserialize, Serialize};
@@ -89,9 +88,5 @@ impl Manifest {
 
 /// The SHA-256 fingerprint of a file, in hexadecimal digits.
 pub(crate) fn fingerprint(bytes: &[u8]) -> String {
-    let mut text = String::new();
-    for byte in Sha256::digest(bytes) {
-        let _ = write!(text, "{byte:02x}");
-    }
-    text
+    format!("{:x}", Sha256::digest(bytes))
 }

@@ -117,6 +117,16 @@ fn conclusion(manifest: &Manifest) -> &'static str {
                         .all(|(&other, &n)| other == cost || n == costs.get(other))
             })
     });
+    if manifest
+        .claims
+        .iter()
+        .any(|e| e.claim().condition.is_some())
+    {
+        return match (certified, met) {
+            (true, true) => "\nTogether: no plan of the kind costs less than this plan.\n",
+            _ => "",
+        };
+    }
     match (certified, met) {
         (true, true) => {
             "\nTogether: the plan is optimal, one cost of the objective after the other.\n"
