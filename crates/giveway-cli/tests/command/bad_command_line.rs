@@ -173,12 +173,6 @@ fn words() {
 #[test]
 fn what_is_not_built_is_not_offered() {
     check(
-        "explain warehouse.json plan",
-        &expect![[r#"
-        exit 2
-        error: unrecognized subcommand 'explain'"#]],
-    );
-    check(
         "convert warehouse.json --to lorr",
         &expect![[r#"
         exit 2
