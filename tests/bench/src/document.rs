@@ -5,28 +5,44 @@ use std::error::Error;
 use std::fs;
 use std::path::Path;
 
-const BEGIN: &str = "<!-- tables: written by `./x bench` -->";
-const END: &str = "<!-- end of the tables -->";
+/// Where a part of the document begins and ends.
+pub(crate) struct Marks {
+    begin: &'static str,
+    end: &'static str,
+}
 
-/// Puts the tables into the document.
+/// The tables of the solver's work.
+pub(crate) const TABLES: Marks = Marks {
+    begin: "<!-- tables: written by `./x bench` -->",
+    end: "<!-- end of the tables -->",
+};
+/// The table of certificates.
+pub(crate) const PROOFS: Marks = Marks {
+    begin: "<!-- proofs: written by `./x bench --proofs` -->",
+    end: "<!-- end of the proofs -->",
+};
+
+/// Puts tables into the document.
 ///
 /// # Errors
 /// Where the document is missing or has not both markers.
-pub(crate) fn put(tables: &str) -> Result<(), Box<dyn Error>> {
+pub(crate) fn put(marks: &Marks, tables: &str) -> Result<(), Box<dyn Error>> {
     let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../docs/benchmarks.md");
     let old = fs::read_to_string(&path)?;
-    let Some(new) = replaced(&old, tables) else {
-        return Err(format!("docs/benchmarks.md: expected the lines {BEGIN} and {END}").into());
+    let Some(new) = replaced(&old, marks, tables) else {
+        let Marks { begin, end } = marks;
+        return Err(format!("docs/benchmarks.md: expected the lines {begin} and {end}").into());
     };
     fs::write(&path, new)?;
     Ok(())
 }
 
-fn replaced(text: &str, tables: &str) -> Option<String> {
-    let (before, rest) = text.split_once(BEGIN)?;
-    let (_, after) = rest.split_once(END)?;
+fn replaced(text: &str, marks: &Marks, tables: &str) -> Option<String> {
+    let Marks { begin, end } = marks;
+    let (before, rest) = text.split_once(begin)?;
+    let (_, after) = rest.split_once(end)?;
     let tables = tables.trim();
-    Some(format!("{before}{BEGIN}\n\n{tables}\n\n{END}{after}"))
+    Some(format!("{before}{begin}\n\n{tables}\n\n{end}{after}"))
 }
 
 #[cfg(test)]
@@ -35,14 +51,17 @@ mod tests {
 
     #[test]
     fn only_what_is_between_the_markers_changes() {
-        let text = format!("before\n{BEGIN}\nold\n{END}\nafter\n");
-        let new = replaced(&text, "new\n").unwrap();
-        assert_eq!(new, format!("before\n{BEGIN}\n\nnew\n\n{END}\nafter\n"));
-        assert_eq!(replaced(&new, "new").unwrap(), new);
+        for marks in [TABLES, PROOFS] {
+            let Marks { begin, end } = marks;
+            let text = format!("before\n{begin}\nold\n{end}\nafter\n");
+            let new = replaced(&text, &marks, "new\n").unwrap();
+            assert_eq!(new, format!("before\n{begin}\n\nnew\n\n{end}\nafter\n"));
+            assert_eq!(replaced(&new, &marks, "new").unwrap(), new);
+        }
     }
 
     #[test]
     fn a_document_without_markers_is_left_alone() {
-        assert_eq!(replaced("before\n", "new"), None);
+        assert_eq!(replaced("before\n", &TABLES, "new"), None);
     }
 }

@@ -83,7 +83,7 @@ fn graded_row(name: &str, objective: &Objective, known: Vec<(Cost, u32)>) -> io:
 }
 
 /// The file of a short name such as `A01`, and its name without the ending.
-fn graded_file(name: &str) -> io::Result<(String, PathBuf)> {
+pub(crate) fn graded_file(name: &str) -> io::Result<(String, PathBuf)> {
     let beginning = format!("{name}_");
     for entry in fs::read_dir(data("mmapf"))? {
         let path = entry?.path();
@@ -116,7 +116,7 @@ fn standard() -> Result<Group, Box<dyn Error>> {
 }
 
 /// A place under `tests/data`.
-fn data(name: &str) -> PathBuf {
+pub(crate) fn data(name: &str) -> PathBuf {
     Path::new(env!("CARGO_MANIFEST_DIR"))
         .join("../data")
         .join(name)

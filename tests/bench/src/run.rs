@@ -48,6 +48,22 @@ impl Command {
         })
     }
 
+    /// Runs the command with these words to its end, which must be a good one;
+    /// the CPU seconds of the process.
+    ///
+    /// # Errors
+    /// Where it cannot be run or does not end well.
+    pub(crate) fn seconds(&self, words: &[&str]) -> Result<f64, Box<dyn Error>> {
+        let mut command = process::Command::new(&self.program);
+        command.args(words);
+        command.stdin(Stdio::null()).stdout(Stdio::null());
+        let ended = command.spawn()?.wait4()?;
+        if !ended.status.success() {
+            return Err(format!("giveway {}: {}", words.join(" "), ended.status).into());
+        }
+        Ok((ended.rusage.utime + ended.rusage.stime).as_secs_f64())
+    }
+
     /// Runs one row to its end.
     ///
     /// # Errors

@@ -1,0 +1,96 @@
+//! Certificates: how large they are, and how long it takes to make and to check
+//! them.
+
+use std::error::Error;
+use std::fmt::Write as _;
+use std::fs;
+use std::path::{Path, PathBuf};
+
+use giveway_proof::bundle::{Entry, Manifest};
+
+use crate::rows;
+use crate::run::Command;
+
+/// The graded instances whose makespan bound is certified.
+const GRADED: [&str; 20] = [
+    "A01", "A02", "A03", "A04", "A05", "A06", "A07", "A08", "A09", "A10", "B01", "B02", "B03",
+    "B04", "B05", "B06", "B07", "B08", "B10", "B13",
+];
+/// The worked examples, of which everything is certified that is proved.
+const EXAMPLES: [&str; 4] = ["warehouse", "scenario-1", "scenario-6", "dynamic-3x3"];
+
+const HEAD: &str = "\
+| instance | there is no plan | variables | clauses | formula MB | proof MB | to make, CPU s | to check, CPU s |
+| --- | --- | ---: | ---: | ---: | ---: | ---: | ---: |
+";
+
+/// The table of all of them.
+///
+/// # Errors
+/// Where the command fails, or refuses what it wrote.
+pub(crate) fn table(command: &Command) -> Result<String, Box<dyn Error>> {
+    let mut text = HEAD.to_owned();
+    for name in EXAMPLES {
+        let file = rows::data(&format!("seed/{name}.json"));
+        row(command, &mut text, name, &file, &[])?;
+    }
+    for name in GRADED {
+        let (stem, file) = rows::graded_file(name)?;
+        row(
+            command,
+            &mut text,
+            &stem,
+            &file,
+            &["--objective", "makespan"],
+        )?;
+    }
+    Ok(text)
+}
+
+/// Makes and checks one certificate; a line for each of its claims.
+fn row(
+    command: &Command,
+    text: &mut String,
+    name: &str,
+    file: &Path,
+    options: &[&str],
+) -> Result<(), Box<dyn Error>> {
+    let folder = tempfile::tempdir()?;
+    let place = folder.path().to_string_lossy().into_owned();
+    let file = file.to_string_lossy();
+    let mut solve = vec![
+        "solve", &file, "--quiet", "--format", "json", "--proof", &place,
+    ];
+    solve.extend(options);
+    let made = command.seconds(&solve)?;
+    let checked = command.seconds(&["verify", &place, "--quiet"])?;
+    let manifest = fs::read_to_string(folder.path().join("manifest.json"))?;
+    let manifest: Manifest = serde_json::from_str(&manifest)?;
+    // The times are those of all claims of an instance together.
+    let (mut made, mut checked) = (format!("{made:.2}"), format!("{checked:.2}"));
+    for entry in &manifest.claims {
+        let claim = entry.claim().sentence();
+        let claim = claim.trim_start_matches("There is no plan").trim();
+        let rest = match entry {
+            Entry::Proof {
+                name,
+                variables,
+                clauses,
+                ..
+            } => {
+                let size = |ending: &str| -> Result<f64, std::io::Error> {
+                    let path: PathBuf = folder.path().join(format!("{name}.{ending}"));
+                    Ok(fs::metadata(path)?.len() as f64 / 1e6)
+                };
+                let (cnf, drat) = (size("cnf")?, size("drat")?);
+                format!("{variables} | {clauses} | {cnf:.2} | {drat:.2}")
+            }
+            Entry::Search { .. } => "by search | - | - | -".to_owned(),
+            Entry::None { why, .. } => format!("{why} | - | - | -"),
+        };
+        let _ = writeln!(text, "| {name} | {claim} | {rest} | {made} | {checked} |");
+        eprintln!("{name} {claim} {rest} {made} {checked}");
+        (made, checked) = ("\"".to_owned(), "\"".to_owned());
+    }
+    Ok(())
+}
