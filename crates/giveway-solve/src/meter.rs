@@ -133,9 +133,11 @@ impl<'h> Meter<'h> {
             .set(self.joint_left.get().saturating_sub(steps));
     }
 
-    /// The same meter with a limit of clauses.
-    pub(crate) fn with_clauses(mut self, most: u64) -> Self {
-        self.most_clauses = most;
+    /// The same meter with a limit of clauses, and one of joint steps.
+    pub(crate) fn with_work(mut self, clauses: u64, joint_steps: u64) -> Self {
+        self.most_clauses = clauses;
+        self.joint_given = self.joint_given.min(joint_steps);
+        self.joint_left.set(self.joint_given);
         self
     }
 

@@ -9,18 +9,31 @@ use giveway_model::{Costs, Instance, Plan, check::costs};
 use super::{
     ask::{Ask, Found, any, at_most, best, violations},
     core::{Inquiry, Tried},
-    relax::Variant,
+    own_way::walk_of,
+    relax::{Variant, fit},
     repairs::Solver,
     unsolvable::{one_search, tried},
     verdict::Case,
 };
-use crate::{condition::Condition, meter::Meter};
+use crate::{
+    condition::Condition,
+    local::Improver,
+    meter::Meter,
+    problem::Problem,
+    walk::{Walk, to_plan},
+};
+
+/// Neighbourhoods of a known plan that are tried.
+const NEARBY_ROUNDS: usize = 16;
 
 /// What is looked for.
 pub(crate) struct Contrasted<'a, 'h> {
     pub(crate) case: &'a Case<'a>,
     /// The most that it may cost, in the order of the objective.
     pub(crate) most: Option<Vec<u32>>,
+    /// A plan that is as asked for but costs more: plans near to it are looked
+    /// at before anything else.
+    pub(crate) near: Option<&'a Plan>,
     /// The horizon of the instance as it is.
     pub(crate) horizon: u32,
     pub(crate) meter: Rc<Meter<'h>>,
@@ -66,6 +79,34 @@ impl Contrasted<'_, '_> {
         }
     }
 
+    /// A plan near to the known one, improved by what was left out.
+    fn nearby(&self, variant: &Variant, condition: &Condition) -> Option<Plan> {
+        let near = fit(self.near?, &variant.scene);
+        let instance = Instance::new(variant.scene.clone()).ok()?;
+        let relaxed = variant.relaxed.clone();
+        let meter = &self.meter;
+        let problem = Problem::relaxed(&instance, relaxed, Some(condition), meter).ok()?;
+        let agents = instance.agents().iter();
+        let walks: Option<Vec<Walk>> = agents
+            .map(|agent| walk_of(&problem.terrain, near.path(&agent.name), agent.goal))
+            .collect();
+        let mut walks = walks?;
+        let latest = variant.within.unwrap_or(self.horizon);
+        let objective = self.case.objective();
+        let improved = Improver::new().improve(
+            &problem,
+            &mut walks,
+            latest,
+            objective,
+            NEARBY_ROUNDS,
+            meter,
+        );
+        improved.ok()?;
+        let names: Vec<String> = instance.agents().iter().map(|a| a.name.clone()).collect();
+        let plan = to_plan(&problem, &names, &walks);
+        self.accepts(variant, &plan).then_some(plan)
+    }
+
     fn is_cheap(&self, costs: &Costs) -> bool {
         let vector = costs.vector(self.case.objective());
         self.most.as_ref().is_none_or(|most| vector <= *most)
@@ -77,6 +118,11 @@ impl Inquiry for Contrasted<'_, '_> {
         let mut horizon: Option<u32> = None;
         let mut agents: Vec<String> = Vec::new();
         let mut unknown = false;
+        let mut nearby = self.conditions(variant).filter(|_| self.near.is_some());
+        if let Some(plan) = nearby.find_map(|condition| self.nearby(variant, condition)) {
+            return Tried::Plan(plan);
+        }
+        drop(nearby);
         for condition in self.conditions(variant) {
             match tried(self.find(variant, condition)) {
                 Tried::Plan(plan) => return Tried::Plan(plan),

@@ -15,6 +15,9 @@ use super::{
     relax::{Part, Variant, parts, without},
 };
 
+/// The latest plans of other variants that are tried before any search.
+const KNOWN: usize = 12;
+
 /// What was found out about a variant.
 #[derive(Clone, Debug)]
 pub(crate) enum Tried {
@@ -215,6 +218,8 @@ impl Shrinking<'_> {
         let fits = self
             .plans
             .iter()
+            .rev()
+            .take(KNOWN)
             .map(|plan| super::relax::fit(plan, &variant.scene));
         let mut fits = fits.filter(|plan| self.inquiry.accepts(variant, plan));
         fits.next()

@@ -163,7 +163,7 @@ fn replaced(plan: &Plan, agent: &str, other: &Plan) -> Plan {
 }
 
 /// A path of a valid plan, as the search sees it.
-fn walk_of(terrain: &Terrain, path: &[Option<Cell>], goal: Cell) -> Option<Walk> {
+pub(crate) fn walk_of(terrain: &Terrain, path: &[Option<Cell>], goal: Cell) -> Option<Walk> {
     let mut path: Path = path.to_vec();
     while path.len() >= 2 && path.ends_with(&[Some(goal), Some(goal)]) {
         path.pop();

@@ -20,9 +20,10 @@ use super::{
 };
 use crate::{Limits, Status, meter::Meter};
 
-/// Conflicts and clauses that one part may take.
-const CONFLICTS: u64 = 60_000;
-const CLAUSES: u64 = 6_000_000;
+/// Conflicts, clauses and joint steps that one part may take.
+const CONFLICTS: u64 = 15_000;
+const CLAUSES: u64 = 1_200_000;
+const JOINT_STEPS: u64 = 600_000;
 /// What one part may take of the seconds that are left.
 const SHARE: f64 = 0.4;
 
@@ -33,7 +34,7 @@ fn part<'h>(meter: &Meter<'h>) -> Rc<Meter<'h>> {
         seconds: meter.seconds_left().map(|seconds| seconds * SHARE),
         ..Limits::default()
     };
-    Rc::new(meter.part(limits).with_clauses(CLAUSES))
+    Rc::new(meter.part(limits).with_work(CLAUSES, JOINT_STEPS))
 }
 
 /// Who hears of the answer when a part of it is there.
@@ -97,13 +98,14 @@ fn asked(case: &Case) -> Vec<usize> {
 /// The search for what would contradict the verdict, with one part's budget.
 fn contrasted<'a, 'h>(
     case: &'a Case<'a>,
-    answer: &ExplainAnswer,
+    answer: &'a ExplainAnswer,
     meter: &Rc<Meter<'h>>,
 ) -> Contrasted<'a, 'h> {
     let costly = answer.verdict == Verdict::Costly;
     Contrasted {
         case,
         most: costly.then(|| case.costs.vector(case.objective())),
+        near: answer.alternative.as_ref().filter(|_| costly),
         horizon: answer.within.unwrap_or(case.costs.makespan),
         meter: part(meter),
     }

@@ -20,9 +20,11 @@ use super::{
 use crate::{Limits, Status, meter::Meter};
 
 /// Conflicts that one of many searches may take.
-const CONFLICTS_EACH: u64 = 20_000;
+const CONFLICTS_EACH: u64 = 8_000;
 /// Clauses that one of many searches may write.
-const CLAUSES_EACH: u64 = 1_500_000;
+const CLAUSES_EACH: u64 = 500_000;
+/// Joint steps that it may look at.
+const JOINT_STEPS_EACH: u64 = 150_000;
 /// Sets of batteries or waypoints that are tried.
 const MOST_SETS: usize = 400;
 
@@ -33,7 +35,7 @@ pub(crate) fn one_search<'h>(meter: &Meter<'h>) -> Rc<Meter<'h>> {
         ..Limits::default()
     };
     let clauses = CLAUSES_EACH.min(meter.clauses_left());
-    Rc::new(meter.part(limits).with_clauses(clauses))
+    Rc::new(meter.part(limits).with_work(clauses, JOINT_STEPS_EACH))
 }
 
 /// The search for any plan at all, of variants of one instance.

@@ -174,7 +174,10 @@ fn run(
     let walks = apart(problem, meter)?;
     if free_of_collisions(problem, &walks) {
         incumbent.offer(problem, &walks, meter);
-    } else if let Some(plan) = first_plan(problem, walks.clone(), horizon, meter)? {
+    } else if *aim == Aim::Best
+        // (Where any will do, SAT finds one as soon, and else refutes it.)
+        && let Some(plan) = first_plan(problem, walks.clone(), horizon, meter)?
+    {
         incumbent.offer(problem, &plan, meter);
     }
     if incumbent.costs().is_none() {

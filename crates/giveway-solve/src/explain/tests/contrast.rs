@@ -169,6 +169,7 @@ fn of_what_excludes_a_contrast_no_fact_can_be_left_out() {
             let searching = || Contrasted {
                 case: &case,
                 most: most.clone(),
+                near: compared.other.as_ref().map(|(plan, _)| plan),
                 horizon: costs.makespan,
                 meter: meter(),
             };
