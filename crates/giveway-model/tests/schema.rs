@@ -245,17 +245,28 @@ fn changes_are_accepted() {
 fn explain_and_change_results_are_accepted() {
     let violation = json!({ "rule": "vertex", "agents": ["A1", "A2"], "cell": [2, 1], "time": 3,
                             "message": "..", "class": "collision" });
-    accepts(
-        "explainResult",
-        &json!({
-            "giveway": 1, "question": {}, "verdict": "needless",
-            "costs": solved()["costs"], "deltas": { "makespan": 0 }, "within": 40,
-            "alternative": null, "witness": [violation], "closest": true, "complete": true,
-            "core": { "facts": [{ "kind": "start", "agents": ["A1"], "cell": [0, 0], "text": ".." }],
-                      "minimal": true },
-            "repairs": [], "exhaustive": false, "words": "..",
-        }),
-    );
+    let explained = json!({
+        "giveway": 1, "question": { "kind": "wait", "agent": "A1", "at": [0, 0], "to": 3 },
+        "verdict": "needless",
+        "costs": solved()["costs"], "deltas": { "makespan": 0 }, "within": 40,
+        "alternative": null, "witness": [violation], "closest": true, "complete": true,
+        "core": { "facts": [{ "kind": "start", "agents": ["A1"], "cell": [0, 0], "text": ".." }],
+                  "minimal": true },
+        "repairs": [], "exhaustive": false, "words": "..",
+    });
+    accepts("explainResult", &explained);
+    for (pointer, bad) in [
+        ("/verdict", json!("perhaps")),
+        ("/question/kind", json!("why")),
+        ("/question/at", json!("here")),
+        ("/question/extra", json!(1)),
+        ("/deltas/makespan", json!("more")),
+        ("/closest", Value::Null),
+        ("/core/minimal", Value::Null),
+        ("/extra", json!(1)),
+    ] {
+        refuses_with("explainResult", &explained, pointer, bad);
+    }
     let mut method = solved();
     for key in ["kept", "retimed", "rerouted", "added", "freed"] {
         method[key] = json!(["A1"]);

@@ -11,6 +11,7 @@ mod bad_input;
 mod benchmark_files;
 mod check;
 mod convert;
+mod explain;
 mod harmless_input;
 mod manual;
 mod proof;

@@ -1,0 +1,235 @@
+//! `giveway explain`.
+
+use expect_test::expect;
+use serde_json::{Value, json};
+
+use crate::run::{Folder, SCENARIO_1, SCENARIO_6, WAREHOUSE, WAREHOUSE_PLAN};
+
+/// The first plan of the published scenario 1.
+const PLAN_1: &str = r#"{ "giveway": 1, "paths": {
+    "A1": [[2, 2], [2, 1], [1, 1], [0, 1]],
+    "A2": [[3, 1], [3, 1], [2, 1], [1, 1], [1, 0]] } }"#;
+
+fn scenario_1() -> Folder {
+    Folder::with(&[("scene.json", SCENARIO_1), ("plan.json", PLAN_1)])
+}
+
+fn warehouse() -> Folder {
+    Folder::with(&[("scene.json", WAREHOUSE), ("plan.json", WAREHOUSE_PLAN)])
+}
+
+#[test]
+fn the_published_scenario_1() {
+    let run = scenario_1().run("explain scene.json --plan plan.json wait A2 --at 3,1");
+    let text: Vec<&str> = run.answer().lines().collect();
+    expect![[r#"
+        scenario-1: 4 x 3 cells, 2 agents
+
+        wait A2 --at 3,1
+        Needless, whatever the horizon: If A2 did not wait at (3, 1), it would meet A1 at (2, 1) at time 1. But A1 could wait instead: there is another plan that costs the same.
+
+        cost           this plan  other plan  difference
+        makespan               4           4           -
+        sum of costs           7           7           -
+        charges                0           0           -
+        moves                  6           6           -
+        waits                  1           1           -
+
+           0     1     2     3
+         0 .     .b    ##### .
+         1 .a    .     .a'b' .B
+         2 .     .     .A    .
+          # obstacle, A start, a goal, a' waypoint
+          A = A1, B = A2
+
+        time       0     1     2     3     4
+        A1       2,2   2,1   1,1   0,1
+          other  2,2  !2,2  !2,1  !1,1  !0,1
+        A2       3,1   3,1   2,1   1,1   1,0
+          other  3,1  !2,1  !1,1  !1,0
+          other: what the agent does in the other plan, ! where it differs
+        No other plan as good is closer to this one.
+
+        What would happen:
+          A1 and A2 are both at (2, 1) at time 1.
+    "#]]
+    .assert_eq(&(text[..text.len().min(27)].join("\n") + "\n"));
+}
+
+#[test]
+fn json_has_the_specified_keys() {
+    let answer = warehouse()
+        .run("explain scene.json --plan plan.json slow A1 --format json")
+        .json();
+    assert_eq!(answer["question"], json!({ "kind": "slow", "agent": "A1" }));
+    assert_eq!(answer["verdict"], "costly");
+    assert_eq!(
+        answer["deltas"],
+        json!({ "makespan": 5, "sum-of-costs": 6, "charges": 1 })
+    );
+    let mut keys: Vec<&String> = answer.as_object().unwrap().keys().collect();
+    keys.sort();
+    assert_eq!(
+        keys,
+        [
+            "alternative",
+            "closest",
+            "complete",
+            "core",
+            "costs",
+            "deltas",
+            "exhaustive",
+            "giveway",
+            "question",
+            "repairs",
+            "stats",
+            "verdict",
+            "within",
+            "witness",
+            "words"
+        ]
+    );
+    let fact = answer["core"]["facts"][0].as_object().unwrap();
+    let mut keys: Vec<&String> = fact.keys().collect();
+    keys.sort();
+    assert_eq!(keys, ["agents", "cell", "kind", "text"]);
+}
+
+/// What the command writes is what the schema says.
+#[test]
+fn answers_keep_to_the_schema() {
+    let mut schema: Value = serde_json::from_str(giveway_model::format::schema::schema()).unwrap();
+    let object = schema.as_object_mut().unwrap();
+    object.remove("anyOf");
+    object.insert("$ref".into(), "#/$defs/explainResult".into());
+    let validator = jsonschema::draft202012::new(&schema).unwrap();
+    let folder = Folder::with(&[
+        ("warehouse.json", WAREHOUSE),
+        ("warehouse.plan.json", WAREHOUSE_PLAN),
+        ("scenario-6.json", SCENARIO_6),
+        ("scenario-1.json", SCENARIO_1),
+        ("plan.json", PLAN_1),
+    ]);
+    for line in [
+        "warehouse.json --plan warehouse.plan.json arrival A1",
+        "warehouse.json --plan warehouse.plan.json order A1 --first 2,0 --second 4,2",
+        "warehouse.json --plan warehouse.plan.json plan",
+        "scenario-1.json wait A2",
+        "scenario-1.json --plan plan.json wait A2 --from 0 --to 1",
+        "scenario-1.json --plan plan.json plan",
+        "scenario-6.json unsolvable",
+    ] {
+        let run = folder.run(&format!("explain {line} --format json"));
+        // Which of two equal plans is found first decides whether A2 waits.
+        if run.exit == Some(1) && line == "scenario-1.json wait A2" {
+            continue;
+        }
+        let answer: Value = serde_json::from_str(&run.out).unwrap();
+        let errors: Vec<String> = validator
+            .iter_errors(&answer)
+            .map(|error| format!("{error} at {}", error.instance_path()))
+            .collect();
+        assert_eq!(errors, Vec::<String>::new(), "{line}");
+    }
+}
+
+#[test]
+fn without_a_plan_the_best_one_is_asked_about() {
+    let answer = Folder::scene(WAREHOUSE)
+        .run("explain scene.json makespan --format json")
+        .json();
+    assert_eq!(answer["verdict"], "necessary");
+    assert!(answer["plan"]["paths"]["A1"].is_array());
+}
+
+#[test]
+fn what_is_not_so_is_told() {
+    let folder = warehouse();
+    for (question, said) in [
+        (
+            "wait A1",
+            expect![[r#"
+                exit 1
+                A1 does not wait. It never waits before its arrival. You can ask: arrival A1
+            "#]],
+        ),
+        (
+            "wait A9",
+            expect![[r#"
+                exit 1
+                agent: found "A9", expected one of A1, A2
+            "#]],
+        ),
+        (
+            "visit A1 --at 12,0",
+            expect![[r#"
+                exit 1
+                at: found (12, 0), expected a cell of the 10 x 3 map
+            "#]],
+        ),
+        (
+            "charge A1 --at 3,2",
+            expect![[r#"
+                exit 1
+                A1 does not charge at (3, 2). It charges at (6, 2) at time 9. You can ask: charge A1 --at 6,2 --time 9
+            "#]],
+        ),
+    ] {
+        folder.refuses(
+            &format!("explain scene.json --plan plan.json {question}"),
+            &said,
+        );
+    }
+}
+
+#[test]
+fn a_broken_plan_is_told_with_what_it_breaks() {
+    let broken = PLAN_1.replace("[[3, 1], [3, 1], [2, 1]", "[[3, 1], [2, 1]");
+    let folder = Folder::with(&[("scene.json", SCENARIO_1), ("plan.json", &broken)]);
+    folder.refuses(
+        "explain scene.json --plan plan.json arrival A2",
+        &expect![[r#"
+            exit 1
+            A1 and A2 are both at (2, 1) at time 1.
+            A1 and A2 are both at (1, 1) at time 2.
+        "#]],
+    );
+}
+
+#[test]
+fn what_is_no_question_is_a_wrong_command_line() {
+    let folder = scenario_1();
+    for (question, said) in [
+        ("why A1", "found \"why\", expected one of wait, charge"),
+        ("wait", "\"wait\" needs an agent"),
+        ("visit A1", "\"visit\" needs --at"),
+        ("wait A1 --at 3", "found \"3\", expected a cell X,Y"),
+        ("wait A1 --from -1", "found \"-1\", expected a whole number"),
+        ("makespan A1", "\"makespan\" has no use for \"A1\""),
+    ] {
+        let run = folder.run(&format!("explain scene.json {question}"));
+        assert_eq!((run.exit, run.out.as_str()), (Some(2), ""), "{question}");
+        let said = said.to_lowercase();
+        assert!(run.err.to_lowercase().contains(&said), "{}", run.err);
+    }
+}
+
+#[test]
+fn why_there_is_no_plan() {
+    let run = Folder::scene(SCENARIO_6).run("explain scene.json unsolvable");
+    let text = run.answer();
+    for part in [
+        "Necessary, whatever the horizon",
+        "A1 and A2 are both at (1, 2) at time 3.",
+        "Remove the obstacle at (1, 0): makespan 6, sum of costs 8.",
+    ] {
+        assert!(text.contains(part), "{part} in\n{text}");
+    }
+    Folder::scene(SCENARIO_6).refuses(
+        "explain scene.json makespan",
+        &expect![[r#"
+            exit 1
+            There is no plan to ask about. You can ask: unsolvable
+        "#]],
+    );
+}
