@@ -50,8 +50,6 @@ fn the_published_scenario_1() {
           other: what the agent does in the other plan, ! where it differs
         No other plan as good is closer to this one.
 
-        What would happen:
-          A1 and A2 are both at (2, 1) at time 1.
     "#]]
     .assert_eq(&(text[..text.len().min(27)].join("\n") + "\n"));
 }
@@ -98,7 +96,7 @@ fn json_has_the_specified_keys() {
 /// What the command writes is what the schema says.
 #[test]
 fn answers_keep_to_the_schema() {
-    let mut schema: Value = serde_json::from_str(giveway_model::format::schema::schema()).unwrap();
+    let mut schema: Value = serde_json::from_str(giveway_model::format::schema()).unwrap();
     let object = schema.as_object_mut().unwrap();
     object.remove("anyOf");
     object.insert("$ref".into(), "#/$defs/explainResult".into());

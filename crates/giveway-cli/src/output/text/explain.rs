@@ -22,7 +22,8 @@ pub(crate) fn explain(
 ) -> String {
     let mut parts = vec![title(instance), verdict(answer)];
     let before = plan.and_then(|plan| costs(instance, plan));
-    if let (Some(before), Some(after)) = (before, answer.costs) {
+    let after = answer.costs.filter(|_| answer.alternative.is_some());
+    if let (Some(before), Some(after)) = (before, after) {
         parts.push(cost_table(instance, &before, &after));
     }
     parts.push(map::draw(instance, columns));
