@@ -10,9 +10,9 @@ use super::{Ask, Message};
 
 /// A scene with a battery and a name that is awkward in JSON.
 fn scene() -> Scene {
-    let text = r##"{ "giveway": 1, "map": ["..+", "~#."], "agents": [
+    let text = r#"{ "giveway": 1, "map": ["..+", "~#."], "agents": [
         { "name": "a \"1\"\n{", "start": [0, 0], "goal": [2, 1], "waypoints": [[2, 0]],
-          "battery": { "capacity": 9, "initial": 9 } }] }"##;
+          "battery": { "capacity": 9, "initial": 9 } }] }"#;
     native::read_scene(text).unwrap()
 }
 
@@ -93,7 +93,7 @@ fn what_is_told_on_the_way_comes_back() {
         check_message(&Message::Progress {
             id: u32::MAX,
             event,
-        })
+        });
     };
     progress(Progress::Bound {
         cost: Cost::SumOfCosts,
