@@ -1,10 +1,10 @@
 //! Certificates: what a solver claims, proved again so that nobody need trust it.
 //!
 //! A [`Claim`] says that there is no plan of some kind. [`plain`] writes it as a
-//! formula straight from the rules of the problem, [`prove`] finds a proof in
+//! formula straight from the rules of the problem, [`prove()`] finds a proof in
 //! the standard format DRAT, and [`drat`] checks one, knowing nothing of either.
 //! What rests on search instead is searched again by [`exhaust`]. A [`Bundle`]
-//! is a folder with all of it; [`verify`] accepts or rejects one.
+//! is a folder with all of it; [`verify()`] accepts or rejects one.
 //!
 //! Nothing here reads files or knows the solver whose claims it certifies.
 

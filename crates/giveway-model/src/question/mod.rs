@@ -1,7 +1,7 @@
 //! Questions that a person may ask of a plan, and what each contrasts it with.
 //!
 //! Questions are contrastive ("why this rather than that?"): each has a
-//! *counterfactual*, a constraint on another plan ([`holds`]), but for the two
+//! *counterfactual*, a constraint on another plan ([`holds()`]), but for the two
 //! about the instance or the plan as a whole. See Bogatarkan and Erdem,
 //! "Explanation Generation for Multi-Modal Multi-Agent Path Finding with
 //! Optimal Resource Utilization using Answer Set Programming" (2020).
