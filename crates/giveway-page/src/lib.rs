@@ -1,6 +1,6 @@
 //! The playground's page as plain data.
 //!
-//! A [`State`] and an [`Action`] give the next state ([`reduce`]); what each
+//! A [`State`] and an [`Action`] give the next state ([`reduce()`]); what each
 //! place of the page shows is a function of the state. Nothing here draws,
 //! waits, or knows that there is a browser: the page (`web/`) shows the state,
 //! sends actions, and runs what [`State::work`] says should run.

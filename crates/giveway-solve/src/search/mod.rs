@@ -4,7 +4,7 @@
 //! - [`stage`]: one cost at a time, in the order of the objective: core-guided
 //!   for sums ([`sum`]), step by step for the makespan ([`makespan`]);
 //! - [`feasible`]: any plan at all, or the proof that there is none;
-//! - [`closest`]: of the best plans one that is close to a given one;
+//! - [`mod@closest`]: of the best plans one that is close to a given one;
 //! - [`incumbent`]: the best plan so far;
 //! - [`lexicographic`]: all of it in order.
 
