@@ -101,7 +101,8 @@ fn repairs_are_those_that_help() {
             if told.contains(&edit) {
                 continue;
             }
-            let after = Instance::new(edited_scene(&instance, &[edit.clone()])).unwrap();
+            let after =
+                Instance::new(edited_scene(&instance, std::slice::from_ref(&edit))).unwrap();
             let verdict = best(&after);
             assert!(
                 !matches!(verdict, Verdict::Best(_)),
