@@ -53,6 +53,13 @@ pub fn random(seed: u64, number: u64) -> Option<Case> {
     })
 }
 
+/// A random question that fits a valid plan of any instance.
+pub fn about(instance: &Instance, plan: &Plan, seed: u64, number: u64) -> Option<Question> {
+    let mut random = ChaCha8Rng::seed_from_u64(seed ^ 0x51);
+    random.set_stream(number);
+    question(instance, plan, &mut random)
+}
+
 /// The best plan in the objective of the instance, or in another one.
 fn plan(instance: &Instance, random: &mut ChaCha8Rng) -> Option<Plan> {
     if random.random_bool(0.6) {

@@ -21,6 +21,11 @@ pub(crate) const PROOFS: Marks = Marks {
     begin: "<!-- proofs: written by `./x bench --proofs` -->",
     end: "<!-- end of the proofs -->",
 };
+/// The table of answers to questions.
+pub(crate) const QUESTIONS: Marks = Marks {
+    begin: "<!-- questions: written by `./x bench --questions` -->",
+    end: "<!-- end of the questions -->",
+};
 
 /// Puts tables into the document.
 ///
@@ -51,7 +56,7 @@ mod tests {
 
     #[test]
     fn only_what_is_between_the_markers_changes() {
-        for marks in [TABLES, PROOFS] {
+        for marks in [TABLES, PROOFS, QUESTIONS] {
             let Marks { begin, end } = marks;
             let text = format!("before\n{begin}\nold\n{end}\nafter\n");
             let new = replaced(&text, &marks, "new\n").unwrap();

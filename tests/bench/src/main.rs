@@ -4,7 +4,7 @@
 //! `./x bench` builds the command and this program and runs all rows, which
 //! writes `docs/benchmarks.md`; with words behind it only the rows whose names
 //! hold one of them, and the tables are only printed. `./x bench --proofs` makes
-//! and checks certificates instead.
+//! and checks certificates instead, `./x bench --questions` answers questions.
 #![allow(
     clippy::print_stdout,
     clippy::print_stderr,
@@ -13,6 +13,7 @@
 
 mod document;
 mod proofs;
+mod questions;
 mod rows;
 mod run;
 mod table;
@@ -37,6 +38,9 @@ struct Args {
     /// Only the certificates; their table is written
     #[arg(long)]
     proofs: bool,
+    /// Only the questions; their table is written
+    #[arg(long)]
+    questions: bool,
 }
 
 fn main() -> Result<ExitCode, Box<dyn Error>> {
@@ -44,6 +48,11 @@ fn main() -> Result<ExitCode, Box<dyn Error>> {
     let command = Command::beside_this_program(args.time_limit)?;
     if args.proofs {
         document::put(&document::PROOFS, &proofs::table(&command)?)?;
+        eprintln!("written to docs/benchmarks.md");
+        return Ok(ExitCode::SUCCESS);
+    }
+    if args.questions {
+        document::put(&document::QUESTIONS, &questions::table()?)?;
         eprintln!("written to docs/benchmarks.md");
         return Ok(ExitCode::SUCCESS);
     }
