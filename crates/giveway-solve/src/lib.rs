@@ -6,7 +6,6 @@
 //! in a [`Host`].
 
 mod answer;
-#[allow(dead_code, reason = "the parts that ask come one by one")]
 mod condition;
 mod encode;
 pub mod explain;

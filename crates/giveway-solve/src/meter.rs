@@ -102,7 +102,6 @@ impl<'h> Meter<'h> {
     /// A meter for one part of the work: with limits of its own, which are never
     /// more than what is left here. The host hears nothing of it, since bounds
     /// and plans of a part are not those of the whole.
-    #[allow(dead_code, reason = "the parts come one by one")]
     pub(crate) fn part(&self, limits: Limits) -> Self {
         let seconds = self.seconds_left();
         let spent = self.conflicts.get();
@@ -153,7 +152,6 @@ impl<'h> Meter<'h> {
     }
 
     /// Adds the work of a part to this tally.
-    #[allow(dead_code, reason = "the parts come one by one")]
     pub(crate) fn absorb(&self, part: &Self) {
         let add = |cell: &Cell<u64>, more: &Cell<u64>| cell.set(cell.get() + more.get());
         add(&self.calls, &part.calls);
