@@ -373,7 +373,7 @@ impl Near<'_, '_> {
             let Some(&differs) = differs.get(node.time as usize) else {
                 continue;
             };
-            if node.place != was(node.time) {
+            if !is_same_entry(node.place, was(node.time)) {
                 clauses.push(vec![!code.node(id), differs]);
             }
         }
@@ -472,7 +472,7 @@ impl Near<'_, '_> {
             let at = |walk: &Walk, time: usize| walk.get(time).copied().unwrap_or(goal);
             let times = 0..walk.len().max(before.walk.len());
             count += times
-                .filter(|&time| at(walk, time) != at(&before.walk, time))
+                .filter(|&time| !is_same_entry(at(walk, time), at(&before.walk, time)))
                 .count();
         }
         count
@@ -493,14 +493,17 @@ impl Near<'_, '_> {
         }
     }
 
-    /// Whether the clauses say of every plan how many entries differ: where
-    /// agents vanish, no walk is looked at that comes to its end twice.
+    /// Whether the clauses know every plan: where agents vanish they know none
+    /// in which one comes to its end, leaves it and comes back.
     fn is_exact(&self) -> bool {
-        self.before.iter().enumerate().all(|(agent, before)| {
-            let walk = &before.walk;
-            let goal = Place::At(self.problem.tasks[agent].goal);
-            let passes = walk.iter().rev().skip(1).any(|&place| place == goal);
-            self.problem.rests(agent) || !passes
+        let insiders = self.search.team.insiders();
+        insiders.into_iter().all(|agent| {
+            self.problem.rests(agent) || self.search.cap(agent) < self.problem.optima[agent] + 2
         })
     }
+}
+
+/// Whether two places are one entry of a path: in transit is in transit.
+fn is_same_entry(a: Place, b: Place) -> bool {
+    a == b || matches!((a, b), (Place::Along(_), Place::Along(_)))
 }
