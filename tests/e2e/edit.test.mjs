@@ -113,7 +113,7 @@ describe("editing", () => {
     const start = await playground.middleOf(0, 0);
     await playground.page.mouse.click(start.x, start.y);
     await playground.showTab("Inspector");
-    await playground.inspector.getByRole("heading", { name: "A1" }).waitFor();
+    await playground.inspector.getByRole("heading", { name: "A1", level: 2 }).waitFor();
     await playground.picture("agent");
     const cell = await playground.middleOf(3, 1);
     await playground.page.mouse.click(cell.x, cell.y);
