@@ -20,13 +20,14 @@ describe("touch", () => {
     await playground.reaches(0);
     await tap(playground, 9, 2);
     await page.getByRole("tab", { name: "Inspector" }).tap();
-    await playground.inspector.getByRole("heading", { name: "A2" }).waitFor();
+    await playground.inspector.getByRole("heading", { name: "A2", level: 2 }).waitFor();
     await playground.tools.getByRole("button", { name: "Obstacle" }).tap();
     await tap(playground, 0, 1);
     await playground.cellTells(0, 1, /^obstacle$/);
     await playground.button("Undo").tap();
     await playground.cellTells(0, 1, /^free$/);
-  }, { screens });
+    // An agent is tapped where it is seen, and on the way to a time it is elsewhere.
+  }, { screens, reducedMotion: "reduce" });
 
   flow("a finger draws a stroke", async (playground, surroundings) => {
     await playground.says(OPENING);
