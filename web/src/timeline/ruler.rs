@@ -123,7 +123,8 @@ fn Labels(props: &LabelsProps) -> Html {
     let label = |time: u32| {
         let apart = f64::from(time.abs_diff(*now)) * axis.column;
         let digits = time.to_string().len() as f64;
-        let cut = time != *now && apart < THUMB + digits * 3.5;
+        // The thumb says the time shown itself.
+        let cut = apart < THUMB + digits * 3.5;
         html! {
             <text key={time} class={classes!(cut.then_some("cut"))} x={axis.x(f64::from(time)).to_string()}
                 y="16" text-anchor="middle">{ time }</text>

@@ -8,6 +8,8 @@ use yew::NodeRef;
 
 /// The height of a row of the plan table, in pixels: as in the style sheet.
 const TABLE_ROW: f64 = 22.0;
+/// Free room after the last column, in pixels: the thumb and a flag reach into it.
+const END: f64 = 9.0;
 /// Rows drawn beyond those that are seen, on each side.
 const MORE: usize = 3;
 
@@ -60,7 +62,7 @@ impl Seen {
         let label = place.query_selector(".lab").ok().flatten();
         let label = label.map_or(0.0, |label| label.get_bounding_client_rect().width());
         let mut seen = Self {
-            room: f64::from(place.client_width()) - label,
+            room: f64::from(place.client_width()) - label - END,
             label,
             table: table.is_some(),
             gutter: [lanes, table].into_iter().flatten().any(scrolls_down),

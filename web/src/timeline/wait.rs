@@ -5,6 +5,9 @@ use giveway_page::{Run, words};
 use gloo::timers::callback::Interval;
 use yew::prelude::*;
 
+/// The width of the bar on a phone, in pixels.
+const NARROWEST: f64 = 290.0;
+
 #[derive(Clone, PartialEq, Properties)]
 pub(super) struct WaitProps {
     pub run: Run,
@@ -72,14 +75,20 @@ fn bar(gauge: &Gauge, scale: u32) -> Html {
     let least = gauge.at_least.map(share);
     let best = gauge.best.map(share);
     let from = least.unwrap_or(0.0);
-    // Two numbers side by side must not touch.
-    let is_close = |a: f64, b: f64| b - a < 4.0;
+    // Two numbers side by side must not touch, on the narrowest bar either.
+    let digits = gauge.best.unwrap_or(0).to_string().len() as f64;
+    let apart = (digits * 7.5 + 8.0) / NARROWEST * 100.0;
     let both = least
         .zip(best)
-        .is_some_and(|(least, best)| is_close(least, best));
+        .is_some_and(|(least, best)| best - least < apart);
     let is_met = gauge.at_least.is_some() && gauge.at_least == gauge.best;
     let tick = |at: f64, anchor: &'static str, n: u32| {
-        html! { <text class="tick" x={percent(at)} y="12" text-anchor={anchor}>{ n }</text> }
+        let aside = match anchor {
+            "end" => "-3",
+            "start" => "3",
+            _ => "0",
+        };
+        html! { <text class="tick" x={percent(at)} dx={aside} y="12" text-anchor={anchor}>{ n }</text> }
     };
     html! {
         <div class="bt" aria-hidden="true">
