@@ -12,6 +12,9 @@
 //! Diagrams in SAT: Surynek et al., "Efficient SAT approach to multi-agent path
 //! finding under the sum of costs objective" (2016).
 
+mod read;
+mod waits;
+
 use std::collections::BTreeMap;
 
 use super::{at_most_one::AtMostOne, battery::BatteryCode, collisions::AgentId};
@@ -219,35 +222,6 @@ impl AgentCode {
         }
     }
 
-    /// No wait of so many steps on end: of every row of nodes at one vertex that
-    /// a new node is part of, one is left out.
-    fn write_waits(&self, old: NodeId, demand: &Demand, out: &mut impl Clauses) {
-        let Demand::Wait {
-            steps: steps @ 2.., ..
-        } = *demand
-        else {
-            return;
-        };
-        for id in old..self.diagram.len() {
-            let node = self.diagram.node(id);
-            let Place::At(v) = node.place else { continue };
-            for first in node.time.saturating_sub(steps)..=node.time {
-                if !(first..first + steps).all(|time| demand.counts_wait(v, time)) {
-                    continue;
-                }
-                let row = (first..=first + steps)
-                    .map(|time| self.diagram.find(time, node.place, node.mask));
-                let Some(row) = row.collect::<Option<Vec<NodeId>>>() else {
-                    continue;
-                };
-                if row.iter().all(|&other| other <= id) {
-                    let clause: Vec<Lit> = row.iter().map(|&other| !self.node(other)).collect();
-                    out.clause(&clause);
-                }
-            }
-        }
-    }
-
     /// The agent at its goal for good, up to the deadline.
     fn write_rest(
         &mut self,
@@ -368,39 +342,6 @@ impl AgentCode {
         let there = self.positions.get(&(to.time, v));
         if let (Some(&arc), Some(&here), Some(&there)) = (arc, here, there) {
             added.crossings.push((from.time, arc, [here, there]));
-        }
-    }
-
-    /// The places of the agent at each time up to its arrival, in a model.
-    pub(crate) fn walk(&self, task: &Task, is_true: impl Fn(Lit) -> bool) -> Vec<Place> {
-        let mut walk = self.read(task, is_true);
-        // A model may call it arrived later than it is.
-        let goal = Place::At(task.goal);
-        while walk.ends_with(&[goal, goal]) {
-            walk.pop();
-        }
-        walk
-    }
-
-    fn read(&self, task: &Task, is_true: impl Fn(Lit) -> bool) -> Vec<Place> {
-        let mut walk = Vec::new();
-        let mut id = 0;
-        loop {
-            let node = self.diagram.node(id);
-            walk.push(node.place);
-            let resting = self.rest(node.time + 1);
-            if self.is_end(node, task) && (!self.stays || resting.is_none_or(&is_true)) {
-                return walk;
-            }
-            let written = self.written[id as usize] as usize;
-            let next = node.steps.iter().take(written).find_map(|step| {
-                let to = self.diagram.find(node.time + 1, step.place, step.mask)?;
-                is_true(self.nodes[to as usize]).then_some(to)
-            });
-            match next {
-                Some(to) => id = to,
-                None => return walk, // no model of the clauses: the checker will say so
-            }
         }
     }
 }

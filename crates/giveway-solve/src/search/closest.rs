@@ -1,9 +1,12 @@
 //! Of all plans as good as the best, one that is close to a given plan.
 //!
-//! First as few agents as can be do something else, by unsatisfiable cores over
-//! "does as before" (as in [`super::sum`]); an agent that no core names is not
-//! inside the SAT solver at all, but in everyone's way where it was before. Then
-//! as few entries as can be differ, from above, until one fewer is refuted.
+//! First as few agents as can be do something else ([`agents`]); then as few
+//! entries as can be differ ([`entries`]). What either needs of the agents inside
+//! the SAT solver is written by [`clauses`], as their diagrams grow.
+
+mod agents;
+mod clauses;
+mod entries;
 
 use std::collections::BTreeMap;
 use std::rc::Rc;
@@ -16,20 +19,15 @@ use super::{
     stage::Search,
 };
 use crate::{
-    encode::{
-        agent::Added,
-        collisions::AgentId,
-        totalizer::{merge, totalizer},
-    },
+    encode::{agent::Added, collisions::AgentId},
     meter::{Meter, Stop},
     problem::Problem,
-    sat::{Clauses, Lit, Outcome},
-    single::{Demand, NodeId, Place},
+    sat::{Clauses, Lit},
+    single::{Demand, Place},
     walk::{Walk, arrival, costs_of, crossed},
 };
-
-/// Entries of all agents inside, beyond which nothing is tried.
-const MOST_ENTRIES: usize = 1500;
+use agents::Soft;
+use clauses::Written;
 
 /// What one agent does in the given plan.
 #[derive(Clone, Debug)]
@@ -88,32 +86,11 @@ pub(crate) fn closest(
     Ok(Some(close))
 }
 
-/// An agent that does as before, or does not.
-#[derive(Clone, Copy, Debug)]
-enum Soft {
-    /// An agent that is not inside the SAT solver.
-    Outside(AgentId),
-    /// One that is.
-    Inside,
-    /// No more than this one of those that a core names.
-    Total,
-}
-
 /// The given walk of an inside agent, as nodes of its diagram.
 struct Trace {
     nodes: Vec<(Place, u32)>,
     /// It does as before.
     same: Lit,
-}
-
-/// How far the clauses of an inside agent are written.
-#[derive(Clone, Copy, Debug, Default)]
-struct Written {
-    nodes: NodeId,
-    rest: u32,
-    charges: usize,
-    entries: NodeId,
-    rest_entries: u32,
 }
 
 struct Near<'p, 'h> {
@@ -257,227 +234,6 @@ impl Near<'_, '_> {
         Ok(Some(same))
     }
 
-    /// As few agents as can be do something else; false where there is no plan.
-    fn few_agents(&mut self) -> Result<bool, Stop> {
-        loop {
-            self.extend()?;
-            let guards = self.search.guards();
-            let mut assumptions: Vec<Lit> = self.softs.keys().copied().collect();
-            assumptions.extend(guards.keys());
-            match self.search.team.solve(&assumptions)? {
-                Outcome::Sat if !self.cores.is_empty() => self.assume_totals(),
-                Outcome::Sat => break,
-                Outcome::Unsat(core) => {
-                    let mut grown = false;
-                    for lit in &core {
-                        if let Some(&agent) = guards.get(lit) {
-                            grown |= self.search.grow_further(agent, u32::MAX)?;
-                        }
-                    }
-                    if !grown {
-                        self.learn(&core)?;
-                        if core.is_empty() {
-                            return Ok(false);
-                        }
-                    }
-                }
-            }
-        }
-        // Whoever does something else in any plan with so few has been named.
-        for &lit in self.softs.keys() {
-            self.search.team.harden(lit);
-        }
-        Ok(true)
-    }
-
-    /// One of those that a core names does something else.
-    fn learn(&mut self, core: &[Lit]) -> Result<(), Stop> {
-        let mut violations = Vec::new();
-        for lit in core {
-            match self.softs.remove(lit) {
-                Some(Soft::Outside(agent)) => {
-                    // From now on its place inside says where it is.
-                    self.search.team.harden(!*lit);
-                    if let Some(same) = self.enter(agent)? {
-                        violations.push(!same);
-                    }
-                }
-                Some(Soft::Inside | Soft::Total) => violations.push(!*lit),
-                None => {}
-            }
-        }
-        match violations.as_slice() {
-            [one] => self.search.team.harden(*one),
-            _ => self.cores.push(violations),
-        }
-        Ok(())
-    }
-
-    fn assume_totals(&mut self) {
-        for violations in std::mem::take(&mut self.cores) {
-            let outputs = totalizer(&violations, self.search.team.clauses());
-            // One of them is paid for; every further one costs as much again.
-            for &more in outputs.iter().skip(1) {
-                self.softs.insert(!more, Soft::Total);
-            }
-        }
-    }
-
-    /// Writes what is missing about the inside agents.
-    fn extend(&mut self) -> Result<(), Stop> {
-        for agent in self.search.team.insiders() {
-            self.search.meter.check()?;
-            let clauses = self.missing(agent);
-            for clause in clauses {
-                self.search.team.clauses().clause(&clause);
-            }
-        }
-        Ok(())
-    }
-
-    fn missing(&mut self, agent: AgentId) -> Vec<Vec<Lit>> {
-        let mut clauses = Vec::new();
-        let Some(code) = self.search.team.code(agent) else {
-            return clauses;
-        };
-        let written = &mut self.written[agent];
-        let Before { walk, charges } = &self.before[agent];
-        let arrival = arrival(walk);
-        let task = &self.problem.tasks[agent];
-        if let Some(Trace { nodes, same }) = &self.traces[agent] {
-            for id in written.nodes..code.diagram().len() {
-                let node = code.diagram().node(id);
-                if nodes.get(node.time as usize) != Some(&(node.place, node.mask)) {
-                    clauses.push(vec![!*same, !code.node(id)]);
-                }
-            }
-            written.nodes = code.diagram().len();
-            for time in written.rest..=arrival {
-                clauses.extend(code.resting(time).map(|rest| vec![!*same, !rest]));
-            }
-            written.rest = arrival + 1;
-            let lits = code.battery().map_or(&[][..], |battery| battery.charges());
-            for (time, &lit) in lits.iter().enumerate().skip(written.charges) {
-                let charges = charges.contains(&(time as u32));
-                clauses.push(vec![!*same, if charges { lit } else { !lit }]);
-            }
-            written.charges = lits.len();
-        }
-        let Some(differs) = self.differs.get(&agent) else {
-            return clauses;
-        };
-        let goal = Place::At(task.goal);
-        let was = |time: u32| walk.get(time as usize).copied().unwrap_or(goal);
-        for id in written.entries..code.diagram().len() {
-            let node = code.diagram().node(id);
-            let Some(&differs) = differs.get(node.time as usize) else {
-                continue;
-            };
-            if !is_same_entry(node.place, was(node.time)) {
-                clauses.push(vec![!code.node(id), differs]);
-            }
-        }
-        // Where agents vanish an end is an end: it is missing from then on.
-        if !self.problem.rests(agent) {
-            for id in written.entries..code.diagram().len() {
-                let node = code.diagram().node(id);
-                if !code.is_end(node, task) {
-                    continue;
-                }
-                for time in node.time + 1..=arrival {
-                    if was(time) != goal
-                        && let Some(&differs) = differs.get(time as usize)
-                    {
-                        clauses.push(vec![!code.node(id), differs]);
-                    }
-                }
-            }
-        }
-        written.entries = code.diagram().len();
-        while let Some(&differs) = differs.get(written.rest_entries as usize) {
-            let time = written.rest_entries;
-            match code.resting(time) {
-                Some(rest) if was(time) != goal => clauses.push(vec![!rest, differs]),
-                None if time > self.problem.optima[agent] => break, // not written yet
-                _ => {}
-            }
-            written.rest_entries += 1;
-        }
-        clauses
-    }
-
-    /// As few entries as can be differ; whether that is proved.
-    fn few_entries(&mut self, close: &mut Close) -> Result<bool, Stop> {
-        let insiders = self.search.team.insiders();
-        let latest: Vec<u32> = insiders
-            .iter()
-            .map(|&agent| {
-                self.search
-                    .cap(agent)
-                    .max(arrival(&self.before[agent].walk))
-            })
-            .collect();
-        let entries: usize = latest.iter().map(|&cap| cap as usize + 1).sum();
-        if entries > MOST_ENTRIES {
-            return Ok(false);
-        }
-        let mut best = self.entries(&close.walks);
-        let mut sum: Vec<Lit> = Vec::new();
-        for (&agent, &latest) in insiders.iter().zip(&latest) {
-            let out = self.search.team.clauses();
-            let lits: Vec<Lit> = (0..=latest).map(|_| out.fresh()).collect();
-            for lit in &lits {
-                sum = merge(&sum, &[*lit], best, out);
-            }
-            self.differs.insert(agent, lits);
-        }
-        // The sum was cut at the best so far, which is never exceeded again.
-        while let Some(&more) = best.checked_sub(1).and_then(|k| sum.get(k)) {
-            self.search.team.harden(!more);
-            loop {
-                self.extend()?;
-                let guards = self.search.guards();
-                let assumptions: Vec<Lit> = guards.keys().copied().collect();
-                match self.search.team.solve(&assumptions)? {
-                    Outcome::Sat => break,
-                    Outcome::Unsat(core) => {
-                        let mut grown = false;
-                        for lit in &core {
-                            if let Some(&agent) = guards.get(lit) {
-                                grown |= self.search.grow_further(agent, u32::MAX)?;
-                            }
-                        }
-                        if !grown {
-                            return Ok(true);
-                        }
-                    }
-                }
-            }
-            let found = self.read();
-            let fewer = self.entries(&found.walks);
-            if fewer >= best {
-                return Err(Stop::Contradiction);
-            }
-            best = fewer;
-            *close = found;
-        }
-        Ok(true)
-    }
-
-    /// Entries that differ, arrived agents padded with their goals.
-    fn entries(&self, walks: &[Walk]) -> usize {
-        let mut count = 0;
-        for (agent, (walk, before)) in walks.iter().zip(self.before).enumerate() {
-            let goal = Place::At(self.problem.tasks[agent].goal);
-            let at = |walk: &Walk, time: usize| walk.get(time).copied().unwrap_or(goal);
-            let times = 0..walk.len().max(before.walk.len());
-            count += times
-                .filter(|&time| !is_same_entry(at(walk, time), at(&before.walk, time)))
-                .count();
-        }
-        count
-    }
-
     /// The plan of the last model.
     fn read(&mut self) -> Close {
         self.search.team.read();
@@ -501,9 +257,4 @@ impl Near<'_, '_> {
             self.problem.rests(agent) || self.search.cap(agent) < self.problem.optima[agent] + 2
         })
     }
-}
-
-/// Whether two places are one entry of a path: in transit is in transit.
-fn is_same_entry(a: Place, b: Place) -> bool {
-    a == b || matches!((a, b), (Place::Along(_), Place::Along(_)))
 }

@@ -1,0 +1,105 @@
+//! What an inside agent does and did, in clauses, as far as its diagram reaches.
+
+use super::{Before, Near, Trace, entries::is_same_entry};
+use crate::{
+    encode::collisions::AgentId,
+    meter::Stop,
+    sat::{Clauses, Lit},
+    single::{NodeId, Place},
+    walk::arrival,
+};
+
+/// How far the clauses of an inside agent are written.
+#[derive(Clone, Copy, Debug, Default)]
+pub(super) struct Written {
+    nodes: NodeId,
+    rest: u32,
+    charges: usize,
+    entries: NodeId,
+    rest_entries: u32,
+}
+
+impl Near<'_, '_> {
+    /// Writes what is missing about the inside agents.
+    pub(super) fn extend(&mut self) -> Result<(), Stop> {
+        for agent in self.search.team.insiders() {
+            self.search.meter.check()?;
+            let clauses = self.missing(agent);
+            for clause in clauses {
+                self.search.team.clauses().clause(&clause);
+            }
+        }
+        Ok(())
+    }
+
+    fn missing(&mut self, agent: AgentId) -> Vec<Vec<Lit>> {
+        let mut clauses = Vec::new();
+        let Some(code) = self.search.team.code(agent) else {
+            return clauses;
+        };
+        let written = &mut self.written[agent];
+        let Before { walk, charges } = &self.before[agent];
+        let arrival = arrival(walk);
+        let task = &self.problem.tasks[agent];
+        if let Some(Trace { nodes, same }) = &self.traces[agent] {
+            for id in written.nodes..code.diagram().len() {
+                let node = code.diagram().node(id);
+                if nodes.get(node.time as usize) != Some(&(node.place, node.mask)) {
+                    clauses.push(vec![!*same, !code.node(id)]);
+                }
+            }
+            written.nodes = code.diagram().len();
+            for time in written.rest..=arrival {
+                clauses.extend(code.resting(time).map(|rest| vec![!*same, !rest]));
+            }
+            written.rest = arrival + 1;
+            let lits = code.battery().map_or(&[][..], |battery| battery.charges());
+            for (time, &lit) in lits.iter().enumerate().skip(written.charges) {
+                let charges = charges.contains(&(time as u32));
+                clauses.push(vec![!*same, if charges { lit } else { !lit }]);
+            }
+            written.charges = lits.len();
+        }
+        let Some(differs) = self.differs.get(&agent) else {
+            return clauses;
+        };
+        let goal = Place::At(task.goal);
+        let was = |time: u32| walk.get(time as usize).copied().unwrap_or(goal);
+        for id in written.entries..code.diagram().len() {
+            let node = code.diagram().node(id);
+            let Some(&differs) = differs.get(node.time as usize) else {
+                continue;
+            };
+            if !is_same_entry(node.place, was(node.time)) {
+                clauses.push(vec![!code.node(id), differs]);
+            }
+        }
+        // Where agents vanish an end is an end: it is missing from then on.
+        if !self.problem.rests(agent) {
+            for id in written.entries..code.diagram().len() {
+                let node = code.diagram().node(id);
+                if !code.is_end(node, task) {
+                    continue;
+                }
+                for time in node.time + 1..=arrival {
+                    if was(time) != goal
+                        && let Some(&differs) = differs.get(time as usize)
+                    {
+                        clauses.push(vec![!code.node(id), differs]);
+                    }
+                }
+            }
+        }
+        written.entries = code.diagram().len();
+        while let Some(&differs) = differs.get(written.rest_entries as usize) {
+            let time = written.rest_entries;
+            match code.resting(time) {
+                Some(rest) if was(time) != goal => clauses.push(vec![!rest, differs]),
+                None if time > self.problem.optima[agent] => break, // not written yet
+                _ => {}
+            }
+            written.rest_entries += 1;
+        }
+        clauses
+    }
+}

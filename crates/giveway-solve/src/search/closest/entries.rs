@@ -1,0 +1,92 @@
+//! As few entries as can be differ, from above, until one fewer is refuted.
+
+use super::{Close, Near};
+use crate::{
+    encode::totalizer::merge,
+    meter::Stop,
+    sat::{Clauses, Lit, Outcome},
+    single::Place,
+    walk::{Walk, arrival},
+};
+
+/// Entries of all agents inside, beyond which nothing is tried.
+const MOST_ENTRIES: usize = 1500;
+
+impl Near<'_, '_> {
+    /// As few entries as can be differ; whether that is proved.
+    pub(super) fn few_entries(&mut self, close: &mut Close) -> Result<bool, Stop> {
+        let insiders = self.search.team.insiders();
+        let latest: Vec<u32> = insiders
+            .iter()
+            .map(|&agent| {
+                self.search
+                    .cap(agent)
+                    .max(arrival(&self.before[agent].walk))
+            })
+            .collect();
+        let entries: usize = latest.iter().map(|&cap| cap as usize + 1).sum();
+        if entries > MOST_ENTRIES {
+            return Ok(false);
+        }
+        let mut best = self.entries(&close.walks);
+        let mut sum: Vec<Lit> = Vec::new();
+        for (&agent, &latest) in insiders.iter().zip(&latest) {
+            let out = self.search.team.clauses();
+            let lits: Vec<Lit> = (0..=latest).map(|_| out.fresh()).collect();
+            for lit in &lits {
+                sum = merge(&sum, &[*lit], best, out);
+            }
+            self.differs.insert(agent, lits);
+        }
+        // The sum was cut at the best so far, which is never exceeded again.
+        while let Some(&more) = best.checked_sub(1).and_then(|k| sum.get(k)) {
+            self.search.team.harden(!more);
+            loop {
+                self.extend()?;
+                let guards = self.search.guards();
+                let assumptions: Vec<Lit> = guards.keys().copied().collect();
+                match self.search.team.solve(&assumptions)? {
+                    Outcome::Sat => break,
+                    Outcome::Unsat(core) => {
+                        let mut grown = false;
+                        for lit in &core {
+                            if let Some(&agent) = guards.get(lit) {
+                                grown |= self.search.grow_further(agent, u32::MAX)?;
+                            }
+                        }
+                        if !grown {
+                            return Ok(true);
+                        }
+                    }
+                }
+            }
+            let found = self.read();
+            let fewer = self.entries(&found.walks);
+            if fewer >= best {
+                return Err(Stop::Contradiction);
+            }
+            best = fewer;
+            *close = found;
+        }
+        Ok(true)
+    }
+
+    /// Entries that differ, arrived agents padded with their goals.
+    fn entries(&self, walks: &[Walk]) -> usize {
+        let mut count = 0;
+        for (agent, (walk, before)) in walks.iter().zip(self.before).enumerate() {
+            let goal = Place::At(self.problem.tasks[agent].goal);
+            let at = |walk: &Walk, time: usize| walk.get(time).copied().unwrap_or(goal);
+            let times = 0..walk.len().max(before.walk.len());
+            count += times
+                .filter(|&time| !is_same_entry(at(walk, time), at(&before.walk, time)))
+                .count();
+        }
+        count
+    }
+}
+
+/// Whether two places are one entry of a path: in transit is in transit.
+pub(super) fn is_same_entry(a: Place, b: Place) -> bool {
+    a == b || matches!((a, b), (Place::Along(_), Place::Along(_)))
+}
