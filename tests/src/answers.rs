@@ -5,7 +5,7 @@ use std::cell::Cell;
 use giveway_model::question::{holds, to_words};
 use giveway_model::{Path, Plan};
 use giveway_solve::explain::{ExplainAnswer, ExplainRequest, Part, Verdict};
-use giveway_solve::{Host, Limits, Progress, Request, Response, serve};
+use giveway_solve::{Host, Limits, Progress, Request, Response, SilentHost, serve};
 
 use crate::compare::{Comparison, judge};
 use crate::oracle::{self, Contrast};
@@ -58,7 +58,20 @@ impl Host for Hurried {
     }
 }
 
+/// Asks the solver for the whole answer.
+pub fn in_full(case: &Case) -> ExplainAnswer {
+    let limits = Limits {
+        conflicts: Some(CONFLICTS),
+        ..Limits::default()
+    };
+    ask_in(&SilentHost, case, None, limits)
+}
+
 fn ask(case: &Case, within: Option<u32>, limits: Limits) -> ExplainAnswer {
+    ask_in(&Hurried::default(), case, within, limits)
+}
+
+fn ask_in(host: &dyn Host, case: &Case, within: Option<u32>, limits: Limits) -> ExplainAnswer {
     let request = Request::Explain(ExplainRequest {
         scene: case.instance.to_scene(),
         plan: Some(case.plan.clone()),
@@ -67,7 +80,7 @@ fn ask(case: &Case, within: Option<u32>, limits: Limits) -> ExplainAnswer {
         within,
         limits,
     });
-    match serve(&request, &Hurried::default()) {
+    match serve(&request, host) {
         Response::Explained(answer) => *answer,
         other => panic!("expected an answer, got {other:?}"),
     }

@@ -1,6 +1,7 @@
 //! Asking the solver through its one door.
 
-use giveway_model::Instance;
+use giveway_model::{Instance, Question};
+use giveway_solve::explain::{ExplainAnswer, ExplainRequest};
 use giveway_solve::{
     FrontAnswer, Limits, Request, Response, SilentHost, SolveAnswer, SolveRequest, serve,
 };
@@ -44,6 +45,23 @@ pub fn front(instance: &Instance, within: Option<u32>) -> FrontAnswer {
     match response(instance, within, true, CONFLICTS) {
         Response::Front(answer) => answer,
         other => panic!("expected a front, got {other:?}"),
+    }
+}
+
+/// Why an instance has no plan; `None` where it has one.
+pub fn unsolvable(instance: &Instance) -> Option<ExplainAnswer> {
+    let request = Request::Explain(ExplainRequest {
+        scene: instance.to_scene(),
+        plan: None,
+        question: Question::Unsolvable,
+        objective: None,
+        within: None,
+        limits: Limits::default(),
+    });
+    match serve(&request, &SilentHost) {
+        Response::Explained(answer) => Some(*answer),
+        Response::Refused(_) => None,
+        other => panic!("{other:?}"),
     }
 }
 

@@ -10,6 +10,8 @@
 pub mod answers;
 pub mod ask;
 pub mod compare;
+pub mod environment;
+pub mod facts;
 pub mod known;
 pub mod oracle;
 pub mod picture;

@@ -17,22 +17,13 @@
 use giveway_model::{Instance, Objective};
 use giveway_tests::compare::{self, Comparison};
 use giveway_tests::oracle::{Question, Verdict};
-use giveway_tests::{random, recount};
-
-fn from_environment(name: &str, default: u64) -> u64 {
-    match std::env::var(name) {
-        Ok(value) => value
-            .parse()
-            .unwrap_or_else(|_| panic!("{name} is {value:?}, expected a number")),
-        Err(_) => default,
-    }
-}
+use giveway_tests::{environment, random, recount};
 
 /// Compares as many instances as asked for, or a share of them, made by `prepare`
 /// from the random instance of a number; `None` passes a number over.
 fn compare_all(percent: u64, prepare: impl Fn(u64, Instance) -> Option<(Instance, Comparison)>) {
-    let seed = from_environment("GIVEWAY_RANDOM_SEED", 1);
-    let count = from_environment("GIVEWAY_RANDOM_INSTANCES", 300);
+    let seed = environment::number("GIVEWAY_RANDOM_SEED", 1);
+    let count = environment::number("GIVEWAY_RANDOM_INSTANCES", 300);
     let count = (count * percent).div_ceil(100);
     let (mut agreed, mut too_large, mut differ) = (0, 0, 0);
     for number in 0.. {

@@ -17,21 +17,12 @@
 use std::collections::BTreeMap;
 
 use giveway_solve::explain::Verdict;
-use giveway_tests::{answers, compare::Comparison, questions};
-
-fn from_environment(name: &str, default: u64) -> u64 {
-    match std::env::var(name) {
-        Ok(value) => value
-            .parse()
-            .unwrap_or_else(|_| panic!("{name} is {value:?}, expected a number")),
-        Err(_) => default,
-    }
-}
+use giveway_tests::{answers, compare::Comparison, environment, questions};
 
 #[test]
 fn verdicts_and_deltas() {
-    let seed = from_environment("GIVEWAY_RANDOM_SEED", 1);
-    let count = from_environment("GIVEWAY_RANDOM_QUESTIONS", 100);
+    let seed = environment::number("GIVEWAY_RANDOM_SEED", 1);
+    let count = environment::number("GIVEWAY_RANDOM_QUESTIONS", 100);
     let (mut differ, mut too_large) = (0, 0);
     let mut verdicts: BTreeMap<Verdict, u64> = BTreeMap::new();
     let mut kinds: BTreeMap<&str, u64> = BTreeMap::new();

@@ -8,11 +8,10 @@
 
 use std::collections::BTreeSet;
 
-use giveway_model::{Instance, Question};
-use giveway_solve::explain::{Edit, ExplainAnswer, ExplainRequest, edited_scene};
-use giveway_solve::{Limits, Request, Response, SilentHost, serve};
+use giveway_model::Instance;
+use giveway_solve::explain::{Edit, edited_scene};
 use giveway_tests::oracle::{self, Verdict};
-use giveway_tests::random;
+use giveway_tests::{ask, random};
 
 /// Instances without a plan to look at.
 const COUNT: u32 = 40;
@@ -20,23 +19,6 @@ const COUNT: u32 = 40;
 const CAP: usize = 100_000;
 /// The most repairs that an answer tells.
 const MOST: usize = 12;
-
-/// Why an instance has no plan; `None` where it has one.
-fn unsolvable(instance: &Instance) -> Option<ExplainAnswer> {
-    let request = Request::Explain(ExplainRequest {
-        scene: instance.to_scene(),
-        plan: None,
-        question: Question::Unsolvable,
-        objective: None,
-        within: None,
-        limits: Limits::default(),
-    });
-    match serve(&request, &SilentHost) {
-        Response::Explained(answer) => Some(*answer),
-        Response::Refused(_) => None,
-        other => panic!("{other:?}"),
-    }
-}
 
 fn best(instance: &Instance) -> Verdict {
     let question = oracle::Question {
@@ -75,7 +57,7 @@ fn repairs_are_those_that_help() {
             break;
         }
         let instance = random::small(11, number);
-        let Some(answer) = unsolvable(&instance) else {
+        let Some(answer) = ask::unsolvable(&instance) else {
             continue;
         };
         looked_at += 1;

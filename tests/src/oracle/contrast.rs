@@ -4,7 +4,7 @@
 //! question needs: the time as long as it matters, one thing done or not, one
 //! number of steps. A way that cannot be what is asked for any more ends there.
 
-use giveway_model::{AtGoal, Cell, Instance, Path, Plan, Question};
+use giveway_model::{Cell, Instance, Path, Plan, Question};
 
 /// A question about a plan.
 #[derive(Clone, Copy, Debug)]
@@ -40,8 +40,14 @@ pub(crate) struct Asked {
 }
 
 impl Asked {
-    /// What is asked of the agent of this name; `None` where nothing is.
-    pub(crate) fn of(instance: &Instance, contrast: Contrast, name: &str) -> Option<Self> {
+    /// What is asked of the agent of this name, which stays at its goal or
+    /// vanishes there; `None` where nothing is.
+    pub(crate) fn of(
+        instance: &Instance,
+        contrast: Contrast,
+        name: &str,
+        stays: bool,
+    ) -> Option<Self> {
         let question = contrast.question;
         if question.agent() != Some(name) {
             return None;
@@ -74,7 +80,7 @@ impl Asked {
             question: question.clone(),
             below,
             last,
-            stays: instance.rules().at_goal == AtGoal::Stay,
+            stays,
             goal: agent.goal,
         })
     }

@@ -1,8 +1,11 @@
 //! All agents together: joint states, joint steps, and what is a collision.
 
+use std::collections::BTreeSet;
+
 use giveway_model::{Cell, Instance, Question};
 
 use super::contrast::{Asked, Contrast};
+use super::leniency::Leniency;
 use super::lone::{Lone, Step};
 use super::price::Price;
 use super::world::World;
@@ -12,6 +15,8 @@ pub(crate) struct Joint {
     pub(crate) agents: Vec<Lone>,
     /// Who must have been at a cell before whom, where a question asks for it.
     precedence: Option<(usize, usize, Cell)>,
+    /// Who ignores whom, both ways.
+    ignored: BTreeSet<(usize, usize)>,
 }
 
 /// One state of each agent, as one number: the states are its digits, and the
@@ -21,18 +26,23 @@ pub(crate) type Code = u64;
 impl Joint {
     /// Explores each agent alone.
     pub(crate) fn new(instance: &Instance) -> Self {
-        Self::asked(instance, None)
+        Self::asked(instance, None, &Leniency::default())
     }
 
-    /// The same with what a question asks for.
-    pub(crate) fn asked(instance: &Instance, contrast: Option<Contrast>) -> Self {
+    /// The same with what a question asks for, and some rules left out.
+    pub(crate) fn asked(
+        instance: &Instance,
+        contrast: Option<Contrast>,
+        leniency: &Leniency,
+    ) -> Self {
         let world = World::new(&instance.to_scene().map);
         let agents: Vec<Lone> = instance
             .agents()
             .iter()
             .map(|agent| {
-                let asked = contrast.and_then(|c| Asked::of(instance, c, &agent.name));
-                Lone::new(&world, instance, agent, asked)
+                let stays = instance.stays() && !leniency.gone.contains(&agent.name);
+                let asked = contrast.and_then(|c| Asked::of(instance, c, &agent.name, stays));
+                Lone::new(&world, instance, agent, stays, asked)
             })
             .collect();
         let size = agents
@@ -46,7 +56,14 @@ impl Joint {
             }
             _ => None,
         };
-        Self { agents, precedence }
+        let pairs = leniency.ignoring.iter();
+        let pairs = pairs.filter_map(|(a, b)| number(a).zip(number(b)));
+        let ignored = pairs.flat_map(|(a, b)| [(a, b), (b, a)]).collect();
+        Self {
+            agents,
+            precedence,
+            ignored,
+        }
     }
 
     /// The least arrival of each agent alone; `None` where it has none.
@@ -148,8 +165,9 @@ impl Joint {
         };
         for &step in *steps {
             let free = chosen.iter().enumerate().all(|(b, other)| {
-                !meet(self.cell_after(a, step), self.cell_after(b, *other))
-                    && !swap(step.edge, other.edge)
+                self.ignored.contains(&(a, b))
+                    || !meet(self.cell_after(a, step), self.cell_after(b, *other))
+                        && !swap(step.edge, other.edge)
             });
             if free {
                 chosen.push(step);

@@ -38,18 +38,19 @@ pub(crate) struct Lone {
 }
 
 impl Lone {
-    /// Explores the states of an agent.
+    /// Explores the states of an agent that stays at its goal, or does not.
     pub(crate) fn new(
         world: &World,
         instance: &Instance,
         agent: &Agent,
+        stays: bool,
         asked: Option<Asked>,
     ) -> Self {
         let law = Law {
             world,
             agent,
             floor: instance.rules().battery_floor,
-            stays: instance.stays(),
+            stays,
             asked,
         };
         let (states, steps, first) = explore(&law);

@@ -16,6 +16,7 @@
 mod contrast;
 mod joint;
 mod law;
+mod leniency;
 mod lone;
 mod near;
 mod price;
@@ -29,6 +30,7 @@ use crate::recount;
 
 pub use contrast::Contrast;
 use joint::Joint;
+pub use leniency::Leniency;
 pub use near::{Distance, least_distance};
 use search::{Aim, Limit, Search};
 
@@ -70,11 +72,22 @@ impl Question<'_> {
         first(self.search(Aim::Lexicographic))
     }
 
-    /// The same of all plans that are as a question asks.
+    /// The same with some rules left out.
+    pub fn best_without(&self, leniency: &Leniency) -> Verdict {
+        let joint = Joint::asked(self.instance, None, leniency);
+        first(self.search_in(&joint, Aim::Lexicographic, None))
+    }
+
+    /// The best of all plans that are as a question asks.
     pub fn best_with(&self, contrast: Contrast) -> Verdict {
+        self.best_with_less(contrast, &Leniency::default())
+    }
+
+    /// The same with some rules left out.
+    pub fn best_with_less(&self, contrast: Contrast, leniency: &Leniency) -> Verdict {
         use giveway_model::Question as Asked;
         if let Asked::NoVisit { agent: None, at } = contrast.question {
-            return self.best_of_any(contrast, *at);
+            return self.best_of_any(contrast, *at, leniency);
         }
         let whole = recount::costs(contrast.plan);
         let cost = match contrast.question {
@@ -92,22 +105,23 @@ impl Question<'_> {
         if limit.is_some_and(|limit| limit.below == 0) {
             return Verdict::Impossible;
         }
-        let joint = Joint::asked(self.instance, Some(contrast));
+        let joint = Joint::asked(self.instance, Some(contrast), leniency);
         first(self.search_in(&joint, Aim::Lexicographic, limit))
     }
 
     /// The best of all plans in which some agent is at a cell.
-    fn best_of_any(&self, contrast: Contrast, at: Cell) -> Verdict {
+    fn best_of_any(&self, contrast: Contrast, at: Cell, leniency: &Leniency) -> Verdict {
         let mut best = Verdict::Impossible;
         for agent in self.instance.agents() {
             let question = giveway_model::Question::NoVisit {
                 agent: Some(agent.name.clone()),
                 at,
             };
-            let one = self.best_with(Contrast {
+            let contrast = Contrast {
                 question: &question,
                 ..contrast
-            });
+            };
+            let one = self.best_with_less(contrast, leniency);
             best = match (best, one) {
                 (Verdict::Capped, _) | (_, Verdict::Capped) => Verdict::Capped,
                 (Verdict::Impossible, one) => one,

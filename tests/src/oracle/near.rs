@@ -13,6 +13,7 @@ use giveway_model::{Cell, Cost, Instance, Plan};
 use super::contrast::Contrast;
 use super::joint::{Code, Joint};
 use super::law::Place;
+use super::leniency::Leniency;
 use super::price::Price;
 
 /// Agents that do something else, and entries that differ.
@@ -29,7 +30,7 @@ pub fn least_distance(
     within: u32,
     cap: usize,
 ) -> Option<Distance> {
-    let joint = Joint::asked(instance, Some(contrast));
+    let joint = Joint::asked(instance, Some(contrast), &Leniency::default());
     let near = Near {
         joint: &joint,
         costs: instance.objective().costs(),
