@@ -1,0 +1,109 @@
+//! The examples of the page keep what their lines promise.
+#![allow(
+    clippy::unwrap_used,
+    clippy::panic,
+    reason = "a test that cannot go on ends with a panic"
+)]
+
+use std::collections::BTreeSet;
+use std::fs;
+use std::path::{Path, PathBuf};
+
+use giveway_model::format::native;
+use giveway_model::{Cell, Instance};
+use giveway_solve::{SolveAnswer, Status};
+use giveway_tests::ask;
+
+/// What stands in the line of an example: its file; makespan, sum of costs,
+/// charges and waits of the best plan, or none.
+type Promise = (&'static str, Option<[u32; 4]>);
+
+const PROMISES: [Promise; 21] = [
+    ("warehouse", Some([18, 35, 3, 0])),
+    ("scenario-1", Some([4, 7, 0, 1])),
+    ("scenario-6", None),
+    ("nine-cells", Some([4, 8, 0, 0])),
+    ("siding", Some([10, 19, 0, 1])),
+    ("swap", None),
+    ("crossing", Some([5, 9, 0, 1])),
+    ("roundabout", Some([8, 32, 0, 0])),
+    ("ring", Some([1, 8, 0, 0])),
+    ("last-in", Some([10, 29, 0, 2])),
+    ("door", Some([11, 47, 0, 2])),
+    ("short-cut", Some([8, 15, 0, 0])),
+    ("detour", Some([15, 30, 1, 0])),
+    ("one-charger", Some([13, 35, 3, 1])),
+    ("ten-robots", Some([31, 254, 10, 8])),
+    ("crowd", Some([11, 132, 0, 5])),
+    ("shelves", Some([34, 458, 0, 3])),
+    ("random-32", Some([48, 637, 0, 1])),
+    ("rooms", Some([47, 569, 0, 0])),
+    ("maze", Some([92, 526, 0, 23])),
+    ("large-warehouse", Some([174, 3196, 0, 0])),
+];
+
+/// The one whose proof takes longer than most will wait.
+const OPEN: &str = "thirty-robots";
+
+fn folder() -> PathBuf {
+    Path::new(env!("CARGO_MANIFEST_DIR")).join("../static/examples")
+}
+
+fn example(name: &str) -> Instance {
+    let text = fs::read_to_string(folder().join(name).with_extension("json")).unwrap();
+    native::read_instance(&text).unwrap()
+}
+
+fn solved(name: &str) -> SolveAnswer {
+    ask::best(&example(name), None)
+}
+
+#[test]
+fn each_is_solved_as_its_line_says() {
+    for (name, expected) in PROMISES {
+        let answer = solved(name);
+        assert!(answer.complete, "{name}");
+        let expected_status = match expected {
+            Some(_) => Status::Optimal,
+            None => Status::Impossible,
+        };
+        assert_eq!(answer.status, expected_status, "{name}");
+        let costs = answer.costs;
+        let found = costs.map(|c| [c.makespan, c.sum_of_costs, c.charges, c.waits]);
+        assert_eq!(found, expected, "{name}");
+    }
+}
+
+#[test]
+fn each_is_looked_at() {
+    let listed: BTreeSet<String> = fs::read_dir(folder())
+        .unwrap()
+        .map(|file| file.unwrap().path())
+        .filter(|path| path.extension().is_some_and(|end| end == "json"))
+        .map(|path| path.file_stem().unwrap().to_str().unwrap().to_owned())
+        .filter(|name| name != "index")
+        .collect();
+    let looked_at = PROMISES.iter().map(|(name, _)| (*name).to_owned());
+    assert_eq!(
+        looked_at.chain([OPEN.to_owned()]).collect::<BTreeSet<_>>(),
+        listed
+    );
+}
+
+/// In the roundabout everybody leaves the pillar on the same side.
+#[test]
+fn the_roundabout_goes_one_way_round() {
+    let plan = solved("roundabout").plan.unwrap();
+    let pillar = (3_i64, 3_i64);
+    let mut turns = BTreeSet::new();
+    for path in plan.paths.values() {
+        let cells: Vec<Cell> = path.iter().copied().flatten().collect();
+        let turn = |pair: &[Cell]| {
+            let [a, b] =
+                [pair[0], pair[1]].map(|c| (i64::from(c.x) - pillar.0, i64::from(c.y) - pillar.1));
+            (a.0 * b.1 - a.1 * b.0).signum()
+        };
+        turns.extend(cells.windows(2).map(turn).filter(|&turn| turn != 0));
+    }
+    assert_eq!(turns.len(), 1);
+}
