@@ -7,6 +7,7 @@ import { describe } from "node:test";
 
 import { root } from "./dist.mjs";
 import { flows } from "./flow.mjs";
+import { Playground } from "./page.mjs";
 
 const OPENING = /^Optimal: makespan 18/;
 const EXAMPLES = JSON.parse(readFileSync(join(root, "static/examples/index.json"), "utf8"));
@@ -36,7 +37,7 @@ describe("the look", () => {
       const dialog = playground.page.getByRole("dialog", { name: "Examples" });
       await dialog.getByRole("listitem").nth(EXAMPLES.length - 1).waitFor();
       for (const { title } of EXAMPLES) {
-        await dialog.getByRole("button", { name: title }).waitFor();
+        await Playground.pick(dialog, title).waitFor();
       }
       await playground.picture(`examples-${theme}`);
       await playground.key("Escape");

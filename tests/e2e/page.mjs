@@ -202,11 +202,17 @@ export class Playground {
     await (await chooser).setFiles(chosen);
   }
 
+  /** The button of an example in the dialog: other lines may hold its title, too. */
+  static pick(dialog, title) {
+    const heading = dialog.page().getByText(title, { exact: true });
+    return dialog.getByRole("button").filter({ has: heading });
+  }
+
   /** Opens an example by its title; it is solved at once. */
   async example(title) {
     await this.act("Examples");
     const dialog = this.page.getByRole("dialog", { name: "Examples" });
-    await dialog.getByRole("button", { name: title }).click();
+    await Playground.pick(dialog, title).click();
     await dialog.waitFor({ state: "detached" });
   }
 }
