@@ -59,6 +59,44 @@ describe("asking why", () => {
     }
   });
 
+  flow("checks the proof of a plan and of an answer, and tells what each claim rests on", async (playground) => {
+    await playground.says(/^Optimal: /);
+    await toWhole(playground);
+    await playground.press("Check the proof");
+    const proof = playground.inspector.getByRole("region", { name: "Proof" });
+    await proof.waitFor({ timeout: 60_000 });
+    const said = await proof.innerText();
+    assert.match(said, /^Checked\s/);
+    assert.match(said, /There is no plan with makespan at most 17/);
+    assert.match(said, /A checked proof: .* steps|A search of .* repeated/);
+    await playground.says(/^Optimal: /);
+    await playground.picture("proof-of-a-plan");
+
+    await playground.example("Who waits?");
+    await playground.says(/^Optimal: makespan 4, sum of costs 7/);
+    assert.equal(await proof.count(), 0, "it is of another plan");
+    await ask(playground, /^Why does it take this long\?/);
+    await told(playground, "Necessary");
+    await playground.button("Check the proof").waitFor({ timeout: 60_000 });
+    await playground.press("Check the proof");
+    await proof.waitFor({ timeout: 60_000 });
+    assert.match(await proof.innerText(), /There is no plan with makespan at most 3/);
+    await proof.scrollIntoViewIfNeeded();
+    await playground.picture("proof-of-an-answer");
+  });
+
+  flow("gives a check of a proof up at once", async (playground) => {
+    await playground.open(sample("mmapf/A05_mm_10x10_o10_a10.json"));
+    await playground.press("Solve");
+    await playground.says(/^Optimal: /);
+    await toWhole(playground);
+    await playground.press("Check the proof");
+    await playground.says(/^(Proving again|Checking the proof)/);
+    await playground.press("Cancel");
+    await playground.button("Check the proof").waitFor();
+    await playground.says(/^Optimal: /);
+  }, { screens: ["desktop"] });
+
   flow("gives a question up at once", async (playground) => {
     await playground.openSettings();
     await playground.set("Time limit, s", 3);
@@ -77,6 +115,13 @@ describe("asking why", () => {
     await playground.says(/^Best plan so far/);
   }, { screens: ["desktop"] });
 });
+
+/** Shows the inspector, with nothing selected. */
+async function toWhole(playground) {
+  if (await playground.page.getByRole("tab").count()) {
+    await playground.showTab("Inspector");
+  }
+}
 
 /** Selects an agent in the inspector. */
 async function about(playground, name) {

@@ -96,7 +96,7 @@ const fn phase_class(phase: Phase) -> &'static str {
     match phase {
         Phase::Editing => "st-editing",
         Phase::Solving => "st-solving",
-        Phase::Asking => "st-asking",
+        Phase::Asking | Phase::Checking => "st-asking",
         Phase::Planned => "st-planned",
         Phase::None => "st-none",
         Phase::Stopped => "st-stopped",

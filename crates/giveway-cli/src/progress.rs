@@ -138,7 +138,7 @@ impl Known {
             }
             Progress::Plan { costs } => self.best = Some(*costs),
             Progress::Size { conflicts, .. } => self.conflicts = *conflicts,
-            Progress::Explained { .. } => {}
+            Progress::Explained { .. } | Progress::Certifying { .. } => {}
         }
     }
 

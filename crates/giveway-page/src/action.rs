@@ -86,6 +86,10 @@ pub enum Action {
     /// Make the edits of a repair, by its index.
     TakeRepair(usize),
 
+    /// Prove again what was answered last, to the question or of the plan, and
+    /// check the proofs.
+    CheckProof,
+
     /// Play from the time shown, or from the start where it is the end.
     Play,
     /// Stop at the next step.

@@ -3,6 +3,7 @@
 use std::rc::Rc;
 
 use giveway_model::Question;
+use giveway_proof::Report;
 use giveway_solve::explain::{ExplainAnswer, ExplainRequest};
 use giveway_solve::{SolveAnswer, Stats, Status};
 
@@ -23,6 +24,8 @@ pub struct Asking {
     pub shows_other: bool,
     /// The fact or the collision that is lit up on the map.
     pub lit: Option<Lit>,
+    /// What came of checking its proof.
+    pub report: Option<Rc<Report>>,
     /// Whether nothing more will come.
     pub is_done: bool,
 }
@@ -46,6 +49,7 @@ impl Asking {
             other: None,
             shows_other: false,
             lit: None,
+            report: None,
             is_done: false,
         }
     }

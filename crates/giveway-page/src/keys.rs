@@ -66,7 +66,10 @@ fn with_ctrl(key: Key<'_>) -> Option<Action> {
 
 /// One thing after the other: the solver, the notice, the selection.
 fn escape(state: &State) -> Option<Action> {
-    if matches!(state.phase(), Phase::Solving | Phase::Asking) {
+    if matches!(
+        state.phase(),
+        Phase::Solving | Phase::Asking | Phase::Checking
+    ) {
         Some(Action::Cancel)
     } else if state.notice.is_some() {
         Some(Action::DismissNotice)

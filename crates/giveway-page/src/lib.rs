@@ -28,6 +28,7 @@ pub mod inspect;
 pub mod keys;
 pub mod objective;
 mod playback;
+pub mod proof;
 mod reduce;
 mod reserve;
 #[cfg(test)]
@@ -48,4 +49,4 @@ pub use playback::{Playback, Point, Speed, position};
 pub use reduce::reduce;
 pub use reserve::Reserve;
 pub use settings::{Settings, Tab, Theme, View};
-pub use state::{Inquiry, Notice, Phase, Run, Selection, Size, State, Work};
+pub use state::{Certifying, Inquiry, Notice, Phase, Run, Selection, Size, State, Work};

@@ -4,8 +4,9 @@ use std::collections::BTreeMap;
 use std::rc::Rc;
 
 use giveway_model::{Cell, Cost, Costs, Plan};
+use giveway_proof::Report;
 use giveway_solve::explain::ExplainRequest;
-use giveway_solve::{Request, SolveRequest, Status};
+use giveway_solve::{CertifyRequest, Request, SolveRequest, Status};
 
 use crate::ground::Brush;
 use crate::{Answer, Asking, Draft, History, Playback, Settings, Tool, View};
@@ -19,6 +20,9 @@ pub struct State {
     pub answer: Option<Rc<Answer>>,
     /// The question that was asked last, until it is left.
     pub asking: Option<Rc<Asking>>,
+    /// What came of checking the proof of an answer; it may be of another answer,
+    /// see [`State::report`].
+    pub(crate) checked: Option<(Rc<Answer>, Rc<Report>)>,
     /// What the solver does.
     pub work: Work,
     /// Undo and redo.
@@ -53,6 +57,8 @@ pub enum Work {
     Solving(Run),
     /// A question is being answered.
     Asking(Inquiry),
+    /// What was answered is proved again and checked.
+    Certifying(Certifying),
 }
 
 impl Work {
@@ -64,6 +70,7 @@ impl Work {
             Self::Asking(inquiry) => {
                 Some((inquiry.id, Request::Explain((*inquiry.request).clone())))
             }
+            Self::Certifying(run) => Some((run.id, Request::Certify((*run.request).clone()))),
         }
     }
 
@@ -73,6 +80,7 @@ impl Work {
             Self::Idle => None,
             Self::Solving(run) => Some(run.id),
             Self::Asking(inquiry) => Some(inquiry.id),
+            Self::Certifying(run) => Some(run.id),
         }
     }
 }
@@ -85,6 +93,19 @@ pub struct Inquiry {
     pub id: u64,
     /// The request.
     pub request: Rc<ExplainRequest>,
+}
+
+/// The check of a proof on its way.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Certifying {
+    /// The number of the run, from 1.
+    pub id: u64,
+    /// The request.
+    pub request: Rc<CertifyRequest>,
+    /// Whether it is about the answer to the question, not about the plan.
+    pub of_question: bool,
+    /// The claim that it has come to, and whether its proof is being checked.
+    pub at: Option<(String, bool)>,
 }
 
 /// A request on its way to an answer, and what is known so far.
@@ -155,6 +176,8 @@ pub enum Phase {
     Solving,
     /// A question is being answered.
     Asking,
+    /// A proof is being checked.
+    Checking,
     /// There is a plan, with a proof that none is better.
     Planned,
     /// There is no plan, with a proof.
@@ -178,6 +201,7 @@ impl State {
             draft: Rc::new(draft),
             answer: None,
             asking: None,
+            checked: None,
             work: Work::Idle,
             history: History::default(),
             stroke: None,
@@ -202,6 +226,13 @@ impl State {
     /// The answer, where it is of the draft on the board.
     pub fn fresh_answer(&self) -> Option<&Answer> {
         self.answer.as_deref().filter(|_| !self.is_stale())
+    }
+
+    /// What came of checking the proof of the answer, if that was done.
+    pub fn report(&self) -> Option<&Report> {
+        let (answer, report) = self.checked.as_ref()?;
+        let is_of = self.answer.as_ref().is_some_and(|a| Rc::ptr_eq(a, answer));
+        is_of.then_some(report)
     }
 
     /// The answer that is shown: the last one, or the other plan of a question.
@@ -244,6 +275,7 @@ impl State {
         match self.work {
             Work::Solving(_) => return Phase::Solving,
             Work::Asking(_) => return Phase::Asking,
+            Work::Certifying(_) => return Phase::Checking,
             Work::Idle => {}
         }
         match self.fresh_answer().map(|answer| answer.solved.status) {

@@ -24,7 +24,7 @@ pub use prove::{Outcome, prove};
 pub use verify::{Checked, Report, verify};
 
 /// What a certificate may take. Where it is not enough, a claim stays without a
-/// proof and says so.
+/// proof and says so. And who is told how far the work is.
 #[derive(Clone, Copy)]
 pub struct Budget<'a> {
     /// The clauses of one formula.
@@ -35,6 +35,8 @@ pub struct Budget<'a> {
     pub states: usize,
     /// Asked now and then; work ends soon after it says no.
     pub go_on: &'a dyn Fn() -> bool,
+    /// Told of each claim that is come to.
+    pub tell: &'a dyn Fn(&Claim),
 }
 
 impl Default for Budget<'_> {
@@ -45,6 +47,7 @@ impl Default for Budget<'_> {
             proof_bytes: 64 << 20,
             states: 400_000,
             go_on: &|| true,
+            tell: &|_| {},
         }
     }
 }

@@ -107,6 +107,7 @@ fn check_all(bundle: &Bundle, budget: &Budget<'_>, claims: &mut Vec<Checked>) ->
     }
     check_plan(bundle, &manifest, &instance)?;
     for entry in &manifest.claims {
+        (budget.tell)(entry.claim());
         claims.push(check_entry(bundle, &instance, entry, budget)?);
     }
     Ok(())

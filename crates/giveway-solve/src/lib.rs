@@ -6,6 +6,7 @@
 //! in a [`Host`].
 
 mod answer;
+mod certify;
 mod condition;
 mod encode;
 pub mod explain;
@@ -28,6 +29,7 @@ mod tests;
 mod walk;
 
 pub use answer::{CheckAnswer, FrontAnswer, SolveAnswer, Stats, Status};
+pub use certify::CertifyRequest;
 pub use host::{Host, SilentHost};
 pub use progress::Progress;
 pub use request::{CheckRequest, Limits, Request, SolveRequest};

@@ -36,4 +36,11 @@ pub enum Progress {
         /// The answer as far as it is known; `pending` names what is to come.
         answer: Box<ExplainAnswer>,
     },
+    /// A claim is being proved again, or its proof checked.
+    Certifying {
+        /// The claim as a sentence.
+        claim: String,
+        /// Whether it is being checked.
+        checking: bool,
+    },
 }

@@ -3,7 +3,7 @@
 use giveway_model::{Objective, Plan, Scene, format::from_object};
 use serde::{Deserialize, Serialize};
 
-use crate::explain::ExplainRequest;
+use crate::{CertifyRequest, explain::ExplainRequest};
 
 /// A request to the [service](crate::service).
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
@@ -15,6 +15,8 @@ pub enum Request {
     Check(CheckRequest),
     /// Answer a question about a plan, or about there being none.
     Explain(ExplainRequest),
+    /// Prove again what was answered, and check the proofs.
+    Certify(CertifyRequest),
 }
 
 /// Find and prove the best plan, or the Pareto front.

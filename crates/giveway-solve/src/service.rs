@@ -5,10 +5,12 @@ use giveway_model::{
     check::{Violation, check},
     question::Misfit,
 };
+use giveway_proof::Report;
 use serde::{Deserialize, Serialize};
 
 use crate::{
     CheckAnswer, CheckRequest, FrontAnswer, Host, Request, SolveAnswer, SolveRequest,
+    certify::certify,
     explain::{ExplainAnswer, engine},
     pareto,
     solve::{self, Task},
@@ -26,6 +28,8 @@ pub enum Response {
     Checked(CheckAnswer),
     /// To [`Request::Explain`].
     Explained(Box<ExplainAnswer>),
+    /// To [`Request::Certify`].
+    Certified(Box<Report>),
     /// The request is wrong; nothing was done.
     Refused(Refusal),
 }
@@ -76,6 +80,10 @@ pub fn serve(request: &Request, host: &dyn Host) -> Response {
         Request::Solve(request) => serve_solve(request, host),
         Request::Explain(request) => match engine::explain(request, host) {
             Ok(answer) => Response::Explained(Box::new(answer)),
+            Err(refusal) => Response::Refused(refusal),
+        },
+        Request::Certify(request) => match certify(request, host) {
+            Ok(report) => Response::Certified(Box::new(report)),
             Err(refusal) => Response::Refused(refusal),
         },
     }

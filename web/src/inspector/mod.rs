@@ -4,6 +4,7 @@
 mod agent;
 mod answer;
 mod cell;
+mod proof;
 mod questions;
 mod whole;
 
@@ -30,7 +31,7 @@ pub fn Inspector(props: &InspectorProps) -> Html {
     html! {
         <aside class={classes!("insp", alone)} id="inspector" aria-label="Inspector">
             if let Some(card) = ask::card(state) {
-                <div class="scroll">{ answer::show(&card, send) }</div>
+                <div class="scroll">{ answer::show(&card, send) }{ proof::show(state, send) }</div>
                 { answer::foot(&card, send) }
             } else {
                 <div class="scroll">

@@ -6,6 +6,7 @@ use giveway_page::inspect::{CostFacts, Whole, whole};
 use giveway_page::{Action, Answer, Draft, Selection, Work};
 use yew::prelude::*;
 
+use super::proof;
 use crate::{Glyph, Icon, Shown};
 
 /// So many agents are listed at first, and with every press of `More`.
@@ -28,6 +29,7 @@ pub(super) fn show(state: &Shown, send: &Callback<Action>) -> Html {
                     if let Some(work) = facts.work {
                         <p class="remark">{ work }</p>
                     }
+                    { proof::show(state, send) }
                 </section>
             }
             <Agents draft={Rc::clone(&state.draft)} answer={state.answer.clone()} send={send.clone()} />

@@ -101,11 +101,13 @@ fn objective(costs: &[&'static str]) -> Html {
 /// scene.
 fn solve_button(phase: Phase, send: &Callback<Action>) -> Html {
     let (class, title, action) = match phase {
-        Phase::Solving | Phase::Asking => ("primary", "Cancel (Escape)", Action::Cancel),
+        Phase::Solving | Phase::Asking | Phase::Checking => {
+            ("primary", "Cancel (Escape)", Action::Cancel)
+        }
         Phase::Editing => ("primary", "Solve (Ctrl Enter)", Action::Solve),
         _ => ("outline", "Solve (Ctrl Enter)", Action::Solve),
     };
-    let solving = matches!(phase, Phase::Solving | Phase::Asking);
+    let solving = matches!(phase, Phase::Solving | Phase::Asking | Phase::Checking);
     let press = send.reform(move |_| action.clone());
     html! {
         <button class={classes!("btn", class)} {title} onclick={press}>

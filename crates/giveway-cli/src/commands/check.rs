@@ -41,8 +41,6 @@ pub(crate) fn run(args: &Check, common: &Common, clock: Clock) -> Result<Exit, F
             })
         }
         Response::Refused(refusal) => Err(refused(refusal, &args.source.instance)),
-        Response::Solved(_) | Response::Front(_) | Response::Explained(_) => {
-            Err(unexpected(&args.source.instance))
-        }
+        _ => Err(unexpected(&args.source.instance)),
     }
 }

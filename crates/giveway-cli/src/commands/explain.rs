@@ -72,9 +72,7 @@ pub(crate) fn run(args: &Explain, common: &Common, clock: Clock) -> Result<Exit,
             })
         }
         Response::Refused(refusal) => Err(refused(refusal, &args.source.instance)),
-        Response::Solved(_) | Response::Front(_) | Response::Checked(_) => {
-            Err(unexpected(&args.source.instance))
-        }
+        _ => Err(unexpected(&args.source.instance)),
     }
 }
 

@@ -1,14 +1,13 @@
 //! `--proof DIR`: certificates of what was proved.
 
-use std::collections::BTreeMap;
 use std::fs;
 use std::io::ErrorKind;
 use std::path::Path;
 
-use giveway_model::{Fault, Instance, Objective, Plan, Question, check};
-use giveway_proof::{Budget, Bundle, Claim, Solved, bundle::Entry, bundle::Manifest, export};
-use giveway_solve::explain::{ExplainAnswer, Verdict};
-use giveway_solve::{SolveAnswer, Status};
+use giveway_model::{Fault, Instance, Plan};
+use giveway_proof::{Budget, Bundle, Solved, bundle::Entry, bundle::Manifest, export};
+use giveway_solve::explain::ExplainAnswer;
+use giveway_solve::{CertifyRequest, SolveAnswer};
 
 use crate::{
     args::Common,
@@ -50,25 +49,14 @@ pub(crate) struct Asker<'a> {
 pub(crate) fn write_solved(
     folder: &Path,
     instance: &Instance,
-    objective: &Objective,
     answer: &SolveAnswer,
     asker: &Asker<'_>,
 ) -> Result<(), Failure> {
-    let solved = Solved {
-        instance,
-        objective,
-        about: Claim::default(),
-        bounds: &answer.bounds,
-        impossible: answer.status == Status::Impossible,
-        complete: answer.complete,
-        within: answer.within,
-        plan: answer.plan.as_ref(),
-    };
-    write(folder, &solved, asker)
+    let request = CertifyRequest::of_solved(instance.to_scene(), None, answer);
+    write(folder, &request.claims(instance), asker)
 }
 
-/// Certifies what `explain` answered about a plan: that there is no other plan
-/// of the kind, or that the best of them costs no less than the one that is shown.
+/// Certifies what `explain` answered about a plan.
 pub(crate) fn write_explained(
     folder: &Path,
     instance: &Instance,
@@ -76,32 +64,8 @@ pub(crate) fn write_explained(
     answer: &ExplainAnswer,
     asker: &Asker<'_>,
 ) -> Result<(), Failure> {
-    let question = &answer.question;
-    let contrast = plan.and_then(|plan| Claim::contrast(question, instance, plan));
-    // Where a question is about one plan only, that one is the best, or another.
-    let shown = answer.alternative.as_ref().or(match question {
-        Question::Plan => plan.filter(|_| answer.verdict == Verdict::Needless),
-        _ => None,
-    });
-    let costs = shown.and_then(|plan| check::costs(instance, plan));
-    let known = costs.filter(|_| answer.verdict != Verdict::Unknown);
-    let bounds = known.map_or(BTreeMap::new(), |costs| {
-        let objective = instance.objective().costs().iter();
-        objective.map(|&cost| (cost, costs.get(cost))).collect()
-    });
-    let solved = Solved {
-        instance,
-        objective: instance.objective(),
-        // A contrast below 0 is none: nothing is then claimed to be checked.
-        about: contrast.clone().unwrap_or_default(),
-        bounds: &bounds,
-        impossible: answer.verdict == Verdict::Necessary
-            && (contrast.is_some() || *question == Question::Unsolvable),
-        complete: answer.complete,
-        within: answer.within,
-        plan: shown,
-    };
-    write(folder, &solved, asker)
+    let request = CertifyRequest::of_explained(instance, plan, answer);
+    write(folder, &request.claims(instance), asker)
 }
 
 /// Writes a certificate, and tells on standard error what is in it.

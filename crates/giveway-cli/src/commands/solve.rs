@@ -57,7 +57,8 @@ pub(crate) fn run(args: &Solve, common: &Common, clock: Clock) -> Result<Exit, F
                     common,
                     clock,
                 };
-                proof::write_solved(folder, &instance, &objective, &answer, &asker)?;
+                let instance = instance.with_objective(objective);
+                proof::write_solved(folder, &instance, &answer, &asker)?;
             }
             Ok(exit(answer.status))
         }
@@ -68,7 +69,7 @@ pub(crate) fn run(args: &Solve, common: &Common, clock: Clock) -> Result<Exit, F
             Ok(exit(answer.status))
         }
         Response::Refused(refusal) => Err(refused(refusal, &args.source.instance)),
-        Response::Checked(_) | Response::Explained(_) => Err(unexpected(&args.source.instance)),
+        _ => Err(unexpected(&args.source.instance)),
     }
 }
 

@@ -49,7 +49,7 @@ pub(super) fn ask(state: &mut State, question: Question) {
     state.asking = Some(Rc::new(Asking::new(request, answer)));
 }
 
-fn refuse(state: &mut State, sentence: &str) {
+pub(super) fn refuse(state: &mut State, sentence: &str) {
     state.notice = Some(Notice {
         sentence: sentence.to_owned(),
         details: Vec::new(),
@@ -58,7 +58,12 @@ fn refuse(state: &mut State, sentence: &str) {
 
 /// Leaves the question; what is still looked for is given up.
 pub(super) fn close(state: &mut State) {
-    if let Work::Asking(_) = state.work {
+    let is_about_it = match &state.work {
+        Work::Asking(_) => true,
+        Work::Certifying(run) => run.of_question,
+        Work::Idle | Work::Solving(_) => false,
+    };
+    if is_about_it {
         solve::cancel(state);
     }
     state.asking = None;
@@ -73,7 +78,7 @@ pub(super) fn give_up(state: &mut State) {
     }
 }
 
-fn change(state: &mut State, by: impl FnOnce(&mut Asking)) {
+pub(super) fn change(state: &mut State, by: impl FnOnce(&mut Asking)) {
     if let Some(asking) = &mut state.asking {
         by(Rc::make_mut(asking));
     }

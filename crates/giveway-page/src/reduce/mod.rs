@@ -3,6 +3,7 @@
 mod ask;
 mod edit;
 mod play;
+mod proof;
 mod solve;
 #[cfg(test)]
 mod tests;
@@ -69,6 +70,8 @@ fn step(state: &mut State, action: Action) {
         Action::Light(lit) => ask::light(state, lit),
         Action::TakeOther => ask::take_other(state),
         Action::TakeRepair(index) => ask::take_repair(state, index),
+
+        Action::CheckProof => proof::start(state),
 
         Action::Play => play::play(state),
         Action::Pause => state.playback.playing = false,

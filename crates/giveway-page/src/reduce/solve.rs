@@ -62,13 +62,16 @@ fn current(state: &mut State, id: u64) -> Option<&mut Run> {
 pub(super) fn progress(state: &mut State, id: u64, event: Progress) {
     let event = match event {
         Progress::Explained { answer } => return super::ask::learn(state, id, *answer),
+        Progress::Certifying { claim, checking } => {
+            return super::proof::learn(state, id, claim, checking);
+        }
         event => event,
     };
     let Some(run) = current(state, id) else {
         return;
     };
     match event {
-        Progress::Explained { .. } => {}
+        Progress::Explained { .. } | Progress::Certifying { .. } => {}
         Progress::Bound { cost, at_least } => {
             let bound = run.bounds.entry(cost).or_insert(at_least);
             *bound = at_least.max(*bound);
@@ -91,12 +94,20 @@ pub(super) fn progress(state: &mut State, id: u64, event: Progress) {
 pub(super) fn respond(state: &mut State, id: u64, response: Response) {
     let response = match response {
         Response::Explained(answer) => return super::ask::answered(state, id, *answer),
+        Response::Certified(report) => return super::proof::checked(state, id, *report),
         response => response,
     };
     if super::ask::is_current(state, id) {
         super::ask::close(state);
         if let Response::Refused(refusal) = response {
             refused(state, "The question cannot be answered.", &refusal);
+        }
+        return;
+    }
+    if super::proof::is_current(state, id) {
+        state.work = Work::Idle;
+        if let Response::Refused(refusal) = response {
+            refused(state, "The proof cannot be checked.", &refusal);
         }
         return;
     }
@@ -112,7 +123,7 @@ pub(super) fn respond(state: &mut State, id: u64, response: Response) {
             state.answer = Some(Rc::new(answer));
         }
         Response::Refused(refusal) => refused(state, "The solver refused the scene.", &refusal),
-        Response::Front(_) | Response::Checked(_) | Response::Explained(_) => {}
+        _ => {}
     }
 }
 

@@ -1,5 +1,6 @@
 //! How far a solve has come: what is proved, what is found, and the gap.
 
+use crate::words::grouped;
 use giveway_model::{Cost, Objective};
 
 use crate::{Run, Size, words};
@@ -104,22 +105,6 @@ pub fn work_done(size: Size) -> String {
         }
     }
     parts.join(", ")
-}
-
-/// A number with thin spaces where it is long.
-fn grouped(n: u64) -> String {
-    let digits = n.to_string();
-    if digits.len() <= 4 {
-        return digits;
-    }
-    let mut text = String::new();
-    for (i, digit) in digits.chars().enumerate() {
-        if i > 0 && (digits.len() - i).is_multiple_of(3) {
-            text.push('\u{202f}');
-        }
-        text.push(digit);
-    }
-    text
 }
 
 #[cfg(test)]

@@ -4,6 +4,6 @@ mod costs;
 mod question;
 mod status;
 
-pub use costs::{count, name, objective, title, value, values};
+pub use costs::{count, grouped, name, objective, title, value, values};
 pub use question::{cells, question};
 pub use status::{Badge, Standing, standing};

@@ -6,7 +6,7 @@ use giveway_model::{Cost, Costs, Objective};
 use giveway_solve::{SolveAnswer, Status};
 
 use super::costs::{name, value, values};
-use crate::{Answer, Asking, Run, State, Work};
+use crate::{Answer, Asking, Run, State, Work, proof};
 
 /// What stands before the sentence: an icon and one word, never a colour alone.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -19,6 +19,8 @@ pub enum Badge {
     Solving,
     /// It works on a question.
     Asking,
+    /// It checks a proof.
+    Checking,
     /// A plan, with a proof that none is better.
     Proved,
     /// No plan, with a proof.
@@ -37,6 +39,7 @@ impl Badge {
             Self::Faulty => "Problem",
             Self::Solving => "Solving",
             Self::Asking => "Asking",
+            Self::Checking => "Checking",
             Self::Proved => "Proved",
             Self::Impossible => "Impossible",
             Self::Stopped => "Stopped",
@@ -50,6 +53,7 @@ impl Badge {
             Self::Draft => "change",
             Self::Solving | Self::Stopped => "clock",
             Self::Asking => "question",
+            Self::Checking => "search",
             Self::Proved => "proved",
             Self::Impossible => "cancel",
             Self::Faulty | Self::Stale => "warning",
@@ -60,7 +64,7 @@ impl Badge {
     pub const fn class(self) -> &'static str {
         match self {
             Self::Draft => "plain",
-            Self::Solving | Self::Asking => "info",
+            Self::Solving | Self::Asking | Self::Checking => "info",
             Self::Proved => "proved",
             Self::Impossible | Self::Faulty => "bad",
             Self::Stopped | Self::Stale => "warn",
@@ -91,6 +95,9 @@ pub fn standing(state: &State) -> Standing {
     }
     if let (Work::Asking(_), Some(asking)) = (&state.work, state.asking.as_deref()) {
         return say(Badge::Asking, asked(asking));
+    }
+    if let Work::Certifying(run) = &state.work {
+        return say(Badge::Checking, proof::doing(run));
     }
     if let Err(faults) = state.draft.instance() {
         let fault = faults.first().map(ToString::to_string);

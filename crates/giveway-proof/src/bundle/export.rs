@@ -93,6 +93,7 @@ impl Exporter<'_> {
     /// all of it, where the solver claimed all of it, and a proof up to some
     /// makespan.
     fn certify(&mut self, name: &str, claim: Claim) {
+        (self.budget.tell)(&claim);
         if claim.horizon(self.solved.instance).is_some() {
             // The makespan that the person set is no part of such a claim.
             match self.proof(name, &claim) {

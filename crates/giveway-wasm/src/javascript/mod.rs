@@ -73,6 +73,7 @@ fn respond(request: Request, host: &dyn Host) -> Result<JsValue, JsValue> {
         Response::Front(answer) => objects::write(&answer),
         Response::Checked(answer) => objects::write(&answer),
         Response::Explained(answer) => objects::write(&answer),
+        Response::Certified(report) => objects::write(&report),
         Response::Refused(Refusal::Scene { faults }) => {
             let in_request = |mut fault: Fault| {
                 fault.place = format!("scene.{}", fault.place);

@@ -5,8 +5,11 @@
 //! every type in it: a tenth of the worker. Here the kind stands outside.
 
 use giveway_model::{Cost, Costs, Fault, check::Violation, question::Misfit};
+use giveway_proof::Report;
 use giveway_solve::explain::{ExplainAnswer, ExplainRequest};
-use giveway_solve::{CheckAnswer, CheckRequest, FrontAnswer, SolveAnswer, SolveRequest};
+use giveway_solve::{
+    CertifyRequest, CheckAnswer, CheckRequest, FrontAnswer, SolveAnswer, SolveRequest,
+};
 use serde::{Deserialize, Serialize};
 
 #[derive(Serialize, Deserialize)]
@@ -15,6 +18,7 @@ pub(super) enum Request {
     Solve(SolveRequest),
     Check(CheckRequest),
     Explain(ExplainRequest),
+    Certify(CertifyRequest),
 }
 
 #[derive(Serialize, Deserialize)]
@@ -35,6 +39,10 @@ pub(super) enum Progress {
     Explained {
         answer: Box<ExplainAnswer>,
     },
+    Certifying {
+        claim: String,
+        checking: bool,
+    },
 }
 
 #[derive(Serialize, Deserialize)]
@@ -44,6 +52,7 @@ pub(super) enum Response {
     Front(FrontAnswer),
     Checked(CheckAnswer),
     Explained(Box<ExplainAnswer>),
+    Certified(Box<Report>),
     Refused(#[serde(with = "Refusal")] giveway_solve::Refusal),
 }
 

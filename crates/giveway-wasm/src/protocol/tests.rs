@@ -1,9 +1,10 @@
 //! Every message is read as it was written.
 
 use giveway_model::{Cost, Costs, Fault, Plan, Scene, Version, format::native};
+use giveway_proof::{Checked, Claim, Report};
 use giveway_solve::{
-    CheckAnswer, CheckRequest, FrontAnswer, Limits, Progress, Refusal, Request, Response,
-    SilentHost, SolveRequest, Status, serve,
+    CertifyRequest, CheckAnswer, CheckRequest, FrontAnswer, Limits, Progress, Refusal, Request,
+    Response, SilentHost, SolveRequest, Status, serve,
 };
 
 use super::{Ask, Message};
@@ -41,6 +42,42 @@ fn solve_request() -> SolveRequest {
             memory_bytes: None,
         },
     }
+}
+
+#[test]
+fn certificates_come_back() {
+    let request = CertifyRequest {
+        scene: scene(),
+        about: Claim::at_most([(Cost::Charges, 2)]).within(Some(9)),
+        bounds: [(Cost::Makespan, 4)].into(),
+        plan: Some(Plan::default()),
+        ..CertifyRequest::default()
+    };
+    check_ask(Request::Certify(request));
+    let claim = Claim::default();
+    let text = claim.sentence();
+    let (variables, clauses, steps) = (1, 2, 3);
+    let claims = vec![
+        Checked::Proof {
+            text: text.clone(),
+            claim: claim.clone(),
+            variables,
+            clauses,
+            steps,
+        },
+        Checked::None {
+            text,
+            claim,
+            why: "It is \"large\".".to_owned(),
+        },
+    ];
+    check_response(Response::Certified(Box::new(Report {
+        giveway: Version,
+        accepted: true,
+        reason: None,
+        stopped: false,
+        claims,
+    })));
 }
 
 #[test]
@@ -101,6 +138,10 @@ fn what_is_told_on_the_way_comes_back() {
     });
     progress(Progress::Plan {
         costs: Costs::default(),
+    });
+    progress(Progress::Certifying {
+        claim: "There is no plan.".to_owned(),
+        checking: true,
     });
     progress(Progress::Size {
         variables: 1,

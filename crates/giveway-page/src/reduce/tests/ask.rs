@@ -3,11 +3,13 @@
 use std::collections::BTreeMap;
 
 use giveway_model::{Cell, Cost, Costs, Plan, Question, Version};
+use giveway_proof::Report;
 use giveway_solve::explain::{Edit, ExplainAnswer, Part, Repair, Verdict};
-use giveway_solve::{Progress, Response, Stats, Status};
+use giveway_solve::{Progress, Request, Response, Stats, Status};
 
 use super::{after, stroke};
 use crate::ask::card;
+use crate::proof::{Proof, proof};
 use crate::sample::solved;
 use crate::{Action, Lit, Phase, Selection, State, Tool, Work, words};
 
@@ -188,6 +190,41 @@ fn cancelling_keeps_what_is_known() {
     assert!(kept.verdict.is_some() && kept.pending.is_empty());
     let state = after(&asked(), [Action::Cancel]);
     assert_eq!(card(&state), None, "nothing was known");
+}
+
+#[test]
+fn the_proof_of_an_answer_is_checked_for_the_answer() {
+    assert_eq!(proof(&learn(&asked())), None, "it is not whole");
+    let state = answered(&asked());
+    assert_eq!(proof(&state), Some(Proof::Offered));
+    let checking = after(&state, [Action::CheckProof]);
+    let Some((run, Request::Certify(request))) = checking.work.request() else {
+        panic!("{:?}", checking.work);
+    };
+    let condition = request.about.sentence();
+    assert_eq!(
+        condition,
+        "There is no plan in which A1 does not charge at (6, 2) at time 9."
+    );
+    let report = Report {
+        giveway: Version,
+        accepted: true,
+        reason: None,
+        stopped: false,
+        claims: Vec::new(),
+    };
+    let response = Box::new(Response::Certified(Box::new(report)));
+    let checked = after(&checking, [Action::Respond { run, response }]);
+    assert!(matches!(proof(&checked), Some(Proof::Done(_))));
+    let left = after(&checking, [Action::CloseQuestion]);
+    assert_eq!(left.work, Work::Idle);
+    assert_eq!(
+        proof(&left),
+        Some(Proof::Offered),
+        "the plan's own is another"
+    );
+    let back = after(&checked, [Action::CloseQuestion]);
+    assert_eq!(proof(&back), Some(Proof::Offered));
 }
 
 #[test]

@@ -3,6 +3,7 @@
 mod ask;
 mod edit;
 mod play;
+mod proof;
 mod solve;
 mod words;
 

@@ -1,0 +1,197 @@
+//! The check of a proof as the inspector shows it: offered, on its way, done.
+
+use giveway_proof::bundle::Method;
+use giveway_proof::{Checked, Report};
+use giveway_solve::CertifyRequest;
+use giveway_solve::explain::Verdict;
+
+use crate::ask::Badge;
+use crate::words::{cells, count, grouped};
+use crate::{Certifying, State, Work};
+
+/// The check of a proof.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub enum Proof {
+    /// It can be asked for.
+    Offered,
+    /// It is on its way: what is being done.
+    Running(String),
+    /// It is done.
+    Done(Outcome),
+}
+
+/// What came of it.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Outcome {
+    /// In a word.
+    pub badge: Badge,
+    /// In a sentence.
+    pub sentence: String,
+    /// What each claim rests on.
+    pub claims: Vec<Line>,
+}
+
+/// A claim.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Line {
+    /// The icon's name.
+    pub icon: &'static str,
+    /// The claim.
+    pub text: String,
+    /// What it rests on.
+    pub rests_on: String,
+}
+
+/// What there is to show; nothing where nothing was proved.
+pub fn proof(state: &State) -> Option<Proof> {
+    if let Work::Certifying(run) = &state.work {
+        let is_here = run.of_question == state.asking.is_some();
+        return is_here.then(|| Proof::Running(doing(run)));
+    }
+    let report = match &state.asking {
+        Some(asking) => asking.report.as_deref(),
+        None => state.report().filter(|_| !state.is_stale()),
+    };
+    match report {
+        Some(report) => Some(Proof::Done(outcome(report))),
+        None => request(state).map(|_| Proof::Offered),
+    }
+}
+
+/// What is to be certified: the answer to the question, where one was asked,
+/// else the plan, or that there is none.
+pub(crate) fn request(state: &State) -> Option<CertifyRequest> {
+    if state.work != Work::Idle {
+        return None;
+    }
+    let Some(asking) = state.asking.as_deref() else {
+        let answer = state.fresh_answer()?;
+        let (scene, objective) = (&answer.request.scene, &answer.request.objective);
+        let request = CertifyRequest::of_solved(scene.clone(), objective.clone(), &answer.solved);
+        return claims_something(&request).then_some(request);
+    };
+    let told = asking.told.as_deref()?;
+    if !asking.is_done || told.verdict == Verdict::Unknown || told.valid == Some(false) {
+        return None;
+    }
+    let mut instance = asking.about.draft.instance().ok()?.clone();
+    if let Some(objective) = &asking.request.objective {
+        instance = instance.with_objective(objective.clone());
+    }
+    let request = CertifyRequest::of_explained(&instance, asking.request.plan.as_ref(), told);
+    claims_something(&request).then_some(request)
+}
+
+/// Whether anything is claimed not to be: a bound of 0 says nothing.
+fn claims_something(request: &CertifyRequest) -> bool {
+    request.impossible || request.bounds.values().any(|&bound| bound > 0)
+}
+
+/// What a check is at, for the status and the inspector.
+pub(crate) fn doing(run: &Certifying) -> String {
+    match &run.at {
+        None => "Checking the proof.".to_owned(),
+        Some((claim, false)) => format!("Proving again: {}", cells(claim)),
+        Some((claim, true)) => format!("Checking the proof: {}", cells(claim)),
+    }
+}
+
+fn outcome(report: &Report) -> Outcome {
+    let claims = &report.claims;
+    let number = |is: fn(&Checked) -> bool| claims.iter().filter(|claim| is(claim)).count();
+    let shown = number(|claim| !matches!(claim, Checked::None { .. }));
+    let (word, icon, class) = match (report.accepted, report.stopped) {
+        (true, _) if shown == claims.len() => ("Checked", "proved", "checked"),
+        (true, _) if shown == 0 => ("Not checked", "clock", "unknown"),
+        (true, _) => ("Partly checked", "clock", "unknown"),
+        (false, true) => ("Not checked", "clock", "unknown"),
+        (false, false) => ("Rejected", "cancel", "necessary"),
+    };
+    let reason = report.reason.as_deref().unwrap_or_default();
+    let sentence = match (report.accepted, report.stopped) {
+        (true, _) => sums(report),
+        (false, true) => format!("The check ended too early. {}", cells(reason)),
+        (false, false) => format!(
+            "The certificate does not hold, which is a fault of this program. {}",
+            cells(reason)
+        ),
+    };
+    Outcome {
+        badge: Badge { word, icon, class },
+        sentence,
+        claims: claims.iter().map(line).collect(),
+    }
+}
+
+/// How many claims rest on what: `The proof was checked: 3 214 steps.`
+fn sums(report: &Report) -> String {
+    let (mut proofs, mut steps, mut searches, mut nothing) = (0, 0, 0, 0);
+    for claim in &report.claims {
+        match claim {
+            Checked::Proof { steps: more, .. } => {
+                proofs += 1;
+                steps += more;
+            }
+            Checked::Search { .. } => searches += 1,
+            Checked::None { .. } => nothing += 1,
+        }
+    }
+    let steps = format!("{} step{}", grouped(steps as u64), plural(steps));
+    let mut sentences = Vec::new();
+    match proofs {
+        0 => {}
+        1 => sentences.push(format!("The proof was checked: {steps}.")),
+        n => sentences.push(format!("{n} proofs were checked: {steps} in all.")),
+    }
+    if searches > 0 {
+        let rest = if searches == 1 { "rests" } else { "rest" };
+        let claims = count(searches, "claim");
+        sentences.push(format!("{claims} {rest} on a search, which was repeated."));
+    }
+    if nothing > 0 {
+        let claims = count(nothing, "claim");
+        sentences.push(format!("{claims} could not be checked here."));
+    }
+    if sentences.is_empty() {
+        sentences.push("Nothing is claimed: no cost can be below 0.".to_owned());
+    }
+    sentences.join(" ")
+}
+
+fn plural(n: usize) -> &'static str {
+    if n == 1 { "" } else { "s" }
+}
+
+fn line(claim: &Checked) -> Line {
+    let (icon, text, rests_on) = match claim {
+        Checked::Proof {
+            text,
+            variables,
+            clauses,
+            steps,
+            ..
+        } => {
+            let [variables, clauses, steps] = [*variables, *clauses, *steps].map(|n| n as u64);
+            let size = format!(
+                "A checked proof: {} variables, {} clauses, {} steps.",
+                grouped(variables),
+                grouped(clauses),
+                grouped(steps)
+            );
+            ("proved", text, size)
+        }
+        Checked::Search { text, method, .. } => {
+            let what = match method {
+                Method::Alone => "A search of each agent alone, repeated.",
+                Method::Joint => "A search of all states of all agents, repeated.",
+            };
+            ("search", text, what.to_owned())
+        }
+        Checked::None { text, why, .. } => ("clock", text, format!("Not checked. {why}")),
+    };
+    Line {
+        icon,
+        text: cells(text),
+        rests_on: cells(&rests_on),
+    }
+}

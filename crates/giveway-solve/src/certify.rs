@@ -1,0 +1,269 @@
+//! Certificates of answers: what an answer claims, proved again and checked by
+//! what trusts no solver ([`giveway_proof`]).
+
+use std::collections::BTreeMap;
+
+use giveway_model::{Cost, Instance, Objective, Plan, Question, Scene, check, format::from_object};
+use giveway_proof::{Budget, Claim, Report, Solved, export, verify};
+use serde::{Deserialize, Serialize};
+
+use crate::{
+    Host, Limits, Progress, Refusal, SolveAnswer, Status,
+    explain::{ExplainAnswer, Verdict},
+    meter::Meter,
+};
+
+/// Make a certificate of what was answered, and check it.
+#[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct CertifyRequest {
+    /// The instance, unchecked.
+    pub scene: Scene,
+    /// The objective, where it is not the scene's own.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub objective: Option<Objective>,
+    /// What all claims are limited to: of an answer to a question the plans
+    /// that it contrasts one with.
+    pub about: Claim,
+    /// The lower bounds that were claimed, each given those of the costs before.
+    pub bounds: BTreeMap<Cost, u32>,
+    /// Whether it was claimed that there is no plan.
+    pub impossible: bool,
+    /// Whether the claims hold whatever the horizon.
+    pub complete: bool,
+    /// The makespan up to which they hold, where they do not.
+    pub within: Option<u32>,
+    /// The plan that was answered, unchecked.
+    pub plan: Option<Plan>,
+    /// The budget.
+    #[serde(default, deserialize_with = "from_object")]
+    pub limits: Limits,
+}
+
+impl CertifyRequest {
+    /// What was claimed of a scene that was solved.
+    pub fn of_solved(scene: Scene, objective: Option<Objective>, answer: &SolveAnswer) -> Self {
+        Self {
+            scene,
+            objective,
+            about: Claim::default(),
+            bounds: answer.bounds.clone(),
+            impossible: answer.status == Status::Impossible,
+            complete: answer.complete,
+            within: answer.within,
+            plan: answer.plan.clone(),
+            limits: Limits::default(),
+        }
+    }
+
+    /// What was answered about a plan: that there is no other plan of the kind,
+    /// or that the best of them costs no less than the one that is shown. The
+    /// instance has the objective of the answer.
+    pub fn of_explained(instance: &Instance, plan: Option<&Plan>, answer: &ExplainAnswer) -> Self {
+        let question = &answer.question;
+        let plan = plan.or(answer.plan.as_ref());
+        let contrast = plan.and_then(|plan| Claim::contrast(question, instance, plan));
+        // Where a question is about one plan only, that one is the best, or another.
+        let shown = answer.alternative.as_ref().or(match question {
+            Question::Plan => plan.filter(|_| answer.verdict == Verdict::Needless),
+            _ => None,
+        });
+        let costs = shown.and_then(|plan| check::costs(instance, plan));
+        let known = costs.filter(|_| answer.verdict != Verdict::Unknown);
+        let bounds = known.map_or(BTreeMap::new(), |costs| {
+            let objective = instance.objective().costs().iter();
+            objective.map(|&cost| (cost, costs.get(cost))).collect()
+        });
+        Self {
+            scene: instance.to_scene(),
+            objective: None,
+            impossible: answer.verdict == Verdict::Necessary
+                && (contrast.is_some() || *question == Question::Unsolvable),
+            // A contrast below 0 is none: nothing is then claimed to be checked.
+            about: contrast.unwrap_or_default(),
+            bounds,
+            complete: answer.complete,
+            within: answer.within,
+            plan: shown.cloned(),
+            limits: Limits::default(),
+        }
+    }
+
+    /// The claims, as certificates are made of them. The instance is that of the
+    /// scene, with the objective of the request.
+    pub fn claims<'a>(&'a self, instance: &'a Instance) -> Solved<'a> {
+        Solved {
+            instance,
+            objective: instance.objective(),
+            about: self.about.clone(),
+            bounds: &self.bounds,
+            impossible: self.impossible,
+            complete: self.complete,
+            within: self.within,
+            plan: self.plan.as_ref(),
+        }
+    }
+}
+
+/// A certificate, made and checked at once. What cannot be proved again within
+/// half of the time is part of the report, and said not to be.
+pub(crate) fn certify(request: &CertifyRequest, host: &dyn Host) -> Result<Report, Refusal> {
+    let mut instance =
+        Instance::new(request.scene.clone()).map_err(|faults| Refusal::Scene { faults })?;
+    if let Some(objective) = &request.objective {
+        instance = instance.with_objective(objective.clone());
+    }
+    let half = |seconds| 0.5 * seconds;
+    let making = Limits {
+        seconds: request.limits.seconds.map(half),
+        ..request.limits
+    };
+    let (making, checking) = (Meter::new(host, making), Meter::new(host, request.limits));
+    let tell = |checking| {
+        move |claim: &Claim| {
+            let claim = claim.sentence();
+            host.progress(&Progress::Certifying { claim, checking });
+        }
+    };
+    let (makes, checks) = (tell(false), tell(true));
+    let bundle = export(
+        &request.claims(&instance),
+        &Budget {
+            go_on: &|| making.check().is_ok(),
+            tell: &makes,
+            ..size(&request.limits)
+        },
+    );
+    Ok(verify(
+        &bundle,
+        &Budget {
+            go_on: &|| checking.check().is_ok(),
+            tell: &checks,
+            ..size(&request.limits)
+        },
+    ))
+}
+
+/// What fits into the memory, by what formulas, proofs and states were measured
+/// to take while they are written and checked.
+fn size(limits: &Limits) -> Budget<'static> {
+    let whole = Budget::default();
+    let Some(memory) = limits.memory_bytes.and_then(|n| usize::try_from(n).ok()) else {
+        return whole;
+    };
+    Budget {
+        clauses: whole.clauses.min(memory / CLAUSE_BYTES),
+        proof_bytes: whole.proof_bytes.min(memory / PROOF_SHARE),
+        states: whole.states.min(memory / STATE_BYTES),
+        ..whole
+    }
+}
+
+const CLAUSE_BYTES: usize = 500;
+const PROOF_SHARE: usize = 14;
+const STATE_BYTES: usize = 800;
+
+#[cfg(test)]
+mod tests {
+    use std::cell::RefCell;
+
+    use giveway_model::format::native;
+    use giveway_proof::Checked;
+
+    use super::*;
+    use crate::{Request, Response, SilentHost, SolveRequest, serve};
+
+    /// Two agents that must pass each other at a side pocket.
+    const SCENE: &str = r##"{ "giveway": 1, "map": ["....", "#.##"],
+        "agents": [{ "name": "a", "start": [0, 0], "goal": [3, 0] },
+                   { "name": "b", "start": [3, 0], "goal": [0, 0] }] }"##;
+
+    fn solved() -> CertifyRequest {
+        let scene = native::read_scene(SCENE).unwrap();
+        let request = SolveRequest {
+            scene: scene.clone(),
+            ..SolveRequest::default()
+        };
+        match serve(&Request::Solve(request), &SilentHost) {
+            Response::Solved(answer) => CertifyRequest::of_solved(scene, None, &answer),
+            other => panic!("{other:?}"),
+        }
+    }
+
+    #[derive(Default)]
+    struct Listening {
+        told: RefCell<Vec<(String, bool)>>,
+        stops: bool,
+    }
+
+    impl Host for Listening {
+        fn wall_seconds(&self) -> f64 {
+            0.0
+        }
+
+        fn cancelled(&self) -> bool {
+            self.stops
+        }
+
+        fn progress(&self, event: &Progress) {
+            if let Progress::Certifying { claim, checking } = event {
+                self.told.borrow_mut().push((claim.clone(), *checking));
+            }
+        }
+    }
+
+    fn report(request: CertifyRequest, host: &dyn Host) -> Report {
+        match serve(&Request::Certify(request), host) {
+            Response::Certified(report) => *report,
+            other => panic!("{other:?}"),
+        }
+    }
+
+    #[test]
+    fn what_was_solved_is_proved_again_and_checked() {
+        let host = Listening::default();
+        let report = report(solved(), &host);
+        assert!(report.accepted, "{report:?}");
+        let proofs = |claim: &Checked| matches!(claim, Checked::Proof { steps, .. } if *steps > 0);
+        assert!(report.claims.iter().any(proofs), "{report:?}");
+        let told = host.told.into_inner();
+        let made = told.iter().filter(|(_, checking)| !checking).count();
+        assert!(made > 0 && told.len() > made, "{told:?}");
+    }
+
+    #[test]
+    fn what_is_not_so_is_not_confirmed() {
+        let mut request = solved();
+        for bound in request.bounds.values_mut() {
+            *bound += 1;
+        }
+        request.plan = None;
+        let report = report(request, &SilentHost);
+        assert!(
+            report
+                .claims
+                .iter()
+                .all(|claim| matches!(claim, Checked::None { .. })),
+            "{report:?}"
+        );
+    }
+
+    #[test]
+    fn what_is_cancelled_or_too_large_is_said_to_be() {
+        let stops = Listening {
+            stops: true,
+            ..Listening::default()
+        };
+        // A search of a few states needs no leave.
+        let nothing = |report: &Report| {
+            let proof = |claim: &Checked| matches!(claim, Checked::Proof { .. });
+            !report.claims.is_empty() && !report.claims.iter().any(proof)
+        };
+        let cancelled = report(solved(), &stops);
+        assert!(nothing(&cancelled), "{cancelled:?}");
+        let mut small = solved();
+        small.limits.memory_bytes = Some(1000);
+        let small = report(small, &SilentHost);
+        assert!(nothing(&small), "{small:?}");
+    }
+}
