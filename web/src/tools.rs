@@ -60,7 +60,7 @@ pub fn Tools(props: &ToolsProps) -> Html {
         let onclick = props.send.reform(move |_| Action::PickTool(tool));
         html! {
             <>
-                if index == 1 {
+                if matches!(tool, Tool::Obstacle | Tool::Agent) {
                     <i class="sep"></i>
                 }
                 <button class="tool" ref={buttons[index].clone()} {onclick}
@@ -68,7 +68,7 @@ pub fn Tools(props: &ToolsProps) -> Html {
                     aria-label={tool.name()} aria-keyshortcuts={tool.key().to_string()}
                     title={format!("{} ({})", tool.name(), tool.key())}
                     tabindex={if index == reached { "0" } else { "-1" }}>
-                    <Icon name={icon(tool)} />
+                    <Icon name={tool.icon()} />
                 </button>
             </>
         }
@@ -89,15 +89,5 @@ fn next(key: &str, from: usize) -> Option<usize> {
         "Home" => Some(0),
         "End" => Some(count - 1),
         _ => None,
-    }
-}
-
-const fn icon(tool: Tool) -> &'static str {
-    match tool {
-        Tool::Select => "select",
-        Tool::Obstacle => "obstacle",
-        Tool::Charger => "charger",
-        Tool::SlowZone => "slow",
-        Tool::Erase => "erase",
     }
 }

@@ -25,6 +25,9 @@ pub enum Action {
     Drag(Cell),
     /// The pointer was lifted.
     Release,
+    /// Leaves the stroke, or the agent that is being placed, as if it had never
+    /// begun.
+    Abandon,
     /// The selection changed.
     Select(Selection),
     /// Takes the last edit back.

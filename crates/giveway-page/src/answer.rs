@@ -2,7 +2,7 @@
 
 use std::rc::Rc;
 
-use giveway_model::{Plan, check};
+use giveway_model::{Agent, Plan, check};
 use giveway_solve::{SolveAnswer, SolveRequest};
 
 use crate::Draft;
@@ -48,6 +48,19 @@ impl Answer {
     /// The plan, where there is one.
     pub const fn plan(&self) -> Option<&Plan> {
         self.solved.plan.as_ref()
+    }
+
+    /// The index, in the draft that was solved, of an agent of another draft:
+    /// of the same name and from the same start. Else the plan is not of it.
+    pub fn agent(&self, draft: &Draft, agent: usize) -> Option<usize> {
+        let who = draft.agents().get(agent)?;
+        let is = |other: &Agent| other.name == who.name && other.start == who.start;
+        let mine = self.draft.agents();
+        // Nearly always it has kept its place.
+        match mine.get(agent) {
+            Some(other) if is(other) => Some(agent),
+            _ => mine.iter().position(is),
+        }
     }
 
     /// The last time of the plan, in steps; 0 without one.

@@ -1,63 +1,19 @@
-//! Painting the ground: a tool, a stroke, a new map.
+//! Painting the ground: a brush, a stroke.
 
 use giveway_model::{Cell, Ground, Scene};
 
-/// What the pointer does on the board.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub enum Tool {
-    /// Selects agents and cells.
-    #[default]
-    Select,
-    /// Paints obstacles.
-    Obstacle,
-    /// Paints chargers; they stay in a slow zone.
-    Charger,
-    /// Paints slow zones; chargers stay in them.
-    SlowZone,
-    /// Frees cells.
-    Erase,
-}
+use crate::Tool;
+use crate::things;
 
 impl Tool {
-    /// All tools, in the order of the toolbar.
-    pub const ALL: [Self; 5] = [
-        Self::Select,
-        Self::Obstacle,
-        Self::Charger,
-        Self::SlowZone,
-        Self::Erase,
-    ];
-
-    /// The accessible name.
-    pub const fn name(self) -> &'static str {
-        match self {
-            Self::Select => "Select",
-            Self::Obstacle => "Obstacle",
-            Self::Charger => "Charger",
-            Self::SlowZone => "Slow zone",
-            Self::Erase => "Erase",
-        }
-    }
-
-    /// The key that picks it.
-    pub const fn key(self) -> char {
-        match self {
-            Self::Select => 'v',
-            Self::Obstacle => 'o',
-            Self::Charger => 'c',
-            Self::SlowZone => 's',
-            Self::Erase => 'e',
-        }
-    }
-
     /// Whether the ground has what the tool paints.
     const fn is_painted(self, ground: Ground) -> bool {
         match self {
-            Self::Select => false,
             Self::Obstacle => matches!(ground, Ground::Obstacle),
             Self::Charger => matches!(ground, Ground::Charger | Ground::SlowCharger),
             Self::SlowZone => matches!(ground, Ground::Slow | Ground::SlowCharger),
             Self::Erase => matches!(ground, Ground::Free),
+            Self::Select | Self::Agent | Self::Goal | Self::Waypoint => false,
         }
     }
 
@@ -66,11 +22,11 @@ impl Tool {
         let charger = matches!(ground, Ground::Charger | Ground::SlowCharger);
         let slow = matches!(ground, Ground::Slow | Ground::SlowCharger);
         match (self, on) {
-            (Self::Select, _) => ground,
             (Self::Erase, _) | (Self::Obstacle, false) => Ground::Free,
             (Self::Obstacle, true) => Ground::Obstacle,
             (Self::Charger, on) => both(on, slow),
             (Self::SlowZone, on) => both(charger, on),
+            (Self::Select | Self::Agent | Self::Goal | Self::Waypoint, _) => ground,
         }
     }
 }
@@ -96,7 +52,7 @@ impl Brush {
     /// A stroke that begins on a cell; `None` where the tool paints nothing.
     pub(crate) fn begin(scene: &Scene, tool: Tool, cell: Cell) -> Option<Self> {
         let ground = ground(scene, cell)?;
-        let paints = tool != Tool::Select;
+        let paints = tool != Tool::Select && !tool.is_of_agents();
         paints.then(|| Self {
             tool,
             on: tool == Tool::Erase || !tool.is_painted(ground),
@@ -107,14 +63,18 @@ impl Brush {
     /// `None` where that changes nothing.
     ///
     /// What an agent needs is kept: no obstacle on a start, goal or waypoint.
+    /// Erasing takes agents and waypoints away, too.
     pub(crate) fn stroke(self, scene: &Scene, from: Cell, to: Cell) -> Option<Scene> {
         let mut after: Option<Scene> = None;
         for cell in line(from, to) {
             let Some(old) = ground(after.as_ref().unwrap_or(scene), cell) else {
                 continue;
             };
+            if self.tool == Tool::Erase && is_needed(after.as_ref().unwrap_or(scene), cell) {
+                things::erase(after.get_or_insert_with(|| scene.clone()), cell);
+            }
             let new = self.tool.paint(old, self.on);
-            if new == old || (new == Ground::Obstacle && needed_by(scene, cell).is_some()) {
+            if new == old || (new == Ground::Obstacle && is_needed(scene, cell)) {
                 continue;
             }
             let scene = after.get_or_insert_with(|| scene.clone());
@@ -141,16 +101,32 @@ fn set_ground(scene: &mut Scene, cell: Cell, ground: Ground) {
     }
 }
 
-/// The agent whose start, goal or waypoint a cell is.
-fn needed_by(scene: &Scene, cell: Cell) -> Option<&str> {
-    let needs = |agent: &&giveway_model::Agent| {
+/// Whether a cell is the start, goal or waypoint of an agent.
+fn is_needed(scene: &Scene, cell: Cell) -> bool {
+    let needs = |agent: &giveway_model::Agent| {
         agent.start == cell || agent.goal == cell || agent.waypoints.contains(&cell)
     };
-    scene
-        .agents
-        .iter()
-        .find(needs)
-        .map(|agent| agent.name.as_str())
+    scene.agents.iter().any(needs)
+}
+
+/// A charger or an obstacle moved from one cell to another, where no agent
+/// needs that; `tool` is the one that paints it.
+pub(crate) fn moved(scene: &mut Scene, tool: Tool, from: Cell, to: Cell) {
+    let (Some(old), Some(new)) = (ground(scene, from), ground(scene, to)) else {
+        return;
+    };
+    if tool == Tool::Obstacle && is_needed(scene, to) {
+        return;
+    }
+    set_ground(scene, from, tool.paint(old, false));
+    set_ground(scene, to, tool.paint(new, true));
+}
+
+/// The tool that paints what can be moved from a cell: a charger, an obstacle.
+pub(crate) fn movable(scene: &Scene, cell: Cell) -> Option<Tool> {
+    let ground = ground(scene, cell)?;
+    let tools = [Tool::Charger, Tool::Obstacle];
+    tools.into_iter().find(|tool| tool.is_painted(ground))
 }
 
 /// The cells on the way of a pointer that jumped from one cell to another: each

@@ -64,9 +64,12 @@ fn with_ctrl(key: Key<'_>) -> Option<Action> {
     }
 }
 
-/// One thing after the other: the solver, the notice, the selection.
+/// One thing after the other: what is being placed, the solver, the notice, the
+/// selection.
 fn escape(state: &State) -> Option<Action> {
-    if matches!(
+    if state.placing.is_some() || state.stroke.is_some() {
+        Some(Action::Abandon)
+    } else if matches!(
         state.phase(),
         Phase::Solving | Phase::Asking | Phase::Checking
     ) {
@@ -127,6 +130,9 @@ pub const HELP: [(&str, &[Row]); 4] = [
             row(&["C"], "Charger"),
             row(&["S"], "Slow zone"),
             row(&["E"], "Erase"),
+            row(&["A"], "Agent"),
+            row(&["G"], "Goal"),
+            row(&["W"], "Waypoint"),
         ],
     ),
     (
@@ -137,6 +143,15 @@ pub const HELP: [(&str, &[Row]); 4] = [
                 "Move the cursor",
             ),
             row(&["Enter", "Space"], "Use the tool on the cell"),
+            row(
+                &[
+                    "Shift+\u{2190}",
+                    "Shift+\u{2191}",
+                    "Shift+\u{2192}",
+                    "Shift+\u{2193}",
+                ],
+                "Move what is on the cell (Select)",
+            ),
             row(&["+", "\u{2212}", "0"], "Zoom in, zoom out, fit"),
             row(&["?"], "This list"),
         ],

@@ -36,17 +36,21 @@ mod sample;
 mod settings;
 mod state;
 pub mod table;
+mod things;
 pub mod timeline;
+mod tool;
 pub mod words;
 
 pub use action::Action;
 pub use answer::Answer;
 pub use asking::{Asking, Lit};
 pub use draft::{Draft, MAX_AGENTS, MAX_SIDE};
-pub use ground::Tool;
 pub use history::History;
 pub use playback::{Playback, Point, Speed, position};
 pub use reduce::reduce;
 pub use reserve::Reserve;
 pub use settings::{Settings, Tab, Theme, View};
-pub use state::{Certifying, Inquiry, Notice, Phase, Run, Selection, Size, State, Work};
+pub use state::{
+    Certifying, Inquiry, Notice, Phase, Placing, Run, Selection, Size, State, Work,
+};
+pub use tool::Tool;

@@ -3,12 +3,12 @@
 use std::collections::BTreeMap;
 use std::rc::Rc;
 
-use giveway_model::{Cell, Cost, Costs, Plan};
+use giveway_model::{Agent, Cell, Cost, Costs, Plan};
 use giveway_proof::Report;
 use giveway_solve::explain::ExplainRequest;
 use giveway_solve::{CertifyRequest, Request, SolveRequest, Status};
 
-use crate::ground::Brush;
+use crate::things::{Hold, Thing, fresh_name};
 use crate::{Answer, Asking, Draft, History, Playback, Settings, Tool, View};
 
 /// All that the page shows. Plain data: two equal states look the same.
@@ -27,8 +27,10 @@ pub struct State {
     pub work: Work,
     /// Undo and redo.
     pub history: History,
-    /// The stroke of the brush that is not finished.
+    /// The stroke that is not finished.
     pub(crate) stroke: Option<Stroke>,
+    /// The agent that is being placed.
+    pub placing: Option<Placing>,
     /// What the pointer does on the board.
     pub tool: Tool,
     /// The cell of the keyboard on the board.
@@ -136,14 +138,31 @@ pub struct Size {
     pub conflicts: u64,
 }
 
-/// A stroke of the brush on its way over the board.
+/// A stroke on its way over the board.
 #[derive(Clone, Debug, PartialEq)]
 pub(crate) struct Stroke {
-    pub(crate) brush: Brush,
+    pub(crate) hold: Hold,
+    /// The cell that it began on.
+    pub(crate) from: Cell,
     /// The cell that it came to last.
     pub(crate) at: Cell,
+    /// Whether it ever left its first cell.
+    pub(crate) has_left: bool,
     /// The draft before it: one stroke is one step of undo.
     pub(crate) before: Rc<Draft>,
+}
+
+/// An agent on its way onto the board: its start is chosen, its goal not yet.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Placing {
+    /// Where it will start.
+    pub start: Cell,
+    /// Where the pointer or the keyboard is: its goal, as far as known.
+    pub goal: Cell,
+    /// Whether the pointer is down.
+    pub is_held: bool,
+    /// Whether the goal was pressed by itself: then it may be the start, too.
+    pub(crate) is_second: bool,
 }
 
 /// What the inspector tells of.
@@ -205,6 +224,7 @@ impl State {
             work: Work::Idle,
             history: History::default(),
             stroke: None,
+            placing: None,
             tool: Tool::Select,
             cursor: Cell::new(0, 0),
             selection: Selection::Nothing,
@@ -256,8 +276,13 @@ impl State {
     /// it then (in transit it is on both cells), or at its start without a plan.
     pub fn agent_at(&self, cell: Cell) -> Option<usize> {
         let time = self.playback.time as usize;
-        let is_on = |name: &str, start: Cell| {
-            let path = self.plan().map_or(&[][..], |plan| plan.path(name));
+        let is_on = |(index, agent): (usize, &Agent)| {
+            let (name, start) = (agent.name.as_str(), agent.start);
+            let path = self
+                .shown()
+                .filter(|answer| answer.agent(&self.draft, index).is_some());
+            let path = path.and_then(|answer| answer.plan());
+            let path = path.map_or(&[][..], |plan| plan.path(name));
             match path.get(time) {
                 None => path.last().copied().flatten().unwrap_or(start) == cell,
                 Some(Some(at)) => *at == cell,
@@ -266,8 +291,35 @@ impl State {
                     .any(|&t| path.get(t) == Some(&Some(cell))),
             }
         };
-        let mut agents = self.draft.agents().iter();
-        agents.position(|agent| is_on(&agent.name, agent.start))
+        let mut agents = self.draft.agents().iter().enumerate();
+        agents.position(is_on)
+    }
+
+    /// The agent that is selected, by its index in the scene.
+    pub const fn selected_agent(&self) -> Option<usize> {
+        match self.selection {
+            Selection::Agent(agent) => Some(agent),
+            Selection::Nothing | Selection::Cell(_) => None,
+        }
+    }
+
+    /// The name that the next agent gets.
+    pub fn next_name(&self) -> String {
+        fresh_name(self.draft.scene())
+    }
+
+    /// Whether there is something on a cell that the tool `Select` moves.
+    pub fn can_move(&self, cell: Cell) -> bool {
+        self.thing_at(cell).is_some()
+    }
+
+    /// What the tool `Select` takes hold of on a cell.
+    pub(crate) fn thing_at(&self, cell: Cell) -> Option<Thing> {
+        let scene = self.draft.scene();
+        let standing = self.agent_at(cell);
+        let starts = standing.filter(|&agent| scene.agents[agent].start == cell);
+        let start = starts.map(Thing::Start);
+        start.or_else(|| Thing::lying(scene, cell, self.selected_agent()))
     }
 
     /// Where the page stands.

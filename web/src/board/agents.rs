@@ -94,7 +94,7 @@ fn agent_shape(props: &AgentsProps, agent: usize) -> Html {
     html! { <g key={agent} {class}>{ selection }{ shape }</g> }
 }
 
-fn name(name: &str) -> Html {
+pub(super) fn name(name: &str) -> Html {
     let short = form::short_name(name);
     let is_long = form::is_long(&short);
     html! {

@@ -126,6 +126,7 @@ impl Surface {
     fn moved(&self, hand: &mut Hand, event: &PointerEvent, time: f64) {
         let at = self.px(event);
         self.show_hover(at, event);
+        self.look_for_goal(hand, at);
         let finger = hand.fingers.iter().position(|f| f.0 == event.pointer_id());
         let Some(finger) = finger else { return };
         let before = std::mem::replace(&mut hand.fingers[finger].1, at);
@@ -133,7 +134,7 @@ impl Surface {
             if distance(from, at) < SLOP_PX {
                 return;
             }
-            hand.act = if self.paints() {
+            hand.act = if self.paints() || self.holds(from, event) {
                 self.begin_stroke(from)
             } else if self.agent_at(from, time).is_none() && !self.is_fit {
                 Act::Pan(from)
@@ -283,6 +284,33 @@ impl Surface {
             // The names are valid, so that it cannot fail.
             let _ = hover.set_attribute(name, value);
         }
+    }
+
+    /// An agent that waits for its goal looks where the pointer is.
+    fn look_for_goal(&self, hand: &Hand, at: Px) {
+        if self.state.placing.is_none() || !hand.fingers.is_empty() {
+            return;
+        }
+        let cell = self.cell(self.frame.point(at));
+        if let Some(cell) = cell.filter(|&cell| cell != self.state.cursor) {
+            self.send.emit(Action::MoveCursor(cell));
+        }
+    }
+
+    /// Whether there is something at a pixel that is moved by hand. A finger
+    /// moves the page, and on a map that is larger than the board the map is
+    /// moved: there only what is selected is held.
+    fn holds(&self, at: Px, event: &PointerEvent) -> bool {
+        let Some(cell) = self.cell(self.frame.point(at)) else {
+            return false;
+        };
+        let is_selected = match self.state.selection {
+            Selection::Cell(selected) => selected == cell,
+            Selection::Agent(agent) => self.state.agent_at(cell) == Some(agent),
+            Selection::Nothing => false,
+        };
+        let is_loose = self.is_fit && event.pointer_type() != "touch";
+        (is_loose || is_selected) && self.state.can_move(cell)
     }
 
     fn paints(&self) -> bool {

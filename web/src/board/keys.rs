@@ -1,8 +1,8 @@
 //! The keys of the board.
 
 use giveway_model::Cell;
-use giveway_page::Action;
 use giveway_page::board::Frame;
+use giveway_page::{Action, Tool};
 use gloo::events::EventListener;
 use wasm_bindgen::JsCast;
 use web_sys::{Element, KeyboardEvent};
@@ -16,7 +16,7 @@ use crate::Shown;
 const PAGE: u32 = 5;
 
 /// On the board: arrows, Home, End and pages move the cell cursor, Enter and
-/// Space apply the tool there.
+/// Space apply the tool there; with Shift, arrows move what is there.
 pub(super) fn on_key(
     state: &Shown,
     send: &Callback<Action>,
@@ -46,6 +46,11 @@ pub(super) fn on_key(
         };
         event.prevent_default();
         event.stop_propagation();
+        if event.shift_key() && state.tool == Tool::Select {
+            send.emit(Action::Press(cell));
+            send.emit(Action::Drag(to));
+            send.emit(Action::Release);
+        }
         send.emit(Action::MoveCursor(to));
         look.emit(Look::Show(state.draft.clamp(to)));
     })

@@ -9,6 +9,7 @@ mod axis;
 mod cells;
 mod floor;
 mod gestures;
+mod ghost;
 mod keys;
 mod legend;
 mod marks;
@@ -73,10 +74,7 @@ pub fn Board(props: &BoardProps) -> Html {
 
     let reasons = giveway_page::board::reasons(state);
     let kinds: Vec<Kind> = legend(state, &cast);
-    let selected_agent = match state.selection {
-        Selection::Agent(agent) => Some(agent),
-        _ => None,
-    };
+    let selected_agent = state.selected_agent();
     let is_stale = state.is_stale() && cast.has_plan();
     let class = classes!(
         "map",
@@ -109,6 +107,7 @@ pub fn Board(props: &BoardProps) -> Html {
                         <Axis {frame} {board} />
                     }
                     <ReasonMarks {reasons} />
+                    { ghost::show(state) }
                     <g aria-hidden="true">
                         if let Selection::Cell(cell) = state.selection {
                             { square("selcell", cell, 3) }

@@ -45,7 +45,9 @@ impl Cast {
         let agents = state.draft.agents().to_vec();
         let at_goal = state.draft.scene().rules.at_goal;
         let track = |(index, agent): (usize, &Agent)| {
-            let plan = answer.and_then(|answer| answer.plan());
+            let solved = answer.and_then(|answer| answer.agent(&state.draft, index));
+            let plan = answer.filter(|_| solved.is_some());
+            let plan = plan.and_then(|answer| answer.plan());
             let mut path = plan.map_or_else(Vec::new, |plan| plan.path(&agent.name).to_vec());
             let mut charges = plan.map_or_else(Vec::new, |plan| plan.charges(&agent.name).to_vec());
             charges.sort_unstable();
@@ -53,7 +55,8 @@ impl Cast {
                 path.push(Some(agent.start));
             }
             let battery = agent.battery.map(|battery| {
-                let levels = answer.and_then(|answer| answer.levels.get(index));
+                let levels = answer.zip(solved);
+                let levels = levels.and_then(|(answer, index)| answer.levels.get(index));
                 let levels = levels.filter(|levels| !levels.is_empty()).cloned();
                 let initial = || vec![i64::from(battery.initial)];
                 (levels.unwrap_or_else(initial), battery.capacity)
@@ -83,14 +86,11 @@ impl Cast {
     }
 }
 
-/// Whether a plan can be drawn on a draft: it may be stale, but not of another
-/// map with other agents.
+/// Whether a plan can be drawn on a draft: it may be stale, but not of a map of
+/// another size, or of other agents altogether.
 fn fits(answer: &Answer, draft: &Draft) -> bool {
-    let (one, other) = (&answer.draft, draft);
     let size = |draft: &Draft| (draft.grid().width(), draft.grid().height());
-    let named = |draft: &Draft| -> Vec<String> {
-        let agents = draft.agents().iter();
-        agents.map(|agent| agent.name.clone()).collect()
-    };
-    size(one) == size(other) && named(one) == named(other)
+    let mut agents = 0..draft.agents().len();
+    size(&answer.draft) == size(draft)
+        && (agents.is_empty() || agents.any(|agent| answer.agent(draft, agent).is_some()))
 }

@@ -58,9 +58,7 @@ impl BatteryFacts {
 /// agents are found in it by their names.
 pub fn planned(state: &State, agent: usize) -> Option<Lane> {
     let answer = state.shown()?;
-    let name = &state.draft.agents().get(agent)?.name;
-    let mut solved = answer.draft.agents().iter();
-    Lane::of(answer, solved.position(|other| other.name == *name)?)
+    Lane::of(answer, answer.agent(&state.draft, agent)?)
 }
 
 /// What there is to tell of an agent of the draft; `None` if there is none.

@@ -7,13 +7,13 @@ use giveway_model::{Question, Version, question::fits};
 use giveway_solve::explain::{Edit, ExplainAnswer, ExplainRequest, Repair, edited_scene};
 use giveway_solve::{Limits, SolveAnswer, Stats, Status};
 
-use super::{edit, solve};
+use super::{edit, solve, stroke};
 use crate::asking::{Asking, Lit};
 use crate::{Answer, Inquiry, Notice, State, Tab, Work};
 
 /// Asks about the plan that is shown; about the scene where there is none.
 pub(super) fn ask(state: &mut State, question: Question) {
-    edit::release(state);
+    stroke::release(state);
     let Some(answer) = state.answer.clone().filter(|_| !state.is_stale()) else {
         refuse(
             state,

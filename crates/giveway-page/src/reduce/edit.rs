@@ -3,11 +3,10 @@
 
 use std::rc::Rc;
 
-use giveway_model::{Cell, Scene};
+use giveway_model::Scene;
 
+use super::stroke::{abandon, release};
 use super::{ask, solve};
-use crate::ground::Brush;
-use crate::state::Stroke;
 use crate::{Draft, Notice, Selection, State};
 
 /// A scene of more agents opens without the plan table.
@@ -31,6 +30,7 @@ pub(super) fn open(state: &mut State, scene: Scene) {
         return;
     }
     release(state);
+    state.placing = None;
     state.notice = None;
     state.answer = None;
     state.asking = None;
@@ -53,57 +53,24 @@ pub(super) fn change(state: &mut State, edit: impl FnOnce(&mut Scene)) {
     if scene == *state.draft.scene() {
         return;
     }
-    if let Ok(draft) = Draft::new(scene) {
-        replace(state, draft);
-        settled(state);
-    }
-}
-
-/// Begins a stroke of the brush.
-pub(super) fn press(state: &mut State, cell: Cell) {
-    release(state);
-    let Some(brush) = Brush::begin(state.draft.scene(), state.tool, cell) else {
-        return;
-    };
-    state.stroke = Some(Stroke {
-        brush,
-        at: cell,
-        before: Rc::clone(&state.draft),
-    });
-    drag(state, cell);
-}
-
-/// Takes the brush on to a cell.
-pub(super) fn drag(state: &mut State, cell: Cell) {
-    let cell = state.draft.clamp(cell);
-    let Some(stroke) = &mut state.stroke else {
-        return;
-    };
-    let from = std::mem::replace(&mut stroke.at, cell);
-    state.cursor = cell;
-    let Some(scene) = stroke.brush.stroke(state.draft.scene(), from, cell) else {
-        return;
-    };
-    if let Ok(draft) = Draft::new(scene) {
-        ask::close(state);
-        solve::cancel(state);
-        state.playback.playing = false;
-        state.draft = Rc::new(draft);
-    }
-}
-
-/// Ends a stroke.
-pub(super) fn release(state: &mut State) {
-    let Some(stroke) = state.stroke.take() else {
-        return;
-    };
-    if *stroke.before != *state.draft {
-        state.history.record(stroke.before);
-        settled(state);
+    match Draft::new(scene) {
+        Ok(draft) => {
+            replace(state, draft);
+            settled(state);
+        }
+        Err(faults) => {
+            state.notice = Some(Notice {
+                sentence: "This edit cannot be made.".to_owned(),
+                details: faults.iter().map(ToString::to_string).collect(),
+            });
+        }
     }
 }
 
 pub(super) fn undo(state: &mut State) {
+    if state.placing.is_some() {
+        return abandon(state);
+    }
     release(state);
     let present = Rc::clone(&state.draft);
     if let Some(draft) = state.history.undo(present) {
@@ -123,9 +90,9 @@ fn travel(state: &mut State, draft: Rc<Draft>) {
     ask::close(state);
     solve::cancel(state);
     state.playback.playing = false;
-    state.draft = draft;
+    let before = std::mem::replace(&mut state.draft, draft);
     state.cursor = state.draft.clamp(state.cursor);
-    forget_missing(state);
+    reselect(state, &before);
     settled(state);
 }
 
@@ -134,21 +101,31 @@ fn replace(state: &mut State, draft: Draft) {
     solve::cancel(state);
     state.playback.playing = false;
     let before = std::mem::replace(&mut state.draft, Rc::new(draft));
+    reselect(state, &before);
     state.history.record(before);
-    forget_missing(state);
 }
 
-/// An agent that is no longer there is not selected.
-fn forget_missing(state: &mut State) {
-    if let Selection::Agent(agent) = state.selection
-        && agent >= state.draft.agents().len()
-    {
-        state.selection = Selection::Nothing;
+/// The agent that is selected may have got another place, another name or none.
+pub(super) fn reselect(state: &mut State, before: &Draft) {
+    if let Selection::Cell(cell) = state.selection {
+        state.selection = Selection::Cell(state.draft.clamp(cell));
     }
+    let Selection::Agent(agent) = state.selection else {
+        return;
+    };
+    let (old, new) = (before.agents(), state.draft.agents());
+    if old.len() == new.len() {
+        return;
+    }
+    let name = old.get(agent).map(|agent| agent.name.as_str());
+    let found = new
+        .iter()
+        .position(|agent| Some(agent.name.as_str()) == name);
+    state.selection = found.map_or(Selection::Nothing, Selection::Agent);
 }
 
 /// After an edit as a whole.
-fn settled(state: &mut State) {
+pub(super) fn settled(state: &mut State) {
     if state.settings.solve_on_change && state.is_stale() {
         solve::start(state);
     }

@@ -5,10 +5,13 @@ mod edit;
 mod play;
 mod proof;
 mod solve;
+mod stroke;
 #[cfg(test)]
 mod tests;
 
-use crate::{Action, Selection, State, Tool};
+use giveway_model::Cell;
+
+use crate::{Action, Selection, State};
 
 /// The next state. Pure: the same state and action always give the same.
 ///
@@ -33,14 +36,12 @@ fn step(state: &mut State, action: Action) {
         Action::Refuse(notice) => state.notice = Some(notice),
         Action::DismissNotice => state.notice = None,
 
-        Action::PickTool(tool) => {
-            edit::release(state);
-            state.tool = tool;
-        }
-        Action::MoveCursor(cell) => state.cursor = state.draft.clamp(cell),
-        Action::Press(cell) => press(state, cell),
-        Action::Drag(cell) => edit::drag(state, cell),
-        Action::Release => edit::release(state),
+        Action::PickTool(tool) => stroke::pick(state, tool),
+        Action::MoveCursor(cell) => move_cursor(state, cell),
+        Action::Press(cell) => stroke::press(state, cell),
+        Action::Drag(cell) => stroke::drag(state, cell),
+        Action::Release => stroke::release(state),
+        Action::Abandon => stroke::abandon(state),
         Action::Select(selection) => select(state, selection),
         Action::Undo => edit::undo(state),
         Action::Redo => edit::redo(state),
@@ -94,17 +95,10 @@ fn select(state: &mut State, selection: Selection) {
     state.selection = selection;
 }
 
-/// With a brush it paints; else it selects the agent there, or the cell.
-fn press(state: &mut State, cell: giveway_model::Cell) {
-    let cell = state.draft.clamp(cell);
-    state.cursor = cell;
-    if state.tool == Tool::Select {
-        let selection = match state.agent_at(cell) {
-            Some(agent) => Selection::Agent(agent),
-            None => Selection::Cell(cell),
-        };
-        select(state, selection);
-    } else {
-        edit::press(state, cell);
+/// An agent that waits for its goal looks where the keyboard is.
+fn move_cursor(state: &mut State, cell: Cell) {
+    state.cursor = state.draft.clamp(cell);
+    if let Some(placing) = &mut state.placing {
+        placing.goal = state.cursor;
     }
 }

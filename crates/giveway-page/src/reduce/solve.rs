@@ -12,7 +12,7 @@ use giveway_solve::{Limits, Progress, Refusal, Response, SolveRequest};
 use crate::{Answer, Notice, Run, Size, State, Work};
 
 pub(super) fn start(state: &mut State) {
-    super::edit::release(state);
+    super::stroke::release(state);
     if let Err(faults) = state.draft.instance() {
         state.notice = Some(Notice {
             sentence: "The scene cannot be solved as it is.".to_owned(),

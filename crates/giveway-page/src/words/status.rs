@@ -99,6 +99,12 @@ pub fn standing(state: &State) -> Standing {
     if let Work::Certifying(run) = &state.work {
         return say(Badge::Checking, proof::doing(run));
     }
+    if let Some(placing) = state.placing {
+        let at = crate::inspect::at(placing.start);
+        let name = state.next_name();
+        let sentence = format!("{name} starts at {at}: now choose its goal.");
+        return say(Badge::Draft, sentence);
+    }
     if let Err(faults) = state.draft.instance() {
         let fault = faults.first().map(ToString::to_string);
         let fault = fault.unwrap_or_default();

@@ -5,6 +5,7 @@ mod edit;
 mod play;
 mod proof;
 mod solve;
+mod things;
 mod words;
 
 use giveway_model::{AtGoal, Cell, Cost, Objective};

@@ -1,0 +1,84 @@
+//! The tools: what the pointer does on the board.
+
+/// What the pointer does on the board.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum Tool {
+    /// Selects agents and cells, and moves what is on them.
+    #[default]
+    Select,
+    /// Paints obstacles.
+    Obstacle,
+    /// Paints chargers; they stay in a slow zone.
+    Charger,
+    /// Paints slow zones; chargers stay in them.
+    SlowZone,
+    /// Takes away what is on cells.
+    Erase,
+    /// Places agents with their goals.
+    Agent,
+    /// Gives the selected agent another goal.
+    Goal,
+    /// Gives the selected agent waypoints, and takes them away.
+    Waypoint,
+}
+
+impl Tool {
+    /// All tools, in the order of the toolbar.
+    pub const ALL: [Self; 8] = [
+        Self::Select,
+        Self::Obstacle,
+        Self::Charger,
+        Self::SlowZone,
+        Self::Erase,
+        Self::Agent,
+        Self::Goal,
+        Self::Waypoint,
+    ];
+
+    /// The accessible name.
+    pub const fn name(self) -> &'static str {
+        match self {
+            Self::Select => "Select",
+            Self::Obstacle => "Obstacle",
+            Self::Charger => "Charger",
+            Self::SlowZone => "Slow zone",
+            Self::Erase => "Erase",
+            Self::Agent => "Agent",
+            Self::Goal => "Goal",
+            Self::Waypoint => "Waypoint",
+        }
+    }
+
+    /// The key that picks it.
+    pub const fn key(self) -> char {
+        match self {
+            Self::Select => 'v',
+            Self::Obstacle => 'o',
+            Self::Charger => 'c',
+            Self::SlowZone => 's',
+            Self::Erase => 'e',
+            Self::Agent => 'a',
+            Self::Goal => 'g',
+            Self::Waypoint => 'w',
+        }
+    }
+
+    /// The name of its icon.
+    pub const fn icon(self) -> &'static str {
+        match self {
+            Self::Select => "select",
+            Self::Obstacle => "obstacle",
+            Self::Charger => "charger",
+            Self::SlowZone => "slow",
+            Self::Erase => "erase",
+            Self::Agent => "agent",
+            Self::Goal => "goal",
+            Self::Waypoint => "waypoint",
+        }
+    }
+
+    /// Whether it acts on agents, so that it begins where they begin.
+    pub(crate) const fn is_of_agents(self) -> bool {
+        matches!(self, Self::Agent | Self::Goal | Self::Waypoint)
+    }
+}
