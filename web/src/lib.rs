@@ -9,6 +9,7 @@ mod board;
 mod clock;
 mod dialog;
 mod drop;
+mod field;
 mod files;
 mod glyph;
 mod icon;

@@ -3,7 +3,7 @@
 use giveway_model::{AtGoal, Cell, Objective, Question, Scene};
 use giveway_solve::{Progress, Response};
 
-use crate::{Lit, Notice, Selection, Speed, Tab, Theme, Tool};
+use crate::{Edit, Fill, Lit, Notice, Selection, Speed, Tab, Theme, Tool};
 
 /// What a person did, what the solver told, or that time went on.
 #[derive(Clone, Debug, PartialEq)]
@@ -30,6 +30,10 @@ pub enum Action {
     Abandon,
     /// The selection changed.
     Select(Selection),
+    /// An edit that is made beside the board.
+    Edit(Edit),
+    /// What is strewn by chance next time.
+    SetFill(Fill),
     /// Takes the last edit back.
     Undo,
     /// Takes the last undo back.

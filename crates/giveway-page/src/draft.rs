@@ -2,6 +2,8 @@
 
 use giveway_model::{Agent, Cell, Fault, Grid, Instance, Scene};
 
+use crate::problems::{self, Problem};
+
 /// The largest map side that the page takes, in cells.
 pub const MAX_SIDE: u32 = 256;
 /// The largest number of agents that the page takes.
@@ -13,6 +15,7 @@ pub struct Draft {
     scene: Scene,
     grid: Grid,
     instance: Result<Instance, Vec<Fault>>,
+    problems: Vec<Problem>,
 }
 
 impl Default for Draft {
@@ -27,6 +30,7 @@ impl Default for Draft {
             instance: Instance::new(scene.clone()),
             scene,
             grid,
+            problems: Vec::new(),
         }
     }
 }
@@ -61,7 +65,9 @@ impl Draft {
         if !faults.is_empty() {
             return Err(faults);
         }
+        let faults = instance.as_ref().err().map_or(&[][..], Vec::as_slice);
         Ok(Self {
+            problems: problems::problems(&scene, &grid, faults),
             scene,
             grid,
             instance,
@@ -90,6 +96,12 @@ impl Draft {
     /// The faults, in the order of the scene.
     pub fn instance(&self) -> Result<&Instance, &[Fault]> {
         self.instance.as_ref().map_err(Vec::as_slice)
+    }
+
+    /// What is wrong with the scene, in sentences: faults of it, and what an agent
+    /// alone cannot do.
+    pub fn problems(&self) -> &[Problem] {
+        &self.problems
     }
 
     /// The nearest cell of the map.

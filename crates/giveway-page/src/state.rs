@@ -9,7 +9,7 @@ use giveway_solve::explain::ExplainRequest;
 use giveway_solve::{CertifyRequest, Request, SolveRequest, Status};
 
 use crate::things::{Hold, Thing, fresh_name};
-use crate::{Answer, Asking, Draft, History, Playback, Settings, Tool, View};
+use crate::{Answer, Asking, Draft, Fill, History, Playback, Settings, Tool, View};
 
 /// All that the page shows. Plain data: two equal states look the same.
 #[derive(Clone, Debug, PartialEq)]
@@ -41,6 +41,8 @@ pub struct State {
     pub playback: Playback,
     /// What the solver is told.
     pub settings: Settings,
+    /// What is strewn by chance next time.
+    pub fill: Fill,
     /// What is shown and how.
     pub view: View,
     /// What a person must be told once.
@@ -230,6 +232,7 @@ impl State {
             selection: Selection::Nothing,
             playback: Playback::default(),
             settings: Settings::default(),
+            fill: Fill::default(),
             view: View::default(),
             notice: None,
             runs: 0,

@@ -36,7 +36,7 @@ impl PartialEq for CellsProps {
 /// The rows in the window.
 #[component]
 pub(super) fn Cells(props: &CellsProps) -> Html {
-    let names = CellNames::new(&props.cast, props.time);
+    let names = CellNames::new(&props.cast, props.time, props.draft.problems());
     let selected = selected(props);
     let row = |y: u32| {
         let cell = |x: u32| {

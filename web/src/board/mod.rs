@@ -107,6 +107,7 @@ pub fn Board(props: &BoardProps) -> Html {
                         <Axis {frame} {board} />
                     }
                     <ReasonMarks {reasons} />
+                    { problems(state) }
                     { ghost::show(state) }
                     <g aria-hidden="true">
                         if let Selection::Cell(cell) = state.selection {
@@ -128,6 +129,26 @@ pub fn Board(props: &BoardProps) -> Html {
                 is_nearest={viewport.is_nearest(board)} />
         </>
     }
+}
+
+/// A frame and a triangle on every cell where something is wrong.
+fn problems(state: &Shown) -> Html {
+    let cells = state
+        .draft
+        .problems()
+        .iter()
+        .filter_map(|problem| problem.cell);
+    let cells: std::collections::BTreeSet<Cell> = cells.collect();
+    let mark = |cell: Cell| {
+        html! {
+            <>
+                { square("fault", cell, 3) }
+                <path class="fault-sign" transform={format!("translate({} {})", 100 * cell.x, 100 * cell.y)}
+                    d="M20 7 33 29H7ZM20 14v7M20 25v.1" />
+            </>
+        }
+    };
+    html! { <g aria-hidden="true">{ for cells.into_iter().map(mark) }</g> }
 }
 
 /// A frame around a cell, some units inside of it.

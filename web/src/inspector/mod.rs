@@ -4,6 +4,7 @@
 mod agent;
 mod answer;
 mod cell;
+mod edit;
 mod proof;
 mod questions;
 mod whole;
@@ -46,11 +47,22 @@ pub fn Inspector(props: &InspectorProps) -> Html {
 fn content(state: &Shown, send: &Callback<Action>) -> Html {
     match state.selection {
         Selection::Agent(index) => match inspect::agent(state, index) {
-            Some(facts) => agent::show(&facts, send),
+            Some(facts) => html! {
+                <>
+                    { agent::show(&facts, send) }
+                    { edit::problems(state, send, |problem| problem.agent == Some(index)) }
+                    { edit::agent(state, index, send) }
+                </>
+            },
             None => whole::show(state, send),
         },
         Selection::Cell(cell) => match inspect::cell(state, cell) {
-            Some(facts) => cell::show(state, &facts, send),
+            Some(facts) => html! {
+                <>
+                    { cell::show(state, &facts, send) }
+                    { edit::problems(state, send, |problem| problem.cell == Some(cell)) }
+                </>
+            },
             None => whole::show(state, send),
         },
         Selection::Nothing => whole::show(state, send),

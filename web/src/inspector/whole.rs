@@ -2,11 +2,11 @@
 
 use std::rc::Rc;
 
-use giveway_page::inspect::{CostFacts, Whole, whole};
+use giveway_page::inspect::{CostFacts, whole};
 use giveway_page::{Action, Answer, Draft, Selection, Work};
 use yew::prelude::*;
 
-use super::proof;
+use super::{edit, proof};
 use crate::{Glyph, Icon, Shown};
 
 /// So many agents are listed at first, and with every press of `More`.
@@ -18,9 +18,7 @@ pub(super) fn show(state: &Shown, send: &Callback<Action>) -> Html {
     html! {
         <>
             <header class="ih"><div><h2>{ facts.title.clone() }</h2><p>{ facts.contents.clone() }</p></div></header>
-            if !facts.problems.is_empty() {
-                { problems(&facts) }
-            }
+            { edit::problems(state, send, |_| true) }
             if !facts.costs.is_empty() || !facts.claims.is_empty() || facts.work.is_some() {
                 <section>
                     <h3>{ if is_solving { "So far" } else { "Plan" } }</h3>
@@ -32,20 +30,9 @@ pub(super) fn show(state: &Shown, send: &Callback<Action>) -> Html {
                     { proof::show(state, send) }
                 </section>
             }
+            { edit::whole(state, send) }
             <Agents draft={Rc::clone(&state.draft)} answer={state.answer.clone()} send={send.clone()} />
         </>
-    }
-}
-
-fn problems(facts: &Whole) -> Html {
-    let one = |problem: &String| {
-        html! { <li class="problem"><Icon name="warning" /><span>{ problem.clone() }</span></li> }
-    };
-    html! {
-        <section>
-            <h3>{ "Problems " }<span class="count">{ facts.problems.len() }</span></h3>
-            <ul>{ for facts.problems.iter().map(one) }</ul>
-        </section>
     }
 }
 

@@ -1,6 +1,5 @@
 //! What the solver is told: objective, rules, limits.
 
-mod number;
 mod order;
 
 use std::rc::Rc;
@@ -11,7 +10,7 @@ use web_sys::HtmlInputElement;
 use yew::prelude::*;
 
 use crate::Icon;
-use number::Number;
+use crate::field::number;
 use order::Order;
 
 /// The longest horizon that can be asked for, in time steps.
@@ -63,18 +62,14 @@ pub(crate) fn SettingsCard(props: &SettingsCardProps) -> Html {
             <fieldset>
                 <legend>{ "Limits" }</legend>
                 <div class="fields">
-                    <Number label="Battery floor" value={Some(scene.rules.battery_floor)}
-                        most={HIGHEST_FLOOR}
-                        on_change={send.reform(|n: Option<u32>| {
-                            Action::SetBatteryFloor(n.unwrap_or(0))
-                        })} />
-                    <Number label="Horizon, steps" value={settings.within} empty="auto"
-                        most={LONGEST} on_change={send.reform(Action::SetWithin)} />
-                    <Number label="Time limit, s" value={Some(settings.seconds)} least=1
-                        most={PATIENCE}
-                        on_change={send.reform(|n: Option<u32>| {
+                    { number("Battery floor", Some(scene.rules.battery_floor), (0, HIGHEST_FLOOR), None,
+                        &send.reform(|n: Option<u32>| Action::SetBatteryFloor(n.unwrap_or(0)))) }
+                    { number("Horizon, steps", settings.within, (0, LONGEST), Some("auto"),
+                        &send.reform(Action::SetWithin)) }
+                    { number("Time limit, s", Some(settings.seconds), (1, PATIENCE), None,
+                        &send.reform(|n: Option<u32>| {
                             Action::SetSeconds(n.unwrap_or(Settings::default().seconds))
-                        })} />
+                        })) }
                 </div>
                 <p class="hint">
                     { "No battery falls below the floor before its agent arrives. \

@@ -8,6 +8,8 @@ use crate::State;
 /// A sign of the board.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Kind {
+    /// Something is wrong on a cell.
+    Problem,
     /// The plan is of another scene.
     Stale,
     /// A charger.
@@ -28,6 +30,7 @@ impl Kind {
     /// What it means.
     pub const fn words(self) -> &'static str {
         match self {
+            Self::Problem => "Problem: press to see it",
             Self::Stale => "Stale plan, faded",
             Self::Charger => "Charger",
             Self::Slow => "Slow zone: a move takes 2 steps",
@@ -41,6 +44,7 @@ impl Kind {
     /// The class of its picture.
     pub const fn class(self) -> &'static str {
         match self {
+            Self::Problem => "k-problem",
             Self::Stale => "k-stale",
             Self::Charger => "k-chg",
             Self::Slow => "k-slow",
@@ -58,7 +62,12 @@ pub fn legend(state: &State, cast: &Cast) -> Vec<Kind> {
     let has_mark = |kind| cast.marks.iter().any(|mark| mark.kind == kind);
     let is_stale = state.is_stale() && cast.has_plan();
     let moves = cast.tracks.iter().any(|track| track.arrival() > 0);
+    let problems = state.draft.problems();
     let signs = [
+        (
+            Kind::Problem,
+            problems.iter().any(|problem| problem.cell.is_some()),
+        ),
         (Kind::Stale, is_stale),
         (Kind::Charger, has_ground(Ground::is_charger)),
         (Kind::Slow, has_ground(Ground::is_slow)),

@@ -5,6 +5,7 @@ use std::collections::BTreeMap;
 use giveway_model::{Cell, Grid, Ground};
 
 use super::{Cast, Frame};
+use crate::Problem;
 
 /// The most cells a side that have a name at once.
 const SIDE: u32 = 32;
@@ -63,8 +64,9 @@ pub struct CellNames {
 }
 
 impl CellNames {
-    /// What the agents have to do with each cell at a whole time.
-    pub fn new(cast: &Cast, time: u32) -> Self {
+    /// What the agents have to do with each cell at a whole time, and what is
+    /// wrong there.
+    pub fn new(cast: &Cast, time: u32, problems: &[Problem]) -> Self {
         let mut names = Self::default();
         let agents = || cast.agents.iter().zip(&cast.tracks);
         for (agent, _) in agents() {
@@ -92,6 +94,12 @@ impl CellNames {
                     names.add(cell, format!("{} is here", agent.name));
                 }
                 _ => {}
+            }
+        }
+        for problem in problems {
+            if let Some(cell) = problem.cell {
+                let sentence = problem.sentence.trim_end_matches('.');
+                names.add(cell, format!("problem: {sentence}"));
             }
         }
         names

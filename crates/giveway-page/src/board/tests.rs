@@ -50,7 +50,11 @@ fn planned() -> State {
 }
 
 fn names(state: &State) -> CellNames {
-    CellNames::new(&Cast::of(state), state.playback.time)
+    CellNames::new(
+        &Cast::of(state),
+        state.playback.time,
+        state.draft.problems(),
+    )
 }
 
 #[track_caller]

@@ -14,8 +14,6 @@ pub struct Whole {
     pub title: String,
     /// What the scene contains: `2 agents, 2 chargers, 6 slow cells, 6 obstacles`.
     pub contents: String,
-    /// What is wrong with the scene.
-    pub problems: Vec<String>,
     /// What is claimed of the plan, and why nothing more; none before a solve.
     pub claims: Vec<String>,
     /// The costs, those of the objective first; empty where nothing is known.
@@ -49,7 +47,6 @@ impl CostFacts {
 /// What there is to tell of the scene and its plan.
 pub fn whole(state: &State) -> Whole {
     let scene = state.draft.scene();
-    let faults = state.draft.instance().err().unwrap_or_default();
     let mut whole = Whole {
         title: if scene.name.is_empty() {
             "Scene without a name".to_owned()
@@ -57,7 +54,6 @@ pub fn whole(state: &State) -> Whole {
             scene.name.clone()
         },
         contents: contents(&state.draft),
-        problems: faults.iter().map(ToString::to_string).collect(),
         claims: Vec::new(),
         costs: Vec::new(),
         work: None,

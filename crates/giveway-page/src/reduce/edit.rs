@@ -42,7 +42,6 @@ pub(super) fn open(state: &mut State, scene: Scene) {
     state.playback.time = 0;
     state.playback.playing = false;
     replace(state, draft);
-    state.cursor = state.draft.clamp(state.cursor);
 }
 
 /// Changes the scene by a function; nothing happens where it changes nothing.
@@ -101,6 +100,7 @@ fn replace(state: &mut State, draft: Draft) {
     solve::cancel(state);
     state.playback.playing = false;
     let before = std::mem::replace(&mut state.draft, Rc::new(draft));
+    state.cursor = state.draft.clamp(state.cursor);
     reselect(state, &before);
     state.history.record(before);
 }

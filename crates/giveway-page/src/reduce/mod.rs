@@ -43,6 +43,8 @@ fn step(state: &mut State, action: Action) {
         Action::Release => stroke::release(state),
         Action::Abandon => stroke::abandon(state),
         Action::Select(selection) => select(state, selection),
+        Action::Edit(edit) => edit::change(state, |scene| edit.make(scene)),
+        Action::SetFill(fill) => state.fill = fill,
         Action::Undo => edit::undo(state),
         Action::Redo => edit::redo(state),
 

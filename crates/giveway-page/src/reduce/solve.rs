@@ -13,10 +13,11 @@ use crate::{Answer, Notice, Run, Size, State, Work};
 
 pub(super) fn start(state: &mut State) {
     super::stroke::release(state);
-    if let Err(faults) = state.draft.instance() {
+    if state.draft.instance().is_err() {
+        let problems = state.draft.problems().iter();
         state.notice = Some(Notice {
             sentence: "The scene cannot be solved as it is.".to_owned(),
-            details: faults.iter().map(ToString::to_string).collect(),
+            details: problems.map(|problem| problem.sentence.clone()).collect(),
         });
         return;
     }

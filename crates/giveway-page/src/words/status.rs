@@ -105,10 +105,11 @@ pub fn standing(state: &State) -> Standing {
         let sentence = format!("{name} starts at {at}: now choose its goal.");
         return say(Badge::Draft, sentence);
     }
-    if let Err(faults) = state.draft.instance() {
-        let fault = faults.first().map(ToString::to_string);
-        let fault = fault.unwrap_or_default();
-        return say(Badge::Faulty, format!("This cannot be solved: {fault}."));
+    if let Some(problem) = state.draft.problems().first()
+        && state.fresh_answer().is_none()
+    {
+        let fault = format!("This cannot be solved: {}", problem.sentence);
+        return say(Badge::Faulty, fault);
     }
     let Some(answer) = &state.answer else {
         return say(Badge::Draft, "No plan yet.".to_owned());

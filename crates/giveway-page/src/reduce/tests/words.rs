@@ -151,11 +151,15 @@ fn a_scene_that_cannot_be_solved() {
     let state = State::new(Draft::new(scene).unwrap());
     let standing = standing(&state);
     assert_eq!(standing.badge, Badge::Faulty);
-    assert!(
-        standing
-            .sentence
-            .starts_with("This cannot be solved: agents[0].goal: ")
+    assert_eq!(
+        standing.sentence,
+        "This cannot be solved: The goal of A1 is on an obstacle, at (1,1)."
     );
     let state = after(&state, [Action::Solve]);
-    assert!(state.notice.is_some(), "told when it is tried");
+    let notice = state.notice.unwrap();
+    assert_eq!(
+        notice.details,
+        ["The goal of A1 is on an obstacle, at (1,1)."],
+        "told when it is tried"
+    );
 }

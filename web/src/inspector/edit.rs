@@ -1,0 +1,172 @@
+//! What is edited beside the board: an agent, or the scene as a whole.
+
+use giveway_model::{Agent, Battery};
+use giveway_page::{Action, DENSEST, Edit, Fill, MAX_AGENTS, MAX_SIDE, Phase, Problem, Selection};
+use yew::prelude::*;
+
+use crate::field::{Field, number};
+use crate::{Icon, Shown};
+
+/// The largest battery that can be set, in steps.
+const CAPACITY: u32 = 100_000;
+/// The battery that an agent gets at first.
+const BATTERY: Battery = Battery {
+    capacity: 20,
+    initial: 20,
+};
+
+/// What can be edited of an agent.
+pub(super) fn agent(state: &Shown, index: usize, send: &Callback<Action>) -> Html {
+    let Some(agent) = state.draft.agents().get(index) else {
+        return Html::default();
+    };
+    let edit = |make: fn(usize, String) -> Edit| {
+        send.reform(move |text: String| Action::Edit(make(index, text)))
+    };
+    let waypoint = |&cell: &giveway_model::Cell| {
+        let name = format!("({},{})", cell.x, cell.y);
+        let press =
+            send.reform(move |_: MouseEvent| Action::Edit(Edit::RemoveWaypoint(index, cell)));
+        html! {
+            <li>{ &name }<button type="button" class="btn ghost round" onclick={press}
+                aria-label={format!("Remove waypoint {name}")} title="Remove">
+                <Icon name="cancel" />
+            </button></li>
+        }
+    };
+    let remove = send.reform(move |_: MouseEvent| Action::Edit(Edit::RemoveAgent(index)));
+    let body = html! {
+        <>
+            <Field label="Name" value={agent.name.clone()} on_change={edit(Edit::Rename)} />
+            { battery(agent, index, send) }
+            if !agent.waypoints.is_empty() {
+                <ul class="removable" aria-label="Waypoints">
+                    { for agent.waypoints.iter().map(waypoint) }
+                </ul>
+            }
+            <button type="button" class="btn outline" onclick={remove}>{ "Delete agent" }</button>
+        </>
+    };
+    section(state, "Edit agent", body)
+}
+
+fn battery(agent: &Agent, index: usize, send: &Callback<Action>) -> Html {
+    let set = {
+        let send = send.clone();
+        move |battery| send.emit(Action::Edit(Edit::Battery(index, battery)))
+    };
+    let kind = |name: &'static str, battery: Option<Battery>| {
+        let set = set.clone();
+        let is_on = battery.is_some() == agent.battery.is_some();
+        let press = Callback::from(move |_: MouseEvent| {
+            if !is_on {
+                set(battery);
+            }
+        });
+        html! { <button type="button" aria-pressed={is_on.to_string()} onclick={press}>{ name }</button> }
+    };
+    html! {
+        <>
+            <div class="seg full" role="group" aria-label="Battery">
+                { kind("No battery limit", None) }
+                { kind("Battery", Some(BATTERY)) }
+            </div>
+            if let Some(battery) = agent.battery {
+                <div class="fields">
+                    { number("Capacity, steps", Some(battery.capacity), (0, CAPACITY), None, &{
+                        let set = set.clone();
+                        Callback::from(move |n: Option<u32>| {
+                            set(Some(Battery { capacity: n.unwrap_or(0), ..battery }));
+                        })
+                    }) }
+                    { number("At the start", Some(battery.initial), (0, battery.capacity), None, &{
+                        let set = set.clone();
+                        Callback::from(move |n: Option<u32>| {
+                            set(Some(Battery { initial: n.unwrap_or(0), ..battery }));
+                        })
+                    }) }
+                </div>
+            }
+        </>
+    }
+}
+
+/// What can be edited of the scene as a whole.
+pub(super) fn whole(state: &Shown, send: &Callback<Action>) -> Html {
+    let grid = state.draft.grid();
+    let (width, height) = (grid.width(), grid.height());
+    let side = |make: fn(u32, u32, u32) -> Edit| {
+        send.reform(move |n: Option<u32>| Action::Edit(make(n.unwrap_or(1), width, height)))
+    };
+    let fill = state.fill;
+    let set = |make: fn(u32, Fill) -> Fill| {
+        send.reform(move |n: Option<u32>| Action::SetFill(make(n.unwrap_or(0), fill)))
+    };
+    let rename = send.reform(|name| Action::Edit(Edit::Name(name)));
+    let strew = send.reform(move |_: MouseEvent| Action::Edit(Edit::Fill(fill)));
+    let clear = send.reform(|_: MouseEvent| Action::Edit(Edit::Clear));
+    let sides = (1, MAX_SIDE);
+    let most = MAX_AGENTS as u32;
+    let body = html! {
+        <>
+            <Field label="Name" value={state.draft.scene().name.clone()} on_change={rename} />
+            <div class="fields">
+                { number("Width, cells", Some(width), sides, None, &side(|n, _, height| Edit::Resize(n, height))) }
+                { number("Height, cells", Some(height), sides, None, &side(|n, width, _| Edit::Resize(width, n))) }
+            </div>
+            <h4>{ "By chance" }</h4>
+            <div class="fields">
+                { number("Obstacles, %", Some(fill.obstacles), (0, DENSEST), None, &set(|obstacles, fill| Fill { obstacles, ..fill })) }
+                { number("Agents", Some(fill.agents), (0, most), None, &set(|agents, fill| Fill { agents, ..fill })) }
+                { number("Seed", Some(fill.seed), (0, u32::MAX), None, &set(|seed, fill| Fill { seed, ..fill })) }
+            </div>
+            <div class="pair">
+                <button type="button" class="btn outline" onclick={strew}>{ "Fill by chance" }</button>
+                <button type="button" class="btn outline" onclick={clear}>{ "Clear" }</button>
+            </div>
+        </>
+    };
+    section(state, "Edit scene", body)
+}
+
+/// Open while the scene is edited, else a line that opens it.
+fn section(state: &Shown, title: &'static str, body: Html) -> Html {
+    let is_open = state.phase() == Phase::Editing;
+    html! {
+        <details class="edit" open={is_open}>
+            <summary>{ title }</summary>
+            <div class="edit-body">{ body }</div>
+        </details>
+    }
+}
+
+/// What is wrong, of all that a function takes; pressing one shows its cell.
+pub(super) fn problems(
+    state: &Shown,
+    send: &Callback<Action>,
+    takes: impl Fn(&Problem) -> bool,
+) -> Html {
+    let problems: Vec<&Problem> = state.draft.problems().iter().filter(|p| takes(p)).collect();
+    if problems.is_empty() {
+        return Html::default();
+    }
+    let one = |problem: &&Problem| {
+        let text = html! { <><Icon name="warning" /><span>{ problem.sentence.clone() }</span></> };
+        match problem.cell {
+            Some(cell) => {
+                let show = send.reform(move |_: MouseEvent| Action::Select(Selection::Cell(cell)));
+                html! { <li><button type="button" class="problem" onclick={show}>{ text }</button></li> }
+            }
+            None => html! { <li class="problem">{ text }</li> },
+        }
+    };
+    html! {
+        <section>
+            <h3>{ "Problems " }<span class="count">{ problems.len() }</span></h3>
+            <ul class="problems">{ for problems.iter().take(MOST).map(one) }</ul>
+        </section>
+    }
+}
+
+/// So many problems are told at once.
+const MOST: usize = 20;
