@@ -3,6 +3,7 @@
 use giveway_model::{AtGoal, Cell, Objective, Question, Scene};
 use giveway_solve::{Progress, Response};
 
+use crate::link::Linked;
 use crate::{Edit, Fill, Lit, Notice, Selection, Speed, Tab, Theme, Tool};
 
 /// What a person did, what the solver told, or that time went on.
@@ -10,6 +11,8 @@ use crate::{Edit, Fill, Lit, Notice, Selection, Speed, Tab, Theme, Tool};
 pub enum Action {
     /// A scene was opened: it replaces the one on the board.
     Open(Box<Scene>),
+    /// A link was opened: its scene replaces the one on the board.
+    OpenLink(Result<Linked, Notice>),
     /// Something could not be done; the scene stays.
     Refuse(Notice),
     /// The notice was read.

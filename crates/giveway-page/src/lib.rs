@@ -27,6 +27,7 @@ mod ground;
 mod history;
 pub mod inspect;
 pub mod keys;
+pub mod link;
 pub mod objective;
 mod playback;
 mod problems;

@@ -81,3 +81,16 @@ pub(crate) fn solved() -> State {
 pub(crate) fn warehouse() -> Rc<Answer> {
     solved().answer.unwrap()
 }
+
+/// The page after an edit that its plan does not know.
+pub(crate) fn stale() -> State {
+    let paint = [
+        Action::PickTool(crate::Tool::Charger),
+        Action::Press(Cell::new(1, 0)),
+        Action::Release,
+    ];
+    let state = solved();
+    paint
+        .into_iter()
+        .fold(state, |state, action| reduce(&state, action))
+}

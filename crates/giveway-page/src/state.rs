@@ -8,6 +8,7 @@ use giveway_proof::Report;
 use giveway_solve::explain::ExplainRequest;
 use giveway_solve::{CertifyRequest, Request, SolveRequest, Status};
 
+use crate::link::Linked;
 use crate::things::{Hold, Thing, fresh_name};
 use crate::{Answer, Asking, Draft, Fill, History, Playback, Settings, Tool, View};
 
@@ -237,6 +238,18 @@ impl State {
             notice: None,
             runs: 0,
         }
+    }
+
+    /// The page as the browser kept it.
+    pub fn restored(linked: Linked) -> Self {
+        let draft = Draft::clone(&linked.draft);
+        let mut state = Self {
+            answer: linked.answer,
+            ..Self::new(draft)
+        };
+        state.draft = linked.draft;
+        state.playback.time = linked.time;
+        state
     }
 
     /// Whether the answer is of another draft than the one on the board.

@@ -7,6 +7,7 @@ use giveway_model::Scene;
 
 use super::stroke::{abandon, release};
 use super::{ask, solve};
+use crate::link::Linked;
 use crate::{Draft, Notice, Selection, State};
 
 /// A scene of more agents opens without the plan table.
@@ -29,6 +30,22 @@ pub(super) fn open(state: &mut State, scene: Scene) {
         state.notice = Some(refused(faults));
         return;
     }
+    put(state, draft);
+}
+
+/// Replaces the scene by that of a link, with its plan.
+pub(super) fn open_link(state: &mut State, linked: Linked) {
+    put(state, (*linked.draft).clone());
+    if let Some(answer) = linked.answer {
+        // The board has the very draft, so that the plan is not of another.
+        state.draft = linked.draft;
+        state.answer = Some(answer);
+        state.playback.time = linked.time;
+    }
+}
+
+/// Puts another scene onto the board, as one step of undo.
+fn put(state: &mut State, draft: Draft) {
     release(state);
     state.placing = None;
     state.notice = None;

@@ -1,0 +1,65 @@
+//! What is claimed of a plan, as this browser keeps it: numbers joined by
+//! points, 0 for what is not there and 1 more for what is.
+
+use giveway_model::Cost;
+use giveway_solve::{SolveAnswer, Status};
+
+use super::text::{escape, numbers, unescape};
+
+const STATUSES: [Status; 4] = [
+    Status::Optimal,
+    Status::Feasible,
+    Status::Impossible,
+    Status::Unknown,
+];
+
+pub(super) fn write(solved: &SolveAnswer) -> String {
+    let status = STATUSES.iter().position(|status| *status == solved.status);
+    let plus_one = |n: Option<u32>| n.map_or(0, |n| n.saturating_add(1));
+    let count = |n: u64| u32::try_from(n).unwrap_or(u32::MAX);
+    let mut parts = vec![
+        status.unwrap_or(1) as u32,
+        u32::from(solved.complete),
+        plus_one(solved.within),
+    ];
+    let bounds = Cost::ALL.map(|cost| plus_one(solved.bounds.get(&cost).copied()));
+    parts.extend(bounds);
+    let stats = solved.stats;
+    parts.extend([stats.variables, stats.clauses, stats.conflicts].map(count));
+    parts.push((stats.cpu_seconds * 1000.0) as u32);
+    let parts: Vec<String> = parts.iter().map(ToString::to_string).collect();
+    let reason = escape(solved.reason.as_deref().unwrap_or_default());
+    format!("{}!{reason}", parts.join("."))
+}
+
+/// Takes a claim in; `None`, and the answer stays as it was, where the claim is
+/// broken or does not fit the plan.
+pub(super) fn read(solved: &mut SolveAnswer, text: &str) -> Option<()> {
+    let (parts, reason) = text.split_once('!')?;
+    let [status, complete, within, rest @ ..] = &numbers(parts)?[..] else {
+        return None;
+    };
+    let (bounds, [variables, clauses, conflicts, milliseconds]) = rest.split_first_chunk::<5>()?
+    else {
+        return None;
+    };
+    let status = *STATUSES.get(*status as usize)?;
+    let is_plan = matches!(status, Status::Optimal | Status::Feasible);
+    if is_plan != solved.plan.is_some() {
+        return None;
+    }
+    let reason = unescape(reason)?;
+    solved.status = status;
+    solved.complete = *complete == 1;
+    solved.within = within.checked_sub(1);
+    let bounds = Cost::ALL.into_iter().zip(bounds);
+    solved.bounds = bounds
+        .filter_map(|(cost, &bound)| Some((cost, bound.checked_sub(1)?)))
+        .collect();
+    solved.reason = Some(reason).filter(|reason| !reason.is_empty());
+    solved.stats.variables = (*variables).into();
+    solved.stats.clauses = (*clauses).into();
+    solved.stats.conflicts = (*conflicts).into();
+    solved.stats.cpu_seconds = f64::from(*milliseconds) / 1000.0;
+    Some(())
+}

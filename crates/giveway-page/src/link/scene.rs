@@ -1,0 +1,119 @@
+//! The scene in a link.
+
+use giveway_model::{Agent, AtGoal, Battery, Cell, Cost, Ground, Objective, Scene};
+
+use super::text::{escape, letters, numbers, runs, unescape};
+use crate::MAX_SIDE;
+
+/// The letters of the map: those of files have a meaning in a link.
+const GROUNDS: [(char, Ground); 5] = [
+    ('f', Ground::Free),
+    ('o', Ground::Obstacle),
+    ('s', Ground::Slow),
+    ('c', Ground::Charger),
+    ('b', Ground::SlowCharger),
+];
+
+pub(super) fn write(scene: &Scene) -> String {
+    let width = scene.map.first().map_or(0, |row| row.chars().count());
+    let cells = scene.map.iter().flat_map(|row| row.chars());
+    let cells = cells.map(|c| {
+        let ground = Ground::from_char(c);
+        let letter = GROUNDS.iter().find(|(_, g)| Some(*g) == ground);
+        letter.map_or('f', |(letter, _)| *letter)
+    });
+    let mut text = format!("giveway=1&map={width}.{}", runs(cells));
+    if !scene.name.is_empty() {
+        text += &format!("&name={}", escape(&scene.name));
+    }
+    let leaves = u32::from(scene.rules.at_goal == AtGoal::Vanish);
+    text += &format!("&rules={leaves}.{}&costs=", scene.rules.battery_floor);
+    for cost in scene.objective.costs() {
+        let place = Cost::ALL.iter().position(|other| other == cost);
+        text += &place.unwrap_or(0).to_string();
+    }
+    let agents: Vec<String> = scene.agents.iter().map(write_agent).collect();
+    text + "&agents=" + &agents.join(";")
+}
+
+fn write_agent(agent: &Agent) -> String {
+    let mut text = escape(&agent.name);
+    let cells = [agent.start, agent.goal].into_iter();
+    for cell in cells.chain(agent.waypoints.iter().copied()) {
+        text += &format!(".{}.{}", cell.x, cell.y);
+    }
+    if let Some(battery) = agent.battery {
+        text += &format!("!{}.{}", battery.capacity, battery.initial);
+    }
+    text
+}
+
+/// Reads a part of a scene; `None` where it is broken or unknown.
+pub(super) fn read(scene: &mut Scene, key: &str, value: &str) -> Option<()> {
+    match key {
+        "map" => {
+            let (width, cells) = value.split_once('.')?;
+            let width = width.parse::<usize>().ok().filter(|&width| width > 0)?;
+            let most = (MAX_SIDE * MAX_SIDE) as usize;
+            let cells = letters(cells, most)?;
+            let cells = cells.iter().map(|letter| {
+                let ground = GROUNDS.iter().find(|(own, _)| own == letter)?;
+                Some(ground.1.to_char())
+            });
+            let cells: Vec<char> = cells.collect::<Option<_>>()?;
+            scene.map = cells
+                .chunks(width)
+                .map(|row| row.iter().collect())
+                .collect();
+        }
+        "name" => scene.name = unescape(value)?,
+        "rules" => {
+            let [leaves @ 0..=1, floor] = numbers(value)?[..] else {
+                return None;
+            };
+            scene.rules.at_goal = if leaves == 1 {
+                AtGoal::Vanish
+            } else {
+                AtGoal::Stay
+            };
+            scene.rules.battery_floor = floor;
+        }
+        "costs" => {
+            let cost = |c: char| Cost::ALL.get(c.to_digit(10)? as usize).copied();
+            let costs: Option<Vec<Cost>> = value.chars().map(cost).collect();
+            scene.objective = Objective::new(costs?).ok()?;
+        }
+        "agents" if value.is_empty() => {}
+        "agents" => {
+            let agents: Option<Vec<Agent>> = value.split(';').map(read_agent).collect();
+            scene.agents = agents?;
+        }
+        _ => return None,
+    }
+    Some(())
+}
+
+fn read_agent(text: &str) -> Option<Agent> {
+    let (task, battery) = match text.split_once('!') {
+        None => (text, None),
+        Some((task, battery)) => {
+            let [capacity, initial] = numbers(battery)?[..] else {
+                return None;
+            };
+            (task, Some(Battery { capacity, initial }))
+        }
+    };
+    let (name, cells) = task.split_once('.')?;
+    let numbers = numbers(cells)?;
+    let (pairs, []) = numbers.as_chunks::<2>() else {
+        return None;
+    };
+    let mut cells = pairs.iter().map(|&[x, y]| Cell::new(x, y));
+    Some(Agent {
+        name: unescape(name)?,
+        start: cells.next()?,
+        goal: cells.next()?,
+        waypoints: cells.collect(),
+        battery,
+    })
+}

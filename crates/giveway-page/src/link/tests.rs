@@ -1,0 +1,205 @@
+//! Links: round trips, and every way in which a text can be none.
+
+use giveway_model::{AtGoal, Cell, Scene};
+use giveway_solve::Status;
+
+use super::*;
+use crate::{Action, Phase, Selection, reduce, sample};
+
+fn scene(text: &str) -> Scene {
+    read(text, From::Anywhere).unwrap().draft.scene().clone()
+}
+
+fn why(text: &str) -> String {
+    read(text, From::Anywhere).unwrap_err().details.join(" ")
+}
+
+#[test]
+fn a_scene_comes_back_as_it_was() {
+    let mut scene_before = sample::draft().scene().clone();
+    scene_before.name = "<b>50 % & more; \u{fc}\u{1f600}".to_owned();
+    scene_before.rules.at_goal = AtGoal::Vanish;
+    scene_before.rules.battery_floor = 2;
+    scene_before.agents[0].battery = None;
+    scene_before.agents[1].name = "A.2;!&=#".to_owned();
+    scene_before.map[1] = ".##*##.##.".to_owned();
+    let state = State::new(Draft::new(scene_before.clone()).unwrap());
+    let text = write(&state);
+    assert!(
+        text.bytes()
+            .all(|byte| byte.is_ascii_alphanumeric() || b"-%&=.;!".contains(&byte)),
+        "{text}"
+    );
+    assert_eq!(scene(&text), scene_before);
+}
+
+#[test]
+fn a_plan_comes_back_judged_and_not_believed() {
+    let state = reduce(&sample::solved(), Action::Seek(7));
+    let text = write(&state);
+    assert!(text.len() < 300, "{} letters", text.len());
+    let linked = read(&text, From::Anywhere).unwrap();
+    let answer = linked.answer.clone().unwrap();
+    assert_eq!(answer.plan(), state.plan());
+    assert_eq!(
+        answer.solved.costs,
+        state.answer.as_ref().unwrap().solved.costs
+    );
+    assert_eq!(
+        answer.solved.status,
+        Status::Feasible,
+        "no proof came with it"
+    );
+    assert!(answer.solved.bounds.is_empty());
+    assert_eq!(linked.time, 7);
+    let claimed = keep(&state);
+    assert!(why(&claimed).contains("claim"), "a link has no claims");
+}
+
+#[test]
+fn what_the_browser_kept_is_as_it_was() {
+    let state = reduce(&sample::solved(), Action::Seek(7));
+    let linked = read(&keep(&state), From::Here).unwrap();
+    let restored = State::restored(linked);
+    assert_eq!(restored.phase(), Phase::Planned);
+    assert_eq!(restored.playback.time, 7);
+    let before = state.answer.as_ref().unwrap();
+    assert_eq!(restored.answer.as_ref().unwrap().solved, before.solved);
+    assert!(!restored.history.can_undo());
+
+    let stale = sample::stale();
+    let restored = State::restored(read(&keep(&stale), From::Here).unwrap());
+    assert_eq!(restored.draft, stale.draft);
+    assert_eq!(restored.answer, None, "a plan of another scene is not kept");
+
+    let mut impossible = sample::solved();
+    let mut answer = (**impossible.answer.as_ref().unwrap()).clone();
+    answer.solved.status = Status::Impossible;
+    answer.solved.plan = None;
+    answer.solved.costs = None;
+    answer.solved.reason = Some("A1 is in the way; so is A2".to_owned());
+    impossible.answer = Some(Rc::new(answer));
+    let restored = State::restored(read(&keep(&impossible), From::Here).unwrap());
+    assert_eq!(restored.phase(), Phase::None);
+    assert_eq!(
+        restored.answer.unwrap().solved.reason.as_deref(),
+        Some("A1 is in the way; so is A2")
+    );
+}
+
+#[test]
+fn a_scene_with_problems_can_be_kept_and_sent() {
+    let mut scene_before = sample::draft().scene().clone();
+    scene_before.agents[0].goal = Cell::new(1, 1);
+    let state = State::new(Draft::new(scene_before.clone()).unwrap());
+    assert_eq!(scene(&write(&state)), scene_before);
+    let text = format!("{}&plan=;", write(&state));
+    assert!(why(&text).contains("has none"), "{}", why(&text));
+}
+
+#[test]
+fn opening_a_link_is_one_step_of_undo() {
+    let before = sample::solved();
+    let mut other = before.clone();
+    other.draft = Rc::new(Draft::default());
+    let text = write(&other);
+    let open = |text: &str| Action::OpenLink(read(text, From::Anywhere));
+    let state = reduce(&before, open(&text));
+    assert_eq!(state.draft, other.draft);
+    assert_eq!(state.answer, None);
+    let undone = reduce(&state, Action::Undo);
+    assert_eq!(undone.draft, before.draft);
+    assert!(!undone.history.can_undo());
+
+    let planned = reduce(&state, open(&write(&reduce(&before, Action::Seek(7)))));
+    assert_eq!(
+        (planned.phase(), planned.playback.time),
+        (Phase::Stopped, 7)
+    );
+    assert_eq!(planned.selection, Selection::Nothing);
+}
+
+#[test]
+fn a_hostile_link_is_refused_and_the_scene_stays() {
+    let good = write(&sample::solved());
+    let with = |key: &str, value: &str| {
+        let parts = good.split('&').map(|part| match part.split_once('=') {
+            Some((own, _)) if own == key => format!("{key}={value}"),
+            _ => part.to_owned(),
+        });
+        parts.collect::<Vec<_>>().join("&")
+    };
+    let broken = |text: String, expect: &str| {
+        let told = why(&text);
+        assert!(told.contains(expect), "{told:?} for {text:.80}");
+        let before = sample::solved();
+        let state = reduce(&before, Action::OpenLink(read(&text, From::Anywhere)));
+        assert_eq!(state.draft, before.draft);
+        assert_eq!(state.answer, before.answer);
+        assert!(state.notice.is_some());
+    };
+    broken(String::new(), "no scene");
+    broken("<script>alert(1)</script>".to_owned(), "no scene");
+    broken(with("giveway", "2"), "version 2");
+    broken(format!("{good}&evil=1"), "evil");
+    broken("x".repeat(LONGEST + 1), "longer");
+    for map in [
+        "",
+        "10",
+        "0.f",
+        "10.x",
+        "10.99999999999999999999f",
+        "10.70000f",
+        "5.7f",
+        "300.300f",
+        "10.3",
+    ] {
+        let text = with("map", map);
+        assert!(read(&text, From::Anywhere).is_err(), "{map}");
+    }
+    broken(with("rules", "2.0"), "rules");
+    broken(with("rules", "0"), "rules");
+    for costs in ["", "9", "00", "x"] {
+        broken(with("costs", costs), "costs");
+    }
+    for agents in [
+        "A1",
+        "A1.0",
+        "A1.0.0",
+        "A1.0.0.1",
+        "A1.0.0.1.-1",
+        "A1.0.0.1.1!5",
+        "%.0.0.1.1",
+        "%FF.0.0.1.1",
+        "A1.0.0.1.1;",
+    ] {
+        broken(with("agents", agents), "agents");
+    }
+    let many = vec!["A.0.0.0.0"; 1001].join(";");
+    broken(with("agents", &many), "1001 agents");
+    for plan in ["", "r", "r;l;u", "9999999r;", "x;x", "u;u", "\u{e9};"] {
+        broken(with("plan", plan), "plan");
+    }
+    broken(with("plan", "r;l"), "breaks a rule");
+    broken(format!("{good}&time=x"), "time");
+}
+
+#[test]
+fn noise_is_refused_and_never_a_panic() {
+    let good = keep(&sample::solved());
+    let mut rng = fastrand::Rng::with_seed(7);
+    for _ in 0..5000 {
+        let mut bytes = good.clone().into_bytes();
+        for _ in 0..rng.usize(1..6) {
+            let place = rng.usize(0..bytes.len());
+            match rng.u8(0..3) {
+                0 => bytes[place] = rng.u8(32..127),
+                1 => bytes.truncate(place + 1),
+                _ => bytes.insert(place, rng.u8(b'.'..b'{')),
+            }
+        }
+        let text = String::from_utf8_lossy(&bytes);
+        let _ = read(&text, From::Here);
+        let _ = read(&text, From::Anywhere);
+    }
+}
