@@ -101,7 +101,7 @@ impl Clock {
         let inner = &self.0;
         let before = inner.goal.replace(Goal { playback, last });
         let now = inner.now.get();
-        let paused = before.playback.playing && !playback.playing;
+        let paused = before.playback.playing && !playback.playing && !playback.sought;
         if paused && playback.time == before.playback.time && now > f64::from(playback.time) {
             // Nobody stops between two steps, and nobody walks back.
             inner.send.emit(Action::Seek(playback.time + 1));

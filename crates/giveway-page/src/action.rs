@@ -12,7 +12,7 @@ pub enum Action {
     /// A scene was opened: it replaces the one on the board.
     Open(Box<Scene>),
     /// A link was opened: its scene replaces the one on the board.
-    OpenLink(Result<Linked, Notice>),
+    OpenLink(Box<Linked>),
     /// Something could not be done; the scene stays.
     Refuse(Notice),
     /// The notice was read.

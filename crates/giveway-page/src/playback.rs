@@ -48,6 +48,9 @@ pub struct Playback {
     pub time: u32,
     /// Whether it plays.
     pub playing: bool,
+    /// Whether it stopped because this very time was asked for: else what moves
+    /// goes on to the end of its step.
+    pub sought: bool,
     /// How fast.
     pub speed: Speed,
 }

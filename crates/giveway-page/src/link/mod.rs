@@ -13,12 +13,13 @@ mod scene;
 mod tests;
 mod text;
 
+use std::fmt::Write as _;
 use std::rc::Rc;
 
 use giveway_model::{Plan, Scene, check};
 use giveway_solve::{SolveAnswer, SolveRequest, Status};
 
-use crate::{Answer, Draft, Notice, State};
+use crate::{Action, Answer, Draft, Notice, State};
 
 /// The longest text that is read, in bytes.
 pub const LONGEST: usize = 1_000_000;
@@ -59,7 +60,7 @@ pub fn write(state: &State) -> String {
         text += "&plan=";
         text += &plan;
         if state.playback.time > 0 {
-            text += &format!("&time={}", state.playback.time);
+            let _ = write!(text, "&time={}", state.playback.time);
         }
     }
     text
@@ -84,6 +85,14 @@ pub fn read(text: &str, from: From) -> Result<Linked, Notice> {
         sentence: "The link cannot be opened; the scene stays as it is.".to_owned(),
         details: vec![why],
     })
+}
+
+/// What happens when a link is opened.
+pub fn open(text: &str) -> Action {
+    match read(text, From::Anywhere) {
+        Ok(linked) => Action::OpenLink(Box::new(linked)),
+        Err(notice) => Action::Refuse(notice),
+    }
 }
 
 fn parse(text: &str, from: From) -> Result<Linked, String> {
@@ -126,7 +135,7 @@ fn parse(text: &str, from: From) -> Result<Linked, String> {
     let draft = Rc::new(draft);
     let answer = answer(&draft, plan, claim)?;
     Ok(Linked {
-        time: time.min(answer.as_ref().map_or(0, |answer| answer.makespan())),
+        time: time.min(answer.as_ref().map_or(0, Answer::makespan)),
         answer: answer.map(Rc::new),
         draft,
     })

@@ -1,5 +1,8 @@
 //! The scene in a link.
 
+// Writing to a string cannot fail.
+use std::fmt::Write as _;
+
 use giveway_model::{Agent, AtGoal, Battery, Cell, Cost, Ground, Objective, Scene};
 
 use super::text::{escape, letters, numbers, runs, unescape};
@@ -24,10 +27,10 @@ pub(super) fn write(scene: &Scene) -> String {
     });
     let mut text = format!("giveway=1&map={width}.{}", runs(cells));
     if !scene.name.is_empty() {
-        text += &format!("&name={}", escape(&scene.name));
+        let _ = write!(text, "&name={}", escape(&scene.name));
     }
     let leaves = u32::from(scene.rules.at_goal == AtGoal::Vanish);
-    text += &format!("&rules={leaves}.{}&costs=", scene.rules.battery_floor);
+    let _ = write!(text, "&rules={leaves}.{}&costs=", scene.rules.battery_floor);
     for cost in scene.objective.costs() {
         let place = Cost::ALL.iter().position(|other| other == cost);
         text += &place.unwrap_or(0).to_string();
@@ -40,10 +43,10 @@ fn write_agent(agent: &Agent) -> String {
     let mut text = escape(&agent.name);
     let cells = [agent.start, agent.goal].into_iter();
     for cell in cells.chain(agent.waypoints.iter().copied()) {
-        text += &format!(".{}.{}", cell.x, cell.y);
+        let _ = write!(text, ".{}.{}", cell.x, cell.y);
     }
     if let Some(battery) = agent.battery {
-        text += &format!("!{}.{}", battery.capacity, battery.initial);
+        let _ = write!(text, "!{}.{}", battery.capacity, battery.initial);
     }
     text
 }

@@ -103,7 +103,6 @@ fn opening_a_link_is_one_step_of_undo() {
     let mut other = before.clone();
     other.draft = Rc::new(Draft::default());
     let text = write(&other);
-    let open = |text: &str| Action::OpenLink(read(text, From::Anywhere));
     let state = reduce(&before, open(&text));
     assert_eq!(state.draft, other.draft);
     assert_eq!(state.answer, None);
@@ -133,7 +132,7 @@ fn a_hostile_link_is_refused_and_the_scene_stays() {
         let told = why(&text);
         assert!(told.contains(expect), "{told:?} for {text:.80}");
         let before = sample::solved();
-        let state = reduce(&before, Action::OpenLink(read(&text, From::Anywhere)));
+        let state = reduce(&before, open(&text));
         assert_eq!(state.draft, before.draft);
         assert_eq!(state.answer, before.answer);
         assert!(state.notice.is_some());

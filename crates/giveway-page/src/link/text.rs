@@ -1,5 +1,8 @@
 //! Letters of a link: runs of letters, names.
 
+// Writing to a string cannot fail.
+use std::fmt::Write as _;
+
 /// A text with every run of a letter as a number and the letter: `2f6sf`.
 pub(super) fn runs(letters: impl Iterator<Item = char>) -> String {
     let mut text = String::new();
@@ -51,7 +54,7 @@ pub(super) fn escape(name: &str) -> String {
         if byte.is_ascii_alphanumeric() || byte == b'-' {
             text.push(char::from(byte));
         } else {
-            text += &format!("%{byte:02X}");
+            let _ = write!(text, "%{byte:02X}");
         }
     }
     text

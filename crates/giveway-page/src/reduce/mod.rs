@@ -33,8 +33,7 @@ pub fn reduce(state: &State, action: Action) -> State {
 fn step(state: &mut State, action: Action) {
     match action {
         Action::Open(scene) => edit::open(state, *scene),
-        Action::OpenLink(Ok(linked)) => edit::open_link(state, linked),
-        Action::OpenLink(Err(notice)) => state.notice = Some(notice),
+        Action::OpenLink(linked) => edit::open_link(state, *linked),
         Action::Refuse(notice) => state.notice = Some(notice),
         Action::DismissNotice => state.notice = None,
 

@@ -11,11 +11,13 @@ pub(super) fn play(state: &mut State) {
         state.playback.time = 0;
     }
     state.playback.playing = true;
+    state.playback.sought = false;
 }
 
 /// Shows a time that a person asked for; that ends playing.
 pub(super) fn seek(state: &mut State, time: u32) {
     state.playback.playing = false;
+    state.playback.sought = true;
     state.playback.time = time.min(state.last_time());
 }
 

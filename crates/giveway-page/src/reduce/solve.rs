@@ -121,6 +121,7 @@ pub(super) fn respond(state: &mut State, id: u64, response: Response) {
             let answer = Answer::new(run.draft, run.request, solved);
             state.playback.time = 0;
             state.playback.playing = answer.makespan() > 0;
+            state.playback.sought = false;
             state.answer = Some(Rc::new(answer));
         }
         Response::Refused(refusal) => refused(state, "The solver refused the scene.", &refusal),

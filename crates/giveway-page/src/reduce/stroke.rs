@@ -18,8 +18,7 @@ pub(super) fn pick(state: &mut State, tool: Tool) {
     state.tool = tool;
     if tool.is_of_agents() || tool == Tool::Erase {
         // Agents are placed where they begin: that is shown, not where they are.
-        state.playback.playing = false;
-        state.playback.time = 0;
+        super::play::seek(state, 0);
     }
 }
 
