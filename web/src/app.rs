@@ -2,12 +2,14 @@
 
 use std::rc::Rc;
 
+use giveway_model::Scene;
 use giveway_model::format::native;
-use giveway_page::{Action, Draft, Phase, State, Tab, reduce};
+use giveway_page::{Action, Draft, Phase, Tab, reduce};
 use yew::prelude::*;
 
-use crate::dialog::{Agents, Examples, Help, Panel};
+use crate::dialog::{Agents, Examples, Help, Panel, Scenes, Share};
 use crate::drop::Drop;
+use crate::keep::{self, use_keep};
 use crate::keys::use_keys;
 use crate::notice::Notices;
 use crate::solver::use_solver;
@@ -28,9 +30,18 @@ impl Reducible for Shown {
 }
 
 fn opening() -> Shown {
-    let scene = native::read_scene(OPENING).unwrap_or_default();
-    let draft = Draft::new(scene).unwrap_or_default();
-    Shown::new(reduce(&State::new(draft), Action::Solve))
+    Shown::new(keep::opening(|| {
+        Draft::new(opening_scene()).unwrap_or_default()
+    }))
+}
+
+fn opening_scene() -> Scene {
+    native::read_scene(OPENING).unwrap_or_default()
+}
+
+/// Puts the scene that the page opens on onto the board again.
+pub(crate) fn example() -> Action {
+    Action::Open(Box::new(opening_scene()))
 }
 
 /// The page.
@@ -56,6 +67,7 @@ pub fn App() -> Html {
         );
     }
     use_solver(&state, &send);
+    use_keep(&state, &send);
     use_theme(state.view.theme);
     use_keys(&state, &send, &show);
     html! {
@@ -73,19 +85,21 @@ pub fn App() -> Html {
                 <Dock state={state.clone()} send={send.clone()} />
                 <Notices notice={state.notice.clone()} send={send.clone()} />
                 <Drop send={send.clone()} show={show.clone()} />
-                { dialog(&panel, &send, &show) }
+                { dialog(&panel, &state, &send, &show) }
             </div>
         </ContextProvider<Clock>>
     }
 }
 
 /// The dialog that is open, if one is.
-fn dialog(panel: &Panel, send: &Callback<Action>, show: &Callback<Panel>) -> Html {
+fn dialog(panel: &Panel, state: &Shown, send: &Callback<Action>, show: &Callback<Panel>) -> Html {
     let send = send.clone();
     let on_close = show.reform(|()| Panel::Nothing);
     match panel {
         Panel::Examples => html! { <Examples {send} {on_close} /> },
         Panel::Agents(choice) => html! { <Agents choice={choice.clone()} {send} {on_close} /> },
+        Panel::Scenes => html! { <Scenes state={state.clone()} {send} {on_close} /> },
+        Panel::Share(link) => html! { <Share link={link.clone()} {send} {on_close} /> },
         Panel::Help => html! { <Help {on_close} /> },
         Panel::Nothing | Panel::Menu | Panel::Save | Panel::Settings => html! {},
     }

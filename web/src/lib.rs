@@ -7,6 +7,7 @@
 mod app;
 mod board;
 mod clock;
+mod copy;
 mod dialog;
 mod drop;
 mod field;
@@ -14,6 +15,7 @@ mod files;
 mod glyph;
 mod icon;
 mod inspector;
+mod keep;
 mod keys;
 mod notice;
 mod settings;

@@ -6,7 +6,7 @@ use yew::prelude::*;
 
 use crate::dialog::{Panel, use_dismiss};
 use crate::theme::system_is_dark;
-use crate::{Icon, Shown};
+use crate::{Icon, Shown, keep};
 
 /// The state, what is open, and where changes of both go.
 #[derive(Clone, PartialEq, Properties)]
@@ -60,6 +60,11 @@ pub(crate) fn TopBar(props: &TopBarProps) -> Html {
     };
     let agents = words::count(scene.agents.len(), "agent");
     let examples = show.reform(|_: MouseEvent| Panel::Examples);
+    let scenes = show.reform(|_: MouseEvent| Panel::Scenes);
+    let share = {
+        let state = state.clone();
+        show.reform(move |_: MouseEvent| Panel::Share(keep::address(&state).into()))
+    };
     let help = show.reform(|_: MouseEvent| Panel::Help);
     let theme = press_theme(state, send);
     let theme_title = format!("Theme: {}", state.view.theme.name());
@@ -74,7 +79,9 @@ pub(crate) fn TopBar(props: &TopBarProps) -> Html {
                 <b>{ "Giveway" }</b>
             </span>
             <h1 class="scene">
-                <span title={name.to_owned()}>{ name.to_owned() }</span>
+                <button title="Scenes in this browser" aria-haspopup="dialog" onclick={scenes.clone()}>
+                    <span>{ name.to_owned() }</span><Icon name="down" />
+                </button>
                 <small>{ format!("{} \u{d7} {}, {agents}", grid.width(), grid.height()) }</small>
             </h1>
             <span class="grow"></span>
@@ -88,6 +95,9 @@ pub(crate) fn TopBar(props: &TopBarProps) -> Html {
                 <input ref={picker} type="file" hidden=true multiple=true onchange={picked}
                     accept=".json,.map,.scen,application/json" />
                 { toggle(panel, Panel::Save, "btn ghost wide", "save", "Save", show) }
+                <button class="btn ghost wide" title="Share a link" onclick={share.clone()}>
+                    <Icon name="share" /><span>{ "Share" }</span>
+                </button>
                 <i class="sep"></i>
                 <button class="btn ghost ph" title="Undo (Ctrl Z)" onclick={undo}
                     disabled={!state.history.can_undo()}>
@@ -113,6 +123,7 @@ pub(crate) fn TopBar(props: &TopBarProps) -> Html {
                         { item("examples", "Examples", examples) }
                         { item("open", "Open", pick) }
                         { save_items(state, show) }
+                        { item("share", "Share", share) }
                         <hr />
                         { item("settings", "Settings", show.reform(|_| Panel::Settings)) }
                         { item("theme", &theme_title, theme) }

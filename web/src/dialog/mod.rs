@@ -5,6 +5,8 @@ mod examples;
 mod frame;
 mod help;
 mod popover;
+mod scenes;
+mod share;
 
 use std::rc::Rc;
 
@@ -14,6 +16,8 @@ pub(crate) use agents::Agents;
 pub(crate) use examples::Examples;
 pub(crate) use help::Help;
 pub(crate) use popover::use_dismiss;
+pub(crate) use scenes::Scenes;
+pub(crate) use share::Share;
 
 /// What is open: at most one thing at a time.
 #[derive(Clone, Debug, Default, PartialEq)]
@@ -31,6 +35,10 @@ pub(crate) enum Panel {
     Examples,
     /// How many agents of a scenario are wanted.
     Agents(Rc<Choice>),
+    /// The scenes that are kept.
+    Scenes,
+    /// The link, to be copied.
+    Share(yew::AttrValue),
     /// The keys.
     Help,
 }

@@ -1,7 +1,6 @@
 //! The dock below the board: transport, lanes and plan table; while a plan is
 //! sought, how far that has come.
 
-mod copy;
 mod head;
 mod lane;
 mod plan;

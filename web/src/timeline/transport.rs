@@ -4,8 +4,8 @@ use giveway_page::{Action, Speed, table};
 use gloo::timers::callback::Timeout;
 use yew::prelude::*;
 
-use super::{DockProps, copy};
-use crate::Icon;
+use super::DockProps;
+use crate::{Icon, copy};
 
 /// How long it is shown that the table was copied, in milliseconds.
 const COPIED_MS: u32 = 1600;
@@ -91,7 +91,7 @@ fn CopyButton(props: &DockProps) -> Html {
             let Some(answer) = state.shown() else { return };
             let copied = copied.clone();
             let send = send.clone();
-            copy::text(&table::text(answer), move |done| match done {
+            copy::text("plan table", &table::text(answer), move |done| match done {
                 Ok(()) => copied.set(true),
                 Err(notice) => send.emit(Action::Refuse(notice)),
             });

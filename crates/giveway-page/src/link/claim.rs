@@ -1,8 +1,6 @@
 //! What is claimed of a plan, as this browser keeps it: numbers joined by
 //! points, 0 for what is not there and 1 more for what is.
 
-use std::time::Duration;
-
 use giveway_model::Cost;
 use giveway_solve::{SolveAnswer, Status};
 
@@ -28,9 +26,8 @@ pub(super) fn write(solved: &SolveAnswer) -> String {
     parts.extend(bounds);
     let stats = solved.stats;
     parts.extend([stats.variables, stats.clauses, stats.conflicts].map(count));
-    let milliseconds = Duration::try_from_secs_f64(stats.cpu_seconds).unwrap_or_default();
-    parts.push(count(milliseconds.as_millis().try_into().unwrap_or(0)));
-    let parts: Vec<String> = parts.iter().map(ToString::to_string).collect();
+    let mut parts: Vec<String> = parts.iter().map(ToString::to_string).collect();
+    parts.push(format!("{:.0}", stats.cpu_seconds * 1000.0));
     let reason = escape(solved.reason.as_deref().unwrap_or_default());
     format!("{}!{reason}", parts.join("."))
 }

@@ -8,6 +8,7 @@
 
 mod claim;
 mod plan;
+mod preferences;
 mod scene;
 #[cfg(test)]
 mod tests;
@@ -20,6 +21,8 @@ use giveway_model::{Plan, Scene, check};
 use giveway_solve::{SolveAnswer, SolveRequest, Status};
 
 use crate::{Action, Answer, Draft, Notice, State};
+
+pub use preferences::{prefer, preferences};
 
 /// The longest text that is read, in bytes.
 pub const LONGEST: usize = 1_000_000;

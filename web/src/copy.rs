@@ -4,10 +4,15 @@ use giveway_page::Notice;
 use wasm_bindgen_futures::JsFuture;
 use yew::platform::spawn_local;
 
-/// Puts a text into the clipboard, then tells how that went.
-pub(super) fn text(text: &str, done: impl FnOnce(Result<(), Notice>) + 'static) {
-    let refused = |why: &str| Notice {
-        sentence: "The plan table could not be copied.".to_owned(),
+/// Puts a text into the clipboard, then tells how that went; `what` is in the
+/// sentence where it did not go well.
+pub(crate) fn text(
+    what: &'static str,
+    text: &str,
+    done: impl FnOnce(Result<(), Notice>) + 'static,
+) {
+    let refused = move |why: &str| Notice {
+        sentence: format!("The {what} could not be copied."),
         details: vec![why.to_owned()],
     };
     let window = gloo::utils::window();

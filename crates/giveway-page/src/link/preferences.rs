@@ -1,0 +1,102 @@
+//! What a person set, as the browser keeps it: numbers joined by points.
+
+use super::text::numbers;
+use crate::{Fill, State, Theme};
+
+const THEMES: [Theme; 3] = [Theme::System, Theme::Light, Theme::Dark];
+
+/// What a person set beside the scene.
+///
+/// ```
+/// use giveway_page::{Draft, State, link};
+/// assert_eq!(link::preferences(&State::new(Draft::default())), "1.30.0.0.1.1.0.20.4.1");
+/// ```
+pub fn preferences(state: &State) -> String {
+    let (settings, view, fill) = (&state.settings, &state.view, &state.fill);
+    let theme = THEMES.iter().position(|theme| *theme == view.theme);
+    let numbers = [
+        1,
+        settings.seconds,
+        settings.within.map_or(0, |within| within.saturating_add(1)),
+        u32::from(settings.solve_on_change),
+        u32::from(view.trails),
+        u32::from(view.table),
+        theme.unwrap_or(0) as u32,
+        fill.obstacles,
+        fill.agents,
+        fill.seed,
+    ];
+    numbers.map(|n| n.to_string()).join(".")
+}
+
+/// Takes in what [`preferences`] wrote; what cannot be read changes nothing.
+pub fn prefer(state: &mut State, text: &str) {
+    let numbers = numbers(text).unwrap_or_default();
+    let [
+        1,
+        seconds,
+        within,
+        on_change,
+        trails,
+        table,
+        theme,
+        obstacles,
+        agents,
+        seed,
+    ] = numbers[..]
+    else {
+        return;
+    };
+    state.settings.seconds = seconds.max(1);
+    state.settings.within = within.checked_sub(1);
+    state.settings.solve_on_change = on_change == 1;
+    state.view.trails = trails == 1;
+    state.view.table = table == 1;
+    state.view.theme = THEMES.get(theme as usize).copied().unwrap_or_default();
+    state.fill = Fill {
+        obstacles,
+        agents,
+        seed,
+    };
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::{Action, Draft, reduce};
+
+    #[test]
+    fn what_was_set_comes_back() {
+        let fresh = State::new(Draft::default());
+        let actions = [
+            Action::SetSeconds(7),
+            Action::SetWithin(Some(0)),
+            Action::SetSolveOnChange(true),
+            Action::ShowTrails(false),
+            Action::ShowTable(false),
+            Action::SetTheme(Theme::Dark),
+            Action::SetFill(Fill {
+                obstacles: 5,
+                agents: 6,
+                seed: u32::MAX,
+            }),
+        ];
+        let set = actions
+            .into_iter()
+            .fold(fresh.clone(), |state, action| reduce(&state, action));
+        let mut again = fresh.clone();
+        prefer(&mut again, &preferences(&set));
+        assert_eq!(again, set);
+        for text in [
+            "",
+            "2.1.1",
+            "1.x",
+            "1.30.0.0.1.1.0.20.4",
+            "1.-3.0.0.1.1.0.20.4.1",
+        ] {
+            let mut state = fresh.clone();
+            prefer(&mut state, text);
+            assert_eq!(state, fresh, "{text}");
+        }
+    }
+}

@@ -1,0 +1,85 @@
+//! The scenes that this browser keeps.
+
+use giveway_page::{Action, Notice};
+use yew::prelude::*;
+
+use super::frame::Frame;
+use crate::{Icon, Shown, app, keep};
+
+#[derive(Clone, PartialEq, Properties)]
+pub(crate) struct ScenesProps {
+    /// The state, whose scene can be kept.
+    pub(crate) state: Shown,
+    /// Takes the scene that was chosen.
+    pub(crate) send: Callback<Action>,
+    /// Called when it was closed.
+    pub(crate) on_close: Callback<()>,
+}
+
+/// The scenes by name: opened, forgotten, one more kept.
+#[component]
+pub(crate) fn Scenes(props: &ScenesProps) -> Html {
+    let ScenesProps {
+        state,
+        send,
+        on_close,
+    } = props;
+    let names = use_state_eq(keep::scenes);
+    let open = |action: fn(&str) -> Action, name: &str| {
+        let (send, on_close, name) = (send.clone(), on_close.clone(), name.to_owned());
+        Callback::from(move |_: MouseEvent| {
+            on_close.emit(());
+            send.emit(action(&name));
+        })
+    };
+    let one = |name: &String| {
+        let forget = {
+            let (names, name) = (names.clone(), name.clone());
+            Callback::from(move |_: MouseEvent| {
+                keep::forget_scene(&name);
+                names.set(keep::scenes());
+            })
+        };
+        let shown = title(name);
+        html! {
+            <li key={name.clone()} class="kept">
+                <button class="pick" onclick={open(keep::scene, name)}>
+                    <b>{ shown.clone() }</b><Icon name="chevron" />
+                </button>
+                <button class="btn ghost round" onclick={forget} title="Forget"
+                    aria-label={format!("Forget {shown}")}><Icon name="cancel" /></button>
+            </li>
+        }
+    };
+    let keep = {
+        let (state, send, names) = (state.clone(), send.clone(), names.clone());
+        Callback::from(move |_: MouseEvent| {
+            if keep::keep_scene(&state) {
+                names.set(keep::scenes());
+            } else {
+                send.emit(Action::Refuse(Notice {
+                    sentence: "This browser has no room for the scene: save it as a file."
+                        .to_owned(),
+                    details: Vec::new(),
+                }));
+            }
+        })
+    };
+    let own = title(&state.draft.scene().name);
+    html! {
+        <Frame title="Scenes" on_close={on_close.clone()}>
+            if names.is_empty() {
+                <p>{ "Scenes that you keep in this browser are listed here." }</p>
+            }
+            <ul class="picks">{ for names.iter().map(one) }</ul>
+            <div class="dialog-foot">
+                <button class="btn outline" onclick={open(|_| app::example(), "")}>{ "Restore the example" }</button>
+                <button class="btn primary" onclick={keep}>{ format!("Keep \u{201c}{own}\u{201d}") }</button>
+            </div>
+        </Frame>
+    }
+}
+
+fn title(name: &str) -> String {
+    if name.is_empty() { "Untitled" } else { name }.to_owned()
+}
