@@ -17,7 +17,7 @@ pub(super) fn show(state: &State) -> Html {
         (units(goal.x.into()), units(goal.y.into())),
     );
     html! {
-        <g class={classes!("ghost", form::class(agent))} aria-hidden="true">
+        <g class={classes!("placing", form::class(agent))} aria-hidden="true">
             <line x1={from.0.to_string()} y1={from.1.to_string()} x2={to.0.to_string()} y2={to.1.to_string()} />
             <g class="agent no-battery" transform={format!("translate({} {})", from.0, from.1)}>
                 <circle class="halo" r="41" />
