@@ -55,7 +55,5 @@ pub use problems::Problem;
 pub use reduce::reduce;
 pub use reserve::Reserve;
 pub use settings::{Settings, Tab, Theme, View};
-pub use state::{
-    Certifying, Inquiry, Notice, Phase, Placing, Run, Selection, Size, State, Work,
-};
+pub use state::{Certifying, Inquiry, Notice, Phase, Placing, Run, Selection, Size, State, Work};
 pub use tool::Tool;

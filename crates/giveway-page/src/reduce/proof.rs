@@ -5,12 +5,12 @@ use std::rc::Rc;
 use giveway_proof::Report;
 use giveway_solve::{CertifyRequest, Limits};
 
-use super::{ask, edit};
+use super::{ask, stroke};
 use crate::{Certifying, State, Work, proof};
 
 /// Starts it where there is something to be checked.
 pub(super) fn start(state: &mut State) {
-    edit::release(state);
+    stroke::release(state);
     let Some(request) = proof::request(state) else {
         ask::refuse(state, "There is nothing proved to be checked.");
         return;
