@@ -1,7 +1,7 @@
 //! What another plan would have to be like: the contrast of a question, without
 //! the plan that it was asked about.
 
-use giveway_model::{Cost, Instance, Plan, Question, check};
+use giveway_model::{Cost, Instance, Plan, Question, check, question};
 use serde::{Deserialize, Serialize};
 
 use crate::Claim;
@@ -123,69 +123,9 @@ impl Condition {
 }
 
 fn contrast(question: &Question) -> String {
-    let at_time = |time: &Option<u32>| time.map_or(String::new(), |t| format!(" at time {t}"));
-    match question {
-        Question::Wait {
-            agent,
-            at,
-            from,
-            to,
-            at_least,
-        } => {
-            let place = at.map_or(String::new(), |cell| format!(" at {cell}"));
-            let begin = from.map_or(String::new(), |t| format!(" from time {t}"));
-            let end = to.map_or(String::new(), |t| format!(" to time {t}"));
-            let long = match at_least {
-                Some(n) if *n > 1 => format!(" for {n} steps on end"),
-                _ => String::new(),
-            };
-            format!("{agent} does not wait{place}{begin}{end}{long}")
-        }
-        Question::Charge { agent, at, time } => {
-            let place = at.map_or(String::new(), |cell| format!(" at {cell}"));
-            format!("{agent} does not charge{place}{}", at_time(time))
-        }
-        Question::NoCharge { agent, at } => format!("{agent} charges at {at}"),
-        Question::Visit { agent, at, time } => {
-            format!("{agent} is not at {at}{}", at_time(time))
-        }
-        Question::NoVisit { agent, at } => {
-            let who = agent.as_deref().unwrap_or("some agent");
-            format!("{who} is at {at} at some time")
-        }
-        Question::Move {
-            agent,
-            from_cell,
-            to_cell,
-            time,
-        } => format!(
-            "{agent} does not go from {from_cell} to {to_cell}{}",
-            at_time(time)
-        ),
-        Question::NoMove {
-            agent,
-            from_cell,
-            to_cell,
-            time,
-        } => format!(
-            "{agent} goes from {from_cell} to {to_cell}{}",
-            at_time(time)
-        ),
-        Question::Slow {
-            agent,
-            from_cell,
-            to_cell,
-        } => match from_cell.zip(*to_cell) {
-            Some((u, v)) => format!("{agent} makes no slow move between {u} and {v}"),
-            None => format!("{agent} makes no slow move"),
-        },
-        Question::Order {
-            agent,
-            first,
-            second,
-        } => format!("{agent} is at {second} before it is at {first}"),
-        Question::Yield { agent, to, at } => format!("{agent} is at {at} before {to} is"),
+    match question::contrast(question) {
+        Some(contrast) => contrast.does,
         // The others are limits of costs, or contrast a plan with nothing.
-        other => format!("the question \"{}\" has another answer", other.kind()),
+        None => format!("the question \"{}\" has another answer", question.kind()),
     }
 }

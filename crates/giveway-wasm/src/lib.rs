@@ -1,7 +1,7 @@
 //! Giveway for JavaScript, and in a page's worker.
 //!
-//! [`solve`] and [`check`] answer in the thread that calls them, from and to
-//! plain objects. [`serve_messages`] answers the messages of [`protocol`] in a
+//! [`solve`], [`check`], [`explain`] and the others answer in the thread that
+//! calls them, from and to plain objects. [`serve_messages`] answers the messages of [`protocol`] in a
 //! Web Worker. Both go through the solver's one service. Nothing here draws.
 
 mod budget;
@@ -13,5 +13,7 @@ mod worker;
 
 pub use budget::MEMORY_BYTES;
 #[cfg(feature = "javascript")]
-pub use javascript::{check, read_moving_ai, read_plan, read_scene, solve};
+pub use javascript::{
+    certify, check, convert, explain, read_moving_ai, read_plan, read_scene, schema, solve, verify,
+};
 pub use worker::serve_messages;

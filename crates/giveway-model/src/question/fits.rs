@@ -6,6 +6,7 @@ use std::fmt;
 use serde::{Deserialize, Serialize};
 
 use super::holds::{first_visit, holds, is_at, walk};
+use super::least::already_least;
 use super::not_so::not_so;
 use super::{Question, so, to_words};
 use crate::check::Walk;
@@ -132,6 +133,9 @@ pub fn fits(question: &Question, instance: &Instance, plan: &Plan) -> Result<(),
     names_exist(question, instance)?;
     if let Question::Yield { agent, to, at } = question {
         return precedence(instance, plan, agent, to, *at);
+    }
+    if let Some(is_so) = already_least(question, instance, plan) {
+        return Err(Misfit::NotSo { is_so, ask: None });
     }
     // What is asked about is so, just where the contrast does not hold.
     let order = matches!(question, Question::Order { .. });

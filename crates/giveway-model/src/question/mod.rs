@@ -6,8 +6,10 @@
 //! "Explanation Generation for Multi-Modal Multi-Agent Path Finding with
 //! Optimal Resource Utilization using Answer Set Programming" (2020).
 
+mod contrast;
 mod fits;
 mod holds;
+mod least;
 mod not_so;
 mod so;
 mod words;
@@ -16,6 +18,7 @@ use serde::{Deserialize, Serialize};
 
 use crate::Cell;
 
+pub use contrast::{Contrast, contrast};
 pub use fits::{Misfit, fits, names_exist};
 pub use holds::holds;
 pub use words::{Asked, WordsError, from_words, to_words};

@@ -2,6 +2,7 @@
 
 use std::fmt::Write as _;
 
+use giveway_model::format::native;
 use giveway_model::question::fits;
 
 use super::{instance, plan, question};
@@ -34,9 +35,45 @@ fn what_is_so_can_be_asked() {
 }
 
 #[test]
+fn what_is_least_already_cannot_be_less() {
+    let instance = native::read_instance(
+        r#"{ "giveway": 1, "map": ["..."], "agents": [
+            { "name": "A1", "start": [0, 0], "goal": [0, 0] },
+            { "name": "A2", "start": [1, 0], "goal": [2, 0] } ] }"#,
+    )
+    .unwrap();
+    let plan = native::read_plan(
+        r#"{ "giveway": 1, "paths": { "A1": [[0, 0]], "A2": [[1, 0], [2, 0]] } }"#,
+    )
+    .unwrap();
+    for (words, is_so) in [
+        ("waits A2", "A2 never waits in this plan."),
+        ("charges A2", "A2 never charges in this plan."),
+        ("moves A1", "A1 does not move in this plan."),
+        ("length A1", "A1 does not move in this plan."),
+        ("arrival A1", "A1 arrives at time 0."),
+        ("waits", "No agent waits in this plan."),
+        ("charges", "No agent charges in this plan."),
+    ] {
+        let misfit = fits(&question(words), &instance, &plan).unwrap_err();
+        assert_eq!(misfit.to_string(), is_so, "{words}");
+    }
+    for words in [
+        "moves",
+        "makespan",
+        "sum-of-costs",
+        "moves A2",
+        "arrival A2",
+    ] {
+        assert_eq!(fits(&question(words), &instance, &plan), Ok(()), "{words}");
+    }
+}
+
+#[test]
 fn sentences_that_help() {
     let mut found = String::new();
     for words in [
+        "charges A2",
         "wait A9",
         "wait A1 --at 9,9",
         "wait A1 --at 3,0",
@@ -70,6 +107,8 @@ fn sentences_that_help() {
         let _ = writeln!(found, "{words}\n    {}", misfit.unwrap_err());
     }
     expect_test::expect![[r#"
+        charges A2
+            A2 never charges in this plan.
         wait A9
             agent: found "A9", expected one of A1, A2
         wait A1 --at 9,9

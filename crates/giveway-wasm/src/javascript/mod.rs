@@ -1,27 +1,38 @@
 //! The package's functions for JavaScript: plain objects in, plain objects out.
 //!
-//! Objects have the shapes of the project's own JSON, and `types.d.ts` tells
+//! Objects have the shapes of the project's own JSON; `package/types.d.ts` tells
 //! them. Whatever is handed in, a function returns or throws an `Error` with a
 //! `code`, the place of each fault, and a sentence.
 
 mod callbacks;
+mod convert;
 mod error;
 mod objects;
+mod texts;
 
-use giveway_model::format::{movingai, native};
-use giveway_model::{Fault, Instance};
+use std::collections::BTreeMap;
+
+use giveway_model::{Fault, format};
+use giveway_proof::{Budget, Bundle, Report};
 use giveway_solve::{
-    CheckRequest, Host, Progress, Refusal, Request, Response, SolveRequest, serve,
+    CertifyRequest, CheckRequest, Host, Limits, Progress, Refusal, Request, Response, SolveRequest,
+    explain::ExplainRequest, serve,
 };
-use serde::Deserialize;
+use js_sys::JSON;
+use serde::{Deserialize, de::DeserializeOwned};
 use wasm_bindgen::{JsValue, prelude::wasm_bindgen};
 
-use crate::{budget::within_budget, host::WebHost};
+use crate::{
+    budget::{MEMORY_BYTES, within_budget},
+    host::WebHost,
+};
 use callbacks::Callbacks;
+pub use convert::convert;
 use error::{Code, error};
+pub use texts::{read_moving_ai, read_plan, read_scene};
 
 #[wasm_bindgen(typescript_custom_section)]
-const TYPES: &str = include_str!("types.d.ts");
+const TYPES: &str = include_str!("../../package/types.d.ts");
 
 /// Lets a fault of the program be an `Error` with a sentence, too.
 #[wasm_bindgen(start)]
@@ -38,33 +49,131 @@ fn start() {
 /// # Errors
 /// An `Error` where the request, its scene or the options are wrong; what a
 /// callback throws.
-#[wasm_bindgen]
-pub fn solve(
-    #[wasm_bindgen(unchecked_param_type = "SolveRequest")] request: &JsValue,
-    #[wasm_bindgen(unchecked_optional_param_type = "SolveOptions")] options: &JsValue,
-) -> Result<JsValue, JsValue> {
-    let callbacks = Callbacks::new(options)?;
-    let request: SolveRequest = objects::read(request)?;
-    let listen = |event: &Progress| callbacks.hear(event);
-    let should_stop = || callbacks.say_stop();
-    let host = WebHost::new(&listen, Some(&should_stop));
-    let response = respond(Request::Solve(request), &host);
-    match callbacks.thrown() {
-        Some(thrown) => Err(thrown),
-        None => response,
-    }
+#[wasm_bindgen(skip_typescript)]
+pub fn solve(request: &JsValue, options: &JsValue) -> Result<JsValue, JsValue> {
+    serve_with(
+        request,
+        options,
+        Request::Solve as fn(SolveRequest) -> Request,
+    )
+}
+
+/// Answers a question about a plan, or about there being none.
+///
+/// # Errors
+/// As [`solve`]; also where the question does not fit the plan.
+#[wasm_bindgen(skip_typescript)]
+pub fn explain(request: &JsValue, options: &JsValue) -> Result<JsValue, JsValue> {
+    serve_with(
+        request,
+        options,
+        Request::Explain as fn(ExplainRequest) -> Request,
+    )
+}
+
+/// Proves again what was answered, and checks the proofs.
+///
+/// # Errors
+/// As [`solve`].
+#[wasm_bindgen(skip_typescript)]
+pub fn certify(request: &JsValue, options: &JsValue) -> Result<JsValue, JsValue> {
+    serve_with(
+        request,
+        options,
+        Request::Certify as fn(CertifyRequest) -> Request,
+    )
 }
 
 /// Judges a plan.
 ///
 /// # Errors
 /// An `Error` where the request or its scene is wrong.
-#[wasm_bindgen]
-pub fn check(
-    #[wasm_bindgen(unchecked_param_type = "CheckRequest")] request: &JsValue,
-) -> Result<JsValue, JsValue> {
+#[wasm_bindgen(skip_typescript)]
+pub fn check(request: &JsValue) -> Result<JsValue, JsValue> {
     let request: CheckRequest = objects::read(request)?;
     respond(Request::Check(request), &WebHost::new(&|_| {}, None))
+}
+
+/// What is checked again: the files of a certificate, and how long that may take.
+#[derive(Deserialize)]
+#[serde(deny_unknown_fields)]
+struct VerifyRequest {
+    files: BTreeMap<String, String>,
+    #[serde(default, deserialize_with = "format::from_object")]
+    limits: Limits,
+}
+
+/// Checks the files of a certificate again, as `giveway verify` does.
+///
+/// # Errors
+/// An `Error` where the request or the options are wrong; what a callback throws.
+/// A certificate that does not hold is no error: its report says so.
+#[wasm_bindgen(skip_typescript)]
+pub fn verify(request: &JsValue, options: &JsValue) -> Result<JsValue, JsValue> {
+    let VerifyRequest { files, limits } = objects::read(request)?;
+    let files: Bundle = files
+        .into_iter()
+        .map(|(name, text)| (name, text.into_bytes()))
+        .collect();
+    with_callbacks(options, |host| {
+        objects::write(&checked(&files, limits, host))
+    })
+}
+
+fn checked(files: &Bundle, limits: Limits, host: &dyn Host) -> Report {
+    let start = host.wall_seconds();
+    let most = limits.memory_bytes.unwrap_or(MEMORY_BYTES);
+    let go_on = || {
+        let in_time = limits
+            .seconds
+            .is_none_or(|limit| host.wall_seconds() - start < limit);
+        in_time && host.memory_bytes() <= most && !host.cancelled()
+    };
+    let tell = |claim: &giveway_proof::Claim| {
+        let (claim, checking) = (claim.sentence(), true);
+        host.progress(&Progress::Certifying { claim, checking });
+    };
+    let budget = Budget {
+        go_on: &go_on,
+        tell: &tell,
+        ..Budget::default()
+    };
+    giveway_proof::verify(files, &budget)
+}
+
+/// The JSON Schema of all objects.
+///
+/// # Errors
+/// Only where there is no more memory.
+#[wasm_bindgen(skip_typescript)]
+pub fn schema() -> Result<JsValue, JsValue> {
+    JSON::parse(format::schema())
+}
+
+/// Reads a request and has it served.
+fn serve_with<T: DeserializeOwned>(
+    request: &JsValue,
+    options: &JsValue,
+    kind: fn(T) -> Request,
+) -> Result<JsValue, JsValue> {
+    with_callbacks(options, |host| respond(kind(objects::read(request)?), host))
+}
+
+/// Works with a host that has the callbacks of the options; what one of them
+/// throws is thrown on.
+fn with_callbacks(
+    options: &JsValue,
+    work: impl FnOnce(&dyn Host) -> Result<JsValue, JsValue>,
+) -> Result<JsValue, JsValue> {
+    let callbacks = Callbacks::new(options)?;
+    let listen = |event: &Progress| callbacks.hear(event);
+    let should_stop = || callbacks.say_stop();
+    let host = WebHost::new(&listen, Some(&should_stop));
+    let answer = work(&host);
+    match callbacks.thrown() {
+        Some(thrown) => Err(thrown),
+        None => answer,
+    }
 }
 
 fn respond(request: Request, host: &dyn Host) -> Result<JsValue, JsValue> {
@@ -74,87 +183,35 @@ fn respond(request: Request, host: &dyn Host) -> Result<JsValue, JsValue> {
         Response::Checked(answer) => objects::write(&answer),
         Response::Explained(answer) => objects::write(&answer),
         Response::Certified(report) => objects::write(&report),
-        Response::Refused(Refusal::Scene { faults }) => {
-            let in_request = |mut fault: Fault| {
-                fault.place = format!("scene.{}", fault.place);
-                fault
+        Response::Refused(refusal) => Err(refused(refusal)),
+    }
+}
+
+fn refused(refusal: Refusal) -> JsValue {
+    let at = |place: &str, mut fault: Fault| {
+        fault.place = match fault.place.as_str() {
+            "" => place.to_owned(),
+            inner => format!("{place}.{inner}"),
+        };
+        fault
+    };
+    match refusal {
+        Refusal::Scene { faults } => {
+            let faults: Vec<Fault> = faults.into_iter().map(|f| at("scene", f)).collect();
+            error(Code::BadScene, &faults)
+        }
+        Refusal::Request { fault } => error(Code::BadInput, &[fault]),
+        refusal => {
+            let (place, expected) = match refusal {
+                Refusal::Plan { .. } => ("plan", "a plan that breaks no rule"),
+                _ => ("question", "what can be asked of the plan"),
             };
-            let faults: Vec<Fault> = faults.into_iter().map(in_request).collect();
-            Err(error(Code::BadScene, &faults))
+            let found = refusal.sentences();
+            let faults: Vec<Fault> = found
+                .into_iter()
+                .map(|found| Fault::at(place, found, expected))
+                .collect();
+            error(Code::BadInput, &faults)
         }
-        Response::Refused(Refusal::Request { fault }) => Err(error(Code::BadInput, &[fault])),
-        Response::Refused(refusal) => {
-            let found = refusal.sentences().join(" ");
-            let fault = Fault::at("question", found, "what can be asked of the plan");
-            Err(error(Code::BadInput, &[fault]))
-        }
-    }
-}
-
-/// Reads a scene in the project's own JSON, and checks it.
-///
-/// # Errors
-/// An `Error` with the line and column of each fault.
-#[wasm_bindgen(js_name = readScene)]
-pub fn read_scene(
-    #[wasm_bindgen(unchecked_param_type = "string")] text: &JsValue,
-) -> Result<JsValue, JsValue> {
-    let text = objects::text(text, "text")?;
-    match native::read_instance(&text) {
-        Ok(instance) => objects::write(&instance.to_scene()),
-        Err(faults) => Err(error(Code::BadText, &faults)),
-    }
-}
-
-/// Reads a plan in the project's own JSON, without judging it.
-///
-/// # Errors
-/// An `Error` with the line and column of the fault.
-#[wasm_bindgen(js_name = readPlan)]
-pub fn read_plan(
-    #[wasm_bindgen(unchecked_param_type = "string")] text: &JsValue,
-) -> Result<JsValue, JsValue> {
-    let text = objects::text(text, "text")?;
-    let plan = native::read_plan(&text).map_err(|fault| error(Code::BadText, &[fault]))?;
-    objects::write(&plan)
-}
-
-/// What a person may say of a scene that comes in two files.
-#[derive(Default, Deserialize)]
-#[serde(deny_unknown_fields, default)]
-struct Named {
-    name: String,
-    agents: Option<usize>,
-}
-
-/// The scene of a `MovingAI` `.map` and the first agents of a `.scen`.
-///
-/// # Errors
-/// An `Error` with the line of the fault, whose place is `map` or `scenario`.
-#[wasm_bindgen(js_name = readMovingAi)]
-pub fn read_moving_ai(
-    #[wasm_bindgen(unchecked_param_type = "string")] map: &JsValue,
-    #[wasm_bindgen(unchecked_param_type = "string")] scenario: &JsValue,
-    #[wasm_bindgen(unchecked_optional_param_type = "MovingAiOptions")] options: &JsValue,
-) -> Result<JsValue, JsValue> {
-    let place = |place: &'static str| {
-        move |fault: Fault| {
-            let place = place.to_owned();
-            error(Code::BadText, &[Fault { place, ..fault }])
-        }
-    };
-    let map = objects::text(map, "map")?;
-    let scenario = objects::text(scenario, "scenario")?;
-    let Named { name, agents } = if options.is_undefined() {
-        Named::default()
-    } else {
-        objects::read(options)?
-    };
-    let grid = movingai::read_map(&map).map_err(place("map"))?;
-    let scenario = movingai::read_scenario(&scenario).map_err(place("scenario"))?;
-    let scene = movingai::to_scene(&name, &grid, &scenario, agents).map_err(place("scenario"))?;
-    match Instance::new(scene) {
-        Ok(instance) => objects::write(&instance.to_scene()),
-        Err(faults) => Err(error(Code::BadScene, &faults)),
     }
 }

@@ -4,8 +4,11 @@ mod bad_input;
 mod cases;
 mod large;
 mod limits;
+mod noise;
 mod plans;
 mod progress;
+mod questions;
+mod random;
 mod texts;
 
 use js_sys::{JSON, Reflect};

@@ -1,0 +1,56 @@
+//! Questions why something is not less where it is 0 already.
+
+use super::holds::{moves, walk};
+use super::{Question, so};
+use crate::check;
+use crate::{Cost, Instance, Plan};
+
+/// What is so, where nothing could be less than what is asked about.
+pub(super) fn already_least(
+    question: &Question,
+    instance: &Instance,
+    plan: &Plan,
+) -> Option<String> {
+    let total = |cost| check::costs(instance, plan).is_some_and(|costs| costs.get(cost) == 0);
+    let of = |name: &str| walk(instance, plan, name);
+    let still = |name: &str| Some(moves(instance, &of(name)?) == 0);
+    let (is_least, what) = match question {
+        Question::Waits { agent: Some(name) } => (
+            so::waits(instance, &of(name)?).is_empty(),
+            format!("{name} never waits in this plan."),
+        ),
+        Question::Charges { agent: Some(name) } => (
+            of(name)?.charges.is_empty(),
+            format!("{name} never charges in this plan."),
+        ),
+        Question::Moves { agent: Some(name) } | Question::Length { agent: name, .. } => {
+            (still(name)?, format!("{name} does not move in this plan."))
+        }
+        Question::Arrival { agent } => (
+            of(agent)?.arrival() == 0,
+            format!("{agent} arrives at time 0."),
+        ),
+        Question::Waits { agent: None } => (
+            total(Cost::Waits),
+            "No agent waits in this plan.".to_owned(),
+        ),
+        Question::Charges { agent: None } => (
+            total(Cost::Charges),
+            "No agent charges in this plan.".to_owned(),
+        ),
+        Question::Moves { agent: None } => (
+            total(Cost::Moves),
+            "No agent moves in this plan.".to_owned(),
+        ),
+        Question::Makespan => (
+            total(Cost::Makespan),
+            "All agents arrive at time 0.".to_owned(),
+        ),
+        Question::SumOfCosts => (
+            total(Cost::SumOfCosts),
+            "All agents arrive at time 0.".to_owned(),
+        ),
+        _ => return None,
+    };
+    is_least.then_some(what)
+}

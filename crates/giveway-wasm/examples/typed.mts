@@ -1,0 +1,42 @@
+// The same in TypeScript, with the worker of a page: types tell what comes back.
+
+import { type Cost, type ExplainAnswer, type GivewayError, type Progress, type Scene, schema } from "giveway";
+import { Giveway } from "giveway/worker";
+
+const scene: Scene = {
+  giveway: 1,
+  map: ["....", "#.##"],
+  agents: [
+    { name: "a", start: [0, 0], goal: [3, 0] },
+    { name: "b", start: [3, 0], goal: [0, 0], battery: { capacity: 9, initial: 9 } },
+  ],
+};
+
+export const definitions: string[] = Object.keys(schema().$defs);
+
+function words(event: Progress): string {
+  switch (event.event) {
+    case "bound": return `${event.cost} is at least ${event.at_least}`;
+    case "plan": return `a plan of makespan ${event.costs.makespan}`;
+    case "size": return `${event.conflicts} conflicts`;
+    case "explained": return event.answer.words;
+    case "certifying": return event.claim;
+  }
+}
+
+export async function whyNotSooner(signal: AbortSignal): Promise<ExplainAnswer | GivewayError> {
+  const giveway = new Giveway();
+  try {
+    const front = await giveway.solve({ scene, pareto: true, objective: ["makespan", "sum-of-costs"] }, { signal });
+    const costs: Record<Cost, number> | null | undefined = front.front[0]?.costs;
+    const { plan } = await giveway.solve({ scene, within: costs?.makespan, limits: { seconds: 5 } }, { signal });
+    return await giveway.explain(
+      { scene, plan: plan ?? undefined, question: { kind: "arrival", agent: "a" } },
+      { signal, onProgress: (event) => console.log(words(event)) },
+    );
+  } catch (error) {
+    return error as GivewayError;
+  } finally {
+    giveway.close();
+  }
+}

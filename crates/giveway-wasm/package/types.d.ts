@@ -1,0 +1,369 @@
+/** A cell [x, y], from [0, 0] at the top left, y down. */
+export type Cell = [number, number];
+
+export type Cost = "makespan" | "sum-of-costs" | "charges" | "moves" | "waits";
+
+export interface Agent {
+  /** Unique and not empty. */
+  name: string;
+  start: Cell;
+  goal: Cell;
+  /** Cells to visit, in any order. */
+  waypoints?: Cell[];
+  /** In time steps; unlimited where left out or null. */
+  battery?: { capacity: number; initial: number } | null;
+}
+
+/** An instance of the problem. */
+export interface Scene {
+  giveway: 1;
+  name?: string;
+  /** Rows from the top: `.` free, `#` obstacle, `~` slow zone, `+` charger, `*` charger in the slow zone. */
+  map: string[];
+  /** By default agents stay at their goals, and the floor is 0. */
+  rules?: { at_goal?: "stay" | "vanish"; battery_floor?: number };
+  /** Costs to minimise, the most important first. */
+  objective?: Cost[];
+  agents: Agent[];
+}
+
+/** Where each agent is at each time up to its arrival; null in transit. */
+export interface Plan {
+  giveway: 1;
+  paths: Record<string, (Cell | null)[]>;
+  /** The times at which an agent charges, ascending. */
+  charges?: Record<string, number[]>;
+  /** The time of an agent's first entry, where it is not 0. */
+  from?: Record<string, number>;
+  /** The time from which a removed agent is gone. */
+  until?: Record<string, number>;
+}
+
+export interface SolveRequest {
+  scene: Scene;
+  /** Where it is not the scene's own. */
+  objective?: Cost[];
+  /** All non-dominated costs of the objective's two or three, instead of the best plan. */
+  pareto?: boolean;
+  /** Only plans of at most this makespan count. */
+  within?: number;
+  limits?: Limits;
+}
+
+/** A budget; what is left out is not limited, but for the memory. */
+export interface Limits {
+  /** Wall seconds. */
+  seconds?: number;
+  /** Conflicts of the SAT solver: the same wherever it runs. */
+  conflicts?: number;
+  /** What the memory may grow to, in bytes. */
+  memory_bytes?: number;
+}
+
+export interface CheckRequest {
+  scene: Scene;
+  plan: Plan;
+}
+
+/** Something became known on the way. */
+export type Progress =
+  | { event: "bound"; cost: Cost; at_least: number }
+  | { event: "plan"; costs: Record<Cost, number> }
+  | { event: "size"; variables: number; clauses: number; conflicts: number }
+  | { event: "explained"; answer: ExplainAnswer }
+  | { event: "certifying"; claim: string; checking: boolean };
+
+/** For what may take long. */
+export interface Options {
+  onProgress?: (event: Progress) => void;
+  /** Asked about a hundred times a second; true ends in what is known by then. */
+  shouldStop?: () => boolean;
+}
+
+/** Running out of a limit is `feasible` or `unknown`, never `impossible`. */
+export type Status = "optimal" | "feasible" | "impossible" | "unknown";
+
+export interface Stats {
+  cpu_seconds: number;
+  solver_calls: number;
+  variables: number;
+  clauses: number;
+  conflicts: number;
+}
+
+export interface SolveAnswer {
+  giveway: 1;
+  status: Status;
+  costs: Record<Cost, number> | null;
+  /** The proved lower bound of each cost reached so far. */
+  bounds: Partial<Record<Cost, number>>;
+  /** The makespan up to which the claim was proved; null where it holds whatever the horizon. */
+  within: number | null;
+  complete: boolean;
+  /** Why there is no plan or no proof. */
+  reason?: string;
+  plan: Plan | null;
+  stats: Stats;
+}
+
+/** The answer to a request with `pareto`: an answer a point. */
+export interface FrontAnswer {
+  giveway: 1;
+  status: Status;
+  complete: boolean;
+  within: number | null;
+  front: SolveAnswer[];
+}
+
+export interface Violation {
+  rule:
+    | "shape" | "start" | "goal" | "waypoint" | "move" | "obstacle"
+    | "vertex" | "swap" | "slow-swap" | "battery" | "charge";
+  agents: string[];
+  cell?: Cell;
+  /** From and to, as the first agent goes. */
+  edge?: [Cell, Cell];
+  time: number;
+  message: string;
+}
+
+export interface CheckAnswer {
+  giveway: 1;
+  valid: boolean;
+  costs: Record<Cost, number> | null;
+  violations: Violation[];
+}
+
+/** A question about a plan. Times are steps from 0; agents go by their names. */
+export type Question =
+  /** Why does it wait? Or, with `at-least`, why so long? */
+  | { kind: "wait"; agent: string; at?: Cell; from?: number; to?: number; "at-least"?: number }
+  | { kind: "charge"; agent: string; at?: Cell; time?: number }
+  | { kind: "no-charge"; agent: string; at: Cell }
+  | { kind: "visit"; agent: string; at: Cell; time?: number }
+  /** Without an agent: why does nobody pass? */
+  | { kind: "no-visit"; agent?: string; at: Cell }
+  | { kind: "move" | "no-move"; agent: string; "from-cell": Cell; "to-cell": Cell; time?: number }
+  /** Over one edge where both of its cells are given, over any else. */
+  | { kind: "slow"; agent: string; "from-cell"?: Cell; "to-cell"?: Cell }
+  | { kind: "order"; agent: string; first: Cell; second: Cell }
+  | { kind: "arrival"; agent: string }
+  | { kind: "length"; agent: string; "fewer-than"?: number }
+  | { kind: "makespan" | "sum-of-costs" }
+  /** Without an agent: of all of them. */
+  | { kind: "charges" | "moves" | "waits"; agent?: string }
+  /** Why does `agent` give way to `to`? */
+  | { kind: "yield"; agent: string; to: string; at: Cell }
+  | { kind: "unsolvable" }
+  | { kind: "plan" };
+
+export interface ExplainRequest {
+  scene: Scene;
+  /** The plan that is asked about; without one the scene is solved first. */
+  plan?: Plan;
+  question: Question;
+  /** Where it is not the scene's own. */
+  objective?: Cost[];
+  /** Only plans of at most this makespan count. */
+  within?: number;
+  limits?: Limits;
+}
+
+/** Of the best other plan: it costs the same, less, more; there is none; not known. */
+export type Verdict = "needless" | "improvable" | "costly" | "necessary" | "unknown";
+
+/** A fact of the scene that can be left out. */
+export interface Fact {
+  kind: "task" | "waypoint" | "battery" | "obstacle" | "slow" | "collision" | "stay" | "deadline";
+  agents: string[];
+  cell: Cell | null;
+  text: string;
+}
+
+/** Facts that together make it impossible, or so costly. */
+export interface Core {
+  facts: Fact[];
+  /** Without any one of them a plan is at hand. */
+  minimal: boolean;
+  complete: boolean;
+  within: number | null;
+}
+
+export type Edit =
+  | { edit: "remove-obstacle" | "add-charger" | "make-normal"; cell: Cell }
+  | { edit: "battery"; agent: string; capacity: number; initial: number }
+  | { edit: "deadline"; within: number }
+  | { edit: "drop-waypoint"; agent: string; cell: Cell }
+  | { edit: "vanish" }
+  | { edit: "leave-out"; agent: string };
+
+/** Edits after which there is a plan. */
+export interface Repair {
+  edits: Edit[];
+  costs: Record<Cost, number>;
+  plan: Plan;
+  text: string;
+}
+
+export interface ExplainAnswer {
+  giveway: 1;
+  question: Question;
+  /** The plan that is asked about, where the request had none. */
+  plan?: Plan;
+  verdict: Verdict;
+  /** Of the other plan, as the alternative. */
+  costs: Record<Cost, number> | null;
+  deltas: Partial<Record<Cost, number>>;
+  within: number | null;
+  complete: boolean;
+  alternative: Plan | null;
+  /** Whether it is proved that no other best plan is closer. */
+  closest: boolean;
+  /** What would happen; of `unsolvable` with the class of rules that were soft. */
+  witness: (Violation & { class?: "collision" | "obstacle" | "battery" | "waypoint" })[];
+  core: Core | null;
+  repairs: Repair[];
+  /** Whether all repairs were tried. */
+  exhaustive: boolean;
+  /** Of `plan` only, as the next three. */
+  valid?: boolean;
+  violations?: Violation[];
+  optimal?: boolean;
+  excess?: { agent: string; cost: Cost; by: number }[];
+  /** The parts that are still to come. */
+  pending?: ("verdict" | "closest" | "witness" | "core" | "repairs")[];
+  words: string;
+  stats: Stats;
+}
+
+/** That there is no plan of some kind. */
+export interface Claim {
+  /** The costs that such a plan would have at most. */
+  most: Partial<Record<Cost, number>>;
+  within: number | null;
+  /** What such a plan would be like beside its costs. */
+  condition?:
+    | { contrast: Question }
+    | { arrival: { agent: string; before: number } }
+    | { "at-most": { agent: string; cost: Cost; most: number } };
+}
+
+/** What was answered, to be proved again. */
+export interface CertifyRequest {
+  scene: Scene;
+  objective?: Cost[];
+  /** What all claims are limited to; of all plans `{ most: {}, within: null }`. */
+  about: Claim;
+  /** The lower bounds that were claimed. */
+  bounds: Partial<Record<Cost, number>>;
+  /** Whether it was claimed that there is no plan. */
+  impossible: boolean;
+  complete: boolean;
+  within: number | null;
+  plan: Plan | null;
+  limits?: Limits;
+}
+
+/** A claim that was checked: by a proof, by a search, or not. */
+export type Checked = { text: string; claim: Claim } & (
+  | { kind: "proof"; variables: number; clauses: number; steps: number }
+  | { kind: "search"; method: "alone" | "joint" }
+  | { kind: "none"; why: string }
+);
+
+/** What came of checking a certificate. */
+export interface Report {
+  giveway: 1;
+  accepted: boolean;
+  /** Why it was not accepted. */
+  reason: string | null;
+  /** Whether the check ended before it came to a result. */
+  stopped: boolean;
+  claims: Checked[];
+}
+
+export interface VerifyRequest {
+  /** The texts of a certificate's files by their names. */
+  files: Record<string, string>;
+  limits?: Limits;
+}
+
+export interface ConvertRequest {
+  /** Texts by file names: `.json`, or `.scen` with `.map`. */
+  files: Record<string, string>;
+  to: "giveway" | "movingai";
+  /** Only the first so many agents. */
+  agents?: number;
+}
+
+export interface ConvertAnswer {
+  files: Record<string, string>;
+  /** What the other format cannot say. */
+  notes: string[];
+}
+
+/** A JSON Schema (draft 2020-12): `$defs` has one of each object. */
+export interface Schema {
+  $schema: string;
+  $defs: Record<string, object>;
+}
+
+export interface MovingAiOptions {
+  /** The scene's name. */
+  name?: string;
+  /** How many of the scenario's agents; all where left out. */
+  agents?: number;
+}
+
+export interface Fault {
+  /** Keys and indices, such as `scene.agents[1].goal`; absent for the whole. */
+  place?: string;
+  /** From 1, where the input was text. */
+  line?: number;
+  column?: number;
+  found: string;
+  expected: string;
+}
+
+/** What the functions throw where the input is wrong. */
+export interface GivewayError extends Error {
+  name: "GivewayError";
+  code: "bad-input" | "bad-scene" | "bad-text" | "broken";
+  place: string;
+  found: string;
+  expected: string;
+  /** At least one. */
+  faults: Fault[];
+}
+
+/** Finds and proves the best plan. */
+export function solve(request: SolveRequest & { pareto?: false }, options?: Options): SolveAnswer;
+/** All non-dominated costs of the objective's two or three, a plan each. */
+export function solve(request: SolveRequest & { pareto: true }, options?: Options): FrontAnswer;
+
+/** Judges a plan. */
+export function check(request: CheckRequest): CheckAnswer;
+
+/** Answers a question about a plan, or about there being none. */
+export function explain(request: ExplainRequest, options?: Options): ExplainAnswer;
+
+/** Proves again what was answered, and checks the proofs. */
+export function certify(request: CertifyRequest, options?: Options): Report;
+
+/** Checks the files of a certificate, as `giveway verify` does. */
+export function verify(request: VerifyRequest, options?: Options): Report;
+
+/** Writes instances and plans in another format. */
+export function convert(request: ConvertRequest): ConvertAnswer;
+
+/** The JSON Schema of all objects. */
+export function schema(): Schema;
+
+/** Reads a scene in the project's own JSON, and checks it. */
+export function readScene(text: string): Scene;
+
+/** Reads a plan in the project's own JSON, without judging it. */
+export function readPlan(text: string): Plan;
+
+/** The scene of a MovingAI `.map` and the first agents of a `.scen`. */
+export function readMovingAi(map: string, scenario: string, options?: MovingAiOptions): Scene;

@@ -1,0 +1,29 @@
+import type {
+  CertifyRequest, CheckAnswer, CheckRequest, ConvertAnswer, ConvertRequest, ExplainAnswer,
+  ExplainRequest, FrontAnswer, Progress, Report, Schema, SolveAnswer, SolveRequest, VerifyRequest,
+} from "./types.js";
+
+export * from "./types.js";
+
+export interface Waiting {
+  /** Ends it at once; the promise is then rejected with the signal's reason. */
+  signal?: AbortSignal;
+  /** Told what becomes known on the way. */
+  onProgress?: (event: Progress) => void;
+}
+
+/** The solver in a worker of its own: the page never waits for it. */
+export class Giveway {
+  /** @param start starts a worker that runs `giveway/worker/solver` */
+  constructor(start?: () => Worker);
+  solve(request: SolveRequest & { pareto?: false }, waiting?: Waiting): Promise<SolveAnswer>;
+  solve(request: SolveRequest & { pareto: true }, waiting?: Waiting): Promise<FrontAnswer>;
+  check(request: CheckRequest, waiting?: Waiting): Promise<CheckAnswer>;
+  explain(request: ExplainRequest, waiting?: Waiting): Promise<ExplainAnswer>;
+  certify(request: CertifyRequest, waiting?: Waiting): Promise<Report>;
+  verify(request: VerifyRequest, waiting?: Waiting): Promise<Report>;
+  convert(request: ConvertRequest, waiting?: Waiting): Promise<ConvertAnswer>;
+  schema(waiting?: Waiting): Promise<Schema>;
+  /** Ends the worker; what waits is rejected with an `AbortError`. */
+  close(): void;
+}

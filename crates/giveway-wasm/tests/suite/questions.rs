@@ -1,0 +1,85 @@
+//! Questions, certificates and files by way of JavaScript.
+
+use serde_json::{Value, json};
+use wasm_bindgen::JsValue;
+use wasm_bindgen_test::wasm_bindgen_test;
+
+use super::{data, js, object, solve, told, warehouse};
+
+const NONE: JsValue = JsValue::UNDEFINED;
+
+fn scene() -> Value {
+    serde_json::from_str(include_str!("../../../../tests/data/seed/scenario-1.json")).unwrap()
+}
+
+#[wasm_bindgen_test]
+fn a_question_is_answered_with_another_plan() {
+    let scene = scene();
+    let plan = solve(&json!({ "scene": scene }))["plan"].clone();
+    let question = json!({ "kind": "wait", "agent": "A2" });
+    let request = json!({ "scene": scene, "plan": plan, "question": question });
+    let heard = js("({ onProgress: () => {} })");
+    let answer = data(&giveway_wasm::explain(&object(&request), &heard).unwrap());
+    assert_eq!(answer["verdict"], "needless");
+    let judged = json!({ "scene": scene, "plan": answer["alternative"] });
+    let judged = data(&giveway_wasm::check(&object(&judged)).unwrap());
+    assert_eq!(judged["valid"], true);
+}
+
+#[wasm_bindgen_test]
+fn a_question_that_does_not_fit_and_a_broken_plan_are_told() {
+    let scene = scene();
+    let mut plan = solve(&json!({ "scene": scene }))["plan"].clone();
+    let ask = |plan: &Value, question: Value| {
+        let request = json!({ "scene": scene, "plan": plan, "question": question });
+        told(&giveway_wasm::explain(&object(&request), &NONE).unwrap_err())
+    };
+    let (code, place, sentence) = ask(&plan, json!({ "kind": "wait", "agent": "A9" }));
+    assert_eq!((code.as_str(), place.as_str()), ("bad-input", "question"));
+    assert!(sentence.contains("A9"), "{sentence}");
+    plan["paths"]["A2"] = json!([[3, 1]]);
+    let (code, place, _) = ask(&plan, json!({ "kind": "makespan" }));
+    assert_eq!((code.as_str(), place.as_str()), ("bad-input", "plan"));
+}
+
+#[wasm_bindgen_test]
+fn what_was_solved_is_certified() {
+    let scene = warehouse();
+    let answer = solve(&json!({ "scene": scene }));
+    let request = json!({ "scene": scene, "plan": answer["plan"], "bounds": answer["bounds"],
+        "about": { "most": {}, "within": null }, "impossible": false,
+        "complete": answer["complete"], "within": answer["within"] });
+    let report = data(&giveway_wasm::certify(&object(&request), &NONE).unwrap());
+    assert_eq!(report["accepted"], true, "{report}");
+    let claims = report["claims"].as_array().unwrap();
+    let shown = claims.iter().filter(|claim| claim["kind"] != "none");
+    assert!(shown.count() > 0, "{report}");
+}
+
+#[wasm_bindgen_test]
+fn a_folder_that_is_no_certificate_is_rejected() {
+    let request = json!({ "files": { "manifest.json": "{}" } });
+    let report = data(&giveway_wasm::verify(&object(&request), &NONE).unwrap());
+    assert_eq!(report["accepted"], false);
+    assert!(report["reason"].as_str().unwrap().contains("manifest"));
+}
+
+#[wasm_bindgen_test]
+fn files_are_converted_there_and_back() {
+    let scene = json!({ "giveway": 1, "name": "a", "map": ["...", ".#."],
+        "agents": [{ "name": "A1", "start": [0, 0], "goal": [2, 1] }] });
+    let request = json!({ "files": { "a.json": scene.to_string() }, "to": "movingai" });
+    let written = data(&giveway_wasm::convert(&object(&request)).unwrap());
+    let files = written["files"].as_object().unwrap();
+    assert_eq!(files.keys().collect::<Vec<_>>(), ["a.map", "a.scen"]);
+    let request = json!({ "files": files, "to": "giveway" });
+    let back = data(&giveway_wasm::convert(&object(&request)).unwrap());
+    let text = back["files"]["a.json"].as_str().unwrap();
+    let back: Value = serde_json::from_str(text).unwrap();
+    assert_eq!(back["map"], scene["map"]);
+    assert_eq!(back["agents"][0]["goal"], json!([2, 1]));
+    let request = json!({ "files": { "a.scen": files["a.scen"] }, "to": "giveway" });
+    let (code, place, sentence) = told(&giveway_wasm::convert(&object(&request)).unwrap_err());
+    assert_eq!((code.as_str(), place.as_str()), ("bad-text", "a.scen"));
+    assert!(sentence.contains("map"), "{sentence}");
+}
