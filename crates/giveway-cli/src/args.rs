@@ -170,6 +170,7 @@ The exit status is 1 where the plan breaks a rule.
 
 Examples
   giveway check warehouse.json warehouse.plan.json
+  giveway check warehouse.json adopted.plan.json --changes changes.json
   giveway solve warehouse.json --format json | giveway check warehouse.json -")]
 pub(crate) struct Check {
     #[command(flatten)]
@@ -177,6 +178,9 @@ pub(crate) struct Check {
     /// A plan, or a result of solve with a plan in it; or - for standard input
     #[arg(value_name = "PLAN")]
     pub(crate) plan: PathBuf,
+    /// What changes while the plan runs: each time is judged in the world of that time
+    #[arg(long, value_name = "FILE")]
+    pub(crate) changes: Option<PathBuf>,
 }
 
 #[derive(Debug, ClapArgs)]

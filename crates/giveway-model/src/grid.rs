@@ -55,6 +55,16 @@ impl Ground {
     pub const fn is_slow(self) -> bool {
         matches!(self, Self::Slow | Self::SlowCharger)
     }
+
+    /// A vertex that is a charger or not, in the slow zone or not.
+    pub(crate) const fn vertex(is_charger: bool, is_slow: bool) -> Self {
+        match (is_charger, is_slow) {
+            (false, false) => Self::Free,
+            (false, true) => Self::Slow,
+            (true, false) => Self::Charger,
+            (true, true) => Self::SlowCharger,
+        }
+    }
 }
 
 /// A rectangular map of at least one cell, rows from the top.
@@ -206,6 +216,15 @@ impl Grid {
             let cell = Cell::new((i % width) as u32, (i / width) as u32);
             (cell, ground)
         })
+    }
+
+    /// Changes what lies on a cell; false off the map.
+    pub(crate) fn set_ground(&mut self, cell: Cell, ground: Ground) -> bool {
+        if self.ground(cell).is_none() {
+            return false;
+        }
+        let index = self.index(cell);
+        self.cells.get_mut(index).map(|it| *it = ground).is_some()
     }
 
     /// The map as text, one string a row.

@@ -6,6 +6,7 @@
 
 mod agent;
 mod cell;
+pub mod change;
 pub mod check;
 mod cost;
 mod fault;

@@ -306,7 +306,7 @@ impl Joint<'_> {
                 let Some((count, mask)) = follow(task, count, [mask, step.to.mask], event) else {
                     return;
                 };
-                let last = task.demand.as_ref().and_then(Demand::last_time);
+                let last = task.last_time();
                 if clock >= task.not_after() {
                     return;
                 }

@@ -7,6 +7,7 @@
 
 mod answer;
 mod certify;
+pub mod change;
 mod condition;
 mod encode;
 pub mod explain;

@@ -102,6 +102,36 @@ impl Problem {
         Ok(problem)
     }
 
+    /// A problem of tasks over a terrain, none of them asked for more.
+    pub(crate) fn of_tasks(
+        terrain: Terrain,
+        stays: bool,
+        tasks: Vec<Task>,
+        meter: &Meter,
+    ) -> Result<Self, Setback> {
+        let mut problem = Self {
+            terrain,
+            stays,
+            relaxed: Relaxed::default(),
+            tasks: Vec::new(),
+            to_go: Vec::new(),
+            optima: Vec::new(),
+            longest: 0,
+            precedence: None,
+        };
+        for (i, task) in tasks.into_iter().enumerate() {
+            problem.add(i, task, meter)?;
+        }
+        problem.longest = problem.optima.iter().copied().max().unwrap_or(0);
+        Ok(problem)
+    }
+
+    /// The latest arrival of an agent at which its part of the sum of costs is
+    /// no more than this.
+    pub(crate) fn time_of(&self, agent: usize, cost: u32) -> u32 {
+        cost.saturating_sub(self.tasks[agent].woken)
+    }
+
     /// Adds an agent, or gives it another task.
     pub(crate) fn add(&mut self, agent: usize, task: Task, meter: &Meter) -> Result<(), Setback> {
         if task.waypoints.len() >= MAX_WAYPOINTS + usize::from(task.demand.is_none()) {

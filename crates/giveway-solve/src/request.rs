@@ -1,9 +1,11 @@
 //! What a front may ask: plain data.
 
-use giveway_model::{Objective, Plan, Scene, format::from_object};
+use giveway_model::{Objective, Plan, Scene, change::Changes, format::from_object};
 use serde::{Deserialize, Serialize};
 
 use crate::{CertifyRequest, explain::ExplainRequest};
+use crate::change::ChangeRequest;
+use crate::explain::ExplainRequest;
 
 /// A request to the [service](crate::service).
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
@@ -17,6 +19,8 @@ pub enum Request {
     Explain(ExplainRequest),
     /// Prove again what was answered, and check the proofs.
     Certify(CertifyRequest),
+    /// Go on with a plan around which the world changes.
+    Change(ChangeRequest),
 }
 
 /// Find and prove the best plan, or the Pareto front.
@@ -49,6 +53,10 @@ pub struct CheckRequest {
     pub scene: Scene,
     /// The plan.
     pub plan: Plan,
+    /// What changes while it runs, each time to be judged in the world of that
+    /// time.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub changes: Option<Changes>,
 }
 
 /// A budget; what is `None` is not limited (memory: see the field).

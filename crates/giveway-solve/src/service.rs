@@ -2,7 +2,7 @@
 
 use giveway_model::{
     Fault, Instance, Version,
-    check::{Violation, check},
+    check::{Violation, check, check_changes},
     question::Misfit,
 };
 use giveway_proof::Report;
@@ -11,6 +11,7 @@ use serde::{Deserialize, Serialize};
 use crate::{
     CheckAnswer, CheckRequest, FrontAnswer, Host, Request, SolveAnswer, SolveRequest,
     certify::certify,
+    change::{self, ChangeAnswer},
     explain::{ExplainAnswer, engine},
     pareto,
     solve::{self, Task},
@@ -30,6 +31,8 @@ pub enum Response {
     Explained(Box<ExplainAnswer>),
     /// To [`Request::Certify`].
     Certified(Box<Report>),
+    /// To [`Request::Change`].
+    Changed(Box<ChangeAnswer>),
     /// The request is wrong; nothing was done.
     Refused(Refusal),
 }
@@ -48,6 +51,11 @@ pub enum Refusal {
         /// What was found and what was expected.
         fault: Fault,
     },
+    /// Changes contradict the world as the plan has it.
+    Changes {
+        /// What was found and what was expected, with the place in the changes.
+        faults: Vec<Fault>,
+    },
     /// The plan that is asked about is none.
     Plan {
         /// Every rule that it breaks.
@@ -64,7 +72,9 @@ impl Refusal {
     /// What is wrong, in sentences or phrases, one each.
     pub fn sentences(&self) -> Vec<String> {
         match self {
-            Self::Scene { faults } => faults.iter().map(ToString::to_string).collect(),
+            Self::Scene { faults } | Self::Changes { faults } => {
+                faults.iter().map(ToString::to_string).collect()
+            }
             Self::Request { fault } => vec![fault.to_string()],
             Self::Plan { violations } => violations.iter().map(|v| v.message.clone()).collect(),
             Self::Question { misfit } => vec![misfit.to_string()],
@@ -84,6 +94,10 @@ pub fn serve(request: &Request, host: &dyn Host) -> Response {
         },
         Request::Certify(request) => match certify(request, host) {
             Ok(report) => Response::Certified(Box::new(report)),
+            Err(refusal) => Response::Refused(refusal),
+        },
+        Request::Change(request) => match change::serve(request, host) {
+            Ok(answer) => Response::Changed(Box::new(answer)),
             Err(refusal) => Response::Refused(refusal),
         },
     }
@@ -116,7 +130,13 @@ fn serve_check(request: &CheckRequest) -> Response {
         Ok(instance) => instance,
         Err(faults) => return Response::Refused(Refusal::Scene { faults }),
     };
-    let report = check(&instance, &request.plan);
+    let report = match &request.changes {
+        None => check(&instance, &request.plan),
+        Some(changes) => match check_changes(&instance, changes, &request.plan) {
+            Ok(report) => report,
+            Err(faults) => return Response::Refused(Refusal::Changes { faults }),
+        },
+    };
     Response::Checked(CheckAnswer {
         giveway: Version,
         valid: report.violations.is_empty(),

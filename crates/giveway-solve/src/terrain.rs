@@ -102,9 +102,21 @@ impl Terrain {
         found.filter(|&v| v != NO_VERTEX)
     }
 
-    /// The arcs that leave a vertex.
+    /// The arcs that leave a vertex; none leave what is no vertex any more.
     pub(crate) fn arcs(&self, v: Vertex) -> &[Arc] {
-        &self.arcs[v as usize]
+        self.arcs.get(v as usize).map_or(&[], Vec::as_slice)
+    }
+
+    /// The arc that an agent is half way along when it is about to enter a
+    /// vertex, whatever became of the cell that it comes from.
+    pub(crate) fn transit(&mut self, from: Option<Vertex>, to: Vertex) -> u32 {
+        let there = from.and_then(|u| self.arcs(u).iter().find(|arc| arc.to == to));
+        if let Some(arc) = there {
+            return arc.id;
+        }
+        let id = self.ends.len() as u32;
+        self.ends.extend([(NO_VERTEX, to), (to, NO_VERTEX)]);
+        id
     }
 
     /// From and to of an arc.

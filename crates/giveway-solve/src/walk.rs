@@ -61,6 +61,22 @@ pub(crate) fn charges(task: &Task, terrain: &Terrain, walk: &[Place]) -> Option<
     best
 }
 
+/// Whether the battery lasts for a walk with these charges, which are allowed.
+pub(crate) fn lasts(task: &Task, walk: &[Place], charges: &[u32]) -> bool {
+    let Some(reserve) = task.reserve else {
+        return charges.is_empty();
+    };
+    let mut level = Some(reserve.initial);
+    for time in 0..arrival(walk) {
+        level = match level {
+            Some(_) if charges.contains(&time) => Some(reserve.full),
+            Some(level) => level.checked_sub(1),
+            None => None,
+        };
+    }
+    level.is_some()
+}
+
 /// The fewest charges from a time on, where the battery lasts up to and
 /// including the time `until`.
 fn fewest(
@@ -97,7 +113,12 @@ pub(crate) fn costs_of(problem: &Problem, agent: usize, walk: &[Place]) -> Costs
     let charges = charges(&problem.tasks[agent], &problem.terrain, walk);
     let mut costs = Costs {
         makespan: arrival,
-        sum_of_costs: arrival,
+        sum_of_costs: arrival
+            + if arrival > 0 {
+                problem.tasks[agent].woken
+            } else {
+                0
+            },
         charges: charges.map_or(0, |c| c.len() as u32),
         ..Costs::default()
     };

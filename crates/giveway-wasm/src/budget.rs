@@ -15,6 +15,7 @@ pub(crate) fn within_budget(mut request: Request) -> Request {
         Request::Solve(solve) => &mut solve.limits,
         Request::Explain(explain) => &mut explain.limits,
         Request::Certify(certify) => &mut certify.limits,
+        Request::Change(change) => &mut change.limits,
         Request::Check(_) => return request,
     };
     limits.memory_bytes.get_or_insert(MEMORY_BYTES);

@@ -1,7 +1,7 @@
 //! `giveway check`: every rule that a plan breaks.
 
-use giveway_model::Objective;
-use giveway_solve::{CheckRequest, Request, Response, serve};
+use giveway_model::{Objective, change::History};
+use giveway_solve::{CheckRequest, Refusal, Request, Response, serve};
 
 use super::{refused, unexpected};
 use crate::{
@@ -15,24 +15,33 @@ use crate::{
 };
 
 pub(crate) fn run(args: &Check, common: &Common, clock: Clock) -> Result<Exit, Failure> {
-    if is_standard_input(&args.source.instance) && is_standard_input(&args.plan) {
+    let inputs = [&args.source.instance, &args.plan];
+    let inputs = inputs.into_iter().chain(&args.changes);
+    if inputs.filter(|path| is_standard_input(path)).count() > 1 {
         return Err(Failure::Usage(
-            "found - for both INSTANCE and PLAN, expected it for one of them".to_owned(),
+            "found - for two files, expected it for one of them".to_owned(),
         ));
     }
     let instance = input::instance(&args.source, common)?;
     let plan = input::plan(&args.plan)?;
+    let changes = args.changes.as_deref().map(input::changes).transpose()?;
     let request = Request::Check(CheckRequest {
         scene: instance.to_scene(),
         plan: plan.clone(),
+        changes: changes.as_ref().map(|file| file.changes.clone()),
     });
     let host = CommandHost::new(clock, common.quiet, Objective::default());
     let response = serve(&request, &host);
     host.finish();
     match response {
         Response::Checked(answer) => {
-            output::answer(common.format, &answer, |columns| {
-                text::check(&instance, &plan, &answer, columns)
+            let history = changes.as_ref().and_then(|file| {
+                // It was made for the judge, so it can be made again.
+                History::of(&instance, &file.changes, &plan).ok()
+            });
+            output::answer(common.format, &answer, |columns| match &history {
+                None => text::check(&instance, &plan, &answer, columns),
+                Some(history) => text::check_over_time(&instance, history, &plan, &answer, columns),
             })?;
             Ok(if answer.valid {
                 Exit::Answered
@@ -40,7 +49,10 @@ pub(crate) fn run(args: &Check, common: &Common, clock: Clock) -> Result<Exit, F
                 Exit::Wrong
             })
         }
-        Response::Refused(refusal) => Err(refused(refusal, &args.source.instance)),
+        Response::Refused(refusal) => Err(match (refusal, &changes) {
+            (Refusal::Changes { faults }, Some(file)) => file.refused(faults),
+            (refusal, _) => refused(refusal, &args.source.instance),
+        }),
         _ => Err(unexpected(&args.source.instance)),
     }
 }

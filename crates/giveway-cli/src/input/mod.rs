@@ -1,11 +1,13 @@
 //! What comes in: files and standard input, told apart by what they hold.
 
+mod changes;
 mod instance;
 mod kind;
 mod plan;
 mod scenario;
 mod source;
 
+pub(crate) use changes::changes;
 pub(crate) use instance::{instance, native};
 pub(crate) use kind::Kind;
 pub(crate) use plan::{plan, plan_in};

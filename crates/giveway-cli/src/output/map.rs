@@ -7,7 +7,7 @@
 use std::collections::BTreeMap;
 use std::fmt::Write as _;
 
-use giveway_model::{Agent, Cell, Ground, Instance};
+use giveway_model::{Agent, Cell, Ground, Instance, change::History};
 
 use super::{
     marks::{LETTERS, Style, letter, marks},
@@ -38,6 +38,25 @@ pub(crate) fn draw(instance: &Instance, columns: usize) -> String {
         kinds
     };
     drawing.picture(margin) + &drawing.legend(columns)
+}
+
+/// Draws the map as it is after all changes, with the agents of then where each
+/// has a start and a goal of its own.
+pub(crate) fn draw_over_time(instance: &Instance, history: &History, columns: usize) -> String {
+    let mut scene = instance.to_scene();
+    scene.map = history.last_grid().rows();
+    let there = history.careers().iter().filter(|it| it.until.is_none());
+    scene.agents = there.map(|it| history.agent_now(it, None)).collect();
+    for agent in &mut scene.agents {
+        agent.waypoints.sort_unstable();
+        agent.waypoints.dedup();
+    }
+    let mut drawn = Instance::new(scene.clone());
+    if drawn.is_err() {
+        scene.agents.clear();
+        drawn = Instance::new(scene);
+    }
+    draw(drawn.as_ref().unwrap_or(instance), columns)
 }
 
 struct Drawing<'a> {

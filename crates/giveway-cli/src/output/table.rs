@@ -5,8 +5,9 @@
 use std::fmt::Write as _;
 
 use giveway_model::{
-    Instance, Plan,
-    check::{arrivals, levels},
+    Cell, Instance, Plan,
+    change::{History, Life},
+    check::{arrivals, levels, levels_over_time},
 };
 
 use super::plain;
@@ -17,6 +18,8 @@ const MAX_AGENTS: usize = 40;
 const NAME_COLUMNS: usize = 16;
 /// Longer plans are not told step by step.
 const MAX_TIMES: usize = 2000;
+const TOO_LARGE: &str =
+    "The plan is too large for a table of times; --format json has the whole of it.\n";
 
 /// Draws the table of a plan, in lines of at most so many columns.
 ///
@@ -34,6 +37,35 @@ pub(crate) fn draw(instance: &Instance, plan: &Plan, columns: usize) -> String {
         String::new()
     } else if rows.is_empty() || times > MAX_TIMES {
         summary(instance, &plan)
+    } else {
+        blocks(&rows, times, columns) + &legend(&rows)
+    }
+}
+
+/// Draws the table of a plan around which the world changes, in absolute times.
+pub(crate) fn draw_over_time(history: &History, plan: &Plan, columns: usize) -> String {
+    let careers = history.careers();
+    let mut rows = Vec::new();
+    for life in careers
+        .iter()
+        .filter_map(|career| Life::of(history, career, plan))
+    {
+        let career = life.career;
+        let from = career.from as usize;
+        let levels = levels_over_time(history, &life);
+        rows.append(&mut life_rows(
+            career.name(),
+            from,
+            life.path,
+            life.charges,
+            &levels,
+        ));
+    }
+    let times = rows.iter().map(|row| row.entries.len()).max().unwrap_or(0);
+    if careers.is_empty() {
+        String::new()
+    } else if careers.len() > MAX_AGENTS || times > MAX_TIMES {
+        TOO_LARGE.to_owned()
     } else {
         blocks(&rows, times, columns) + &legend(&rows)
     }
@@ -95,34 +127,37 @@ fn rows(instance: &Instance, plan: &Plan) -> Vec<Row> {
 
 /// The row of cells of an agent and, where it has a battery, that of levels.
 fn agent_rows(instance: &Instance, i: usize, plan: &Plan) -> Vec<Row> {
-    let mut rows = Vec::new();
-    if let Some(agent) = instance.agents().get(i) {
-        let path = plan.path(&agent.name);
-        let from = plan.from.get(&agent.name).map_or(0, |t| *t as usize);
-        let charges = plan.charges(&agent.name);
-        let levels = levels(instance, i, plan);
-        let mark = |k: usize| {
-            let charged = charges.iter().any(|t| *t as usize == from + k);
-            if charged { '*' } else { ' ' }
-        };
-        // Without levels the mark of a charge, which is wrong then, stands at the cell.
-        let cells = path.iter().enumerate().map(|(k, cell)| {
-            let mark = if levels.is_empty() { mark(k) } else { ' ' };
-            cell.map_or("..".to_owned(), |c| format!("{},{}", c.x, c.y))
-                + mark.encode_utf8(&mut [0; 4])
-        });
-        rows.push(Row::after(
-            from,
-            plain::cut(&plain::text(&agent.name), NAME_COLUMNS),
-            cells,
-        ));
-        if !levels.is_empty() {
-            let levels = levels
-                .iter()
-                .enumerate()
-                .map(|(k, n)| format!("{n}{}", mark(k)));
-            rows.push(Row::after(from, "  level".to_owned(), levels));
-        }
+    let Some(agent) = instance.agents().get(i) else {
+        return Vec::new();
+    };
+    let from = plan.from.get(&agent.name).map_or(0, |t| *t as usize);
+    let (path, charges) = (plan.path(&agent.name), plan.charges(&agent.name));
+    life_rows(&agent.name, from, path, charges, &levels(instance, i, plan))
+}
+
+/// The same from the parts; the path and the levels begin at the time `from`.
+fn life_rows(
+    name: &str,
+    from: usize,
+    path: &[Option<Cell>],
+    charges: &[u32],
+    levels: &[i64],
+) -> Vec<Row> {
+    let mark = |k: usize| {
+        let charged = charges.iter().any(|t| *t as usize == from + k);
+        if charged { '*' } else { ' ' }
+    };
+    // Without levels the mark of a charge, which is wrong then, stands at the cell.
+    let cells = path.iter().enumerate().map(|(k, cell)| {
+        let mark = if levels.is_empty() { mark(k) } else { ' ' };
+        cell.map_or("..".to_owned(), |c| format!("{},{}", c.x, c.y)) + mark.encode_utf8(&mut [0; 4])
+    });
+    let name = plain::cut(&plain::text(name), NAME_COLUMNS);
+    let mut rows = vec![Row::after(from, name, cells)];
+    if !levels.is_empty() {
+        let levels = levels.iter().enumerate();
+        let levels = levels.map(|(k, n)| format!("{n}{}", mark(k)));
+        rows.push(Row::after(from, "  level".to_owned(), levels));
     }
     rows
 }
@@ -237,7 +272,7 @@ fn summary(instance: &Instance, plan: &Plan) -> String {
             plan.charges(&agent.name).len(),
         );
     }
-    text + "\nThe plan is too large for a table of times; --format json has the whole of it.\n"
+    format!("{text}\n{TOO_LARGE}")
 }
 
 #[cfg(test)]

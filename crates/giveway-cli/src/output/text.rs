@@ -6,7 +6,7 @@ mod front;
 mod solve;
 mod verify;
 
-pub(crate) use check::check;
+pub(crate) use check::{check, check_over_time};
 pub(crate) use explain::explain;
 pub(crate) use front::front;
 pub(crate) use solve::solve;

@@ -12,6 +12,8 @@ pub(super) enum NoCharge {
     NoBattery,
     /// It has arrived.
     Arrived,
+    /// It has not come yet, or is gone.
+    Absent,
     /// It is half way along a slow move.
     InTransit,
     /// There is no charger where it is.

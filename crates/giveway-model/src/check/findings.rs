@@ -16,14 +16,20 @@ pub(super) enum Place {
 
 /// Collects violations; agents are indices of the instance here.
 pub(super) struct Findings<'a> {
-    instance: &'a Instance,
+    names: Vec<&'a str>,
     found: Vec<(Vec<usize>, Violation)>,
 }
 
 impl<'a> Findings<'a> {
-    pub(super) const fn new(instance: &'a Instance) -> Self {
+    pub(super) fn new(instance: &'a Instance) -> Self {
+        let agents = instance.agents().iter();
+        Self::named(agents.map(|agent| agent.name.as_str()).collect())
+    }
+
+    /// The same for agents of these names.
+    pub(super) const fn named(names: Vec<&'a str>) -> Self {
         Self {
-            instance,
+            names,
             found: Vec::new(),
         }
     }
@@ -62,10 +68,7 @@ impl<'a> Findings<'a> {
 
     /// The name of an agent.
     pub(super) fn name(&self, agent: usize) -> &'a str {
-        self.instance
-            .agents()
-            .get(agent)
-            .map_or("", |agent| agent.name.as_str())
+        self.names.get(agent).copied().unwrap_or("")
     }
 
     /// All violations by time, rule and agents.

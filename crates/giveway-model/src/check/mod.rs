@@ -10,6 +10,7 @@ mod collisions;
 mod costs;
 mod findings;
 mod occupancy;
+mod over_time;
 mod path;
 mod sentence;
 mod shape;
@@ -23,6 +24,7 @@ use findings::Findings;
 
 pub use battery::levels;
 pub use costs::{arrivals, costs};
+pub use over_time::{check_changes, check_history, costs_over_time, levels as levels_over_time};
 pub(crate) use steps::{Step, steps};
 pub(crate) use walk::Walk;
 

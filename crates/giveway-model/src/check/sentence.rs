@@ -16,8 +16,8 @@ pub(super) fn only_transit(agent: &str) -> String {
     format!("The path of {agent} is in transit all the time and names no cell.")
 }
 
-pub(super) fn begins_in_transit(agent: &str) -> String {
-    format!("The path of {agent} begins in transit; at time 0 it must be at its start.")
+pub(super) fn begins_in_transit(agent: &str, from: u32) -> String {
+    format!("The path of {agent} begins in transit; at time {from} it must be at its start.")
 }
 
 pub(super) fn ends_in_transit(agent: &str, time: usize) -> String {
@@ -30,6 +30,41 @@ pub(super) fn stranger(agent: &str, what: &str) -> String {
 
 pub(super) fn needs_changes(agent: &str, what: &str) -> String {
     format!("In this plan {agent} {what}, so judging it needs the changes of the plan.")
+}
+
+pub(super) fn wrong_from(agent: &str, found: u32, from: u32) -> String {
+    format!("The path of {agent} begins at time {found}, but it is there from time {from} on.")
+}
+
+pub(super) fn wrong_until(agent: &str, found: Option<u32>, until: Option<u32>) -> String {
+    match (found, until) {
+        (Some(found), Some(until)) => {
+            format!("The plan has {agent} gone from time {found}, but it is removed at {until}.")
+        }
+        (Some(found), None) => {
+            format!("The plan has {agent} gone from time {found}, but it is not removed.")
+        }
+        (None, Some(until)) => format!(
+            "{agent} is removed at time {until}, but the plan has no time for it in \"until\"."
+        ),
+        (None, None) => String::new(), // nothing differs
+    }
+}
+
+pub(super) fn wrong_end(agent: &str, last: u32, until: u32) -> String {
+    format!(
+        "The path of {agent} ends at time {last}, but it is removed at time {until}, so its last entry must be one before."
+    )
+}
+
+pub(super) fn held(agent: &str, from: Cell, time: u32) -> String {
+    format!("{agent} leaves {from} at time {time}, when a breakdown keeps it there.")
+}
+
+pub(super) fn late_waypoint(agent: &str, waypoint: Cell, since: u32, end: u32) -> String {
+    format!(
+        "{agent} does not visit {waypoint}, a waypoint since time {since}, from then on to the end of its path at time {end}."
+    )
 }
 
 pub(super) fn charge_repeated(agent: &str, time: u32) -> String {
@@ -120,6 +155,7 @@ pub(super) fn charge(agent: &str, time: usize, arrival: usize, why: NoCharge) ->
         NoCharge::Arrived => format!(
             "{agent} charges at time {time}, but it arrives at time {arrival} and may only charge before."
         ),
+        NoCharge::Absent => format!("{agent} charges at time {time}, when it is not there."),
         NoCharge::InTransit => {
             format!("{agent} charges at time {time}, when it is in transit.")
         }

@@ -9,40 +9,77 @@ use crate::{Cell, Instance, Plan};
 pub(super) fn find(instance: &Instance, plan: &Plan, findings: &mut Findings<'_>) {
     for (index, agent) in instance.agents().iter().enumerate() {
         match plan.paths.get(&agent.name) {
-            None => shape(findings, index, 0, sentence::no_path(&agent.name)),
-            Some(path) => find_in_path(path, index, &agent.name, findings),
+            None => push(findings, index, 0, sentence::no_path(&agent.name)),
+            Some(path) => find_in_path(path, index, &agent.name, (0, End::Arrives), findings),
         }
         find_in_charges(plan.charges(&agent.name), index, &agent.name, findings);
         // A first entry at time 0 is the default, written out.
         if plan.from.get(&agent.name).is_some_and(|&from| from > 0) {
             let message = sentence::needs_changes(&agent.name, "joins later");
-            shape(findings, index, 0, message);
+            push(findings, index, 0, message);
         }
         if plan.until.contains_key(&agent.name) {
             let message = sentence::needs_changes(&agent.name, "is removed");
-            shape(findings, index, 0, message);
+            push(findings, index, 0, message);
         }
     }
-    find_strangers(instance, plan, findings);
+    let names = instance.agents().iter().map(|a| a.name.as_str()).collect();
+    find_strangers(names, plan, findings);
 }
 
-fn find_in_path(path: &[Option<Cell>], index: usize, name: &str, findings: &mut Findings<'_>) {
-    if path.is_empty() {
-        shape(findings, index, 0, sentence::empty_path(name));
+/// How a path ends.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum End {
+    /// At the arrival.
+    Arrives,
+    /// Wherever the agent was when it was removed.
+    Gone,
+}
+
+/// Finds what is wrong with a list of cells that begins at a time.
+pub(super) fn find_in_path(
+    path: &[Option<Cell>],
+    index: usize,
+    name: &str,
+    (from, end): (u32, End),
+    findings: &mut Findings<'_>,
+) {
+    if path.is_empty() && end == End::Gone {
+        // It was removed at the very time at which it would have begun.
+    } else if path.is_empty() {
+        push(findings, index, from, sentence::empty_path(name));
     } else if path.iter().all(Option::is_none) {
-        shape(findings, index, 0, sentence::only_transit(name));
+        push(findings, index, from, sentence::only_transit(name));
     } else {
         if let Some(None) = path.first() {
-            shape(findings, index, 0, sentence::begins_in_transit(name));
+            push(
+                findings,
+                index,
+                from,
+                sentence::begins_in_transit(name, from),
+            );
         }
-        if let Some(None) = path.last() {
-            let time = path.len() - 1;
-            shape(findings, index, time, sentence::ends_in_transit(name, time));
+        if let Some(None) = path.last()
+            && end == End::Arrives
+        {
+            let time = from + path.len() as u32 - 1;
+            push(
+                findings,
+                index,
+                time,
+                sentence::ends_in_transit(name, time as usize),
+            );
         }
     }
 }
 
-fn find_in_charges(times: &[u32], index: usize, name: &str, findings: &mut Findings<'_>) {
+/// Finds what is wrong with a list of charges.
+pub(super) fn find_in_charges(
+    times: &[u32],
+    index: usize,
+    name: &str,
+    findings: &mut Findings<'_>,
+) {
     for pair in times.windows(2) {
         if let &[before, time] = pair
             && time <= before
@@ -52,13 +89,13 @@ fn find_in_charges(times: &[u32], index: usize, name: &str, findings: &mut Findi
             } else {
                 sentence::charges_unsorted(name, before, time)
             };
-            shape(findings, index, time as usize, message);
+            push(findings, index, time, message);
         }
     }
 }
 
-fn find_strangers(instance: &Instance, plan: &Plan, findings: &mut Findings<'_>) {
-    let mut known: Vec<&str> = instance.agents().iter().map(|a| a.name.as_str()).collect();
+/// Finds the names in a plan that no agent has.
+pub(super) fn find_strangers(mut known: Vec<&str>, plan: &Plan, findings: &mut Findings<'_>) {
     known.sort_unstable();
     let parts = [
         ("a path", plan.paths.keys().collect::<Vec<_>>()),
@@ -75,6 +112,8 @@ fn find_strangers(instance: &Instance, plan: &Plan, findings: &mut Findings<'_>)
     }
 }
 
-fn shape(findings: &mut Findings<'_>, agent: usize, time: usize, message: String) {
+/// Notes a fault of an agent's path or times.
+pub(super) fn push(findings: &mut Findings<'_>, agent: usize, time: u32, message: String) {
+    let time = time as usize;
     findings.push(Rule::Shape, time, &[agent], Place::Nowhere, message);
 }

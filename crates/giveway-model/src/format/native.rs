@@ -9,6 +9,7 @@ use serde_json::value::RawValue;
 use super::json;
 use super::locate::{Locator, segments};
 use super::text::{Positions, without_mark};
+use crate::change::Changes;
 use crate::{Fault, Instance, Plan, Scene, Version};
 
 pub use super::layout::{write_plan, write_scene};
@@ -46,6 +47,22 @@ pub fn read_instance(text: &str) -> Result<Instance, Vec<Fault>> {
 /// As [`read_scene`]; also when an agent has two paths or two lists of charges.
 pub fn read_plan(text: &str) -> Result<Plan, Fault> {
     read(text, Kind::Plan)
+}
+
+/// Reads changes.
+///
+/// # Errors
+/// As [`read_scene`]; also when a change lacks a key of its kind or has one of
+/// another.
+///
+/// ```
+/// use giveway_model::format::native;
+/// let text = r#"{ "giveway": 1, "changes": [{ "at": -1, "change": "remove-agent", "agent": "A" }] }"#;
+/// let fault = native::read_changes(text).unwrap_err();
+/// assert_eq!(fault.place, "changes[0].at");
+/// ```
+pub fn read_changes(text: &str) -> Result<Changes, Fault> {
+    read(text, Kind::Changes)
 }
 
 /// Reads an object that holds others of the format, such as a request.

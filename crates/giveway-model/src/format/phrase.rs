@@ -139,6 +139,7 @@ fn expectation(expected: &str) -> String {
         "a sequence" => "a list".to_owned(),
         "a map" => "an object".to_owned(),
         "struct Battery" => "an object with capacity and initial".to_owned(),
+        "struct Written" => "an object with at and change".to_owned(),
         "struct Agent" => "an object with name, start and goal".to_owned(),
         other if other.starts_with("struct ") => "an object".to_owned(),
         other => other.replace('`', ""),

@@ -14,7 +14,8 @@
 //! A violation is written as `3 vertex A B 20`: time, rule, agents, and the
 //! cell or the edge (`10-20`), where there is one.
 
-use giveway_model::check::{Violation, check as judge};
+use giveway_model::change::Changes;
+use giveway_model::check::{Violation, check as judge, check_changes};
 use giveway_model::{Agent, AtGoal, Battery, Cell, Costs, Instance, Plan, Rules, Scene};
 
 /// Judges a drawn plan and compares the violations, one a line.
@@ -22,6 +23,11 @@ use giveway_model::{Agent, AtGoal, Battery, Cell, Costs, Instance, Plan, Rules, 
 pub(crate) fn check(map: &str, plan: &str, expected: &str) {
     let (instance, plan) = read(map, plan);
     let report = judge(&instance, &plan);
+    if plan.from.is_empty() && plan.until.is_empty() {
+        // Where nothing changes, the judge of changes is of the same mind.
+        let other = check_changes(&instance, &Changes::default(), &plan);
+        assert_eq!(other.as_ref(), Ok(&report));
+    }
     let found: Vec<String> = report.violations.iter().map(line).collect();
     let expected: Vec<&str> = rows(expected).collect();
     assert_eq!(found, expected);
@@ -40,6 +46,8 @@ pub(crate) fn check_costs(map: &str, plan: &str, expected: [u32; 5]) {
     let (instance, plan) = read(map, plan);
     let report = judge(&instance, &plan);
     assert_eq!(report.violations, []);
+    let other = check_changes(&instance, &Changes::default(), &plan);
+    assert_eq!(other.as_ref(), Ok(&report));
     let [makespan, sum_of_costs, charges, moves, waits] = expected;
     let expected = Costs {
         makespan,

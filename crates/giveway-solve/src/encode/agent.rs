@@ -215,7 +215,10 @@ impl AgentCode {
             Place::Along(arc) => {
                 let (from, _) = terrain.ends(arc);
                 if let Some(&arc) = terrain.arcs(from).iter().find(|a| a.id == arc) {
-                    added.crossings.push((time - 1, arc, [lit, lit]));
+                    // Of one that is there at time 0 the first half is past.
+                    if let Some(before) = time.checked_sub(1) {
+                        added.crossings.push((before, arc, [lit, lit]));
+                    }
                     added.crossings.push((time, arc, [lit, lit]));
                 }
             }

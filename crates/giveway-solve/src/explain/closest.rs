@@ -11,7 +11,7 @@ use crate::{
     condition::Condition,
     meter::Meter,
     problem::{Problem, Relaxed},
-    search::{Before, Bounded, closest as search_closest},
+    search::{Before, Bounded, Extent, closest as search_closest},
     single::Place,
     walk::to_plan,
 };
@@ -78,7 +78,7 @@ fn with(case: &Case, condition: &Condition, costs: Costs, meter: &Rc<Meter>) -> 
     if (0..problem.agents()).any(|a| problem.optima[a] > problem.not_after(a).min(horizon)) {
         return Tried::None;
     }
-    match search_closest(&problem, &before, &bounded, meter) {
+    match search_closest(&problem, &before, &bounded, Extent::Entries, meter) {
         Ok(None) => Tried::None,
         Err(_) => Tried::Unknown,
         Ok(Some(close)) => {

@@ -107,7 +107,10 @@ const NO_PARENT: u32 = u32::MAX;
 impl Search<'_, '_> {
     fn run(&mut self, meter: &Meter) -> Result<Option<(Walk, u32)>, Stop> {
         let task = &self.problem.tasks[self.query.agent];
-        let collisions = self.count(self.others.at(0, task.start));
+        let collisions = match task.first_place() {
+            Place::At(v) => self.count(self.others.at(0, v)),
+            Place::Along(_) => 0,
+        };
         if collisions > 0 && self.query.price.is_none() {
             return Ok(None);
         }

@@ -29,7 +29,17 @@ use crate::{
 use agents::Soft;
 use clauses::Written;
 
-/// What one agent does in the given plan.
+/// What is to be as small as can be.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Extent {
+    /// The number of agents that do something else.
+    Agents,
+    /// Then the number of entries that differ.
+    Entries,
+}
+
+/// What one agent does in the given plan; its walk is empty where it is not
+/// there.
 #[derive(Clone, Debug)]
 pub(crate) struct Before {
     pub(crate) walk: Walk,
@@ -54,6 +64,7 @@ pub(crate) fn closest(
     problem: &Problem,
     before: &[Before],
     bounded: &Bounded,
+    extent: Extent,
     meter: &Rc<Meter>,
 ) -> Result<Option<Close>, Stop> {
     let objective = giveway_model::Objective::default();
@@ -72,14 +83,14 @@ pub(crate) fn closest(
         softs: BTreeMap::new(),
         cores: Vec::new(),
     };
-    if !keep_limits(&mut near.search, bounded)? {
-        return Ok(None);
-    }
-    near.begin(bounded)?;
-    if !near.few_agents()? {
+    if !near.find(bounded)? {
         return Ok(None);
     }
     let mut close = near.read();
+    if extent == Extent::Agents {
+        close.proved = near.is_exact();
+        return Ok(Some(close));
+    }
     // What is found later is only better.
     let end = near.few_entries(&mut close);
     close.proved = matches!(end, Ok(true)) && near.is_exact();
@@ -106,6 +117,16 @@ struct Near<'p, 'h> {
 }
 
 impl Near<'_, '_> {
+    /// Finds a plan in which as few agents as can be do something else; false
+    /// where there is none.
+    fn find(&mut self, bounded: &Bounded) -> Result<bool, Stop> {
+        if !keep_limits(&mut self.search, bounded)? {
+            return Ok(false);
+        }
+        self.begin(bounded)?;
+        self.few_agents()
+    }
+
     /// Puts those inside who cannot do as before, or cost more than they would
     /// alone; the others are where they were.
     fn begin(&mut self, bounded: &Bounded) -> Result<(), Stop> {
@@ -149,10 +170,13 @@ impl Near<'_, '_> {
         let task = &self.problem.tasks[agent];
         let terrain = &self.problem.terrain;
         let Before { walk, charges } = &self.before[agent];
+        if walk.is_empty() {
+            return None;
+        }
         let arrival = arrival(walk);
         let allowed = arrival >= self.problem.optima[agent]
             && arrival <= self.search.cap(agent)
-            && crate::walk::charges(task, terrain, walk).is_some()
+            && crate::walk::lasts(task, walk, charges)
             && charges.iter().all(|&time| {
                 matches!(walk.get(time as usize), Some(Place::At(v))
                     if task.may_charge(terrain, *v, Some(time)))
@@ -182,7 +206,9 @@ impl Near<'_, '_> {
                 (Place::At(_), _) => {
                     let arc = arc?;
                     task.may_cross(arc.id, Some(now)).then_some(())?;
-                    mask |= task.crossed(arc.id, Some(now));
+                    let slow = matches!(pair[1], Place::Along(_));
+                    (arc.slow == slow).then_some(())?;
+                    mask = task.depart(mask, &arc, Some(now))?;
                 }
                 (Place::Along(_), _) => {}
             }

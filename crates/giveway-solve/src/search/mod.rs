@@ -18,6 +18,6 @@ mod sum;
 mod tally;
 mod team;
 
-pub(crate) use closest::{Before, closest};
+pub(crate) use closest::{Before, Extent, closest};
 pub(crate) use lexicographic::{Aim, Bounded, Verdict, find, solve};
 pub(crate) use team::Team;

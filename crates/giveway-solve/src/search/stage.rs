@@ -295,7 +295,8 @@ impl<'p, 'h> Search<'p, 'h> {
         self.limits.insert(cost, SumLimit::new(spare as usize));
         if cost == Cost::SumOfCosts {
             for agent in 0..self.problem.agents() {
-                self.lower_cap(agent, self.problem.optima[agent] + spare);
+                let most = self.problem.optima[agent] + spare;
+                self.lower_cap(agent, self.problem.time_of(agent, most));
             }
         } else {
             self.begun.push(cost);
@@ -312,7 +313,8 @@ impl<'p, 'h> Search<'p, 'h> {
             let digit = match cost {
                 Cost::Makespan => None,
                 Cost::SumOfCosts => {
-                    let time = self.problem.optima[agent] + more;
+                    let cost = self.problem.optima[agent] + more;
+                    let time = self.problem.time_of(agent, cost);
                     self.team.by(agent, time).map(|by| !by)
                 }
                 _ => {

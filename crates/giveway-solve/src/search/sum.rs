@@ -196,11 +196,12 @@ impl SumStage {
     fn literal(&mut self, search: &mut Search, soft: Soft) -> Result<Option<Lit>, Stop> {
         match soft {
             Soft::Agent(agent, most) if self.cost == Cost::SumOfCosts => {
-                search.grow(agent, most)?;
-                if most >= search.cap(agent) {
+                let time = search.problem.time_of(agent, most);
+                search.grow(agent, time)?;
+                if time >= search.cap(agent) {
                     return Ok(None);
                 }
-                Ok(search.team.by(agent, most))
+                Ok(search.team.by(agent, time))
             }
             Soft::Agent(agent, most) => {
                 let more = search.team.more_than(agent, self.cost, most)?;
@@ -326,7 +327,7 @@ impl SumStage {
             }
             for soft in self.softs.values() {
                 if let Soft::Agent(agent, most) = *soft {
-                    caps[agent] = most;
+                    caps[agent] = search.problem.time_of(agent, most);
                 }
             }
             for (agent, cap) in caps.into_iter().enumerate() {

@@ -82,7 +82,7 @@ impl Diagram {
     /// An empty diagram that knows its first node.
     pub(crate) fn new(task: &Task, optimum: u32) -> Self {
         let first = Step {
-            place: Place::At(task.start),
+            place: task.first_place(),
             mask: task.first_mask(),
             battery: task.first_level(),
             level: optimum,

@@ -15,6 +15,23 @@ use crate::{
 /// Times that are followed step by step; later ones are beyond every horizon.
 const MOST_TIMES: u32 = 20_000;
 
+/// The same by the tables alone, after what it has to wait for at first.
+fn at_rest(task: &Task, terrain: &Terrain, to_go: &ToGo, first: State) -> Option<u32> {
+    let (v, delay) = (task.start, task.delay());
+    let steps = to_go.from(v, first.mask, first.battery);
+    let held = task.held.saturating_sub(delay);
+    if held == 0 || steps == Some(0) {
+        return Some(delay + steps?);
+    }
+    let level = match task.reserve {
+        None => 0,
+        // A charge in the last of these steps.
+        Some(reserve) if task.may_charge(terrain, v, None) => reserve.full,
+        Some(_) => first.battery.checked_sub(held)?,
+    };
+    Some(delay + held + to_go.from(v, first.mask, level)?)
+}
+
 /// The earliest arrival; `None` where there is no plan whatever the horizon. For
 /// a demand about very late times it is a lower bound.
 ///
@@ -29,7 +46,7 @@ pub(crate) fn earliest(
     let Some(first) = task.first() else {
         return Ok(None);
     };
-    let table = to_go.from(task.start, first.mask, first.battery);
+    let table = at_rest(task, terrain, to_go, first);
     let Some(table) = table.map(|table| table.max(task.not_before)) else {
         return Ok(None);
     };

@@ -11,5 +11,5 @@ mod to_go;
 pub(crate) use demand::Demand;
 pub(crate) use diagram::{Diagram, Node, NodeId, Place};
 pub(crate) use earliest::earliest;
-pub(crate) use task::{MAX_WAYPOINTS, Reserve, State, Task};
+pub(crate) use task::{Bounds, MAX_WAYPOINTS, Reserve, State, Task};
 pub(crate) use to_go::{Metric, ToGo};

@@ -1,9 +1,11 @@
 //! An agent's task over the graph of the map.
 
+use std::rc::Rc;
+
 use giveway_model::{Agent, Rules};
 
 use super::{Demand, Place};
-use crate::terrain::{Terrain, Vertex};
+use crate::terrain::{Arc, Terrain, Vertex};
 
 /// A set of visited waypoints, one bit each in the order of the agent's list;
 /// after them the bit of a demand that has one.
@@ -22,6 +24,19 @@ pub(crate) struct Reserve {
     pub(crate) initial: u32,
 }
 
+/// Where an agent may go.
+#[derive(Clone, Debug, Default)]
+pub(crate) enum Bounds {
+    /// Anywhere.
+    #[default]
+    Free,
+    /// Only to the vertices marked here.
+    Within(Rc<Vec<bool>>),
+    /// Only along these vertices, one after the other, whenever it likes. Its
+    /// mask is then no set, but how far it has come.
+    Along(Rc<Vec<Vertex>>),
+}
+
 /// What one agent has to do.
 #[derive(Clone, Debug)]
 pub(crate) struct Task {
@@ -35,6 +50,14 @@ pub(crate) struct Task {
     pub(crate) demand: Option<Demand>,
     /// It must not have arrived before this time.
     pub(crate) not_before: u32,
+    /// Where it may go.
+    pub(crate) bounds: Bounds,
+    /// At time 0 it is half way along this arc, whose end is `start`.
+    pub(crate) transit: Option<u32>,
+    /// It begins no move before this time; it may rest at its goal, though.
+    pub(crate) held: u32,
+    /// What it adds to the sum of costs not to arrive at time 0.
+    pub(crate) woken: u32,
 }
 
 /// The state of an agent on its way, with the best battery level that it may
@@ -77,6 +100,10 @@ impl Task {
             reserve,
             demand: None,
             not_before: 0,
+            bounds: Bounds::Free,
+            transit: None,
+            held: 0,
+            woken: 0,
         })
     }
 
@@ -86,18 +113,30 @@ impl Task {
         self.waypoints.len() + usize::from(demanded)
     }
 
+    /// The vertices that it has to go along, where it has.
+    pub(crate) fn along(&self) -> Option<&[Vertex]> {
+        match &self.bounds {
+            Bounds::Along(path) => Some(path),
+            _ => None,
+        }
+    }
+
     /// The set of all waypoints.
     pub(crate) fn all(&self) -> Mask {
-        (1 << self.bits()) - 1
+        (self.masks() - 1) as Mask
     }
 
     /// The number of sets of waypoints.
     pub(crate) fn masks(&self) -> usize {
-        1 << self.bits()
+        self.along()
+            .map_or(1 << self.bits(), |path| path.len().max(1))
     }
 
     /// The waypoint at a vertex, as a set of one; empty elsewhere.
     pub(crate) fn bit(&self, v: Vertex) -> Mask {
+        if self.along().is_some() {
+            return 0;
+        }
         let found = self.waypoints.iter().position(|&w| w == v);
         found.map_or(0, |i| 1 << i)
     }
@@ -117,7 +156,36 @@ impl Task {
 
     /// The battery level at time 0; 0 where it is unlimited.
     pub(crate) fn first_level(&self) -> u32 {
-        self.reserve.map_or(0, |r| r.initial)
+        let delay = self.delay();
+        self.reserve.map_or(0, |r| r.initial.saturating_sub(delay))
+    }
+
+    /// The steps until it is at a vertex for the first time.
+    pub(crate) fn delay(&self) -> u32 {
+        u32::from(self.transit.is_some())
+    }
+
+    /// Where it is at time 0.
+    pub(crate) fn first_place(&self) -> Place {
+        self.transit.map_or(Place::At(self.start), Place::Along)
+    }
+
+    /// The last time at which what it may do differs from later ones.
+    pub(crate) fn last_time(&self) -> Option<u32> {
+        let demanded = self.demand.as_ref().and_then(Demand::last_time);
+        demanded.max((self.held > 0).then_some(self.held))
+    }
+
+    /// Its mask once it has begun to cross an arc; `None` where that is not its
+    /// way.
+    pub(crate) fn depart(&self, mask: Mask, arc: &Arc, now: Option<u32>) -> Option<Mask> {
+        match self.along() {
+            Some(path) => {
+                let next = path.get(mask as usize + 1);
+                (next == Some(&arc.to)).then_some(mask + 1)
+            }
+            None => Some(mask | self.crossed(arc.id, now)),
+        }
     }
 
     /// The bit that beginning to cross an arc sets; none for most arcs.
@@ -135,6 +203,11 @@ impl Task {
 
     /// Whether it may be at a vertex, the waypoints of the mask visited.
     pub(crate) fn may_stand(&self, v: Vertex, mask: Mask, now: Option<u32>) -> bool {
+        if let Bounds::Within(tunnel) = &self.bounds
+            && tunnel.get(v as usize) != Some(&true)
+        {
+            return false;
+        }
         let demand = self.demand.as_ref();
         demand.is_none_or(|demand| demand.may_stand(v, mask, now))
     }
@@ -142,7 +215,8 @@ impl Task {
     /// Whether it may begin to cross an arc.
     pub(crate) fn may_cross(&self, arc: u32, now: Option<u32>) -> bool {
         let demand = self.demand.as_ref();
-        demand.is_none_or(|demand| demand.may_cross(arc, now))
+        now.is_none_or(|now| now >= self.held)
+            && demand.is_none_or(|demand| demand.may_cross(arc, now))
     }
 
     /// Whether it may wait a step.
@@ -175,10 +249,13 @@ impl Task {
     pub(crate) fn first(&self) -> Option<State> {
         let mask = self.first_mask();
         let state = State {
-            place: Place::At(self.start),
+            place: self.first_place(),
             mask,
             battery: self.first_level(),
         };
+        if self.reserve.is_some_and(|r| r.initial < self.delay()) {
+            return None;
+        }
         self.may_stand(self.start, mask, Some(0)).then_some(state)
     }
 
@@ -228,7 +305,9 @@ impl Task {
                     if !self.may_cross(arc.id, Some(now)) {
                         continue;
                     }
-                    let mask = from.mask | self.crossed(arc.id, Some(now));
+                    let Some(mask) = self.depart(from.mask, arc, Some(now)) else {
+                        continue;
+                    };
                     if arc.slow {
                         go(Place::Along(arc.id), mask, after(2), Some(arc.id));
                     } else {

@@ -46,7 +46,8 @@ struct Label {
 
 /// The table of one agent and metric.
 pub(crate) struct ToGo {
-    masks: usize,
+    /// States from one vertex to the next; none where the mask tells the vertex.
+    stride: usize,
     /// Where the labels of each state begin; one more entry than states.
     begins: Vec<u32>,
     labels: Vec<Label>,
@@ -64,7 +65,12 @@ impl ToGo {
         meter: &Meter,
     ) -> Result<Self, Stop> {
         // Where this overflows, as it can in 32 bits, no memory is enough.
-        let states = terrain.len().checked_mul(task.masks());
+        let vertices = if task.along().is_some() {
+            1
+        } else {
+            terrain.len()
+        };
+        let states = vertices.checked_mul(task.masks());
         let bytes = states.and_then(|states| states.checked_mul(16));
         let (Some(states), Some(bytes)) = (states, bytes) else {
             return Err(Stop::Memory);
@@ -80,7 +86,7 @@ impl ToGo {
             found: Vec::new(),
         };
         search.run(meter)?;
-        let table = Self::collect(task.masks(), states, &search.found);
+        let table = Self::collect(stride(task), states, &search.found);
         meter.release(states as u64 * 4);
         Ok(table)
     }
@@ -89,7 +95,7 @@ impl ToGo {
     /// visited, with a battery level of `level`; `None` where the task cannot
     /// be ended from there.
     pub(crate) fn from(&self, v: Vertex, mask: Mask, level: u32) -> Option<u32> {
-        let state = v as usize * self.masks + mask as usize;
+        let state = v as usize * self.stride + mask as usize;
         let (begin, end) = (self.begins[state] as usize, self.begins[state + 1] as usize);
         let labels = &self.labels[begin..end];
         let enough = labels.iter().find(|label| label.need <= level);
@@ -98,7 +104,7 @@ impl ToGo {
 
     /// Sorts the labels by state, each state's by cost; where two have one
     /// cost, only the later, with less need, is kept.
-    fn collect(masks: usize, states: usize, found: &[(u32, Label)]) -> Self {
+    fn collect(stride: usize, states: usize, found: &[(u32, Label)]) -> Self {
         let mut begins = vec![0u32; states + 1];
         for (state, _) in found {
             begins[*state as usize + 1] += 1;
@@ -123,10 +129,18 @@ impl ToGo {
             }
         }
         Self {
-            masks,
+            stride,
             begins,
             labels,
         }
+    }
+}
+
+/// States from one vertex to the next.
+fn stride(task: &Task) -> usize {
+    match task.along() {
+        Some(_) => 0,
+        None => task.masks(),
     }
 }
 
@@ -170,8 +184,18 @@ impl Search<'_> {
 
     /// Pushes the states from which one move leads to (v, mask).
     fn expand(&mut self, v: Vertex, mask: Mask, cost: u32, need: u32) {
-        let bit = self.task.bit(v);
         let terrain = self.terrain;
+        if let Some(path) = self.task.along() {
+            let before = mask.checked_sub(1);
+            let u = before.and_then(|before| path.get(before as usize));
+            let arc = terrain.arcs(v).iter().find(|arc| Some(&arc.to) == u);
+            if let (Some(before), Some(arc)) = (before, arc) {
+                let cost = cost + self.metric.of_move(arc.slow);
+                self.step_back(arc.to, before, cost, need, 1 + u32::from(arc.slow));
+            }
+            return;
+        }
+        let bit = self.task.bit(v);
         for arc in terrain.arcs(v) {
             let u = arc.to;
             let forth = arc.id ^ 1;
@@ -224,6 +248,6 @@ impl Search<'_> {
     }
 
     fn state(&self, v: Vertex, mask: Mask) -> usize {
-        v as usize * self.task.masks() + mask as usize
+        v as usize * stride(self.task) + mask as usize
     }
 }

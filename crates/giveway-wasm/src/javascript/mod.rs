@@ -183,6 +183,7 @@ fn respond(request: Request, host: &dyn Host) -> Result<JsValue, JsValue> {
         Response::Checked(answer) => objects::write(&answer),
         Response::Explained(answer) => objects::write(&answer),
         Response::Certified(report) => objects::write(&report),
+        Response::Changed(answer) => objects::write(&answer),
         Response::Refused(refusal) => Err(refused(refusal)),
     }
 }
@@ -201,6 +202,10 @@ fn refused(refusal: Refusal) -> JsValue {
             error(Code::BadScene, &faults)
         }
         Refusal::Request { fault } => error(Code::BadInput, &[fault]),
+        Refusal::Changes { faults } => {
+            let faults: Vec<Fault> = faults.into_iter().map(|f| at("changes", f)).collect();
+            error(Code::BadInput, &faults)
+        }
         refusal => {
             let (place, expected) = match refusal {
                 Refusal::Plan { .. } => ("plan", "a plan that breaks no rule"),

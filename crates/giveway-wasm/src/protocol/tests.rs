@@ -84,6 +84,7 @@ fn certificates_come_back() {
 fn requests_come_back() {
     check_ask(Request::Solve(solve_request()));
     check_ask(Request::Check(CheckRequest {
+        changes: None,
         scene: scene(),
         plan: Plan::default(),
     }));
@@ -109,7 +110,11 @@ fn responses_come_back() {
     }));
     let scene = scene();
     check_response(serve(
-        &Request::Check(CheckRequest { scene, plan }),
+        &Request::Check(CheckRequest {
+            scene,
+            plan,
+            changes: None,
+        }),
         &SilentHost,
     ));
     check_response(Response::Checked(CheckAnswer {

@@ -3,11 +3,11 @@
 use std::fmt::Write as _;
 
 use anstyle::AnsiColor;
-use giveway_model::{Cost, Instance, Plan};
+use giveway_model::{Cost, Instance, Plan, change::History};
 use giveway_solve::CheckAnswer;
 
 use super::{drawings, paint, title};
-use crate::output::{plain, words};
+use crate::output::{map, plain, table, words};
 
 /// So many violations are told one by one; the rest is counted.
 const TOLD: usize = 100;
@@ -25,6 +25,19 @@ pub(crate) fn check(
         drawings(instance, Some(plan), columns),
     ]
     .join("\n")
+}
+
+/// The same where the world changes while the plan runs; the map is the last.
+pub(crate) fn check_over_time(
+    instance: &Instance,
+    history: &History,
+    plan: &Plan,
+    answer: &CheckAnswer,
+    columns: usize,
+) -> String {
+    let last = map::draw_over_time(instance, history, columns);
+    let table = table::draw_over_time(history, plan, columns);
+    [title(instance), verdict(answer), last, table].join("\n")
 }
 
 fn verdict(answer: &CheckAnswer) -> String {

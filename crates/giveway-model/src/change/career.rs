@@ -1,0 +1,83 @@
+//! What one agent has to do, and how that changed over time.
+
+use crate::{Agent, Cell};
+
+/// A waypoint of an agent, for as long as it is one.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Duty {
+    /// The waypoint.
+    pub cell: Cell,
+    /// From when on it must be visited; `None`: from the agent's beginning.
+    pub since: Option<u32>,
+    /// The time from which it need not be visited any more.
+    pub dropped: Option<u32>,
+}
+
+/// An agent over time. Where several things are of one time, the last counts.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Career {
+    /// The agent as it began; its goal and waypoints may have changed since.
+    pub agent: Agent,
+    /// The time at which it appeared.
+    pub from: u32,
+    /// The time from which it is gone, where it was removed.
+    pub until: Option<u32>,
+    /// Other goals than the agent's first, each with its time; ascending.
+    pub goals: Vec<(u32, Cell)>,
+    /// All waypoints that it ever had.
+    pub duties: Vec<Duty>,
+    /// Levels that its battery was set to, by time; ascending.
+    pub levels: Vec<(u32, u32)>,
+    /// Times at which it may not begin a move: from the first up to, not
+    /// including, the second.
+    pub held: Vec<(u32, u32)>,
+}
+
+impl Career {
+    pub(super) fn new(agent: Agent, from: u32) -> Self {
+        let duty = |&cell: &Cell| Duty {
+            cell,
+            since: None,
+            dropped: None,
+        };
+        Self {
+            from,
+            until: None,
+            goals: Vec::new(),
+            duties: agent.waypoints.iter().map(duty).collect(),
+            levels: Vec::new(),
+            held: Vec::new(),
+            agent,
+        }
+    }
+
+    /// Its name.
+    pub fn name(&self) -> &str {
+        &self.agent.name
+    }
+
+    /// Its goal now, after all changes.
+    pub fn goal(&self) -> Cell {
+        self.goals.last().map_or(self.agent.goal, |&(_, goal)| goal)
+    }
+
+    /// Its goal before the changes of a time, and since when that is its goal,
+    /// where it was another before.
+    pub(super) fn goal_before(&self, time: u32) -> (Cell, Option<u32>) {
+        let earlier = self.goals.iter().rev().find(|(since, _)| *since < time);
+        earlier.map_or((self.agent.goal, None), |&(since, goal)| {
+            (goal, Some(since))
+        })
+    }
+
+    /// The waypoints that it has to visit, after all changes.
+    pub fn duties(&self) -> impl Iterator<Item = &Duty> {
+        self.duties.iter().filter(|duty| duty.dropped.is_none())
+    }
+
+    /// Whether a breakdown keeps it from beginning a move at a time.
+    pub fn is_held(&self, time: u32) -> bool {
+        let mut held = self.held.iter();
+        held.any(|&(from, to)| from <= time && time < to)
+    }
+}

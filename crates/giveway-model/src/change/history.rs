@@ -1,0 +1,124 @@
+//! The world over time: what an instance and the changes of a plan make.
+
+use super::{Career, Changes, Life, MAX_TIME};
+use crate::{Agent, Battery, Fault, Grid, Instance, Plan, Rules};
+
+/// The map from a time on.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Epoch {
+    /// The first time at which the map is so.
+    pub from: u32,
+    /// The map.
+    pub grid: Grid,
+}
+
+/// The world over time.
+///
+/// ```
+/// use giveway_model::{change::History, format::native};
+/// let instance = native::read_instance(r#"{
+///     "giveway": 1,
+///     "map": ["..."],
+///     "agents": [{ "name": "A1", "start": [0, 0], "goal": [2, 0] }]
+/// }"#).unwrap();
+/// let plan = native::read_plan(
+///     r#"{ "giveway": 1, "paths": { "A1": [[0, 0], [1, 0], [2, 0]] } }"#,
+/// ).unwrap();
+/// let changes = native::read_changes(
+///     r#"{ "giveway": 1, "changes": [{ "at": 1, "change": "add-obstacle", "cell": [1, 0] }] }"#,
+/// ).unwrap();
+/// let refused = History::of(&instance, &changes, &plan).unwrap_err();
+/// assert_eq!(refused[0].found, "an obstacle at (1, 0), where A1 is at time 1");
+/// ```
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct History {
+    rules: Rules,
+    stays: bool,
+    first: Grid,
+    pub(super) epochs: Vec<Epoch>,
+    pub(super) careers: Vec<Career>,
+}
+
+impl History {
+    /// The history of an instance in which nothing has changed yet.
+    pub fn new(instance: &Instance) -> Self {
+        let agents = instance.agents().iter().cloned();
+        Self {
+            rules: instance.rules(),
+            stays: instance.stays(),
+            first: instance.grid().clone(),
+            epochs: Vec::new(),
+            careers: agents.map(|agent| Career::new(agent, 0)).collect(),
+        }
+    }
+
+    /// The history of all changes around one plan.
+    ///
+    /// # Errors
+    /// The faults of the first time whose changes contradict the world, with
+    /// their places in the list of changes.
+    pub fn of(instance: &Instance, changes: &Changes, plan: &Plan) -> Result<Self, Vec<Fault>> {
+        let mut history = Self::new(instance);
+        for (at, list) in changes.by_time() {
+            history.apply(at, &list, plan)?;
+        }
+        Ok(history)
+    }
+
+    /// Whether arrived agents stay at their goals.
+    pub const fn stays(&self) -> bool {
+        self.stays
+    }
+
+    /// The rules.
+    pub const fn rules(&self) -> Rules {
+        self.rules
+    }
+
+    /// The map at a time, what changes then included.
+    pub fn grid(&self, time: u32) -> &Grid {
+        let mut epochs = self.epochs.iter().rev();
+        let found = epochs.find(|epoch| epoch.from <= time);
+        found.map_or(&self.first, |epoch| &epoch.grid)
+    }
+
+    /// The map as it is after all changes.
+    pub fn last_grid(&self) -> &Grid {
+        self.grid(MAX_TIME)
+    }
+
+    /// The times at which something changed, ascending.
+    pub fn times(&self) -> impl Iterator<Item = u32> + '_ {
+        self.epochs.iter().map(|epoch| epoch.from)
+    }
+
+    /// All agents that there ever were, in the order in which they came.
+    pub fn careers(&self) -> &[Career] {
+        &self.careers
+    }
+
+    /// The agents that a plan still has at a time: those that were neither
+    /// removed nor have vanished before.
+    pub fn lives<'a>(&'a self, plan: &'a Plan, time: u32) -> Vec<Life<'a>> {
+        let careers = self.careers.iter();
+        let there = careers.filter(|career| career.until.is_none() && career.from <= time);
+        let lives = there.filter_map(|career| Life::of(self, career, plan));
+        lives
+            .filter(|life| self.stays || life.end() >= time)
+            .collect()
+    }
+
+    /// An agent as it is after all changes, from a cell on with a level.
+    pub fn agent_now(&self, career: &Career, level: Option<u32>) -> Agent {
+        Agent {
+            name: career.agent.name.clone(),
+            start: career.agent.start,
+            goal: career.goal(),
+            waypoints: career.duties().map(|duty| duty.cell).collect(),
+            battery: career.agent.battery.map(|battery| Battery {
+                initial: level.unwrap_or(battery.initial),
+                ..battery
+            }),
+        }
+    }
+}

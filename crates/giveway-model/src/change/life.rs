@@ -1,0 +1,165 @@
+//! Where a plan has one agent, over the whole of its time.
+
+use super::{Career, Duty, History};
+use crate::{Cell, Plan};
+
+/// Where an agent is at a time.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Whereabouts {
+    /// Not there: not yet, no longer, or nowhere in the plan.
+    Absent,
+    /// At a cell.
+    At(Cell),
+    /// Half way along a slow move.
+    Transit {
+        /// The cell that it left.
+        from: Cell,
+        /// The cell that it enters one step later, its head.
+        to: Cell,
+    },
+}
+
+/// One agent in a plan, in absolute times. The path may break any rule.
+#[derive(Clone, Copy, Debug)]
+pub struct Life<'a> {
+    /// The agent over time.
+    pub career: &'a Career,
+    /// Where it is from [`Career::from`] on, up to its arrival or removal.
+    pub path: &'a [Option<Cell>],
+    /// The times at which the plan says that it charges, as listed.
+    pub charges: &'a [u32],
+    stays: bool,
+    end: u32,
+}
+
+impl<'a> Life<'a> {
+    /// The life of an agent; `None` where the plan gives it no cell at all.
+    pub fn of(history: &'a History, career: &'a Career, plan: &'a Plan) -> Option<Self> {
+        let mut path = plan.path(career.name());
+        let charges = plan.charges(career.name());
+        let mut life = Self {
+            career,
+            path,
+            charges,
+            stays: history.stays(),
+            end: 0,
+        };
+        if let Some(until) = career.until {
+            let length = until.saturating_sub(career.from) as usize;
+            life.path = path.get(..length).unwrap_or(path);
+            life.end = until.saturating_sub(1);
+            return path.iter().any(Option::is_some).then_some(life);
+        }
+        while let [rest @ .., None] = path {
+            path = rest;
+        }
+        life.path = path;
+        let last = path.len().checked_sub(1)?;
+        life.end = last as u32 + career.from;
+        life.end = life.arrival_in_path();
+        let length = (life.end - career.from) as usize + 1;
+        life.path = path.get(..length).unwrap_or(path);
+        Some(life)
+    }
+
+    /// The last time at which it matters where it is: of an agent that was
+    /// removed the time before that, of any other its arrival.
+    pub const fn end(&self) -> u32 {
+        self.end
+    }
+
+    /// Whether it was removed: then it never arrives.
+    pub const fn is_removed(&self) -> bool {
+        self.career.until.is_some()
+    }
+
+    /// The cell at a time; `None` in transit and where it is not there.
+    pub fn at(&self, time: u32) -> Option<Cell> {
+        let index = time.checked_sub(self.career.from)? as usize;
+        if let Some(entry) = self.path.get(index) {
+            return *entry;
+        }
+        let there = match self.career.until {
+            Some(until) => time < until,
+            None => self.stays || time <= self.end,
+        };
+        self.path.last().copied().flatten().filter(|_| there)
+    }
+
+    /// Where it is at a time.
+    pub fn place(&self, time: u32) -> Whereabouts {
+        if let Some(cell) = self.at(time) {
+            return Whereabouts::At(cell);
+        }
+        let before = time.checked_sub(1).and_then(|time| self.at(time));
+        match (before, self.at(time.saturating_add(1))) {
+            (Some(from), Some(to)) if self.is_listed(time) => Whereabouts::Transit { from, to },
+            _ => Whereabouts::Absent,
+        }
+    }
+
+    fn is_listed(&self, time: u32) -> bool {
+        let index = time.checked_sub(self.career.from);
+        index.is_some_and(|index| (index as usize) < self.path.len())
+    }
+
+    /// Since when it stands at its goal with every waypoint visited and without
+    /// charging, before what changes at a time; `None` where it does not.
+    /// Whoever does so when something changes is taken to sleep up to then.
+    pub fn rests_since(&self, time: u32) -> Option<u32> {
+        let (goal, goal_since) = self.career.goal_before(time);
+        if self.at(time) != Some(goal) {
+            return None;
+        }
+        // Nothing happens after what the path lists.
+        let listed = (self.path.len() as u32).saturating_sub(1) + self.career.from;
+        let mut since = time.min(listed);
+        while since > self.career.from
+            && self.at(since - 1) == Some(goal)
+            && !self.charges.contains(&(since - 1))
+        {
+            since -= 1;
+        }
+        since = since.max(goal_since.unwrap_or(0));
+        let before = |duty: &&Duty| {
+            duty.since.is_none_or(|since| since < time)
+                && duty.dropped.is_none_or(|dropped| dropped >= time)
+        };
+        for duty in self.career.duties.iter().filter(before) {
+            since = since.max(self.visit(duty).filter(|&visit| visit <= time)?);
+        }
+        Some(since)
+    }
+
+    /// When a waypoint is first visited, as its duty asks for.
+    pub fn visit(&self, duty: &Duty) -> Option<u32> {
+        let from = duty.since.unwrap_or(0).max(self.career.from);
+        let mut times = from..=self.end.max(from);
+        times.find(|&time| self.at(time) == Some(duty.cell))
+    }
+
+    /// The first time from which it stands where it ends, that cell being its
+    /// goal and every waypoint visited.
+    fn arrival_in_path(&self) -> u32 {
+        let from = self.career.from;
+        let last = self.path.last().copied().flatten();
+        let goal = self.career.goal();
+        let mut arrival = self.end;
+        if last == Some(goal) {
+            while arrival > from && self.at(arrival - 1) == last {
+                arrival -= 1;
+            }
+            let since = self.career.goals.last().map_or(from, |&(since, _)| since);
+            arrival = arrival.max(since);
+        }
+        let visits = self.career.duties();
+        let visits = visits.filter_map(|duty| {
+            let wait = Self {
+                end: self.end.max(duty.since.unwrap_or(0)),
+                ..*self
+            };
+            wait.visit(duty)
+        });
+        visits.fold(arrival, u32::max)
+    }
+}

@@ -1,0 +1,297 @@
+//! A change as it is written: one object whose keys depend on its kind.
+
+use std::borrow::Cow;
+use std::fmt;
+
+use serde::de::value::MapAccessDeserializer;
+use serde::de::{self, MapAccess, Visitor};
+use serde::{Deserialize, Deserializer, Serialize};
+
+use super::{Change, What};
+use crate::object::object_only;
+use crate::{Agent, Cell};
+
+/// All keys that a change may have.
+#[derive(Clone, Debug, Serialize, Deserialize)]
+#[serde(remote = "Self", deny_unknown_fields)]
+pub(super) struct Written {
+    at: u32,
+    change: Kind,
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    agent: Option<Whom>,
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    cell: Option<Cell>,
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    cells: Option<Vec<Cell>>,
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    from: Option<Cell>,
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    to: Option<Cell>,
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    level: Option<u32>,
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    steps: Option<u32>,
+}
+
+object_only!(Written);
+
+/// The kinds of change, by their names in files.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
+#[serde(rename_all = "kebab-case")]
+enum Kind {
+    AddAgent,
+    RemoveAgent,
+    AddObstacle,
+    RemoveObstacle,
+    MoveObstacle,
+    SetSlow,
+    SetNormal,
+    AddCharger,
+    RemoveCharger,
+    SetGoal,
+    AddWaypoint,
+    DropWaypoint,
+    SetBattery,
+    DelayAgent,
+}
+
+const KINDS: [(&str, Kind); 14] = [
+    ("add-agent", Kind::AddAgent),
+    ("remove-agent", Kind::RemoveAgent),
+    ("add-obstacle", Kind::AddObstacle),
+    ("remove-obstacle", Kind::RemoveObstacle),
+    ("move-obstacle", Kind::MoveObstacle),
+    ("set-slow", Kind::SetSlow),
+    ("set-normal", Kind::SetNormal),
+    ("add-charger", Kind::AddCharger),
+    ("remove-charger", Kind::RemoveCharger),
+    ("set-goal", Kind::SetGoal),
+    ("add-waypoint", Kind::AddWaypoint),
+    ("drop-waypoint", Kind::DropWaypoint),
+    ("set-battery", Kind::SetBattery),
+    ("delay-agent", Kind::DelayAgent),
+];
+
+impl<'de> Deserialize<'de> for Kind {
+    /// By hand, since derived code also takes `{"set-goal": null}`.
+    fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
+        let word = Cow::<str>::deserialize(deserializer)?;
+        let kind = KINDS.iter().find(|(name, _)| *name == word);
+        kind.map(|(_, kind)| *kind).ok_or_else(|| {
+            let names: Vec<&str> = KINDS.iter().map(|(name, _)| *name).collect();
+            de::Error::custom(format!(
+                "unknown variant `{word}`, expected one of {}",
+                names.join(" ")
+            ))
+        })
+    }
+}
+
+/// An agent as a whole, or its name.
+#[derive(Clone, Debug, Serialize)]
+#[serde(untagged)]
+enum Whom {
+    Agent(Agent),
+    Name(String),
+}
+
+impl<'de> Deserialize<'de> for Whom {
+    /// By hand, so that a fault inside of an agent keeps its place.
+    fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
+        struct Either;
+
+        impl<'de> Visitor<'de> for Either {
+            type Value = Whom;
+
+            fn expecting(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+                f.write_str("the name of an agent, or an agent")
+            }
+
+            fn visit_str<E: de::Error>(self, name: &str) -> Result<Whom, E> {
+                Ok(Whom::Name(name.to_owned()))
+            }
+
+            fn visit_map<A: MapAccess<'de>>(self, map: A) -> Result<Whom, A::Error> {
+                Agent::deserialize(MapAccessDeserializer::new(map)).map(Whom::Agent)
+            }
+        }
+
+        deserializer.deserialize_any(Either)
+    }
+}
+
+/// Takes the keys of one kind; what is left over belongs to no such change.
+struct Keys(Written);
+
+impl Keys {
+    fn name(&mut self) -> Result<String, String> {
+        match self.0.agent.take() {
+            Some(Whom::Name(name)) => Ok(name),
+            Some(Whom::Agent(_)) => Err("found an agent, expected the name of one".to_owned()),
+            None => Err(missing("agent")),
+        }
+    }
+
+    fn agent(&mut self) -> Result<Agent, String> {
+        match self.0.agent.take() {
+            Some(Whom::Agent(agent)) => Ok(agent),
+            Some(Whom::Name(_)) => {
+                Err("found the name of an agent, expected the agent as an object".to_owned())
+            }
+            None => Err(missing("agent")),
+        }
+    }
+
+    fn cell(&mut self) -> Result<Cell, String> {
+        self.0.cell.take().ok_or_else(|| missing("cell"))
+    }
+
+    fn cells(&mut self) -> Result<Vec<Cell>, String> {
+        self.0.cells.take().ok_or_else(|| missing("cells"))
+    }
+
+    fn what(&mut self) -> Result<What, String> {
+        Ok(match self.0.change {
+            Kind::AddAgent => What::AddAgent {
+                agent: self.agent()?,
+            },
+            Kind::RemoveAgent => What::RemoveAgent {
+                agent: self.name()?,
+            },
+            Kind::AddObstacle => What::AddObstacle { cell: self.cell()? },
+            Kind::RemoveObstacle => What::RemoveObstacle { cell: self.cell()? },
+            Kind::MoveObstacle => What::MoveObstacle {
+                from: self.0.from.take().ok_or_else(|| missing("from"))?,
+                to: self.0.to.take().ok_or_else(|| missing("to"))?,
+            },
+            Kind::SetSlow => What::SetSlow {
+                cells: self.cells()?,
+            },
+            Kind::SetNormal => What::SetNormal {
+                cells: self.cells()?,
+            },
+            Kind::AddCharger => What::AddCharger { cell: self.cell()? },
+            Kind::RemoveCharger => What::RemoveCharger { cell: self.cell()? },
+            Kind::SetGoal => What::SetGoal {
+                agent: self.name()?,
+                cell: self.cell()?,
+            },
+            Kind::AddWaypoint => What::AddWaypoint {
+                agent: self.name()?,
+                cell: self.cell()?,
+            },
+            Kind::DropWaypoint => What::DropWaypoint {
+                agent: self.name()?,
+                cell: self.cell()?,
+            },
+            Kind::SetBattery => What::SetBattery {
+                agent: self.name()?,
+                level: self.0.level.take().ok_or_else(|| missing("level"))?,
+            },
+            Kind::DelayAgent => What::DelayAgent {
+                agent: self.name()?,
+                steps: self.0.steps.take().ok_or_else(|| missing("steps"))?,
+            },
+        })
+    }
+
+    fn left_over(&self) -> Option<&'static str> {
+        let left = [
+            ("agent", self.0.agent.is_some()),
+            ("cell", self.0.cell.is_some()),
+            ("cells", self.0.cells.is_some()),
+            ("from", self.0.from.is_some()),
+            ("to", self.0.to.is_some()),
+            ("level", self.0.level.is_some()),
+            ("steps", self.0.steps.is_some()),
+        ];
+        left.iter().find(|(_, is)| *is).map(|&(key, _)| key)
+    }
+}
+
+/// In the JSON library's own words, which are made a sentence elsewhere.
+fn missing(key: &str) -> String {
+    format!("missing field `{key}`")
+}
+
+impl TryFrom<Written> for Change {
+    type Error = String;
+
+    fn try_from(written: Written) -> Result<Self, String> {
+        let at = written.at;
+        let kind = written.change;
+        let mut keys = Keys(written);
+        let what = keys.what()?;
+        match keys.left_over() {
+            None => Ok(Self { at, what }),
+            Some(key) => {
+                let name = KINDS.iter().find(|(_, other)| *other == kind);
+                let name = name.map_or("", |(name, _)| name);
+                Err(format!(
+                    "unknown field `{key}`, expected the keys of {name}"
+                ))
+            }
+        }
+    }
+}
+
+impl From<Change> for Written {
+    fn from(change: Change) -> Self {
+        let empty = |kind| Self {
+            at: change.at,
+            change: kind,
+            agent: None,
+            cell: None,
+            cells: None,
+            from: None,
+            to: None,
+            level: None,
+            steps: None,
+        };
+        let of = |kind, agent: String| Self {
+            agent: Some(Whom::Name(agent)),
+            ..empty(kind)
+        };
+        let at = |kind, cell| Self {
+            cell: Some(cell),
+            ..empty(kind)
+        };
+        let all = |kind, cells| Self {
+            cells: Some(cells),
+            ..empty(kind)
+        };
+        let of_at = |kind, agent, cell| Self {
+            cell: Some(cell),
+            ..of(kind, agent)
+        };
+        match change.what {
+            What::AddAgent { agent } => Self {
+                agent: Some(Whom::Agent(agent)),
+                ..empty(Kind::AddAgent)
+            },
+            What::RemoveAgent { agent } => of(Kind::RemoveAgent, agent),
+            What::AddObstacle { cell } => at(Kind::AddObstacle, cell),
+            What::RemoveObstacle { cell } => at(Kind::RemoveObstacle, cell),
+            What::MoveObstacle { from, to } => Self {
+                from: Some(from),
+                to: Some(to),
+                ..empty(Kind::MoveObstacle)
+            },
+            What::SetSlow { cells } => all(Kind::SetSlow, cells),
+            What::SetNormal { cells } => all(Kind::SetNormal, cells),
+            What::AddCharger { cell } => at(Kind::AddCharger, cell),
+            What::RemoveCharger { cell } => at(Kind::RemoveCharger, cell),
+            What::SetGoal { agent, cell } => of_at(Kind::SetGoal, agent, cell),
+            What::AddWaypoint { agent, cell } => of_at(Kind::AddWaypoint, agent, cell),
+            What::DropWaypoint { agent, cell } => of_at(Kind::DropWaypoint, agent, cell),
+            What::SetBattery { agent, level } => Self {
+                level: Some(level),
+                ..of(Kind::SetBattery, agent)
+            },
+            What::DelayAgent { agent, steps } => Self {
+                steps: Some(steps),
+                ..of(Kind::DelayAgent, agent)
+            },
+        }
+    }
+}

@@ -1,0 +1,53 @@
+//! Batteries in a world that changes: levels that are set, agents that sleep.
+
+use super::super::findings::{Findings, Place};
+use super::super::{Rule, sentence};
+use super::alone::may_charge;
+use super::asleep;
+use crate::change::{History, Life};
+
+/// The battery level of an agent at each time from its first to its last;
+/// empty for one without a battery. Levels may be negative: the plan then is
+/// none.
+pub fn levels(history: &History, life: &Life<'_>) -> Vec<i64> {
+    let career = life.career;
+    let Some(battery) = career.agent.battery else {
+        return Vec::new();
+    };
+    let asleep = asleep(history, life);
+    let set_at = |time: u32| {
+        let mut levels = career.levels.iter().rev();
+        levels.find(|(at, _)| *at == time).map(|&(_, level)| level)
+    };
+    let mut level = i64::from(set_at(career.from).unwrap_or(battery.initial));
+    let mut levels = vec![level];
+    for time in career.from..life.end() {
+        let slept = asleep.iter().any(|&(a, b)| a <= time && time < b);
+        if life.charges.contains(&time) && may_charge(history, life, time).is_ok() {
+            level = i64::from(battery.capacity);
+        } else if !slept {
+            level -= 1;
+        }
+        if let Some(set) = set_at(time + 1) {
+            level = i64::from(set);
+        }
+        levels.push(level);
+    }
+    levels
+}
+
+/// Finds the first time of each stretch below the floor.
+pub(super) fn find(history: &History, index: usize, life: &Life<'_>, findings: &mut Findings<'_>) {
+    let floor = i64::from(history.rules().battery_floor);
+    let mut was_below = false;
+    for (i, level) in levels(history, life).into_iter().enumerate() {
+        let below = level < floor;
+        if below && !was_below {
+            let time = life.career.from + i as u32;
+            let message = sentence::battery(life.career.name(), level, floor, time as usize);
+            let place = life.at(time).map_or(Place::Nowhere, Place::Cell);
+            findings.push(Rule::Battery, time as usize, &[index], place, message);
+        }
+        was_below = below;
+    }
+}

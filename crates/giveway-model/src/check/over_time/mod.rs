@@ -1,0 +1,119 @@
+//! The judge of a plan around which the world changes.
+//!
+//! Each time is judged in the world of that time: a step by the map at which it
+//! begins, a cell by the map of its own time. Like [`super::check`] it shares
+//! nothing with the solver.
+
+mod alone;
+mod battery;
+mod shape;
+mod together;
+
+use super::findings::Findings;
+use super::{Report, Step, steps};
+use crate::change::{Career, Changes, History, Life};
+use crate::{Costs, Fault, Instance, Plan};
+
+pub use battery::levels;
+
+/// Judges a plan with the changes of the world while it runs.
+///
+/// Without changes it says what [`check`](super::check) says. A removed agent
+/// leaves all costs; an added one counts with its absolute arrival. An agent
+/// that stands at its goal, everything visited and not charging, when something
+/// changes is taken to have slept up to then: it used no battery and made no
+/// waits.
+///
+/// # Errors
+/// The faults of changes that contradict the world as the plan has it.
+///
+/// ```
+/// use giveway_model::{check::check_changes, format::native};
+/// let instance = native::read_instance(r#"{
+///     "giveway": 1,
+///     "map": ["..."],
+///     "agents": [{ "name": "A1", "start": [0, 0], "goal": [1, 0] }]
+/// }"#).unwrap();
+/// let changes = native::read_changes(r#"{ "giveway": 1, "changes":
+///     [{ "at": 3, "change": "set-goal", "agent": "A1", "cell": [2, 0] }] }"#).unwrap();
+/// let plan = native::read_plan(r#"{ "giveway": 1,
+///     "paths": { "A1": [[0, 0], [1, 0], [1, 0], [1, 0], [2, 0]] } }"#).unwrap();
+/// let report = check_changes(&instance, &changes, &plan).unwrap();
+/// assert!(report.is_valid());
+/// assert_eq!(report.costs.unwrap().waits, 0);
+/// ```
+pub fn check_changes(
+    instance: &Instance,
+    changes: &Changes,
+    plan: &Plan,
+) -> Result<Report, Vec<Fault>> {
+    let history = History::of(instance, changes, plan)?;
+    Ok(check_history(&history, plan))
+}
+
+/// Judges a plan in a history that was made from it.
+pub fn check_history(history: &History, plan: &Plan) -> Report {
+    let careers = history.careers();
+    let mut findings = Findings::named(careers.iter().map(Career::name).collect());
+    shape::find(history, plan, &mut findings);
+    let lives: Vec<(usize, Life<'_>)> = careers
+        .iter()
+        .enumerate()
+        .filter_map(|(index, career)| Some((index, Life::of(history, career, plan)?)))
+        .collect();
+    for &(index, life) in &lives {
+        alone::find(history, index, &life, &mut findings);
+        battery::find(history, index, &life, &mut findings);
+    }
+    together::find(history, &lives, &mut findings);
+    Report {
+        violations: findings.into_violations(),
+        costs: costs(history, plan),
+    }
+}
+
+/// The five costs of a plan in a history; `None` where an agent has no path.
+pub fn costs_over_time(history: &History, plan: &Plan) -> Option<Costs> {
+    costs(history, plan)
+}
+
+fn costs(history: &History, plan: &Plan) -> Option<Costs> {
+    let mut costs = Costs::default();
+    for career in history.careers() {
+        if career.until.is_some() {
+            continue;
+        }
+        let life = Life::of(history, career, plan)?;
+        costs.makespan = costs.makespan.max(life.end());
+        costs.sum_of_costs = costs.sum_of_costs.saturating_add(life.end());
+        costs.charges = costs.charges.saturating_add(life.charges.len() as u32);
+        let asleep = asleep(history, &life);
+        for (begin, step) in steps(history.grid(0), life.path) {
+            let time = begin as u32 + career.from;
+            match step {
+                Step::Wait if asleep.iter().any(|&(a, b)| a <= time && time < b) => {}
+                Step::Wait => costs.waits = costs.waits.saturating_add(1),
+                _ => costs.moves = costs.moves.saturating_add(1),
+            }
+        }
+        // An agent that waits for a goal or a waypoint of its own cell need not
+        // have it listed.
+        let listed = life.path.len() as u32 + career.from;
+        for time in listed.saturating_sub(1)..life.end() {
+            let slept = asleep.iter().any(|&(a, b)| a <= time && time < b);
+            costs.waits = costs.waits.saturating_add(u32::from(!slept));
+        }
+    }
+    Some(costs)
+}
+
+/// The times that an agent slept through: from its rest up to a change.
+fn asleep(history: &History, life: &Life<'_>) -> Vec<(u32, u32)> {
+    let from = life.career.from;
+    let times = history.times();
+    times
+        .filter(|&time| from < time && time <= life.end())
+        .filter_map(|time| Some((life.rests_since(time)?, time)))
+        .filter(|(since, time)| since < time)
+        .collect()
+}

@@ -1,0 +1,158 @@
+//! The answer: for each time, what each method makes of it.
+
+use std::fmt;
+
+use giveway_model::{Cell, Costs, Version};
+use serde::de::{MapAccess, Visitor};
+use serde::ser::SerializeMap;
+use serde::{Deserialize, Deserializer, Serialize, Serializer};
+
+use super::Method;
+use crate::SolveAnswer;
+
+/// Why a method had to let agents go their own way, or why there is no plan.
+#[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
+pub struct Cause {
+    /// The agent.
+    pub agent: String,
+    /// What keeps it from what the method asks of it.
+    pub kind: CauseKind,
+    /// Where; `null` where it is no cell alone.
+    pub cell: Option<Cell>,
+    /// Where agents block each other: all of them.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub agents: Vec<String>,
+    /// The makespan up to which that was shown; `null` where it holds whatever
+    /// the horizon.
+    pub within: Option<u32>,
+    /// The same as a sentence.
+    pub text: String,
+}
+
+/// What keeps an agent from what a method asks of it.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(rename_all = "kebab-case")]
+pub enum CauseKind {
+    /// An obstacle on the rest of its path, its goal or a waypoint.
+    Obstacle,
+    /// A goal that its path does not end at, or its tunnel does not hold.
+    Goal,
+    /// A waypoint off its path, or off its tunnel.
+    Waypoint,
+    /// A battery that does not last.
+    Battery,
+    /// No way at all.
+    NoWay,
+    /// Agents that block each other for good.
+    Blocked,
+}
+
+/// What one method makes of the changes of one time. The plan runs from time 0,
+/// and so do costs and bounds.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+pub struct MethodAnswer {
+    /// The plan, and what is proved of it.
+    #[serde(flatten)]
+    pub result: SolveAnswer,
+    /// Old agents with the same cells, times and charges.
+    pub kept: Vec<String>,
+    /// Old agents with the same sequence of cells at other times.
+    pub retimed: Vec<String>,
+    /// Old agents that go another way.
+    pub rerouted: Vec<String>,
+    /// Agents that are new at this time.
+    pub added: Vec<String>,
+    /// Old agents that the method could not hold to what it asks for.
+    pub freed: Vec<String>,
+    /// Whether it is proved that no fewer agents could be freed.
+    pub fewest: bool,
+    /// Why agents were freed, or why there is no plan.
+    pub cause: Option<Cause>,
+    /// Whether it is proved that no plan as good disturbs fewer agents.
+    pub closest: bool,
+}
+
+/// The answers of the methods, in the order in which they were asked.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Methods(pub Vec<(Method, MethodAnswer)>);
+
+impl Methods {
+    /// The answer of one method.
+    pub fn get(&self, method: Method) -> Option<&MethodAnswer> {
+        let found = self.0.iter().find(|(other, _)| *other == method);
+        found.map(|(_, answer)| answer)
+    }
+}
+
+impl Serialize for Methods {
+    fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
+        let mut map = serializer.serialize_map(Some(self.0.len()))?;
+        for (method, answer) in &self.0 {
+            map.serialize_entry(method, answer)?;
+        }
+        map.end()
+    }
+}
+
+impl<'de> Deserialize<'de> for Methods {
+    fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
+        struct InOrder;
+
+        impl<'de> Visitor<'de> for InOrder {
+            type Value = Methods;
+
+            fn expecting(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+                f.write_str("an object by methods")
+            }
+
+            fn visit_map<A: MapAccess<'de>>(self, mut map: A) -> Result<Methods, A::Error> {
+                let mut methods = Vec::new();
+                while let Some(entry) = map.next_entry()? {
+                    methods.push(entry);
+                }
+                Ok(Methods(methods))
+            }
+        }
+
+        deserializer.deserialize_map(InOrder)
+    }
+}
+
+/// The changes of one time, and how to go on.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+pub struct Step {
+    /// The time.
+    pub at: u32,
+    /// The costs of the plan before anything changed.
+    pub before: Option<Costs>,
+    /// What the methods make of it.
+    pub methods: Methods,
+    /// The method whose plan is followed from then on; `null` where none has
+    /// one, and then nothing later is looked at.
+    pub adopted: Option<Method>,
+}
+
+/// The answer to a change request.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+pub struct ChangeAnswer {
+    /// The format's version.
+    pub giveway: Version,
+    /// The last time at which something changed; `null` where nothing does that
+    /// the plan does not know yet.
+    pub at: Option<u32>,
+    /// The costs of the plan before that.
+    pub before: Option<Costs>,
+    /// What the methods make of it.
+    pub methods: Methods,
+    /// The method whose plan is followed.
+    pub adopted: Option<Method>,
+    /// The earlier times.
+    pub history: Vec<Step>,
+}
+
+impl ChangeAnswer {
+    /// The answer of the method that was adopted last.
+    pub fn adopted(&self) -> Option<&MethodAnswer> {
+        self.methods.get(self.adopted?)
+    }
+}

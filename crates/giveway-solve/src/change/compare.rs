@@ -1,0 +1,63 @@
+//! What became of each old agent.
+
+use giveway_model::{
+    Cell, Plan,
+    change::{History, Life},
+};
+
+use super::world::World;
+
+/// Agents by what the new plan makes of them.
+#[derive(Default)]
+pub(super) struct Comparison {
+    pub(super) kept: Vec<String>,
+    pub(super) retimed: Vec<String>,
+    pub(super) rerouted: Vec<String>,
+    pub(super) added: Vec<String>,
+}
+
+/// Compares a new plan with the old one, from the change on.
+pub(super) fn compare(world: &World<'_>, plan: &Plan) -> Comparison {
+    let mut comparison = Comparison::default();
+    for (index, career) in world.after.careers().iter().enumerate() {
+        let name = career.name().to_owned();
+        if career.until.is_some() {
+            continue;
+        }
+        if world.before.careers().len() <= index {
+            comparison.added.push(name);
+            continue;
+        }
+        let (old, new) = (
+            rest(world.before, index, world.plan, world.at),
+            rest(world.after, index, plan, world.at),
+        );
+        let cells = |entries: &[Option<Cell>]| {
+            let mut cells: Vec<Cell> = entries.iter().copied().flatten().collect();
+            cells.dedup();
+            cells
+        };
+        let list = if old == new {
+            &mut comparison.kept
+        } else if cells(&old.0) == cells(&new.0) {
+            &mut comparison.retimed
+        } else {
+            &mut comparison.rerouted
+        };
+        list.push(name);
+    }
+    comparison
+}
+
+/// The entries and the charges of an agent from a time on.
+fn rest(history: &History, index: usize, plan: &Plan, at: u32) -> (Vec<Option<Cell>>, Vec<u32>) {
+    let career = history.careers().get(index);
+    let Some(life) = career.and_then(|career| Life::of(history, career, plan)) else {
+        return Default::default();
+    };
+    let entries = (at..=life.end().max(at))
+        .map(|time| life.at(time))
+        .collect();
+    let charges = life.charges.iter().copied().filter(|&time| time >= at);
+    (entries, charges.collect())
+}

@@ -1,0 +1,108 @@
+//! What a method asks of an old agent: its bounds, or why they cannot be.
+
+use std::collections::VecDeque;
+use std::rc::Rc;
+
+use giveway_model::Cell;
+
+use super::{CauseKind, Method, world::Member};
+use crate::{
+    single::Bounds,
+    terrain::{Terrain, Vertex},
+};
+
+/// Why an agent cannot be held to what a method asks of it.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) struct Fault {
+    pub(super) kind: CauseKind,
+    pub(super) cell: Option<Cell>,
+}
+
+impl Fault {
+    const fn at(kind: CauseKind, cell: Cell) -> Self {
+        Self {
+            kind,
+            cell: Some(cell),
+        }
+    }
+}
+
+/// What an agent cannot do by any method: go to an obstacle.
+pub(super) fn blocked(member: &Member, terrain: &Terrain) -> Option<Fault> {
+    let mut cells = member.waypoints.iter().chain([&member.goal]);
+    let blocked = cells.find(|&&cell| terrain.vertex(cell).is_none());
+    blocked.map(|&cell| Fault::at(CauseKind::Obstacle, cell))
+}
+
+/// The bounds of an agent under a method.
+pub(super) fn bounds(method: Method, member: &Member, terrain: &Terrain) -> Result<Bounds, Fault> {
+    if !member.is_old {
+        return Ok(Bounds::Free);
+    }
+    match method {
+        Method::Replan => Ok(Bounds::Free),
+        Method::Revise => along(member, terrain),
+        Method::Tunnel(width) => within(member, terrain, width),
+    }
+}
+
+/// The first obstacle on the rest of an old path.
+pub(super) fn obstacle(member: &Member, terrain: &Terrain) -> Option<Fault> {
+    let mut rest = member.rest.iter();
+    let blocked = rest.find(|&&cell| terrain.vertex(cell).is_none());
+    blocked.map(|&cell| Fault::at(CauseKind::Obstacle, cell))
+}
+
+fn along(member: &Member, terrain: &Terrain) -> Result<Bounds, Fault> {
+    if let Some(fault) = obstacle(member, terrain) {
+        return Err(fault);
+    }
+    if member.rest.last() != Some(&member.goal) {
+        return Err(Fault::at(CauseKind::Goal, member.goal));
+    }
+    let mut waypoints = member.waypoints.iter();
+    if let Some(&missed) = waypoints.find(|cell| !member.rest.contains(cell)) {
+        return Err(Fault::at(CauseKind::Waypoint, missed));
+    }
+    let path: Vec<Vertex> = member
+        .rest
+        .iter()
+        .filter_map(|&c| terrain.vertex(c))
+        .collect();
+    Ok(Bounds::Along(Rc::new(path)))
+}
+
+fn within(member: &Member, terrain: &Terrain, width: u32) -> Result<Bounds, Fault> {
+    let mut tunnel = vec![false; terrain.len()];
+    let mut queue = VecDeque::new();
+    for v in member.rest.iter().filter_map(|&cell| terrain.vertex(cell)) {
+        if let Some(inside) = tunnel.get_mut(v as usize)
+            && !std::mem::replace(inside, true)
+        {
+            queue.push_back((v, 0));
+        }
+    }
+    while let Some((v, steps)) = queue.pop_front() {
+        if steps == width {
+            continue;
+        }
+        for arc in terrain.arcs(v) {
+            if let Some(inside) = tunnel.get_mut(arc.to as usize)
+                && !std::mem::replace(inside, true)
+            {
+                queue.push_back((arc.to, steps + 1));
+            }
+        }
+    }
+    let holds = |cell: Cell| {
+        let v = terrain.vertex(cell);
+        v.is_some_and(|v| tunnel.get(v as usize) == Some(&true))
+    };
+    if !holds(member.goal) {
+        return Err(Fault::at(CauseKind::Goal, member.goal));
+    }
+    if let Some(&missed) = member.waypoints.iter().find(|&&cell| !holds(cell)) {
+        return Err(Fault::at(CauseKind::Waypoint, missed));
+    }
+    Ok(Bounds::Within(Rc::new(tunnel)))
+}

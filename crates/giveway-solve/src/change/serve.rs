@@ -1,0 +1,119 @@
+//! A change request: one time after the other.
+
+use std::rc::Rc;
+
+use giveway_model::{
+    Cost, Instance, Objective, Plan, Version,
+    change::{Changes, History},
+    check::{Violation, check_history},
+};
+
+use super::{
+    ChangeAnswer, ChangeRequest, Method, MethodAnswer, Methods, Step, freed::Case, method,
+    world::World,
+};
+use crate::{Host, meter::Meter, service::Refusal};
+
+/// Serves a change request.
+///
+/// # Errors
+/// Where the scene, the plan or a change is refused.
+pub(crate) fn serve(request: &ChangeRequest, host: &dyn Host) -> Result<ChangeAnswer, Refusal> {
+    let instance = Instance::new(request.scene.clone());
+    let instance = instance.map_err(|faults| Refusal::Scene { faults })?;
+    let objective = request.objective.as_ref().unwrap_or(instance.objective());
+    let objective = makespan_first(objective);
+    let (mut history, known) = adopted_so_far(&instance, &request.changes, &request.plan)?;
+    let mut plan = request.plan.clone();
+    let mut steps: Vec<Step> = Vec::new();
+    for (at, list) in request.changes.by_time().into_iter().skip(known) {
+        let mut after = history.clone();
+        let applied = after.apply(at, &list, &plan);
+        applied.map_err(|faults| Refusal::Changes { faults })?;
+        let world = World::new(at, &history, &after, &plan);
+        let mut methods = Vec::new();
+        for &method in &request.methods {
+            let case = Case {
+                world: &world,
+                method,
+                objective: &objective,
+                within: request.within.map(|within| within.saturating_sub(at)),
+                meter: Rc::new(Meter::new(host, request.limits)),
+            };
+            methods.push((method, method::run(&case)));
+        }
+        let (adopted, next) = adopt(&methods);
+        let before = method::costs_before(&world);
+        drop(world);
+        steps.push(Step {
+            at,
+            before,
+            methods: Methods(methods),
+            adopted,
+        });
+        match next {
+            Some(next) => plan = next,
+            None => break,
+        }
+        history = after;
+    }
+    let last = steps.pop();
+    Ok(ChangeAnswer {
+        giveway: Version,
+        at: last.as_ref().map(|step| step.at),
+        before: last.as_ref().and_then(|step| step.before),
+        adopted: last.as_ref().and_then(|step| step.adopted),
+        methods: last.map(|step| step.methods).unwrap_or_default(),
+        history: steps,
+    })
+}
+
+/// The first method that has a plan.
+fn adopt(methods: &[(Method, MethodAnswer)]) -> (Option<Method>, Option<Plan>) {
+    let found = methods
+        .iter()
+        .find_map(|(method, answer)| Some((*method, answer.result.plan.clone()?)));
+    found.unzip()
+}
+
+/// The makespan, then the other costs in order.
+fn makespan_first(objective: &Objective) -> Objective {
+    let others = objective.costs().iter().copied();
+    let mut costs = vec![Cost::Makespan];
+    costs.extend(others.filter(|&cost| cost != Cost::Makespan));
+    // It has each cost once, as the given one has.
+    Objective::new(costs).unwrap_or_default()
+}
+
+/// The history with the changes that the plan knows already: as few times as
+/// make it valid.
+fn adopted_so_far(
+    instance: &Instance,
+    changes: &Changes,
+    plan: &Plan,
+) -> Result<(History, usize), Refusal> {
+    let mut history = History::new(instance);
+    let mut broken: Option<Vec<Violation>> = None;
+    let times = changes.by_time();
+    for known in 0..=times.len() {
+        let report = check_history(&history, plan);
+        if report.is_valid() {
+            return Ok((history, known));
+        }
+        let fewer = broken
+            .as_ref()
+            .is_none_or(|broken| report.violations.len() < broken.len());
+        if fewer {
+            broken = Some(report.violations);
+        }
+        let next = times
+            .get(known)
+            .map(|(at, list)| history.apply(*at, list, plan));
+        if !matches!(next, Some(Ok(()))) {
+            break;
+        }
+    }
+    Err(Refusal::Plan {
+        violations: broken.unwrap_or_default(),
+    })
+}

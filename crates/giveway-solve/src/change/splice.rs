@@ -1,0 +1,96 @@
+//! The new plan behind the past, as one plan from time 0.
+
+use giveway_model::{
+    Cell, Plan,
+    change::{Life, Whereabouts},
+};
+
+use super::world::World;
+use crate::{
+    problem::Problem,
+    single::Place,
+    walk::{Walk, charges},
+};
+
+/// Puts walks from the time of the change on behind the past. Agents that do
+/// the `same` as before charge as before, too.
+pub(super) fn splice(world: &World<'_>, problem: &Problem, walks: &[Walk], same: &[bool]) -> Plan {
+    let mut plan = past(world);
+    for (agent, member) in world.members.iter().enumerate() {
+        let (Some(walk), Some(task)) = (walks.get(agent), problem.tasks.get(agent)) else {
+            continue;
+        };
+        let cell = |place: &Place| match *place {
+            Place::At(v) => Some(problem.terrain.cell(v)),
+            Place::Along(_) => None,
+        };
+        let path = plan.paths.entry(member.name.clone()).or_default();
+        path.extend(walk.iter().map(cell));
+        let own = if same.get(agent) == Some(&true) {
+            let old = world.plan.charges(&member.name);
+            old.iter()
+                .copied()
+                .filter(|&time| time >= world.at)
+                .collect()
+        } else {
+            let charges = charges(task, &problem.terrain, walk).unwrap_or_default();
+            charges
+                .iter()
+                .map(|time| time + world.at)
+                .collect::<Vec<u32>>()
+        };
+        let listed = plan.charges.entry(member.name.clone()).or_default();
+        listed.extend(own);
+    }
+    plan.charges.retain(|_, charges| !charges.is_empty());
+    for career in world.after.careers() {
+        let life = Life::of(world.after, career, &plan);
+        let cut = life.map(|life| life.path.to_vec());
+        if let (Some(cut), None) = (cut, career.until) {
+            plan.paths.insert(career.name().to_owned(), cut);
+        }
+    }
+    plan
+}
+
+/// The plan up to the change: all of those that are gone, and of the others
+/// what is before the change.
+fn past(world: &World<'_>) -> Plan {
+    let mut plan = Plan {
+        from: world.plan.from.clone(),
+        until: world.plan.until.clone(),
+        ..Plan::default()
+    };
+    for career in world.after.careers() {
+        let name = career.name();
+        let goes_on = world.members.iter().any(|member| member.name == name);
+        let removed = career.until == Some(world.at);
+        if !goes_on && !removed {
+            plan.paths
+                .insert(name.to_owned(), world.plan.path(name).to_vec());
+            plan.charges
+                .insert(name.to_owned(), world.plan.charges(name).to_vec());
+            continue;
+        }
+        if career.from > 0 {
+            plan.from.insert(name.to_owned(), career.from);
+        }
+        let before = world.before.careers().iter().find(|c| c.name() == name);
+        let life = before.and_then(|career| Life::of(world.before, career, world.plan));
+        let mut path: Vec<Option<Cell>> = Vec::new();
+        if let Some(life) = life {
+            path.extend((career.from..world.at).map(|time| match life.place(time) {
+                Whereabouts::At(cell) => Some(cell),
+                _ => None,
+            }));
+            let mut charges = life.charges.to_vec();
+            charges.retain(|&time| time < world.at);
+            plan.charges.insert(name.to_owned(), charges);
+        }
+        plan.paths.insert(name.to_owned(), path);
+        if removed {
+            plan.until.insert(name.to_owned(), world.at);
+        }
+    }
+    plan
+}

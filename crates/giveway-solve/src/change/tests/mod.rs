@@ -1,0 +1,3 @@
+//! How plans go on around which the world changes.
+
+mod example;

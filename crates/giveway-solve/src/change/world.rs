@@ -1,0 +1,260 @@
+//! The world at the time of a change, as the search sees it: agents half way
+//! through their tasks, times counted from then.
+
+use giveway_model::{
+    Cell, Plan,
+    change::{Career, Duty, History, Life, Whereabouts},
+    check::levels_over_time,
+};
+
+use crate::{
+    search::Before,
+    single::{Bounds, MAX_WAYPOINTS, Place, Reserve, Task},
+    terrain::{Terrain, Vertex},
+    walk::Walk,
+};
+
+/// An agent that goes on, or begins.
+pub(super) struct Member {
+    pub(super) name: String,
+    /// Whether it has been there before.
+    pub(super) is_old: bool,
+    /// Where it is now; where it is half way, the cell that it enters next.
+    pub(super) here: Cell,
+    /// The cell that it leaves, where it is half way.
+    pub(super) tail: Option<Cell>,
+    pub(super) goal: Cell,
+    /// The waypoints that it has still to visit.
+    pub(super) waypoints: Vec<Cell>,
+    /// Its level now and its capacity.
+    battery: Option<(u32, u32)>,
+    held: u32,
+    /// How long it has slept at its goal.
+    slept: u32,
+    /// The cells of the rest of its old path, waits taken out.
+    pub(super) rest: Vec<Cell>,
+    /// The entries of the rest of its old path.
+    entries: Vec<Option<Cell>>,
+    charges: Vec<u32>,
+}
+
+/// The world from the time of a change on.
+pub(super) struct World<'a> {
+    pub(super) at: u32,
+    /// What was before, and with the changes.
+    pub(super) before: &'a History,
+    pub(super) after: &'a History,
+    pub(super) plan: &'a Plan,
+    pub(super) members: Vec<Member>,
+}
+
+impl<'a> World<'a> {
+    /// The world of a plan at a time; `before` has not the changes of that
+    /// time, `after` has.
+    pub(super) fn new(at: u32, before: &'a History, after: &'a History, plan: &'a Plan) -> Self {
+        let lives = before.lives(plan, at);
+        let mut members = Vec::new();
+        for (index, career) in after.careers().iter().enumerate() {
+            if career.until.is_some() {
+                continue;
+            }
+            let old = lives
+                .iter()
+                .find(|life| life.career.name() == career.name());
+            if let Some(life) = old {
+                members.extend(Member::old(career, life, before, at));
+            } else if before.careers().len() <= index {
+                members.push(Member::new(career, at));
+            }
+        }
+        Self {
+            at,
+            before,
+            after,
+            plan,
+            members,
+        }
+    }
+
+    /// The map of now.
+    pub(super) fn terrain(&self) -> Terrain {
+        Terrain::new(self.after.grid(self.at))
+    }
+
+    /// The task of an agent within bounds; `None` where it can do nothing.
+    pub(super) fn task(
+        &self,
+        member: &Member,
+        bounds: Bounds,
+        terrain: &mut Terrain,
+    ) -> Option<Task> {
+        let floor = self.after.rules().battery_floor;
+        let mut bounds = bounds;
+        let mut waypoints: Option<Vec<Vertex>> = None;
+        let mut reserve = None;
+        if let Some((level, capacity)) = member.battery {
+            let levels = level.checked_sub(floor).zip(capacity.checked_sub(floor));
+            match levels {
+                Some((initial, full)) => reserve = Some(Reserve { full, initial }),
+                // Who sleeps needs no battery, as long as nobody wakes it.
+                None if self.sleeps_on(member) => {
+                    bounds = Bounds::Along(vec![terrain.vertex(member.here)?].into());
+                }
+                None => return None,
+            }
+        }
+        if !matches!(bounds, Bounds::Along(_)) {
+            let cells = member.waypoints.iter().take(MAX_WAYPOINTS + 1);
+            waypoints = Some(
+                cells
+                    .map(|&cell| terrain.vertex(cell))
+                    .collect::<Option<_>>()?,
+            );
+        }
+        let start = terrain.vertex(member.here)?;
+        let transit = member.tail.map(|tail| {
+            let from = terrain.vertex(tail);
+            terrain.transit(from, start)
+        });
+        Some(Task {
+            start,
+            goal: terrain.vertex(member.goal)?,
+            waypoints: waypoints.unwrap_or_default(),
+            reserve,
+            demand: None,
+            not_before: 0,
+            bounds,
+            transit,
+            held: member.held,
+            woken: member.slept,
+        })
+    }
+
+    /// Whether an agent has nothing more to do.
+    fn sleeps_on(&self, member: &Member) -> bool {
+        let waypoints = member.waypoints.iter();
+        self.after.stays()
+            && member.tail.is_none()
+            && member.here == member.goal
+            && waypoints.clone().all(|&cell| cell == member.here)
+    }
+}
+
+impl Member {
+    pub(super) const fn has_battery(&self) -> bool {
+        self.battery.is_some()
+    }
+
+    fn new(career: &Career, at: u32) -> Self {
+        let agent = &career.agent;
+        let level = level_set(career, at);
+        let mut waypoints: Vec<Cell> = career.duties().map(|duty| duty.cell).collect();
+        waypoints.sort_unstable();
+        waypoints.dedup();
+        Self {
+            name: agent.name.clone(),
+            is_old: false,
+            here: agent.start,
+            tail: None,
+            goal: career.goal(),
+            waypoints,
+            battery: agent
+                .battery
+                .map(|battery| (level.unwrap_or(battery.initial), battery.capacity)),
+            held: held(career, at),
+            slept: 0,
+            rest: Vec::new(),
+            entries: Vec::new(),
+            charges: Vec::new(),
+        }
+    }
+
+    fn old(career: &Career, life: &Life<'_>, before: &History, at: u32) -> Option<Self> {
+        let (here, tail) = match life.place(at) {
+            Whereabouts::At(cell) => (cell, None),
+            Whereabouts::Transit { from, to } => (to, Some(from)),
+            Whereabouts::Absent => return None,
+        };
+        let entries: Vec<Option<Cell>> = (at..=life.end().max(at)).map(|t| life.at(t)).collect();
+        let mut rest: Vec<Cell> = entries.iter().copied().flatten().collect();
+        rest.dedup();
+        let pending = |duty: &&Duty| {
+            let is_new = duty.since == Some(at);
+            is_new || life.visit(duty).is_none_or(|visit| visit > at)
+        };
+        let mut waypoints: Vec<Cell> = career.duties().filter(pending).map(|d| d.cell).collect();
+        waypoints.sort_unstable();
+        waypoints.dedup();
+        let level = career.agent.battery.map(|battery| {
+            let levels = levels_over_time(before, life);
+            let now = at.min(life.end()).saturating_sub(career.from) as usize;
+            let level = levels.get(now).copied().unwrap_or(0);
+            let set = level_set(career, at);
+            let level = set.unwrap_or(u32::try_from(level).unwrap_or(0));
+            (level, battery.capacity)
+        });
+        // A rest is only one where nothing new is to be done.
+        let unchanged = career.goals.last().is_none_or(|(since, _)| *since < at)
+            && career.duties().all(|duty| duty.since != Some(at));
+        let since = life.rests_since(at).filter(|_| unchanged && before.stays());
+        Some(Self {
+            name: career.name().to_owned(),
+            is_old: true,
+            here,
+            tail,
+            goal: career.goal(),
+            waypoints,
+            battery: level,
+            held: held(career, at),
+            slept: since.map_or(0, |since| at - since),
+            rest,
+            entries,
+            charges: {
+                let later = life.charges.iter().filter(|&&time| time >= at);
+                later.map(|&time| time - at).collect()
+            },
+        })
+    }
+
+    /// What it did in the old plan, over the map of now; an empty walk where it
+    /// cannot do so any more.
+    pub(super) fn before(&self, task: &Task, terrain: &Terrain) -> Before {
+        Before {
+            walk: self.walk(task, terrain).unwrap_or_default(),
+            charges: self.charges.clone(),
+        }
+    }
+
+    /// The rest of the old path as a walk; `None` where its slow moves are none
+    /// any more.
+    fn walk(&self, task: &Task, terrain: &Terrain) -> Option<Walk> {
+        let mut walk = Walk::with_capacity(self.entries.len());
+        for (time, entry) in self.entries.iter().enumerate() {
+            if let Some(cell) = entry {
+                walk.push(Place::At(terrain.vertex(*cell)?));
+                continue;
+            }
+            let Some(before) = time.checked_sub(1) else {
+                walk.push(task.first_place());
+                continue;
+            };
+            let from = terrain.vertex(self.entries.get(before).copied()??)?;
+            let to = terrain.vertex(self.entries.get(time + 1).copied()??)?;
+            let arc = terrain.arcs(from).iter().find(|arc| arc.to == to)?;
+            walk.push(Place::Along(arc.id));
+        }
+        Some(walk)
+    }
+}
+
+/// The level that a battery is set to at a time.
+fn level_set(career: &Career, at: u32) -> Option<u32> {
+    let last = career.levels.last().filter(|(time, _)| *time == at);
+    last.map(|&(_, level)| level)
+}
+
+/// How long it must still wait.
+fn held(career: &Career, at: u32) -> u32 {
+    let ends = career.held.iter().map(|&(_, end)| end);
+    ends.max().unwrap_or(0).saturating_sub(at)
+}
