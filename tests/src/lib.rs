@@ -19,3 +19,4 @@ pub mod questions;
 pub mod random;
 pub mod recount;
 pub mod source;
+pub mod upheaval;

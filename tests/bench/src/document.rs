@@ -27,6 +27,12 @@ pub(crate) const QUESTIONS: Marks = Marks {
     end: "<!-- end of the questions -->",
 };
 
+/// The table of agents that join others.
+pub(crate) const CHANGES: Marks = Marks {
+    begin: "<!-- changes: written by `./x bench --changes` -->",
+    end: "<!-- end of the changes -->",
+};
+
 /// Puts tables into the document.
 ///
 /// # Errors
@@ -56,7 +62,7 @@ mod tests {
 
     #[test]
     fn only_what_is_between_the_markers_changes() {
-        for marks in [TABLES, PROOFS, QUESTIONS] {
+        for marks in [TABLES, PROOFS, QUESTIONS, CHANGES] {
             let Marks { begin, end } = marks;
             let text = format!("before\n{begin}\nold\n{end}\nafter\n");
             let new = replaced(&text, &marks, "new\n").unwrap();

@@ -4,13 +4,15 @@
 //! `./x bench` builds the command and this program and runs all rows, which
 //! writes `docs/benchmarks.md`; with words behind it only the rows whose names
 //! hold one of them, and the tables are only printed. `./x bench --proofs` makes
-//! and checks certificates instead, `./x bench --questions` answers questions.
+//! and checks certificates instead, `./x bench --questions` answers questions,
+//! `./x bench --changes` goes on where agents join others.
 #![allow(
     clippy::print_stdout,
     clippy::print_stderr,
     reason = "a program for a terminal"
 )]
 
+mod changes;
 mod document;
 mod proofs;
 mod questions;
@@ -41,6 +43,9 @@ struct Args {
     /// Only the questions; their table is written
     #[arg(long)]
     questions: bool,
+    /// Only agents that join others; their table is written
+    #[arg(long)]
+    changes: bool,
 }
 
 fn main() -> Result<ExitCode, Box<dyn Error>> {
@@ -53,6 +58,12 @@ fn main() -> Result<ExitCode, Box<dyn Error>> {
     }
     if args.questions {
         document::put(&document::QUESTIONS, &questions::table()?)?;
+        eprintln!("written to docs/benchmarks.md");
+        return Ok(ExitCode::SUCCESS);
+    }
+    if args.changes {
+        let table = changes::table(f64::from(args.time_limit))?;
+        document::put(&document::CHANGES, &table)?;
         eprintln!("written to docs/benchmarks.md");
         return Ok(ExitCode::SUCCESS);
     }

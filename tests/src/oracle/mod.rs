@@ -13,6 +13,7 @@
 //! with the solver, nor with the judge of plans: of the model it knows the plain
 //! data only. It is meant for maps of some 20 cells and up to three agents.
 
+mod changed;
 mod contrast;
 mod joint;
 mod law;
@@ -28,6 +29,7 @@ use giveway_model::{Cell, Cost, Instance, Plan};
 
 use crate::recount;
 
+pub use changed::{Changed, Held, Known};
 pub use contrast::Contrast;
 use joint::Joint;
 pub use leniency::Leniency;

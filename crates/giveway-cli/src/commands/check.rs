@@ -3,25 +3,20 @@
 use giveway_model::{Objective, change::History};
 use giveway_solve::{CheckRequest, Refusal, Request, Response, serve};
 
-use super::{refused, unexpected};
+use super::{one_standard_input, refused, unexpected};
 use crate::{
     args::{Check, Common},
     clock::Clock,
     exit::Exit,
     failure::Failure,
-    input::{self, is_standard_input},
+    input,
     output::{self, text},
     progress::CommandHost,
 };
 
 pub(crate) fn run(args: &Check, common: &Common, clock: Clock) -> Result<Exit, Failure> {
     let inputs = [&args.source.instance, &args.plan];
-    let inputs = inputs.into_iter().chain(&args.changes);
-    if inputs.filter(|path| is_standard_input(path)).count() > 1 {
-        return Err(Failure::Usage(
-            "found - for two files, expected it for one of them".to_owned(),
-        ));
-    }
+    one_standard_input(inputs.into_iter().chain(&args.changes))?;
     let instance = input::instance(&args.source, common)?;
     let plan = input::plan(&args.plan)?;
     let changes = args.changes.as_deref().map(input::changes).transpose()?;

@@ -1,5 +1,6 @@
 //! The commands, one file each.
 
+mod change;
 mod check;
 mod convert;
 mod explain;
@@ -13,6 +14,7 @@ use crate::{
     clock::Clock,
     exit::Exit,
     failure::Failure,
+    input::is_standard_input,
 };
 use giveway_model::Fault;
 use giveway_solve::Refusal;
@@ -22,12 +24,26 @@ pub(crate) fn run(args: &Args, clock: Clock) -> Result<Exit, Failure> {
     match &args.command {
         Command::Solve(solve) => solve::run(solve, &args.common, clock),
         Command::Check(check) => check::run(check, &args.common, clock),
+        Command::Change(change) => change::run(change, &args.common, clock),
         Command::Explain(explain) => explain::run(explain, &args.common, clock),
         Command::Convert(convert) => convert::run(convert, &args.common),
         Command::Verify(verify) => verify::run(verify, &args.common),
         Command::Completions { shell } => manual::completions(*shell),
         Command::Man { command } => manual::man(command.as_deref()),
     }
+}
+
+/// At most one of some files is read from standard input.
+fn one_standard_input<'a>(
+    files: impl IntoIterator<Item = &'a std::path::PathBuf>,
+) -> Result<(), Failure> {
+    let files = files.into_iter();
+    if files.filter(|path| is_standard_input(path)).count() > 1 {
+        return Err(Failure::Usage(
+            "found - for two files, expected it for one of them".to_owned(),
+        ));
+    }
+    Ok(())
 }
 
 /// What the service's refusal is to the command.

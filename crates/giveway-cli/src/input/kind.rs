@@ -14,7 +14,7 @@ pub(crate) enum Kind {
     Scenario,
     /// A MovingAI map.
     Map,
-    /// A result of `solve`, with or without a plan.
+    /// A result of `solve` or `change`, with or without a plan.
     Answer,
     /// A native plan.
     Plan,
@@ -28,6 +28,7 @@ pub(crate) enum Kind {
 struct Keys {
     paths: Option<IgnoredAny>,
     status: Option<IgnoredAny>,
+    methods: Option<IgnoredAny>,
 }
 
 impl Kind {
@@ -54,7 +55,7 @@ impl Kind {
 
     fn of_json(text: &str) -> Self {
         let keys: Keys = serde_json::from_str(text).unwrap_or_default();
-        if keys.status.is_some() {
+        if keys.status.is_some() || keys.methods.is_some() {
             Self::Answer
         } else if keys.paths.is_some() {
             Self::Plan

@@ -1,5 +1,6 @@
-//! A plan from its own object, or from the result of `solve`.
+//! A plan from its own object, or from the result of `solve` or `change`.
 
+use std::collections::BTreeMap;
 use std::path::Path;
 
 use giveway_model::{Fault, Plan, format::native};
@@ -31,16 +32,30 @@ pub(crate) fn plan_in(source: &Source) -> Result<Plan, Failure> {
     plan.map_err(|fault| source.fault(fault))
 }
 
-/// The plan within a result of `solve`.
+/// The plan within a result: of `solve` its own, of `change` the adopted one.
 fn read_answer(text: &str) -> Result<Plan, Fault> {
     #[derive(Deserialize)]
     struct Answer<'a> {
         #[serde(borrow, default)]
         plan: Option<&'a RawValue>,
+        #[serde(borrow, default)]
+        methods: BTreeMap<String, One<'a>>,
+        #[serde(default)]
+        adopted: Option<String>,
+    }
+    #[derive(Deserialize)]
+    struct One<'a> {
+        #[serde(borrow, default)]
+        plan: Option<&'a RawValue>,
     }
     let plan = serde_json::from_str::<Answer>(text)
         .ok()
-        .and_then(|answer| answer.plan)
+        .and_then(|answer| {
+            let adopted = answer
+                .adopted
+                .and_then(|name| answer.methods.get(&name)?.plan);
+            answer.plan.or(adopted)
+        })
         .filter(|plan| plan.get() != "null")
         .ok_or_else(|| Fault::at("plan", "a result without a plan", "a plan"))?;
     native::read_plan(&in_its_place(text, plan.get()))

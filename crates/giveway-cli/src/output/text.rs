@@ -1,11 +1,13 @@
 //! Answers as text for people.
 
+mod change;
 mod check;
 mod explain;
 mod front;
 mod solve;
 mod verify;
 
+pub(crate) use change::change;
 pub(crate) use check::{check, check_over_time};
 pub(crate) use explain::explain;
 pub(crate) use front::front;

@@ -9,6 +9,7 @@
 mod bad_command_line;
 mod bad_input;
 mod benchmark_files;
+mod change;
 mod check;
 mod convert;
 mod explain;

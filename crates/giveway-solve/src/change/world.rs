@@ -97,7 +97,7 @@ impl<'a> World<'a> {
             match levels {
                 Some((initial, full)) => reserve = Some(Reserve { full, initial }),
                 // Who sleeps needs no battery, as long as nobody wakes it.
-                None if self.sleeps_on(member) => {
+                None if member.slept > 0 => {
                     bounds = Bounds::Along(vec![terrain.vertex(member.here)?].into());
                 }
                 None => return None,
@@ -128,15 +128,6 @@ impl<'a> World<'a> {
             held: member.held,
             woken: member.slept,
         })
-    }
-
-    /// Whether an agent has nothing more to do.
-    fn sleeps_on(&self, member: &Member) -> bool {
-        let waypoints = member.waypoints.iter();
-        self.after.stays()
-            && member.tail.is_none()
-            && member.here == member.goal
-            && waypoints.clone().all(|&cell| cell == member.here)
     }
 }
 

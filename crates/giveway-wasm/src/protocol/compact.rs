@@ -6,6 +6,7 @@
 
 use giveway_model::{Cost, Costs, Fault, check::Violation, question::Misfit};
 use giveway_proof::Report;
+use giveway_solve::change::{ChangeAnswer, ChangeRequest};
 use giveway_solve::explain::{ExplainAnswer, ExplainRequest};
 use giveway_solve::{
     CertifyRequest, CheckAnswer, CheckRequest, FrontAnswer, SolveAnswer, SolveRequest,
@@ -19,6 +20,7 @@ pub(super) enum Request {
     Check(CheckRequest),
     Explain(ExplainRequest),
     Certify(CertifyRequest),
+    Change(ChangeRequest),
 }
 
 #[derive(Serialize, Deserialize)]
@@ -53,6 +55,7 @@ pub(super) enum Response {
     Checked(CheckAnswer),
     Explained(Box<ExplainAnswer>),
     Certified(Box<Report>),
+    Changed(Box<ChangeAnswer>),
     Refused(#[serde(with = "Refusal")] giveway_solve::Refusal),
 }
 
@@ -61,6 +64,7 @@ pub(super) enum Response {
 pub(super) enum Refusal {
     Scene { faults: Vec<Fault> },
     Request { fault: Fault },
+    Changes { faults: Vec<Fault> },
     Plan { violations: Vec<Violation> },
     Question { misfit: Misfit },
 }

@@ -1,5 +1,5 @@
 //! The 3 x 3 example of the literature: Bogatarkan (2021), from
-//! `data/dynamic` of the workspace's tests.
+//! `data/seed` of the workspace's tests.
 
 #![allow(
     clippy::unwrap_used,
@@ -15,10 +15,10 @@ use crate::{
     serve,
 };
 
-const SCENE: &str = include_str!("../../../../../tests/data/dynamic/dynamic-3x3.json");
-const PLAN: &str = include_str!("../../../../../tests/data/dynamic/dynamic-3x3.plan.json");
-const LATER: &str = include_str!("../../../../../tests/data/dynamic/dynamic-3x3.plan-t1.json");
-const CHANGES: &str = include_str!("../../../../../tests/data/dynamic/dynamic-3x3.changes.json");
+const SCENE: &str = include_str!("../../../../../tests/data/seed/dynamic-3x3.json");
+const PLAN: &str = include_str!("../../../../../tests/data/seed/dynamic-3x3.plan.json");
+const LATER: &str = include_str!("../../../../../tests/data/seed/dynamic-3x3.plan-t1.json");
+const CHANGES: &str = include_str!("../../../../../tests/data/seed/dynamic-3x3.changes.json");
 
 fn go_on(plan: &str) -> ChangeAnswer {
     let request = ChangeRequest {

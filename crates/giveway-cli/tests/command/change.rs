@@ -1,0 +1,128 @@
+//! `giveway change`, and `giveway check --changes`.
+
+use expect_test::expect;
+use serde_json::{Value, json};
+
+use crate::run::Folder;
+
+const SCENE: &str = include_str!("../../../../tests/data/seed/dynamic-3x3.json");
+const PLAN: &str = include_str!("../../../../tests/data/seed/dynamic-3x3.plan.json");
+const LATER: &str = include_str!("../../../../tests/data/seed/dynamic-3x3.plan-t1.json");
+const CHANGES: &str = include_str!("../../../../tests/data/seed/dynamic-3x3.changes.json");
+
+fn folder() -> Folder {
+    Folder::with(&[
+        ("scene.json", SCENE),
+        ("plan.json", PLAN),
+        ("later.json", LATER),
+        ("changes.json", CHANGES),
+    ])
+}
+
+/// The answer as JSON, which must be of the schema.
+fn answer(folder: &Folder, line: &str) -> Value {
+    let answer = folder.run(line).json();
+    let mut schema: Value = serde_json::from_str(giveway_model::format::schema()).unwrap();
+    schema["$ref"] = "#/$defs/changeResult".into();
+    schema.as_object_mut().unwrap().remove("anyOf");
+    if let Err(error) = jsonschema::draft202012::validate(&schema, &answer) {
+        panic!("{error} at {}", error.instance_path());
+    }
+    answer
+}
+
+#[test]
+fn the_example_of_the_paper() {
+    let answer = answer(
+        &folder(),
+        "change scene.json later.json changes.json --format json",
+    );
+    let revise = &answer["methods"]["revise"];
+    assert_eq!(revise["costs"]["makespan"], 5);
+    assert_eq!(
+        revise["plan"]["paths"]["A4"],
+        json!([[0, 2], [0, 1], [0, 0]])
+    );
+    assert_eq!(revise["plan"]["from"], json!({ "A3": 1, "A4": 2 }));
+    assert_eq!(revise["retimed"], json!(["A1", "A2", "A3"]));
+    assert_eq!(
+        (&revise["added"], &revise["freed"]),
+        (&json!(["A4"]), &json!([]))
+    );
+    assert_eq!(answer["methods"]["replan"]["costs"]["makespan"], 4);
+    assert_eq!(
+        (&answer["adopted"], &answer["history"]),
+        (&json!("revise"), &json!([]))
+    );
+}
+
+#[test]
+fn a_history_is_saved_and_loaded_again() {
+    let folder = folder();
+    let line = "change scene.json plan.json changes.json --format json";
+    let answer = answer(&folder, line);
+    assert_eq!(answer["history"][0]["at"], 1);
+    assert_eq!(answer["history"][0]["adopted"], "revise");
+    let saved = serde_json::to_string(&answer).unwrap();
+    let check = "check scene.json - --changes changes.json --format json";
+    let checked = folder.run_with(check, &saved).json();
+    assert_eq!(checked["valid"], true);
+    assert_eq!(checked["costs"], answer["methods"]["revise"]["costs"]);
+    // The plan knows all changes: nothing is left to do.
+    let again = "change scene.json - changes.json";
+    let again = folder.run_with(again, &saved);
+    assert!(
+        again
+            .answer()
+            .contains("Nothing changes that the plan does not know")
+    );
+}
+
+#[test]
+fn a_column_for_each_method() {
+    let line = "change scene.json later.json changes.json --method revise,tunnel=0,replan";
+    let text = folder().run(line);
+    let told: Vec<&str> = text.answer().lines().take(17).collect();
+    let told = told.join("\n") + "\n";
+    // How long it takes differs from run to run.
+    let told: Vec<&str> = told
+        .lines()
+        .filter(|line| !line.starts_with("CPU"))
+        .collect();
+    expect![[r#""#]].assert_eq(&told.join("\n"));
+}
+
+#[test]
+fn a_change_that_contradicts_the_world_is_refused_with_its_place() {
+    let folder = folder();
+    let changes = "{ \"giveway\": 1,\n  \"changes\": [\n    \
+        { \"at\": 1, \"change\": \"add-obstacle\", \"cell\": [1, 0] } ] }";
+    std::fs::write(folder.path("bad.json"), changes).unwrap();
+    let refusal = expect![[r#""#]];
+    folder.refuses("change scene.json plan.json bad.json", &refusal);
+    folder.refuses("check scene.json plan.json --changes bad.json", &refusal);
+    folder.refuses("change scene.json plan.json scene.json", &expect![[r#""#]]);
+    folder.refuses(
+        "change scene.json plan.json changes.json --method rush",
+        &expect![[r#""#]],
+    );
+}
+
+#[test]
+fn an_obstacle_on_a_path_frees_one_agent_and_says_why() {
+    let folder = folder();
+    let changes = r#"{ "giveway": 1, "changes":
+        [{ "at": 1, "change": "add-obstacle", "cell": [2, 2] },
+         { "at": 1, "change": "set-goal", "agent": "A1", "cell": [2, 0] }] }"#;
+    std::fs::write(folder.path("c.json"), changes).unwrap();
+    let answer = answer(&folder, "change scene.json plan.json c.json --format json");
+    let revise = &answer["methods"]["revise"];
+    assert_eq!(revise["freed"], json!(["A1"]));
+    assert_eq!(revise["cause"]["kind"], "obstacle");
+    assert_eq!(revise["cause"]["cell"], json!([2, 2]));
+    assert_eq!(
+        (&revise["cause"]["within"], &revise["cause"]["agent"]),
+        (&Value::Null, &json!("A1"))
+    );
+    assert_eq!(revise["kept"], json!(["A2"]));
+}
