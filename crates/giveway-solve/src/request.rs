@@ -3,9 +3,8 @@
 use giveway_model::{Objective, Plan, Scene, change::Changes, format::from_object};
 use serde::{Deserialize, Serialize};
 
-use crate::{CertifyRequest, explain::ExplainRequest};
 use crate::change::ChangeRequest;
-use crate::explain::ExplainRequest;
+use crate::{CertifyRequest, explain::ExplainRequest};
 
 /// A request to the [service](crate::service).
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]

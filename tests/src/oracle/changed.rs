@@ -244,11 +244,9 @@ impl Changed {
                 robot.tunnel = around(&self.world, &robot.rest, width);
             }
         }
-        let Some(mut vector) = self.search(cap) else {
-            return Known::Capped;
-        };
-        let Some(vector) = &mut vector else {
-            return Known::None;
+        let mut vector = match self.search(cap) {
+            Known::Best(vector) => vector,
+            known => return known,
         };
         for (value, cost) in vector.iter_mut().zip(&self.costs) {
             *value += match cost {
@@ -257,10 +255,10 @@ impl Changed {
                 cost => self.past.get(cost).copied().unwrap_or(0),
             };
         }
-        Known::Best(vector.clone())
+        Known::Best(vector)
     }
 
-    fn search(&self, cap: usize) -> Option<Option<Vec<u32>>> {
+    fn search(&self, cap: usize) -> Known {
         let mut heap = BinaryHeap::new();
         let mut settled: BTreeSet<(u32, Vec<State>)> = BTreeSet::new();
         let firsts: Vec<Vec<Step>> = self.robots.iter().map(|robot| self.first(robot)).collect();
@@ -273,13 +271,13 @@ impl Changed {
                 continue;
             }
             if settled.len() > cap || heap.len() > 8 * cap {
-                return None;
+                return Known::Capped;
             }
             if states
                 .iter()
                 .all(|s| matches!(s.place, Place::Done | Place::Gone))
             {
-                return Some(Some(vector));
+                return Known::Best(vector);
             }
             let robots = self.robots.iter().zip(&states);
             let steps: Vec<Vec<Step>> = robots.map(|(r, &s)| self.steps(r, s, tick)).collect();
@@ -292,7 +290,7 @@ impl Changed {
                 }
             });
         }
-        Some(None)
+        Known::None
     }
 
     /// All choices of one step an agent in which no two collide.
@@ -360,7 +358,7 @@ impl Changed {
             same: robot.is_old,
         };
         let states = match robot.first {
-            Place::At(cell) => self.enter(robot, state, cell),
+            Place::At(cell) => robot.enter(state, cell),
             _ => vec![state],
         };
         let steps = states.into_iter().map(|state| Step {
@@ -376,28 +374,6 @@ impl Changed {
             robot.level >= self.floor || (robot.slept > 0 && step.to.place == Place::Done)
         };
         steps.filter(lasts).collect()
-    }
-
-    fn enter(&self, robot: &Robot, mut state: State, cell: Cell) -> Vec<State> {
-        for (i, waypoint) in robot.agent.waypoints.iter().enumerate() {
-            if *waypoint == cell {
-                state.seen |= 1 << i;
-            }
-        }
-        state.place = Place::At(cell);
-        let mut states = vec![state];
-        let all = state.seen.count_ones() as usize == robot.agent.waypoints.len();
-        let through = robot.by != Held::Path || state.progress + 1 == robot.rest.len();
-        if cell == robot.agent.goal && all && through {
-            let place = Place::Done;
-            states.push(State {
-                place,
-                level: 0,
-                held: 0,
-                ..state
-            });
-        }
-        states
     }
 
     fn spend(&self, level: u32) -> Option<u32> {
@@ -439,7 +415,7 @@ impl Changed {
             }
             Place::Between(u, v) => {
                 if let Some(level) = self.spend(state.level) {
-                    for state in self.enter(robot, State { level, ..later }, v) {
+                    for state in robot.enter(State { level, ..later }, v) {
                         go(state, Some((u, v)), [0, 0, 0]);
                     }
                 }
@@ -466,7 +442,7 @@ impl Changed {
                             let place = Place::Between(u, v);
                             go(State { place, ..later }, edge, [charges, 1, 0]);
                         } else {
-                            for state in self.enter(robot, later, v) {
+                            for state in robot.enter(later, v) {
                                 go(state, edge, [charges, 1, 0]);
                             }
                         }
@@ -503,6 +479,28 @@ impl Robot {
             }
             _ => {}
         }
+    }
+
+    fn enter(&self, mut state: State, cell: Cell) -> Vec<State> {
+        for (i, waypoint) in self.agent.waypoints.iter().enumerate() {
+            if *waypoint == cell {
+                state.seen |= 1 << i;
+            }
+        }
+        state.place = Place::At(cell);
+        let mut states = vec![state];
+        let all = state.seen.count_ones() as usize == self.agent.waypoints.len();
+        let through = self.by != Held::Path || state.progress + 1 == self.rest.len();
+        if cell == self.agent.goal && all && through {
+            let place = Place::Done;
+            states.push(State {
+                place,
+                level: 0,
+                held: 0,
+                ..state
+            });
+        }
+        states
     }
 
     /// A step to a state at a time, and whether it is the first that differs
