@@ -63,6 +63,8 @@ export interface Limits {
 export interface CheckRequest {
   scene: Scene;
   plan: Plan;
+  /** What changes while the plan runs, as in files: each time is judged in the world of that time. */
+  changes?: { giveway: 1; changes: object[] };
 }
 
 /** Something became known on the way. */

@@ -146,6 +146,7 @@ impl Changed {
                     agent: agent.clone(),
                 });
                 changed.add_past(Cost::SumOfCosts, at);
+                changed.latest = changed.latest.max(at);
             }
         }
         Some(changed)
