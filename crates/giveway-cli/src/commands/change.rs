@@ -44,10 +44,7 @@ pub(crate) fn run(args: &Change, common: &Common, clock: Clock) -> Result<Exit, 
         }
         Response::Refused(Refusal::Changes { faults }) => Err(file.refused(faults)),
         Response::Refused(refusal) => Err(refused(refusal, &args.source.instance)),
-        Response::Solved(_)
-        | Response::Front(_)
-        | Response::Checked(_)
-        | Response::Explained(_) => Err(unexpected(&args.source.instance)),
+        _ => Err(unexpected(&args.source.instance)),
     }
 }
 

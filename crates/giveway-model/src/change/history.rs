@@ -104,7 +104,7 @@ impl History {
         let there = careers.filter(|career| career.until.is_none() && career.from <= time);
         let lives = there.filter_map(|career| Life::of(self, career, plan));
         lives
-            .filter(|life| self.stays || life.end() >= time)
+            .filter(|life| self.stays || life.end() >= time || is_leaving(life, plan, time))
             .collect()
     }
 
@@ -121,4 +121,12 @@ impl History {
             }),
         }
     }
+}
+
+/// Whether the plan has an agent removed at a time, one step after its last
+/// entry and short of its goal: then it is there to be removed.
+fn is_leaving(life: &Life<'_>, plan: &Plan, time: u32) -> bool {
+    plan.until.get(life.career.name()) == Some(&time)
+        && life.end().checked_add(1) == Some(time)
+        && life.rests_since(life.end()).is_none()
 }

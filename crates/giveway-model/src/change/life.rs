@@ -160,6 +160,13 @@ impl<'a> Life<'a> {
             };
             wait.visit(duty)
         });
-        visits.fold(arrival, u32::max)
+        let arrival = visits.fold(arrival, u32::max);
+        // What had to be visited until it was dropped was in its way up to then.
+        let dropped = self.career.duties.iter().filter_map(|duty| {
+            let dropped = duty.dropped?;
+            let visit = self.visit(duty);
+            visit.is_none_or(|visit| visit > dropped).then_some(dropped)
+        });
+        dropped.fold(arrival, u32::max)
     }
 }

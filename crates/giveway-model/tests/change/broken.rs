@@ -32,7 +32,7 @@ fn who_comes_and_goes_at_another_time() {
     );
     breaks(&LANE, "A 00 10", added, "A 00 10", &["2 shape B"]);
     let gone = "2 remove-agent A";
-    breaks(&LANE, "A 00 30", gone, "A 00 10", &["1 shape A"]);
+    breaks(&LANE, "A 00 30", gone, "A 00 10", &["2 shape A"]);
     breaks(
         &LANE,
         "A 00 30",
