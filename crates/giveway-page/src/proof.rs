@@ -136,12 +136,16 @@ fn sums(report: &Report) -> String {
             Checked::None { .. } => nothing += 1,
         }
     }
-    let steps = format!("{} step{}", grouped(steps as u64), plural(steps));
+    let steps = match steps {
+        // Its clauses contradict each other as they are.
+        0 => "no step was needed".to_owned(),
+        n => format!("{} step{}", grouped(n as u64), plural(n)),
+    };
     let mut sentences = Vec::new();
     match proofs {
         0 => {}
         1 => sentences.push(format!("The proof was checked: {steps}.")),
-        n => sentences.push(format!("{n} proofs were checked: {steps} in all.")),
+        n => sentences.push(format!("{n} proofs were checked: {steps}.")),
     }
     if searches > 0 {
         let rest = if searches == 1 { "rests" } else { "rest" };
