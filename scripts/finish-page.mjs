@@ -4,17 +4,16 @@
 //    files: so no cache can mix two versions.
 // 2. The policy loses the nonce, which only `trunk serve` needs.
 // 3. The service worker gets the list of files.
-// 4. The worker's loader tells the page when the worker cannot start.
 //
-// While `trunk serve` runs, only the last is done, so that nothing old is ever shown.
+// While `trunk serve` runs, none of it is done, so that nothing old is ever shown.
 
 import { createHash } from "node:crypto";
-import { mkdirSync, readFileSync, readdirSync, renameSync, writeFileSync } from "node:fs";
+import { readFileSync, readdirSync, renameSync, writeFileSync } from "node:fs";
 import { join } from "node:path";
 
 const NONCE = "trunk-nonce";
 const PAGE = "index.html";
-const WORKER = ["worker_loader.js", "worker.js", "worker_bg.wasm"];
+const WORKER = "worker.js";
 
 const source = process.env.TRUNK_SOURCE_DIR;
 const built = process.env.TRUNK_STAGING_DIR;
@@ -22,11 +21,9 @@ if (!source || !built) {
   fail("found no TRUNK_SOURCE_DIR and TRUNK_STAGING_DIR, expected to be called by Trunk");
 }
 
-writeLoader();
 const isServed = readFileSync(join(built, PAGE), "utf8").includes("__TRUNK_ADDRESS__");
 if (!isServed) {
-  const folder = moveWorker();
-  finishPage(folder);
+  finishPage(nameWorker());
   writeServiceWorker();
 }
 
@@ -47,30 +44,18 @@ function read(name) {
   return readFileSync(join(built, name));
 }
 
-// Instead of Trunk's own: a promise that is rejected in a worker is told to nobody, while
-// an exception there is an event of the page.
-function writeLoader() {
-  const [loader, script, wasm] = WORKER;
-  const start = `wasm_bindgen({ module_or_path: "./${wasm}" }).catch(reportError);`;
-  writeFileSync(join(built, loader), `importScripts("./${script}");\n${start}\n`);
+function nameWorker() {
+  const name = WORKER.replace(".", `-${hash([read(WORKER)])}.`);
+  renameSync(join(built, WORKER), join(built, name));
+  return name;
 }
 
-// The loader names the other two relative to itself, so they move together.
-function moveWorker() {
-  const folder = `worker-${hash(WORKER.map(read))}`;
-  mkdirSync(join(built, folder));
-  for (const name of WORKER) {
-    renameSync(join(built, name), join(built, folder, name));
-  }
-  return folder;
-}
-
-function finishPage(folder) {
+function finishPage(worker) {
   // Without the comments, which are for those who read the source, and their lines.
   const text = read(PAGE).toString().replaceAll(/<!--.*?-->/gs, "").replaceAll(/^\s*\n/gm, "");
   const finished = replace(text.replaceAll(` nonce="${NONCE}"`, ""), [
     [` 'nonce-${NONCE}'`, ""],
-    [`content="./${WORKER[0]}">`, `content="./${folder}/${WORKER[0]}">\n  <meta name="giveway-service-worker" content="./service-worker.js">`],
+    [`content="./${WORKER}">`, `content="./${worker}">\n  <meta name="giveway-service-worker" content="./service-worker.js">`],
   ]);
   // What the policy would refuse is found here and not by a user.
   for (const refused of [/<script(?![^>]*\bsrc=)/, /\bstyle=/, /<style/, /\bon[a-z]+=/, new RegExp(NONCE)]) {

@@ -124,12 +124,12 @@ async function newVersion(t) {
   await change(join(folder, "index.html"), /<title>/, "<title>New: ");
   await change(join(folder, "service-worker.js"), /VERSION = "/, "$&new-");
   const page = await readFile(join(folder, "index.html"), "utf8");
-  const [, path] = page.match(/(worker-[0-9a-f]+)\/worker_loader\.js/);
-  const moved = "worker-0123456789abcdef";
+  const [path] = page.match(/worker-[0-9a-f]+\.js/);
+  const moved = "worker-0123456789abcdef.js";
   await rename(join(folder, path), join(folder, moved));
   await change(join(folder, "index.html"), new RegExp(path, "g"), moved);
   await change(join(folder, "service-worker.js"), new RegExp(path, "g"), moved);
-  return { folder, worker: `./${moved}/worker_loader.js` };
+  return { folder, worker: `./${moved}` };
 }
 
 async function change(file, pattern, replacement) {

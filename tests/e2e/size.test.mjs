@@ -25,7 +25,7 @@ const kilobytes = (size) => `${(size / 1000).toFixed(1).padStart(7)} kB`;
 
 test("all Wasm together does not grow", (t) => {
   const wasm = files().filter((path) => path.endsWith(".wasm"));
-  assert.equal(wasm.length, 2, `expected the application's and the worker's: ${wasm}`);
+  assert.equal(wasm.length, 1, `expected one file for the page and its worker: ${wasm}`);
   let total = 0;
   for (const path of wasm) {
     const size = onTheWire(path);

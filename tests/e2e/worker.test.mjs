@@ -6,20 +6,28 @@ import { flows } from "./flow.mjs";
 import { eventually } from "./wait.mjs";
 
 const OPENING = /^Optimal: makespan 18/;
-const LOADER = "**/worker-*/worker_loader.js";
-const SCRIPT = "**/worker-*/worker.js";
-const WASM = "**/worker-*/worker_bg.wasm";
+const LOADER = "**/worker-*.js";
+const SCRIPT = "**/app-*.js";
 
 describe("a broken worker", () => {
   const flow = flows();
   const screens = ["desktop"];
 
-  const garbage = (contentType) => (route) => route.fulfill({ body: "this is none", contentType });
+  const garbage = (route) => route.fulfill({ body: "this is none", contentType: "text/javascript" });
+  /** The page fetches its script, too, and before any worker does. */
+  const butForThePage = (answer) => {
+    let isPage = true;
+    return (route) => {
+      const done = isPage ? route.continue() : answer(route);
+      isPage = false;
+      return done;
+    };
+  };
   for (const [what, path, answer] of [
-    ["no script", LOADER, garbage("text/javascript")],
-    ["no WebAssembly", WASM, garbage("application/wasm")],
+    ["no script", LOADER, garbage],
     ["not there", LOADER, (route) => route.fulfill({ status: 404 })],
-    ["without its WebAssembly", WASM, (route) => route.abort()],
+    ["of a garbled program", SCRIPT, butForThePage(garbage)],
+    ["without its program", SCRIPT, butForThePage((route) => route.abort())],
   ]) {
     flow(`that is ${what} is told, and tried again`, async (playground, { context }) => {
       await playground.warns(/The solver could not be started; Solve tries it again\./);
@@ -36,9 +44,10 @@ describe("a broken worker", () => {
   flow("that breaks off is replaced, and the scene stays", async (playground, { context, page }) => {
     await playground.says(OPENING);
     // The next one answers its first request with an exception.
-    await context.route(SCRIPT, async (route) => {
+    await context.route(LOADER, async (route) => {
       const response = await route.fetch();
-      const body = `${await response.text()}\n;self.addEventListener("message", () => { throw new Error("out of order"); });`;
+      const fault = 'addEventListener("message", ({ data }) => { if (!data.module) throw new Error("out of order"); });';
+      const body = `${await response.text()}\n;${fault}`;
       await route.fulfill({ response, body });
     });
     await playground.example("Thirty robots");
@@ -49,7 +58,7 @@ describe("a broken worker", () => {
     await playground.press("Solve");
     await playground.warns(/The solver broke off and was started again; the scene is as it was\..*out of order/s);
     await playground.shows("thirty robots");
-    await context.unroute(SCRIPT);
+    await context.unroute(LOADER);
     await playground.press("Solve");
     // The worker that was started in place of it was broken, too.
     await playground.says(/^No plan yet\.$|^Solving/);

@@ -1,12 +1,15 @@
 //! An agent and its task.
 
+use borsh::{BorshDeserialize, BorshSerialize};
 use serde::{Deserialize, Serialize};
 
 use crate::Cell;
 use crate::object::object_only;
 
 /// A battery, in time steps: one step of waiting or moving takes one.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
+#[derive(
+    Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize, BorshSerialize, BorshDeserialize,
+)]
 #[serde(remote = "Self", deny_unknown_fields)]
 pub struct Battery {
     /// The level after a charge.
@@ -18,7 +21,7 @@ pub struct Battery {
 object_only!(Battery);
 
 /// An agent (a robot): where it starts, where it must go, what it must visit.
-#[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
+#[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize, BorshSerialize, BorshDeserialize)]
 #[serde(remote = "Self", deny_unknown_fields)]
 pub struct Agent {
     /// Unique in its instance, not empty.

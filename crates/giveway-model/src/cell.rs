@@ -2,6 +2,7 @@
 
 use std::fmt;
 
+use borsh::{BorshDeserialize, BorshSerialize};
 use serde::de::{self, IgnoredAny, SeqAccess, Visitor};
 use serde::{Deserialize, Deserializer, Serialize};
 
@@ -15,7 +16,19 @@ use serde::{Deserialize, Deserializer, Serialize};
 /// assert_eq!(cell.to_string(), "(3, 1)");
 /// assert_eq!(serde_json::to_string(&cell).unwrap(), "[3,1]");
 /// ```
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord, Serialize)]
+#[derive(
+    Clone,
+    Copy,
+    Debug,
+    PartialEq,
+    Eq,
+    Hash,
+    PartialOrd,
+    Ord,
+    Serialize,
+    BorshSerialize,
+    BorshDeserialize,
+)]
 #[serde(into = "(u32, u32)")]
 pub struct Cell {
     /// Column, from 0 at the left.

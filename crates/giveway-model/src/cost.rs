@@ -2,12 +2,25 @@
 
 use std::borrow::Cow;
 use std::fmt;
+use std::io;
 use std::str::FromStr;
 
 use serde::{Deserialize, Deserializer, Serialize, de};
 
 /// One of the five costs.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord, Serialize)]
+#[derive(
+    Clone,
+    Copy,
+    Debug,
+    PartialEq,
+    Eq,
+    Hash,
+    PartialOrd,
+    Ord,
+    Serialize,
+    borsh::BorshSerialize,
+    borsh::BorshDeserialize,
+)]
 #[serde(rename_all = "kebab-case")]
 pub enum Cost {
     /// The latest arrival.
@@ -86,7 +99,18 @@ impl<'de> Deserialize<'de> for Cost {
 }
 
 /// The five costs of one plan.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
+#[derive(
+    Clone,
+    Copy,
+    Debug,
+    Default,
+    PartialEq,
+    Eq,
+    Serialize,
+    Deserialize,
+    borsh::BorshSerialize,
+    borsh::BorshDeserialize,
+)]
 #[serde(rename_all = "kebab-case", deny_unknown_fields)]
 pub struct Costs {
     /// The latest arrival, in time steps.
@@ -127,7 +151,7 @@ impl Costs {
 }
 
 /// An ordered list of distinct costs, optimised lexicographically.
-#[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
+#[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize, borsh::BorshSerialize)]
 #[serde(try_from = "Vec<Cost>", into = "Vec<Cost>")]
 pub struct Objective(Vec<Cost>);
 
@@ -222,5 +246,11 @@ impl TryFrom<Vec<Cost>> for Objective {
 impl From<Objective> for Vec<Cost> {
     fn from(objective: Objective) -> Self {
         objective.0
+    }
+}
+
+impl borsh::BorshDeserialize for Objective {
+    fn deserialize_reader<R: io::Read>(reader: &mut R) -> io::Result<Self> {
+        Self::new(borsh::BorshDeserialize::deserialize_reader(reader)?).map_err(io::Error::other)
     }
 }

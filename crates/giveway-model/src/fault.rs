@@ -2,6 +2,7 @@
 
 use std::fmt;
 
+use borsh::{BorshDeserialize, BorshSerialize};
 use serde::{Deserialize, Serialize};
 
 /// A fault of an input: the place, what was found, what was expected.
@@ -9,7 +10,7 @@ use serde::{Deserialize, Serialize};
 /// `place` is a path of keys and indices from 0, such as `agents[1].goal`;
 /// `line` and `column` (from 1) are there where the input was text. The name of
 /// the file is added by whoever opened it.
-#[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
+#[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize, BorshSerialize, BorshDeserialize)]
 pub struct Fault {
     /// Keys and indices, such as `agents[1].goal`; empty for the whole.
     #[serde(default, skip_serializing_if = "String::is_empty")]

@@ -13,11 +13,13 @@ mod fault;
 pub mod format;
 mod grid;
 mod instance;
+pub mod message;
 mod object;
 mod plan;
 pub mod question;
 mod rules;
 mod scene;
+pub mod sorting;
 mod version;
 
 pub use agent::{Agent, Battery};

@@ -4,9 +4,11 @@ use std::collections::BTreeMap;
 use std::fmt;
 use std::marker::PhantomData;
 
+use borsh::{BorshDeserialize, BorshSerialize};
 use serde::de::{self, MapAccess, Visitor};
 use serde::{Deserialize, Deserializer, Serialize};
 
+use crate::message::read_map;
 use crate::object::object_only;
 use crate::{Cell, Instance, Version};
 
@@ -27,16 +29,20 @@ pub type Path = Vec<Option<Cell>>;
 /// }"#).unwrap();
 /// assert_eq!(plan.paths["A1"].len(), 4);
 /// ```
-#[derive(Clone, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
+#[derive(
+    Clone, Debug, Default, PartialEq, Eq, Serialize, Deserialize, BorshSerialize, BorshDeserialize,
+)]
 #[serde(remote = "Self", deny_unknown_fields)]
 pub struct Plan {
     /// The version of the format.
     pub giveway: Version,
     /// The cell of each agent at each time up to its arrival.
     #[serde(deserialize_with = "unique_names")]
+    #[borsh(deserialize_with = "read_map")]
     pub paths: BTreeMap<String, Path>,
     /// The times at which each agent charges, ascending.
     #[serde(default, deserialize_with = "unique_names")]
+    #[borsh(deserialize_with = "read_map")]
     pub charges: BTreeMap<String, Vec<u32>>,
     /// The time of an agent's first entry, where it is not 0: it joined later.
     #[serde(
@@ -44,6 +50,7 @@ pub struct Plan {
         deserialize_with = "unique_names",
         skip_serializing_if = "BTreeMap::is_empty"
     )]
+    #[borsh(deserialize_with = "read_map")]
     pub from: BTreeMap<String, u32>,
     /// The time from which an agent is gone, where it was removed.
     #[serde(
@@ -51,6 +58,7 @@ pub struct Plan {
         deserialize_with = "unique_names",
         skip_serializing_if = "BTreeMap::is_empty"
     )]
+    #[borsh(deserialize_with = "read_map")]
     pub until: BTreeMap<String, u32>,
 }
 

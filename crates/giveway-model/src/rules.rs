@@ -7,7 +7,17 @@ use serde::{Deserialize, Deserializer, Serialize, de};
 use crate::object::object_only;
 
 /// What becomes of an agent at its goal.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize)]
+#[derive(
+    Clone,
+    Copy,
+    Debug,
+    Default,
+    PartialEq,
+    Eq,
+    Serialize,
+    borsh::BorshSerialize,
+    borsh::BorshDeserialize,
+)]
 #[serde(rename_all = "kebab-case")]
 pub enum AtGoal {
     /// It remains there and blocks the cell.
@@ -29,7 +39,18 @@ impl<'de> Deserialize<'de> for AtGoal {
 }
 
 /// The rules of an instance.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
+#[derive(
+    Clone,
+    Copy,
+    Debug,
+    Default,
+    PartialEq,
+    Eq,
+    Serialize,
+    Deserialize,
+    borsh::BorshSerialize,
+    borsh::BorshDeserialize,
+)]
 #[serde(remote = "Self", deny_unknown_fields, default)]
 pub struct Rules {
     /// What becomes of an agent at its goal.

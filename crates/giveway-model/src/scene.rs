@@ -1,5 +1,6 @@
 //! A scene: an instance as it is written, before it is checked.
 
+use borsh::{BorshDeserialize, BorshSerialize};
 use serde::{Deserialize, Serialize};
 
 use crate::object::object_only;
@@ -8,7 +9,9 @@ use crate::{Agent, Objective, Rules, Version};
 /// An instance as a person writes it: plain data that may be wrong.
 ///
 /// [`crate::Instance::new`] checks it.
-#[derive(Clone, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
+#[derive(
+    Clone, Debug, Default, PartialEq, Eq, Serialize, Deserialize, BorshSerialize, BorshDeserialize,
+)]
 #[serde(remote = "Self", deny_unknown_fields)]
 pub struct Scene {
     /// The version of the format.

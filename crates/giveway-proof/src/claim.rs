@@ -2,6 +2,8 @@
 
 use std::collections::BTreeMap;
 
+use borsh::{BorshDeserialize, BorshSerialize};
+use giveway_model::message::read_map;
 use giveway_model::{Cost, Instance};
 use serde::{Deserialize, Serialize};
 
@@ -18,10 +20,13 @@ use crate::{condition::Condition, plain};
 ///     "There is no plan with makespan at most 18 and charges at most 2."
 /// );
 /// ```
-#[derive(Clone, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
+#[derive(
+    Clone, Debug, Default, PartialEq, Eq, Serialize, Deserialize, BorshSerialize, BorshDeserialize,
+)]
 #[serde(deny_unknown_fields)]
 pub struct Claim {
     /// The costs that such a plan would have at most; none of them: any plan.
+    #[borsh(deserialize_with = "read_map")]
     pub most: BTreeMap<Cost, u32>,
     /// The horizon that the claim is limited to: the makespan up to which
     /// plans are meant. `null` where it holds for plans of any makespan.

@@ -1,13 +1,14 @@
 //! What another plan would have to be like: the contrast of a question, without
 //! the plan that it was asked about.
 
+use borsh::{BorshDeserialize, BorshSerialize};
 use giveway_model::{Cost, Instance, Plan, Question, check, question};
 use serde::{Deserialize, Serialize};
 
 use crate::Claim;
 
 /// A condition on a plan.
-#[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
+#[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize, BorshSerialize, BorshDeserialize)]
 #[serde(rename_all = "kebab-case")]
 pub enum Condition {
     /// The contrast of a question about what an agent does or does not do.

@@ -2,6 +2,7 @@
 
 use std::collections::BTreeSet;
 
+use borsh::{BorshDeserialize, BorshSerialize};
 use giveway_model::format::native;
 use giveway_model::{Instance, Version, check};
 use serde::{Deserialize, Serialize};
@@ -14,7 +15,7 @@ use crate::drat::{self, Refused};
 use crate::{Budget, Claim, plain};
 
 /// What came of checking a certificate.
-#[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
+#[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize, BorshSerialize, BorshDeserialize)]
 pub struct Report {
     /// The format's version.
     pub giveway: Version,
@@ -30,7 +31,7 @@ pub struct Report {
 }
 
 /// A claim that was checked.
-#[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
+#[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize, BorshSerialize, BorshDeserialize)]
 #[serde(tag = "kind", rename_all = "kebab-case")]
 pub enum Checked {
     /// Its proof was checked.

@@ -2,11 +2,14 @@
 
 use std::collections::BTreeMap;
 
-use giveway_model::{Cost, Costs, Plan, Version, check::Violation};
+use borsh::{BorshDeserialize, BorshSerialize};
+use giveway_model::{Cost, Costs, Plan, Version, check::Violation, message::read_map};
 use serde::{Deserialize, Serialize};
 
 /// What is known at the end. Running out is never "no solution".
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
+#[derive(
+    Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize, BorshSerialize, BorshDeserialize,
+)]
 #[serde(rename_all = "kebab-case")]
 pub enum Status {
     /// A plan, and a proof that none is better.
@@ -20,7 +23,9 @@ pub enum Status {
 }
 
 /// How much work an answer took.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Serialize, Deserialize)]
+#[derive(
+    Clone, Copy, Debug, Default, PartialEq, Serialize, Deserialize, BorshSerialize, BorshDeserialize,
+)]
 pub struct Stats {
     /// CPU seconds (wall seconds in the browser).
     pub cpu_seconds: f64,
@@ -35,7 +40,7 @@ pub struct Stats {
 }
 
 /// The answer to a solve request.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, BorshSerialize, BorshDeserialize)]
 pub struct SolveAnswer {
     /// The format's version.
     pub giveway: Version,
@@ -44,6 +49,7 @@ pub struct SolveAnswer {
     /// All five costs of the plan; `null` without one.
     pub costs: Option<Costs>,
     /// The proved lower bound of each cost of the objective reached so far.
+    #[borsh(deserialize_with = "read_map")]
     pub bounds: BTreeMap<Cost, u32>,
     /// The makespan up to which the claim was proved; `null` where it holds
     /// whatever the horizon.
@@ -60,7 +66,7 @@ pub struct SolveAnswer {
 }
 
 /// The answer to a request for a Pareto front.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, BorshSerialize, BorshDeserialize)]
 pub struct FrontAnswer {
     /// The format's version.
     pub giveway: Version,
@@ -75,7 +81,7 @@ pub struct FrontAnswer {
 }
 
 /// The answer to a check request.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, BorshSerialize, BorshDeserialize)]
 pub struct CheckAnswer {
     /// The format's version.
     pub giveway: Version,

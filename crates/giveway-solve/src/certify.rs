@@ -3,6 +3,8 @@
 
 use std::collections::BTreeMap;
 
+use borsh::{BorshDeserialize, BorshSerialize};
+use giveway_model::message::read_map;
 use giveway_model::{Cost, Instance, Objective, Plan, Question, Scene, check, format::from_object};
 use giveway_proof::{Budget, Claim, Report, Solved, export, verify};
 use serde::{Deserialize, Serialize};
@@ -14,7 +16,9 @@ use crate::{
 };
 
 /// Make a certificate of what was answered, and check it.
-#[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
+#[derive(
+    Clone, Debug, Default, PartialEq, Serialize, Deserialize, BorshSerialize, BorshDeserialize,
+)]
 #[serde(deny_unknown_fields)]
 pub struct CertifyRequest {
     /// The instance, unchecked.
@@ -26,6 +30,7 @@ pub struct CertifyRequest {
     /// that it contrasts one with.
     pub about: Claim,
     /// The lower bounds that were claimed, each given those of the costs before.
+    #[borsh(deserialize_with = "read_map")]
     pub bounds: BTreeMap<Cost, u32>,
     /// Whether it was claimed that there is no plan.
     pub impossible: bool,

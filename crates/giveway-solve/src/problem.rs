@@ -11,6 +11,7 @@ use crate::{
     terrain::Terrain,
     walk::{Walk, costs_of},
 };
+use giveway_model::sorting::set;
 
 /// Rules between agents that do not count, by the agents' numbers: what an
 /// explanation leaves out to see whether a plan exists without it.
@@ -176,11 +177,10 @@ impl Problem {
     /// keep to what is asked for by chance only.
     pub(crate) fn insiders(&self) -> BTreeSet<usize> {
         let demands = self.tasks.iter().map(|task| task.demand.as_ref());
-        let mut agents: BTreeSet<usize> = demands
+        let mut agents = set(demands
             .enumerate()
             .filter(|(_, demand)| demand.is_some_and(Demand::counts))
-            .map(|(agent, _)| agent)
-            .collect();
+            .map(|(agent, _)| agent));
         if let Some(Precedence { first, second, .. }) = self.precedence {
             agents.extend([first, second]);
         }

@@ -1,12 +1,13 @@
 //! What becomes known while a request is served.
 
+use borsh::{BorshDeserialize, BorshSerialize};
 use giveway_model::{Cost, Costs};
 use serde::{Deserialize, Serialize};
 
 use crate::explain::ExplainAnswer;
 
 /// An event on the way to an answer.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, BorshSerialize, BorshDeserialize)]
 #[serde(tag = "event", rename_all = "kebab-case")]
 pub enum Progress {
     /// It is proved that no plan has less of this cost (where it is not the

@@ -1,5 +1,6 @@
 //! What a front may ask: plain data.
 
+use borsh::{BorshDeserialize, BorshSerialize};
 use giveway_model::{Objective, Plan, Scene, change::Changes, format::from_object};
 use serde::{Deserialize, Serialize};
 
@@ -7,7 +8,7 @@ use crate::change::ChangeRequest;
 use crate::{CertifyRequest, explain::ExplainRequest};
 
 /// A request to the [service](crate::service).
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, BorshSerialize, BorshDeserialize)]
 #[serde(tag = "request", rename_all = "kebab-case")]
 pub enum Request {
     /// Find and prove the best plan, or the Pareto front.
@@ -23,7 +24,9 @@ pub enum Request {
 }
 
 /// Find and prove the best plan, or the Pareto front.
-#[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
+#[derive(
+    Clone, Debug, Default, PartialEq, Serialize, Deserialize, BorshSerialize, BorshDeserialize,
+)]
 #[serde(deny_unknown_fields)]
 pub struct SolveRequest {
     /// The instance, unchecked.
@@ -45,7 +48,9 @@ pub struct SolveRequest {
 }
 
 /// Judge a plan.
-#[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
+#[derive(
+    Clone, Debug, Default, PartialEq, Serialize, Deserialize, BorshSerialize, BorshDeserialize,
+)]
 #[serde(deny_unknown_fields)]
 pub struct CheckRequest {
     /// The instance, unchecked.
@@ -59,7 +64,9 @@ pub struct CheckRequest {
 }
 
 /// A budget; what is `None` is not limited (memory: see the field).
-#[derive(Clone, Copy, Debug, Default, PartialEq, Serialize, Deserialize)]
+#[derive(
+    Clone, Copy, Debug, Default, PartialEq, Serialize, Deserialize, BorshSerialize, BorshDeserialize,
+)]
 #[serde(deny_unknown_fields, default)]
 pub struct Limits {
     /// Wall seconds for the whole request, by the host's clock.

@@ -1,5 +1,6 @@
 //! The one door of the solver: requests in, progress and a response out.
 
+use borsh::{BorshDeserialize, BorshSerialize};
 use giveway_model::{
     Fault, Instance, Version,
     check::{Violation, check, check_changes},
@@ -18,7 +19,7 @@ use crate::{
 };
 
 /// What comes back. An error is a response, too.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, BorshSerialize, BorshDeserialize)]
 #[serde(tag = "response", rename_all = "kebab-case")]
 pub enum Response {
     /// To [`Request::Solve`].
@@ -38,7 +39,7 @@ pub enum Response {
 }
 
 /// Why a request was refused.
-#[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
+#[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize, BorshSerialize, BorshDeserialize)]
 #[serde(tag = "refusal", rename_all = "kebab-case")]
 pub enum Refusal {
     /// The scene is no instance of the problem; there is at least one fault.

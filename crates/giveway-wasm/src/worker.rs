@@ -3,7 +3,8 @@
 use std::cell::Cell;
 
 use giveway_solve::{Host, Progress, serve};
-use wasm_bindgen::{JsCast as _, JsValue, closure::Closure};
+use js_sys::Uint8Array;
+use wasm_bindgen::{JsCast as _, closure::Closure};
 use web_sys::{DedicatedWorkerGlobalScope, MessageEvent};
 
 use crate::{
@@ -27,8 +28,8 @@ pub fn serve_messages() {
         });
     }));
     let listen = Closure::<dyn Fn(MessageEvent)>::new(|event: MessageEvent| {
-        let text = event.data().as_string().unwrap_or_default();
-        answer(&text, &post);
+        let bytes = event.data().dyn_ref().map(Uint8Array::to_vec);
+        answer(&bytes.unwrap_or_default(), &post);
     });
     scope().set_onmessage(Some(listen.as_ref().unchecked_ref()));
     listen.forget(); // it listens as long as the worker lives
@@ -36,8 +37,8 @@ pub fn serve_messages() {
 }
 
 /// Answers one message.
-fn answer(text: &str, post: &dyn Fn(&Message)) {
-    match Ask::from_text(text) {
+fn answer(bytes: &[u8], post: &dyn Fn(&Message)) {
+    match Ask::from_bytes(bytes) {
         Ok(Ask { id, request }) => {
             AT.set(Some(id));
             let listen = |event: &Progress| {
@@ -58,7 +59,6 @@ fn scope() -> DedicatedWorkerGlobalScope {
 }
 
 fn post(message: &Message) {
-    let text = JsValue::from_str(&message.to_text());
-    // Text can always be posted.
-    let _ = scope().post_message(&text);
+    // Bytes can always be posted.
+    let _ = scope().post_message(&Uint8Array::from(message.to_bytes().as_slice()));
 }

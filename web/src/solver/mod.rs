@@ -44,7 +44,7 @@ struct Inner {
 struct Job {
     run: u64,
     /// The message, until it is posted.
-    waiting: Option<String>,
+    waiting: Option<Vec<u8>>,
 }
 
 /// What was heard since the last frame: it is shown in one go.
@@ -85,7 +85,7 @@ impl Solver {
             };
             inner.job.replace(Some(Job {
                 run,
-                waiting: Some(ask.to_text()),
+                waiting: Some(ask.to_bytes()),
             }));
         }
         let absent = inner.worker.borrow().is_none();
@@ -114,9 +114,9 @@ impl Solver {
             return;
         };
         if let Some(job) = self.0.job.borrow_mut().as_mut()
-            && let Some(text) = job.waiting.take()
+            && let Some(bytes) = job.waiting.take()
         {
-            worker.post(&text);
+            worker.post(&bytes);
         }
     }
 

@@ -5,8 +5,9 @@ use std::rc::Rc;
 use giveway_wasm::protocol::Message;
 use gloo::events::EventListener;
 use gloo::timers::callback::Timeout;
+use js_sys::{Object, Reflect, Uint8Array};
 use wasm_bindgen::{JsCast as _, JsValue};
-use web_sys::{ErrorEvent, MessageEvent, Worker};
+use web_sys::{ErrorEvent, MessageEvent, Url, Worker, WorkerOptions, WorkerType};
 
 /// How long a worker may take to load, in milliseconds: as long as a slow
 /// network may need.
@@ -41,7 +42,9 @@ impl Hired {
     /// Why the browser starts none, as a sentence.
     pub(super) fn start(hear: impl Fn(Event) + 'static) -> Result<Self, String> {
         let hear = Rc::new(hear);
-        let worker = Worker::new(&address()?).map_err(|error| {
+        let address = written("meta[name='giveway-worker']", "content")?;
+        let script = written("#application", "href")?;
+        let worker = begin(&address, &script).map_err(|error| {
             let error = js_sys::Error::from(error).message();
             format!("The browser allows no worker: {error}")
         })?;
@@ -77,16 +80,16 @@ impl Hired {
         self.patience = None;
     }
 
-    /// Posts a text, which cannot fail.
-    pub(super) fn post(&self, text: &str) {
-        let _ = self.worker.post_message(&JsValue::from_str(text));
+    /// Posts bytes, which cannot fail.
+    pub(super) fn post(&self, bytes: &[u8]) {
+        let _ = self.worker.post_message(&Uint8Array::from(bytes));
     }
 }
 
 fn said(event: &web_sys::Event) -> Event {
     let data = event.dyn_ref().map(MessageEvent::data);
-    let text = data.and_then(|data| data.as_string()).unwrap_or_default();
-    match Message::from_text(&text) {
+    let bytes = data.and_then(|data| data.dyn_ref().map(Uint8Array::to_vec));
+    match Message::from_bytes(&bytes.unwrap_or_default()) {
         Ok(message) => Event::Said(Box::new(message)),
         Err(error) => Event::Broke(format!("The solver said what nobody understands: {error}")),
     }
@@ -102,12 +105,28 @@ fn broke(event: &web_sys::Event) -> Event {
     })
 }
 
-/// Where the worker's script is: a build puts its name into the page.
-fn address() -> Result<String, String> {
-    let meta = gloo::utils::document()
-        .query_selector("meta[name='giveway-worker']")
+/// Starts the worker's script, and hands it what the page itself runs: nothing is
+/// fetched or compiled twice.
+fn begin(address: &str, script: &str) -> Result<Worker, JsValue> {
+    let options = WorkerOptions::new();
+    options.set_type(WorkerType::Module);
+    let worker = Worker::new_with_options(address, &options)?;
+    let program = Object::new();
+    // The worker may stand elsewhere than the page.
+    let base = gloo::utils::document().base_uri()?.unwrap_or_default();
+    let script = Url::new_with_base(script, &base)?.href();
+    Reflect::set(&program, &"script".into(), &script.into())?;
+    Reflect::set(&program, &"module".into(), &wasm_bindgen::module())?;
+    worker.post_message(&program)?;
+    Ok(worker)
+}
+
+/// What the page's HTML says; a build puts the names of files there.
+fn written(selector: &str, attribute: &str) -> Result<String, String> {
+    let element = gloo::utils::document().query_selector(selector);
+    let value = element
         .ok()
-        .flatten();
-    meta.and_then(|meta| meta.get_attribute("content"))
-        .ok_or_else(|| "The page does not say where the solver is.".to_owned())
+        .flatten()
+        .and_then(|it| it.get_attribute(attribute));
+    value.ok_or_else(|| "The page does not say where the solver is.".to_owned())
 }

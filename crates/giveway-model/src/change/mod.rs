@@ -32,7 +32,17 @@ pub const MAX_TIME: u32 = 1_000_000;
 /// ).unwrap();
 /// assert!(matches!(changes.changes[0].what, What::AddObstacle { .. }));
 /// ```
-#[derive(Clone, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
+#[derive(
+    Clone,
+    Debug,
+    Default,
+    PartialEq,
+    Eq,
+    Serialize,
+    Deserialize,
+    borsh::BorshSerialize,
+    borsh::BorshDeserialize,
+)]
 #[serde(remote = "Self", deny_unknown_fields)]
 pub struct Changes {
     /// The version of the format.
@@ -61,7 +71,16 @@ impl Changes {
 }
 
 /// One change at one time.
-#[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
+#[derive(
+    Clone,
+    Debug,
+    PartialEq,
+    Eq,
+    Serialize,
+    Deserialize,
+    borsh::BorshSerialize,
+    borsh::BorshDeserialize,
+)]
 #[serde(try_from = "written::Written", into = "written::Written")]
 pub struct Change {
     /// When, in steps from 0.
@@ -71,7 +90,7 @@ pub struct Change {
 }
 
 /// What changes.
-#[derive(Clone, Debug, PartialEq, Eq)]
+#[derive(Clone, Debug, PartialEq, Eq, borsh::BorshSerialize, borsh::BorshDeserialize)]
 pub enum What {
     /// An agent appears at its start; `initial` is its level then.
     AddAgent {

@@ -4,6 +4,7 @@ use super::charges::may_charge;
 use super::findings::{Findings, Place};
 use super::walk::Walk;
 use super::{Rule, sentence};
+use crate::sorting::sort;
 use crate::{Battery, Instance, Plan};
 
 /// The battery level of an agent at each time from 0 to its arrival.
@@ -39,7 +40,7 @@ pub fn levels(instance: &Instance, agent: usize, plan: &Plan) -> Vec<i64> {
 
 fn simulate(instance: &Instance, walk: &Walk<'_>, battery: Battery) -> Vec<i64> {
     let mut charges: Vec<usize> = walk.charges.iter().map(|&t| t as usize).collect();
-    charges.sort_unstable();
+    sort(&mut charges);
     charges.dedup();
     let mut charges = charges.into_iter().peekable();
     let mut level = i64::from(battery.initial);

@@ -161,8 +161,7 @@ impl Sweep<'_> {
     /// Two agents as indices of the instance, in its order.
     fn pair(&self, a: usize, b: usize) -> [usize; 2] {
         let index = |a| self.walk(a).map_or(usize::MAX, |walk| walk.index);
-        let mut pair = [index(a), index(b)];
-        pair.sort_unstable();
-        pair
+        let (a, b) = (index(a), index(b));
+        [a.min(b), a.max(b)]
     }
 }

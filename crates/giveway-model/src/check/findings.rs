@@ -1,6 +1,7 @@
 //! The violations found so far, and their order.
 
 use super::{MAX_VIOLATIONS, Rule, Violation};
+use crate::sorting::sort_by;
 use crate::{Cell, Instance};
 
 /// Where a violation lies.
@@ -73,8 +74,9 @@ impl<'a> Findings<'a> {
 
     /// All violations by time, rule and agents.
     pub(super) fn into_violations(mut self) -> Vec<Violation> {
-        self.found
-            .sort_by(|(a, v), (b, w)| (v.time, v.rule, a).cmp(&(w.time, w.rule, b)));
+        sort_by(&mut self.found, |(a, v), (b, w)| {
+            (v.time, v.rule, a).cmp(&(w.time, w.rule, b))
+        });
         self.found.into_iter().map(|(_, v)| v).collect()
     }
 }

@@ -17,6 +17,7 @@ mod shape;
 mod steps;
 mod walk;
 
+use borsh::{BorshDeserialize, BorshSerialize};
 use serde::{Deserialize, Serialize};
 
 use crate::{Cell, Costs, Instance, Plan};
@@ -33,7 +34,20 @@ pub(crate) use walk::Walk;
 pub const MAX_VIOLATIONS: usize = 100_000;
 
 /// The rule that a violation breaks.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord, Serialize, Deserialize)]
+#[derive(
+    Clone,
+    Copy,
+    Debug,
+    PartialEq,
+    Eq,
+    Hash,
+    PartialOrd,
+    Ord,
+    Serialize,
+    Deserialize,
+    BorshSerialize,
+    BorshDeserialize,
+)]
 #[serde(rename_all = "kebab-case")]
 pub enum Rule {
     /// The path lists the agents or times in a way that is no path at all.
@@ -80,7 +94,7 @@ impl Rule {
 }
 
 /// One broken rule: where, when, who.
-#[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
+#[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize, BorshSerialize, BorshDeserialize)]
 pub struct Violation {
     /// The rule.
     pub rule: Rule,

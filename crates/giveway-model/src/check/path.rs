@@ -1,12 +1,11 @@
 //! One agent's path alone: start, goal, waypoints, moves and obstacles.
 
-use std::collections::BTreeSet;
-
 use super::findings::{Findings, Place};
 use super::steps::{Broken, Step, steps};
 use super::walk::Walk;
 use super::{Rule, sentence};
-use crate::{Cell, Instance};
+use crate::Instance;
+use crate::sorting::set;
 
 /// Finds what is wrong with one path, whatever the other agents do.
 pub(super) fn find(instance: &Instance, walk: &Walk<'_>, findings: &mut Findings<'_>) {
@@ -34,7 +33,7 @@ fn find_ends(walk: &Walk<'_>, findings: &mut Findings<'_>) {
 }
 
 fn find_waypoints(walk: &Walk<'_>, findings: &mut Findings<'_>) {
-    let mut missed: BTreeSet<Cell> = walk.agent.waypoints.iter().copied().collect();
+    let mut missed = set(walk.agent.waypoints.iter().copied());
     for cell in walk.path.iter().flatten() {
         if missed.is_empty() {
             return;

@@ -3,6 +3,7 @@
 
 use super::findings::{Findings, Place};
 use super::{Rule, sentence};
+use crate::sorting::sort;
 use crate::{Cell, Instance, Plan};
 
 /// Finds what is wrong with the plan as a whole.
@@ -96,7 +97,7 @@ pub(super) fn find_in_charges(
 
 /// Finds the names in a plan that no agent has.
 pub(super) fn find_strangers(mut known: Vec<&str>, plan: &Plan, findings: &mut Findings<'_>) {
-    known.sort_unstable();
+    sort(&mut known);
     let parts = [
         ("a path", plan.paths.keys().collect::<Vec<_>>()),
         ("charges", plan.charges.keys().collect()),

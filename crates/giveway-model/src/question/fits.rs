@@ -3,6 +3,7 @@
 
 use std::fmt;
 
+use borsh::{BorshDeserialize, BorshSerialize};
 use serde::{Deserialize, Serialize};
 
 use super::holds::{first_visit, holds, is_at, walk};
@@ -16,7 +17,7 @@ use crate::{Cell, Fault, Ground, Instance, Plan};
 const NAMED: usize = 8;
 
 /// Why a question cannot be answered.
-#[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
+#[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize, BorshSerialize, BorshDeserialize)]
 #[serde(tag = "misfit", rename_all = "kebab-case")]
 pub enum Misfit {
     /// It names what does not exist, or not where it could be.

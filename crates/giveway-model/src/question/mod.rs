@@ -14,6 +14,7 @@ mod not_so;
 mod so;
 mod words;
 
+use borsh::{BorshDeserialize, BorshSerialize};
 use serde::{Deserialize, Serialize};
 
 use crate::Cell;
@@ -24,7 +25,7 @@ pub use holds::holds;
 pub use words::{Asked, WordsError, from_words, to_words};
 
 /// A question. Times are steps from 0; agents go by their names.
-#[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
+#[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize, BorshSerialize, BorshDeserialize)]
 #[serde(
     tag = "kind",
     rename_all = "kebab-case",

@@ -5,6 +5,7 @@ use giveway_model::{Cell, Question};
 use super::{Group, Offer};
 use crate::Answer;
 use crate::timeline::{Lane, Step, Way};
+use giveway_model::sorting::sort;
 
 /// The most orders of waypoints that are offered.
 const ORDERS: usize = 2;
@@ -167,7 +168,7 @@ fn orders(answer: &Answer, lane: &Lane) -> Vec<Offer> {
         .iter()
         .filter_map(|&cell| Some((first_visit(cell)?, cell)))
         .collect();
-    visits.sort_unstable();
+    sort(&mut visits);
     let pairs = visits.windows(2).take(ORDERS);
     pairs
         .map(|pair| {

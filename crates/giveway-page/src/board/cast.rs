@@ -6,6 +6,7 @@ use giveway_model::Agent;
 
 use super::{Mark, Track, Way, marks};
 use crate::{Answer, Draft, State};
+use giveway_model::sorting::sort;
 
 /// The agents of a draft and what they do by the plan shown, if any.
 #[derive(Clone, Debug)]
@@ -50,7 +51,7 @@ impl Cast {
             let plan = plan.and_then(|answer| answer.plan());
             let mut path = plan.map_or_else(Vec::new, |plan| plan.path(&agent.name).to_vec());
             let mut charges = plan.map_or_else(Vec::new, |plan| plan.charges(&agent.name).to_vec());
-            charges.sort_unstable();
+            sort(&mut charges);
             if path.is_empty() {
                 path.push(Some(agent.start));
             }

@@ -5,6 +5,7 @@ use std::fmt::Write;
 use giveway_model::{Agent, Cell};
 
 use super::Track;
+use giveway_model::sorting::sort_by_key;
 
 /// A goal or a waypoint.
 #[derive(Clone, Debug, PartialEq)]
@@ -63,7 +64,9 @@ pub fn marks(agents: &[Agent], tracks: &[Track]) -> Vec<Mark> {
     }
     // By cell, so that those on the same one stand together; it also keeps the
     // order of drawing from depending on the order of the agents.
-    marks.sort_by_key(|mark| (mark.cell.y, mark.cell.x, mark.kind, mark.agent));
+    sort_by_key(&mut marks, |mark| {
+        (mark.cell.y, mark.cell.x, mark.kind, mark.agent)
+    });
     for cell in marks.chunk_by_mut(|a, b| a.cell == b.cell) {
         let goals = cell.partition_point(|mark| mark.kind == MarkKind::Goal);
         let (goals, waypoints) = cell.split_at_mut(goals);

@@ -7,6 +7,7 @@ use giveway_model::Cell;
 use super::at;
 use crate::timeline::{Lane, Way};
 use crate::{Reserve, State};
+use giveway_model::sorting::set;
 
 /// What the inspector tells of an agent.
 #[derive(Clone, Debug, PartialEq)]
@@ -101,7 +102,7 @@ pub fn agent(state: &State, agent: usize) -> Option<AgentFacts> {
 /// The cells that an agent was on up to a time.
 fn visited(lane: &Lane, time: u32) -> BTreeSet<Cell> {
     let reached = lane.steps.iter().filter(|step| step.ends <= time);
-    let mut cells: BTreeSet<Cell> = reached.map(|step| step.to).collect();
+    let mut cells = set(reached.map(|step| step.to));
     if lane.begins <= time {
         cells.insert(lane.entry);
     }

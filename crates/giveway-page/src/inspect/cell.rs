@@ -4,6 +4,7 @@ use giveway_model::{Cell, Ground};
 
 use crate::timeline::Lane;
 use crate::{State, table};
+use giveway_model::sorting::sort_by_key;
 
 /// What the inspector tells of a cell.
 #[derive(Clone, Debug, PartialEq)]
@@ -60,7 +61,7 @@ pub fn cell(state: &State, cell: Cell) -> Option<CellFacts> {
         let mut passes: Vec<Pass> = table::lanes(answer)
             .flat_map(|lane| stays(&lane, cell))
             .collect();
-        passes.sort_by_key(|pass| (pass.from, pass.agent));
+        sort_by_key(&mut passes, |pass| (pass.from, pass.agent));
         passes
     });
     Some(CellFacts {

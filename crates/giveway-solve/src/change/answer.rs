@@ -11,7 +11,16 @@ use super::Method;
 use crate::SolveAnswer;
 
 /// Why a method had to let agents go their own way, or why there is no plan.
-#[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
+#[derive(
+    Clone,
+    Debug,
+    PartialEq,
+    Eq,
+    Serialize,
+    Deserialize,
+    borsh::BorshSerialize,
+    borsh::BorshDeserialize,
+)]
 pub struct Cause {
     /// The agent.
     pub agent: String,
@@ -30,7 +39,17 @@ pub struct Cause {
 }
 
 /// What keeps an agent from what a method asks of it.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
+#[derive(
+    Clone,
+    Copy,
+    Debug,
+    PartialEq,
+    Eq,
+    Serialize,
+    Deserialize,
+    borsh::BorshSerialize,
+    borsh::BorshDeserialize,
+)]
 #[serde(rename_all = "kebab-case")]
 pub enum CauseKind {
     /// An obstacle on the rest of its path, its goal or a waypoint.
@@ -49,7 +68,9 @@ pub enum CauseKind {
 
 /// What one method makes of the changes of one time. The plan runs from time 0,
 /// and so do costs and bounds.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[derive(
+    Clone, Debug, PartialEq, Serialize, Deserialize, borsh::BorshSerialize, borsh::BorshDeserialize,
+)]
 pub struct MethodAnswer {
     /// The plan, and what is proved of it.
     #[serde(flatten)]
@@ -73,7 +94,7 @@ pub struct MethodAnswer {
 }
 
 /// The answers of the methods, in the order in which they were asked.
-#[derive(Clone, Debug, Default, PartialEq)]
+#[derive(Clone, Debug, Default, PartialEq, borsh::BorshSerialize, borsh::BorshDeserialize)]
 pub struct Methods(pub Vec<(Method, MethodAnswer)>);
 
 impl Methods {
@@ -119,7 +140,9 @@ impl<'de> Deserialize<'de> for Methods {
 }
 
 /// The changes of one time, and how to go on.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[derive(
+    Clone, Debug, PartialEq, Serialize, Deserialize, borsh::BorshSerialize, borsh::BorshDeserialize,
+)]
 pub struct Step {
     /// The time.
     pub at: u32,
@@ -133,7 +156,9 @@ pub struct Step {
 }
 
 /// The answer to a change request.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[derive(
+    Clone, Debug, PartialEq, Serialize, Deserialize, borsh::BorshSerialize, borsh::BorshDeserialize,
+)]
 pub struct ChangeAnswer {
     /// The format's version.
     pub giveway: Version,

@@ -16,7 +16,17 @@ use crate::Limits;
 /// assert_eq!("tunnel=2".parse(), Ok(Method::Tunnel(2)));
 /// assert_eq!(Method::Replan.to_string(), "replan");
 /// ```
-#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+#[derive(
+    Clone,
+    Copy,
+    Debug,
+    PartialEq,
+    Eq,
+    PartialOrd,
+    Ord,
+    borsh::BorshSerialize,
+    borsh::BorshDeserialize,
+)]
 pub enum Method {
     /// Old agents keep their sequence of cells.
     Revise,
@@ -79,7 +89,9 @@ impl<'de> Deserialize<'de> for Method {
 }
 
 /// Go on with a plan around which the world changes.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[derive(
+    Clone, Debug, PartialEq, Serialize, Deserialize, borsh::BorshSerialize, borsh::BorshDeserialize,
+)]
 #[serde(deny_unknown_fields)]
 pub struct ChangeRequest {
     /// The instance, unchecked.

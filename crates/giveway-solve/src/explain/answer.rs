@@ -1,10 +1,11 @@
 //! Reasons as data, in the shapes in which they are written as JSON.
 
+use borsh::{BorshDeserialize, BorshSerialize};
 use giveway_model::{Cell, Cost, Costs, Plan, check::Violation};
 use serde::{Deserialize, Serialize};
 
 /// What an agent has more of than in a better plan.
-#[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
+#[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize, BorshSerialize, BorshDeserialize)]
 pub struct Excess {
     /// The agent.
     pub agent: String,
@@ -16,7 +17,7 @@ pub struct Excess {
 }
 
 /// One thing that would go wrong.
-#[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
+#[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize, BorshSerialize, BorshDeserialize)]
 pub struct WitnessEntry {
     /// What, where, when, who.
     #[serde(flatten)]
@@ -27,7 +28,19 @@ pub struct WitnessEntry {
 }
 
 /// A class of rules, of which a relaxed plan breaks as few as it can.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Serialize, Deserialize)]
+#[derive(
+    Clone,
+    Copy,
+    Debug,
+    PartialEq,
+    Eq,
+    PartialOrd,
+    Ord,
+    Serialize,
+    Deserialize,
+    BorshSerialize,
+    BorshDeserialize,
+)]
 #[serde(rename_all = "kebab-case")]
 pub enum Class {
     /// Vertex and swap collisions, counted by pair and time.
@@ -41,7 +54,19 @@ pub enum Class {
 }
 
 /// What kind of thing a fact is, and so what leaving it out means.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Serialize, Deserialize)]
+#[derive(
+    Clone,
+    Copy,
+    Debug,
+    PartialEq,
+    Eq,
+    PartialOrd,
+    Ord,
+    Serialize,
+    Deserialize,
+    BorshSerialize,
+    BorshDeserialize,
+)]
 #[serde(rename_all = "kebab-case")]
 pub enum FactKind {
     /// The agent is there at all.
@@ -63,7 +88,18 @@ pub enum FactKind {
 }
 
 /// A fact of an instance that can be left out.
-#[derive(Clone, Debug, PartialEq, Eq, PartialOrd, Ord, Serialize, Deserialize)]
+#[derive(
+    Clone,
+    Debug,
+    PartialEq,
+    Eq,
+    PartialOrd,
+    Ord,
+    Serialize,
+    Deserialize,
+    BorshSerialize,
+    BorshDeserialize,
+)]
 pub struct Fact {
     /// What kind of thing it is.
     pub kind: FactKind,
@@ -76,7 +112,7 @@ pub struct Fact {
 }
 
 /// Facts that together make it impossible.
-#[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
+#[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize, BorshSerialize, BorshDeserialize)]
 pub struct Core {
     /// With all of these, there is no plan.
     pub facts: Vec<Fact>,
@@ -89,7 +125,18 @@ pub struct Core {
 }
 
 /// A change of the instance that a person may make.
-#[derive(Clone, Debug, PartialEq, Eq, PartialOrd, Ord, Serialize, Deserialize)]
+#[derive(
+    Clone,
+    Debug,
+    PartialEq,
+    Eq,
+    PartialOrd,
+    Ord,
+    Serialize,
+    Deserialize,
+    BorshSerialize,
+    BorshDeserialize,
+)]
 #[serde(tag = "edit", rename_all = "kebab-case", deny_unknown_fields)]
 pub enum Edit {
     /// Free an obstacle's cell.
@@ -138,7 +185,7 @@ pub enum Edit {
 }
 
 /// A repair: edits after which there is a plan.
-#[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
+#[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize, BorshSerialize, BorshDeserialize)]
 pub struct Repair {
     /// The edits, all of them needed.
     pub edits: Vec<Edit>,

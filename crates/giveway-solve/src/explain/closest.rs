@@ -1,6 +1,5 @@
 //! The other plan that is closest to the one asked about.
 
-use std::collections::BTreeMap;
 use std::rc::Rc;
 
 use giveway_model::{Cell, Costs, Instance, Plan, check::check};
@@ -15,6 +14,7 @@ use crate::{
     single::Place,
     walk::to_plan,
 };
+use giveway_model::sorting::{map, sort};
 
 /// Conflicts and seconds that it may take.
 const CONFLICTS: u64 = 20_000;
@@ -67,7 +67,7 @@ fn with(case: &Case, condition: &Condition, costs: Costs, meter: &Rc<Meter>) -> 
     let default = problem.default_horizon(instance.grid());
     let horizon = case.within.unwrap_or(default.max(case.costs.makespan));
     let objective = case.objective().costs().iter();
-    let mut limits: BTreeMap<_, _> = objective.map(|&cost| (cost, costs.get(cost))).collect();
+    let mut limits = map(objective.map(|&cost| (cost, costs.get(cost))));
     if !condition.limit_costs(&mut limits) {
         return Tried::None;
     }
@@ -123,7 +123,7 @@ fn before(problem: &Problem, instance: &Instance, plan: &Plan) -> Option<Vec<Bef
             walk.push(Place::Along(arc.id));
         }
         let mut charges = plan.charges(&agent.name).to_vec();
-        charges.sort_unstable();
+        sort(&mut charges);
         Some(Before { walk, charges })
     });
     each.collect()

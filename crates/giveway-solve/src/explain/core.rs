@@ -14,6 +14,7 @@ use super::{
     answer::{Core, FactKind},
     relax::{Part, Variant, parts, without},
 };
+use giveway_model::sorting::sort_by_key;
 
 /// The latest plans of other variants that are tried before any search.
 const KNOWN: usize = 12;
@@ -167,7 +168,7 @@ impl Shrinking<'_> {
             }
             _ => 0,
         };
-        obstacles.sort_by_key(|part| std::cmp::Reverse(distance(part)));
+        sort_by_key(obstacles, |part| std::cmp::Reverse(distance(part)));
     }
 
     /// Leaves out what can be left out of a block; true if something of it is

@@ -2,8 +2,10 @@
 
 use std::collections::BTreeMap;
 
+use borsh::{BorshDeserialize, BorshSerialize};
 use giveway_model::{
     Cost, Costs, Objective, Plan, Question, Scene, Version, check::Violation, format::from_object,
+    message::read_map,
 };
 use serde::{Deserialize, Serialize};
 
@@ -11,7 +13,7 @@ use super::{Core, Excess, Repair, WitnessEntry};
 use crate::{Limits, Stats};
 
 /// Answer a question about a plan, or about there being none.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, BorshSerialize, BorshDeserialize)]
 #[serde(deny_unknown_fields)]
 pub struct ExplainRequest {
     /// The instance, unchecked.
@@ -34,7 +36,19 @@ pub struct ExplainRequest {
 }
 
 /// What the comparison with the best other plan says.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Serialize, Deserialize)]
+#[derive(
+    Clone,
+    Copy,
+    Debug,
+    PartialEq,
+    Eq,
+    PartialOrd,
+    Ord,
+    Serialize,
+    Deserialize,
+    BorshSerialize,
+    BorshDeserialize,
+)]
 #[serde(rename_all = "kebab-case")]
 pub enum Verdict {
     /// The best other plan costs the same: it need not be so.
@@ -50,7 +64,19 @@ pub enum Verdict {
 }
 
 /// A part of an answer.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Serialize, Deserialize)]
+#[derive(
+    Clone,
+    Copy,
+    Debug,
+    PartialEq,
+    Eq,
+    PartialOrd,
+    Ord,
+    Serialize,
+    Deserialize,
+    BorshSerialize,
+    BorshDeserialize,
+)]
 #[serde(rename_all = "kebab-case")]
 pub enum Part {
     /// The verdict with an other plan.
@@ -66,7 +92,7 @@ pub enum Part {
 }
 
 /// The answer to a question. On the way it comes with what is known so far.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, BorshSerialize, BorshDeserialize)]
 pub struct ExplainAnswer {
     /// The format's version.
     pub giveway: Version,
@@ -84,6 +110,7 @@ pub struct ExplainAnswer {
     pub costs: Option<Costs>,
     /// What the other plan costs more than the one asked about, for each cost
     /// of the objective.
+    #[borsh(deserialize_with = "read_map")]
     pub deltas: BTreeMap<Cost, i64>,
     /// The makespan up to which the verdict was proved; `null` where it holds
     /// whatever the horizon.

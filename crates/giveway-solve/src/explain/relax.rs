@@ -7,6 +7,7 @@ use giveway_model::{AtGoal, Cell, Grid, Ground, Instance, Plan, Scene};
 use super::answer::{Fact, FactKind};
 use super::words;
 use crate::problem::Relaxed;
+use giveway_model::sorting::sort;
 
 /// A fact; agents by their numbers. The order is that in which facts are tried:
 /// without agents everything else is quickly tried.
@@ -94,7 +95,7 @@ pub(crate) fn parts(instance: &Instance, asked: &[usize], deadline: bool) -> Vec
         parts.push(Part::Slow);
     }
     parts.extend(deadline.then_some(Part::Deadline));
-    parts.sort_unstable();
+    sort(&mut parts);
     parts
 }
 

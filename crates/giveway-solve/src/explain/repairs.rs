@@ -15,6 +15,7 @@ use super::{
     relax::{Part, Variant},
     words,
 };
+use giveway_model::sorting::sort_by_key;
 
 /// The most repairs that are told.
 const MOST: usize = 12;
@@ -66,7 +67,7 @@ pub(crate) fn repairs(
     }
     let mut found = search.found;
     let exhaustive = search.exhaustive;
-    found.sort_by_cached_key(|repair| {
+    sort_by_key(&mut found, |repair| {
         let kinds: Vec<u8> = repair.edits.iter().map(rank).collect();
         let costs = repair.costs.vector(objective);
         (repair.edits.len(), kinds, costs, repair.edits.clone())
@@ -212,7 +213,7 @@ impl Search<'_> {
                 (plan, costs) = best;
             }
         }
-        edits.sort_by_key(rank);
+        sort_by_key(&mut edits, rank);
         self.found.push(Repair {
             text: words::repair(&edits, &costs),
             edits,

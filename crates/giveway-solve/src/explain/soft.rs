@@ -22,6 +22,7 @@ use crate::{
     search::Team,
     walk::{Walk, arrival, to_plan},
 };
+use giveway_model::sorting::sort;
 
 /// The most broken rules that are counted: more explain nothing.
 const MOST_BROKEN: usize = 12;
@@ -300,7 +301,7 @@ impl<'a, 'p, 'h> Soft<'a, 'p, 'h> {
         mut breaches: Vec<Breach>,
         mut fixed: Vec<Lit>,
     ) -> Result<(), Stop> {
-        breaches.sort_unstable();
+        sort(&mut breaches);
         let Some(count) = self.best.as_ref().map(|best| best.0) else {
             return Ok(());
         };

@@ -18,6 +18,7 @@ use super::{
     soft::{self, Broken},
 };
 use crate::{Limits, Status, meter::Meter};
+use giveway_model::sorting::set;
 
 /// Conflicts that one of many searches may take.
 const CONFLICTS_EACH: u64 = 8_000;
@@ -196,7 +197,7 @@ fn fewest_left_out(
 ) -> Option<Broken> {
     let mut class = parts(instance, &[], false);
     class.retain(of_class);
-    let all: BTreeSet<Part> = class.iter().copied().collect();
+    let all = set(class.iter().copied());
     if all.is_empty()
         || !matches!(
             any_plan.search(&without(instance, &all, within)),
@@ -258,7 +259,7 @@ fn subsets(class: &[Part], count: usize) -> impl Iterator<Item = BTreeSet<Part>>
             let head = now[..i].iter().copied();
             head.chain(now[i] + 1..now[i] + 1 + count - i).collect()
         });
-        Some(now.iter().map(|&i| class[i]).collect())
+        Some(set(now.iter().map(|&i| class[i])))
     })
 }
 

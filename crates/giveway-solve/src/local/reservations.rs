@@ -11,6 +11,7 @@ use crate::{
     terrain::Vertex,
     walk::{Walk, arrival, crossed},
 };
+use giveway_model::sorting::map;
 
 #[expect(
     clippy::disallowed_types,
@@ -37,7 +38,7 @@ impl<'p> Reservations<'p> {
             at: Table::default(),
             along: Table::default(),
             rests: BTreeMap::new(),
-            visits: goals.map(|goal| (goal, BTreeSet::new())).collect(),
+            visits: map(goals.map(|goal| (goal, BTreeSet::new()))),
         }
     }
 

@@ -23,6 +23,7 @@ use crate::{
     meter::Stop,
     sat::{Lit, Outcome},
 };
+use giveway_model::sorting::{sort, sort_by_key};
 
 /// What an assumption bounds.
 #[derive(Clone, Copy, Debug)]
@@ -163,7 +164,7 @@ impl SumStage {
         let is_agent = |soft: &Soft| matches!(soft, Soft::Agent(..));
         let mut softs: Vec<(&Lit, &Soft)> = self.softs.iter().collect();
         if self.light {
-            softs.sort_by_key(|(_, soft)| is_agent(soft));
+            sort_by_key(&mut softs, |(_, soft)| is_agent(soft));
         }
         softs.into_iter().map(|(&lit, _)| lit).collect()
     }
@@ -263,7 +264,7 @@ impl SumStage {
         let Some(mut agents) = agents.filter(|agents| agents.len() <= STRETCHED) else {
             return Ok(0);
         };
-        agents.sort_unstable();
+        sort(&mut agents);
         let seen = self.seen.entry(agents).or_insert(0);
         *seen += 1;
         let (mut step, mut learnt) = (*seen - 1, 0);

@@ -9,6 +9,7 @@ use std::collections::BTreeMap;
 use std::rc::Rc;
 
 use giveway_model::Cost;
+use giveway_model::sorting::map;
 
 use super::tally::{Tally, least};
 use crate::{
@@ -56,7 +57,7 @@ impl<'p, 'h> Team<'p, 'h> {
             collisions: Collisions::new(problem.relaxed.ignored.clone()),
             inside: problem.tasks.iter().map(|_| None).collect(),
             walks,
-            owners: goals.map(|(agent, task)| (task.goal, agent)).collect(),
+            owners: map(goals.map(|(agent, task)| (task.goal, agent))),
             on_goals: BTreeMap::new(),
             not_yet: BTreeMap::new(),
             tallies: BTreeMap::new(),

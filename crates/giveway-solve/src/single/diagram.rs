@@ -23,6 +23,7 @@ use crate::{
     meter::{Meter, Stop},
     terrain::{Terrain, Vertex},
 };
+use giveway_model::sorting::{map, sort_by_key};
 
 /// Where an agent is: at a vertex, or half way along a slow arc.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
@@ -90,7 +91,7 @@ impl Diagram {
         Self {
             nodes: Vec::new(),
             index: Index::default(),
-            open: BTreeMap::from([((optimum, 0), vec![first])]),
+            open: map([((optimum, 0), vec![first])]),
             deadline: None,
             optimum,
         }
@@ -137,7 +138,7 @@ impl Diagram {
             // All ways of this level into this time are known: their parents
             // are earlier, of no higher level. The fullest battery counts.
             let mut steps = entry.remove();
-            steps.sort_by_key(|s| (s.place, s.mask, u32::MAX - s.battery));
+            sort_by_key(&mut steps, |s| (s.place, s.mask, u32::MAX - s.battery));
             steps.dedup_by_key(|s| (s.place, s.mask));
             for step in steps {
                 meter.tick()?;
@@ -185,7 +186,7 @@ impl Diagram {
                 level: (time + 1 + delay + rest).max(self.optimum),
             });
         });
-        steps.sort_by_key(|s| s.level);
+        sort_by_key(&mut steps, |s| s.level);
         meter.hold(96 + steps.len() * 48);
         for step in &steps {
             let slot = self.open.entry((step.level, time + 1)).or_default();

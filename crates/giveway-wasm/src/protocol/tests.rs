@@ -19,11 +19,14 @@ fn scene() -> Scene {
 
 fn check_ask(request: Request) {
     let ask = Ask { id: 7, request };
-    assert_eq!(Ask::from_text(&ask.to_text()), Ok(ask));
+    assert_eq!(Ask::from_bytes(&ask.to_bytes()), Ok(ask));
 }
 
 fn check_message(message: &Message) {
-    assert_eq!(Message::from_text(&message.to_text()).as_ref(), Ok(message));
+    assert_eq!(
+        Message::from_bytes(&message.to_bytes()).as_ref(),
+        Ok(message)
+    );
 }
 
 fn check_response(response: Response) {
@@ -162,8 +165,17 @@ fn what_is_told_on_the_way_comes_back() {
 
 #[test]
 fn what_is_no_message_is_told() {
-    for text in ["", "null", "{}", r#"{ "id": 1 }"#, r#"{ "id": -1 }"#] {
-        assert!(!Ask::from_text(text).unwrap_err().is_empty(), "{text}");
-        assert!(!Message::from_text(text).unwrap_err().is_empty(), "{text}");
+    let longer = [Message::Ready.to_bytes(), vec![0]].concat();
+    for bytes in [
+        &[][..],
+        &[9; 9],
+        b"\xff\xff\xff\xff\xff\xff\xff\xff",
+        &longer,
+    ] {
+        assert!(!Ask::from_bytes(bytes).unwrap_err().is_empty(), "{bytes:?}");
+        assert!(
+            !Message::from_bytes(bytes).unwrap_err().is_empty(),
+            "{bytes:?}"
+        );
     }
 }
