@@ -288,9 +288,11 @@ fn stages(
     for (i, &cost) in objective.costs().iter().enumerate() {
         let mut bound = 0;
         let known = known.take();
-        let end = match cost {
-            Cost::Makespan => makespan::run(&mut search, &mut bound),
-            _ => SumStage::run(&mut search, cost, known, &mut bound),
+        let last = i + 1 == objective.costs().len();
+        let end = if cost == Cost::Makespan {
+            makespan::run(&mut search, &mut bound)
+        } else {
+            SumStage::run(&mut search, cost, known, last, &mut bound)
         };
         verdict.bounds.insert(cost, bound);
         let End::Least(least) = end? else {

@@ -104,7 +104,22 @@ impl<'p, 'h> Search<'p, 'h> {
         let Some(walks) = self.incumbent.walks() else {
             return Ok(());
         };
-        let mut walks = walks.to_vec();
+        let improved = self.improve(walks.to_vec());
+        // Where nothing is gained, or little is left to gain, less often.
+        let best = self.incumbent.costs().map_or(0, |costs| costs.get(cost));
+        let wide = best > bound + bound / 20;
+        let pause = match (improved?, wide) {
+            (_, true) => conflicts / 16,
+            (true, false) => conflicts / 4,
+            (false, false) => conflicts,
+        };
+        self.polish_at = conflicts + pause;
+        Ok(())
+    }
+
+    /// Improves a plan for some time, and keeps it if it is the best; whether
+    /// it became better.
+    pub(crate) fn improve(&mut self, mut walks: Vec<Walk>) -> Result<bool, Stop> {
         let latest = self.caps.iter().copied().max().unwrap_or(0);
         let objective = self.incumbent.objective().clone();
         let improved = self.improver.improve(
@@ -116,16 +131,7 @@ impl<'p, 'h> Search<'p, 'h> {
             &self.meter,
         );
         self.incumbent.offer(self.problem, &walks, &self.meter);
-        // Where nothing is gained, or little is left to gain, less often.
-        let best = self.incumbent.costs().map_or(0, |costs| costs.get(cost));
-        let wide = best > bound + bound / 20;
-        let pause = match (improved?, wide) {
-            (_, true) => conflicts / 16,
-            (true, false) => conflicts / 4,
-            (false, false) => conflicts,
-        };
-        self.polish_at = conflicts + pause;
-        Ok(())
+        improved
     }
 
     /// The latest arrival of an agent that is still of interest.
@@ -365,6 +371,13 @@ impl<'p, 'h> Search<'p, 'h> {
         self.incumbent.costs().is_some_and(|costs| {
             costs.get(cost) == value && self.done.iter().all(|(&c, &least)| costs.get(c) == least)
         })
+    }
+
+    /// The best plan's value of a cost, if it has the optimum of each cost
+    /// before it.
+    pub(crate) fn best(&self, cost: Cost) -> Option<u32> {
+        let best = self.incumbent.costs()?.get(cost);
+        self.incumbent_meets(cost, best).then_some(best)
     }
 
     /// Tells the host a proved bound.

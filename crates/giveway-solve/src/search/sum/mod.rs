@@ -11,7 +11,14 @@
 //! free until no further core is found. A core that comes again with the next
 //! levels of the same agents is *stretched*: two agents that meet in a corridor
 //! are a core for as many levels as the corridor is long, and all of these are
-//! learnt at once.
+//! learnt at once. A small core is *exhausted* ([`exhaust`]): its agents are
+//! looked at by themselves until they hold together. What the best plan so far
+//! excludes is made clauses ([`narrow`]); better plans come out of models
+//! ([`guess`]).
+
+mod exhaust;
+mod guess;
+mod narrow;
 
 use std::collections::BTreeMap;
 
@@ -19,7 +26,7 @@ use giveway_model::Cost;
 
 use super::stage::{End, Search};
 use crate::{
-    encode::{collisions::AgentId, totalizer::totalizer},
+    encode::collisions::AgentId,
     meter::Stop,
     sat::{Lit, Outcome},
 };
@@ -67,6 +74,8 @@ pub(crate) struct SumStage {
     cost: Cost,
     bound: u32,
     known: bool,
+    /// No further cost is minimised: nothing is of interest but a better plan.
+    last: bool,
     /// No agent has a battery. Where one has, calls that end with a model take
     /// so long that smaller cores cost more than they save, as measured.
     light: bool,
@@ -78,11 +87,14 @@ pub(crate) struct SumStage {
     totalizers: Vec<Vec<Lit>>,
     /// How often some agents have been a core.
     seen: BTreeMap<Vec<AgentId>, u32>,
+    /// The best plan's cost and the bound of when levels were last excluded.
+    narrowed: Option<(u32, u32)>,
 }
 
 impl SumStage {
     /// Minimises the sum of a cost. Where its optimum is `known`, and a limit
-    /// of the search, a plan is all that is looked for.
+    /// of the search, a plan is all that is looked for. Where the cost is the
+    /// `last` one, the search is of no use afterwards.
     ///
     /// # Errors
     /// When the budget is spent. `bound` holds what was proved up to then.
@@ -90,18 +102,21 @@ impl SumStage {
         search: &mut Search,
         cost: Cost,
         known: Option<u32>,
+        last: bool,
         bound: &mut u32,
     ) -> Result<End, Stop> {
         let mut stage = Self {
             cost,
             bound: search.sum_of_minima(cost)?.max(known.unwrap_or(0)),
             known: known.is_some(),
+            last,
             light: search.problem.tasks.iter().all(|t| t.reserve.is_none()),
             softs: BTreeMap::new(),
             waiting: Vec::new(),
             cores: Vec::new(),
             totalizers: Vec::new(),
             seen: BTreeMap::new(),
+            narrowed: None,
         };
         *bound = stage.bound;
         search.report_bound(cost, stage.bound);
@@ -118,6 +133,7 @@ impl SumStage {
                 stage.harden(search);
                 return Ok(End::Least(stage.bound));
             }
+            stage.narrow(search);
             // The deadlines of a sum of costs guard the diagrams themselves.
             let guards = match cost {
                 Cost::SumOfCosts => BTreeMap::new(),
@@ -126,7 +142,10 @@ impl SumStage {
             let mut assumptions = stage.in_order();
             assumptions.extend(guards.keys().filter(|lit| !stage.softs.contains_key(lit)));
             match search.team.solve(&assumptions)? {
-                Outcome::Sat if stage.is_waiting() => stage.assume_waiting(search)?,
+                Outcome::Sat if stage.is_waiting() => {
+                    stage.guess(search)?;
+                    stage.assume_waiting(search)?;
+                }
                 Outcome::Sat => {
                     let entered = search.settle()?;
                     if entered.is_empty() && !search.incumbent_meets(cost, stage.bound) {
@@ -143,10 +162,13 @@ impl SumStage {
                         core
                     };
                     if core.is_empty() {
-                        return Ok(End::None);
+                        let best = stage.excluded();
+                        *bound = best.unwrap_or(stage.bound);
+                        return Ok(best.map_or(End::None, End::Least));
                     }
-                    stage.learn(search, &core, &guards)?;
+                    let learnt = stage.learn(search, &core, &guards);
                     *bound = stage.bound;
+                    learnt?;
                     search.polish(cost, stage.bound)?;
                     if core.len() > LARGE_CORE {
                         stage.assume_waiting(search)?;
@@ -154,6 +176,11 @@ impl SumStage {
                 }
             }
         }
+    }
+
+    /// The best plan's cost, where plans that are not better are excluded.
+    fn excluded(&self) -> Option<u32> {
+        self.narrowed.filter(|_| self.last).map(|(best, _)| best)
     }
 
     /// All that is assumed. Assumptions are made in this order. Without
@@ -237,11 +264,12 @@ impl SumStage {
             .iter()
             .filter_map(|lit| self.softs.remove(lit))
             .collect();
+        let first = self.cores.len();
         self.pay(search, core);
         let further = self.stretch(search, &softs)?;
-        for soft in softs {
-            self.waiting.push(soft.raised(further + 1));
-        }
+        let raised = softs.iter().map(|soft| soft.raised(further + 1));
+        let softs = self.exhaust(search, raised.collect(), first)?;
+        self.waiting.extend(softs);
         Ok(())
     }
 
@@ -300,11 +328,8 @@ impl SumStage {
             self.assume(search, soft)?;
         }
         for violations in std::mem::take(&mut self.cores) {
-            let outputs = totalizer(&violations, search.team.clauses());
-            let totalizer = self.totalizers.len();
-            self.totalizers.push(outputs);
-            // One violation is paid for by the core itself.
-            self.assume(search, Soft::Total { totalizer, k: 1 })?;
+            let total = self.total(search, &violations);
+            self.assume(search, total)?;
         }
         Ok(())
     }

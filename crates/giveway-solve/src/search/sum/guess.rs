@@ -1,0 +1,76 @@
+//! A good plan out of a model that was only asked for to end a round.
+//!
+//! The agents that no core of the round names have walks of the levels assumed;
+//! those that cores set free are planned around them, and the result is
+//! improved. Its cost lies near the bound, where plans improved from the first
+//! one on come late.
+
+use std::collections::BTreeSet;
+
+use giveway_model::Cost;
+
+use super::{Soft, SumStage};
+use crate::{
+    encode::collisions::AgentId,
+    local::{Query, Reservations, plan_one},
+    meter::Stop,
+    search::{incumbent::free_of_collisions, stage::Search},
+};
+
+/// Conflicts before the first such plan is made: what is proved sooner needs
+/// none.
+const FIRST_GUESS: u64 = 300;
+/// States to look at for one agent.
+const EFFORT: u32 = 20_000;
+/// Times that a plan is improved, as long as it becomes better.
+const MOST_IMPROVEMENTS: usize = 20;
+
+impl SumStage {
+    /// Makes a plan of the last model, if agents find a way around the others.
+    pub(super) fn guess(&self, search: &mut Search) -> Result<(), Stop> {
+        let early = search.meter.stats().conflicts < FIRST_GUESS;
+        if early || self.known || self.cost != Cost::SumOfCosts {
+            return Ok(());
+        }
+        search.team.read();
+        let problem = search.problem;
+        let mut walks = search.team.walks.clone();
+        let mut others = Reservations::of(problem, &walks);
+        let mut free: BTreeSet<AgentId> = self.waiting.iter().filter_map(Soft::agent).collect();
+        for &agent in &free {
+            others.remove(agent, &walks[agent]);
+        }
+        for (agent, walk) in walks.iter().enumerate() {
+            if !search.team.is_inside(agent) && !others.met_by(agent, walk).is_empty() {
+                others.remove(agent, walk);
+                free.insert(agent);
+            }
+        }
+        for agent in free {
+            let query = Query {
+                agent,
+                latest: search.cap(agent),
+                price: None,
+                effort: EFFORT,
+            };
+            let Some((walk, _)) = plan_one(problem, &others, query, &search.meter)? else {
+                return Ok(());
+            };
+            walks[agent] = walk;
+            others.add(agent, &walks[agent]);
+        }
+        if !free_of_collisions(problem, &walks) {
+            return Ok(()); // (a plan has to be one, whatever the model says)
+        }
+        for _ in 0..MOST_IMPROVEMENTS {
+            if !search.improve(walks)? {
+                break;
+            }
+            walks = search
+                .incumbent
+                .walks()
+                .map_or_else(Vec::new, <[_]>::to_vec);
+        }
+        Ok(())
+    }
+}

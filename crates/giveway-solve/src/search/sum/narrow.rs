@@ -1,0 +1,49 @@
+//! What the best plan so far tells: levels that no better plan can have.
+//!
+//! Each level above an assumption costs one more than the bound, so a plan that
+//! is to be better keeps all levels within the gap between bound and best plan
+//! (hardening; Ansótegui, Bonet and Levy 2013). Made clauses, they keep diagrams
+//! small; and at a gap of one nothing is left to be assumed.
+
+use giveway_model::Cost;
+
+use super::{Soft, SumStage};
+use crate::search::stage::Search;
+
+impl SumStage {
+    /// Excludes levels that only plans worse than the best one have, or, where
+    /// no further cost is minimised, plans that are not better.
+    pub(super) fn narrow(&mut self, search: &mut Search) {
+        if self.cost != Cost::SumOfCosts || self.known {
+            return; // diagrams are limited by no other cost
+        }
+        let Some(best) = search.best(self.cost) else {
+            return;
+        };
+        if self.narrowed == Some((best, self.bound)) {
+            return;
+        }
+        self.narrowed = Some((best, self.bound));
+        let gap = best.saturating_sub(self.bound);
+        let slack = gap.saturating_sub(u32::from(self.last));
+        for agent in 0..search.problem.agents() {
+            if !search.team.is_inside(agent) {
+                search.lower_cap(agent, search.problem.optima[agent] + slack);
+            }
+        }
+        for soft in self.softs.values().chain(&self.waiting) {
+            match soft.raised(slack) {
+                Soft::Agent(agent, most) => search.lower_cap(agent, most),
+                Soft::Total { totalizer, k } => {
+                    if let Some(&more) = self.totalizers[totalizer].get(k) {
+                        search.team.harden(!more);
+                    }
+                }
+            }
+        }
+        // What holds for good need not be assumed.
+        self.softs.retain(
+            |_, soft| !matches!(*soft, Soft::Agent(agent, most) if most >= search.cap(agent)),
+        );
+    }
+}
