@@ -12,7 +12,7 @@ export class Giveway {
 
   constructor(start = startWorker) {
     this.#start = start;
-    for (const call of ["solve", "check", "explain", "certify", "verify", "convert"]) {
+    for (const call of ["solve", "check", "explain", "change", "certify", "verify", "convert"]) {
       this[call] = (request, waiting) => this.#ask(call, request ?? null, waiting);
     }
     this.schema = (waiting) => this.#ask("schema", undefined, waiting);

@@ -63,8 +63,8 @@ export interface Limits {
 export interface CheckRequest {
   scene: Scene;
   plan: Plan;
-  /** What changes while the plan runs, as in files: each time is judged in the world of that time. */
-  changes?: { giveway: 1; changes: object[] };
+  /** What changes while it runs. */
+  changes?: Changes;
 }
 
 /** Something became known on the way. */
@@ -238,6 +238,74 @@ export interface ExplainAnswer {
   stats: Stats;
 }
 
+/** Something that changes while a plan runs. */
+export type Change = { at: number } & (
+  | { change: "add-agent"; agent: Agent }
+  | { change: "remove-agent"; agent: string }
+  | { change: "add-obstacle" | "remove-obstacle" | "add-charger" | "remove-charger"; cell: Cell }
+  | { change: "move-obstacle"; from: Cell; to: Cell }
+  | { change: "set-slow" | "set-normal"; cells: Cell[] }
+  | { change: "set-goal" | "add-waypoint" | "drop-waypoint"; agent: string; cell: Cell }
+  | { change: "set-battery"; agent: string; level: number }
+  | { change: "delay-agent"; agent: string; steps: number }
+);
+
+export interface Changes {
+  giveway: 1;
+  changes: Change[];
+}
+
+/** `tunnel=2`: within so many steps of the rest of their paths. */
+export type Method = "revise" | "replan" | `tunnel=${number}`;
+
+export interface ChangeRequest {
+  scene: Scene;
+  plan: Plan;
+  changes: Changes;
+  /** Tried at each time; the first that has a plan is adopted. */
+  methods?: Method[];
+  objective?: Cost[];
+  within?: number;
+  /** For each method at each time. */
+  limits?: Limits;
+}
+
+/** Why a method has no plan. */
+export interface Cause {
+  agent: string;
+  kind: "obstacle" | "goal" | "waypoint" | "battery" | "no-way" | "blocked";
+  cell: Cell | null;
+  agents?: string[];
+  within: number | null;
+  text: string;
+}
+
+/** What a method makes of a change: the names of the agents it keeps, re-times, and so on. */
+export interface MethodAnswer extends SolveAnswer {
+  kept: string[];
+  retimed: string[];
+  rerouted: string[];
+  added: string[];
+  freed: string[];
+  fewest: boolean;
+  cause: Cause | null;
+  closest: boolean;
+}
+
+/** The changes of one time, and how to go on. */
+export interface ChangeStep {
+  at: number | null;
+  before: Record<Cost, number> | null;
+  methods: Partial<Record<Method, MethodAnswer>>;
+  adopted: Method | null;
+}
+
+/** Of the last time; those before it are the history. */
+export interface ChangeAnswer extends ChangeStep {
+  giveway: 1;
+  history: ChangeStep[];
+}
+
 /** That there is no plan of some kind. */
 export interface Claim {
   /** The costs that such a plan would have at most. */
@@ -348,6 +416,9 @@ export function check(request: CheckRequest): CheckAnswer;
 
 /** Answers a question about a plan, or about there being none. */
 export function explain(request: ExplainRequest, options?: Options): ExplainAnswer;
+
+/** Goes on with a plan around which the world changes. */
+export function change(request: ChangeRequest, options?: Options): ChangeAnswer;
 
 /** Proves again what was answered, and checks the proofs. */
 export function certify(request: CertifyRequest, options?: Options): Report;

@@ -1,5 +1,5 @@
 import type {
-  CertifyRequest, CheckAnswer, CheckRequest, ConvertAnswer, ConvertRequest, ExplainAnswer,
+  CertifyRequest, ChangeAnswer, ChangeRequest, CheckAnswer, CheckRequest, ConvertAnswer, ConvertRequest, ExplainAnswer,
   ExplainRequest, FrontAnswer, Progress, Report, Schema, SolveAnswer, SolveRequest, VerifyRequest,
 } from "./types.js";
 
@@ -20,6 +20,7 @@ export class Giveway {
   solve(request: SolveRequest & { pareto: true }, waiting?: Waiting): Promise<FrontAnswer>;
   check(request: CheckRequest, waiting?: Waiting): Promise<CheckAnswer>;
   explain(request: ExplainRequest, waiting?: Waiting): Promise<ExplainAnswer>;
+  change(request: ChangeRequest, waiting?: Waiting): Promise<ChangeAnswer>;
   certify(request: CertifyRequest, waiting?: Waiting): Promise<Report>;
   verify(request: VerifyRequest, waiting?: Waiting): Promise<Report>;
   convert(request: ConvertRequest, waiting?: Waiting): Promise<ConvertAnswer>;

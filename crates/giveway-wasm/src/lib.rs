@@ -14,6 +14,7 @@ mod worker;
 pub use budget::MEMORY_BYTES;
 #[cfg(feature = "javascript")]
 pub use javascript::{
-    certify, check, convert, explain, read_moving_ai, read_plan, read_scene, schema, solve, verify,
+    certify, change, check, convert, explain, read_moving_ai, read_plan, read_scene, schema, solve,
+    verify,
 };
 pub use worker::serve_messages;

@@ -14,6 +14,7 @@ use std::collections::BTreeMap;
 
 use giveway_model::{Fault, format};
 use giveway_proof::{Budget, Bundle, Report};
+use giveway_solve::change::ChangeRequest;
 use giveway_solve::{
     CertifyRequest, CheckRequest, Host, Limits, Progress, Refusal, Request, Response, SolveRequest,
     explain::ExplainRequest, serve,
@@ -68,6 +69,19 @@ pub fn explain(request: &JsValue, options: &JsValue) -> Result<JsValue, JsValue>
         request,
         options,
         Request::Explain as fn(ExplainRequest) -> Request,
+    )
+}
+
+/// Goes on with a plan around which the world changes.
+///
+/// # Errors
+/// As [`solve`]; also where the changes do not fit.
+#[wasm_bindgen(skip_typescript)]
+pub fn change(request: &JsValue, options: &JsValue) -> Result<JsValue, JsValue> {
+    serve_with(
+        request,
+        options,
+        Request::Change as fn(ChangeRequest) -> Request,
     )
 }
 

@@ -10,13 +10,14 @@ type Function = fn(&JsValue) -> Result<JsValue, JsValue>;
 
 const NONE: JsValue = JsValue::UNDEFINED;
 
-const FUNCTIONS: [(&str, Function); 9] = [
+const FUNCTIONS: [(&str, Function); 10] = [
     ("solve", |request| giveway_wasm::solve(request, &NONE)),
     ("check", giveway_wasm::check),
     ("explain", |request| giveway_wasm::explain(request, &NONE)),
     ("certify", |request| giveway_wasm::certify(request, &NONE)),
     ("verify", |request| giveway_wasm::verify(request, &NONE)),
     ("convert", giveway_wasm::convert),
+    ("change", |request| giveway_wasm::change(request, &NONE)),
     ("readScene", giveway_wasm::read_scene),
     ("readPlan", giveway_wasm::read_plan),
     ("readMovingAi", |text| {
@@ -51,6 +52,8 @@ fn requests() -> Vec<Value> {
     let question = json!({ "kind": "visit", "agent": "a", "at": [1, 1], "time": 2 });
     let about = json!({ "most": {}, "within": null });
     let text = scene.to_string();
+    let changes =
+        json!({ "giveway": 1, "changes": [{ "at": 1, "change": "add-obstacle", "cell": [1, 0] }] });
     vec![
         json!({ "scene": scene, "limits": limits }),
         json!({ "scene": scene, "plan": plan }),
@@ -60,6 +63,7 @@ fn requests() -> Vec<Value> {
         json!({ "files": { "manifest.json": "{}", "instance.json": text }, "limits": limits }),
         json!({ "files": { "a.json": text, "b.map": "type octile\nheight 1\nwidth 2\nmap\n..\n",
             "b.scen": "version 1\n0\tb.map\t2\t1\t0\t0\t1\t0\t1\n" }, "to": "movingai", "agents": 1 }),
+        json!({ "scene": scene, "plan": plan, "changes": changes, "limits": limits }),
     ]
 }
 
@@ -142,7 +146,7 @@ fn spoilt_requests_of_every_kind_never_trap() {
         expect_answer_or_error(name, function(&object(&request)), &given);
         // Texts are noise for the readers, and for all others.
         let text = JsValue::from_str(&given);
-        for (name, function) in &FUNCTIONS[6..] {
+        for (name, function) in &FUNCTIONS[7..] {
             expect_answer_or_error(name, function(&text), &given);
         }
     }
