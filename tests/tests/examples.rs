@@ -14,32 +14,42 @@ use giveway_model::{Cell, Instance};
 use giveway_solve::{SolveAnswer, Status};
 use giveway_tests::ask;
 
-/// What stands in the line of an example: its file; makespan, sum of costs,
-/// charges and waits of the best plan, or none.
-type Promise = (&'static str, Option<[u32; 4]>);
+/// What is known of an example: its file; makespan, sum of costs and charges of
+/// the best plan, or that there is none.
+type Promise = (&'static str, Option<[u32; 3]>);
 
 const PROMISES: [Promise; 21] = [
-    ("warehouse", Some([18, 35, 3, 0])),
-    ("scenario-1", Some([4, 7, 0, 1])),
+    ("warehouse", Some([18, 35, 3])),
+    ("scenario-1", Some([4, 7, 0])),
     ("scenario-6", None),
-    ("nine-cells", Some([4, 8, 0, 0])),
-    ("siding", Some([10, 19, 0, 1])),
+    ("nine-cells", Some([4, 8, 0])),
+    ("siding", Some([10, 19, 0])),
     ("swap", None),
-    ("crossing", Some([5, 9, 0, 1])),
-    ("roundabout", Some([8, 32, 0, 0])),
-    ("ring", Some([1, 8, 0, 0])),
-    ("last-in", Some([10, 29, 0, 2])),
-    ("door", Some([11, 47, 0, 2])),
-    ("short-cut", Some([8, 15, 0, 0])),
-    ("detour", Some([15, 30, 1, 0])),
-    ("one-charger", Some([13, 35, 3, 1])),
-    ("ten-robots", Some([31, 254, 10, 8])),
-    ("crowd", Some([11, 132, 0, 5])),
-    ("shelves", Some([34, 458, 0, 3])),
-    ("random-32", Some([48, 637, 0, 1])),
-    ("rooms", Some([47, 569, 0, 0])),
-    ("maze", Some([92, 526, 0, 23])),
-    ("large-warehouse", Some([174, 3196, 0, 0])),
+    ("crossing", Some([5, 9, 0])),
+    ("roundabout", Some([8, 32, 0])),
+    ("ring", Some([1, 8, 0])),
+    ("last-in", Some([10, 29, 0])),
+    ("door", Some([11, 47, 0])),
+    ("short-cut", Some([8, 15, 0])),
+    ("detour", Some([15, 30, 1])),
+    ("one-charger", Some([13, 35, 3])),
+    ("ten-robots", Some([31, 254, 10])),
+    ("crowd", Some([11, 132, 0])),
+    ("shelves", Some([34, 458, 0])),
+    ("random-32", Some([48, 637, 0])),
+    ("rooms", Some([47, 569, 0])),
+    ("maze", Some([92, 526, 0])),
+    ("large-warehouse", Some([174, 3196, 0])),
+];
+
+/// Examples whose lines tell how many waits there are.
+const WAITS: [(&str, u32); 6] = [
+    ("siding", 1),
+    ("crossing", 1),
+    ("roundabout", 0),
+    ("ring", 0),
+    ("shelves", 3),
+    ("rooms", 0),
 ];
 
 /// The one whose proof takes longer than most will wait.
@@ -69,8 +79,11 @@ fn each_is_solved_as_its_line_says() {
         };
         assert_eq!(answer.status, expected_status, "{name}");
         let costs = answer.costs;
-        let found = costs.map(|c| [c.makespan, c.sum_of_costs, c.charges, c.waits]);
+        let found = costs.map(|c| [c.makespan, c.sum_of_costs, c.charges]);
         assert_eq!(found, expected, "{name}");
+        if let Some((_, waits)) = WAITS.iter().find(|(waiting, _)| *waiting == name) {
+            assert_eq!(costs.map(|c| c.waits), Some(*waits), "{name}");
+        }
     }
 }
 

@@ -186,7 +186,7 @@ fn standard_input_is_read_once() {
         "check - -",
         &expect![[r#"
         exit 2
-        error: found - for both INSTANCE and PLAN, expected it for one of them"#]],
+        error: found - for two files, expected it for one of them"#]],
     );
 }
 

@@ -24,6 +24,7 @@ impl History {
             after: self.clone(),
             grid: self.grid(at).clone(),
             lives: self.lives(plan, at),
+            plan,
             faults: Vec::new(),
             obstacles: BTreeMap::new(),
             placed: Vec::new(),
@@ -63,6 +64,8 @@ struct World<'a> {
     grid: Grid,
     /// The agents that are there before anything changes.
     lives: Vec<Life<'a>>,
+    /// The plan around which the world changes.
+    plan: &'a Plan,
     faults: Vec<Fault>,
     /// New obstacles, with the changes that put them.
     obstacles: BTreeMap<Cell, usize>,
@@ -108,9 +111,12 @@ impl World<'_> {
         let is_gone = |career: &Career| {
             let lives = self.lives.iter();
             let old = self.before.careers().iter().any(|c| c.name() == name);
-            old && !lives
-                .clone()
-                .any(|life| life.career.name() == career.name())
+            // A plan from which it is removed as it appears has no cell of it.
+            let leaves_at_once = career.from == at && self.plan.until.get(name) == Some(&at);
+            old && !leaves_at_once
+                && !lives
+                    .clone()
+                    .any(|life| life.career.name() == career.name())
         };
         let mut careers = self.after.careers.iter();
         let Some(index) = careers.position(|career| career.name() == name) else {
@@ -231,12 +237,14 @@ impl World<'_> {
         self.ground(cell)?;
         let life = self.lives.iter().find(|life| life.career.name() == name);
         let life = life.copied();
+        // Of one that is removed now, the plan does not tell what it visits now.
+        let leaves = self.plan.until.get(name) == Some(&at);
         let career = self.career(name)?;
         let pending = career.duties().any(|duty| {
             let visit = life.and_then(|life| life.visit(duty));
             duty.cell == cell && visit.is_none_or(|visit| visit > at)
         });
-        if pending {
+        if pending && !leaves {
             return Err(refuse::waypoint_again(name, cell));
         }
         career.duties.push(Duty {

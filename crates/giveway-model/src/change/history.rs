@@ -124,9 +124,11 @@ impl History {
 }
 
 /// Whether the plan has an agent removed at a time, one step after its last
-/// entry and short of its goal: then it is there to be removed.
+/// entry: then it was there to be removed, as the plan went before, even if what
+/// is left of its path ends at its goal.
 fn is_leaving(life: &Life<'_>, plan: &Plan, time: u32) -> bool {
-    plan.until.get(life.career.name()) == Some(&time)
-        && life.end().checked_add(1) == Some(time)
-        && life.rests_since(life.end()).is_none()
+    let name = life.career.name();
+    let entries = u32::try_from(plan.path(name).len()).ok();
+    let after = entries.and_then(|entries| life.career.from.checked_add(entries));
+    plan.until.get(name) == Some(&time) && after == Some(time)
 }
