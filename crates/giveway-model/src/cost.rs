@@ -1,8 +1,8 @@
 //! The five costs of a plan, and objectives over them.
 
+use borsh::io;
 use std::borrow::Cow;
 use std::fmt;
-use std::io;
 use std::str::FromStr;
 
 use serde::{Deserialize, Deserializer, Serialize, de};

@@ -1,7 +1,7 @@
 //! Maps as messages between programs have them.
 
+use borsh::io::{Read, Result};
 use std::collections::BTreeMap;
-use std::io::{Read, Result};
 
 use borsh::BorshDeserialize;
 
