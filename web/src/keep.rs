@@ -41,9 +41,14 @@ pub(crate) fn opening(otherwise: impl FnOnce() -> Draft) -> State {
         link::prefer(&mut state, &text);
     }
     match from_address() {
-        Some(action) => reduce(&state, action),
-        None if is_kept => state,
-        None => reduce(&state, Action::Solve),
+        Some(action @ Action::OpenLink(_)) => reduce(&state, action),
+        // A link that is refused is told beside the page as it opens without it.
+        refused => {
+            if !is_kept {
+                state = reduce(&state, Action::Solve);
+            }
+            refused.map_or_else(|| state.clone(), |action| reduce(&state, action))
+        }
     }
 }
 
@@ -52,7 +57,10 @@ pub(crate) fn opening(otherwise: impl FnOnce() -> Draft) -> State {
 fn from_address() -> Option<Action> {
     let window = gloo::utils::window();
     let hash = window.location().hash().ok()?;
-    let text = hash.strip_prefix('#').filter(|text| text.contains('='))?;
+    // What else stands there is nothing of this page's.
+    let text = hash
+        .strip_prefix('#')
+        .filter(|text| text.starts_with("giveway="))?;
     if let (Ok(path), Ok(query), Ok(history)) = (
         window.location().pathname(),
         window.location().search(),
