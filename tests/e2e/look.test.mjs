@@ -59,7 +59,7 @@ describe("the look", () => {
     await playground.key("Home", ...Array(9).fill("ArrowRight"));
     await playground.reaches(9);
     await playground.cellTells(6, 2, /^charger, A1 is here$/);
-    await playground.page.mouse.click(1200, 850);
+    await playground.page.mouse.click(760, 26);
     await playground.picture("readme");
   }, { screens: ["desktop"], reducedMotion: "reduce" });
 
