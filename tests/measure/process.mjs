@@ -13,9 +13,12 @@ export class Tab {
     const { processInfo } = await session.send("SystemInfo.getProcessInfo");
     await session.detach();
     const renderers = processInfo.filter(({ type }) => type === "renderer");
-    // The one that has worked the most: others are spare ones that wait for a page.
-    renderers.sort((a, b) => b.cpuTime - a.cpuTime);
-    return new Tab(renderers[0].id);
+    // The one that has a worker, and of these the one that has worked the most:
+    // others are spare ones that wait for a page, or show the browser itself.
+    const tabs = renderers.map(({ id, cpuTime }) => ({ tab: new Tab(id), cpuTime }));
+    const withWorker = tabs.filter(({ tab }) => tab.#threads().some(({ name }) => isWorker(name)));
+    const [found] = (withWorker.length > 0 ? withWorker : tabs).sort((a, b) => b.cpuTime - a.cpuTime);
+    return found.tab;
   }
 
   constructor(pid) {
@@ -29,7 +32,7 @@ export class Tab {
 
   /** Processor seconds so far of all workers that are there. */
   workerSeconds() {
-    return this.#seconds((_, name) => name.startsWith("DedicatedWorker"));
+    return this.#seconds((_, name) => isWorker(name));
   }
 
   /** The tasks of the main thread in a trace of the browser. */
@@ -39,18 +42,20 @@ export class Tab {
   }
 
   #seconds(isIt) {
+    const found = this.#threads().filter(({ task, name }) => isIt(task, name));
+    return found.reduce((ticks, thread) => ticks + thread.ticks, 0) / TICKS;
+  }
+
+  /** Each thread with its name and the clock ticks that it has worked. */
+  #threads() {
     const tasks = `/proc/${this.pid}/task`;
-    let ticks = 0;
-    for (const task of readdirSync(tasks)) {
+    return readdirSync(tasks).map((task) => {
       const stat = readOrNothing(`${tasks}/${task}/stat`);
       // The name stands in parentheses and may itself have some.
       const name = stat.slice(stat.indexOf("(") + 1, stat.lastIndexOf(")"));
-      if (isIt(task, name)) {
-        const fields = stat.slice(stat.lastIndexOf(")") + 2).split(" ");
-        ticks += Number(fields[11]) + Number(fields[12]);
-      }
-    }
-    return ticks / TICKS;
+      const fields = stat.slice(stat.lastIndexOf(")") + 2).split(" ");
+      return { task, name, ticks: Number(fields[11] ?? 0) + Number(fields[12] ?? 0) };
+    });
   }
 
   /** Memory that is its own, in bytes: neither files nor what it shares. */
@@ -67,4 +72,8 @@ function readOrNothing(path) {
   } catch {
     return "";
   }
+}
+
+function isWorker(name) {
+  return name.startsWith("DedicatedWorker");
 }
