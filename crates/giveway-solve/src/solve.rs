@@ -149,7 +149,7 @@ pub(crate) fn answer(
 }
 
 /// Whom it concerns; the claim itself says at which horizon it holds.
-fn clash_sentence(agents: &[&str]) -> String {
+pub(crate) fn clash_sentence(agents: &[&str]) -> String {
     match agents {
         [] => "The agents cannot all arrive.".to_owned(),
         [one] => format!("{one} cannot arrive."),

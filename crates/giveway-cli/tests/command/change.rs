@@ -55,6 +55,37 @@ fn the_example_of_the_paper() {
     );
 }
 
+/// A horizon before the change: only what is past by then can be within it.
+#[test]
+fn a_horizon_that_is_over_already() {
+    let folder = folder();
+    let line = "change scene.json later.json changes.json --format json --within 1";
+    let too_soon = answer(&folder, line);
+    for method in ["revise", "replan"] {
+        let found = &too_soon["methods"][method];
+        assert_eq!(
+            (&found["status"], &found["within"]),
+            (&json!("impossible"), &json!(1))
+        );
+        assert_eq!(found["cause"]["within"], 1);
+    }
+    let late =
+        r#"{ "giveway": 1, "changes": [{ "at": 9, "change": "add-obstacle", "cell": [1, 1] }] }"#;
+    let folder = Folder::with(&[
+        ("scene.json", SCENE),
+        ("plan.json", PLAN),
+        ("late.json", late),
+    ]);
+    let line = |within: u32| {
+        format!("change scene.json plan.json late.json --format json --within {within}")
+    };
+    let status = |within| answer(&folder, &line(within))["methods"]["revise"]["status"].clone();
+    assert_eq!(
+        (status(3), status(4)),
+        (json!("impossible"), json!("optimal"))
+    );
+}
+
 #[test]
 fn a_history_is_saved_and_loaded_again() {
     let folder = folder();

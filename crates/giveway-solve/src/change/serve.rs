@@ -9,7 +9,7 @@ use giveway_model::{
 };
 
 use super::{
-    ChangeAnswer, ChangeRequest, Method, MethodAnswer, Methods, Step, freed::Case, method,
+    ChangeAnswer, ChangeRequest, Method, MethodAnswer, Methods, Step, freed::Case, horizon, method,
     world::World,
 };
 use crate::{Host, meter::Meter, service::Refusal};
@@ -40,7 +40,8 @@ pub(crate) fn serve(request: &ChangeRequest, host: &dyn Host) -> Result<ChangeAn
                 within: request.within.map(|within| within.saturating_sub(at)),
                 meter: Rc::new(Meter::new(host, request.limits)),
             };
-            methods.push((method, method::run(&case)));
+            let answer = horizon::hold_to(request.within, method::run(&case));
+            methods.push((method, answer));
         }
         let (adopted, next) = adopt(&methods);
         let before = method::costs_before(&world);

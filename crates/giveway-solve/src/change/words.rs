@@ -3,6 +3,7 @@
 use giveway_model::Cell;
 
 use super::{CauseKind, Method};
+use crate::solve::clash_sentence;
 
 /// What keeps an agent from what a method asks of it.
 pub(super) fn cause(
@@ -32,7 +33,11 @@ pub(super) fn cause(
         (CauseKind::Battery, _) => format!("The battery of {agent} does not last on {bounds}."),
         (CauseKind::NoWay, _) => format!("{agent} cannot do its task within {bounds}, even alone."),
         (CauseKind::Blocked, Method::Replan) => {
-            format!("{} cannot all arrive.", list(agents))
+            let names: Vec<&str> = agents.iter().map(String::as_str).collect();
+            clash_sentence(&names)
+        }
+        (CauseKind::Blocked, _) if agents.len() < 2 => {
+            format!("{agent} cannot arrive on {bounds}, however it waits.")
         }
         (CauseKind::Blocked, Method::Revise) => format!(
             "{} block each other: no waiting lets all of them keep to their old paths.",
