@@ -78,6 +78,19 @@ describe("editing", () => {
     await playground.cellTells(0, 2, /^free$/);
   });
 
+  flow("misses no key however fast they come", async (playground) => {
+    await playground.says(OPENING);
+    await playground.board.focus();
+    // All within one task: the page cannot be drawn between them.
+    await playground.board.evaluate((board) => {
+      const press = (key, more) => board.dispatchEvent(new KeyboardEvent("keydown", { key, bubbles: true, cancelable: true, ...more }));
+      press("Home", { ctrlKey: true });
+      for (const key of ["ArrowDown", "o", "Enter", "c", "ArrowDown", " "]) press(key);
+    });
+    await playground.cellTells(0, 1, /^obstacle$/);
+    await playground.cellTells(0, 2, /^charger$/);
+  });
+
   flow("picks tools by keys and by arrows", async (playground) => {
     for (const [key, tool] of [["o", "Obstacle"], ["c", "Charger"], ["s", "Slow zone"], ["e", "Erase"], ["a", "Agent"], ["g", "Goal"], ["w", "Waypoint"], ["v", "Select"]]) {
       await playground.key(key);

@@ -20,9 +20,20 @@ pub enum Action {
 
     /// A tool was picked.
     PickTool(Tool),
-    /// The keyboard went to a cell of the board.
+    /// The keyboard's place on the board is this cell now.
     MoveCursor(Cell),
-    /// The pointer went down on a cell, or a key applied the tool there.
+    /// The keyboard went so many cells right and down from where it is, as far
+    /// as the map goes. It says how far and not where to: keys can come faster
+    /// than the page is drawn.
+    StepCursor {
+        /// Cells to the right, and down.
+        by: (i32, i32),
+        /// Whether what is there goes along.
+        carries: bool,
+    },
+    /// A key applied the tool where the keyboard is.
+    UseTool,
+    /// The pointer went down on a cell.
     Press(Cell),
     /// The pointer went on to a cell.
     Drag(Cell),

@@ -1,83 +1,79 @@
 //! The keys of the board.
 
 use giveway_model::Cell;
-use giveway_page::board::Frame;
-use giveway_page::{Action, Tool};
+use giveway_page::Action;
 use gloo::events::EventListener;
 use wasm_bindgen::JsCast;
 use web_sys::{Element, KeyboardEvent};
 use yew::prelude::*;
 
 use super::legend::ZOOM;
-use super::viewport::{Look, Viewport};
-use crate::Shown;
+use super::viewport::Look;
 
 /// How many rows a page key goes at least.
 const PAGE: u32 = 5;
 
 /// On the board: arrows, Home, End and pages move the cell cursor, Enter and
 /// Space apply the tool there; with Shift, arrows move what is there.
-pub(super) fn on_key(
-    state: &Shown,
+#[hook]
+pub(super) fn use_cursor_keys(
+    cursor: Cell,
     send: &Callback<Action>,
-    viewport: &Viewport,
-    frame: &Frame,
+    look: &Callback<Look>,
+    rows: u32,
 ) -> Callback<KeyboardEvent> {
-    let (state, send, look) = (state.clone(), send.clone(), viewport.look.clone());
-    let frame = *frame;
+    // The camera follows the keyboard, and leaves the pointer where it is.
+    let follows = use_mut_ref(|| false);
+    {
+        let (follows, look) = (follows.clone(), look.clone());
+        use_effect_with(cursor, move |&cursor| {
+            if follows.take() {
+                look.emit(Look::Show(cursor));
+            }
+        });
+    }
+    let send = send.clone();
     Callback::from(move |event: KeyboardEvent| {
         if event.alt_key() || event.meta_key() {
             return;
         }
-        let key = event.key();
-        let ctrl = event.ctrl_key();
-        let cell = state.cursor;
-        if !ctrl && matches!(key.as_str(), "Enter" | " ") {
-            event.prevent_default();
-            event.stop_propagation();
-            if !event.repeat() {
-                send.emit(Action::Press(cell));
-                send.emit(Action::Release);
-            }
-            return;
-        }
-        let Some(to) = goes_to(&key, ctrl, cell, &state, &frame) else {
+        let (key, ctrl) = (event.key(), event.ctrl_key());
+        let action = if !ctrl && matches!(key.as_str(), "Enter" | " ") {
+            (!event.repeat()).then_some(Action::UseTool)
+        } else if let Some(by) = goes_by(&key, ctrl, rows.max(PAGE)) {
+            follows.replace(true);
+            let carries = event.shift_key();
+            Some(Action::StepCursor { by, carries })
+        } else {
             return;
         };
         event.prevent_default();
         event.stop_propagation();
-        if event.shift_key() && state.tool == Tool::Select {
-            send.emit(Action::Press(cell));
-            send.emit(Action::Drag(to));
-            send.emit(Action::Release);
+        if let Some(action) = action {
+            send.emit(action);
         }
-        send.emit(Action::MoveCursor(to));
-        look.emit(Look::Show(state.draft.clamp(to)));
     })
 }
 
-/// The cell that a key goes to; it may be beyond the last.
-fn goes_to(key: &str, ctrl: bool, from: Cell, state: &Shown, frame: &Frame) -> Option<Cell> {
-    let grid = state.draft.grid();
-    let (_, rows) = frame.cells((grid.width(), grid.height()));
-    let page = (rows.1 - rows.0).max(PAGE);
-    let Cell { x, y } = from;
-    let to = match (key, ctrl) {
-        ("ArrowLeft", false) => Cell::new(x.saturating_sub(1), y),
-        ("ArrowRight", false) => Cell::new(x + 1, y),
-        ("ArrowUp", false) => Cell::new(x, y.saturating_sub(1)),
-        ("ArrowDown", false) => Cell::new(x, y + 1),
-        ("PageUp", false) => Cell::new(x, y.saturating_sub(page)),
-        ("PageDown", false) => Cell::new(x, y + page),
-        ("Home", false) | ("ArrowLeft", true) => Cell::new(0, y),
-        ("End", false) | ("ArrowRight", true) => Cell::new(grid.width(), y),
-        ("ArrowUp", true) => Cell::new(x, 0),
-        ("ArrowDown", true) => Cell::new(x, grid.height()),
-        ("Home", true) => Cell::new(0, 0),
-        ("End", true) => Cell::new(grid.width(), grid.height()),
+/// How far a key goes, in cells right and down; `page` is a page's rows.
+fn goes_by(key: &str, ctrl: bool, page: u32) -> Option<(i32, i32)> {
+    let page = i32::try_from(page).unwrap_or(i32::MAX);
+    let by = match (key, ctrl) {
+        ("ArrowLeft", false) => (-1, 0),
+        ("ArrowRight", false) => (1, 0),
+        ("ArrowUp", false) => (0, -1),
+        ("ArrowDown", false) => (0, 1),
+        ("PageUp", false) => (0, -page),
+        ("PageDown", false) => (0, page),
+        ("Home", false) | ("ArrowLeft", true) => (i32::MIN, 0),
+        ("End", false) | ("ArrowRight", true) => (i32::MAX, 0),
+        ("ArrowUp", true) => (0, i32::MIN),
+        ("ArrowDown", true) => (0, i32::MAX),
+        ("Home", true) => (i32::MIN, i32::MIN),
+        ("End", true) => (i32::MAX, i32::MAX),
         _ => return None,
     };
-    Some(to)
+    Some(by)
 }
 
 /// Wherever the focus is, but not in a field: `+`, `-` and `0` change the view.

@@ -70,7 +70,9 @@ pub fn Board(props: &BoardProps) -> Html {
         frame,
         is_fit: viewport.camera.is_fit(),
     });
-    let onkeydown = keys::on_key(state, &props.send, &viewport, &frame);
+    let (_, rows) = frame.cells(board);
+    let page = rows.1 - rows.0;
+    let onkeydown = keys::use_cursor_keys(state.cursor, &props.send, &viewport.look, page);
 
     let reasons = giveway_page::board::reasons(state);
     let kinds: Vec<Kind> = legend(state, &cast);

@@ -74,18 +74,18 @@ pub(super) fn Ruler(props: &RulerProps) -> Html {
                 return;
             }
             let page = (last / 10).max(5);
-            let to = match event.key().as_str() {
-                "ArrowRight" | "ArrowUp" => time.saturating_add(1),
-                "ArrowLeft" | "ArrowDown" => time.saturating_sub(1),
-                "PageUp" => time.saturating_add(page),
-                "PageDown" => time.saturating_sub(page),
-                "Home" => 0,
-                "End" => last,
+            let action = match event.key().as_str() {
+                "ArrowRight" | "ArrowUp" => Action::StepForward,
+                "ArrowLeft" | "ArrowDown" => Action::StepBack,
+                "PageUp" => Action::Seek(time.saturating_add(page).min(last)),
+                "PageDown" => Action::Seek(time.saturating_sub(page)),
+                "Home" => Action::Seek(0),
+                "End" => Action::Seek(last),
                 _ => return,
             };
             event.prevent_default();
             event.stop_propagation();
-            send.emit(Action::Seek(to.min(last)));
+            send.emit(action);
         }
     };
     html! {

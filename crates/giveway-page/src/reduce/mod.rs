@@ -11,7 +11,7 @@ mod tests;
 
 use giveway_model::Cell;
 
-use crate::{Action, Selection, State};
+use crate::{Action, Selection, State, Tool};
 
 /// The next state. Pure: the same state and action always give the same.
 ///
@@ -39,6 +39,11 @@ fn step(state: &mut State, action: Action) {
 
         Action::PickTool(tool) => stroke::pick(state, tool),
         Action::MoveCursor(cell) => move_cursor(state, cell),
+        Action::StepCursor { by, carries } => step_cursor(state, by, carries),
+        Action::UseTool => {
+            stroke::press(state, state.cursor);
+            stroke::release(state);
+        }
         Action::Press(cell) => stroke::press(state, cell),
         Action::Drag(cell) => stroke::drag(state, cell),
         Action::Release => stroke::release(state),
@@ -96,6 +101,21 @@ fn step(state: &mut State, action: Action) {
 fn select(state: &mut State, selection: Selection) {
     ask::close(state);
     state.selection = selection;
+}
+
+/// A step of the keyboard; with the tool that selects, a thing can go along.
+fn step_cursor(state: &mut State, (right, down): (i32, i32), carries: bool) {
+    let Cell { x, y } = state.cursor;
+    let to = Cell::new(
+        x.saturating_add_signed(right),
+        y.saturating_add_signed(down),
+    );
+    if carries && state.tool == Tool::Select {
+        stroke::press(state, state.cursor);
+        stroke::drag(state, to);
+        stroke::release(state);
+    }
+    move_cursor(state, to);
 }
 
 /// An agent that waits for its goal looks where the keyboard is.

@@ -53,6 +53,45 @@ fn tools_cursor_and_selection() {
 }
 
 #[test]
+fn the_keyboard_goes_step_by_step_as_far_as_the_map() {
+    let step = |right, down| Action::StepCursor {
+        by: (right, down),
+        carries: false,
+    };
+    let state = after(&fresh(), [step(i32::MIN, i32::MIN), step(0, 1)]);
+    assert_eq!(state.cursor, Cell::new(0, 1));
+    let tools = [Action::PickTool(Tool::Obstacle), Action::UseTool];
+    let state = after(&after(&state, tools), [step(0, 1), step(-1, 0)]);
+    assert_eq!(state.cursor, Cell::new(0, 2));
+    let state = after(&state, [Action::PickTool(Tool::Charger), Action::UseTool]);
+    let grid = state.draft.grid();
+    assert!(!grid.is_vertex(Cell::new(0, 1)) && grid.is_charger(Cell::new(0, 2)));
+    let state = after(&state, [step(i32::MAX, i32::MAX), step(1, 1)]);
+    assert_eq!(state.cursor, Cell::new(9, 2));
+}
+
+#[test]
+fn the_keyboard_carries_what_is_there() {
+    let start = fresh().draft.agents()[1].start;
+    let state = after(
+        &fresh(),
+        [Action::PickTool(Tool::Select), Action::MoveCursor(start)],
+    );
+    let up = Action::StepCursor {
+        by: (0, -1),
+        carries: true,
+    };
+    let moved = after(&state, [up.clone()]);
+    assert_eq!(
+        moved.draft.agents()[1].start,
+        Cell::new(start.x, start.y - 1)
+    );
+    assert_eq!(moved.cursor, moved.draft.agents()[1].start);
+    let brush = after(&state, [Action::PickTool(Tool::Obstacle), up]);
+    assert_eq!(brush.draft, state.draft, "a brush has nothing to carry");
+}
+
+#[test]
 fn select_takes_the_agent_or_else_the_cell() {
     let press = |x, y| Action::Press(Cell::new(x, y));
     let state = after(&fresh(), [press(9, 2)]);

@@ -10,13 +10,9 @@ fn agent(state: &State, index: usize) -> &Agent {
     &state.draft.agents()[index]
 }
 
-fn key(x: u32, y: u32) -> [Action; 3] {
+fn key(x: u32, y: u32) -> [Action; 2] {
     let cell = Cell::new(x, y);
-    [
-        Action::MoveCursor(cell),
-        Action::Press(cell),
-        Action::Release,
-    ]
+    [Action::MoveCursor(cell), Action::UseTool]
 }
 
 #[test]
