@@ -52,6 +52,7 @@ fn go_on(
         scene: instance.to_scene(),
         plan: plan.clone(),
         changes: changes.clone(),
+        since: None,
         methods: methods.to_vec(),
         objective: None,
         within: None,

@@ -262,6 +262,8 @@ export interface ChangeRequest {
   scene: Scene;
   plan: Plan;
   changes: Changes;
+  /** The first time whose changes are new to the plan; else as few as make it valid are known to it. */
+  since?: number;
   /** Tried at each time; the first that has a plan is adopted. */
   methods?: Method[];
   objective?: Cost[];

@@ -14,9 +14,10 @@ mod cases;
 
 use std::path::Path;
 
-use cases::{CASES, Case};
+use cases::{CASES, CHANGING, Case, Changing, METHODS};
 use expect_test::expect_file;
 use giveway_model::format::native;
+use giveway_solve::change::ChangeRequest;
 use giveway_solve::{Limits, Request, Response, SilentHost, SolveRequest, serve};
 
 /// The answer as text; without a clock its seconds are 0.
@@ -44,5 +45,30 @@ fn the_native_answers_are_those_that_were_kept() {
     for case in CASES {
         let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/data");
         expect_file![path.join(case.name)].assert_eq(&answer(case));
+    }
+}
+
+fn go_on(case: &Changing) -> String {
+    let request = ChangeRequest {
+        scene: native::read_scene(case.scene).unwrap(),
+        plan: native::read_plan(case.plan).unwrap(),
+        changes: native::read_changes(case.changes).unwrap(),
+        since: None,
+        methods: METHODS.map(|method| method.parse().unwrap()).to_vec(),
+        objective: None,
+        within: None,
+        limits: Limits::default(),
+    };
+    match serve(&Request::Change(request), &SilentHost) {
+        Response::Changed(answer) => serde_json::to_string(&answer).unwrap() + "\n",
+        other => panic!("{other:?}"),
+    }
+}
+
+#[test]
+fn the_native_plans_after_a_change_are_those_that_were_kept() {
+    for case in CHANGING {
+        let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/data");
+        expect_file![path.join(case.name)].assert_eq(&go_on(case));
     }
 }

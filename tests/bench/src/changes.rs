@@ -180,6 +180,7 @@ impl Run {
             scene: self.scene.clone(),
             plan: self.plan.clone(),
             changes: self.changes.clone(),
+            since: None,
             methods: METHODS.to_vec(),
             objective: None,
             within: None,

@@ -101,6 +101,11 @@ pub struct ChangeRequest {
     pub plan: Plan,
     /// What changes.
     pub changes: Changes,
+    /// The first time whose changes are new to the plan: it was adopted after
+    /// those before. Without it, as few times as make the plan valid are taken
+    /// as known to it.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub since: Option<u32>,
     /// The methods, tried and compared at each time; the first that has a plan
     /// is adopted.
     #[serde(default = "default_methods")]

@@ -4,7 +4,7 @@ use std::rc::Rc;
 
 use giveway_model::{
     Cost, Instance, Objective, Plan, Version,
-    change::{Changes, History},
+    change::History,
     check::{Violation, check_history},
 };
 
@@ -23,7 +23,7 @@ pub(crate) fn serve(request: &ChangeRequest, host: &dyn Host) -> Result<ChangeAn
     let instance = instance.map_err(|faults| Refusal::Scene { faults })?;
     let objective = request.objective.as_ref().unwrap_or(instance.objective());
     let objective = makespan_first(objective);
-    let (mut history, known) = adopted_so_far(&instance, &request.changes, &request.plan)?;
+    let (mut history, known) = adopted_so_far(&instance, request)?;
     let mut plan = request.plan.clone();
     let mut steps: Vec<Step> = Vec::new();
     for (at, list) in request.changes.by_time().into_iter().skip(known) {
@@ -86,24 +86,29 @@ fn makespan_first(objective: &Objective) -> Objective {
     Objective::new(costs).unwrap_or_default()
 }
 
-/// The history with the changes that the plan knows already: as few times as
-/// make it valid.
+/// The history with the changes that the plan knows already: those before the
+/// time asked for, or as few times as make the plan valid.
 fn adopted_so_far(
     instance: &Instance,
-    changes: &Changes,
-    plan: &Plan,
+    request: &ChangeRequest,
 ) -> Result<(History, usize), Refusal> {
+    let plan = &request.plan;
     let mut history = History::new(instance);
     let mut broken: Option<Vec<Violation>> = None;
-    let times = changes.by_time();
+    let times = request.changes.by_time();
+    let wanted = request.since.map(|since| {
+        let before = times.iter().take_while(|(at, _)| *at < since);
+        before.count()
+    });
     for known in 0..=times.len() {
         let report = check_history(&history, plan);
-        if report.is_valid() {
+        if report.is_valid() && wanted.is_none_or(|wanted| wanted == known) {
             return Ok((history, known));
         }
-        let fewer = broken
-            .as_ref()
-            .is_none_or(|broken| report.violations.len() < broken.len());
+        let fewer = !report.is_valid()
+            && broken
+                .as_ref()
+                .is_none_or(|broken| report.violations.len() < broken.len());
         if fewer {
             broken = Some(report.violations);
         }

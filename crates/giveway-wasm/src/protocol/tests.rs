@@ -2,6 +2,7 @@
 
 use giveway_model::{Cost, Costs, Fault, Plan, Scene, Version, format::native};
 use giveway_proof::{Checked, Claim, Report};
+use giveway_solve::change::{ChangeRequest, Method};
 use giveway_solve::{
     CertifyRequest, CheckAnswer, CheckRequest, FrontAnswer, Limits, Progress, Refusal, Request,
     Response, SilentHost, SolveRequest, Status, serve,
@@ -81,6 +82,36 @@ fn certificates_come_back() {
         stopped: false,
         claims,
     })));
+}
+
+#[test]
+fn changes_come_back() {
+    let seed = |name: &str| {
+        let folder = concat!(
+            env!("CARGO_MANIFEST_DIR"),
+            "/../../tests/data/seed/dynamic-3x3"
+        );
+        std::fs::read_to_string(folder.to_owned() + name).unwrap()
+    };
+    let request = Request::Change(ChangeRequest {
+        scene: native::read_scene(&seed(".json")).unwrap(),
+        plan: native::read_plan(&seed(".plan-t1.json")).unwrap(),
+        changes: native::read_changes(&seed(".changes.json")).unwrap(),
+        since: Some(2),
+        methods: vec![Method::Revise, Method::Tunnel(1), Method::Replan],
+        objective: None,
+        within: Some(9),
+        limits: Limits::default(),
+    });
+    let response = serve(&request, &SilentHost);
+    let Response::Changed(answer) = &response else {
+        panic!("{response:?}");
+    };
+    assert_eq!(answer.adopted, Some(Method::Revise));
+    check_ask(request);
+    check_response(response);
+    let faults = vec![Fault::at("changes[0]", "an obstacle", "a free cell")];
+    check_response(Response::Refused(Refusal::Changes { faults }));
 }
 
 #[test]

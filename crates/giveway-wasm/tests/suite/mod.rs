@@ -2,6 +2,7 @@
 
 mod bad_input;
 mod cases;
+mod changes;
 mod large;
 mod limits;
 mod noise;

@@ -21,10 +21,18 @@ const LATER: &str = include_str!("../../../../../tests/data/seed/dynamic-3x3.pla
 const CHANGES: &str = include_str!("../../../../../tests/data/seed/dynamic-3x3.changes.json");
 
 fn go_on(plan: &str) -> ChangeAnswer {
+    match answered(plan, CHANGES, None) {
+        Response::Changed(answer) => *answer,
+        other => panic!("{other:?}"),
+    }
+}
+
+fn answered(plan: &str, changes: &str, since: Option<u32>) -> Response {
     let request = ChangeRequest {
         scene: native::read_scene(SCENE).unwrap(),
         plan: native::read_plan(plan).unwrap(),
-        changes: native::read_changes(CHANGES).unwrap(),
+        changes: native::read_changes(changes).unwrap(),
+        since,
         methods: vec![
             Method::Revise,
             Method::Tunnel(0),
@@ -35,10 +43,7 @@ fn go_on(plan: &str) -> ChangeAnswer {
         within: None,
         limits: Limits::default(),
     };
-    match serve(&Request::Change(request), &SilentHost) {
-        Response::Changed(answer) => *answer,
-        other => panic!("{other:?}"),
-    }
+    serve(&Request::Change(request), &SilentHost)
 }
 
 fn makespan(answer: &ChangeAnswer, method: Method) -> u32 {
@@ -90,4 +95,22 @@ fn both_changes_from_the_beginning() {
         assert!(report.is_valid());
         assert_eq!(report.costs, method.result.costs);
     }
+}
+
+#[test]
+fn a_plan_that_stays_valid_may_have_been_adopted_after_a_change() {
+    let changes = r#"{ "giveway": 1, "changes": [
+        { "at": 1, "change": "add-charger", "cell": [1, 2] },
+        { "at": 2, "change": "add-charger", "cell": [1, 0] }] }"#;
+    let earlier = |since| -> Vec<u32> {
+        match answered(PLAN, changes, since) {
+            Response::Changed(answer) => answer.history.iter().map(|step| step.at).collect(),
+            other => panic!("{other:?}"),
+        }
+    };
+    assert_eq!(earlier(None), [1]);
+    assert!(earlier(Some(2)).is_empty());
+    assert_eq!(earlier(Some(1)), [1]);
+    let refused = answered(LATER, CHANGES, Some(1));
+    assert!(matches!(refused, Response::Refused(_)), "{refused:?}");
 }
