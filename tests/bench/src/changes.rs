@@ -108,7 +108,7 @@ pub(crate) fn table(seconds: f64) -> Result<String, Box<dyn Error>> {
         .collect();
     let mut text = format!(
         "Where both are proved within {seconds} CPU seconds ({} of the rows), replanning takes {all:.1} times as \
-         long as revising in the median; in the {} of these rows in which replanning takes {NOTICED} s or more, \
+         long as revising in\nthe median; in the {} of these rows in which replanning takes {NOTICED} s or more, \
          {:.1} times.\n\n| joining |",
         ratios.len(),
         slow.len(),
