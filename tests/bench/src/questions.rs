@@ -23,6 +23,10 @@ const INSTANCES: [&str; 10] = [
 const QUESTIONS: u64 = 10;
 const SEED: u64 = 4;
 
+/// Where the questions are left, with the seconds that they took, for those who
+/// ask them in a browser.
+const ASKED: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/../../target/questions.json");
+
 /// A host that notes when the verdict is there. Its only clock is that of the
 /// processor.
 struct Watch {
@@ -55,6 +59,7 @@ impl Host for Watch {
 /// Where an instance cannot be read, or a question is not answered.
 pub(crate) fn table() -> Result<String, Box<dyn Error>> {
     let mut rows = String::new();
+    let mut asked = Vec::new();
     let (mut verdicts, mut wholes) = (Vec::new(), Vec::new());
     for name in INSTANCES {
         let (stem, file) = rows::graded_file(name)?;
@@ -80,20 +85,26 @@ pub(crate) fn table() -> Result<String, Box<dyn Error>> {
                 begin: now(),
                 verdict: Cell::new(None),
             };
-            let request = Request::Explain(ExplainRequest {
+            let ask = ExplainRequest {
                 scene: instance.to_scene(),
                 plan: Some(plan.clone()),
                 question,
                 objective: None,
                 within: None,
                 limits: giveway_solve::Limits::default(),
-            });
-            let Response::Explained(answer) = serve(&request, &watch) else {
+            };
+            let Response::Explained(answer) = serve(&Request::Explain(ask.clone()), &watch) else {
                 return Err(format!("{stem}: {words} was not answered").into());
             };
             let end = now() - watch.begin;
             let verdict = watch.verdict.get().unwrap_or(end);
             eprintln!("{stem} {words}: {:?} {verdict:.3} {end:.3}", answer.verdict);
+            asked.push(serde_json::json!({
+                "about": format!("{stem}: {words}"),
+                "request": ask,
+                "verdict": answer.verdict,
+                "seconds": [verdict, end],
+            }));
             *seen.entry(answer.verdict).or_default() += 1;
             first.push(verdict);
             whole.push(end);
@@ -114,6 +125,7 @@ pub(crate) fn table() -> Result<String, Box<dyn Error>> {
         verdicts.extend(first);
         wholes.extend(whole);
     }
+    fs::write(ASKED, serde_json::to_string(&asked)?)?;
     Ok(format!(
         "{} questions: to the verdict median {:.3} s, 95 % within {:.3} s; to the whole answer \
          median {:.3} s, 95 % within {:.3} s.\n\n\
