@@ -6,10 +6,12 @@
 //! - [`feasible`]: any plan at all, or the proof that there is none;
 //! - [`mod@closest`]: of the best plans one that is close to a given one;
 //! - [`incumbent`]: the best plan so far;
-//! - [`lexicographic`]: all of it in order.
+//! - [`lexicographic`]: all of it in order;
+//! - [`for_ever`]: what is so whatever the horizon.
 
 mod closest;
 mod feasible;
+mod for_ever;
 mod incumbent;
 mod lexicographic;
 mod makespan;
