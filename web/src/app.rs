@@ -16,7 +16,7 @@ use crate::solver::use_solver;
 use crate::status::StatusBar;
 use crate::theme::{use_theme, wants_less_motion};
 use crate::top_bar::TopBar;
-use crate::{Board, Clock, Dock, Inspector, Shown, Tools};
+use crate::{Board, Clock, Compare, Dock, Inspector, Shown, Tools};
 
 /// The scene that the page opens on.
 const OPENING: &str = include_str!("../../static/examples/warehouse.json");
@@ -81,6 +81,7 @@ pub fn App() -> Html {
                     <Tools tool={state.tool} send={send.clone()} />
                     <Board state={state.clone()} send={send.clone()} />
                 </main>
+                <Compare state={state.clone()} send={send.clone()} />
                 <Inspector state={state.clone()} send={send.clone()} />
                 <Dock state={state.clone()} send={send.clone()} />
                 <Notices notice={state.notice.clone()} send={send.clone()} />
@@ -112,6 +113,8 @@ const fn phase_class(phase: Phase) -> &'static str {
         Phase::Solving => "st-solving",
         Phase::Asking | Phase::Checking => "st-asking",
         Phase::Planned => "st-planned",
+        Phase::Changing | Phase::Adapting => "st-changing",
+        Phase::Comparing => "st-comparing",
         Phase::None => "st-none",
         Phase::Stopped => "st-stopped",
     }

@@ -58,6 +58,7 @@ pub(crate) fn open(files: Option<FileList>, send: Callback<Action>, show: Callba
         };
         match reading {
             Ok(Reading::Scene(scene)) => send.emit(Action::Open(scene)),
+            Ok(Reading::Linked(linked)) => send.emit(Action::OpenLink(linked)),
             Ok(Reading::Scenario(choice)) => show.emit(Panel::Agents(Rc::new(*choice))),
             Err(notice) => send.emit(Action::Refuse(notice)),
         }

@@ -7,6 +7,7 @@
 mod app;
 mod board;
 mod clock;
+mod compare;
 mod copy;
 mod dialog;
 mod drop;
@@ -30,6 +31,7 @@ mod top_bar;
 pub use app::App;
 pub use board::{Board, BoardProps};
 pub use clock::{Clock, Listening};
+pub use compare::{Compare, CompareProps};
 pub use glyph::{Glyph, GlyphProps, form};
 pub use icon::{Icon, IconProps};
 pub use inspector::{Inspector, InspectorProps};

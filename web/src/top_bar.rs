@@ -171,6 +171,14 @@ fn save_items(state: &Shown, show: &Callback<Panel>) -> Html {
             crate::files::save(&saved);
         }
     });
+    let changes = press(|state| {
+        if let Some(saved) = files::changes_file(state) {
+            crate::files::save(&saved);
+        }
+    });
+    let has_changes = state
+        .fresh_answer()
+        .is_some_and(|answer| answer.course.is_some());
     let has_plan = state
         .fresh_answer()
         .and_then(|answer| answer.plan())
@@ -179,6 +187,7 @@ fn save_items(state: &Shown, show: &Callback<Panel>) -> Html {
         <>
             { item("save", "Save scene", scene) }
             if has_plan { { item("save", "Save plan", plan) } }
+            if has_changes { { item("save", "Save changes", changes) } }
         </>
     }
 }

@@ -1,8 +1,10 @@
 //! What can happen to the page.
 
+use giveway_model::change::What;
 use giveway_model::{AtGoal, Cell, Objective, Question, Scene};
 use giveway_solve::{Progress, Response};
 
+use crate::changing::Choice;
 use crate::link::Linked;
 use crate::{Edit, Fill, Lit, Notice, Selection, Speed, Tab, Theme, Tool};
 
@@ -110,6 +112,23 @@ pub enum Action {
     /// Prove again what was answered last, to the question or of the plan, and
     /// check the proofs.
     CheckProof,
+
+    /// The world changes at the time shown, while the plan runs.
+    BeginChange,
+    /// Leave what changes, as if it did not.
+    DiscardChange,
+    /// List a change beside the board.
+    ListChange(What),
+    /// Take a listed change back, by its place in the list.
+    TakeBack(usize),
+    /// The methods to try.
+    ChooseMethods(Choice),
+    /// Ask the methods how to go on.
+    Adapt,
+    /// Preview the plan of a method, by its place.
+    Preview(usize),
+    /// Adopt the plan of a method, by its place.
+    Adopt(usize),
 
     /// Play from the time shown, or from the start where it is the end.
     Play,

@@ -2,10 +2,12 @@
 
 use std::rc::Rc;
 
-use giveway_model::{Agent, Plan, check};
+use giveway_model::change::{Changes, Life};
+use giveway_model::{Agent, Fault, Plan, check};
 use giveway_solve::{SolveAnswer, SolveRequest};
 
 use crate::Draft;
+use crate::course::{Adopted, Course, World};
 
 /// An answer, and what the page derives from it once.
 #[derive(Clone, Debug, PartialEq)]
@@ -19,8 +21,10 @@ pub struct Answer {
     /// The battery level of each agent at each time up to its arrival; empty
     /// for agents without a battery, and without a plan.
     pub levels: Vec<Vec<i64>>,
-    /// When each agent arrives; `None` without a plan.
+    /// When each agent arrives; `None` without a plan, and for one that is removed.
     pub arrivals: Vec<Option<u32>>,
+    /// What changed while the plan ran, where something did.
+    pub course: Option<Rc<Course>>,
 }
 
 impl Answer {
@@ -42,7 +46,68 @@ impl Answer {
             solved,
             levels,
             arrivals,
+            course: None,
         }
+    }
+
+    /// Takes in a plan around which the world changed; the draft is the world
+    /// before.
+    ///
+    /// # Errors
+    /// The faults of changes that contradict the world as the plan has it.
+    pub(crate) fn over_time(
+        draft: Rc<Draft>,
+        request: Rc<SolveRequest>,
+        solved: SolveAnswer,
+        changes: Changes,
+        steps: Vec<Adopted>,
+    ) -> Result<Self, Vec<Fault>> {
+        let (Ok(instance), Some(plan)) = (draft.instance(), &solved.plan) else {
+            return Ok(Self::new(draft, request, solved));
+        };
+        let course = Course::new(instance, draft.scene(), changes, steps, plan)?;
+        let (mut levels, mut arrivals) = (Vec::new(), Vec::new());
+        for career in course.history.careers() {
+            let life = Life::of(&course.history, career, plan);
+            let is_there = |life: &&Life<'_>| !life.is_removed();
+            arrivals.push(life.as_ref().filter(is_there).map(Life::end));
+            let own = |life: &Life<'_>| check::levels_over_time(&course.history, life);
+            levels.push(life.as_ref().map_or_else(Vec::new, own));
+        }
+        Ok(Self {
+            draft,
+            request,
+            solved,
+            levels,
+            arrivals,
+            course: Some(Rc::new(course)),
+        })
+    }
+
+    /// The agents of the plan: those of the scene, then those that joined, each at
+    /// its index at all times.
+    pub fn agents(&self) -> &[Agent] {
+        let last = self
+            .course
+            .as_deref()
+            .and_then(|course| course.worlds.last());
+        last.map_or(self.draft.agents(), |world| world.draft.agents())
+    }
+
+    /// The world at a time, where it is another than the draft.
+    pub fn world(&self, time: u32) -> Option<&World> {
+        self.course.as_deref()?.world(time)
+    }
+
+    /// The time from which an agent is gone, where it was removed.
+    pub fn removed(&self, agent: usize) -> Option<u32> {
+        let careers = self.course.as_deref()?.history.careers();
+        careers.get(agent)?.until
+    }
+
+    /// The last time at which the world changed.
+    pub fn changed_last(&self) -> Option<u32> {
+        self.course.as_deref()?.history.times().last()
     }
 
     /// The plan, where there is one.
@@ -55,7 +120,7 @@ impl Answer {
     pub fn agent(&self, draft: &Draft, agent: usize) -> Option<usize> {
         let who = draft.agents().get(agent)?;
         let is = |other: &Agent| other.name == who.name && other.start == who.start;
-        let mine = self.draft.agents();
+        let mine = self.agents();
         // Nearly always it has kept its place.
         match mine.get(agent) {
             Some(other) if is(other) => Some(agent),
@@ -65,6 +130,13 @@ impl Answer {
 
     /// The last time of the plan, in steps; 0 without one.
     pub fn makespan(&self) -> u32 {
-        self.solved.costs.map_or(0, |costs| costs.makespan)
+        let makespan = self.solved.costs.map_or(0, |costs| costs.makespan);
+        let Some(course) = self.course.as_deref() else {
+            return makespan;
+        };
+        // Something may change, and somebody leave, when all others have arrived.
+        let left = course.history.careers().iter();
+        let left = left.filter_map(|career| career.until).max().unwrap_or(0);
+        makespan.max(left).max(self.changed_last().unwrap_or(0))
     }
 }

@@ -74,6 +74,18 @@ impl Draft {
         })
     }
 
+    /// A scene that is only shown: it is part of a world that changes, in which
+    /// agents may begin where others began before. Nothing is said against it,
+    /// and nothing is solved of it.
+    pub(crate) fn shown(scene: Scene, grid: Grid) -> Self {
+        Self {
+            scene,
+            grid,
+            instance: Err(Vec::new()),
+            problems: Vec::new(),
+        }
+    }
+
     /// The scene as plain data.
     pub const fn scene(&self) -> &Scene {
         &self.scene

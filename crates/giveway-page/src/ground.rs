@@ -131,7 +131,7 @@ pub(crate) fn movable(scene: &Scene, cell: Cell) -> Option<Tool> {
 
 /// The cells on the way of a pointer that jumped from one cell to another: each
 /// shares a side with the next, so that a fast stroke leaves no gaps.
-fn line(from: Cell, to: Cell) -> Vec<Cell> {
+pub(crate) fn line(from: Cell, to: Cell) -> Vec<Cell> {
     let (width, height) = (from.x.abs_diff(to.x), from.y.abs_diff(to.y));
     let (mut at, mut across, mut down) = (from, 0, 0);
     let mut cells = vec![from];

@@ -2,16 +2,29 @@
 
 use std::rc::Rc;
 
-use crate::Draft;
+use crate::changing::Changing;
+use crate::{Answer, Draft};
 
 /// The most steps that are kept.
 const DEPTH: usize = 200;
 
-/// The scenes before and after the present one.
+/// What a step of undo brings back.
+#[derive(Clone, Debug, PartialEq)]
+pub(crate) enum Moment {
+    /// A scene; the answer stays, and may be stale.
+    Scene(Rc<Draft>),
+    /// A plan of the scene as it is, with what was changing around it.
+    Course {
+        answer: Option<Rc<Answer>>,
+        changing: Option<Rc<Changing>>,
+    },
+}
+
+/// What was before and after the present.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct History {
-    past: Vec<Rc<Draft>>,
-    future: Vec<Rc<Draft>>,
+    past: Vec<Moment>,
+    future: Vec<Moment>,
 }
 
 impl History {
@@ -25,8 +38,8 @@ impl History {
         !self.future.is_empty()
     }
 
-    /// Takes in the scene that an edit replaced; what was undone is lost.
-    pub(crate) fn record(&mut self, before: Rc<Draft>) {
+    /// Takes in what was replaced; what was undone is lost.
+    pub(crate) fn record(&mut self, before: Moment) {
         self.future.clear();
         self.past.push(before);
         if self.past.len() > DEPTH {
@@ -34,17 +47,17 @@ impl History {
         }
     }
 
-    /// The scene before the present one.
-    pub(crate) fn undo(&mut self, present: Rc<Draft>) -> Option<Rc<Draft>> {
+    /// What was before; `present` gives the same kind of what is now.
+    pub(crate) fn undo(&mut self, present: impl FnOnce(&Moment) -> Moment) -> Option<Moment> {
         let before = self.past.pop()?;
-        self.future.push(present);
+        self.future.push(present(&before));
         Some(before)
     }
 
-    /// The scene that was undone last.
-    pub(crate) fn redo(&mut self, present: Rc<Draft>) -> Option<Rc<Draft>> {
+    /// What was undone last.
+    pub(crate) fn redo(&mut self, present: impl FnOnce(&Moment) -> Moment) -> Option<Moment> {
         let after = self.future.pop()?;
-        self.past.push(present);
+        self.past.push(present(&after));
         Some(after)
     }
 }

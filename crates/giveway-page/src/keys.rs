@@ -50,6 +50,7 @@ pub fn command(key: Key<'_>, state: &State) -> Option<Command> {
         "." => on_plan(Action::StepForward),
         "Home" => on_plan(Action::Seek(0)),
         "End" => on_plan(Action::Seek(state.last_time())),
+        "x" | "X" => state.can_change().then_some(Action::BeginChange),
         name => tool(name).map(Action::PickTool),
     };
     action.map(Command::Act)
@@ -67,11 +68,15 @@ fn with_ctrl(key: Key<'_>) -> Option<Action> {
 /// One thing after the other: what is being placed, the solver, the notice, the
 /// selection.
 fn escape(state: &State) -> Option<Action> {
-    if state.placing.is_some() || state.stroke.is_some() {
+    let stroke = state
+        .changing
+        .as_deref()
+        .and_then(|changing| changing.stroke.as_ref());
+    if state.placing.is_some() || state.stroke.is_some() || stroke.is_some() {
         Some(Action::Abandon)
     } else if matches!(
         state.phase(),
-        Phase::Solving | Phase::Asking | Phase::Checking
+        Phase::Solving | Phase::Asking | Phase::Checking | Phase::Adapting
     ) {
         Some(Action::Cancel)
     } else if state.notice.is_some() {
@@ -80,6 +85,8 @@ fn escape(state: &State) -> Option<Action> {
         Some(Action::CloseQuestion)
     } else if state.selection != Selection::Nothing {
         Some(Action::Select(Selection::Nothing))
+    } else if state.changing.is_some() {
+        Some(Action::DiscardChange)
     } else {
         None
     }
@@ -120,6 +127,7 @@ pub const HELP: [(&str, &[Row]); 4] = [
             row(&["Space"], "Play or pause"),
             row(&[",", "."], "One step back, one step forward"),
             row(&["Home", "End"], "To the start, to the end"),
+            row(&["X"], "Change the world at the time shown"),
         ],
     ),
     (

@@ -18,6 +18,8 @@ mod answer;
 pub mod ask;
 mod asking;
 pub mod board;
+pub mod changing;
+pub mod course;
 mod draft;
 mod edit;
 pub mod examples;
@@ -55,5 +57,7 @@ pub use problems::Problem;
 pub use reduce::reduce;
 pub use reserve::Reserve;
 pub use settings::{Settings, Tab, Theme, View};
-pub use state::{Certifying, Inquiry, Notice, Phase, Placing, Run, Selection, Size, State, Work};
+pub use state::{
+    Adapting, Certifying, Inquiry, Notice, Phase, Placing, Run, Selection, Size, State, Work,
+};
 pub use tool::Tool;

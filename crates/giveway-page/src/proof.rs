@@ -65,7 +65,13 @@ pub(crate) fn request(state: &State) -> Option<CertifyRequest> {
         return None;
     }
     let Some(asking) = state.asking.as_deref() else {
-        let answer = state.fresh_answer()?;
+        // Certificates are of plans in one world.
+        let answer = state
+            .fresh_answer()
+            .filter(|answer| answer.course.is_none())?;
+        if state.changing.is_some() {
+            return None;
+        }
         let (scene, objective) = (&answer.request.scene, &answer.request.objective);
         let request = CertifyRequest::of_solved(scene.clone(), objective.clone(), &answer.solved);
         return claims_something(&request).then_some(request);

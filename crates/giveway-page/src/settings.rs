@@ -1,5 +1,7 @@
 //! What a person sets for the solver and for the page.
 
+use crate::changing::Choice;
+
 /// What the solver is told beside the scene; the objective and the rules are
 /// part of the scene itself.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -11,6 +13,8 @@ pub struct Settings {
     pub seconds: u32,
     /// Whether every edit is solved at once.
     pub solve_on_change: bool,
+    /// The methods to try where the world changes.
+    pub methods: Choice,
 }
 
 impl Default for Settings {
@@ -19,6 +23,7 @@ impl Default for Settings {
             within: None,
             seconds: 30,
             solve_on_change: false,
+            methods: Choice::default(),
         }
     }
 }

@@ -5,9 +5,12 @@ use std::rc::Rc;
 
 use giveway_model::{Agent, Cell, Cost, Costs, Plan};
 use giveway_proof::Report;
+use giveway_solve::change::ChangeRequest;
 use giveway_solve::explain::ExplainRequest;
 use giveway_solve::{CertifyRequest, Request, SolveRequest, Status};
 
+use crate::changing::Changing;
+use crate::course::World;
 use crate::link::Linked;
 use crate::things::{Hold, Thing, fresh_name};
 use crate::{Answer, Asking, Draft, Fill, History, Playback, Settings, Tool, View};
@@ -21,6 +24,9 @@ pub struct State {
     pub answer: Option<Rc<Answer>>,
     /// The question that was asked last, until it is left.
     pub asking: Option<Rc<Asking>>,
+    /// What changes in the world while the plan runs, until that is adopted or
+    /// left.
+    pub changing: Option<Rc<Changing>>,
     /// What came of checking the proof of an answer; it may be of another answer,
     /// see [`State::report`].
     pub(crate) checked: Option<(Rc<Answer>, Rc<Report>)>,
@@ -64,6 +70,8 @@ pub enum Work {
     Asking(Inquiry),
     /// What was answered is proved again and checked.
     Certifying(Certifying),
+    /// Ways to go on where the world changes are looked for.
+    Adapting(Adapting),
 }
 
 impl Work {
@@ -76,6 +84,7 @@ impl Work {
                 Some((inquiry.id, Request::Explain((*inquiry.request).clone())))
             }
             Self::Certifying(run) => Some((run.id, Request::Certify((*run.request).clone()))),
+            Self::Adapting(run) => Some((run.id, Request::Change((*run.request).clone()))),
         }
     }
 
@@ -86,6 +95,7 @@ impl Work {
             Self::Solving(run) => Some(run.id),
             Self::Asking(inquiry) => Some(inquiry.id),
             Self::Certifying(run) => Some(run.id),
+            Self::Adapting(run) => Some(run.id),
         }
     }
 }
@@ -98,6 +108,17 @@ pub struct Inquiry {
     pub id: u64,
     /// The request.
     pub request: Rc<ExplainRequest>,
+}
+
+/// A search for ways to go on.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Adapting {
+    /// The number of the run, from 1.
+    pub id: u64,
+    /// The request.
+    pub request: Rc<ChangeRequest>,
+    /// How large the formula is that is worked on.
+    pub size: Size,
 }
 
 /// The check of a proof on its way.
@@ -200,6 +221,12 @@ pub enum Phase {
     Asking,
     /// A proof is being checked.
     Checking,
+    /// What changes in the world is being listed.
+    Changing,
+    /// Ways to go on are being looked for.
+    Adapting,
+    /// Ways to go on are side by side.
+    Comparing,
     /// There is a plan, with a proof that none is better.
     Planned,
     /// There is no plan, with a proof.
@@ -223,6 +250,7 @@ impl State {
             draft: Rc::new(draft),
             answer: None,
             asking: None,
+            changing: None,
             checked: None,
             work: Work::Idle,
             history: History::default(),
@@ -248,7 +276,11 @@ impl State {
             ..Self::new(draft)
         };
         state.draft = linked.draft;
-        state.playback.time = linked.time;
+        state.changing = linked.changing;
+        state.playback.time = match &state.changing {
+            Some(changing) => changing.at,
+            None => linked.time,
+        };
         state
     }
 
@@ -271,8 +303,12 @@ impl State {
         is_of.then_some(report)
     }
 
-    /// The answer that is shown: the last one, or the other plan of a question.
+    /// The answer that is shown: the last one, the other plan of a question, or
+    /// the one that is previewed where the world changes.
     pub fn shown(&self) -> Option<&Rc<Answer>> {
+        if let Some(changing) = &self.changing {
+            return Some(changing.shown());
+        }
         let asking = self.asking.as_deref().filter(|asking| asking.shows_other);
         let other = asking.and_then(|asking| asking.other.as_ref());
         other.or(self.answer.as_ref())
@@ -285,20 +321,28 @@ impl State {
 
     /// The last time that can be shown, in steps.
     pub fn last_time(&self) -> u32 {
+        if let Some(changing) = &self.changing {
+            return changing.last_time();
+        }
         self.shown().map_or(0, |answer| answer.makespan())
     }
 
     /// The agent that is shown on a cell at the time shown: where the plan has
     /// it then (in transit it is on both cells), or at its start without a plan.
     pub fn agent_at(&self, cell: Cell) -> Option<usize> {
-        let time = self.playback.time as usize;
+        let draft = self.world();
         let is_on = |(index, agent): (usize, &Agent)| {
+            if !self.is_there(index) {
+                return false;
+            }
             let (name, start) = (agent.name.as_str(), agent.start);
-            let path = self
+            let plan = self
                 .shown()
-                .filter(|answer| answer.agent(&self.draft, index).is_some());
-            let path = path.and_then(|answer| answer.plan());
-            let path = path.map_or(&[][..], |plan| plan.path(name));
+                .filter(|answer| answer.agent(draft, index).is_some());
+            let plan = plan.and_then(|answer| answer.plan());
+            let path = plan.map_or(&[][..], |plan| plan.path(name));
+            let from = plan.and_then(|plan| plan.from.get(name)).copied();
+            let time = self.playback.time.saturating_sub(from.unwrap_or(0)) as usize;
             match path.get(time) {
                 None => path.last().copied().flatten().unwrap_or(start) == cell,
                 Some(Some(at)) => *at == cell,
@@ -307,8 +351,42 @@ impl State {
                     .any(|&t| path.get(t) == Some(&Some(cell))),
             }
         };
-        let mut agents = self.draft.agents().iter().enumerate();
+        let mut agents = draft.agents().iter().enumerate();
         agents.position(is_on)
+    }
+
+    /// The scene as the world has it at the time shown: the draft, but where the
+    /// world changes or has changed. Its agents are all that there ever are.
+    pub fn world(&self) -> &Rc<Draft> {
+        self.changed().map_or(&self.draft, |world| &world.draft)
+    }
+
+    /// Whether an agent of [`State::world`] is there at the time shown.
+    pub fn is_there(&self, agent: usize) -> bool {
+        match self.changed() {
+            Some(world) => world.is_there.get(agent).copied().unwrap_or(false),
+            None => agent < self.draft.agents().len(),
+        }
+    }
+
+    /// The world at the time shown, where it is another than the draft.
+    fn changed(&self) -> Option<&World> {
+        let time = self.playback.time;
+        match &self.changing {
+            Some(changing) => changing.world_at(time),
+            None => self.fresh_answer()?.world(time),
+        }
+    }
+
+    /// Whether the world could change at the time shown: there is a plan, and
+    /// nothing has changed then or later yet.
+    pub fn can_change(&self) -> bool {
+        let answer = self.fresh_answer().filter(|answer| answer.plan().is_some());
+        let is_later = |answer: &Answer| {
+            let last = answer.changed_last();
+            last.is_none_or(|last| self.playback.time > last)
+        };
+        self.changing.is_none() && answer.is_some_and(is_later)
     }
 
     /// The agent that is selected, by its index in the scene.
@@ -321,19 +399,31 @@ impl State {
 
     /// The name that the next agent gets.
     pub fn next_name(&self) -> String {
-        fresh_name(self.draft.scene())
+        match &self.changing {
+            Some(changing) => changing.fresh_name(),
+            None => fresh_name(self.draft.scene()),
+        }
     }
 
     /// Whether there is something on a cell that the tool `Select` moves.
     pub fn can_move(&self, cell: Cell) -> bool {
-        self.thing_at(cell).is_some()
+        match self.changing.as_deref() {
+            Some(changing) => crate::reduce::can_hold(self, changing, cell),
+            None => self.thing_at(cell).is_some(),
+        }
     }
 
     /// What the tool `Select` takes hold of on a cell.
     pub(crate) fn thing_at(&self, cell: Cell) -> Option<Thing> {
+        // What the scene is made of can only be moved where it is shown.
+        let is_it = |world: &Rc<Draft>| world.scene().map == self.draft.scene().map;
+        if !is_it(self.world()) {
+            return None;
+        }
         let scene = self.draft.scene();
         let standing = self.agent_at(cell);
-        let starts = standing.filter(|&agent| scene.agents[agent].start == cell);
+        let is_start = |agent: &Agent| agent.start == cell;
+        let starts = standing.filter(|&agent| scene.agents.get(agent).is_some_and(is_start));
         let start = starts.map(Thing::Start);
         start.or_else(|| Thing::lying(scene, cell, self.selected_agent()))
     }
@@ -344,7 +434,14 @@ impl State {
             Work::Solving(_) => return Phase::Solving,
             Work::Asking(_) => return Phase::Asking,
             Work::Certifying(_) => return Phase::Checking,
+            Work::Adapting(_) => return Phase::Adapting,
             Work::Idle => {}
+        }
+        if let Some(changing) = &self.changing {
+            return match changing.compared {
+                None => Phase::Changing,
+                Some(_) => Phase::Comparing,
+            };
         }
         match self.fresh_answer().map(|answer| answer.solved.status) {
             None => Phase::Editing,

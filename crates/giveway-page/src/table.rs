@@ -87,7 +87,7 @@ pub fn text(answer: &Answer) -> String {
 
 /// The plans of all agents.
 pub fn lanes(answer: &Answer) -> impl Iterator<Item = Lane> {
-    (0..answer.draft.agents().len()).filter_map(|agent| Lane::of(answer, agent))
+    (0..answer.agents().len()).filter_map(|agent| Lane::of(answer, agent))
 }
 
 /// The least width of a column that holds its entries, in pixels: up to 7.4 a
@@ -98,11 +98,7 @@ pub fn least_column(answer: &Answer) -> f64 {
     let digits = |n: u32| n.to_string().len() as f64;
     let last = |side: u32| digits(side.saturating_sub(1));
     let cell = (last(grid.width()) + last(grid.height())) * 7.4 + 3.5;
-    let batteries = answer
-        .draft
-        .agents()
-        .iter()
-        .filter_map(|agent| agent.battery);
+    let batteries = answer.agents().iter().filter_map(|agent| agent.battery);
     // A charge has an arrow beside its level.
     let level = |capacity: u32| digits(capacity) * 7.4 + 7.0;
     let widest = batteries.map(|battery| level(battery.capacity));

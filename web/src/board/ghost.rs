@@ -11,7 +11,7 @@ pub(super) fn show(state: &State) -> Html {
     let Some(Placing { start, goal, .. }) = state.placing else {
         return Html::default();
     };
-    let agent = state.draft.agents().len();
+    let agent = state.world().agents().len();
     let (from, to) = (
         (units(start.x.into()), units(start.y.into())),
         (units(goal.x.into()), units(goal.y.into())),

@@ -99,7 +99,7 @@ pub fn Board(props: &BoardProps) -> Html {
                     onpointerup={gestures.up} onpointercancel={gestures.cancel}
                     onpointerleave={gestures.leave} onwheel={gestures.wheel}
                     {onkeydown}>
-                    <FloorShapes draft={Rc::clone(&state.draft)} is_fine={detail > Detail::Dots} />
+                    <FloorShapes draft={Rc::clone(state.world())} is_fine={detail > Detail::Dots} />
                     if state.view.trails {
                         <Ways cast={Rc::clone(&cast)} selected={selected_agent} />
                     }
@@ -118,7 +118,7 @@ pub fn Board(props: &BoardProps) -> Html {
                         <rect class="hover" ref={hover} width="94" height="94" rx="15" visibility="hidden" />
                     </g>
                     <Cells
-                        draft={Rc::clone(&state.draft)}
+                        draft={Rc::clone(state.world())}
                         cast={Rc::clone(&cast)}
                         time={state.playback.time}
                         window={Window::around(cursor, &frame, board)}

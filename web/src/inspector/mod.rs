@@ -4,12 +4,13 @@
 mod agent;
 mod answer;
 mod cell;
+mod change;
 mod edit;
 mod proof;
 mod questions;
 mod whole;
 
-use giveway_page::{Action, Selection, State, ask, inspect};
+use giveway_page::{Action, Selection, State, ask, changing, inspect};
 use yew::prelude::*;
 
 use crate::{Icon, Shown};
@@ -37,14 +38,22 @@ pub fn Inspector(props: &InspectorProps) -> Html {
             } else {
                 <div class="scroll">
                     { content(state, send) }
+                    { change::begin(state, send) }
                     { questions::show(&ask::offers(state), send) }
+                    if let Some(why) = ask::no_offers(state) {
+                        <p class="remark">{ why }</p>
+                    }
                 </div>
+                if state.changing.is_some() { { change::foot(send) } }
             }
         </aside>
     }
 }
 
 fn content(state: &Shown, send: &Callback<Action>) -> Html {
+    if let Some(facts) = changing::facts(state) {
+        return while_changing(state, &facts, send);
+    }
     match state.selection {
         Selection::Agent(index) => match inspect::agent(state, index) {
             Some(facts) => html! {
@@ -69,6 +78,27 @@ fn content(state: &Shown, send: &Callback<Action>) -> Html {
     }
 }
 
+/// While the world changes nothing of the scene itself is edited.
+fn while_changing(state: &Shown, facts: &changing::Facts, send: &Callback<Action>) -> Html {
+    let all = || change::show(facts, state.settings.methods, send);
+    match state.selection {
+        Selection::Agent(index) => match inspect::agent(state, index) {
+            Some(about) => html! {
+                <>
+                    { agent::show(&about, send) }
+                    { change::agent(state, index, send) }
+                </>
+            },
+            None => all(),
+        },
+        Selection::Cell(cell) => match inspect::cell(state, cell) {
+            Some(about) => cell::show(state, &about, send),
+            None => all(),
+        },
+        Selection::Nothing => all(),
+    }
+}
+
 /// The way back to the plan as a whole.
 fn back(send: &Callback<Action>) -> Html {
     html! {
@@ -81,6 +111,6 @@ fn back(send: &Callback<Action>) -> Html {
 /// The index in the draft of an agent of the answer, which may be of an older
 /// draft: agents are the same if their names are.
 fn in_draft(state: &State, name: &str) -> Option<usize> {
-    let mut agents = state.draft.agents().iter();
+    let mut agents = state.world().agents().iter();
     agents.position(|agent| agent.name == name)
 }

@@ -2,11 +2,12 @@
 
 use std::rc::Rc;
 
+use giveway_page::changing::history;
 use giveway_page::inspect::{CostFacts, whole};
 use giveway_page::{Action, Answer, Draft, Selection, Work};
 use yew::prelude::*;
 
-use super::{edit, proof};
+use super::{change, edit, proof};
 use crate::{Glyph, Icon, Shown};
 
 /// So many agents are listed at first, and with every press of `More`.
@@ -14,6 +15,9 @@ const AGENTS: usize = 50;
 
 pub(super) fn show(state: &Shown, send: &Callback<Action>) -> Html {
     let facts = whole(state);
+    let past = state.fresh_answer().map(history).unwrap_or_default();
+    let is_there = 0..state.world().agents().len();
+    let is_there: Vec<bool> = is_there.map(|agent| state.is_there(agent)).collect();
     let is_solving = matches!(state.work, Work::Solving(_));
     html! {
         <>
@@ -30,8 +34,9 @@ pub(super) fn show(state: &Shown, send: &Callback<Action>) -> Html {
                     { proof::show(state, send) }
                 </section>
             }
+            { change::history(&past, false) }
             { edit::whole(state, send) }
-            <Agents draft={Rc::clone(&state.draft)} answer={state.answer.clone()} send={send.clone()} />
+            <Agents draft={Rc::clone(state.world())} {is_there} answer={state.answer.clone()} send={send.clone()} />
         </>
     }
 }
@@ -67,6 +72,7 @@ fn costs(costs: &[CostFacts]) -> Html {
 #[derive(Clone, Properties)]
 struct AgentsProps {
     draft: Rc<Draft>,
+    is_there: Vec<bool>,
     answer: Option<Rc<Answer>>,
     send: Callback<Action>,
 }
@@ -79,7 +85,8 @@ impl PartialEq for AgentsProps {
             (None, None) => true,
             _ => false,
         };
-        answers && Rc::ptr_eq(&self.draft, &other.draft) && self.send == other.send
+        let is_there = self.is_there == other.is_there;
+        answers && is_there && Rc::ptr_eq(&self.draft, &other.draft) && self.send == other.send
     }
 }
 
@@ -88,6 +95,7 @@ impl PartialEq for AgentsProps {
 fn Agents(props: &AgentsProps) -> Html {
     let AgentsProps {
         draft,
+        is_there,
         answer,
         send,
     } = props;
@@ -96,7 +104,6 @@ fn Agents(props: &AgentsProps) -> Html {
     let arrival = |name: &str| {
         let answer = answer.as_deref()?;
         let index = answer
-            .draft
             .agents()
             .iter()
             .position(|agent| agent.name == name)?;
@@ -117,6 +124,8 @@ fn Agents(props: &AgentsProps) -> Html {
             </button></li>
         }
     };
+    let there = agents.iter().enumerate();
+    let there = there.filter(|(agent, _)| is_there.get(*agent).copied().unwrap_or(false));
     let more = {
         let shown = shown.clone();
         let next = *shown + AGENTS * 2;
@@ -128,7 +137,7 @@ fn Agents(props: &AgentsProps) -> Html {
         } else {
             <section>
                 <h3>{ "Agents" }</h3>
-                <ul class="choices">{ for agents.iter().enumerate().take(*shown).map(one) }</ul>
+                <ul class="choices">{ for there.take(*shown).map(one) }</ul>
                 if agents.len() > *shown {
                     <button type="button" class="btn outline more" onclick={more}>{ format!("Show more of {}", agents.len()) }</button>
                 }

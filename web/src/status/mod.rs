@@ -101,18 +101,25 @@ fn objective(costs: &[&'static str]) -> Html {
 /// scene.
 fn solve_button(phase: Phase, send: &Callback<Action>) -> Html {
     let (class, title, action) = match phase {
-        Phase::Solving | Phase::Asking | Phase::Checking => {
+        Phase::Solving | Phase::Asking | Phase::Checking | Phase::Adapting => {
             ("primary", "Cancel (Escape)", Action::Cancel)
         }
+        Phase::Changing => ("primary", "Adapt (Ctrl Enter)", Action::Adapt),
+        Phase::Comparing => ("outline", "Adapt again (Ctrl Enter)", Action::Adapt),
         Phase::Editing => ("primary", "Solve (Ctrl Enter)", Action::Solve),
         _ => ("outline", "Solve (Ctrl Enter)", Action::Solve),
     };
-    let solving = matches!(phase, Phase::Solving | Phase::Asking | Phase::Checking);
+    let word = match phase {
+        Phase::Solving | Phase::Asking | Phase::Checking | Phase::Adapting => "Cancel",
+        Phase::Changing => "Adapt",
+        Phase::Comparing => "Adapt again",
+        _ => "Solve",
+    };
     let press = send.reform(move |_| action.clone());
     html! {
         <button class={classes!("btn", class)} {title} onclick={press}>
-            if solving { <Icon name="cancel" /> }
-            <span>{ if solving { "Cancel" } else { "Solve" } }</span>
+            if word == "Cancel" { <Icon name="cancel" /> }
+            <span>{ word }</span>
         </button>
     }
 }

@@ -1,6 +1,7 @@
 //! The dock below the board: transport, lanes and plan table; while a plan is
 //! sought, how far that has come.
 
+mod epochs;
 mod head;
 mod lane;
 mod plan;
@@ -53,7 +54,10 @@ pub fn Dock(props: &DockProps) -> Html {
     let planned = planned.filter(|answer| answer.plan().is_some());
     if let Some(answer) = planned {
         // The one dark button is elsewhere while the plan is not the answer.
-        let calm = matches!(state.phase(), Phase::Editing | Phase::Solving);
+        let calm = matches!(
+            state.phase(),
+            Phase::Editing | Phase::Solving | Phase::Changing | Phase::Adapting | Phase::Comparing
+        );
         let stale = state.is_stale();
         return html! {
             <section class={classes!("dock", calm.then_some("calm"), stale.then_some("stale"))} aria-label="Timeline">

@@ -9,6 +9,7 @@ use wasm_bindgen::closure::Closure;
 use web_sys::{Element, HtmlElement, ResizeObserver};
 use yew::prelude::*;
 
+use super::epochs::{Epochs, epochs};
 use super::head::{Moved, use_head};
 use super::lane::LaneRow;
 use super::plan_table::PlanTable;
@@ -132,6 +133,7 @@ pub(super) fn Plan(props: &PlanProps) -> Html {
                         { for seen.lanes.clone().map(lane_row) }
                         { spacer(below) }
                     </div>
+                    <Epochs times={epochs(state)} frozen={state.changing.as_deref().map(|changing| changing.at)} {axis} />
                     <i class="head" ref={moved.head.clone()}></i>
                 </div>
             </div>
@@ -248,13 +250,13 @@ fn selected_lane(state: &State, lanes: &[Lane]) -> Option<usize> {
     let Selection::Agent(agent) = state.selection else {
         return None;
     };
-    let name = &state.draft.agents().get(agent)?.name;
+    let name = &state.world().agents().get(agent)?.name;
     lanes.iter().position(|lane| lane.name == *name)
 }
 
 fn selection(state: &State, lanes: &[Lane], index: usize) -> Selection {
     let name = lanes.get(index).map(|lane| &lane.name);
-    let mut agents = state.draft.agents().iter();
+    let mut agents = state.world().agents().iter();
     let agent = agents.position(|agent| Some(&agent.name) == name);
     agent.map_or(Selection::Nothing, Selection::Agent)
 }

@@ -1,5 +1,6 @@
 //! The transport: time shown, playing, speed, and what is shown of the plan.
 
+use giveway_page::changing::columns;
 use giveway_page::{Action, Speed, table};
 use gloo::timers::callback::Timeout;
 use yew::prelude::*;
@@ -46,9 +47,28 @@ pub(super) fn Transport(props: &DockProps) -> Html {
             // No live region: nobody wants every step read aloud.
             <p class="clock"><b>{ playback.time }</b><span>{ format!(" of {last}") }</span></p>
             <SpeedPicker speed={playback.speed} send={send.clone()} />
+            { change(props) }
             <span class="grow"></span>
             { views(props) }
         </div>
+    }
+}
+
+/// What lets the world change here, or which way to go on is previewed.
+fn change(props: &DockProps) -> Html {
+    let DockProps { state, send } = props;
+    let chosen = columns(state).and_then(|columns| columns.into_iter().find(|c| c.is_chosen));
+    if let Some(column) = chosen {
+        return html! { <span class="preview">{ "Previewing " }<b>{ column.title }</b></span> };
+    }
+    if !state.can_change() {
+        return html! {};
+    }
+    html! {
+        <button type="button" class="btn chip change-here" title="Change the world here (x)"
+            onclick={send.reform(|_| Action::BeginChange)}>
+            <Icon name="change" /><span>{ "Change here" }</span>
+        </button>
     }
 }
 

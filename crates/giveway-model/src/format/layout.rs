@@ -1,7 +1,8 @@
-//! Writes instances and plans for people: the map as a picture, an agent a line.
+//! Writes instances, plans and changes for people: the map as a picture, an agent a line.
 
 use serde::Serialize;
 
+use crate::change::Changes;
 use crate::{Agent, Objective, Plan, Rules, Scene, Version};
 
 /// Writes an instance: a map row a line, an agent a line. What is as the
@@ -52,6 +53,28 @@ pub fn write_plan(plan: &Plan) -> String {
     if !plan.until.is_empty() {
         fields.push(field("until", &by_name(plan.until.iter())));
     }
+    format!("{{\n{}\n}}\n", fields.join(",\n"))
+}
+
+/// Writes changes, one a line. Ends with a line break.
+///
+/// ```
+/// use giveway_model::format::native;
+/// let text = r#"{
+///   "giveway": 1,
+///   "changes": [
+///     {"at":2,"change":"add-obstacle","cell":[1,0]}
+///   ]
+/// }
+/// "#;
+/// assert_eq!(native::write_changes(&native::read_changes(text).unwrap()), text);
+/// ```
+pub fn write_changes(changes: &Changes) -> String {
+    let lines: Vec<String> = changes.changes.iter().map(json).collect();
+    let fields = [
+        field("giveway", &Version::NUMBER.to_string()),
+        field("changes", &block('[', &lines, ']')),
+    ];
     format!("{{\n{}\n}}\n", fields.join(",\n"))
 }
 

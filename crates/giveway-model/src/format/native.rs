@@ -12,7 +12,7 @@ use super::text::{Positions, without_mark};
 use crate::change::Changes;
 use crate::{Fault, Instance, Plan, Scene, Version};
 
-pub use super::layout::{write_plan, write_scene};
+pub use super::layout::{write_changes, write_plan, write_scene};
 
 /// Reads an instance as it is written, without judging it.
 ///

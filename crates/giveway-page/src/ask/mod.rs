@@ -52,13 +52,23 @@ pub struct Group {
     pub offers: Vec<Offer>,
 }
 
+/// Why nothing can be asked of a plan that went on where the world changed.
+pub const NO_QUESTIONS: &str = "Questions are answered of a plan in one world: of one that went \
+     on where the world changed they are not answered yet.";
+
+/// Why nothing is offered, where a person would look for questions.
+pub fn no_offers(state: &State) -> Option<&'static str> {
+    let is_course = state.fresh_answer().is_some_and(|a| a.course.is_some());
+    (is_course && state.changing.is_none()).then_some(NO_QUESTIONS)
+}
+
 /// The questions to offer, by heading. None while the plan is not that of the
 /// scene as it stands.
 pub fn offers(state: &State) -> Vec<Group> {
     let Some(answer) = state.answer.as_deref() else {
         return Vec::new();
     };
-    if state.is_stale() {
+    if state.is_stale() || state.changing.is_some() || answer.course.is_some() {
         return Vec::new();
     }
     if answer.plan().is_none() {

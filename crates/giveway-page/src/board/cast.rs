@@ -19,6 +19,9 @@ pub struct Cast {
     pub ways: Vec<Way>,
     /// Goals and waypoints.
     pub marks: Vec<Mark>,
+    /// Whether each is there at the time shown: where the world changes, some
+    /// come later, and some are removed.
+    pub is_there: Vec<bool>,
     /// The answer that holds the plan.
     answer: Option<Rc<Answer>>,
 }
@@ -26,7 +29,9 @@ pub struct Cast {
 impl PartialEq for Cast {
     /// A plan is compared by the answer that it came with.
     fn eq(&self, other: &Self) -> bool {
-        self.agents == other.agents && same(self.answer.as_ref(), other.answer.as_ref())
+        self.agents == other.agents
+            && self.is_there == other.is_there
+            && same(self.answer.as_ref(), other.answer.as_ref())
     }
 }
 
@@ -41,12 +46,14 @@ fn same(one: Option<&Rc<Answer>>, other: Option<&Rc<Answer>>) -> bool {
 impl Cast {
     /// The cast of a state.
     pub fn of(state: &State) -> Self {
+        let draft = state.world();
         let answer = state.shown();
-        let answer = answer.filter(|answer| answer.plan().is_some() && fits(answer, &state.draft));
-        let agents = state.draft.agents().to_vec();
+        let answer = answer.filter(|answer| answer.plan().is_some() && fits(answer, draft));
+        let agents = draft.agents().to_vec();
+        let is_there = there(state);
         let at_goal = state.draft.scene().rules.at_goal;
         let track = |(index, agent): (usize, &Agent)| {
-            let solved = answer.and_then(|answer| answer.agent(&state.draft, index));
+            let solved = answer.and_then(|answer| answer.agent(draft, index));
             let plan = answer.filter(|_| solved.is_some());
             let plan = plan.and_then(|answer| answer.plan());
             let mut path = plan.map_or_else(Vec::new, |plan| plan.path(&agent.name).to_vec());
@@ -62,29 +69,72 @@ impl Cast {
                 let initial = || vec![i64::from(battery.initial)];
                 (levels.unwrap_or_else(initial), battery.capacity)
             });
-            Track::new(path, charges, battery, at_goal)
+            let from = plan.and_then(|plan| plan.from.get(&agent.name)).copied();
+            let from = from.unwrap_or_else(|| joins(state, index));
+            let until = answer.zip(solved);
+            let until = until.and_then(|(answer, index)| answer.removed(index));
+            let track = Track::new(path, charges, battery, at_goal);
+            track.between(from, until)
         };
         let tracks: Vec<Track> = agents.iter().enumerate().map(track).collect();
         Self {
-            ways: Way::of_all(&tracks),
-            marks: marks(&agents, &tracks),
+            ways: ways(&tracks, &is_there),
+            marks: marks_of(&agents, &tracks, &is_there),
             tracks,
             agents,
+            is_there,
             answer: answer.cloned(),
         }
     }
 
     /// Whether this is still the cast of a state.
     pub fn is_of(&self, state: &State) -> bool {
+        let draft = state.world();
         let answer = state.shown();
-        let answer = answer.filter(|answer| answer.plan().is_some() && fits(answer, &state.draft));
-        self.agents == state.draft.agents() && same(self.answer.as_ref(), answer)
+        let answer = answer.filter(|answer| answer.plan().is_some() && fits(answer, draft));
+        self.agents == draft.agents()
+            && self.is_there == there(state)
+            && same(self.answer.as_ref(), answer)
     }
 
     /// Whether there is a plan to show.
     pub const fn has_plan(&self) -> bool {
         self.answer.is_some()
     }
+}
+
+fn there(state: &State) -> Vec<bool> {
+    let agents = 0..state.world().agents().len();
+    agents.map(|agent| state.is_there(agent)).collect()
+}
+
+/// When an agent joins that no plan knows yet.
+fn joins(state: &State, agent: usize) -> u32 {
+    let changing = state.changing.as_deref();
+    let changing = changing.filter(|changing| agent >= changing.about.agents().len());
+    changing.map_or(0, |changing| changing.at)
+}
+
+/// The ways of those who are there.
+fn ways(tracks: &[Track], is_there: &[bool]) -> Vec<Way> {
+    let shown = tracks.iter().zip(is_there);
+    let shown = shown.map(|(track, is_there)| match is_there {
+        true => track.clone(),
+        false => Track::default(),
+    });
+    Way::of_all(&shown.collect::<Vec<Track>>())
+}
+
+/// The marks of those who are there.
+fn marks_of(agents: &[Agent], tracks: &[Track], is_there: &[bool]) -> Vec<Mark> {
+    let there: Vec<usize> = (0..agents.len()).filter(|&agent| is_there[agent]).collect();
+    let own: Vec<Agent> = there.iter().map(|&agent| agents[agent].clone()).collect();
+    let tracks: Vec<Track> = there.iter().map(|&agent| tracks[agent].clone()).collect();
+    let mut marks = marks(&own, &tracks);
+    for mark in &mut marks {
+        mark.agent = there[mark.agent];
+    }
+    marks
 }
 
 /// Whether a plan can be drawn on a draft: it may be stale, but not of a map of

@@ -26,6 +26,8 @@ impl Cast {
     pub fn has_goal_at(&self, point: Point) -> bool {
         let is_at = |side: u32, at: f64| (f64::from(side) - at).abs() < 0.5;
         let is_there = |cell: Cell| is_at(cell.x, point.x) && is_at(cell.y, point.y);
-        self.agents.iter().any(|agent| is_there(agent.goal))
+        let there = self.agents.iter().zip(&self.is_there);
+        let mut there = there.filter(|(_, is_there)| **is_there);
+        there.any(|(agent, _)| is_there(agent.goal))
     }
 }

@@ -68,7 +68,11 @@ impl CellNames {
     /// wrong there.
     pub fn new(cast: &Cast, time: u32, problems: &[Problem]) -> Self {
         let mut names = Self::default();
-        let agents = || cast.agents.iter().zip(&cast.tracks);
+        let agents = || {
+            let agents = cast.agents.iter().zip(&cast.tracks).zip(&cast.is_there);
+            let there = agents.filter(|(_, is_there)| **is_there);
+            there.map(|(agent, _)| agent)
+        };
         for (agent, _) in agents() {
             names.add(agent.start, format!("start of {}", agent.name));
         }

@@ -10,7 +10,7 @@ use crate::{Point, position};
 const TURN: f64 = 0.3;
 
 /// What an agent does from time 0 on.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Debug, Default, PartialEq)]
 pub struct Track {
     path: Vec<Option<Cell>>,
     charges: Vec<u32>,
@@ -20,6 +20,10 @@ pub struct Track {
     /// moves.
     headings: Vec<f64>,
     vanishes: bool,
+    /// When it joins.
+    from: u32,
+    /// From when on it is gone, where it is removed.
+    until: Option<u32>,
 }
 
 /// An agent at a time that need not be whole.
@@ -83,7 +87,30 @@ impl Track {
             battery,
             headings,
             vanishes: at_goal == AtGoal::Vanish,
+            from: 0,
+            until: None,
         }
+    }
+
+    /// The same of an agent that joins at a time, where its path begins, and is
+    /// gone from another on.
+    #[must_use]
+    pub fn between(mut self, from: u32, until: Option<u32>) -> Self {
+        self.until = until;
+        self.from = from;
+        let late = from as usize;
+        let first = self.path.first().copied().flatten();
+        if late > 0 && first.is_some() {
+            // Before it joins it is nowhere; its path then stands still.
+            self.path.splice(0..0, std::iter::repeat_n(first, late));
+            if let Some((levels, _)) = &mut self.battery
+                && let Some(&level) = levels.first()
+            {
+                levels.splice(0..0, std::iter::repeat_n(level, late));
+            }
+            self.headings = headings(&self.path);
+        }
+        self
     }
 
     /// The cells by time.
@@ -105,14 +132,16 @@ impl Track {
             .find(|&t| self.path[t].is_some())?;
         let near = &self.path[first..self.path.len().min(step + 3)];
         let at = position(near, time - first as f64)?;
-        let has_left = time > f64::from(self.arrival());
+        let has_left = self.vanishes && time > f64::from(self.arrival());
+        let is_removed = self.until.is_some_and(|until| time >= f64::from(until));
+        let is_early = time < f64::from(self.from);
         Some(Pose {
             at,
             heading: self.heading(time),
             charge: self.charge(time),
             badge: self.badge(step),
             transit: self.transit(step, time),
-            is_gone: self.vanishes && has_left,
+            is_gone: has_left || is_removed || is_early,
         })
     }
 
@@ -129,7 +158,7 @@ impl Track {
 
     /// Whether it waits anywhere before its arrival.
     pub fn has_waits(&self) -> bool {
-        (0..self.path.len()).any(|step| self.badge(step) == Some(Badge::Waits))
+        (self.from as usize..self.path.len()).any(|step| self.badge(step) == Some(Badge::Waits))
     }
 
     fn heading(&self, time: f64) -> Option<f64> {

@@ -1,5 +1,6 @@
 //! Files that a person opens, and those that are saved.
 
+mod course;
 mod kind;
 mod save;
 mod scenario;
@@ -10,10 +11,11 @@ mod tests;
 use giveway_model::format::{movingai, native, read_text};
 use giveway_model::{Fault, Scene};
 
+use crate::link::Linked;
 use crate::{Notice, words::count};
 use kind::Kind;
 
-pub use save::{Saved, plan_file, scene_file};
+pub use save::{Saved, changes_file, plan_file, scene_file};
 pub use scenario::Choice;
 
 /// The largest file that is read, in bytes.
@@ -33,6 +35,8 @@ pub struct Opened {
 pub enum Reading {
     /// A scene.
     Scene(Box<Scene>),
+    /// A scene with its plan, and with what changed while that ran.
+    Linked(Box<Linked>),
     /// A map and a scenario: a person chooses how many of its agents.
     Scenario(Box<Choice>),
 }
@@ -49,7 +53,8 @@ pub fn too_large(name: &str, bytes: u64) -> Option<Notice> {
 }
 
 /// Reads the files that were opened together: a scene in the project's own
-/// JSON, or a MovingAI map, with or without one scenario for it.
+/// JSON, alone or with its plan and what changed while that ran; or a MovingAI
+/// map, with or without one scenario for it.
 ///
 /// # Errors
 /// What is wrong, with file, line and column where there are some; or what is
@@ -69,9 +74,18 @@ pub fn read(files: &[Opened]) -> Result<Reading, Notice> {
     };
     let (scenes, maps): (Vec<_>, Vec<_>) = (of(Kind::Json).collect(), of(Kind::Map).collect());
     let scenarios: Vec<_> = of(Kind::Scenario).collect();
+    if let (true, Some(read)) = (
+        maps.is_empty() && scenarios.is_empty(),
+        course::read(&scenes),
+    ) {
+        return read;
+    }
     match (&*scenes, &*maps, &*scenarios) {
         ([], [], []) => Err(one_sentence("There is no file to open.".to_owned())),
-        (&[(file, text)], [], []) => scene(file, text),
+        (&[(file, text)], [], []) => match course::alone(file, text) {
+            None => scene(file, text),
+            Some(notice) => Err(notice),
+        },
         ([], &[(file, text)], []) => map(file, text),
         ([], [], &[(file, text)]) => Err(map_missing(file, text)),
         ([], [map], [scenario]) => scenario::read(*map, *scenario),
@@ -84,7 +98,7 @@ pub fn read(files: &[Opened]) -> Result<Reading, Notice> {
                     count(maps.len(), "map"),
                     count(scenarios.len(), "scenario")
                 ),
-                "expected one JSON file, or one .map and one .scen".to_owned(),
+                "expected one JSON file, or those of a scene, its plan and its changes, or one .map and one .scen".to_owned(),
             ],
         }),
     }

@@ -39,6 +39,17 @@ pub fn plan_file(state: &State) -> Option<Saved> {
     })
 }
 
+/// What changed while the plan ran; `None` where nothing did, and where the plan
+/// is stale.
+pub fn changes_file(state: &State) -> Option<Saved> {
+    let course = state.fresh_answer()?.course.as_deref()?;
+    let stem = file_stem(&state.draft.scene().name, "scene");
+    Some(Saved {
+        name: format!("{stem}-changes.json"),
+        text: native::write_changes(&course.changes),
+    })
+}
+
 /// The longest name that is made, in characters.
 const LONGEST: usize = 60;
 

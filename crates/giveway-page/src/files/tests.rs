@@ -143,3 +143,36 @@ fn many_faults_are_not_all_told() {
     assert_eq!(notice.details.len(), TOLD + 1);
     assert!(notice.details[TOLD].starts_with("and "));
 }
+
+#[test]
+fn a_scene_with_its_plan_and_what_changed() {
+    let state = crate::reduce::adopted();
+    let saved = [
+        scene_file(&state),
+        plan_file(&state).unwrap(),
+        changes_file(&state).unwrap(),
+    ];
+    assert_eq!(saved[2].name, "dynamic-3x3-changes.json");
+    let all = saved.map(|saved| file(&saved.name, &saved.text));
+    let Ok(Reading::Linked(linked)) = read(&all) else {
+        panic!("they belong together");
+    };
+    let opened = crate::reduce(&state, crate::Action::OpenLink(linked));
+    let course = |state: &crate::State| state.answer.as_ref().unwrap().course.clone().unwrap();
+    assert_eq!(course(&opened).changes, course(&state).changes);
+    assert_eq!(opened.plan(), state.plan());
+    // Without its changes the plan breaks rules.
+    let notice = read(&all[..2]).unwrap_err();
+    assert!(notice.details[0].contains("breaks a rule"), "{notice:?}");
+    refused(&all[1..2], "it is a plan: open it together with its scene");
+    refused(
+        &all[2..],
+        "these are changes: open them together with their scene and plan",
+    );
+    let broken = file("c.json", r#"{ "giveway": 1, "changes": [{ "at": 1 }] }"#);
+    let notice = read(&[all[0].clone(), all[1].clone(), broken]).unwrap_err();
+    assert!(
+        notice.details[0].starts_with("c.json, line 1"),
+        "{notice:?}"
+    );
+}

@@ -59,12 +59,12 @@ impl BatteryFacts {
 /// agents are found in it by their names.
 pub fn planned(state: &State, agent: usize) -> Option<Lane> {
     let answer = state.shown()?;
-    Lane::of(answer, answer.agent(&state.draft, agent)?)
+    Lane::of(answer, answer.agent(state.world(), agent)?)
 }
 
 /// What there is to tell of an agent of the draft; `None` if there is none.
 pub fn agent(state: &State, agent: usize) -> Option<AgentFacts> {
-    let who = state.draft.agents().get(agent)?;
+    let who = state.world().agents().get(agent)?;
     let time = state.playback.time;
     let lane = planned(state, agent);
     let battery = who.battery.map(|battery| {
@@ -82,6 +82,7 @@ pub fn agent(state: &State, agent: usize) -> Option<AgentFacts> {
     });
     let doing = match &lane {
         Some(lane) => doing(lane, time),
+        None if state.changing.is_some() => format!("Joins at {}", at(who.start)),
         None => format!("From {} to {}", at(who.start), at(who.goal)),
     };
     let visited = lane.as_ref().map(|lane| visited(lane, time));
@@ -116,6 +117,13 @@ fn doing(lane: &Lane, time: u32) -> String {
     }
     let Some(step) = lane.step_at(time) else {
         let end = at(lane.end());
+        if let Some(until) = lane.removed {
+            return if time < until {
+                format!("At {end}, gone from time {until} on")
+            } else {
+                format!("Removed at time {until}")
+            };
+        }
         return if lane.stays || time == lane.arrival {
             format!("Arrived at {end}")
         } else {
@@ -194,6 +202,7 @@ mod tests {
             begins: 0,
             arrival: 3,
             stays: false,
+            removed: None,
             steps: [(0, 1, 0), (1, 2, 0), (2, 3, 1)]
                 .map(|(begins, ends, x)| crate::timeline::Step {
                     way: if x == 0 { Way::Wait } else { Way::Move },

@@ -36,7 +36,7 @@ pub struct Pass {
 
 /// What there is to tell of a cell; `None` off the map.
 pub fn cell(state: &State, cell: Cell) -> Option<CellFacts> {
-    let (ground, icon) = match state.draft.grid().ground(cell)? {
+    let (ground, icon) = match state.world().grid().ground(cell)? {
         Ground::Free => ("Free cell", None),
         Ground::Obstacle => ("Obstacle", Some("obstacle")),
         Ground::Slow => ("Slow zone", Some("slow")),
@@ -44,7 +44,10 @@ pub fn cell(state: &State, cell: Cell) -> Option<CellFacts> {
         Ground::SlowCharger => ("Charger in the slow zone", Some("charger")),
     };
     let mut roles = Vec::new();
-    for (index, agent) in state.draft.agents().iter().enumerate() {
+    for (index, agent) in state.world().agents().iter().enumerate() {
+        if !state.is_there(index) {
+            continue;
+        }
         let name = &agent.name;
         for (is, what) in [
             (agent.start == cell, "Start"),

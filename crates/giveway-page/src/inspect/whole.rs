@@ -53,7 +53,7 @@ pub fn whole(state: &State) -> Whole {
         } else {
             scene.name.clone()
         },
-        contents: contents(&state.draft),
+        contents: contents(state.world(), |agent| state.is_there(agent)),
         claims: Vec::new(),
         costs: Vec::new(),
         work: None,
@@ -130,6 +130,14 @@ fn costs(objective: &[Cost], known: impl Fn(Cost) -> (Option<u32>, Option<u32>))
 /// What is claimed, and how far it reaches.
 fn claim(answer: &Answer) -> String {
     let solved = &answer.solved;
+    if let (Some(course), Status::Optimal) = (&answer.course, solved.status) {
+        let at = answer.changed_last().unwrap_or(0);
+        let step = course.steps.last().and_then(|step| step.method);
+        let way = step.map_or_else(String::new, |method| {
+            format!(" by {}", crate::words::change::method_in_words(method))
+        });
+        return format!("No way to go on from time {at}{way} is better.");
+    }
     let reach = match solved.within {
         Some(within) if !solved.complete => format!("up to makespan {within}"),
         _ => "whatever the horizon".to_owned(),
@@ -143,12 +151,13 @@ fn claim(answer: &Answer) -> String {
 }
 
 /// What a scene contains.
-pub fn contents(draft: &Draft) -> String {
+fn contents(draft: &Draft, is_there: impl Fn(usize) -> bool) -> String {
     let grounds = |is: fn(Ground) -> bool| {
         let cells = draft.grid().cells();
         cells.filter(|&(_, ground)| is(ground)).count()
     };
-    let mut parts = vec![count(draft.agents().len(), "agent")];
+    let agents = (0..draft.agents().len()).filter(|&agent| is_there(agent));
+    let mut parts = vec![count(agents.count(), "agent")];
     for (n, thing) in [
         (grounds(Ground::is_charger), "charger"),
         (grounds(Ground::is_slow), "slow cell"),

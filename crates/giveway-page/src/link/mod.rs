@@ -6,6 +6,7 @@
 //! &plan=2rR...;...&time=7
 //! ```
 
+mod change;
 mod claim;
 mod plan;
 mod preferences;
@@ -17,9 +18,11 @@ mod text;
 use std::fmt::Write as _;
 use std::rc::Rc;
 
-use giveway_model::{Plan, Scene, check};
+use giveway_model::change::Changes;
+use giveway_model::{Agent, Plan, Scene, check};
 use giveway_solve::{SolveAnswer, SolveRequest, Status};
 
+use crate::changing::Changing;
 use crate::{Action, Answer, Draft, Notice, State};
 
 pub use preferences::{prefer, preferences};
@@ -36,6 +39,8 @@ pub struct Linked {
     pub(crate) answer: Option<Rc<Answer>>,
     /// The time shown, in steps.
     pub(crate) time: u32,
+    /// What was changing in the world, where the browser kept that.
+    pub(crate) changing: Option<Rc<Changing>>,
 }
 
 /// Whose text it is.
@@ -57,9 +62,14 @@ pub enum From {
 /// ```
 pub fn write(state: &State) -> String {
     let mut text = scene::write(state.draft.scene());
-    if let Some(plan) = state.fresh_answer().and_then(|answer| answer.plan())
-        && let Some(plan) = plan::write(state.draft.agents(), plan)
+    if let Some(answer) = state.fresh_answer()
+        && let Some(plan) = answer.plan()
+        && let Some(plan) = plan::write(answer.agents(), plan)
     {
+        if let Some(course) = &answer.course {
+            text += "&changes=";
+            text += &change::write(&course.changes.changes);
+        }
         text += "&plan=";
         text += &plan;
         if state.playback.time > 0 {
@@ -75,6 +85,16 @@ pub fn keep(state: &State) -> String {
     if let Some(answer) = state.fresh_answer() {
         text += "&claim=";
         text += &claim::write(&answer.solved);
+        if let Some(course) = &answer.course {
+            text += "&steps=";
+            text += &change::write_steps(&course.steps);
+        }
+    }
+    if let Some(changing) = &state.changing {
+        let changes = changing.changes().changes;
+        let listed = changes.len().saturating_sub(changing.list.len());
+        let listed = change::write(changes.get(listed..).unwrap_or_default());
+        let _ = write!(text, "&listed={}!{listed}", changing.at);
     }
     text
 }
@@ -114,13 +134,18 @@ fn parse(text: &str, from: From) -> Result<Linked, String> {
         _ => return Err("It holds no scene of Giveway.".to_owned()),
     }
     let mut scene = Scene::default();
-    let (mut plan, mut time, mut claim) = (None, 0, None);
+    let (mut plan, mut time) = (None, 0);
+    let mut kept = Kept::default();
+    let mut changes = None;
     for (key, value) in parts {
         let broken = || format!("Its part \u{201c}{key}\u{201d} is broken.");
         match key {
             "plan" => plan = Some(value),
             "time" => time = value.parse().map_err(|_| broken())?,
-            "claim" if from == From::Here => claim = Some(value),
+            "changes" => changes = Some(value),
+            "claim" if from == From::Here => kept.claim = Some(value),
+            "steps" if from == From::Here => kept.steps = Some(value),
+            "listed" if from == From::Here => kept.listed = Some(value),
             _ => scene::read(&mut scene, key, value).ok_or_else(broken)?,
         }
     }
@@ -128,19 +153,75 @@ fn parse(text: &str, from: From) -> Result<Linked, String> {
         let fault = faults.first().map(ToString::to_string);
         format!("Its scene cannot be drawn: {}.", fault.unwrap_or_default())
     })?;
+    let changes = match changes {
+        None => None,
+        Some(text) => {
+            let changes = change::read(text, draft.agents().len());
+            Some(changes.ok_or("Its part \u{201c}changes\u{201d} is broken.")?)
+        }
+    };
     let plan = match plan {
         None => None,
         Some(text) => {
-            let plan = plan::read(draft.agents(), text);
+            let mut agents: Vec<Agent> = draft.agents().to_vec();
+            let mut times = Plan::default();
+            if let Some(changes) = &changes {
+                agents.extend(change::joined(changes));
+                change::put_times(&mut times, changes);
+            }
+            let plan = plan::read(&agents, text, times);
             Some(plan.ok_or("Its plan is broken.")?)
         }
     };
     let draft = Rc::new(draft);
-    let answer = answer(&draft, plan, claim)?;
+    let answer = answer(&draft, plan, changes, &kept)?.map(Rc::new);
+    let changing = answer
+        .as_ref()
+        .and_then(|answer| listed(answer, kept.listed?));
     Ok(Linked {
-        time: time.min(answer.as_ref().map_or(0, Answer::makespan)),
-        answer: answer.map(Rc::new),
+        time: time.min(answer.as_deref().map_or(0, Answer::makespan)),
+        answer,
+        changing: changing.map(Rc::new),
         draft,
+    })
+}
+
+/// What only this browser's own text tells.
+#[derive(Clone, Copy, Debug, Default)]
+struct Kept<'a> {
+    claim: Option<&'a str>,
+    steps: Option<&'a str>,
+    listed: Option<&'a str>,
+}
+
+/// What was being listed when the page was left; what does not fit is left out.
+fn listed(answer: &Rc<Answer>, text: &str) -> Option<Changing> {
+    let (at, list) = text.split_once('!')?;
+    let changing = Changing::begin(answer, at.parse().ok()?)?;
+    let list = change::read(list, answer.agents().len())?.changes;
+    let list = list.into_iter().map(|change| change.what).collect();
+    changing.with(list).ok()
+}
+
+/// A plan with the changes around it, as files tell it, judged.
+///
+/// # Errors
+/// What is wrong with it, as a sentence.
+pub(crate) fn judged(draft: Draft, plan: Plan, changes: Option<Changes>) -> Result<Linked, String> {
+    let draft = Rc::new(draft);
+    let changes = changes.filter(|changes| !changes.changes.is_empty());
+    if let Some(changes) = &changes {
+        // By way of a link's text, which is bounded.
+        let text = change::write(&changes.changes);
+        change::read(&text, draft.agents().len())
+            .ok_or("It has more changes than the page takes.")?;
+    }
+    let answer = answer(&draft, Some(plan), changes, &Kept::default())?;
+    Ok(Linked {
+        draft,
+        answer: answer.map(Rc::new),
+        time: 0,
+        changing: None,
     })
 }
 
@@ -148,7 +229,8 @@ fn parse(text: &str, from: From) -> Result<Linked, String> {
 fn answer(
     draft: &Rc<Draft>,
     plan: Option<Plan>,
-    claim: Option<&str>,
+    changes: Option<Changes>,
+    kept: &Kept<'_>,
 ) -> Result<Option<Answer>, String> {
     let Ok(instance) = draft.instance() else {
         return match plan {
@@ -159,7 +241,15 @@ fn answer(
     let costs = match &plan {
         None => None,
         Some(plan) => {
-            let report = check::check(instance, plan);
+            let report = match &changes {
+                None => check::check(instance, plan),
+                Some(changes) => {
+                    check::check_changes(instance, changes, plan).map_err(|faults| {
+                        let fault = faults.first().map(ToString::to_string);
+                        format!("Its changes do not fit: {}.", fault.unwrap_or_default())
+                    })?
+                }
+            };
             if let Some(violation) = report.violations.first() {
                 return Err(format!("Its plan breaks a rule: {}", violation.message));
             }
@@ -177,7 +267,9 @@ fn answer(
         plan,
         stats: giveway_solve::Stats::default(),
     };
-    let has_claim = claim.is_some_and(|claim| claim::read(&mut solved, claim).is_some());
+    let has_claim = kept
+        .claim
+        .is_some_and(|claim| claim::read(&mut solved, claim).is_some());
     if solved.plan.is_none() && !has_claim {
         return Ok(None);
     }
@@ -185,9 +277,14 @@ fn answer(
         scene: draft.scene().clone(),
         ..SolveRequest::default()
     };
-    Ok(Some(Answer::new(
-        Rc::clone(draft),
-        Rc::new(request),
-        solved,
-    )))
+    let (draft, request) = (Rc::clone(draft), Rc::new(request));
+    let answer = match changes {
+        None => Answer::new(draft, request, solved),
+        Some(changes) => {
+            let steps = change::read_steps(kept.steps.unwrap_or_default(), &changes);
+            Answer::over_time(draft, request, solved, changes, steps)
+                .map_err(|_| "Its changes do not fit its plan.")?
+        }
+    };
+    Ok(Some(answer))
 }

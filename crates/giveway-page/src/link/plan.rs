@@ -17,16 +17,20 @@ const WAYS: [(char, i32, i32); 5] = [
     ('d', 0, 1),
 ];
 
+/// The path of an agent that is removed as it appears: it has no step at all.
+const NOWHERE: &str = "x";
+
 /// A plan for agents; `None` where it is of a kind that a link does not hold.
 pub(super) fn write(agents: &[Agent], plan: &Plan) -> Option<String> {
-    if !plan.from.is_empty() {
-        return None;
-    }
     let one = |agent: &Agent| {
         let path = plan.path(&agent.name);
+        if path.is_empty() {
+            return Some(NOWHERE.to_owned());
+        }
         let charges = plan.charges(&agent.name);
-        let mut stops = path.iter().zip(0_u32..);
-        let mut last = (stops.next()?.0.as_ref().copied()?, 0);
+        let from = plan.from.get(&agent.name).copied().unwrap_or(0);
+        let mut stops = path.iter().zip(from..);
+        let mut last = (stops.next()?.0.as_ref().copied()?, from);
         let mut text = Vec::new();
         for (stop, time) in stops {
             let Some(cell) = *stop else { continue };
@@ -51,19 +55,25 @@ pub(super) fn write(agents: &[Agent], plan: &Plan) -> Option<String> {
 }
 
 /// The plan for agents that a text tells; `None` where it is none. It may break
-/// any rule.
-pub(super) fn read(agents: &[Agent], text: &str) -> Option<Plan> {
-    let mut plan = Plan::default();
+/// any rule. When agents join and leave comes from `times`.
+pub(super) fn read(agents: &[Agent], text: &str, times: Plan) -> Option<Plan> {
+    let mut plan = times;
     let mut room = STEPS;
     let mut texts = text.split(';');
     for agent in agents {
         let (mut at, mut path) = (agent.start, vec![Some(agent.start)]);
         let mut charges = Vec::new();
-        let letters = letters(texts.next()?, room)?;
+        let from = plan.from.get(&agent.name).copied().unwrap_or(0);
+        let own = texts.next()?;
+        if own == NOWHERE {
+            plan.paths.insert(agent.name.clone(), Vec::new());
+            continue;
+        }
+        let letters = letters(own, room)?;
         room -= letters.len();
         for letter in letters {
             if letter == 'c' {
-                charges.push(u32::try_from(path.len()).ok()? - 1);
+                charges.push(u32::try_from(path.len()).ok()? - 1 + from);
                 continue;
             }
             let small = letter.to_ascii_lowercase();

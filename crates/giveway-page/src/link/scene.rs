@@ -39,7 +39,7 @@ pub(super) fn write(scene: &Scene) -> String {
     text + "&agents=" + &agents.join(";")
 }
 
-fn write_agent(agent: &Agent) -> String {
+pub(super) fn write_agent(agent: &Agent) -> String {
     let mut text = escape(&agent.name);
     let cells = [agent.start, agent.goal].into_iter();
     for cell in cells.chain(agent.waypoints.iter().copied()) {
@@ -96,7 +96,7 @@ pub(super) fn read(scene: &mut Scene, key: &str, value: &str) -> Option<()> {
     Some(())
 }
 
-fn read_agent(text: &str) -> Option<Agent> {
+pub(super) fn read_agent(text: &str) -> Option<Agent> {
     let (task, battery) = match text.split_once('!') {
         None => (text, None),
         Some((task, battery)) => {

@@ -21,6 +21,9 @@ pub(super) fn ask(state: &mut State, question: Question) {
         );
         return;
     };
+    if answer.course.is_some() || state.changing.is_some() {
+        return refuse(state, crate::ask::NO_QUESTIONS);
+    }
     if let (Ok(instance), Some(plan)) = (answer.draft.instance(), answer.plan())
         && let Err(misfit) = fits(&question, instance, plan)
     {
@@ -61,7 +64,7 @@ pub(super) fn close(state: &mut State) {
     let is_about_it = match &state.work {
         Work::Asking(_) => true,
         Work::Certifying(run) => run.of_question,
-        Work::Idle | Work::Solving(_) => false,
+        Work::Idle | Work::Solving(_) | Work::Adapting(_) => false,
     };
     if is_about_it {
         solve::cancel(state);

@@ -7,6 +7,7 @@ use giveway_model::Scene;
 
 use super::stroke::{abandon, release};
 use super::{ask, solve};
+use crate::history::Moment;
 use crate::link::Linked;
 use crate::{Draft, Notice, Selection, State};
 
@@ -51,6 +52,7 @@ fn put(state: &mut State, draft: Draft) {
     state.notice = None;
     state.answer = None;
     state.asking = None;
+    state.changing = None;
     state.selection = Selection::Nothing;
     // A horizon is for one scene; the other limits are for all.
     state.settings.within = None;
@@ -68,6 +70,14 @@ pub(super) fn change(state: &mut State, edit: impl FnOnce(&mut Scene)) {
     edit(&mut scene);
     if scene == *state.draft.scene() {
         return;
+    }
+    if let Some(changing) = state.changing.as_deref() {
+        let sentence = format!(
+            "The world is changing at time {}: adopt a way to go on, or discard the changes, \
+             before the scene is edited.",
+            changing.at
+        );
+        return ask::refuse(state, &sentence);
     }
     match Draft::new(scene) {
         Ok(draft) => {
@@ -88,17 +98,39 @@ pub(super) fn undo(state: &mut State) {
         return abandon(state);
     }
     release(state);
-    let present = Rc::clone(&state.draft);
-    if let Some(draft) = state.history.undo(present) {
-        travel(state, draft);
+    let mut history = std::mem::take(&mut state.history);
+    let before = history.undo(|before| present(state, before));
+    state.history = history;
+    if let Some(before) = before {
+        go(state, before);
     }
 }
 
 pub(super) fn redo(state: &mut State) {
     release(state);
-    let present = Rc::clone(&state.draft);
-    if let Some(draft) = state.history.redo(present) {
-        travel(state, draft);
+    let mut history = std::mem::take(&mut state.history);
+    let after = history.redo(|after| present(state, after));
+    state.history = history;
+    if let Some(after) = after {
+        go(state, after);
+    }
+}
+
+/// What is now, of the kind of a moment.
+fn present(state: &State, like: &Moment) -> Moment {
+    match like {
+        Moment::Scene(_) => Moment::Scene(Rc::clone(&state.draft)),
+        Moment::Course { .. } => Moment::Course {
+            answer: state.answer.clone(),
+            changing: state.changing.clone(),
+        },
+    }
+}
+
+fn go(state: &mut State, to: Moment) {
+    match to {
+        Moment::Scene(draft) => travel(state, draft),
+        to @ Moment::Course { .. } => super::change::travel(state, &to),
     }
 }
 
@@ -119,7 +151,7 @@ fn replace(state: &mut State, draft: Draft) {
     let before = std::mem::replace(&mut state.draft, Rc::new(draft));
     state.cursor = state.draft.clamp(state.cursor);
     reselect(state, &before);
-    state.history.record(before);
+    state.history.record(Moment::Scene(before));
 }
 
 /// The agent that is selected may have got another place, another name or none.

@@ -1,6 +1,7 @@
 //! From a state and an action to the next state.
 
 mod ask;
+mod change;
 mod edit;
 mod play;
 mod proof;
@@ -9,8 +10,12 @@ mod stroke;
 #[cfg(test)]
 mod tests;
 
+#[cfg(test)]
+pub(crate) use tests::adopted;
+
 use giveway_model::Cell;
 
+use crate::changing::Changing;
 use crate::{Action, Selection, State, Tool};
 
 /// The next state. Pure: the same state and action always give the same.
@@ -82,6 +87,15 @@ fn step(state: &mut State, action: Action) {
 
         Action::CheckProof => proof::start(state),
 
+        Action::BeginChange => change::begin(state),
+        Action::DiscardChange => change::discard(state),
+        Action::ListChange(what) => change::list(state, what),
+        Action::TakeBack(index) => change::take_back(state, index),
+        Action::ChooseMethods(choice) => change::choose_methods(state, choice),
+        Action::Adapt => change::adapt(state),
+        Action::Preview(index) => change::preview(state, index),
+        Action::Adopt(index) => change::adopt(state, index),
+
         Action::Play => play::play(state),
         Action::Pause => state.playback.playing = false,
         Action::Seek(time) => play::seek(state, time),
@@ -95,6 +109,12 @@ fn step(state: &mut State, action: Action) {
         Action::ShowTab(tab) => state.view.tab = tab,
         Action::SetTheme(theme) => state.view.theme = theme,
     }
+}
+
+/// Whether the tool that selects can move what is on a cell of the changing
+/// world.
+pub(crate) fn can_hold(state: &State, changing: &Changing, cell: Cell) -> bool {
+    change::held(state, changing, cell).is_some()
 }
 
 /// What is selected has the inspector: a question makes way for it.

@@ -9,10 +9,14 @@ use std::rc::Rc;
 
 use giveway_solve::{Limits, Progress, Refusal, Response, SolveRequest};
 
+use crate::history::Moment;
 use crate::{Answer, Notice, Run, Size, State, Work};
 
 pub(super) fn start(state: &mut State) {
     super::stroke::release(state);
+    if state.changing.is_some() {
+        return super::change::adapt(state);
+    }
     if state.draft.instance().is_err() {
         let problems = state.draft.problems().iter();
         state.notice = Some(Notice {
@@ -68,6 +72,25 @@ pub(super) fn progress(state: &mut State, id: u64, event: Progress) {
         }
         event => event,
     };
+    if let (
+        true,
+        Progress::Size {
+            variables,
+            clauses,
+            conflicts,
+        },
+    ) = (super::change::is_current(state, id), &event)
+    {
+        let (variables, clauses, conflicts) = (*variables, *clauses, *conflicts);
+        return super::change::learn(
+            state,
+            Size {
+                variables,
+                clauses,
+                conflicts,
+            },
+        );
+    }
     let Some(run) = current(state, id) else {
         return;
     };
@@ -112,6 +135,17 @@ pub(super) fn respond(state: &mut State, id: u64, response: Response) {
         }
         return;
     }
+    if super::change::is_current(state, id) {
+        state.work = Work::Idle;
+        match response {
+            Response::Changed(told) => super::change::answered(state, *told),
+            Response::Refused(refusal) => {
+                refused(state, "The changes were refused.", &refusal);
+            }
+            _ => {}
+        }
+        return;
+    }
     let Some(run) = current(state, id).cloned() else {
         return;
     };
@@ -119,6 +153,17 @@ pub(super) fn respond(state: &mut State, id: u64, response: Response) {
     match response {
         Response::Solved(solved) => {
             let answer = Answer::new(run.draft, run.request, solved);
+            if state
+                .fresh_answer()
+                .is_some_and(|before| before.course.is_some())
+            {
+                // What was adopted goes with its history: that can be undone.
+                let before = Moment::Course {
+                    answer: state.answer.clone(),
+                    changing: None,
+                };
+                state.history.record(before);
+            }
             state.playback.time = 0;
             state.playback.playing = answer.makespan() > 0;
             state.playback.sought = false;

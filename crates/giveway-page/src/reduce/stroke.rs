@@ -7,6 +7,7 @@ use giveway_model::{Agent, Cell};
 
 use super::{ask, edit, select, solve};
 use crate::ground::Brush;
+use crate::history::Moment;
 use crate::state::Stroke;
 use crate::things::{Hold, Thing, fresh_name};
 use crate::{Draft, Notice, Placing, Selection, State, Tool};
@@ -16,7 +17,12 @@ pub(super) fn pick(state: &mut State, tool: Tool) {
     release(state);
     state.placing = None;
     state.tool = tool;
-    if tool.is_of_agents() || tool == Tool::Erase {
+    if let Some(changing) = state.changing.as_deref() {
+        let at = changing.at;
+        return super::play::seek(state, at);
+    }
+    let is_other_world = || state.fresh_answer().is_some_and(|a| a.course.is_some());
+    if tool.is_of_agents() || tool == Tool::Erase || (tool != Tool::Select && is_other_world()) {
         // Agents are placed where they begin: that is shown, not where they are.
         super::play::seek(state, 0);
     }
@@ -27,6 +33,9 @@ pub(super) fn press(state: &mut State, cell: Cell) {
     release(state);
     let cell = state.draft.clamp(cell);
     state.cursor = cell;
+    if state.changing.is_some() {
+        return super::change::press(state, cell);
+    }
     match state.tool {
         Tool::Select => {
             let held = state.thing_at(cell);
@@ -146,6 +155,9 @@ pub(super) fn drag(state: &mut State, cell: Cell) {
         state.cursor = cell;
         return;
     }
+    if state.changing.is_some() {
+        return super::change::drag(state, cell);
+    }
     let Some(stroke) = &mut state.stroke else {
         return;
     };
@@ -193,6 +205,7 @@ pub(super) fn release(state: &mut State) {
             place(state);
         }
     }
+    super::change::release(state);
     let Some(stroke) = state.stroke.take() else {
         return;
     };
@@ -207,7 +220,7 @@ pub(super) fn release(state: &mut State) {
         return;
     }
     if *stroke.before != *state.draft {
-        state.history.record(stroke.before);
+        state.history.record(Moment::Scene(stroke.before));
         edit::settled(state);
     }
 }
@@ -217,6 +230,9 @@ fn place(state: &mut State) {
     let Some(Placing { start, goal, .. }) = state.placing.take() else {
         return;
     };
+    if state.changing.is_some() {
+        return super::change::join(state, start, goal);
+    }
     let count = state.draft.agents().len();
     edit::change(state, |scene| {
         scene.agents.push(Agent {
@@ -235,6 +251,7 @@ fn place(state: &mut State) {
 /// Leaves a stroke or a placing as if it had never begun.
 pub(super) fn abandon(state: &mut State) {
     state.placing = None;
+    super::change::abandon(state);
     if let Some(stroke) = state.stroke.take() {
         let present = std::mem::replace(&mut state.draft, stroke.before);
         edit::reselect(state, &present);

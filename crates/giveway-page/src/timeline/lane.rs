@@ -45,6 +45,8 @@ pub struct Lane {
     pub arrival: u32,
     /// Whether it stays where it arrived.
     pub stays: bool,
+    /// The time from which it is gone, where it was removed: it never arrives.
+    pub removed: Option<u32>,
     /// What it does, by time, without gaps.
     pub steps: Vec<Step>,
     /// The times at which it charges.
@@ -60,7 +62,8 @@ impl Lane {
     /// The plan of an agent of an answer; `None` where there is none.
     pub fn of(answer: &Answer, agent: usize) -> Option<Self> {
         let plan = answer.plan()?;
-        let who = answer.draft.agents().get(agent)?;
+        let who = answer.agents().get(agent)?;
+        let removed = answer.removed(agent);
         let path = plan.path(&who.name);
         let begins = plan.from.get(&who.name).copied().unwrap_or(0);
         let mut stops = path
@@ -92,7 +95,8 @@ impl Lane {
             entry,
             begins,
             arrival: begin,
-            stays: answer.draft.scene().rules.at_goal == AtGoal::Stay,
+            stays: removed.is_none() && answer.draft.scene().rules.at_goal == AtGoal::Stay,
+            removed,
             steps,
             charges: plan.charges(&who.name).to_vec(),
             capacity: who.battery.map(|battery| battery.capacity),
@@ -143,12 +147,14 @@ impl Lane {
         if !self.charges.is_empty() {
             parts.push(format!("charges at {}", list(&self.charges)));
         }
-        format!(
-            "{}: {}, arrives at {}",
-            self.name,
-            parts.join(", "),
-            self.arrival
-        )
+        if self.begins > 0 {
+            parts.insert(0, format!("joins at {}", self.begins));
+        }
+        parts.push(match self.removed {
+            Some(time) => format!("is removed at {time}"),
+            None => format!("arrives at {}", self.arrival),
+        });
+        format!("{}: {}", self.name, parts.join(", "))
     }
 }
 

@@ -1,5 +1,6 @@
 //! What the page says, made apart from how it is known.
 
+pub mod change;
 mod costs;
 mod question;
 mod status;

@@ -21,6 +21,14 @@ pub enum Badge {
     Asking,
     /// It checks a proof.
     Checking,
+    /// What changes in the world is being listed.
+    Changing,
+    /// It looks for ways to go on.
+    Adapting,
+    /// Ways to go on are side by side; how many.
+    Compared(u8),
+    /// A plan that went on where the world changed.
+    Adopted,
     /// A plan, with a proof that none is better.
     Proved,
     /// No plan, with a proof.
@@ -40,6 +48,12 @@ impl Badge {
             Self::Solving => "Solving",
             Self::Asking => "Asking",
             Self::Checking => "Checking",
+            Self::Changing => "Changing",
+            Self::Adapting => "Adapting",
+            Self::Compared(1) => "1 answer",
+            Self::Compared(2) => "2 answers",
+            Self::Compared(_) => "3 answers",
+            Self::Adopted => "Adopted",
             Self::Proved => "Proved",
             Self::Impossible => "Impossible",
             Self::Stopped => "Stopped",
@@ -50,8 +64,10 @@ impl Badge {
     /// Its icon.
     pub const fn icon(self) -> &'static str {
         match self {
-            Self::Draft => "change",
-            Self::Solving | Self::Stopped => "clock",
+            Self::Draft | Self::Changing => "change",
+            Self::Compared(_) => "compare",
+            Self::Adopted => "check",
+            Self::Solving | Self::Adapting | Self::Stopped => "clock",
             Self::Asking => "question",
             Self::Checking => "search",
             Self::Proved => "proved",
@@ -63,8 +79,13 @@ impl Badge {
     /// Its class in the style sheet.
     pub const fn class(self) -> &'static str {
         match self {
-            Self::Draft => "plain",
-            Self::Solving | Self::Asking | Self::Checking => "info",
+            Self::Draft | Self::Adopted => "plain",
+            Self::Solving
+            | Self::Asking
+            | Self::Checking
+            | Self::Changing
+            | Self::Adapting
+            | Self::Compared(_) => "info",
             Self::Proved => "proved",
             Self::Impossible | Self::Faulty => "bad",
             Self::Stopped | Self::Stale => "warn",
@@ -99,6 +120,19 @@ pub fn standing(state: &State) -> Standing {
     if let Work::Certifying(run) = &state.work {
         return say(Badge::Checking, proof::doing(run));
     }
+    if let Work::Adapting(run) = &state.work {
+        return say(Badge::Adapting, super::change::adapting(state, run));
+    }
+    if let (Some(changing), None) = (state.changing.as_deref(), state.placing) {
+        return match &changing.compared {
+            None => say(Badge::Changing, super::change::changing(changing)),
+            Some(compared) => {
+                let count = u8::try_from(compared.tried.len()).unwrap_or(u8::MAX);
+                let sentence = super::change::compared(changing, compared);
+                say(Badge::Compared(count), sentence)
+            }
+        };
+    }
     if let Some(placing) = state.placing {
         let at = crate::inspect::at(placing.start);
         let name = state.next_name();
@@ -120,6 +154,13 @@ pub fn standing(state: &State) -> Standing {
             None => "The scene has changed: solve it anew.",
         };
         return say(Badge::Stale, what.to_owned());
+    }
+    if answer.course.is_some() {
+        let badge = match answer.solved.status {
+            Status::Optimal => Badge::Adopted,
+            _ => Badge::Stopped,
+        };
+        return say(badge, super::change::adopted(answer));
     }
     let badge = match answer.solved.status {
         Status::Optimal => Badge::Proved,

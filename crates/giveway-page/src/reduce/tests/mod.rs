@@ -1,12 +1,15 @@
 //! Every action, on the warehouse.
 
 mod ask;
+mod change;
 mod edit;
 mod play;
 mod proof;
 mod solve;
 mod things;
 mod words;
+
+pub(crate) use change::adopted;
 
 use giveway_model::{AtGoal, Cell, Cost, Objective};
 

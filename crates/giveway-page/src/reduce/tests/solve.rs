@@ -10,7 +10,7 @@ use crate::{Action, Phase, Run, Size, State, Work};
 fn run(state: &State) -> &Run {
     match &state.work {
         Work::Solving(run) => run,
-        Work::Idle | Work::Asking(_) | Work::Certifying(_) => panic!("not solving"),
+        other => panic!("not solving: {other:?}"),
     }
 }
 

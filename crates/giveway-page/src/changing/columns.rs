@@ -1,0 +1,190 @@
+//! The methods compared: a column each, in words and numbers.
+
+use giveway_model::{Cost, Costs};
+use giveway_solve::change::MethodAnswer;
+use giveway_solve::{Status, change::Method};
+
+use super::{Changing, Tried};
+use crate::State;
+use crate::words::{change, title};
+
+/// What one method makes of the change.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Column {
+    /// The method: `Tunnel 1`.
+    pub title: String,
+    /// What it promises.
+    pub promise: String,
+    /// Whether no other method has lower costs.
+    pub is_least: bool,
+    /// Whether it is previewed.
+    pub is_chosen: bool,
+    /// Whether it has a plan to preview and to adopt.
+    pub has_plan: bool,
+    /// The costs, those of the objective; empty without a plan.
+    pub costs: Vec<CostChange>,
+    /// What became of the agents; empty without a plan.
+    pub groups: Vec<Group>,
+    /// What else there is to say.
+    pub notes: Vec<String>,
+    /// How long it took.
+    pub time: String,
+}
+
+/// A cost before and after.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct CostChange {
+    /// Its name.
+    pub title: &'static str,
+    /// Of the plan before.
+    pub before: Option<u32>,
+    /// Of the method's plan.
+    pub after: u32,
+}
+
+impl CostChange {
+    /// The difference as it is shown: `+1`, `same`.
+    pub fn difference(&self) -> Option<String> {
+        let by = i64::from(self.after) - i64::from(self.before?);
+        Some(match by {
+            0 => "same".to_owned(),
+            by => format!("{by:+}").replace('-', "\u{2212}"),
+        })
+    }
+}
+
+/// Agents of which the same became.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Group {
+    /// What: `Re-timed`.
+    pub title: &'static str,
+    /// Who: index and name.
+    pub agents: Vec<(usize, String)>,
+}
+
+/// The methods side by side; `None` while nothing is compared.
+pub fn columns(state: &State) -> Option<Vec<Column>> {
+    let changing = state.changing.as_deref()?;
+    let compared = changing.compared.as_deref()?;
+    let column = |(index, tried): (usize, &Tried)| {
+        let told = &tried.told;
+        let has_plan = tried.answer.is_some();
+        Column {
+            title: change::method(tried.method),
+            promise: promise(tried.method),
+            is_least: tried.is_least,
+            is_chosen: compared.chosen == Some(index),
+            has_plan,
+            costs: told
+                .result
+                .costs
+                .filter(|_| has_plan)
+                .map_or_else(Vec::new, |costs| {
+                    cost_changes(changing, compared.before, &costs)
+                }),
+            groups: if has_plan {
+                groups(changing, told)
+            } else {
+                Vec::new()
+            },
+            notes: notes(tried),
+            time: time(told.result.stats.cpu_seconds),
+        }
+    };
+    Some(compared.tried.iter().enumerate().map(column).collect())
+}
+
+fn promise(method: Method) -> String {
+    match method {
+        Method::Revise => "Same paths, new times".to_owned(),
+        Method::Tunnel(0) => "On the cells of the old paths".to_owned(),
+        Method::Tunnel(1) => "Within 1 step of the old paths".to_owned(),
+        Method::Tunnel(width) => format!("Within {width} steps of the old paths"),
+        Method::Replan => "Everyone plans freely".to_owned(),
+    }
+}
+
+/// The makespan, then what the objective has else.
+fn cost_changes(changing: &Changing, before: Option<Costs>, after: &Costs) -> Vec<CostChange> {
+    let request = &changing.about.request;
+    let objective = request
+        .objective
+        .as_ref()
+        .unwrap_or(&request.scene.objective);
+    let others = objective.costs().iter().copied();
+    let others = others.filter(|&cost| cost != Cost::Makespan);
+    let costs = [Cost::Makespan].into_iter().chain(others);
+    costs
+        .map(|cost| CostChange {
+            title: title(cost),
+            before: before.map(|costs| costs.get(cost)),
+            after: after.get(cost),
+        })
+        .collect()
+}
+
+fn groups(changing: &Changing, told: &MethodAnswer) -> Vec<Group> {
+    let agents = changing.draft().agents();
+    let index = |name: &String| agents.iter().position(|agent| agent.name == *name);
+    let group = |title: &'static str, names: &[String]| Group {
+        title,
+        agents: names
+            .iter()
+            .filter_map(|name| Some((index(name)?, name.clone())))
+            .collect(),
+    };
+    let mut groups = vec![
+        group("Kept", &told.kept),
+        group("Re-timed", &told.retimed),
+        group("Re-routed", &told.rerouted),
+        group("New", &told.added),
+    ];
+    if !told.freed.is_empty() {
+        groups.push(group("Freed", &told.freed));
+    }
+    groups
+}
+
+fn notes(tried: &Tried) -> Vec<String> {
+    let told = &tried.told;
+    let mut notes = Vec::new();
+    match (told.result.status, &told.result.plan) {
+        (_, Some(_)) if tried.answer.is_none() => {
+            notes.push("Its plan does not fit what is listed.".to_owned());
+        }
+        (Status::Optimal, Some(_)) => {}
+        (_, Some(_)) => notes.push("The best so far: the limits ended the search.".to_owned()),
+        (Status::Impossible, None) => notes.push("It has no plan.".to_owned()),
+        (_, None) => notes.push("No plan was found within the limits.".to_owned()),
+    }
+    match (&told.cause, &told.result.reason) {
+        (Some(cause), _) => {
+            notes.push(cause.text.clone());
+            if let Some(within) = cause.within {
+                notes.push(format!("That is shown up to makespan {within}."));
+            }
+        }
+        (None, Some(reason)) if told.result.plan.is_none() => notes.push(reason.clone()),
+        _ => {}
+    }
+    if !told.freed.is_empty() && told.result.plan.is_some() {
+        let names = told.freed.join(", ");
+        let fewest = if told.fewest {
+            "; no fewer would do"
+        } else {
+            ""
+        };
+        notes.push(format!("Freed to plan anew: {names}{fewest}."));
+    }
+    notes
+}
+
+fn time(seconds: f64) -> String {
+    if seconds < 0.0005 {
+        "less than 1 ms".to_owned()
+    } else if seconds < 1.0 {
+        format!("{:.0} ms", seconds * 1000.0)
+    } else {
+        format!("{seconds:.1} s")
+    }
+}

@@ -1,0 +1,222 @@
+//! What is listed, and what has changed before, in words.
+
+use giveway_model::change::What;
+use giveway_model::{Cell, Fault};
+
+use super::Changing;
+use super::listed::whose;
+use crate::course::Course;
+use crate::timeline::Lane;
+use crate::words::{self, change};
+use crate::{Answer, State};
+
+/// What the inspector tells while the world changes.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Facts {
+    /// The time, in steps.
+    pub at: u32,
+    /// What is listed.
+    pub list: Vec<Listed>,
+    /// Whether the methods have answered.
+    pub is_compared: bool,
+    /// The first plan and how it went on.
+    pub history: Vec<Past>,
+}
+
+/// A listed change.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Listed {
+    /// The index of the agent whose it is.
+    pub agent: Option<usize>,
+    /// The icon of what is no agent's.
+    pub icon: &'static str,
+    /// What changes: `A4 joins at (0,2)`.
+    pub text: String,
+    /// What else there is to know.
+    pub detail: Option<String>,
+}
+
+/// A time of the history.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Past {
+    /// The time.
+    pub at: u32,
+    /// What was: `A3 joins at (2,2)`.
+    pub text: String,
+    /// What was made of it: `revise: makespan 4, sum of costs 12`.
+    pub detail: Option<String>,
+}
+
+/// What there is to tell while the world changes; `None` while it does not.
+pub fn facts(state: &State) -> Option<Facts> {
+    let changing = state.changing.as_deref()?;
+    let mut past = history(&changing.about);
+    past.push(Past {
+        at: changing.at,
+        text: match changing.list.as_slice() {
+            [] => "Nothing is listed yet".to_owned(),
+            list => texts(list.iter()),
+        },
+        detail: Some(match &changing.compared {
+            None => "no answers yet".to_owned(),
+            Some(compared) => {
+                let answers = words::count(compared.tried.len(), "answer");
+                format!("{answers}, none adopted yet")
+            }
+        }),
+    });
+    Some(Facts {
+        at: changing.at,
+        list: changing
+            .list
+            .iter()
+            .map(|what| listed(changing, what))
+            .collect(),
+        is_compared: changing.compared.is_some(),
+        history: past,
+    })
+}
+
+fn listed(changing: &Changing, what: &What) -> Listed {
+    let name = whose(what);
+    let mut agents = changing.draft().agents().iter();
+    let (text, detail) = change::sentence(what);
+    Listed {
+        agent: name.and_then(|name| agents.position(|agent| agent.name == name)),
+        icon: match what {
+            What::AddObstacle { .. } | What::RemoveObstacle { .. } | What::MoveObstacle { .. } => {
+                "obstacle"
+            }
+            What::SetSlow { .. } | What::SetNormal { .. } => "slow",
+            What::AddCharger { .. } | What::RemoveCharger { .. } => "charger",
+            _ => "agent",
+        },
+        text,
+        detail,
+    }
+}
+
+/// The first plan and how it went on; nothing where nothing has changed.
+pub fn history(answer: &Answer) -> Vec<Past> {
+    let Some(course) = answer.course.as_deref() else {
+        return Vec::new();
+    };
+    let costs = |costs: Option<giveway_model::Costs>| {
+        costs.map(|costs| {
+            let (makespan, sum) = (costs.makespan, costs.sum_of_costs);
+            format!("makespan {makespan}, sum of costs {sum}")
+        })
+    };
+    let first = course.steps.first().and_then(|step| step.before);
+    let mut past = vec![Past {
+        at: 0,
+        text: "First plan".to_owned(),
+        detail: costs(first),
+    }];
+    for step in &course.steps {
+        let method = step.method.map(change::method_in_words);
+        past.push(Past {
+            at: step.at,
+            text: texts(changes_of(course, step.at)),
+            detail: match (method, costs(step.after)) {
+                (Some(method), Some(costs)) => Some(format!("{method}: {costs}")),
+                (method, costs) => method.or(costs),
+            },
+        });
+    }
+    past
+}
+
+fn changes_of(course: &Course, at: u32) -> impl Iterator<Item = &What> {
+    let changes = course.changes.changes.iter();
+    changes
+        .filter(move |change| change.at == at)
+        .map(|change| &change.what)
+}
+
+/// The first of some changes in words, and how many more there are.
+fn texts<'a>(mut whats: impl Iterator<Item = &'a What>) -> String {
+    let first = whats.next().map(|what| change::sentence(what).0);
+    let first = first.unwrap_or_default();
+    match whats.count() {
+        0 => first,
+        more => format!("{first}, and {more} more"),
+    }
+}
+
+/// Why a change is refused, as a sentence.
+pub(crate) fn contradiction(fault: &Fault) -> String {
+    let Fault {
+        found, expected, ..
+    } = fault;
+    format!("This contradicts the world: found {found}, expected {expected}.")
+}
+
+/// What can be changed of an agent beside the board.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Offers {
+    /// The time, in steps.
+    pub at: u32,
+    /// Its name.
+    pub name: String,
+    /// Its battery's level then, and the capacity; `None` without a battery.
+    pub level: Option<(u32, u32)>,
+    /// The breakdown that is listed, in steps.
+    pub delay: Option<u32>,
+    /// The waypoints that it has still to visit.
+    pub waypoints: Vec<Cell>,
+}
+
+/// What can be changed of an agent; `None` while the world does not change, and
+/// for one that is not there.
+pub fn offers(state: &State, agent: usize) -> Option<Offers> {
+    let changing = state.changing.as_deref()?;
+    let who = changing.draft().agents().get(agent)?;
+    if !*changing.world.is_there.get(agent)? {
+        return None;
+    }
+    let lane = Lane::of(&changing.about, agent);
+    let listed = |find: fn(&What) -> Option<u32>| {
+        let own = changing.list.iter().rev();
+        let mut own = own.filter(|what| whose(what) == Some(&who.name));
+        own.find_map(find)
+    };
+    let level = listed(|what| match what {
+        What::SetBattery { level, .. } => Some(*level),
+        _ => None,
+    });
+    let now = lane.as_ref().and_then(|lane| lane.level_at(changing.at));
+    let is_visited = |cell: &Cell| {
+        let steps = lane.iter().flat_map(|lane| &lane.steps);
+        let entry = lane.iter().filter(|lane| lane.begins <= changing.at);
+        let mut cells = entry.map(|lane| lane.entry).chain(
+            steps
+                .filter(|step| step.ends <= changing.at)
+                .map(|step| step.to),
+        );
+        cells.any(|at| at == *cell)
+    };
+    let is_new = |cell: &Cell| {
+        let what = What::AddWaypoint {
+            agent: who.name.clone(),
+            cell: *cell,
+        };
+        changing.list.contains(&what)
+    };
+    let waypoints = who.waypoints.iter().copied();
+    Some(Offers {
+        at: changing.at,
+        name: who.name.clone(),
+        level: who.battery.map(|battery| {
+            let now = level.or(now).unwrap_or(battery.initial);
+            (now, battery.capacity)
+        }),
+        delay: listed(|what| match what {
+            What::DelayAgent { steps, .. } => Some(*steps),
+            _ => None,
+        }),
+        waypoints: waypoints
+            .filter(|cell| !is_visited(cell) || is_new(cell))
+            .collect(),
+    })
+}

@@ -1,0 +1,208 @@
+//! The world changes while a plan runs: what a person lists, the world with it,
+//! and what the methods make of it.
+//!
+//! The past is frozen: it can be looked at, and every change is one of the time
+//! at which the world changes.
+
+mod columns;
+mod compared;
+mod facts;
+mod listed;
+mod touch;
+
+use std::rc::Rc;
+
+use giveway_model::change::{Change, Changes, History, What};
+use giveway_model::{Fault, Version};
+use giveway_solve::Limits;
+use giveway_solve::change::{ChangeRequest, Method};
+
+use crate::course::World;
+use crate::{Answer, Draft, Settings};
+
+pub use columns::{Column, CostChange, Group, columns};
+pub use compared::{Compared, Tried};
+pub use facts::{Facts, Listed, Offers, Past, facts, history, offers};
+pub(crate) use touch::{Stroke, Touch};
+
+/// The world changes at a time, and this is how.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Changing {
+    /// The time, in steps.
+    pub at: u32,
+    /// The plan that runs.
+    pub about: Rc<Answer>,
+    /// What changes, in the order in which it was listed.
+    pub list: Vec<What>,
+    /// What the methods made of it; `None` before that, and when the list has
+    /// changed since.
+    pub compared: Option<Rc<Compared>>,
+    /// The world from that time on.
+    pub world: World,
+    /// The world before, over time.
+    history: Rc<History>,
+    /// The stroke on the board that is not finished.
+    pub(crate) stroke: Option<Rc<Stroke>>,
+}
+
+/// The methods to try.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Choice {
+    /// Whether old agents keep their cells.
+    pub revise: bool,
+    /// Whether old agents keep near their paths.
+    pub tunnel: bool,
+    /// How near, in steps.
+    pub width: u32,
+    /// Whether everyone plans freely.
+    pub replan: bool,
+}
+
+/// The widest tunnel that can be chosen, in steps.
+pub const WIDEST: u32 = 99;
+
+impl Default for Choice {
+    fn default() -> Self {
+        Self {
+            revise: true,
+            tunnel: true,
+            width: 1,
+            replan: true,
+        }
+    }
+}
+
+impl Choice {
+    /// The methods, the closest to the old plan first.
+    ///
+    /// ```
+    /// use giveway_page::changing::Choice;
+    /// let names: Vec<String> = Choice::default().methods().iter().map(ToString::to_string).collect();
+    /// assert_eq!(names, ["revise", "tunnel=1", "replan"]);
+    /// ```
+    pub fn methods(self) -> Vec<Method> {
+        let all = [
+            (self.revise, Method::Revise),
+            (self.tunnel, Method::Tunnel(self.width)),
+            (self.replan, Method::Replan),
+        ];
+        all.into_iter()
+            .filter_map(|(on, method)| on.then_some(method))
+            .collect()
+    }
+}
+
+impl Changing {
+    /// Nothing changes yet, at a time of a plan; `None` where the answer is none,
+    /// or where the world has changed then or later already.
+    pub(crate) fn begin(about: &Rc<Answer>, at: u32) -> Option<Self> {
+        about.plan()?;
+        if about.changed_last().is_some_and(|last| at <= last) {
+            return None;
+        }
+        let history = match &about.course {
+            Some(course) => course.history.clone(),
+            None => History::new(about.draft.instance().ok()?),
+        };
+        Some(Self {
+            at,
+            about: Rc::clone(about),
+            list: Vec::new(),
+            compared: None,
+            world: World::of(&history, about.draft.scene(), at),
+            history: Rc::new(history),
+            stroke: None,
+        })
+    }
+
+    /// The same with another list of changes.
+    ///
+    /// # Errors
+    /// How they contradict the world.
+    pub(crate) fn with(&self, list: Vec<What>) -> Result<Self, Vec<Fault>> {
+        let changes: Vec<Change> = list.iter().map(|what| self.change(what)).collect();
+        let numbered: Vec<(usize, &Change)> = changes.iter().enumerate().collect();
+        let mut after = History::clone(&self.history);
+        if let (Some(plan), false) = (self.about.plan(), list.is_empty()) {
+            after.apply(self.at, &numbered, plan)?;
+        }
+        Ok(Self {
+            list,
+            compared: None,
+            world: World::of(&after, self.about.draft.scene(), self.at),
+            ..self.clone()
+        })
+    }
+
+    fn change(&self, what: &What) -> Change {
+        Change {
+            at: self.at,
+            what: what.clone(),
+        }
+    }
+
+    /// All that changed before, and what is listed.
+    pub(crate) fn changes(&self) -> Changes {
+        let course = self.about.course.as_deref();
+        let before = course.map_or(&[][..], |course| &course.changes.changes);
+        let listed = self.list.iter().map(|what| self.change(what));
+        Changes {
+            giveway: Version,
+            changes: before.iter().cloned().chain(listed).collect(),
+        }
+    }
+
+    /// What the solver is asked.
+    pub(crate) fn request(&self, settings: &Settings) -> Option<ChangeRequest> {
+        Some(ChangeRequest {
+            scene: self.about.draft.scene().clone(),
+            plan: self.about.plan()?.clone(),
+            changes: self.changes(),
+            since: Some(self.at),
+            methods: settings.methods.methods(),
+            objective: self.about.request.objective.clone(),
+            within: settings.within,
+            limits: Limits {
+                seconds: Some(f64::from(settings.seconds)),
+                ..Limits::default()
+            },
+        })
+    }
+
+    /// The answer that is previewed; the plan that runs where none is.
+    pub fn shown(&self) -> &Rc<Answer> {
+        let compared = self.compared.as_deref();
+        let preview = compared.and_then(Compared::preview);
+        preview.unwrap_or(&self.about)
+    }
+
+    /// The last time that can be shown: what comes later is not known before the
+    /// methods have answered.
+    pub fn last_time(&self) -> u32 {
+        match self.compared {
+            Some(_) => self.shown().makespan().max(self.at),
+            None => self.at,
+        }
+    }
+
+    /// The world at a time, where it is another than the draft.
+    pub fn world_at(&self, time: u32) -> Option<&World> {
+        if self.compared.is_some() && !Rc::ptr_eq(self.shown(), &self.about) {
+            return self.shown().world(time);
+        }
+        if time < self.at {
+            return self.about.world(time);
+        }
+        Some(&self.world)
+    }
+
+    /// The draft of the world from the change on.
+    pub fn draft(&self) -> &Rc<Draft> {
+        &self.world.draft
+    }
+
+    /// The agent of a name that was used by nobody yet.
+    pub(crate) fn fresh_name(&self) -> String {
+        crate::things::fresh_name(self.world.draft.scene())
+    }
+}

@@ -1,0 +1,398 @@
+//! The world changes while the plan of the literature's example runs.
+
+use giveway_model::change::What;
+use giveway_model::format::native;
+use giveway_model::{Agent, Cell, Costs};
+use giveway_solve::{Response, SilentHost, serve};
+
+use super::{after, stroke};
+use crate::changing::{Choice, columns, facts, history};
+use crate::sample::proved;
+use crate::table::lanes;
+use crate::{Action, Draft, Phase, Selection, State, Tool, Work, reduce, words};
+
+/// The scene of the example with the paper's plan, at time 1.
+fn running() -> State {
+    let scene = include_str!("../../../../../tests/data/seed/dynamic-3x3.json");
+    let plan = include_str!("../../../../../tests/data/seed/dynamic-3x3.plan.json");
+    let draft = Draft::new(native::read_scene(scene).unwrap()).unwrap();
+    let state = reduce(&State::new(draft), Action::Solve);
+    let costs = Costs {
+        makespan: 4,
+        sum_of_costs: 8,
+        charges: 0,
+        moves: 8,
+        waits: 0,
+    };
+    let objective = state.draft.scene().objective.clone();
+    let solved = proved(&objective, costs, native::read_plan(plan).unwrap());
+    let response = Box::new(Response::Solved(solved));
+    after(
+        &state,
+        [Action::Respond { run: 1, response }, Action::Seek(1)],
+    )
+}
+
+/// The same with the world changing.
+fn changing() -> State {
+    after(&running(), [Action::BeginChange])
+}
+
+/// A3 joins as in the paper, by the tool.
+fn joined() -> State {
+    after(&changing(), stroke(Tool::Agent, &[(2, 2), (1, 0)]))
+}
+
+/// The state after the solver answered what it is to do.
+fn answered(state: &State) -> State {
+    let (run, request) = state.work.request().expect("it works");
+    let response = Box::new(serve(&request, &SilentHost));
+    after(state, [Action::Respond { run, response }])
+}
+
+fn compared() -> State {
+    answered(&after(&joined(), [Action::Adapt]))
+}
+
+pub(crate) fn adopted() -> State {
+    after(&compared(), [Action::Adopt(2)])
+}
+
+fn list(state: &State) -> Vec<String> {
+    let list = facts(state).unwrap().list;
+    list.into_iter().map(|listed| listed.text).collect()
+}
+
+fn saying(state: &State) -> String {
+    words::standing(state).sentence
+}
+
+#[test]
+fn the_world_can_change_only_while_a_plan_runs() {
+    let fresh = State::new(Draft::default());
+    let refused = after(&fresh, [Action::BeginChange]);
+    assert!(refused.changing.is_none() && refused.notice.is_some());
+    let state = changing();
+    assert_eq!(state.phase(), Phase::Changing);
+    assert!(!state.playback.playing);
+    assert!(saying(&state).starts_with("The world changes at time 1"));
+    assert_eq!(state.last_time(), 1, "what comes later is not known");
+    let past = after(&state, [Action::Seek(4), Action::StepBack]);
+    assert_eq!(past.playback.time, 0);
+    let edited = after(&past, stroke(Tool::Obstacle, &[(0, 2)]));
+    assert_eq!(edited.playback.time, 1, "what changes does so then");
+}
+
+#[test]
+fn every_tool_lists_a_change() {
+    let state = after(&changing(), stroke(Tool::Obstacle, &[(0, 2), (1, 2)]));
+    let appear = [
+        "An obstacle appears at (0,2)",
+        "An obstacle appears at (1,2)",
+    ];
+    assert_eq!(list(&state), appear);
+    let state = after(&state, stroke(Tool::Select, &[(1, 2), (0, 0)]));
+    let moved = [
+        "An obstacle appears at (0,2)",
+        "An obstacle appears at (0,0)",
+    ];
+    assert_eq!(list(&state), moved);
+    let state = after(&state, stroke(Tool::Erase, &[(0, 0)]));
+    assert_eq!(list(&state), appear[..1]);
+    let state = after(&state, stroke(Tool::Charger, &[(1, 1)]));
+    let state = after(&state, stroke(Tool::SlowZone, &[(0, 1), (1, 1)]));
+    let slow = facts(&state).unwrap().list.pop().unwrap();
+    assert_eq!(slow.text, "2 cells become slow");
+    assert_eq!(slow.detail.as_deref(), Some("(0,1), (1,1)"));
+    let select = [
+        Action::PickTool(Tool::Select),
+        Action::Select(Selection::Agent(0)),
+    ];
+    let state = after(&state, select);
+    let state = after(&state, stroke(Tool::Goal, &[(2, 0)]));
+    let state = after(&state, stroke(Tool::Waypoint, &[(1, 1)]));
+    assert_eq!(
+        list(&state)[3..],
+        ["The goal of A1 is (2,0) now", "A1 has to visit (1,1), too"]
+    );
+    let state = after(&state, stroke(Tool::Waypoint, &[(1, 1)]));
+    assert_eq!(list(&state).len(), 4, "that one is taken back");
+    // A2 is at (2,1) at time 1.
+    let state = after(&state, stroke(Tool::Erase, &[(2, 1)]));
+    assert_eq!(list(&state)[4], "A2 is removed");
+    assert!(!state.is_there(1));
+    assert_eq!(
+        state.draft,
+        running().draft,
+        "the scene itself is as it was"
+    );
+    assert!(!state.is_stale());
+}
+
+#[test]
+fn beside_the_board_agents_break_down_and_batteries_go_down() {
+    let delay = What::DelayAgent {
+        agent: "A1".to_owned(),
+        steps: 2,
+    };
+    let longer = What::DelayAgent {
+        agent: "A1".to_owned(),
+        steps: 3,
+    };
+    let state = after(
+        &changing(),
+        [Action::ListChange(delay), Action::ListChange(longer)],
+    );
+    assert_eq!(list(&state), ["A1 breaks down for 3 steps"]);
+    let level = What::SetBattery {
+        agent: "A1".to_owned(),
+        level: 2,
+    };
+    let refused = after(&state, [Action::ListChange(level)]);
+    assert_eq!(list(&refused), list(&state));
+    let notice = refused.notice.unwrap().sentence;
+    assert!(notice.contains("A1, which has no battery"), "{notice}");
+}
+
+#[test]
+fn what_contradicts_the_world_is_refused_and_nothing_changes() {
+    // A1 is at (1,0) at time 1.
+    let state = after(&changing(), stroke(Tool::Obstacle, &[(1, 0)]));
+    assert_eq!(list(&state), Vec::<String>::new());
+    assert_eq!(
+        state.notice.unwrap().sentence,
+        "This contradicts the world: found an obstacle at (1, 0), where A1 is at time 1, \
+         expected a cell that is free then."
+    );
+    // A stroke over it paints what can be.
+    let state = after(&changing(), stroke(Tool::Obstacle, &[(0, 0), (1, 0)]));
+    assert_eq!(list(&state), ["An obstacle appears at (0,0)"]);
+    assert!(state.notice.is_some());
+}
+
+#[test]
+fn the_scene_cannot_be_edited_while_the_world_changes() {
+    let state = after(&changing(), [Action::SetBatteryFloor(2)]);
+    assert!(state.notice.is_some() && !state.is_stale());
+    assert_eq!(state.draft, running().draft);
+}
+
+#[test]
+fn each_change_is_one_step_of_undo_and_can_be_taken_back() {
+    let state = joined();
+    assert_eq!(list(&state), ["A3 joins at (2,2)"]);
+    assert_eq!(state.selection, Selection::Agent(2));
+    let state = after(&state, stroke(Tool::Obstacle, &[(0, 2)]));
+    let undone = after(&state, [Action::Undo]);
+    assert_eq!(list(&undone), ["A3 joins at (2,2)"]);
+    let redone = after(&undone, [Action::Redo]);
+    assert_eq!(list(&redone).len(), 2);
+    let back = after(&redone, [Action::TakeBack(0)]);
+    assert_eq!(list(&back), ["An obstacle appears at (0,2)"]);
+    assert_eq!(back.selection, Selection::Nothing, "A3 is gone");
+    let left = after(&back, [Action::DiscardChange]);
+    assert_eq!(left.phase(), Phase::Planned);
+    assert_eq!(list(&after(&left, [Action::Undo])).len(), 1);
+    let all = [Action::Undo, Action::Undo, Action::Undo];
+    assert!(after(&undone, all).changing.is_none());
+}
+
+#[test]
+fn an_agent_that_has_its_cell_taken_back_loses_what_is_its_own() {
+    let state = after(&joined(), stroke(Tool::Waypoint, &[(0, 1)]));
+    let Some(What::AddAgent { agent }) = state.changing.as_ref().unwrap().list.first() else {
+        panic!("it joins");
+    };
+    assert_eq!(agent.waypoints, [Cell::new(0, 1)]);
+    let state = after(&state, stroke(Tool::Erase, &[(2, 2)]));
+    assert_eq!(list(&state), Vec::<String>::new());
+}
+
+#[test]
+fn a_change_that_another_needs_takes_it_along() {
+    let state = after(&changing(), stroke(Tool::Erase, &[(1, 0)]));
+    let state = after(&state, stroke(Tool::Obstacle, &[(1, 0)]));
+    assert_eq!(
+        list(&state),
+        ["A1 is removed", "An obstacle appears at (1,0)"]
+    );
+    let state = after(&state, [Action::TakeBack(0)]);
+    assert_eq!(list(&state), Vec::<String>::new());
+    assert!(state.notice.is_some());
+}
+
+#[test]
+fn the_methods_answer_side_by_side() {
+    let state = after(&joined(), [Action::Adapt]);
+    assert_eq!(state.phase(), Phase::Adapting);
+    let Work::Adapting(run) = &state.work else {
+        panic!("{:?}", state.work);
+    };
+    assert_eq!(run.request.since, Some(1));
+    let state = answered(&state);
+    assert_eq!(state.phase(), Phase::Comparing);
+    let columns = columns(&state).unwrap();
+    let titles: Vec<&str> = columns.iter().map(|column| column.title.as_str()).collect();
+    assert_eq!(titles, ["Revise", "Tunnel 1", "Replan"]);
+    let replan = &columns[2];
+    assert_eq!(
+        (replan.costs[0].before, replan.costs[0].after),
+        (Some(4), 4)
+    );
+    assert_eq!(replan.costs[0].difference().as_deref(), Some("same"));
+    assert!(replan.is_least);
+    assert_eq!(replan.groups[3].agents, [(2, "A3".to_owned())]);
+    let chosen = columns.iter().position(|column| column.is_chosen);
+    assert_eq!(chosen, Some(0), "the closest of the best");
+    let said = saying(&state);
+    assert!(said.starts_with("At time 1: "), "{said}");
+    assert_eq!(state.last_time(), 4);
+    let other = after(&state, [Action::Preview(2), Action::Seek(4)]);
+    assert_eq!(other.playback.time, 4);
+    // A further change makes the answers old.
+    let more = after(&state, stroke(Tool::Charger, &[(0, 2)]));
+    assert_eq!(more.phase(), Phase::Changing);
+    assert_eq!(list(&more).len(), 2);
+}
+
+#[test]
+fn only_the_methods_chosen_are_asked_and_one_at_least() {
+    let choice = Choice {
+        revise: false,
+        tunnel: false,
+        ..Choice::default()
+    };
+    let state = after(&joined(), [Action::ChooseMethods(choice), Action::Adapt]);
+    let state = answered(&state);
+    assert_eq!(columns(&state).unwrap().len(), 1);
+    let none = Choice {
+        replan: false,
+        ..choice
+    };
+    let state = after(&state, [Action::ChooseMethods(none)]);
+    assert_eq!(state.settings.methods, choice);
+}
+
+#[test]
+fn it_is_cancelled_at_once_and_a_late_answer_is_ignored() {
+    let state = after(&joined(), [Action::Adapt]);
+    let (run, request) = state.work.request().unwrap();
+    let state = after(&state, [Action::Cancel]);
+    assert_eq!(state.phase(), Phase::Changing);
+    assert_eq!(list(&state).len(), 1);
+    let response = Box::new(serve(&request, &SilentHost));
+    let late = after(&state, [Action::Respond { run, response }]);
+    assert_eq!(late, state);
+}
+
+#[test]
+fn nothing_is_asked_of_an_empty_list() {
+    let state = after(&changing(), [Action::Adapt]);
+    assert_eq!(state.work, Work::Idle);
+    assert!(state.notice.is_some());
+}
+
+#[test]
+fn the_adopted_plan_has_its_history_and_undo_takes_it_back() {
+    let state = adopted();
+    assert_eq!(state.phase(), Phase::Planned);
+    assert_eq!((state.playback.time, state.last_time()), (1, 4));
+    let answer = state.fresh_answer().unwrap();
+    let past = history(answer);
+    assert_eq!(past[1].text, "A3 joins at (2,2)");
+    assert_eq!(
+        past[1].detail.as_deref(),
+        Some("replan: makespan 4, sum of costs 12")
+    );
+    let names: Vec<String> = lanes(answer).map(|lane| lane.name).collect();
+    assert_eq!(names, ["A1", "A2", "A3"]);
+    assert!(lanes(answer).nth(2).unwrap().begins == 1);
+    assert!(saying(&state).contains("went on by replan: makespan 4"));
+    // Before it joins it is not there.
+    assert!(state.is_there(2));
+    let before = after(&state, [Action::Seek(0)]);
+    assert!(!before.is_there(2));
+    assert_eq!(before.agent_at(Cell::new(2, 2)), None);
+    assert_eq!(state.agent_at(Cell::new(2, 2)), Some(2));
+    assert!(crate::ask::offers(&state).is_empty());
+    assert!(crate::ask::no_offers(&state).is_some());
+    let undone = after(&state, [Action::Undo]);
+    assert_eq!(undone.phase(), Phase::Comparing);
+    let redone = after(&undone, [Action::Redo]);
+    assert_eq!(redone.answer, state.answer);
+}
+
+#[test]
+fn the_world_changes_again_later_and_not_before() {
+    let state = adopted();
+    assert!(!state.can_change());
+    let refused = after(&state, [Action::BeginChange]);
+    assert!(refused.changing.is_none() && refused.notice.is_some());
+    let later = after(&state, [Action::Seek(2), Action::BeginChange]);
+    let joins = What::AddAgent {
+        agent: Agent {
+            name: "A4".to_owned(),
+            start: Cell::new(0, 2),
+            goal: Cell::new(0, 0),
+            waypoints: Vec::new(),
+            battery: None,
+        },
+    };
+    let state = answered(&after(&later, [Action::ListChange(joins), Action::Adapt]));
+    let columns = columns(&state).unwrap();
+    assert!(columns[2].costs[0].after <= columns[0].costs[0].after);
+    let state = after(&state, [Action::Adopt(2)]);
+    let course = state.fresh_answer().unwrap().course.clone().unwrap();
+    assert_eq!(course.times(), [1, 2]);
+    assert_eq!(course.changes.changes.len(), 2);
+    let solved = answered(&after(&state, [Action::Solve]));
+    assert!(solved.fresh_answer().unwrap().course.is_none());
+    assert_eq!(after(&solved, [Action::Undo]).answer, state.answer);
+}
+
+#[test]
+fn an_edit_of_the_scene_makes_the_course_stale() {
+    let state = after(&adopted(), stroke(Tool::Obstacle, &[(0, 1)]));
+    assert!(state.is_stale());
+    assert_eq!(state.world(), &state.draft);
+    assert!(!after(&state, [Action::Undo]).is_stale());
+}
+
+#[test]
+fn a_removed_agent_is_gone_and_its_lane_ends() {
+    let state = after(&changing(), stroke(Tool::Erase, &[(2, 1)]));
+    let state = answered(&after(&state, [Action::Adapt]));
+    let state = after(&state, [Action::Adopt(0)]);
+    let answer = state.fresh_answer().unwrap();
+    let lane = lanes(answer).nth(1).unwrap();
+    assert_eq!((lane.removed, lane.stays), (Some(1), false));
+    assert!(
+        lane.sentence().ends_with("is removed at 1"),
+        "{}",
+        lane.sentence()
+    );
+    assert!(!state.is_there(1));
+    assert!(after(&state, [Action::Seek(0)]).is_there(1));
+}
+
+#[test]
+fn an_obstacle_on_a_path_frees_its_agent_and_says_why() {
+    // A1 goes on over (2,0).
+    let state = after(&changing(), stroke(Tool::Obstacle, &[(2, 0)]));
+    let state = answered(&after(&state, [Action::Adapt]));
+    let columns = columns(&state).unwrap();
+    let freed = columns[0]
+        .groups
+        .iter()
+        .find(|group| group.title == "Freed");
+    assert_eq!(freed.unwrap().agents, [(0, "A1".to_owned())]);
+    assert!(
+        columns[0].notes[0].contains("obstacle at (2, 0)"),
+        "{:?}",
+        columns[0].notes
+    );
+    let world = after(&state, [Action::Seek(1)]);
+    assert!(!world.world().grid().is_vertex(Cell::new(2, 0)));
+    let before = after(&state, [Action::Seek(0)]);
+    assert!(before.world().grid().is_vertex(Cell::new(2, 0)));
+}

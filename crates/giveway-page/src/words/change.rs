@@ -1,0 +1,156 @@
+//! Changes and methods in words.
+
+use giveway_model::Cell;
+use giveway_model::change::What;
+use giveway_solve::change::Method;
+
+use super::costs::values;
+use super::count;
+use crate::changing::{Changing, Compared, Tried};
+use crate::inspect::at;
+use crate::timeline::work_done;
+use crate::{Adapting, Answer, State};
+
+/// A change as a sentence without its stop, and what else there is to know.
+///
+/// ```
+/// use giveway_model::change::What;
+/// use giveway_page::words::change::sentence;
+/// let delay = What::DelayAgent { agent: "A1".into(), steps: 3 };
+/// assert_eq!(sentence(&delay).0, "A1 breaks down for 3 steps");
+/// ```
+pub fn sentence(what: &What) -> (String, Option<String>) {
+    let told = match what {
+        What::AddAgent { agent } => {
+            let goal = at(agent.goal);
+            let detail = match agent.waypoints.as_slice() {
+                [] => format!("goal {goal}"),
+                waypoints => format!("goal {goal}, by way of {}", cells(waypoints)),
+            };
+            let text = format!("{} joins at {}", agent.name, at(agent.start));
+            return (text, Some(detail));
+        }
+        What::SetSlow { cells } if cells.len() > 1 => {
+            let text = format!("{} become slow", count(cells.len(), "cell"));
+            return (text, Some(self::cells(cells)));
+        }
+        What::SetNormal { cells } if cells.len() > 1 => {
+            let text = format!("{} are slow no more", count(cells.len(), "cell"));
+            return (text, Some(self::cells(cells)));
+        }
+        What::SetSlow { cells } => format!("{} becomes slow", self::cells(cells)),
+        What::SetNormal { cells } => format!("{} is slow no more", self::cells(cells)),
+        What::RemoveAgent { agent } => format!("{agent} is removed"),
+        What::AddObstacle { cell } => format!("An obstacle appears at {}", at(*cell)),
+        What::RemoveObstacle { cell } => format!("The obstacle at {} goes", at(*cell)),
+        What::MoveObstacle { from, to } => {
+            format!("The obstacle at {} moves to {}", at(*from), at(*to))
+        }
+        What::AddCharger { cell } => format!("A charger appears at {}", at(*cell)),
+        What::RemoveCharger { cell } => format!("The charger at {} goes", at(*cell)),
+        What::SetGoal { agent, cell } => format!("The goal of {agent} is {} now", at(*cell)),
+        What::AddWaypoint { agent, cell } => format!("{agent} has to visit {}, too", at(*cell)),
+        What::DropWaypoint { agent, cell } => {
+            format!("{agent} need not visit {} any more", at(*cell))
+        }
+        What::SetBattery { agent, level } => format!("The battery of {agent} is at {level}"),
+        What::DelayAgent { agent, steps } => {
+            format!("{agent} breaks down for {}", count(*steps as usize, "step"))
+        }
+    };
+    (told, None)
+}
+
+/// The most cells that are named one by one.
+const NAMED: usize = 6;
+
+fn cells(cells: &[Cell]) -> String {
+    let named: Vec<String> = cells.iter().take(NAMED).map(|&cell| at(cell)).collect();
+    match cells.len().saturating_sub(NAMED) {
+        0 => named.join(", "),
+        more => format!("{} and {more} more", named.join(", ")),
+    }
+}
+
+/// A method by itself: `Tunnel 1`.
+pub fn method(method: Method) -> String {
+    match method {
+        Method::Revise => "Revise".to_owned(),
+        Method::Tunnel(width) => format!("Tunnel {width}"),
+        Method::Replan => "Replan".to_owned(),
+    }
+}
+
+/// A method within a sentence: `tunnel 1`.
+pub fn method_in_words(method: Method) -> String {
+    self::method(method).to_lowercase()
+}
+
+/// While changes are listed.
+pub(super) fn changing(changing: &Changing) -> String {
+    let at = changing.at;
+    match changing.list.as_slice() {
+        [] => format!("The world changes at time {at}: change it with the tools, then adapt."),
+        list => {
+            let listed = count(list.len(), "change");
+            format!("The world changes at time {at}: {listed} listed.")
+        }
+    }
+}
+
+/// While ways to go on are looked for.
+pub(super) fn adapting(state: &State, run: &Adapting) -> String {
+    let at = state.changing.as_deref().map_or(0, |changing| changing.at);
+    match work_done(run.size).as_str() {
+        "" => format!("Adapting: looking for ways to go on from time {at}."),
+        work => format!("Adapting: looking for ways to go on from time {at}; {work}."),
+    }
+}
+
+/// `At time 2: revise has makespan 5; tunnel 1 and replan have makespan 4.`
+pub(super) fn compared(changing: &Changing, compared: &Compared) -> String {
+    let mut parts: Vec<(Option<u32>, Vec<String>)> = Vec::new();
+    for Tried { method, told, .. } in &compared.tried {
+        let makespan = told.result.costs.map(|costs| costs.makespan);
+        let name = method_in_words(*method);
+        match parts.iter_mut().find(|(other, _)| *other == makespan) {
+            Some((_, names)) => names.push(name),
+            None => parts.push((makespan, vec![name])),
+        }
+    }
+    let parts = parts.iter().map(|(makespan, names)| {
+        let have = if names.len() == 1 { "has" } else { "have" };
+        let names = and(names);
+        match makespan {
+            Some(makespan) => format!("{names} {have} makespan {makespan}"),
+            None => format!("{names} {have} no plan"),
+        }
+    });
+    let parts: Vec<String> = parts.collect();
+    format!("At time {}: {}.", changing.at, parts.join("; "))
+}
+
+/// Of a plan that went on where the world changed.
+pub(super) fn adopted(answer: &Answer) -> String {
+    let at = answer.changed_last().unwrap_or(0);
+    let objective = &answer.draft.scene().objective;
+    let costs = answer.solved.costs.map(|costs| values(objective, &costs));
+    let costs = costs.unwrap_or_default();
+    let steps = answer.course.as_deref().map(|course| &course.steps);
+    let method = steps.and_then(|steps| steps.last()?.method);
+    match method {
+        Some(method) => {
+            let way = method_in_words(method);
+            format!("The world changed at time {at}; the plan went on by {way}: {costs}.")
+        }
+        None => format!("The world changed at time {at}; the plan went on: {costs}."),
+    }
+}
+
+fn and(names: &[String]) -> String {
+    match names {
+        [] => String::new(),
+        [one] => one.clone(),
+        [init @ .., last] => format!("{} and {last}", init.join(", ")),
+    }
+}

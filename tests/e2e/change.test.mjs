@@ -1,0 +1,175 @@
+// The world changes while a plan runs: listed, refused, taken back, compared,
+// adopted, played across, undone, kept.
+
+import assert from "node:assert/strict";
+import { readFileSync } from "node:fs";
+import { describe } from "node:test";
+
+import { flows, sample } from "./flow.mjs";
+import { eventually } from "./wait.mjs";
+
+/** The example of the literature with the paper's plan, at time 1. */
+async function running(playground) {
+  const file = (name) => ({ name: `${name}.json`, bytes: readFileSync(sample(`seed/dynamic-3x3${name}.json`)) });
+  await playground.open(file(""), file(".plan"));
+  await playground.says(/^Best plan so far: makespan 4/);
+  await playground.press("Step forward");
+  await playground.reaches(1);
+}
+
+/** The world changes at the time shown. */
+async function begin(playground) {
+  await playground.page.getByRole("button", { name: /^Change (the world )?here/ }).first().click();
+  await playground.says(/^The world changes at time/);
+}
+
+/** A3 joins by the tool, from one cell to another. */
+async function join(playground, from, to) {
+  await playground.pick("Agent");
+  await playground.cell(...from).waitFor();
+  await playground.stroke(from, to);
+}
+
+function changes(playground) {
+  return playground.inspector.getByRole("region", { name: "Changes" }).getByRole("listitem");
+}
+
+/** Waits until the list tells these changes. */
+function lists(playground, ...texts) {
+  return eventually(`the changes ${texts}`, () => changes(playground).allInnerTexts(), (found) =>
+    found.length === texts.length && texts.every((text, index) => found[index].includes(text)));
+}
+
+function column(playground, name) {
+  return playground.page.getByRole("article", { name, exact: true });
+}
+
+async function adapt(playground) {
+  await playground.press("Adapt");
+  await playground.says(/^At time \d+: /);
+}
+
+async function inspect(playground) {
+  await playground.showTab("Inspector");
+}
+
+describe("the world changes", () => {
+  const flow = flows();
+
+  flow("an agent joins, the methods are compared, one is adopted and played across", async (playground) => {
+    await running(playground);
+    await begin(playground);
+    await inspect(playground);
+    await playground.picture("changing-empty");
+    await join(playground, [2, 2], [1, 0]);
+    await playground.cellTells(2, 2, /A3/);
+    await playground.key("Escape");
+    await lists(playground, "A3 joins at (2,2)");
+    await playground.picture("changing");
+    await adapt(playground);
+    const replan = column(playground, "Replan");
+    assert.match((await replan.innerText()).replaceAll(/\s+/g, " "), /Makespan (before )?4 ?4 same/i);
+    await column(playground, "Revise").waitFor();
+    await column(playground, "Tunnel 1").waitFor();
+    await playground.picture("comparing");
+    await replan.getByRole("button", { name: /^Preview/ }).click();
+    await playground.page.getByRole("button", { name: "Preview Replan", pressed: true }).waitFor();
+    await replan.getByRole("button", { name: /^Adopt/ }).click();
+    await playground.says(/^The world changed at time 1; the plan went on by replan: makespan 4/);
+    await playground.picture("adopted");
+    await playground.cellTells(2, 2, /A3/);
+    await playground.press("To start");
+    await playground.cellTells(2, 2, /^goal of A1$/);
+    await playground.press("Play");
+    await playground.reaches("the end", (now) => now === 4);
+    await playground.cellTells(1, 0, /A3/);
+
+    await playground.reload();
+    await playground.says(/^The world changed at time 1; the plan went on by replan: makespan 4/);
+    const names = (await playground.planRows()).map((row) => row[0]);
+    assert.ok(names.some((name) => name.startsWith("A3")), names.join());
+  });
+
+  flow("undo takes an adoption back, and each change", async (playground) => {
+    await running(playground);
+    await begin(playground);
+    await join(playground, [2, 2], [1, 0]);
+    await playground.pick("Charger");
+    await playground.stroke([0, 2]);
+    await inspect(playground);
+    await playground.key("Escape");
+    await lists(playground, "A3 joins", "A charger appears at (0,2)");
+    await playground.button("Take back: A charger appears at (0,2)").click();
+    await lists(playground, "A3 joins");
+    await playground.act("Undo");
+    await lists(playground, "A3 joins", "A charger appears");
+    await playground.act("Undo");
+    await adapt(playground);
+    await column(playground, "Revise").getByRole("button", { name: /^Adopt/ }).click();
+    await playground.says(/^The world changed at time 1/);
+    await playground.act("Undo");
+    await playground.says(/^At time 1: /);
+    await playground.act("Redo");
+    await playground.says(/^The world changed at time 1/);
+  });
+
+  flow("an obstacle on a path frees its agent; one on an agent is refused", async (playground) => {
+    await running(playground);
+    await begin(playground);
+    await playground.pick("Obstacle");
+    await playground.stroke([1, 0]);
+    await playground.warns(/found an obstacle at \(1, 0\), where A1 is at time 1/);
+    await playground.picture("change-refused");
+    await playground.key("Escape");
+    await playground.stroke([2, 0]);
+    await inspect(playground);
+    await lists(playground, "An obstacle appears at (2,0)");
+    await adapt(playground);
+    assert.match(await column(playground, "Revise").innerText(), /Freed\s+A1[^]*obstacle at \(2, ?0\)/);
+    await playground.picture("comparing-freed");
+  });
+
+  flow("what cannot be waited for is cancelled at once, and discarding leaves all as it was", async (playground) => {
+    await playground.says(/^Optimal: makespan 18/);
+    await playground.key("Home", "x");
+    await playground.says(/^The world changes at time 0/);
+    await playground.pick("Charger");
+    await playground.stroke([1, 0]);
+    await inspect(playground);
+    await lists(playground, "A charger appears at (1,0)");
+    await playground.press("Adapt");
+    await playground.press("Cancel").catch(() => undefined);
+    await playground.page.getByRole("button", { name: /^Adapt( again)?$/ }).waitFor();
+    await playground.inspector.getByRole("button", { name: "Discard" }).or(playground.button("Discard")).first().click();
+    await playground.says(/^Optimal: makespan 18/);
+    await playground.cellTells(1, 0, /^(free|A1)/);
+  }, { screens: ["desktop"] });
+
+  flow("all of it by keys", async (playground) => {
+    await running(playground);
+    await playground.key("x");
+    await playground.says(/^The world changes at time 1/);
+    await playground.board.focus();
+    await playground.key("a", "ArrowRight", "ArrowRight", "ArrowDown", "ArrowDown", "Enter");
+    await playground.says(/^A3 starts at \(2,2\)/);
+    await playground.key("ArrowUp", "ArrowUp", "ArrowLeft", "Enter", "Escape");
+    await lists(playground, "A3 joins at (2,2)");
+    await playground.key("Control+Enter");
+    await playground.says(/^At time 1: /);
+    await column(playground, "Replan").getByRole("button", { name: /^Adopt/ }).focus();
+    await playground.key("Enter");
+    await playground.says(/^The world changed at time 1; the plan went on by replan/);
+    await playground.key("Control+z");
+    await playground.says(/^At time 1: /);
+  }, { screens: ["desktop"] });
+
+  flow("comparing in the dark", async (playground) => {
+    await running(playground);
+    await begin(playground);
+    await join(playground, [2, 2], [1, 0]);
+    await inspect(playground);
+    await playground.key("Escape");
+    await adapt(playground);
+    await playground.picture("comparing-dark");
+  }, { colorScheme: "dark" });
+});

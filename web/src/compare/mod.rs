@@ -1,0 +1,108 @@
+//! Ways to go on where the world changed, side by side: a column each, one of
+//! which the board and the timeline preview.
+
+use giveway_page::Action;
+use giveway_page::changing::{Column, CostChange, Group, columns};
+use yew::prelude::*;
+
+use crate::{Glyph, Icon, Shown};
+
+/// The state and where actions go.
+#[derive(Clone, PartialEq, Properties)]
+pub struct CompareProps {
+    /// The state.
+    pub state: Shown,
+    /// Takes actions.
+    pub send: Callback<Action>,
+}
+
+/// The columns; nothing while nothing is compared.
+#[component]
+pub fn Compare(props: &CompareProps) -> Html {
+    let CompareProps { state, send } = props;
+    let Some(columns) = columns(state) else {
+        return Html::default();
+    };
+    let column = |(index, facts): (usize, &Column)| column(index, facts, send);
+    html! {
+        <section class="cmp" aria-label="Ways to go on">
+            <div class="cols" tabindex="0">{ for columns.iter().enumerate().map(column) }</div>
+            <button type="button" class="btn ghost only-ph" onclick={send.reform(|_| Action::DiscardChange)}>
+                <Icon name="undo" />{ "Discard" }
+            </button>
+        </section>
+    }
+}
+
+fn column(index: usize, facts: &Column, send: &Callback<Action>) -> Html {
+    let title = facts.title.clone();
+    let preview = send.reform(move |_: MouseEvent| Action::Preview(index));
+    let adopt = send.reform(move |_: MouseEvent| Action::Adopt(index));
+    html! {
+        <article key={index} class={classes!("col", facts.is_chosen.then_some("best"))} aria-label={title.clone()}>
+            <header>
+                <h3>{ title.clone() }</h3>
+                if facts.is_least {
+                    <span class="badge proved"><Icon name="proved" />{ "Lowest cost" }</span>
+                }
+                <p>{ facts.promise.clone() }</p>
+            </header>
+            if !facts.costs.is_empty() {
+                <dl class="big">{ for facts.costs.iter().take(2).map(cost) }</dl>
+            }
+            if !facts.groups.is_empty() {
+                <dl class="grp">{ for facts.groups.iter().map(group) }</dl>
+            }
+            { for facts.notes.iter().map(|note| html! { <p class="note">{ note.clone() }</p> }) }
+            <footer>
+                if facts.has_plan {
+                    <button type="button" class={classes!("btn", if facts.is_chosen { "primary" } else { "outline" })} onclick={adopt}>
+                        <Icon name="check" />{ "Adopt" }<span class="vh">{ format!(" {title}") }</span>
+                    </button>
+                    <button type="button" class="btn ghost" aria-pressed={facts.is_chosen.to_string()} onclick={preview}>
+                        { "Preview" }<span class="vh">{ format!(" {title}") }</span>
+                    </button>
+                }
+                <span class="ms"><Icon name="clock" />{ facts.time.clone() }</span>
+            </footer>
+        </article>
+    }
+}
+
+fn cost(cost: &CostChange) -> Html {
+    let class = match cost.before.map(|before| cost.after.cmp(&before)) {
+        Some(std::cmp::Ordering::Less) => "d better",
+        Some(std::cmp::Ordering::Greater) => "d worse",
+        _ => "d same",
+    };
+    html! {
+        <div>
+            <dt>{ cost.title }</dt>
+            <dd>
+                if let Some(before) = cost.before {
+                    <s><span class="vh">{ "before " }</span>{ before }</s>
+                }
+                <b>{ cost.after }</b>
+                if let Some(by) = cost.difference() { <i {class}>{ by }</i> }
+            </dd>
+        </div>
+    }
+}
+
+fn group(group: &Group) -> Html {
+    let one = |(agent, name): &(usize, String)| {
+        html! { <span><Glyph agent={*agent} class="who-glyph" />{ name.clone() }</span> }
+    };
+    html! {
+        <div>
+            <dt>{ group.title }</dt>
+            <dd class="who">
+                if group.agents.is_empty() {
+                    <span class="no1">{ "none" }</span>
+                } else {
+                    { for group.agents.iter().map(one) }
+                }
+            </dd>
+        </div>
+    }
+}

@@ -1,0 +1,194 @@
+//! What changes in the world: the list, the methods, the history; what can be
+//! changed of an agent.
+
+use giveway_model::change::What;
+use giveway_page::changing::{self, Choice, Facts, Listed, Past, WIDEST};
+use giveway_page::{Action, State};
+use yew::prelude::*;
+
+use crate::field::number;
+use crate::{Glyph, Icon, Shown};
+
+/// The longest breakdown that can be typed, in steps.
+const LONGEST: u32 = 1000;
+
+/// The button that lets the world change; nothing where it cannot.
+pub(super) fn begin(state: &State, send: &Callback<Action>) -> Html {
+    if !state.can_change() {
+        return html! {};
+    }
+    let time = state.playback.time;
+    html! {
+        <button type="button" class="btn outline more" title="Change the world here (x)"
+            onclick={send.reform(|_| Action::BeginChange)}>
+            <Icon name="change" />{ "Change the world here" }<span class="vh">{ format!(", at time {time}") }</span>
+        </button>
+    }
+}
+
+/// All there is to tell while nothing is selected.
+pub(super) fn show(facts: &Facts, methods: Choice, send: &Callback<Action>) -> Html {
+    let one = |(index, listed): (usize, &Listed)| listed_change(index, listed, send);
+    html! {
+        <>
+            <header class="qh">
+                <p class="over">{ "The world changes" }</p>
+                <h2>{ format!("At time {}", facts.at) }</h2>
+                <p class="remark">{ format!("Everything up to time {} has happened and stays.", facts.at) }</p>
+            </header>
+            <section aria-label="Changes">
+                <h3>{ "Changes" }</h3>
+                if facts.list.is_empty() {
+                    <p class="remark">{ "Use the tools on the board: what they do becomes a change. Select an agent for more." }</p>
+                } else {
+                    <ul class="changes">{ for facts.list.iter().enumerate().map(one) }</ul>
+                }
+            </section>
+            { choose(methods, send) }
+            { history(&facts.history, true) }
+        </>
+    }
+}
+
+fn listed_change(index: usize, listed: &Listed, send: &Callback<Action>) -> Html {
+    let take_back = send.reform(move |_: MouseEvent| Action::TakeBack(index));
+    let name = format!("Take back: {}", listed.text);
+    html! {
+        <li key={index}>
+            if let Some(agent) = listed.agent {
+                <Glyph {agent} class="choice-glyph" />
+            } else {
+                <Icon name={listed.icon} />
+            }
+            <span><b>{ listed.text.clone() }</b>
+                if let Some(detail) = &listed.detail { <small>{ detail.clone() }</small> }
+            </span>
+            <button type="button" class="btn ghost round" title="Take back" aria-label={name} onclick={take_back}>
+                <Icon name="cancel" />
+            </button>
+        </li>
+    }
+}
+
+fn choose(methods: Choice, send: &Callback<Action>) -> Html {
+    let check = |name: &'static str, what: &'static str, on: bool, with: fn(Choice) -> Choice| {
+        let toggle = send.reform(move |_: Event| Action::ChooseMethods(with(methods)));
+        html! {
+            <label>
+                <input type="checkbox" checked={on} onchange={toggle} />
+                <span><b>{ name }</b><small>{ what }</small></span>
+            </label>
+        }
+    };
+    let width = send.reform(move |n: Option<u32>| {
+        Action::ChooseMethods(Choice {
+            width: n.unwrap_or(1),
+            ..methods
+        })
+    });
+    html! {
+        <section>
+            <h3>{ "Methods" }</h3>
+            <div class="methods" role="group" aria-label="Methods">
+                { check("Revise", "keep paths, change times", methods.revise, |c| Choice { revise: !c.revise, ..c }) }
+                <div class="with-width">
+                    { check("Tunnel", "stay near the old paths", methods.tunnel, |c| Choice { tunnel: !c.tunnel, ..c }) }
+                    <div class="fields">{ number("Width, steps", Some(methods.width), (0, WIDEST), None, &width) }</div>
+                </div>
+                { check("Replan", "plan anew from here", methods.replan, |c| Choice { replan: !c.replan, ..c }) }
+            </div>
+        </section>
+    }
+}
+
+/// The first plan and how it went on; nothing where nothing changed.
+pub(super) fn history(past: &[Past], is_open: bool) -> Html {
+    if past.len() < 2 {
+        return html! {};
+    }
+    let last = past.len() - 1;
+    let one = |(index, past): (usize, &Past)| {
+        html! {
+            <li key={index} class={classes!((is_open && index == last).then_some("cur"))}>
+                <b>{ past.at }</b>
+                <span>{ past.text.clone() }
+                    if let Some(detail) = &past.detail { <small>{ detail.clone() }</small> }
+                </span>
+            </li>
+        }
+    };
+    html! {
+        <section aria-label="History">
+            <h3>{ "History" }</h3>
+            <ol class="hist">{ for past.iter().enumerate().map(one) }</ol>
+        </section>
+    }
+}
+
+/// What can be changed of the agent that is selected.
+pub(super) fn agent(state: &Shown, index: usize, send: &Callback<Action>) -> Html {
+    let Some(offers) = changing::offers(state, index) else {
+        return html! {};
+    };
+    let name = offers.name.clone();
+    let list = |make: fn(String, u32) -> What| {
+        let name = name.clone();
+        let send = send.clone();
+        Callback::from(move |n: Option<u32>| {
+            if let Some(n) = n {
+                send.emit(Action::ListChange(make(name.clone(), n)));
+            }
+        })
+    };
+    let level = list(|agent, level| What::SetBattery { agent, level });
+    let delay = list(|agent, steps| What::DelayAgent { agent, steps });
+    let remove = {
+        let name = name.clone();
+        send.reform(move |_: MouseEvent| {
+            let agent = name.clone();
+            Action::ListChange(What::RemoveAgent { agent })
+        })
+    };
+    let waypoint = |&cell: &giveway_model::Cell| {
+        let place = format!("({},{})", cell.x, cell.y);
+        let agent = name.clone();
+        let press = send.reform(move |_: MouseEvent| {
+            let agent = agent.clone();
+            Action::ListChange(What::DropWaypoint { agent, cell })
+        });
+        html! {
+            <li>{ &place }<button type="button" class="btn ghost round" onclick={press}
+                aria-label={format!("Drop waypoint {place}")} title="Drop">
+                <Icon name="cancel" />
+            </button></li>
+        }
+    };
+    html! {
+        <section aria-label="Change this agent">
+            <h3>{ format!("Change {} at time {}", offers.name, offers.at) }</h3>
+            <div class="edit-body">
+                <div class="fields">
+                    if let Some((value, capacity)) = offers.level {
+                        { number("Set battery", Some(value), (0, capacity), None, &level) }
+                    }
+                    { number("Delay, steps", offers.delay, (1, LONGEST), Some("none"), &delay) }
+                </div>
+                if !offers.waypoints.is_empty() {
+                    <ul class="removable" aria-label="Waypoints">{ for offers.waypoints.iter().map(waypoint) }</ul>
+                }
+                <button type="button" class="btn outline" onclick={remove}>{ format!("Remove {}", offers.name) }</button>
+            </div>
+        </section>
+    }
+}
+
+/// What stays at the foot of the inspector.
+pub(super) fn foot(send: &Callback<Action>) -> Html {
+    html! {
+        <footer class="foot">
+            <button type="button" class="btn ghost" onclick={send.reform(|_| Action::DiscardChange)}>
+                <Icon name="undo" />{ "Discard" }
+            </button>
+        </footer>
+    }
+}
