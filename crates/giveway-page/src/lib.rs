@@ -41,6 +41,8 @@ mod sample;
 mod settings;
 mod state;
 pub mod table;
+#[cfg(test)]
+mod tests;
 mod things;
 pub mod timeline;
 mod tool;

@@ -2,6 +2,7 @@
 //! hatched while it changes.
 
 use giveway_page::State;
+use giveway_page::course::Course;
 use giveway_page::timeline::Axis;
 use yew::prelude::*;
 
@@ -17,7 +18,7 @@ pub(super) struct EpochsProps {
 /// The times at which the world of the plan that is shown changed, or changes.
 pub(super) fn epochs(state: &State) -> Vec<u32> {
     let course = state.shown().and_then(|answer| answer.course.as_deref());
-    let mut times = course.map_or_else(Vec::new, |course| course.times());
+    let mut times = course.map_or_else(Vec::new, Course::times);
     let now = state.changing.as_deref().map(|changing| changing.at);
     times.extend(now.filter(|at| !times.contains(at)));
     times

@@ -146,7 +146,7 @@ fn many_faults_are_not_all_told() {
 
 #[test]
 fn a_scene_with_its_plan_and_what_changed() {
-    let state = crate::reduce::adopted();
+    let state = crate::tests::adopted();
     let saved = [
         scene_file(&state),
         plan_file(&state).unwrap(),

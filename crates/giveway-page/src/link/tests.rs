@@ -209,7 +209,7 @@ fn changed() -> State {
         let cell = Cell::new(x, y);
         [Action::PickTool(tool), Action::Press(cell), Action::Release]
     };
-    let state = crate::reduce::adopted();
+    let state = crate::tests::adopted();
     let state = reduce(&state, Action::Seek(2));
     let actions = [Action::BeginChange].into_iter();
     let actions = actions.chain(stroke(crate::Tool::Charger, 0, 0));
@@ -218,7 +218,7 @@ fn changed() -> State {
 
 #[test]
 fn a_course_comes_back_judged_with_its_changes() {
-    let state = crate::reduce::adopted();
+    let state = crate::tests::adopted();
     let text = write(&state);
     assert!(text.contains("&changes=1aA3.2.2.1.0&plan="), "{text}");
     let linked = read(&text, From::Anywhere).unwrap();
@@ -242,7 +242,7 @@ fn what_the_browser_kept_of_a_course_is_as_it_was() {
     assert_eq!(list(&restored), list(&state));
     let course = |state: &State| state.answer.as_ref().unwrap().course.clone();
     assert_eq!(course(&restored), course(&state));
-    let left = State::restored(read(&keep(&crate::reduce::adopted()), From::Here).unwrap());
+    let left = State::restored(read(&keep(&crate::tests::adopted()), From::Here).unwrap());
     assert_eq!(left.phase(), Phase::Planned);
 }
 
@@ -257,7 +257,7 @@ fn every_kind_of_change_comes_back() {
 
 #[test]
 fn hostile_changes_are_refused() {
-    let good = write(&crate::reduce::adopted());
+    let good = write(&crate::tests::adopted());
     for (changes, expect) in [
         ("1", "changes"),
         ("x", "changes"),

@@ -44,6 +44,7 @@ fn settle(state: &mut State) {
         state.playback.time = changing.at;
     }
     state.playback.playing = false;
+    state.playback.sought = true;
     state.playback.time = state.playback.time.min(state.last_time());
     if let Selection::Agent(agent) = state.selection
         && !state.is_there(agent)

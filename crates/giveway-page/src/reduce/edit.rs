@@ -60,6 +60,8 @@ fn put(state: &mut State, draft: Draft) {
     state.view.table &= draft.agents().len() <= MANY;
     state.playback.time = 0;
     state.playback.playing = false;
+    // What moved goes no further: it is of another scene.
+    state.playback.sought = true;
     replace(state, draft);
 }
 

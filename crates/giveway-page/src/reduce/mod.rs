@@ -8,10 +8,7 @@ mod proof;
 mod solve;
 mod stroke;
 #[cfg(test)]
-mod tests;
-
-#[cfg(test)]
-pub(crate) use tests::adopted;
+pub(crate) mod tests;
 
 use giveway_model::Cell;
 

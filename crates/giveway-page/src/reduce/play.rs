@@ -23,6 +23,10 @@ pub(super) fn seek(state: &mut State, time: u32) {
 
 /// The clock came to a step.
 pub(super) fn reach(state: &mut State, time: u32) {
+    if !state.playback.playing && state.playback.sought {
+        // It comes late: another time was asked for since.
+        return;
+    }
     let last = state.last_time();
     state.playback.time = time.min(last);
     if time >= last {

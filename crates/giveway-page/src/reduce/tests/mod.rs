@@ -1,15 +1,12 @@
 //! Every action, on the warehouse.
 
 mod ask;
-mod change;
 mod edit;
 mod play;
 mod proof;
 mod solve;
 mod things;
 mod words;
-
-pub(crate) use change::adopted;
 
 use giveway_model::{AtGoal, Cell, Cost, Objective};
 
@@ -22,7 +19,7 @@ fn fresh() -> State {
 }
 
 /// The state after one action after the other.
-fn after(state: &State, actions: impl IntoIterator<Item = Action>) -> State {
+pub(crate) fn after(state: &State, actions: impl IntoIterator<Item = Action>) -> State {
     actions.into_iter().fold(state.clone(), |state, action| {
         let next = reduce(&state, action.clone());
         assert_eq!(next, reduce(&state, action), "pure");
@@ -31,7 +28,7 @@ fn after(state: &State, actions: impl IntoIterator<Item = Action>) -> State {
 }
 
 /// A stroke of a tool over cells.
-fn stroke(tool: Tool, cells: &[(u32, u32)]) -> Vec<Action> {
+pub(crate) fn stroke(tool: Tool, cells: &[(u32, u32)]) -> Vec<Action> {
     let mut cells = cells.iter().map(|&(x, y)| Cell::new(x, y));
     let first = cells.next().unwrap();
     let mut actions = vec![Action::PickTool(tool), Action::Press(first)];

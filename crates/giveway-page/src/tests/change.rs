@@ -5,16 +5,16 @@ use giveway_model::format::native;
 use giveway_model::{Agent, Cell, Costs};
 use giveway_solve::{Response, SilentHost, serve};
 
-use super::{after, stroke};
 use crate::changing::{Choice, columns, facts, history};
+use crate::reduce::tests::{after, stroke};
 use crate::sample::proved;
 use crate::table::lanes;
 use crate::{Action, Draft, Phase, Selection, State, Tool, Work, reduce, words};
 
 /// The scene of the example with the paper's plan, at time 1.
 fn running() -> State {
-    let scene = include_str!("../../../../../tests/data/seed/dynamic-3x3.json");
-    let plan = include_str!("../../../../../tests/data/seed/dynamic-3x3.plan.json");
+    let scene = include_str!("../../../../tests/data/seed/dynamic-3x3.json");
+    let plan = include_str!("../../../../tests/data/seed/dynamic-3x3.plan.json");
     let draft = Draft::new(native::read_scene(scene).unwrap()).unwrap();
     let state = reduce(&State::new(draft), Action::Solve);
     let costs = Costs {
