@@ -163,6 +163,28 @@ describe("the world changes", () => {
     await playground.says(/^At time 1: /);
   }, { screens: ["desktop"] });
 
+  flow("saves scene, plan and changes, and opens them together", async (playground) => {
+    await running(playground);
+    await begin(playground);
+    await join(playground, [2, 2], [1, 0]);
+    await adapt(playground);
+    await column(playground, "Revise").getByRole("button", { name: /^Adopt/ }).click();
+    await playground.says(/^The world changed at time 1/);
+    const saved = [];
+    for (const item of ["Save scene", "Save plan", "Save changes"]) {
+      const download = playground.page.waitForEvent("download");
+      await playground.press("Save");
+      await playground.press(item);
+      const file = await download;
+      saved.push({ name: file.suggestedFilename(), bytes: readFileSync(await file.path()) });
+    }
+    await playground.example("Who waits?");
+    await playground.says(/^Optimal: makespan 4/);
+    await playground.open(...saved);
+    await playground.says(/^The world changed at time 1; the plan went on: makespan 4/);
+    assert.match((await playground.planRows()).map((row) => row[0]).join(), /A3/);
+  }, { screens: ["desktop"] });
+
   flow("comparing in the dark", async (playground) => {
     await running(playground);
     await begin(playground);

@@ -24,6 +24,8 @@ pub(super) struct LaneRowProps {
     pub columns: Range<u32>,
     /// The battery's level at the time shown.
     pub level: Option<u32>,
+    /// What becomes of the agent, while ways to go on are compared.
+    pub fate: Option<String>,
     pub selected: bool,
     /// Whether the tab key comes to it.
     pub tab_stop: bool,
@@ -47,7 +49,9 @@ pub(super) fn LaneRow(props: &LaneRowProps) -> Html {
                 <Glyph agent={lane.agent} class="lane-glyph" />
                 <span class="lane-name">
                     <b>{ lane.name.clone() }</b>
-                    if let Some((level, capacity)) = level {
+                    if let Some(fate) = &props.fate {
+                        <small>{ fate.clone() }</small>
+                    } else if let Some((level, capacity)) = level {
                         <small>{ format!("{level} of {capacity}") }</small>
                     }
                 </span>

@@ -3,7 +3,7 @@
 use std::rc::Rc;
 
 use giveway_page::timeline::{Lane, Row};
-use giveway_page::{Action, Answer, Selection, State, Tab, table};
+use giveway_page::{Action, Answer, Selection, State, Tab, changing, table};
 use wasm_bindgen::JsCast;
 use wasm_bindgen::closure::Closure;
 use web_sys::{Element, HtmlElement, ResizeObserver};
@@ -112,7 +112,7 @@ pub(super) fn Plan(props: &PlanProps) -> Html {
     let lane_row = |index: usize| {
         html! {
             <LaneRow key={index} lanes={lanes.clone()} {index} {axis} {row} columns={seen.columns.clone()}
-                level={lanes[index].level_at(time)} selected={selected == Some(index)}
+                level={lanes[index].level_at(time)} fate={changing::fate(state, &lanes[index].name)} selected={selected == Some(index)}
                 tab_stop={index == tab_stop} pick={pick.clone()} />
         }
     };

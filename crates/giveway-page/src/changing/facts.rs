@@ -152,6 +152,25 @@ pub(crate) fn contradiction(fault: &Fault) -> String {
     format!("This contradicts the world: found {found}, expected {expected}.")
 }
 
+/// What becomes of an agent in the plan that is previewed: `re-timed`, `joins at
+/// 2`; `None` while none is, and for one that is removed.
+pub fn fate(state: &State, name: &str) -> Option<String> {
+    let changing = state.changing.as_deref()?;
+    let compared = changing.compared.as_deref()?;
+    let told = &compared.tried.get(compared.chosen?)?.told;
+    let is_in = |names: &[String]| names.iter().any(|other| other == name);
+    if is_in(&told.added) {
+        return Some(format!("joins at {}", changing.at));
+    }
+    let fates = [
+        ("kept", &told.kept),
+        ("re-timed", &told.retimed),
+        ("re-routed", &told.rerouted),
+    ];
+    let found = fates.iter().find(|(_, names)| is_in(names));
+    found.map(|(fate, _)| (*fate).to_owned())
+}
+
 /// What can be changed of an agent beside the board.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Offers {

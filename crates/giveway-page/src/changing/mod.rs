@@ -22,7 +22,7 @@ use crate::{Answer, Draft, Settings};
 
 pub use columns::{Column, CostChange, Group, columns};
 pub use compared::{Compared, Tried};
-pub use facts::{Facts, Listed, Offers, Past, facts, history, offers};
+pub use facts::{Facts, Listed, Offers, Past, facts, fate, history, offers};
 pub(crate) use touch::{Stroke, Touch};
 
 /// The world changes at a time, and this is how.
@@ -176,19 +176,19 @@ impl Changing {
         preview.unwrap_or(&self.about)
     }
 
-    /// The last time that can be shown: what comes later is not known before the
-    /// methods have answered.
+    /// The last time that can be shown: what comes later is not known before a
+    /// method has answered with a plan.
     pub fn last_time(&self) -> u32 {
-        match self.compared {
-            Some(_) => self.shown().makespan().max(self.at),
+        match self.compared.as_deref().and_then(Compared::preview) {
+            Some(preview) => preview.makespan(),
             None => self.at,
         }
     }
 
     /// The world at a time, where it is another than the draft.
     pub fn world_at(&self, time: u32) -> Option<&World> {
-        if self.compared.is_some() && !Rc::ptr_eq(self.shown(), &self.about) {
-            return self.shown().world(time);
+        if let Some(preview) = self.compared.as_deref().and_then(Compared::preview) {
+            return preview.world(time);
         }
         if time < self.at {
             return self.about.world(time);

@@ -5,7 +5,7 @@ use giveway_model::format::native;
 use giveway_model::{Agent, Cell, Costs};
 use giveway_solve::{Response, SilentHost, serve};
 
-use crate::changing::{Choice, columns, facts, history};
+use crate::changing::{Choice, columns, facts, fate, history};
 use crate::reduce::tests::{after, stroke};
 use crate::sample::proved;
 use crate::table::lanes;
@@ -249,6 +249,8 @@ fn the_methods_answer_side_by_side() {
     assert_eq!(state.last_time(), 4);
     let other = after(&state, [Action::Preview(2), Action::Seek(4)]);
     assert_eq!(other.playback.time, 4);
+    assert_eq!(fate(&other, "A3").as_deref(), Some("joins at 1"));
+    assert_eq!(fate(&other, "A1").as_deref(), Some("kept"));
     // A further change makes the answers old.
     let more = after(&state, stroke(Tool::Charger, &[(0, 2)]));
     assert_eq!(more.phase(), Phase::Changing);
@@ -395,4 +397,26 @@ fn an_obstacle_on_a_path_frees_its_agent_and_says_why() {
     assert!(!world.world().grid().is_vertex(Cell::new(2, 0)));
     let before = after(&state, [Action::Seek(0)]);
     assert!(before.world().grid().is_vertex(Cell::new(2, 0)));
+}
+
+#[test]
+fn where_no_method_has_a_plan_nothing_can_be_adopted_and_the_cause_is_told() {
+    // The goal of A1 is walled in, and no way of it leads there.
+    let state = after(&changing(), stroke(Tool::Obstacle, &[(2, 2)]));
+    let state = answered(&after(&state, [Action::Adapt]));
+    let columns = columns(&state).unwrap();
+    assert!(
+        columns
+            .iter()
+            .all(|column| !column.has_plan && !column.is_least)
+    );
+    assert_eq!(columns[2].notes[0], "It has no plan.");
+    assert!(columns[2].notes[1].contains("(2, 2), where an obstacle is now"));
+    assert_eq!(state.last_time(), 1);
+    assert!(
+        saying(&state).ends_with("have no plan."),
+        "{}",
+        saying(&state)
+    );
+    assert_eq!(after(&state, [Action::Adopt(0)]), state);
 }
