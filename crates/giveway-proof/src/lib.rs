@@ -4,24 +4,32 @@
 //! formula straight from the rules of the problem, [`prove()`] finds a proof in
 //! the standard format DRAT, and [`drat`] checks one, knowing nothing of either.
 //! What rests on search instead is searched again by [`exhaust`]. A [`Bundle`]
-//! is a folder with all of it; [`verify()`] accepts or rejects one.
+//! is a folder with all of it; [`verify()`] accepts or rejects one. [`confirm()`]
+//! does the same without a folder.
 //!
 //! Nothing here reads files or knows the solver whose claims it certifies.
 
+mod again;
 pub mod bundle;
 mod claim;
 mod condition;
+mod confirm;
 pub mod drat;
 pub mod exhaust;
 pub mod plain;
 mod prove;
+mod report;
+mod show;
 mod verify;
 
-pub use bundle::{Bundle, Solved, export};
+pub use bundle::{Bundle, export};
 pub use claim::Claim;
 pub use condition::Condition;
+pub use confirm::confirm;
 pub use prove::{Outcome, prove};
-pub use verify::{Checked, Report, verify};
+pub use report::{Checked, Report};
+pub use show::Solved;
+pub use verify::verify;
 
 /// What a certificate may take. Where it is not enough, a claim stays without a
 /// proof and says so. And who is told how far the work is.

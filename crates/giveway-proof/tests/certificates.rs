@@ -14,7 +14,7 @@ use std::collections::BTreeMap;
 use giveway_model::format::native;
 use giveway_model::{Cost, Instance, Objective, Plan};
 use giveway_proof::bundle::{Entry, Manifest, Method};
-use giveway_proof::{Budget, Bundle, Checked, Claim, Solved, drat, export, plain, verify};
+use giveway_proof::{Budget, Bundle, Checked, Claim, Solved, confirm, drat, export, plain, verify};
 
 /// Two agents that swap sides of a wall with a gap at the bottom: no plan.
 const SCENARIO_6: &str = r#"{ "giveway": 1, "name": "scenario-6",
@@ -305,4 +305,52 @@ fn a_goal_out_of_reach_is_no_empty_formula() {
     let formula = plain::formula(&instance, &enough, &Budget::default()).unwrap();
     let outcome = giveway_proof::prove(&formula, &Budget::default());
     assert_eq!(outcome, giveway_proof::Outcome::Satisfiable);
+}
+
+#[test]
+fn what_is_confirmed_at_once_is_what_its_files_would_show() {
+    let budget = Budget::default();
+    let compare = |solved: &Solved<'_>| {
+        let at_once = confirm(solved, &budget, &budget);
+        assert_eq!(at_once, verify(&export(solved, &budget), &budget));
+        at_once
+    };
+    let crossing = instance(CROSSING);
+    let plan = native::read_plan(CROSSING_PLAN).unwrap();
+    let solved = Solved {
+        instance: &crossing,
+        objective: &"makespan,sum-of-costs".parse().unwrap(),
+        about: Claim::default(),
+        bounds: &BTreeMap::from([(Cost::Makespan, 3), (Cost::SumOfCosts, 5)]),
+        impossible: false,
+        complete: true,
+        within: None,
+        plan: Some(&plan),
+    };
+    assert!(compare(&solved).accepted);
+    let wrong = BTreeMap::from([(Cost::Makespan, 4)]);
+    let wrong = compare(&Solved {
+        bounds: &wrong,
+        ..solved.clone()
+    });
+    assert!(matches!(wrong.claims.as_slice(), [Checked::None { .. }]));
+    let impossible = instance(SCENARIO_6);
+    let none = compare(&Solved {
+        instance: &impossible,
+        impossible: true,
+        plan: None,
+        ..solved.clone()
+    });
+    assert!(matches!(
+        none.claims.as_slice(),
+        [Checked::Search { .. }, Checked::Proof { .. }]
+    ));
+    // A plan that breaks a rule is no plan.
+    let mut broken = plan.clone();
+    broken.paths.remove("b");
+    let broken = Solved {
+        plan: Some(&broken),
+        ..solved
+    };
+    assert!(!confirm(&broken, &budget, &budget).accepted);
 }

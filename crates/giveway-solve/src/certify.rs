@@ -6,7 +6,7 @@ use std::collections::BTreeMap;
 use borsh::{BorshDeserialize, BorshSerialize};
 use giveway_model::message::read_map;
 use giveway_model::{Cost, Instance, Objective, Plan, Question, Scene, check, format::from_object};
-use giveway_proof::{Budget, Claim, Report, Solved, export, verify};
+use giveway_proof::{Budget, Claim, Report, Solved, confirm};
 use serde::{Deserialize, Serialize};
 
 use crate::{
@@ -131,20 +131,18 @@ pub(crate) fn certify(request: &CertifyRequest, host: &dyn Host) -> Result<Repor
         }
     };
     let (makes, checks) = (tell(false), tell(true));
-    let bundle = export(
+    let size = size(&request.limits);
+    Ok(confirm(
         &request.claims(&instance),
         &Budget {
             go_on: &|| making.check().is_ok(),
             tell: &makes,
-            ..size(&request.limits)
+            ..size
         },
-    );
-    Ok(verify(
-        &bundle,
         &Budget {
             go_on: &|| checking.check().is_ok(),
             tell: &checks,
-            ..size(&request.limits)
+            ..size
         },
     ))
 }

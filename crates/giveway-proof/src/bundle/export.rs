@@ -1,261 +1,42 @@
-//! From what a solver answered to a certificate.
+//! A certificate as it is written.
 
 use std::collections::BTreeMap;
 
-use giveway_model::format::native;
-use giveway_model::{Cost, Instance, Objective, Plan, check};
+use giveway_model::{check, format::native};
 
-use super::manifest::{Entry, Manifest, Method, fingerprint};
+use super::manifest::{Manifest, fingerprint};
 use super::{Bundle, INSTANCE, MANIFEST, PLAN, README, proof_files, readme};
-use crate::exhaust::{Exhausted, alone_at_least, exhaust, least};
-use crate::plain::NoFormula;
-use crate::{Budget, Claim, Outcome, plain, prove};
-
-/// More agents than this have too many states together to try.
-const FEW_AGENTS: usize = 3;
-
-/// What a solver answered.
-#[derive(Clone, Debug)]
-pub struct Solved<'a> {
-    /// The instance.
-    pub instance: &'a Instance,
-    /// The order of the costs.
-    pub objective: &'a Objective,
-    /// What all of its claims are limited to: for the answer to a question the
-    /// plans that it contrasts one with ([`Claim::contrast`]), else all plans.
-    pub about: Claim,
-    /// The lower bounds that it proved, each given those of the costs before.
-    pub bounds: &'a BTreeMap<Cost, u32>,
-    /// Whether it proved that there is no plan.
-    pub impossible: bool,
-    /// Whether its claims hold for every horizon.
-    pub complete: bool,
-    /// Where they do not: the makespan up to which they hold, if it is known.
-    pub within: Option<u32>,
-    /// Its plan.
-    pub plan: Option<&'a Plan>,
-}
+use crate::{Budget, Solved, show::show};
 
 /// Makes a certificate of everything that the solver claims. What cannot be
 /// certified within the budget is part of it, too, and said not to be.
 pub fn export(solved: &Solved<'_>, budget: &Budget<'_>) -> Bundle {
-    let mut exporter = Exporter {
-        solved,
-        budget: *budget,
-        bundle: Bundle::new(),
-        claims: Vec::new(),
+    let Solved { instance, plan, .. } = *solved;
+    let mut bundle = Bundle::new();
+    let claims = show(solved, budget, &mut |name, formula, proof| {
+        let [cnf, drat, names] = proof_files(name);
+        bundle.insert(cnf, formula.text().into_bytes());
+        bundle.insert(drat, proof);
+        bundle.insert(names, formula.names_text(instance).into_bytes());
+    });
+    let scene = native::write_scene(&instance.to_scene());
+    bundle.insert(INSTANCE.to_owned(), scene.into_bytes());
+    if let Some(plan) = plan {
+        let plan = native::write_plan(plan);
+        bundle.insert(PLAN.to_owned(), plan.into_bytes());
+    }
+    let mut manifest = Manifest {
+        version: 1,
+        objective: solved.objective.clone(),
+        costs: plan.and_then(|plan| check::costs(instance, plan)),
+        claims,
+        files: BTreeMap::new(),
     };
-    for (name, claim) in claims(solved) {
-        exporter.certify(&name, claim);
+    let text = readme::text(&manifest, instance);
+    bundle.insert(README.to_owned(), text.into_bytes());
+    for (name, bytes) in &bundle {
+        manifest.files.insert(name.clone(), fingerprint(bytes));
     }
-    exporter.finish()
-}
-
-/// What is to be certified, each with a name for its files.
-fn claims(solved: &Solved<'_>) -> Vec<(String, Claim)> {
-    if solved.impossible {
-        return vec![("no-plan".to_owned(), solved.about.clone())];
-    }
-    let costs = solved
-        .plan
-        .and_then(|plan| check::costs(solved.instance, plan));
-    let mut claims = Vec::new();
-    let mut most = solved.about.most.clone();
-    for &cost in solved.objective.costs() {
-        let Some(&bound) = solved.bounds.get(&cost) else {
-            break;
-        };
-        if let Some(below) = bound.checked_sub(1) {
-            let mut claim = solved.about.clone();
-            claim.most.clone_from(&most);
-            let before = claim.most.entry(cost).or_insert(below);
-            *before = below.min(*before);
-            claims.push((cost.name().to_owned(), claim));
-        }
-        // What comes later was claimed for plans that meet this bound.
-        if costs.is_some_and(|costs| costs.get(cost) != bound) {
-            break;
-        }
-        most.insert(cost, bound);
-    }
-    claims
-}
-
-struct Exporter<'a> {
-    solved: &'a Solved<'a>,
-    budget: Budget<'a>,
-    bundle: Bundle,
-    claims: Vec<Entry>,
-}
-
-impl Exporter<'_> {
-    /// A proof where the claim has a horizon. Where it has none: a search for
-    /// all of it, where the solver claimed all of it, and a proof up to some
-    /// makespan.
-    fn certify(&mut self, name: &str, claim: Claim) {
-        (self.budget.tell)(&claim);
-        if claim.horizon(self.solved.instance).is_some() {
-            // The makespan that the person set is no part of such a claim.
-            match self.proof(name, &claim) {
-                Ok(entry) => self.claims.push(entry),
-                Err(why) => {
-                    let entry = self.search(&claim).unwrap_or(Entry::None { claim, why });
-                    self.claims.push(entry);
-                }
-            }
-            return;
-        }
-        let mut missing = None;
-        if self.solved.complete {
-            match self.search(&claim) {
-                Some(entry) => self.claims.push(entry),
-                None => missing = Some(claim.clone()),
-            }
-        }
-        let horizon = self.solved.within.or_else(|| self.default_horizon());
-        if let Some(last) = horizon {
-            let claim = claim.within(Some(last));
-            match self.proof(name, &claim) {
-                Ok(entry) => self.claims.push(entry),
-                Err(why) => self.claims.push(Entry::None { claim, why }),
-            }
-        }
-        if let Some(claim) = missing {
-            let why = "The search for it was too large.".to_owned();
-            self.claims.push(Entry::None { claim, why });
-        }
-    }
-
-    /// A proof, or why there is none.
-    fn proof(&mut self, name: &str, claim: &Claim) -> Result<Entry, String> {
-        let instance = self.solved.instance;
-        let formula = match plain::formula(instance, claim, &self.budget) {
-            Ok(formula) => formula,
-            Err(NoFormula::TooLarge) => return Err("Its formula would be too large.".to_owned()),
-            Err(NoFormula::NoHorizon) => return Err("It has no horizon.".to_owned()),
-            Err(NoFormula::NoAgent) => return Err("It is about no agent.".to_owned()),
-        };
-        match prove(&formula, &self.budget) {
-            Outcome::Proof(proof) => {
-                let [cnf, drat, names] = proof_files(name);
-                self.bundle.insert(cnf, formula.text().into_bytes());
-                self.bundle.insert(drat, proof);
-                self.bundle
-                    .insert(names, formula.names_text(instance).into_bytes());
-                Ok(Entry::Proof {
-                    claim: claim.clone(),
-                    name: name.to_owned(),
-                    variables: formula.variables(),
-                    clauses: formula.clauses(),
-                })
-            }
-            Outcome::Satisfiable => Err(
-                "It contradicts the formula of certificates, which can be satisfied: \
-                 the solver or the formula is wrong."
-                    .to_owned(),
-            ),
-            Outcome::Stopped => {
-                Err("The time or the size allowed for its proof ran out.".to_owned())
-            }
-        }
-    }
-
-    /// A search that shows the claim, where there is a small one.
-    fn search(&self, claim: &Claim) -> Option<Entry> {
-        let instance = self.solved.instance;
-        Method::try_in_turn(instance)
-            .find(|method| method.shows(instance, claim, &self.budget) == Some(true))
-            .map(|method| Entry::Search {
-                claim: claim.clone(),
-                method,
-            })
-    }
-
-    /// The makespan up to which claims are made by default: the largest optimum
-    /// of an agent alone + 4 (width + height) + 10.
-    fn default_horizon(&self) -> Option<u32> {
-        let instance = self.solved.instance;
-        let mut longest = 0;
-        for agent in 0..instance.agents().len() {
-            match least(instance, agent, Cost::Makespan, &self.budget) {
-                Exhausted::Plan(n) => longest = longest.max(n),
-                // One that never arrives makes no other horizon necessary.
-                Exhausted::NoPlan => {}
-                Exhausted::Stopped => return None,
-            }
-        }
-        let grid = instance.grid();
-        Some(longest + 4 * (grid.width() + grid.height()) + 10)
-    }
-
-    fn finish(mut self) -> Bundle {
-        let Solved { instance, plan, .. } = *self.solved;
-        let scene = native::write_scene(&instance.to_scene());
-        self.bundle.insert(INSTANCE.to_owned(), scene.into_bytes());
-        if let Some(plan) = plan {
-            let plan = native::write_plan(plan);
-            self.bundle.insert(PLAN.to_owned(), plan.into_bytes());
-        }
-        let mut manifest = Manifest {
-            version: 1,
-            objective: self.solved.objective.clone(),
-            costs: plan.and_then(|plan| check::costs(instance, plan)),
-            claims: self.claims,
-            files: BTreeMap::new(),
-        };
-        let text = readme::text(&manifest, instance);
-        self.bundle.insert(README.to_owned(), text.into_bytes());
-        for (name, bytes) in &self.bundle {
-            manifest.files.insert(name.clone(), fingerprint(bytes));
-        }
-        self.bundle
-            .insert(MANIFEST.to_owned(), manifest.text().into_bytes());
-        self.bundle
-    }
-}
-
-impl Method {
-    /// The searches that are worth trying, the smallest first.
-    fn try_in_turn(instance: &Instance) -> impl Iterator<Item = Self> {
-        let joint = instance.agents().len() <= FEW_AGENTS;
-        [Self::Alone]
-            .into_iter()
-            .chain(joint.then_some(Self::Joint))
-    }
-
-    /// Whether this search shows a claim; `None` where the budget ran out. It
-    /// knows no conditions: it shows that there is no plan with or without them.
-    pub(crate) fn shows(
-        self,
-        instance: &Instance,
-        claim: &Claim,
-        budget: &Budget<'_>,
-    ) -> Option<bool> {
-        match self {
-            Self::Joint => {
-                let all: Vec<usize> = (0..instance.agents().len()).collect();
-                match exhaust(instance, &all, &claim.most, budget) {
-                    Exhausted::NoPlan => Some(true),
-                    Exhausted::Plan(_) => Some(false),
-                    Exhausted::Stopped => None,
-                }
-            }
-            Self::Alone if claim.most.is_empty() => {
-                // An agent that cannot arrive even alone costs more than anything.
-                alone_at_least(instance, Cost::Makespan, u32::MAX, budget)
-            }
-            Self::Alone => {
-                // One limit that the agents break each alone is enough.
-                let mut shown = Some(false);
-                for (&cost, &most) in &claim.most {
-                    match alone_at_least(instance, cost, most + 1, budget) {
-                        Some(true) => return Some(true),
-                        Some(false) => {}
-                        None => shown = None,
-                    }
-                }
-                shown
-            }
-        }
-    }
+    bundle.insert(MANIFEST.to_owned(), manifest.text().into_bytes());
+    bundle
 }

@@ -15,7 +15,7 @@ pub(crate) mod readme;
 
 use std::collections::BTreeMap;
 
-pub use export::{Solved, export};
+pub use export::export;
 pub use manifest::{Entry, Manifest, Method};
 
 /// The files of a certificate by their names.
