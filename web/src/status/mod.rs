@@ -79,8 +79,8 @@ fn after_badge(standing: &words::Standing) -> String {
         return sentence.clone();
     };
     let mut letters = rest.chars();
-    let first = letters.next().map(char::to_uppercase);
-    first.into_iter().flatten().chain(letters).collect()
+    let first = letters.next().map(|letter| letter.to_ascii_uppercase());
+    first.into_iter().chain(letters).collect()
 }
 
 /// The costs in short: there is room for three.

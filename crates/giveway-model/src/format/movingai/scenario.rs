@@ -1,6 +1,6 @@
 //! Reads a `.scen`.
 
-use super::lines::{Line, lines};
+use super::lines::{Line, decimal, lines};
 use crate::{Cell, Fault};
 
 /// The agents of a scenario, in the order of its lines.
@@ -73,7 +73,7 @@ fn read_version(line: Line<'_>) -> Result<(), Fault> {
     let is_one = line
         .text
         .strip_prefix("version")
-        .and_then(|number| number.trim().parse::<f64>().ok())
+        .and_then(|number| decimal(number.trim()))
         .is_some_and(|number| (number - 1.0).abs() < f64::EPSILON);
     if is_one {
         Ok(())
@@ -92,10 +92,7 @@ fn read_route(line: Line<'_>) -> Result<Route, Fault> {
         return Err(line.fault_saying(line.text, found, COLUMNS));
     };
     let whole = |part| line.number::<u32>(part, "a whole number from 0");
-    let length: f64 = line.number(octile, "a length")?;
-    if !length.is_finite() {
-        return Err(line.fault(octile, "a length"));
-    }
+    let length = decimal(octile).ok_or_else(|| line.fault(octile, "a length"))?;
     Ok(Route {
         line: line.number,
         bucket: whole(bucket)?,

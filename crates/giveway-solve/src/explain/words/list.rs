@@ -12,11 +12,16 @@ pub(crate) fn and<S: AsRef<str>>(phrases: &[S]) -> String {
     }
 }
 
-/// A phrase as the beginning of a sentence.
+/// A phrase as the beginning of a sentence. A name that begins with a letter of
+/// another alphabet stands as it is: a table of all letters would weigh more in a
+/// page than all of its words.
 pub(crate) fn capital(phrase: &str) -> String {
     let mut chars = phrase.chars();
     chars.next().map_or_else(String::new, |first| {
-        first.to_uppercase().chain(chars).collect()
+        [first.to_ascii_uppercase()]
+            .into_iter()
+            .chain(chars)
+            .collect()
     })
 }
 

@@ -117,6 +117,9 @@ pub(crate) fn help(repairs: &[Repair]) -> Option<String> {
 fn lower(phrase: &str) -> String {
     let mut chars = phrase.chars();
     chars.next().map_or_else(String::new, |first| {
-        first.to_lowercase().chain(chars).collect()
+        [first.to_ascii_lowercase()]
+            .into_iter()
+            .chain(chars)
+            .collect()
     })
 }
