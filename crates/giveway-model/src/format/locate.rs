@@ -125,7 +125,14 @@ impl<'a> Locator<'a> {
 }
 
 /// The fields of an object as written, repeats included.
-struct Fields<'a>(Vec<Field<'a>>);
+pub(super) struct Fields<'a>(Vec<Field<'a>>);
+
+impl Fields<'_> {
+    /// Whether there is such a key.
+    pub(super) fn has(&self, name: &str) -> bool {
+        self.0.iter().any(|(key, _)| key == name)
+    }
+}
 
 /// A key and its value as written.
 type Field<'a> = (Cow<'a, str>, &'a RawValue);

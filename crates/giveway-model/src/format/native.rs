@@ -1,13 +1,10 @@
 //! The project's own JSON: instances and plans.
 
-use std::collections::BTreeMap;
-
 use serde::Deserialize;
-use serde_json::Value;
 use serde_json::value::RawValue;
 
 use super::json;
-use super::locate::{Locator, segments};
+use super::locate::{Fields, Locator, segments};
 use super::text::{Positions, without_mark};
 use crate::change::Changes;
 use crate::{Fault, Instance, Plan, Scene, Version};
@@ -138,27 +135,26 @@ impl Kind {
 /// Two mistakes that explain all others: a newer version, and another kind of
 /// file than the one asked for.
 fn mistaken(text: &str, wanted: Kind) -> Option<Fault> {
-    let keys: BTreeMap<String, &RawValue> = serde_json::from_str(text).ok()?;
+    let fields: Fields<'_> = serde_json::from_str(text).ok()?;
     if let Some(fault) = version_fault(text) {
         return Some(fault);
     }
-    if keys.contains_key(wanted.key()) {
+    if fields.has(wanted.key()) {
         return None;
     }
-    let found = Kind::ALL
-        .into_iter()
-        .find(|kind| keys.contains_key(kind.key()))?;
+    let found = Kind::ALL.into_iter().find(|kind| fields.has(kind.key()))?;
     Some(Fault::at("", found.phrase(), wanted.phrase()).in_text(1, 1))
 }
 
 fn version_fault(text: &str) -> Option<Fault> {
     #[derive(Deserialize)]
-    struct Head {
-        giveway: Value,
+    struct Head<'a> {
+        #[serde(borrow)]
+        giveway: &'a RawValue,
     }
 
-    let head: Head = serde_json::from_str(text).ok()?;
-    let number = head.giveway.as_u64()?;
+    let head: Head<'_> = serde_json::from_str(text).ok()?;
+    let number: u64 = head.giveway.get().parse().ok()?;
     if number == u64::from(Version::NUMBER) {
         return None;
     }

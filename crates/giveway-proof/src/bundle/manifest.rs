@@ -27,7 +27,7 @@ pub struct Manifest {
 
 /// A claim, and what it rests on.
 #[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
-#[serde(tag = "kind", rename_all = "kebab-case", deny_unknown_fields)]
+#[serde(tag = "kind", rename_all = "kebab-case", try_from = "Written")]
 pub enum Entry {
     /// A proof that can be checked.
     Proof {
@@ -54,6 +54,52 @@ pub enum Entry {
         /// Why there is nothing: a sentence.
         why: String,
     },
+}
+
+/// An entry as it is written. Read as one object with all keys: code to read it
+/// by its kind would hold every type in it a second time.
+#[derive(Deserialize)]
+#[serde(deny_unknown_fields)]
+struct Written {
+    kind: Kind,
+    claim: Claim,
+    name: Option<String>,
+    variables: Option<usize>,
+    clauses: Option<usize>,
+    method: Option<Method>,
+    why: Option<String>,
+}
+
+#[derive(Deserialize)]
+#[serde(rename_all = "kebab-case")]
+enum Kind {
+    Proof,
+    Search,
+    None,
+}
+
+impl TryFrom<Written> for Entry {
+    type Error = &'static str;
+
+    fn try_from(written: Written) -> Result<Self, Self::Error> {
+        let claim = written.claim;
+        let proof = (written.name, written.variables, written.clauses);
+        match (written.kind, proof, written.method, written.why) {
+            (Kind::Proof, (Some(name), Some(variables), Some(clauses)), None, None) => {
+                Ok(Self::Proof {
+                    claim,
+                    name,
+                    variables,
+                    clauses,
+                })
+            }
+            (Kind::Search, (None, None, None), Some(method), None) => {
+                Ok(Self::Search { claim, method })
+            }
+            (Kind::None, (None, None, None), None, Some(why)) => Ok(Self::None { claim, why }),
+            _ => Err("a claim with the keys of another kind"),
+        }
+    }
 }
 
 impl Entry {
