@@ -1,6 +1,7 @@
 //! What the browser keeps: the page as it is, and scenes by name. A browser may
 //! refuse all of it, and then the page just begins anew every time.
 
+use giveway_model::sorting;
 use giveway_page::{Action, Draft, State, link, reduce};
 use gloo::events::EventListener;
 use gloo::timers::callback::Timeout;
@@ -124,7 +125,7 @@ pub(crate) fn scenes() -> Vec<String> {
     let mut names: Vec<String> = keys
         .filter_map(|key| Some(key.strip_prefix(SCENE)?.to_owned()))
         .collect();
-    names.sort_unstable();
+    sorting::sort(&mut names);
     names
 }
 

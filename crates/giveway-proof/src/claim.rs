@@ -4,7 +4,7 @@ use std::collections::BTreeMap;
 
 use borsh::{BorshDeserialize, BorshSerialize};
 use giveway_model::message::read_map;
-use giveway_model::{Cost, Instance};
+use giveway_model::{Cost, Instance, sorting};
 use serde::{Deserialize, Serialize};
 
 use crate::{condition::Condition, plain};
@@ -40,7 +40,7 @@ impl Claim {
     /// The claim about plans with at most these costs, whatever the horizon.
     pub fn at_most(most: impl IntoIterator<Item = (Cost, u32)>) -> Self {
         Self {
-            most: most.into_iter().collect(),
+            most: sorting::map(most),
             ..Self::default()
         }
     }

@@ -5,7 +5,9 @@ use std::collections::BTreeMap;
 
 use borsh::{BorshDeserialize, BorshSerialize};
 use giveway_model::message::read_map;
-use giveway_model::{Cost, Instance, Objective, Plan, Question, Scene, check, format::from_object};
+use giveway_model::{
+    Cost, Instance, Objective, Plan, Question, Scene, check, format::from_object, sorting,
+};
 use giveway_proof::{Budget, Claim, Report, Solved, confirm};
 use serde::{Deserialize, Serialize};
 
@@ -77,7 +79,7 @@ impl CertifyRequest {
         let known = costs.filter(|_| answer.verdict != Verdict::Unknown);
         let bounds = known.map_or(BTreeMap::new(), |costs| {
             let objective = instance.objective().costs().iter();
-            objective.map(|&cost| (cost, costs.get(cost))).collect()
+            sorting::map(objective.map(|&cost| (cost, costs.get(cost))))
         });
         Self {
             scene: instance.to_scene(),

@@ -20,7 +20,7 @@ mod ways;
 
 use std::rc::Rc;
 
-use giveway_model::Cell;
+use giveway_model::{Cell, sorting};
 use giveway_page::board::{CELL, Cast, Detail, Frame, Kind, Window, legend};
 use giveway_page::{Action, Selection, Tool};
 use yew::prelude::*;
@@ -140,7 +140,7 @@ fn problems(state: &Shown) -> Html {
         .problems()
         .iter()
         .filter_map(|problem| problem.cell);
-    let cells: std::collections::BTreeSet<Cell> = cells.collect();
+    let cells = sorting::set(cells);
     let mark = |cell: Cell| {
         html! {
             <>

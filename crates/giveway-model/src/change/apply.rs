@@ -3,7 +3,7 @@
 use std::collections::BTreeMap;
 
 use super::{Career, Change, Duty, Epoch, History, Life, MAX_TIME, What, Whereabouts, refuse};
-use crate::{Agent, Battery, Cell, Fault, Grid, Ground, MAX_AGENTS, MAX_CAPACITY, Plan};
+use crate::{Agent, Battery, Cell, Fault, Grid, Ground, MAX_AGENTS, MAX_CAPACITY, Plan, sorting};
 
 impl History {
     /// Applies the changes of one time, each with its place in the list of
@@ -344,7 +344,7 @@ impl World<'_> {
                 }
             }
         }
-        reasons.sort_by_key(|(index, _)| *index);
+        sorting::sort_by_key(&mut reasons, |(index, _)| *index);
         for (index, reason) in reasons {
             self.refuse(index, reason);
         }

@@ -14,7 +14,7 @@ mod written;
 use serde::{Deserialize, Serialize};
 
 use crate::object::object_only;
-use crate::{Agent, Cell, Version};
+use crate::{Agent, Cell, Version, sorting};
 
 pub use career::{Career, Duty};
 pub use history::{Epoch, History};
@@ -59,7 +59,7 @@ impl Changes {
     pub fn by_time(&self) -> Vec<(u32, Vec<(usize, &Change)>)> {
         let mut times: Vec<(u32, Vec<(usize, &Change)>)> = Vec::new();
         let mut sorted: Vec<(usize, &Change)> = self.changes.iter().enumerate().collect();
-        sorted.sort_by_key(|(_, change)| change.at);
+        sorting::sort_by_key(&mut sorted, |(_, change)| change.at);
         for (index, change) in sorted {
             match times.last_mut() {
                 Some((at, list)) if *at == change.at => list.push((index, change)),

@@ -1,7 +1,7 @@
 //! What is claimed of a plan, as this browser keeps it: numbers joined by
 //! points, 0 for what is not there and 1 more for what is.
 
-use giveway_model::Cost;
+use giveway_model::{Cost, sorting};
 use giveway_solve::{SolveAnswer, Status};
 
 use super::text::{escape, numbers, unescape};
@@ -53,9 +53,8 @@ pub(super) fn read(solved: &mut SolveAnswer, text: &str) -> Option<()> {
     solved.complete = *complete == 1;
     solved.within = within.checked_sub(1);
     let bounds = Cost::ALL.into_iter().zip(bounds);
-    solved.bounds = bounds
-        .filter_map(|(cost, &bound)| Some((cost, bound.checked_sub(1)?)))
-        .collect();
+    let bounds = bounds.filter_map(|(cost, &bound)| Some((cost, bound.checked_sub(1)?)));
+    solved.bounds = sorting::map(bounds);
     solved.reason = Some(reason).filter(|reason| !reason.is_empty());
     solved.stats.variables = (*variables).into();
     solved.stats.clauses = (*clauses).into();

@@ -53,11 +53,13 @@ impl Database {
     /// What is known stays so for ever, so a clause that is satisfied by it need
     /// not be watched.
     pub(super) fn add(&mut self, clause: &[Lit]) -> bool {
-        let mut clause = sorted(clause);
+        let clause = sorted(clause);
         let key = key(&clause);
         // Those that may still hold come first, to be watched.
-        clause.sort_by_key(|&lit| self.is_false(lit));
-        let open = clause.iter().filter(|&&lit| !self.is_false(lit)).count();
+        let (mut clause, mut shut): (Vec<Code>, Vec<Code>) =
+            clause.into_iter().partition(|&lit| !self.is_false(lit));
+        let open = clause.len();
+        clause.append(&mut shut);
         let id = self.clauses.len();
         if open >= 2 {
             self.watchers[clause[0]].push(id);

@@ -2,7 +2,7 @@
 
 use std::collections::BTreeMap;
 
-use giveway_model::{Agent, Cell, Cost};
+use giveway_model::{Agent, Cell, Cost, sorting};
 
 use super::distance::Distances;
 use super::{Cnf, Lit, Name, World};
@@ -49,7 +49,7 @@ impl<'a> Walker<'a> {
         for time in 0..=last {
             let here = cells.iter().filter(|&&cell| may_be(cell, time));
             let named = here.map(|&cell| (cell, cnf.variable(Name::At(index, cell, time))));
-            at.push(named.collect::<BTreeMap<_, _>>());
+            at.push(sorting::map(named));
         }
         let mut transit = vec![BTreeMap::new(); last as usize + 1];
         for time in 1..last {

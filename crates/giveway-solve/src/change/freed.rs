@@ -9,7 +9,7 @@
 use std::collections::{BTreeMap, BTreeSet};
 use std::rc::Rc;
 
-use giveway_model::Objective;
+use giveway_model::{Objective, sorting};
 
 use super::{
     CauseKind, Method,
@@ -190,11 +190,11 @@ impl Case<'_, '_> {
     /// Agents that, held to the method, leave no plan, where all others are
     /// free: none of them can be left out.
     fn core(&self, freed: &BTreeSet<usize>) -> Result<BTreeSet<usize>, Stop> {
-        let all: BTreeSet<usize> = self.held(&BTreeSet::new()).into_iter().collect();
-        let mut core: BTreeSet<usize> = all.difference(freed).copied().collect();
+        let all = sorting::set(self.held(&BTreeSet::new()));
+        let mut core = sorting::set(all.difference(freed).copied());
         for agent in core.clone() {
             core.remove(&agent);
-            let others: BTreeSet<usize> = all.difference(&core).copied().collect();
+            let others = sorting::set(all.difference(&core).copied());
             if self.exists(&others)? {
                 core.insert(agent);
             }
@@ -209,9 +209,9 @@ impl Case<'_, '_> {
     /// # Errors
     /// When the budget is spent.
     pub(super) fn fewest(&self, given: &BTreeSet<usize>) -> Result<Option<Fewest>, Stop> {
-        let all: BTreeSet<usize> = (0..self.world.members.len())
-            .filter(|&agent| self.member(agent).is_some_and(|member| member.is_old))
-            .collect();
+        let old = (0..self.world.members.len())
+            .filter(|&agent| self.member(agent).is_some_and(|member| member.is_old));
+        let all = sorting::set(old);
         if !self.exists(&all)? {
             return Ok(None);
         }
@@ -225,7 +225,7 @@ impl Case<'_, '_> {
                 if !cores.iter().all(|core| !core.is_disjoint(&set)) {
                     continue; // it does not meet a core found meanwhile
                 }
-                let freed: BTreeSet<usize> = given.union(&set).copied().collect();
+                let freed = sorting::set(given.union(&set).copied());
                 tried += 1;
                 if self.exists(&freed)? {
                     good.push(freed);

@@ -5,6 +5,7 @@ use std::collections::{BTreeMap, BTreeSet};
 use giveway_model::{
     Cost, Costs, Plan, Version,
     check::{check_history, costs_over_time},
+    sorting,
 };
 
 use super::{
@@ -285,7 +286,7 @@ fn disturb_few(
     let objective = case.objective.costs().iter();
     let bounded = Bounded {
         horizon: found.bounded.horizon.min(costs.makespan),
-        limits: objective.map(|&cost| (cost, costs.get(cost))).collect(),
+        limits: sorting::map(objective.map(|&cost| (cost, costs.get(cost)))),
     };
     let near = closest(problem, &before, &bounded, Extent::Agents, &case.meter);
     let near = near.ok().flatten()?;
@@ -331,7 +332,7 @@ fn bounds(case: &Case<'_, '_>, found: &Found, costs: Option<&Costs>) -> BTreeMap
         let past = costs.get(cost).checked_sub(own.get(cost))?;
         Some((cost, past + bound))
     });
-    bounds.collect()
+    sorting::map(bounds)
 }
 
 fn cause_of(case: &Case<'_, '_>, agent: usize, fault: Fault) -> Cause {

@@ -5,6 +5,7 @@ use giveway_model::{
     Cell, Plan,
     change::{Career, Duty, History, Life, Whereabouts},
     check::levels_over_time,
+    sorting,
 };
 
 use crate::{
@@ -140,7 +141,7 @@ impl Member {
         let agent = &career.agent;
         let level = level_set(career, at);
         let mut waypoints: Vec<Cell> = career.duties().map(|duty| duty.cell).collect();
-        waypoints.sort_unstable();
+        sorting::sort(&mut waypoints);
         waypoints.dedup();
         Self {
             name: agent.name.clone(),
@@ -174,7 +175,7 @@ impl Member {
             is_new || life.visit(duty).is_none_or(|visit| visit > at)
         };
         let mut waypoints: Vec<Cell> = career.duties().filter(pending).map(|d| d.cell).collect();
-        waypoints.sort_unstable();
+        sorting::sort(&mut waypoints);
         waypoints.dedup();
         let level = career.agent.battery.map(|battery| {
             let levels = levels_over_time(before, life);

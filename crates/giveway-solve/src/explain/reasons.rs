@@ -3,7 +3,7 @@
 
 use std::rc::Rc;
 
-use giveway_model::{Cost, Costs, Instance, Plan, check::costs};
+use giveway_model::{Cost, Costs, Instance, Plan, check::costs, sorting};
 
 use super::{
     ExplainAnswer, Part, Verdict, WitnessEntry,
@@ -219,7 +219,7 @@ pub(crate) fn of_own_plan(
     if let (Some(least), Some(own)) = (least, own) {
         let more = |cost: Cost| i64::from(least.get(cost)) - i64::from(own.get(cost));
         let costs = objective.costs().iter();
-        answer.deltas = costs.map(|&cost| (cost, more(cost))).collect();
+        answer.deltas = sorting::map(costs.map(|&cost| (cost, more(cost))));
     }
     answer.costs = least.or(judged.costs);
     answer.alternative = judged.better.map(|(plan, _)| plan);

@@ -5,8 +5,8 @@ use super::super::charges::NoCharge;
 use super::super::findings::{Findings, Place};
 use super::super::steps::{Broken, step};
 use super::super::{Rule, Step, sentence};
-use crate::Cell;
 use crate::change::{Duty, History, Life, Whereabouts};
+use crate::{Cell, sorting};
 
 pub(super) fn find(history: &History, index: usize, life: &Life<'_>, findings: &mut Findings<'_>) {
     find_ends(index, life, findings);
@@ -42,7 +42,7 @@ fn find_ends(index: usize, life: &Life<'_>, findings: &mut Findings<'_>) {
         );
     }
     let mut duties: Vec<&Duty> = career.duties().collect();
-    duties.sort_by_key(|duty| duty.cell);
+    sorting::sort_by_key(&mut duties, |duty| duty.cell);
     for duty in duties {
         if life.visit(duty).is_none() {
             let message = match duty.since {

@@ -9,6 +9,8 @@
 
 use std::collections::BTreeMap;
 
+use giveway_model::sorting;
+
 use super::{Soft, SumStage};
 use crate::{
     encode::totalizer::totalizer,
@@ -45,7 +47,9 @@ impl SumStage {
             }
             // What is shared comes first, as in `in_order`.
             let mut order: Vec<Lit> = assumed.keys().copied().collect();
-            order.sort_by_key(|lit| assumed.get(lit).is_some_and(|s| s.agent().is_some()));
+            sorting::sort_by_key(&mut order, |lit| {
+                assumed.get(lit).is_some_and(|s| s.agent().is_some())
+            });
             let core = match search.team.solve(&order)? {
                 Outcome::Unsat(core) if !core.is_empty() => core,
                 _ => return Ok(assumed.into_values().collect()),
