@@ -21,16 +21,55 @@ describe("asking why", () => {
     assert.match(await costs.innerText(), /A1 arrives\s+3\s+4\s+\+1/);
     await playground.picture("needless");
 
-    await playground.press("Show other");
     await playground.press("Step forward");
-    await playground.cellTells(2, 2, /A1/);
-    await playground.picture("other-plan");
-    await playground.press("Show this");
+    if (playground.isPhone()) {
+      await playground.press("Show other");
+      await playground.cellTells(2, 2, /A1/);
+      await playground.picture("other-plan");
+      await playground.press("Show this");
+    } else {
+      // Both move in step, on one clock.
+      await playground.cellTells(2, 2, /A1/, playground.other);
+      await playground.cellTells(2, 1, /A2/, playground.other);
+      const lane = playground.page.getByRole("button", { name: "A1", exact: false }).filter({ hasText: "this / other" });
+      await lane.waitFor();
+      await playground.page.getByRole("img", { name: /^Other plan: A1: .* arrives at 4$/ }).waitFor();
+      await playground.picture("beside");
+    }
     await playground.cellTells(2, 1, /A1/);
     await playground.press("Take the other plan");
+    await playground.other.waitFor({ state: "detached" });
     await playground.cellTells(2, 2, /A1/);
     await playground.says(/^Optimal: makespan 4, sum of costs 7/);
   });
+
+  flow("shows the other plan on a board of its own, dark and on a tablet too", async (playground, { page }) => {
+    await playground.example("Who waits?");
+    await playground.says(/^Optimal: makespan 4/);
+    await about(playground, "A2");
+    await ask(playground, /^Why does A2 wait at \(3,1\)\?/);
+    await playground.other.waitFor();
+    await playground.press("To start");
+    await playground.press("Step forward");
+    await playground.cellTells(2, 2, /A1/, playground.other);
+    await playground.picture("beside-dark");
+    await page.setViewportSize({ width: 1024, height: 768 });
+    await playground.picture("beside-tablet-dark");
+    // The same part of the map is in sight of both.
+    await playground.press("Zoom in");
+    const wide = async (grid) => Math.round((await playground.cell(1, 1, grid).boundingBox()).width);
+    await eventually("both to be enlarged", async () => [await wide(playground.board), await wide(playground.other)], ([a, b]) => a === b && a > 60);
+    // A window that gets narrow has one board, and still both plans.
+    await page.setViewportSize({ width: 600, height: 844 });
+    await playground.other.waitFor({ state: "detached" });
+    await playground.press("Show other");
+    await playground.cellTells(2, 2, /A1/);
+    await page.setViewportSize({ width: 1440, height: 900 });
+    await playground.other.waitFor();
+    await playground.press("Keep this");
+    await playground.other.waitFor({ state: "detached" });
+    await playground.cellTells(2, 1, /A1/);
+  }, { screens: ["desktop"], theme: "dark", reducedMotion: "reduce" });
 
   flow("tells why there is no plan, and what would help", async (playground) => {
     await playground.example("No way past");

@@ -12,6 +12,7 @@ export class Playground {
     this.page = page;
     this.pathOf = pathOf;
     this.board = page.getByRole("grid", { name: "Board" });
+    this.other = page.getByRole("grid", { name: "Other plan" });
     this.sceneName = page.getByRole("heading", { level: 1 });
     this.status = page.getByRole("status");
     this.notice = page.getByRole("alert");
@@ -103,20 +104,20 @@ export class Playground {
     return this.now();
   }
 
-  /** A cell of the board, by column and row. */
-  cell(x, y) {
-    return this.page.getByRole("gridcell", { name: new RegExp(`^${x}, ${y}: `) });
+  /** A cell of the board, by column and row; or of another grid. */
+  cell(x, y, grid = this.board) {
+    return grid.getByRole("gridcell", { name: new RegExp(`^${x}, ${y}: `) });
   }
 
   /** What is on a cell, in words. */
-  async onCell(x, y) {
-    const name = await this.cell(x, y).getAttribute("aria-label");
+  async onCell(x, y, grid) {
+    const name = await this.cell(x, y, grid).getAttribute("aria-label");
     return name.slice(name.indexOf(": ") + 2);
   }
 
   /** Waits until a cell tells this of itself. */
-  cellTells(x, y, pattern) {
-    return eventually(`cell ${x}, ${y} to be ${pattern}`, () => this.onCell(x, y), (words) => pattern.test(words));
+  cellTells(x, y, pattern, grid) {
+    return eventually(`cell ${x}, ${y} to be ${pattern}`, () => this.onCell(x, y, grid), (words) => pattern.test(words));
   }
 
   /** The middle of a cell on the screen, in pixels. */

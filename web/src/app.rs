@@ -16,6 +16,7 @@ use crate::solver::use_solver;
 use crate::status::StatusBar;
 use crate::theme::{use_theme, wants_less_motion};
 use crate::top_bar::TopBar;
+use crate::wide::use_wide;
 use crate::{Board, Clock, Compare, Dock, Inspector, Shown, Tools};
 
 /// The scene that the page opens on.
@@ -70,6 +71,7 @@ pub fn App() -> Html {
     use_keep(&state, &send);
     use_theme(state.view.theme);
     use_keys(&state, &send, &show);
+    use_wide(&send);
     html! {
         <ContextProvider<Clock> context={(*clock).clone()}>
             <div class={classes!("app", phase_class(state.phase()))} data-tab={tab(state.view.tab)}>

@@ -27,6 +27,7 @@ mod theme;
 mod timeline;
 mod tools;
 mod top_bar;
+mod wide;
 
 pub use app::App;
 pub use board::{Board, BoardProps};

@@ -151,6 +151,8 @@ pub enum Action {
     ShowTable(bool),
     /// What a phone shows below the board.
     ShowTab(Tab),
+    /// Whether there is room for two boards side by side.
+    SetWide(bool),
     /// The colours.
     SetTheme(Theme),
 }

@@ -91,6 +91,9 @@ pub struct View {
     pub theme: Theme,
     /// What a phone shows below the board.
     pub tab: Tab,
+    /// Whether there is room for two boards side by side: else the other plan of
+    /// an answer takes the place of this one.
+    pub is_wide: bool,
 }
 
 impl Default for View {
@@ -100,6 +103,7 @@ impl Default for View {
             table: true,
             theme: Theme::System,
             tab: Tab::Timeline,
+            is_wide: false,
         }
     }
 }

@@ -303,15 +303,24 @@ impl State {
         is_of.then_some(report)
     }
 
-    /// The answer that is shown: the last one, the other plan of a question, or
-    /// the one that is previewed where the world changes.
+    /// The answer that is shown: the last one, the other plan of a question where
+    /// that takes its place, or the one that is previewed where the world changes.
     pub fn shown(&self) -> Option<&Rc<Answer>> {
         if let Some(changing) = &self.changing {
             return Some(changing.shown());
         }
         let asking = self.asking.as_deref().filter(|asking| asking.shows_other);
+        let asking = asking.filter(|_| !self.view.is_wide);
         let other = asking.and_then(|asking| asking.other.as_ref());
         other.or(self.answer.as_ref())
+    }
+
+    /// The answer that is shown beside that one: the other plan of a question,
+    /// where there is room for it.
+    pub fn beside(&self) -> Option<&Rc<Answer>> {
+        let has_room = self.view.is_wide && self.changing.is_none();
+        let asking = self.asking.as_deref().filter(|_| has_room);
+        asking.and_then(|asking| asking.other.as_ref())
     }
 
     /// The plan that is shown, stale or not.
@@ -324,7 +333,8 @@ impl State {
         if let Some(changing) = &self.changing {
             return changing.last_time();
         }
-        self.shown().map_or(0, |answer| answer.makespan())
+        let both = self.shown().into_iter().chain(self.beside());
+        both.map(|answer| answer.makespan()).max().unwrap_or(0)
     }
 
     /// The agent that is shown on a cell at the time shown: where the plan has

@@ -19,6 +19,8 @@ const RING: f64 = 226.2;
 #[derive(Clone, PartialEq, Properties)]
 pub(super) struct AgentsProps {
     pub(super) cast: Rc<Cast>,
+    /// The same agents by another plan: those who are elsewhere in it are marked.
+    pub(super) versus: Option<Rc<Cast>>,
     pub(super) detail: Detail,
     pub(super) selected: Option<usize>,
 }
@@ -34,10 +36,15 @@ pub(super) fn Agents(props: &AgentsProps) -> Html {
             let parts = children(&agents).into_iter().map(Parts::new);
             let moving: Vec<(Transit, Parts)> = transits.zip(parts).collect();
             move |time| {
-                for ((transit, parts), track) in moving.iter().zip(&props.cast.tracks) {
-                    if let Some(pose) = track.pose(time) {
+                for (agent, (transit, parts)) in moving.iter().enumerate() {
+                    if let Some(pose) = props.cast.pose(agent, time) {
                         transit.show(pose.transit);
                         parts.show(&pose, &props.cast);
+                        let versus = props.versus.as_ref();
+                        let other = versus.and_then(|versus| versus.pose(agent, time));
+                        parts
+                            .differs
+                            .toggle(other.is_some_and(|other| pose.is_elsewhere(&other)));
                     }
                 }
             }
@@ -65,9 +72,14 @@ fn agent_shape(props: &AgentsProps, agent: usize) -> Html {
         (!has_battery).then_some("no-battery")
     );
     let selection = html! {
-        if is_selected {
-            <circle class="selring" r="47" />
-        }
+        <>
+            if props.versus.is_some() {
+                <circle class="diffring" r="47" />
+            }
+            if is_selected {
+                <circle class="selring" r="47" />
+            }
+        </>
     };
     let shape = match detail {
         Detail::Dots => html! { <circle class="form" r="38" /> },
@@ -108,6 +120,7 @@ pub(super) fn name(name: &str) -> Html {
 struct Parts {
     place: Attribute,
     gone: Attribute,
+    differs: Attribute,
     turn: Option<Attribute>,
     turns: Option<Attribute>,
     ring: Option<Attribute>,
@@ -129,6 +142,7 @@ impl Parts {
             waits: part("wbadge", "data-on"),
             badge: part("badge-at", "transform"),
             gone: Attribute::new(agent.clone(), "data-gone"),
+            differs: Attribute::new(agent.clone(), "data-differs"),
             place: Attribute::new(agent, "transform"),
         }
     }

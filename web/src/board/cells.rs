@@ -8,14 +8,17 @@ use giveway_page::board::{Cast, CellNames, Window};
 use giveway_page::{Draft, Selection};
 use yew::prelude::*;
 
-/// The id of a cell's element.
-pub(super) fn id(cell: Cell) -> String {
-    format!("cell-{}-{}", cell.x, cell.y)
+/// The id of a cell's element on the board of a name.
+pub(super) fn id(of: &str, cell: Cell) -> String {
+    let of = of.replace(' ', "-");
+    format!("{of}-{}-{}", cell.x, cell.y)
 }
 
 /// What the cells tell.
 #[derive(Clone, Properties)]
 pub(super) struct CellsProps {
+    /// The name of the board.
+    pub(super) of: &'static str,
     pub(super) draft: Rc<Draft>,
     pub(super) cast: Rc<Cast>,
     pub(super) time: u32,
@@ -45,7 +48,7 @@ pub(super) fn Cells(props: &CellsProps) -> Html {
             (cell, name, selected.contains(&cell))
         };
         let cells: Vec<_> = props.window.columns().map(cell).collect();
-        html! { <Row key={y} {cells} /> }
+        html! { <Row key={y} of={props.of} {cells} /> }
     };
     html! { { for props.window.rows().map(row) } }
 }
@@ -64,6 +67,7 @@ fn selected(props: &CellsProps) -> Vec<Cell> {
 
 #[derive(Clone, PartialEq, Properties)]
 struct RowProps {
+    of: &'static str,
     cells: Vec<(Cell, AttrValue, bool)>,
 }
 
@@ -72,7 +76,7 @@ fn Row(props: &RowProps) -> Html {
     let row = props.cells.first().map_or(0, |(cell, ..)| cell.y + 1);
     let cell = |(cell, name, is_selected): &(Cell, AttrValue, bool)| {
         html! {
-            <rect class="cell" role="gridcell" id={id(*cell)} aria-label={name}
+            <rect class="cell" role="gridcell" id={id(props.of, *cell)} aria-label={name}
                 aria-colindex={(cell.x + 1).to_string()}
                 aria-selected={is_selected.to_string()}
                 x={(100 * cell.x).to_string()} y={(100 * cell.y).to_string()}

@@ -20,6 +20,17 @@ impl PartialEq for FloorProps {
     }
 }
 
+/// The hatch of slow zones: once on the page, for all boards.
+pub(super) fn hatch() -> Html {
+    html! {
+        <defs>
+            <pattern id="hatch" width="14" height="14" patternUnits="userSpaceOnUse" patternTransform="rotate(45)">
+                <path class="hatch-l" d="M7 0V14" />
+            </pattern>
+        </defs>
+    }
+}
+
 /// Floor, slow zone, lines, obstacles, chargers, edge: from below to above.
 #[component]
 pub(super) fn FloorShapes(props: &FloorProps) -> Html {
@@ -37,11 +48,6 @@ pub(super) fn FloorShapes(props: &FloorProps) -> Html {
     };
     html! {
         <g aria-hidden="true">
-            <defs>
-                <pattern id="hatch" width="14" height="14" patternUnits="userSpaceOnUse" patternTransform="rotate(45)">
-                    <path class="hatch-l" d="M7 0V14" />
-                </pattern>
-            </defs>
             { sheet("floor") }
             <g>{ for floor.slow_tint.into_iter().map(shape("slow-t")) }</g>
             <path class="grid" d={floor.lines} />

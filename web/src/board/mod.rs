@@ -6,6 +6,7 @@
 
 mod agents;
 mod axis;
+mod beside;
 mod cells;
 mod floor;
 mod gestures;
@@ -22,12 +23,13 @@ use std::rc::Rc;
 
 use giveway_model::{Cell, sorting};
 use giveway_page::board::{CELL, Cast, Detail, Frame, Kind, Window, legend};
-use giveway_page::{Action, Selection, Tool};
+use giveway_page::{Action, Answer, Selection, State, Tool, ask, words};
 use yew::prelude::*;
 
 use crate::Shown;
 use agents::Agents;
 use axis::Axis;
+use beside::Beside;
 use cells::Cells;
 use floor::FloorShapes;
 use legend::Under;
@@ -35,6 +37,10 @@ use marks::Marks;
 use reasons::ReasonMarks;
 use viewport::use_viewport;
 use ways::Ways;
+
+/// The name of the grid of the plan, and of the one of the other plan.
+const BOARD: &str = "Board";
+const OTHER: &str = "Other plan";
 
 /// What the board shows and where it sends what a person does there.
 #[derive(Clone, PartialEq, Properties)]
@@ -53,8 +59,8 @@ pub fn Board(props: &BoardProps) -> Html {
     let area = use_node_ref();
     let svg = use_node_ref();
     let hover = use_node_ref();
-    let cast = use_cast(state);
-    let board = (state.draft.grid().width(), state.draft.grid().height());
+    let (cast, other) = use_casts(state);
+    let board = (state.world().grid().width(), state.world().grid().height());
     let viewport = use_viewport(&area, board);
     let frame = viewport.frame(board);
     let detail = frame.detail();
@@ -76,7 +82,6 @@ pub fn Board(props: &BoardProps) -> Html {
 
     let reasons = giveway_page::board::reasons(state);
     let kinds: Vec<Kind> = legend(state, &cast);
-    let selected_agent = state.selected_agent();
     let is_stale = state.is_stale() && cast.has_plan();
     let class = classes!(
         "map",
@@ -87,48 +92,92 @@ pub fn Board(props: &BoardProps) -> Html {
         (!viewport.camera.is_fit()).then_some("near"),
     );
     let cursor = state.cursor;
+    let board_now = html! {
+        <div class="bd" ref={area}>
+            <svg {class} ref={svg}
+                role="grid" aria-label={BOARD} tabindex="0"
+                aria-rowcount={board.1.to_string()} aria-colcount={board.0.to_string()}
+                aria-activedescendant={cells::id(BOARD, cursor)}
+                viewBox={view_box(&frame)}
+                onpointerdown={gestures.down} onpointermove={gestures.moved}
+                onpointerup={gestures.up} onpointercancel={gestures.cancel}
+                onpointerleave={gestures.leave} onwheel={gestures.wheel}
+                onkeydown={onkeydown.clone()}>
+                { floor::hatch() }
+                { layers(state, &cast, other.as_ref(), frame) }
+                <ReasonMarks {reasons} />
+                { problems(state) }
+                { ghost::show(state) }
+                <g aria-hidden="true">
+                    if let Selection::Cell(cell) = state.selection {
+                        { square("selcell", cell, 3) }
+                    }
+                    <rect class="hover" ref={hover} width="94" height="94" rx="15" visibility="hidden" />
+                </g>
+                <Cells
+                    of={BOARD}
+                    draft={Rc::clone(state.world())}
+                    cast={Rc::clone(&cast)}
+                    time={state.playback.time}
+                    window={Window::around(cursor, &frame, board)}
+                    selection={state.selection} />
+                <g aria-hidden="true">{ square("cursor", cursor, 2) }</g>
+            </svg>
+        </div>
+    };
     html! {
         <>
-            <div class="bd" ref={area}>
-                <svg {class} ref={svg}
-                    role="grid" aria-label="Board" tabindex="0"
-                    aria-rowcount={board.1.to_string()} aria-colcount={board.0.to_string()}
-                    aria-activedescendant={cells::id(cursor)}
-                    viewBox={view_box(&frame)}
-                    onpointerdown={gestures.down} onpointermove={gestures.moved}
-                    onpointerup={gestures.up} onpointercancel={gestures.cancel}
-                    onpointerleave={gestures.leave} onwheel={gestures.wheel}
-                    {onkeydown}>
-                    <FloorShapes draft={Rc::clone(state.world())} is_fine={detail > Detail::Dots} />
-                    if state.view.trails {
-                        <Ways cast={Rc::clone(&cast)} selected={selected_agent} />
+            <div class={classes!("boards", other.is_some().then_some("pair"))}>
+                <figure class="pl">
+                    if other.is_some() {
+                        { caption("This plan", state.shown(), None) }
                     }
-                    <Agents cast={Rc::clone(&cast)} {detail} selected={selected_agent} />
-                    <Marks cast={Rc::clone(&cast)} {detail} />
-                    if detail == Detail::All {
-                        <Axis {frame} {board} />
-                    }
-                    <ReasonMarks {reasons} />
-                    { problems(state) }
-                    { ghost::show(state) }
-                    <g aria-hidden="true">
-                        if let Selection::Cell(cell) = state.selection {
-                            { square("selcell", cell, 3) }
-                        }
-                        <rect class="hover" ref={hover} width="94" height="94" rx="15" visibility="hidden" />
-                    </g>
-                    <Cells
-                        draft={Rc::clone(state.world())}
-                        cast={Rc::clone(&cast)}
-                        time={state.playback.time}
-                        window={Window::around(cursor, &frame, board)}
-                        selection={state.selection} />
-                    <g aria-hidden="true">{ square("cursor", cursor, 2) }</g>
-                </svg>
+                    { board_now }
+                </figure>
+                if let Some(other) = other {
+                    <figure class="pl other">
+                        { caption(OTHER, state.beside(), ask::closeness(state)) }
+                        <Beside name={OTHER} state={state.clone()} cast={other} versus={cast}
+                            camera={viewport.camera} {onkeydown} />
+                    </figure>
+                }
             </div>
             <Under {kinds} look={viewport.look.clone()}
                 is_fit={viewport.camera.is_fit()}
                 is_nearest={viewport.is_nearest(board)} />
+        </>
+    }
+}
+
+/// What stands above one of two plans: which it is, what is claimed of it, and
+/// its costs.
+fn caption(title: &'static str, answer: Option<&Rc<Answer>>, claim: Option<&'static str>) -> Html {
+    let costs = answer.and_then(|answer| {
+        let objective = &answer.draft.scene().objective;
+        Some(words::values(objective, &answer.solved.costs?))
+    });
+    html! {
+        <figcaption><b>{ title }</b><span>{ claim.unwrap_or_default() }</span><em>{ costs }</em></figcaption>
+    }
+}
+
+/// The map with all that stands and moves on it, from below to above; agents
+/// that are elsewhere in another plan are marked.
+fn layers(state: &Shown, cast: &Rc<Cast>, versus: Option<&Rc<Cast>>, frame: Frame) -> Html {
+    let detail = frame.detail();
+    let selected = state.selected_agent();
+    let board = (state.world().grid().width(), state.world().grid().height());
+    html! {
+        <>
+            <FloorShapes draft={Rc::clone(state.world())} is_fine={detail > Detail::Dots} />
+            if state.view.trails {
+                <Ways cast={Rc::clone(cast)} {selected} />
+            }
+            <Agents cast={Rc::clone(cast)} versus={versus.cloned()} {detail} {selected} />
+            <Marks cast={Rc::clone(cast)} {detail} />
+            if detail == Detail::All {
+                <Axis {frame} {board} />
+            }
         </>
     }
 }
@@ -178,13 +227,23 @@ fn units(cells: f64) -> f64 {
     (cells + 0.5) * CELL
 }
 
-/// The cast of the state; the same one as long as it fits.
+/// The cast of the plan that is shown, and that of the one beside it; the same
+/// ones as long as they fit.
 #[hook]
-fn use_cast(state: &Shown) -> Rc<Cast> {
-    let kept = use_mut_ref(|| None::<Rc<Cast>>);
-    let mut kept = kept.borrow_mut();
-    match &*kept {
-        Some(cast) if cast.is_of(state) => Rc::clone(cast),
-        _ => Rc::clone(kept.insert(Rc::new(Cast::of(state)))),
+fn use_casts(state: &Shown) -> (Rc<Cast>, Option<Rc<Cast>>) {
+    let kept = use_mut_ref(<[Option<Rc<Cast>>; 2]>::default);
+    let [this, other] = &mut *kept.borrow_mut();
+    (
+        renewed(this, state, state.shown()),
+        state
+            .beside()
+            .map(|answer| renewed(other, state, Some(answer))),
+    )
+}
+
+fn renewed(kept: &mut Option<Rc<Cast>>, state: &State, answer: Option<&Rc<Answer>>) -> Rc<Cast> {
+    match kept {
+        Some(cast) if cast.is_by(state, answer) => Rc::clone(cast),
+        _ => Rc::clone(kept.insert(Rc::new(Cast::by(state, answer)))),
     }
 }

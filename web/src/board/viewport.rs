@@ -88,6 +88,11 @@ impl Viewport {
         self.camera.frame(board, self.screen_for(board))
     }
 
+    /// What another camera sees of such a map from here.
+    pub(super) fn frame_of(&self, camera: &Camera, board: (u32, u32)) -> Frame {
+        camera.frame(board, self.screen_for(board))
+    }
+
     /// Whether cells are as large as they get.
     pub(super) fn is_nearest(&self, board: (u32, u32)) -> bool {
         self.camera.is_nearest(board, self.screen_for(board))

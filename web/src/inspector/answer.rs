@@ -49,19 +49,35 @@ pub(super) fn show(card: &Card, send: &Callback<Action>) -> Html {
 
 /// What stays at the foot of it.
 pub(super) fn foot(card: &Card, send: &Callback<Action>) -> Html {
-    let Some(Other { is_shown, .. }) = card.other else {
+    let Some(Other {
+        is_shown,
+        is_beside,
+        ..
+    }) = card.other
+    else {
         return html! {};
     };
-    let other = if is_shown { "Show this" } else { "Show other" };
+    let second = if is_beside {
+        // Both are there to be seen: what is left is to decide.
+        html! {
+            <button type="button" class="btn outline" onclick={send.reform(|_| Action::CloseQuestion)}>
+                <Icon name="cancel" />{ "Keep this" }
+            </button>
+        }
+    } else {
+        html! {
+            <button type="button" class="btn outline" aria-pressed={is_shown.to_string()}
+                onclick={send.reform(move |_| Action::ShowOther(!is_shown))}>
+                <Icon name="compare" />{ if is_shown { "Show this" } else { "Show other" } }
+            </button>
+        }
+    };
     html! {
         <footer class="foot">
             <button type="button" class="btn primary" onclick={send.reform(|_| Action::TakeOther)}>
                 <Icon name="check" />{ "Take the other plan" }
             </button>
-            <button type="button" class="btn outline" aria-pressed={is_shown.to_string()}
-                onclick={send.reform(move |_| Action::ShowOther(!is_shown))}>
-                <Icon name="compare" />{ other }
-            </button>
+            { second }
         </footer>
     }
 }

@@ -16,6 +16,8 @@ const FLAG: &str = "M5 17.2V3.2M5 4h9.6l-2.4 3.4 2.4 3.4H5";
 #[derive(Clone, PartialEq, Properties)]
 pub(super) struct LaneRowProps {
     pub lanes: Same<Vec<Lane>>,
+    /// The lanes of the plan beside this one; empty without one.
+    pub others: Same<Vec<Lane>>,
     /// Which of the lanes.
     pub index: usize,
     pub axis: Axis,
@@ -40,7 +42,17 @@ pub(super) fn LaneRow(props: &LaneRowProps) -> Html {
         return Html::default();
     };
     let index = props.index;
-    let level = props.level.zip(lane.capacity);
+    let is_two = !props.others.is_empty();
+    let level = props.level.zip(lane.capacity).filter(|_| !is_two);
+    let other = props.others.iter().position(|o| o.agent == lane.agent);
+    let bars = |of: &'static str, lanes: [&Same<Vec<Lane>>; 2], indices: [usize; 2]| {
+        html! {
+            <div class="half">
+                <Bars {of} lanes={lanes[0].clone()} index={indices[0]} versus={Some((lanes[1].clone(), indices[1]))}
+                    axis={props.axis} row={props.row} columns={props.columns.clone()} />
+            </div>
+        }
+    };
     html! {
         <div class={classes!("row", "lane", form::class(lane.agent), props.selected.then_some("sel"))}
             onclick={props.pick.reform(move |_| index)}>
@@ -54,17 +66,32 @@ pub(super) fn LaneRow(props: &LaneRowProps) -> Html {
                     } else if let Some((level, capacity)) = level {
                         <small>{ format!("{level} of {capacity}") }</small>
                     }
+                    if is_two {
+                        <small>{ "this / other" }</small>
+                    }
                 </span>
             </button>
-            <Bars lanes={props.lanes.clone()} index={index} axis={props.axis} row={props.row} columns={props.columns.clone()} />
+            if let Some(other) = other {
+                <div class="halves">
+                    { bars("This plan", [&props.lanes, &props.others], [index, other]) }
+                    { bars("Other plan", [&props.others, &props.lanes], [other, index]) }
+                </div>
+            } else {
+                <Bars of="" lanes={props.lanes.clone()} {index} versus={None::<(Same<Vec<Lane>>, usize)>}
+                    axis={props.axis} row={props.row} columns={props.columns.clone()} />
+            }
         </div>
     }
 }
 
 #[derive(Clone, PartialEq, Properties)]
 struct BarsProps {
+    /// Of which of two plans; of the only one it says nothing.
+    of: &'static str,
     lanes: Same<Vec<Lane>>,
     index: usize,
+    /// The lane of the other plan: what is not so in it is framed.
+    versus: Option<(Same<Vec<Lane>>, usize)>,
     axis: Axis,
     row: Row,
     columns: Range<u32>,
@@ -74,8 +101,10 @@ struct BarsProps {
 #[component]
 fn Bars(props: &BarsProps) -> Html {
     let BarsProps {
+        of,
         lanes,
         index,
+        versus,
         axis,
         row,
         columns,
@@ -84,6 +113,14 @@ fn Bars(props: &BarsProps) -> Html {
         return Html::default();
     };
     let shapes = Shapes::of(lane, *axis, *row, columns);
+    let versus = versus.as_ref();
+    let other = versus.and_then(|(lanes, index)| lanes.get(*index));
+    let frames = other.map(|other| Shapes::frames(lane, other, *axis, *row, columns));
+    let label = if of.is_empty() {
+        lane.sentence()
+    } else {
+        format!("{of}: {}", lane.sentence())
+    };
     let middle = row.middle();
     let radius = shapes.charge_radius;
     let charge = |x: &f64| {
@@ -102,7 +139,7 @@ fn Bars(props: &BarsProps) -> Html {
     };
     html! {
         <>
-        <svg class="bars" width={axis.width().to_string()} height={row.height.to_string()} role="img" aria-label={lane.sentence()}>
+        <svg class="bars" width={axis.width().to_string()} height={row.height.to_string()} role="img" aria-label={label}>
             { path("level-area", &shapes.area) }
             { path("level-line", &shapes.level) }
             { path("moves", &shapes.moves) }
@@ -111,6 +148,7 @@ fn Bars(props: &BarsProps) -> Html {
             { path("waits", &shapes.waits) }
             { path("pauses", &shapes.pauses) }
             { path("after", &shapes.after) }
+            { path("differs", &frames.unwrap_or_default()) }
             if let Some(x) = shapes.entry {
                 <path class="entry" d={format!("M{} {}l5 5-5 5", x - 10.0, middle - 5.0)} />
             }

@@ -63,7 +63,7 @@ pub fn Dock(props: &DockProps) -> Html {
             <section class={classes!("dock", calm.then_some("calm"), stale.then_some("stale"))} aria-label="Timeline">
                 <Transport state={state.clone()} send={send.clone()} />
                 <Tabs tab={state.view.tab} send={send.clone()} />
-                <Plan answer={Same::new(answer)} state={state.clone()} send={send.clone()} />
+                <Plan answer={Same::new(answer)} beside={state.beside().cloned().map(Same::new)} state={state.clone()} send={send.clone()} />
             </section>
         };
     }

@@ -21,6 +21,8 @@ use crate::Shown;
 #[derive(Clone, PartialEq, Properties)]
 pub(super) struct PlanProps {
     pub answer: Same<Answer>,
+    /// The plan beside it.
+    pub beside: Option<Same<Answer>>,
     pub state: Shown,
     pub send: Callback<Action>,
 }
@@ -30,6 +32,7 @@ pub(super) struct PlanProps {
 pub(super) fn Plan(props: &PlanProps) -> Html {
     let PlanProps {
         answer,
+        beside,
         state,
         send,
     } = props;
@@ -38,11 +41,23 @@ pub(super) fn Plan(props: &PlanProps) -> Html {
     });
     let lanes = Same::new(lanes);
     let batteries = lanes.iter().filter(|lane| lane.capacity.is_some()).count();
-    let row = Row::of(lanes.len(), batteries);
+    let others = use_memo(beside.clone(), |beside| match beside {
+        Some(beside) => table::lanes(beside).collect::<Vec<Lane>>(),
+        None => Vec::new(),
+    });
+    let others = Same::new(others);
+    let row = if beside.is_some() {
+        Row::HALF
+    } else {
+        Row::of(lanes.len(), batteries)
+    };
+    let plans = if beside.is_some() { 2.0 } else { 1.0 };
+    let height = plans * row.height;
+    let last = beside.as_ref().map_or(0, |beside| beside.makespan());
     let extent = Extent {
-        last: answer.makespan(),
+        last: answer.makespan().max(last),
         lanes: lanes.len(),
-        lane: row.height,
+        lane: height,
         rows: lanes.len() + batteries,
         least: table::least_column(answer),
     };
@@ -106,12 +121,12 @@ pub(super) fn Plan(props: &PlanProps) -> Html {
     };
 
     let time = state.playback.time;
-    let (above, below) = Seen::beyond(&seen.lanes, lanes.len(), row.height);
+    let (above, below) = Seen::beyond(&seen.lanes, lanes.len(), height);
     let tab_stop = selected.filter(|index| seen.lanes.contains(index));
     let tab_stop = tab_stop.unwrap_or(seen.lanes.start);
     let lane_row = |index: usize| {
         html! {
-            <LaneRow key={index} lanes={lanes.clone()} {index} {axis} {row} columns={seen.columns.clone()}
+            <LaneRow key={index} lanes={lanes.clone()} others={others.clone()} {index} {axis} {row} columns={seen.columns.clone()}
                 level={lanes[index].level_at(time)} fate={changing::fate(state, &lanes[index].name)} selected={selected == Some(index)}
                 tab_stop={index == tab_stop} pick={pick.clone()} />
         }

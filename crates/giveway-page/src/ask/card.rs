@@ -66,8 +66,10 @@ impl CostRow {
 /// The other plan.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Other {
-    /// Whether the board shows it.
+    /// Whether the board shows it in the place of this one.
     pub is_shown: bool,
+    /// Whether it is shown beside this one.
+    pub is_beside: bool,
     /// Whether it is proved that no other is closer to this plan.
     pub is_closest: bool,
 }
@@ -130,6 +132,7 @@ pub fn card(state: &State) -> Option<Card> {
         card.rows = rows(asking, other);
         card.other = Some(Other {
             is_shown: asking.shows_other,
+            is_beside: state.view.is_wide,
             is_closest: told.closest,
         });
     }
@@ -182,6 +185,13 @@ pub fn card(state: &State) -> Option<Card> {
         card.standing = Some(format!("This holds up to makespan {within}."));
     }
     Some(card)
+}
+
+/// What is claimed of the other plan: that none as good is closer to this one,
+/// where that is proved.
+pub fn closeness(state: &State) -> Option<&'static str> {
+    let told = state.asking.as_deref()?.told.as_deref()?;
+    told.closest.then_some("closest to this plan")
 }
 
 fn badge(asking: &Asking, verdict: Verdict) -> Badge {

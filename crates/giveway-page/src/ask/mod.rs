@@ -8,7 +8,7 @@ mod card;
 mod cell;
 mod plan;
 
-pub use card::{Badge, Card, CostRow, Facts, Happening, Offered, Other, card};
+pub use card::{Badge, Card, CostRow, Facts, Happening, Offered, Other, card, closeness};
 use giveway_model::{Question, question::fits};
 
 use crate::{Answer, Selection, State, words};

@@ -4,7 +4,7 @@ use std::rc::Rc;
 
 use giveway_model::Agent;
 
-use super::{Mark, Track, Way, marks};
+use super::{Mark, Pose, Track, Way, marks};
 use crate::{Answer, Draft, State};
 use giveway_model::sorting::sort;
 
@@ -44,11 +44,16 @@ fn same(one: Option<&Rc<Answer>>, other: Option<&Rc<Answer>>) -> bool {
 }
 
 impl Cast {
-    /// The cast of a state.
+    /// The cast of a state: of the plan that it shows.
     pub fn of(state: &State) -> Self {
+        Self::by(state, state.shown())
+    }
+
+    /// The cast of a state by the plan of an answer; without a plan, or with one
+    /// that cannot be drawn on the map, agents stand at their starts.
+    pub fn by(state: &State, answer: Option<&Rc<Answer>>) -> Self {
         let draft = state.world();
-        let answer = state.shown();
-        let answer = answer.filter(|answer| answer.plan().is_some() && fits(answer, draft));
+        let answer = answer.filter(|answer| is_drawn(answer, draft));
         let agents = draft.agents().to_vec();
         let is_there = there(state);
         let at_goal = state.draft.scene().rules.at_goal;
@@ -87,14 +92,18 @@ impl Cast {
         }
     }
 
-    /// Whether this is still the cast of a state.
-    pub fn is_of(&self, state: &State) -> bool {
+    /// Whether this is still the cast of a state by the plan of an answer.
+    pub fn is_by(&self, state: &State, answer: Option<&Rc<Answer>>) -> bool {
         let draft = state.world();
-        let answer = state.shown();
-        let answer = answer.filter(|answer| answer.plan().is_some() && fits(answer, draft));
+        let answer = answer.filter(|answer| is_drawn(answer, draft));
         self.agents == draft.agents()
             && self.is_there == there(state)
             && same(self.answer.as_ref(), answer)
+    }
+
+    /// An agent at a time that need not be whole.
+    pub fn pose(&self, agent: usize, time: f64) -> Option<Pose> {
+        self.tracks.get(agent)?.pose(time)
     }
 
     /// Whether there is a plan to show.
@@ -135,6 +144,10 @@ fn marks_of(agents: &[Agent], tracks: &[Track], is_there: &[bool]) -> Vec<Mark> 
         mark.agent = there[mark.agent];
     }
     marks
+}
+
+fn is_drawn(answer: &Answer, draft: &Draft) -> bool {
+    answer.plan().is_some() && fits(answer, draft)
 }
 
 /// Whether a plan can be drawn on a draft: it may be stale, but not of a map of

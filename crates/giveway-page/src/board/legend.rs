@@ -10,6 +10,8 @@ use crate::State;
 pub enum Kind {
     /// Something is wrong on a cell.
     Problem,
+    /// Two plans are shown, and an agent is elsewhere in the other one.
+    Differs,
     /// The plan is of another scene.
     Stale,
     /// A charger.
@@ -31,6 +33,7 @@ impl Kind {
     pub const fn words(self) -> &'static str {
         match self {
             Self::Problem => "Problem: press to see it",
+            Self::Differs => "Elsewhere in the other plan",
             Self::Stale => "Stale plan, faded",
             Self::Charger => "Charger",
             Self::Slow => "Slow zone: a move takes 2 steps",
@@ -45,6 +48,7 @@ impl Kind {
     pub const fn class(self) -> &'static str {
         match self {
             Self::Problem => "k-problem",
+            Self::Differs => "k-diff",
             Self::Stale => "k-stale",
             Self::Charger => "k-chg",
             Self::Slow => "k-slow",
@@ -68,6 +72,7 @@ pub fn legend(state: &State, cast: &Cast) -> Vec<Kind> {
             Kind::Problem,
             problems.iter().any(|problem| problem.cell.is_some()),
         ),
+        (Kind::Differs, state.beside().is_some()),
         (Kind::Stale, is_stale),
         (Kind::Charger, has_ground(Ground::is_charger)),
         (Kind::Slow, has_ground(Ground::is_slow)),

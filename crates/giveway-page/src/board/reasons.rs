@@ -4,7 +4,7 @@ use giveway_model::Cell;
 use giveway_solve::explain::FactKind;
 
 use super::CELL;
-use crate::{Lit, State};
+use crate::{Asking, Lit, State};
 
 /// A number on the map: the same as in the list of what would happen.
 #[derive(Clone, Debug, PartialEq)]
@@ -41,13 +41,13 @@ pub struct Reasons {
 const SPOTS: usize = 12;
 
 /// What to draw; nothing where nothing was asked, or while the other plan is
-/// shown, in which nothing goes wrong.
+/// shown in the place of this one: in it nothing goes wrong.
 pub fn reasons(state: &State) -> Reasons {
     let mut reasons = Reasons::default();
     let Some(asking) = state.asking.as_deref() else {
         return reasons;
     };
-    let Some(told) = asking.told.as_deref().filter(|_| !asking.shows_other) else {
+    let Some(told) = asking.told.as_deref().filter(|_| is_this(asking, state)) else {
         return reasons;
     };
     for (index, entry) in told.witness.iter().enumerate().take(SPOTS) {
@@ -83,6 +83,11 @@ pub fn reasons(state: &State) -> Reasons {
         }
     }
     reasons
+}
+
+/// Whether the plan asked about is the one that is shown.
+fn is_this(asking: &Asking, state: &State) -> bool {
+    !asking.shows_other || state.view.is_wide
 }
 
 /// A place beside those before it that are at the same one.

@@ -44,6 +44,18 @@ pub struct Pose {
     pub is_gone: bool,
 }
 
+impl Pose {
+    /// Whether another plan has the agent at another place at this time.
+    pub fn is_elsewhere(&self, other: &Self) -> bool {
+        // Less is not to be seen.
+        const APART: f64 = 0.01;
+        let is_apart = |a: f64, b: f64| (a - b).abs() > APART;
+        is_apart(self.at.x, other.at.x)
+            || is_apart(self.at.y, other.at.y)
+            || self.is_gone != other.is_gone
+    }
+}
+
 /// How full a battery is.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Charge {

@@ -104,6 +104,7 @@ fn step(state: &mut State, action: Action) {
         Action::ShowTrails(on) => state.view.trails = on,
         Action::ShowTable(on) => state.view.table = on,
         Action::ShowTab(tab) => state.view.tab = tab,
+        Action::SetWide(on) => play::widen(state, on),
         Action::SetTheme(theme) => state.view.theme = theme,
     }
 }

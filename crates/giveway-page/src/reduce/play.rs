@@ -21,6 +21,12 @@ pub(super) fn seek(state: &mut State, time: u32) {
     state.playback.time = time.min(state.last_time());
 }
 
+/// What is shown may end sooner where only one of two plans is.
+pub(super) fn widen(state: &mut State, on: bool) {
+    state.view.is_wide = on;
+    state.playback.time = state.playback.time.min(state.last_time());
+}
+
 /// The clock came to a step.
 pub(super) fn reach(state: &mut State, time: u32) {
     if !state.playback.playing && state.playback.sought {

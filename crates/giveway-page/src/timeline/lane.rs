@@ -112,6 +112,18 @@ impl Lane {
         (step.begins <= time).then_some(step)
     }
 
+    /// Whether a step of another plan for this agent is not so in this one: it
+    /// does something else at that time, or never makes that move. A move that
+    /// is made earlier or later is the same.
+    pub fn differs_from(&self, step: &Step) -> bool {
+        let at_once = self.step_at(step.begins);
+        if at_once.is_some_and(|mine| mine.way != step.way) {
+            return true;
+        }
+        let is_move = |mine: &Step| (mine.from, mine.to) == (step.from, step.to);
+        !self.steps.iter().any(is_move)
+    }
+
     /// Where it arrives.
     pub fn end(&self) -> Cell {
         self.steps.last().map_or(self.entry, |step| step.to)
@@ -217,6 +229,41 @@ mod tests {
             assert_eq!(at, (lane.arrival, lane.end()));
             assert_eq!(lane.step_at(lane.arrival), None);
         }
+    }
+
+    /// A lane of moves and waits along a row of cells.
+    fn along(cells: &[u32]) -> Lane {
+        let steps = cells.windows(2).zip(0..).map(|(pair, begins)| Step {
+            way: if pair[0] == pair[1] {
+                Way::Wait
+            } else {
+                Way::Move
+            },
+            begins,
+            ends: begins + 1,
+            from: Cell::new(pair[0], 0),
+            to: Cell::new(pair[1], 0),
+        });
+        let steps: Vec<Step> = steps.collect();
+        Lane {
+            arrival: steps.len() as u32,
+            steps,
+            ..Lane::of(&warehouse(), 0).unwrap()
+        }
+    }
+
+    #[test]
+    fn what_is_done_otherwise_differs_and_what_is_done_later_does_not() {
+        let differing = |one: &Lane, other: &Lane| {
+            let steps = one.steps.iter().filter(|step| other.differs_from(step));
+            steps.map(|step| step.begins).collect::<Vec<_>>()
+        };
+        let (at_once, late) = (along(&[0, 1, 2]), along(&[0, 0, 1, 2]));
+        assert_eq!(differing(&late, &at_once), [0]);
+        assert_eq!(differing(&at_once, &late), [0]);
+        assert_eq!(differing(&late, &late), [0; 0]);
+        let elsewhere = along(&[0, 1, 7]);
+        assert_eq!(differing(&elsewhere, &at_once), [1]);
     }
 
     #[test]

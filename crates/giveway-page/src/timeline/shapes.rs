@@ -41,6 +41,15 @@ impl Row {
         tall: 11.0,
     };
 
+    /// Half of a lane that shows two plans; batteries have no room there.
+    pub const HALF: Self = Self {
+        height: 26.0,
+        bar: 7.0,
+        thick: 12.0,
+        level: 26.0,
+        tall: 0.0,
+    };
+
     /// Where nobody has a battery.
     pub const BARE: Self = Self {
         height: 32.0,
@@ -64,6 +73,7 @@ impl Row {
         match self {
             row if *row == Self::BARE => Some("bare"),
             row if *row == Self::DENSE => Some("dense"),
+            row if *row == Self::HALF => Some("two"),
             _ => None,
         }
     }
@@ -130,6 +140,22 @@ impl Shapes {
         shapes
     }
 
+    /// Frames around the steps of a lane that are not so in another plan.
+    pub fn frames(lane: &Lane, other: &Lane, axis: Axis, row: Row, seen: &Range<u32>) -> String {
+        const BEYOND: f64 = 2.5;
+        let mut frames = String::new();
+        let drawn = |step: &&Step| step.ends >= seen.start && step.begins < seen.end;
+        for step in lane.steps.iter().filter(drawn) {
+            if other.differs_from(step) {
+                let left = axis.x(f64::from(step.begins)) + 1.0 - BEYOND;
+                let width = axis.x(f64::from(step.ends)) - 1.0 + BEYOND - left;
+                let (top, tall) = (row.bar - 4.0, row.thick + 8.0);
+                rounded(&mut frames, left, top, width, tall, 5.0);
+            }
+        }
+        frames
+    }
+
     fn add(&mut self, step: &Step, axis: Axis, row: Row) {
         // A pixel at each end parts a bar from the next.
         let left = axis.x(f64::from(step.begins)) + 1.0;
@@ -175,7 +201,7 @@ impl Shapes {
     }
 
     fn add_level(&mut self, lane: &Lane, axis: Axis, row: Row, seen: &Range<u32>) {
-        let Some(capacity) = lane.capacity else {
+        let Some(capacity) = lane.capacity.filter(|_| row.tall > 0.0) else {
             return;
         };
         let capacity = f64::from(capacity.max(1));
@@ -259,6 +285,22 @@ mod tests {
             "{}",
             all.level
         );
+    }
+
+    #[test]
+    fn half_a_lane_has_frames_and_no_battery() {
+        let lane = Lane::of(&warehouse(), 0).unwrap();
+        let mut other = lane.clone();
+        other.steps[1].to = giveway_model::Cell::new(1, 1);
+        let axis = Axis {
+            times: 19,
+            column: 40.0,
+        };
+        let frames = |seen| Shapes::frames(&lane, &other, axis, Row::HALF, &seen);
+        assert_eq!(frames(0..19).matches('M').count(), 1);
+        assert!(frames(0..19).starts_with("M63.5 3h"), "{}", frames(0..19));
+        assert_eq!(frames(8..19), "");
+        assert_eq!(Shapes::of(&lane, axis, Row::HALF, &(0..19)).level, "");
     }
 
     #[test]

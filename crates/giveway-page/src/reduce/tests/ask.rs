@@ -1,6 +1,7 @@
 //! Questions: asked, answered bit by bit, left, and what is taken from them.
 
 use std::collections::BTreeMap;
+use std::rc::Rc;
 
 use giveway_model::{Cell, Cost, Costs, Plan, Question, Version};
 use giveway_proof::Report;
@@ -165,6 +166,37 @@ fn the_other_plan_is_shown_and_taken() {
     // It costs more than what was proved.
     assert_eq!(answer.solved.status, Status::Feasible);
     assert_eq!(answer.solved.costs.unwrap().charges, 4);
+}
+
+#[test]
+fn where_there_is_room_the_other_plan_is_beside_this_one() {
+    let state = answered(&asked());
+    assert_eq!(state.beside(), None);
+    let wide = after(&state, [Action::SetWide(true)]);
+    let other = wide.asking.as_ref().unwrap().other.clone();
+    assert_eq!(wide.beside(), other.as_ref());
+    assert!(card(&wide).unwrap().other.unwrap().is_beside);
+
+    // A window that grows while the other plan has the place of this one.
+    let grown = after(&state, [Action::ShowOther(true), Action::SetWide(true)]);
+    assert_eq!(grown.shown(), state.answer.as_ref());
+    assert_eq!(grown.beside(), other.as_ref());
+    let left = after(&wide, [Action::CloseQuestion]);
+    assert_eq!(left.beside(), None);
+}
+
+#[test]
+fn two_plans_play_to_the_end_of_the_longer_one() {
+    let mut state = after(&answered(&asked()), [Action::SetWide(true)]);
+    let asking = Rc::make_mut(state.asking.as_mut().unwrap());
+    let mut other = asking.other.as_deref().unwrap().clone();
+    other.solved.costs.as_mut().unwrap().makespan = 20;
+    asking.other = Some(Rc::new(other));
+    assert_eq!(state.last_time(), 20);
+    let end = after(&state, [Action::Seek(99)]);
+    assert_eq!(end.playback.time, 20);
+    let narrow = after(&end, [Action::SetWide(false)]);
+    assert_eq!(narrow.playback.time, 18);
 }
 
 #[test]

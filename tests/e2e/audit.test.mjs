@@ -1,0 +1,130 @@
+// An automated audit in every state of the page, light and dark: no violation.
+
+import assert from "node:assert/strict";
+import { readFileSync } from "node:fs";
+import { createRequire } from "node:module";
+import { describe } from "node:test";
+
+import { flows, sample } from "./flow.mjs";
+
+const AXE = readFileSync(createRequire(import.meta.url).resolve("axe-core/axe.min.js"), "utf8");
+const OPENING = /^Optimal: makespan 18/;
+/** Takes the solver longer than any audit. */
+const HARD = sample("mmapf/A17_mm_20x20_o15_a30.json");
+
+describe("the audit finds nothing", () => {
+  const flow = flows();
+
+  for (const theme of ["light", "dark"]) {
+    // Nothing fades while it is looked at: colours are judged as they stay.
+    const options = { theme, reducedMotion: "reduce" };
+
+    flow(`playing, planned, with a selection, stale, and in dialogs, ${theme}`, async (playground) => {
+      await playground.says(OPENING);
+      await audit(playground, "playing");
+      await playground.pause();
+      await audit(playground, "planned");
+      await playground.press("To start");
+      await playground.showTab("Inspector");
+      for (const [x, y] of [[0, 0], [3, 1]]) {
+        await playground.cell(x, y).click();
+        await audit(playground, `selected ${x}, ${y}`);
+      }
+      await playground.showTab("Plan");
+      await audit(playground, "the plan table");
+      await playground.pick("Obstacle");
+      await playground.cell(0, 1).click();
+      await playground.says(/^The plan is for the scene before the edit/);
+      await audit(playground, "editing");
+      await playground.pick("Agent");
+      await playground.cell(0, 2).click();
+      await playground.says(/now choose its goal/);
+      await audit(playground, "placing an agent");
+      await playground.key("Escape");
+
+      for (const [name, opens] of [["Examples", "Examples"], ["Share", "Share"]]) {
+        await playground.act(opens);
+        await playground.page.getByRole("dialog", { name }).waitFor();
+        await audit(playground, name);
+        await playground.key("Escape");
+      }
+      await playground.key("?");
+      await playground.page.getByRole("dialog", { name: "Keys" }).waitFor();
+      await audit(playground, "the keys");
+      await playground.key("Escape");
+      await playground.openSettings();
+      await audit(playground, "the settings");
+      await playground.closeSettings();
+      await playground.press(playground.isPhone() ? "More" : "Save");
+      await audit(playground, "a menu");
+    }, options);
+
+    flow(`none, asking, and answered, ${theme}`, async (playground) => {
+      await playground.example("No way past");
+      await playground.says(/^No plan, whatever the horizon/);
+      await audit(playground, "none");
+      await ask(playground, /^Why is there no plan\?/);
+      await playground.inspector.getByRole("heading", { name: "What would help" }).waitFor({ timeout: 60_000 });
+      await audit(playground, "why there is none");
+      await playground.example("Who waits?");
+      await playground.says(/^Optimal: makespan 4/);
+      await playground.showTab("Inspector");
+      await playground.inspector.getByRole("button", { name: /^A2\b/ }).first().click();
+      await playground.press("To start");
+      await ask(playground, /^Why does A2 wait at \(3,1\)\?/);
+      await playground.button("Take the other plan").waitFor({ timeout: 60_000 });
+      await playground.button("Solve").waitFor({ timeout: 60_000 });
+      await audit(playground, "answered");
+    }, options);
+
+    flow(`solving, stopped, and asking, ${theme}`, async (playground) => {
+      await playground.openSettings();
+      await playground.set("Time limit, s", 60);
+      await playground.closeSettings();
+      await playground.open(HARD);
+      await playground.press("Solve");
+      await playground.button("Cancel").waitFor();
+      await audit(playground, "solving");
+      await playground.button("Cancel").waitFor();
+      await playground.press("Cancel");
+      await playground.openSettings();
+      await playground.set("Time limit, s", 3);
+      await playground.closeSettings();
+      await playground.press("Solve");
+      await playground.says(/^Best plan so far/);
+      await audit(playground, "stopped");
+      await playground.openSettings();
+      await playground.set("Time limit, s", 60);
+      await playground.closeSettings();
+      await ask(playground, /^Why does it take this long\?/);
+      await playground.button("Cancel").waitFor();
+      await audit(playground, "asking");
+      await playground.button("Cancel").waitFor();
+      await playground.press("Cancel");
+    }, options);
+  }
+});
+
+async function ask(playground, question) {
+  if (await playground.page.getByRole("tab").count()) {
+    await playground.showTab("Inspector");
+  }
+  await playground.inspector.getByRole("button", { name: question }).first().click();
+}
+
+/** Fails with every violation that the page has as it is now. */
+async function audit({ page }, state) {
+  // Through the driver: the page's own policy lets no foreign script in.
+  if (!await page.evaluate(() => "axe" in window)) {
+    await page.evaluate(AXE);
+  }
+  const violations = await page.evaluate(async () => {
+    const { violations } = await window.axe.run(document, { resultTypes: ["violations"] });
+    return violations.map(({ id, help, nodes }) => ({
+      id,
+      help,
+      nodes: nodes.slice(0, 5).map(({ html, failureSummary }) => `${html.slice(0, 200)}: ${failureSummary}`),
+    }));
+  });
+  assert.deepEqual(violations, [], state);
+}

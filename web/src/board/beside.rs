@@ -1,0 +1,78 @@
+//! A plan beside the one on the board: the same map, the same clock, the same
+//! part of the map in sight. It is looked at; what is done, is done on the board.
+
+use std::rc::Rc;
+
+use giveway_page::board::{Camera, Cast, Window};
+use web_sys::KeyboardEvent;
+use yew::prelude::*;
+
+use super::cells::Cells;
+use super::viewport::use_viewport;
+use super::{cells, layers, square, view_box};
+use crate::Shown;
+
+/// Which plan, on the map of which state.
+#[derive(Clone, PartialEq, Properties)]
+pub(crate) struct BesideProps {
+    /// The name of its grid; no two on the page have the same.
+    pub(crate) name: &'static str,
+    /// The map, the time, the cell of the keyboard.
+    pub(crate) state: Shown,
+    /// The agents by the plan.
+    pub(crate) cast: Rc<Cast>,
+    /// The same agents by the plan that it is compared with.
+    pub(crate) versus: Option<Rc<Cast>>,
+    /// What is in sight; else all of the map.
+    #[prop_or_default]
+    pub(crate) camera: Camera,
+    /// Takes the keys that move the cell of the keyboard.
+    #[prop_or_default]
+    pub(crate) onkeydown: Callback<KeyboardEvent>,
+}
+
+/// The grid of that plan, as large as the room that it gets.
+#[component]
+pub(crate) fn Beside(props: &BesideProps) -> Html {
+    let BesideProps {
+        name,
+        state,
+        cast,
+        versus,
+        camera,
+        onkeydown,
+    } = props;
+    let area = use_node_ref();
+    let board = (state.world().grid().width(), state.world().grid().height());
+    let viewport = use_viewport(&area, board);
+    let frame = viewport.frame_of(camera, board);
+    let cursor = state.cursor;
+    let onkeydown = {
+        let onkeydown = onkeydown.clone();
+        move |event: KeyboardEvent| {
+            // Nothing is done here: the tool is applied on the board.
+            if !matches!(event.key().as_str(), "Enter" | " ") {
+                onkeydown.emit(event);
+            }
+        }
+    };
+    html! {
+        <div class="bd" ref={area}>
+            <svg class={classes!("map", frame.detail().class(), (!camera.is_fit()).then_some("near"))}
+                role="grid" aria-label={*name} tabindex="0"
+                aria-rowcount={board.1.to_string()} aria-colcount={board.0.to_string()}
+                aria-activedescendant={cells::id(name, cursor)}
+                viewBox={view_box(&frame)} {onkeydown}>
+                { layers(state, cast, versus.as_ref(), frame) }
+                <Cells
+                    of={*name}
+                    draft={Rc::clone(state.world())}
+                    cast={Rc::clone(cast)}
+                    time={state.playback.time}
+                    window={Window::around(cursor, &frame, board)}
+                    selection={state.selection} />
+                <g aria-hidden="true">{ square("cursor", cursor, 2) }</g>
+            </svg>
+        </div>
+    }
+}

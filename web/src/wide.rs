@@ -1,0 +1,25 @@
+//! Whether there is room for two boards side by side.
+
+use giveway_page::Action;
+use gloo::events::EventListener;
+use yew::prelude::*;
+
+/// Wider than a phone: as in the style sheets.
+const WIDE: &str = "(min-width: 721px)";
+
+/// Tells the state how much room there is, now and when that changes.
+#[hook]
+pub(crate) fn use_wide(send: &Callback<Action>) {
+    let send = send.clone();
+    use_effect_with((), move |()| {
+        let query = gloo::utils::window().match_media(WIDE).ok().flatten();
+        let listener = query.map(|query| {
+            send.emit(Action::SetWide(query.matches()));
+            let asked = query.clone();
+            EventListener::new(&query, "change", move |_| {
+                send.emit(Action::SetWide(asked.matches()));
+            })
+        });
+        move || drop(listener)
+    });
+}
