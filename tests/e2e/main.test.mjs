@@ -129,6 +129,9 @@ function steps([column, row]) {
 
 /** Which of the two agents of the example waits, where it starts, and how it is asked about. */
 async function waits(playground) {
+  if (playground.isPhone()) {
+    await playground.page.getByRole("tab", { name: "Timeline" }).tap();
+  }
   const starts = { A1: [2, 2], A2: [3, 1] };
   const lane = /^(A[12]): .*1 wait/;
   const all = playground.page.getByRole("img", { includeHidden: true });

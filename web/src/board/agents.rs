@@ -74,7 +74,8 @@ fn agent_shape(props: &AgentsProps, agent: usize) -> Html {
     let selection = html! {
         <>
             if props.versus.is_some() {
-                <circle class="diffring" r="47" />
+                // Around the ring of the selection.
+                <circle class="diffring" r={if is_selected { "54" } else { "47" }} />
             }
             if is_selected {
                 <circle class="selring" r="47" />

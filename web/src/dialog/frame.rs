@@ -14,6 +14,9 @@ pub(super) struct FrameProps {
     /// Whether it holds little.
     #[prop_or_default]
     pub(super) narrow: bool,
+    /// Whether nothing in it takes the focus: then keys must be able to scroll it.
+    #[prop_or_default]
+    pub(super) reads: bool,
     /// Called when it was closed.
     pub(super) on_close: Callback<()>,
     /// What is in it.
@@ -26,6 +29,7 @@ pub(super) fn Frame(props: &FrameProps) -> Html {
     let FrameProps {
         title,
         narrow,
+        reads,
         on_close,
         children,
     } = props;
@@ -66,7 +70,8 @@ pub(super) fn Frame(props: &FrameProps) -> Html {
                     <Icon name="cancel" /><span class="vh">{ "Close" }</span>
                 </button>
             </header>
-            <div class="dialog-body">{ children.clone() }</div>
+            <div class="dialog-body" tabindex={reads.then_some("0")} role={reads.then_some("group")}
+                aria-labelledby={reads.then_some("dialog-title")}>{ children.clone() }</div>
         </dialog>
     }
 }

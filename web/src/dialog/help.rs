@@ -15,7 +15,7 @@ pub(crate) struct HelpProps {
 #[component]
 pub(crate) fn Help(props: &HelpProps) -> Html {
     html! {
-        <Frame title="Keys" on_close={props.on_close.clone()}>
+        <Frame title="Keys" reads=true on_close={props.on_close.clone()}>
             { for HELP.iter().map(|(title, rows)| group(title, rows)) }
         </Frame>
     }

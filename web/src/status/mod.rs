@@ -57,7 +57,7 @@ pub(crate) fn StatusBar(props: &StatusBarProps) -> Html {
             <Live {standing} />
             <div class="solve" ref={around}>
                 <button class="obj" title="Objective, rules and limits"
-                    aria-label={format!("Settings: {}", costs.join(" then "))}
+                    aria-label={format!("Settings: {}", objective_words(&costs))}
                     aria-expanded={open.to_string()} onclick={toggle}>
                     <Icon name="settings" />
                     { objective(&costs) }
@@ -91,9 +91,19 @@ fn objective(costs: &[&'static str]) -> Html {
     html! {
         <>
             <span>{ first }</span>
-            { for told.map(|&cost| html! { <><em>{ "then" }</em><span>{ cost }</span></> }) }
-            if !more.is_empty() { <em>{ format!("and {} more", more.len()) }</em> }
+            { for told.map(|&cost| html! { <><em>{ " then " }</em><span>{ cost }</span></> }) }
+            if !more.is_empty() { <em>{ format!(" and {} more", more.len()) }</em> }
         </>
+    }
+}
+
+/// The same in words: a name must hold what is seen.
+fn objective_words(costs: &[&'static str]) -> String {
+    let (told, more) = costs.split_at(costs.len().min(3));
+    let told = told.join(" then ");
+    match more.len() {
+        0 => told,
+        more => format!("{told} and {more} more"),
     }
 }
 

@@ -153,6 +153,7 @@ pub(super) fn Plan(props: &PlanProps) -> Html {
                 </div>
             </div>
             <div class={classes!("tblwrap", (!state.view.table).then_some("closed"), gutter)} id="plan-table" ref={table_ref.clone()}
+                role="group" aria-label="Plan table" tabindex="0"
                 onscroll={scrolled(&table_ref, &lanes_ref)}>
                 <PlanTable lanes={lanes.clone()} {axis} label={seen.label} columns={seen.columns.clone()} rows={seen.rows.clone()}
                     beyond={seen.beyond_rows(extent)} {time} />
