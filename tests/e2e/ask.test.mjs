@@ -46,6 +46,8 @@ describe("asking why", () => {
   flow("shows the other plan on a board of its own, dark and on a tablet too", async (playground, { page }) => {
     await playground.example("Who waits?");
     await playground.says(/^Optimal: makespan 4/);
+    await playground.press("To start");
+    await playground.reaches(0);
     await about(playground, "A2");
     await ask(playground, /^Why does A2 wait at \(3,1\)\?/);
     await playground.other.waitFor();

@@ -47,7 +47,7 @@ pub(crate) fn StatusBar(props: &StatusBarProps) -> Html {
     let standing = words::standing(state);
     let badge = standing.badge;
     html! {
-        <section class="status">
+        <section class="status" aria-label="Status">
             <p class="status-line" aria-hidden="true">
                 <span class={classes!("badge", badge.class())}>
                     <Icon name={badge.icon()} />{ badge.word() }
