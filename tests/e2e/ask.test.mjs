@@ -51,7 +51,6 @@ describe("asking why", () => {
     await about(playground, "A2");
     await ask(playground, /^Why does A2 wait at \(3,1\)\?/);
     await playground.other.waitFor();
-    await playground.press("To start");
     await playground.press("Step forward");
     await playground.cellTells(2, 2, /A1/, playground.other);
     await playground.picture("beside-dark");

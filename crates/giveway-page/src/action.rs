@@ -67,6 +67,10 @@ pub enum Action {
     SetSeconds(u32),
     /// Whether every edit is solved at once.
     SetSolveOnChange(bool),
+    /// Whether all plans of the Pareto front are sought.
+    SetFront(bool),
+    /// Show a plan of the front, by its number.
+    ShowPoint(usize),
 
     /// Solve the scene on the board.
     Solve,

@@ -25,6 +25,7 @@ mod edit;
 pub mod examples;
 pub mod files;
 pub mod form;
+pub mod front;
 mod ground;
 mod history;
 pub mod inspect;

@@ -15,6 +15,9 @@ pub struct Settings {
     pub solve_on_change: bool,
     /// The methods to try where the world changes.
     pub methods: Choice,
+    /// Whether all plans of the Pareto front are sought, where the objective has
+    /// one.
+    pub front: bool,
 }
 
 impl Default for Settings {
@@ -24,6 +27,7 @@ impl Default for Settings {
             seconds: 30,
             solve_on_change: false,
             methods: Choice::default(),
+            front: false,
         }
     }
 }

@@ -11,6 +11,7 @@ use giveway_solve::{CertifyRequest, Request, SolveRequest, Status};
 
 use crate::changing::Changing;
 use crate::course::World;
+use crate::front::Front;
 use crate::link::Linked;
 use crate::things::{Hold, Thing, fresh_name};
 use crate::{Answer, Asking, Draft, Fill, History, Playback, Settings, Tool, View};
@@ -22,6 +23,9 @@ pub struct State {
     pub draft: Rc<Draft>,
     /// The last answer; it may be of another draft, see [`State::is_stale`].
     pub answer: Option<Rc<Answer>>,
+    /// The Pareto front that was found last; it may be of another draft, see
+    /// [`State::front()`].
+    pub(crate) front: Option<Rc<Front>>,
     /// The question that was asked last, until it is left.
     pub asking: Option<Rc<Asking>>,
     /// What changes in the world while the plan runs, until that is adopted or
@@ -249,6 +253,7 @@ impl State {
         Self {
             draft: Rc::new(draft),
             answer: None,
+            front: None,
             asking: None,
             changing: None,
             checked: None,
@@ -452,6 +457,9 @@ impl State {
                 None => Phase::Changing,
                 Some(_) => Phase::Comparing,
             };
+        }
+        if self.own_front().is_some_and(Front::is_whole) {
+            return Phase::Planned;
         }
         match self.fresh_answer().map(|answer| answer.solved.status) {
             None => Phase::Editing,

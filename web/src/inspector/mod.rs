@@ -6,6 +6,7 @@ mod answer;
 mod cell;
 mod change;
 mod edit;
+mod front;
 mod proof;
 mod questions;
 mod whole;

@@ -7,7 +7,7 @@ use giveway_page::inspect::{CostFacts, whole};
 use giveway_page::{Action, Answer, Draft, Selection, Work};
 use yew::prelude::*;
 
-use super::{change, edit, proof};
+use super::{change, edit, front, proof};
 use crate::{Glyph, Icon, Shown};
 
 /// So many agents are listed at first, and with every press of `More`.
@@ -35,6 +35,7 @@ pub(super) fn show(state: &Shown, send: &Callback<Action>) -> Html {
                 </section>
             }
             { change::history(&past, false) }
+            { front::show(state, send) }
             { edit::whole(state, send) }
             <Agents draft={Rc::clone(state.world())} {is_there} answer={state.answer.clone()} send={send.clone()} />
         </>

@@ -54,6 +54,7 @@ pub(crate) fn SettingsCard(props: &SettingsCardProps) -> Html {
             <fieldset>
                 <legend>{ "Objective" }</legend>
                 <Order objective={scene.objective.clone()} send={send.clone()} />
+                { switch("Pareto front of two or three costs", settings.front, send, Action::SetFront) }
             </fieldset>
             <fieldset>
                 <legend>{ "At its goal an agent" }</legend>
@@ -76,7 +77,7 @@ pub(crate) fn SettingsCard(props: &SettingsCardProps) -> Html {
                        Only plans within the horizon count; empty leaves it to the solver." }
                 </p>
             </fieldset>
-            <fieldset>{ on_change(settings.solve_on_change, send) }</fieldset>
+            <fieldset>{ switch("Solve on every change", settings.solve_on_change, send, Action::SetSolveOnChange) }</fieldset>
         </div>
     }
 }
@@ -96,16 +97,21 @@ fn arrival(at_goal: AtGoal, send: &Callback<Action>) -> Html {
     }
 }
 
-fn on_change(on: bool, send: &Callback<Action>) -> Html {
-    let change = send.reform(|event: Event| {
+fn switch(
+    name: &'static str,
+    on: bool,
+    send: &Callback<Action>,
+    action: fn(bool) -> Action,
+) -> Html {
+    let change = send.reform(move |event: Event| {
         let input: HtmlInputElement = event.target_unchecked_into();
-        Action::SetSolveOnChange(input.checked())
+        action(input.checked())
     });
     html! {
         <label class="switch">
             <input type="checkbox" role="switch" checked={on} onchange={change} />
             <i></i>
-            { "Solve on every change" }
+            { name }
         </label>
     }
 }

@@ -70,6 +70,10 @@ pub fn whole(state: &State) -> Whole {
         whole.work = Some(work_done(run.size)).filter(|text| !text.is_empty());
     } else if let Some(answer) = &state.answer {
         tell(&mut whole, answer);
+        if state.own_front().is_some() {
+            // What is claimed is claimed of the front, and said with it.
+            whole.claims.clear();
+        }
         if state.is_stale() {
             whole
                 .claims

@@ -64,6 +64,8 @@ fn step(state: &mut State, action: Action) {
         Action::SetWithin(within) => state.settings.within = within,
         Action::SetSeconds(seconds) => state.settings.seconds = seconds.max(1),
         Action::SetSolveOnChange(on) => state.settings.solve_on_change = on,
+        Action::SetFront(on) => state.settings.front = on,
+        Action::ShowPoint(point) => solve::show_point(state, point),
 
         Action::Solve => solve::start(state),
         Action::Cancel => solve::cancel(state),

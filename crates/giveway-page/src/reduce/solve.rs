@@ -9,6 +9,7 @@ use std::rc::Rc;
 
 use giveway_solve::{Limits, Progress, Refusal, Response, SolveRequest};
 
+use crate::front::{Front, has_front};
 use crate::history::Moment;
 use crate::{Answer, Notice, Run, Size, State, Work};
 
@@ -31,6 +32,7 @@ pub(super) fn start(state: &mut State) {
     state.runs += 1;
     let request = SolveRequest {
         scene: state.draft.scene().clone(),
+        pareto: state.settings.front && has_front(&state.draft.scene().objective),
         within: state.settings.within,
         limits: Limits {
             seconds: Some(f64::from(state.settings.seconds)),
@@ -96,6 +98,8 @@ pub(super) fn progress(state: &mut State, id: u64, event: Progress) {
     };
     match event {
         Progress::Explained { .. } | Progress::Certifying { .. } => {}
+        // It is proved under limits on the other costs, of one point of the front.
+        Progress::Bound { .. } if run.request.pareto => {}
         Progress::Bound { cost, at_least } => {
             let bound = run.bounds.entry(cost).or_insert(at_least);
             *bound = at_least.max(*bound);
@@ -164,14 +168,36 @@ pub(super) fn respond(state: &mut State, id: u64, response: Response) {
                 };
                 state.history.record(before);
             }
-            state.playback.time = 0;
-            state.playback.playing = answer.makespan() > 0;
-            state.playback.sought = false;
-            state.answer = Some(Rc::new(answer));
+            state.front = None;
+            play_from_start(state, Rc::new(answer));
+        }
+        Response::Front(front) => {
+            let front = Front::new(run.draft, &run.request, front);
+            let first = front.first(&run.request);
+            state.front = Some(Rc::new(front));
+            play_from_start(state, first);
         }
         Response::Refused(refusal) => refused(state, "The solver refused the scene.", &refusal),
         _ => {}
     }
+}
+
+fn play_from_start(state: &mut State, answer: Rc<Answer>) {
+    state.playback.time = 0;
+    state.playback.playing = answer.makespan() > 0;
+    state.playback.sought = false;
+    state.answer = Some(answer);
+}
+
+/// Shows a plan of the front, at the same time as far as it goes.
+pub(super) fn show_point(state: &mut State, point: usize) {
+    let points = state.front().map(|front| &front.points);
+    let Some(answer) = points.and_then(|points| points.get(point)).cloned() else {
+        return;
+    };
+    super::ask::close(state);
+    state.answer = Some(answer);
+    state.playback.time = state.playback.time.min(state.last_time());
 }
 
 fn refused(state: &mut State, sentence: &str, refusal: &Refusal) {

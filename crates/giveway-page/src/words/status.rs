@@ -1,11 +1,13 @@
 //! Where the page stands: one badge and one sentence.
 
 use std::collections::BTreeMap;
+use std::rc::Rc;
 
 use giveway_model::{Cost, Costs, Objective};
 use giveway_solve::{SolveAnswer, Status};
 
 use super::costs::{name, value, values};
+use crate::front::Front;
 use crate::{Answer, Asking, Run, State, Work, proof};
 
 /// What stands before the sentence: an icon and one word, never a colour alone.
@@ -162,12 +164,36 @@ pub fn standing(state: &State) -> Standing {
         };
         return say(badge, super::change::adopted(answer));
     }
+    if let Some(front) = state.own_front() {
+        return on_front(front, answer);
+    }
     let badge = match answer.solved.status {
         Status::Optimal => Badge::Proved,
         Status::Impossible => Badge::Impossible,
         Status::Feasible | Status::Unknown => Badge::Stopped,
     };
     say(badge, answered(answer))
+}
+
+/// `On the Pareto front of 3 plans: makespan 18, sum of costs 35.`
+fn on_front(front: &Front, answer: &Rc<Answer>) -> Standing {
+    let plans = super::count(front.points.len(), "plan");
+    let costs = front.name(front.place_of(answer).unwrap_or_default());
+    let (badge, what) = if front.is_whole() {
+        (
+            Badge::Proved,
+            format!("On the Pareto front of {plans}: {costs}."),
+        )
+    } else {
+        (
+            Badge::Stopped,
+            format!("On the Pareto front, {plans} so far: {costs}."),
+        )
+    };
+    Standing {
+        badge,
+        sentence: what,
+    }
 }
 
 /// `Asking: why does A1 wait at (3,1)?`, and how far the answer is.

@@ -1,0 +1,65 @@
+//! The Pareto front: a plot whose points are plans, and each of them as a button.
+
+use giveway_page::front::Plot;
+use giveway_page::{Action, State};
+use yew::prelude::*;
+
+/// Left of the points and above them: room for their halves and the numbers.
+const LEFT: u32 = 40;
+const TOP: u32 = 14;
+
+/// The front of the scene on the board, where one was found.
+pub(super) fn show(state: &State, send: &Callback<Action>) -> Html {
+    let Some(front) = state.front().filter(|front| !front.points.is_empty()) else {
+        return Html::default();
+    };
+    let chosen = state.answer.as_ref();
+    let chosen = chosen.and_then(|answer| front.place_of(answer));
+    let one = |point: usize| {
+        let is_chosen = chosen == Some(point);
+        html! {
+            <li><button type="button" class="choice" aria-pressed={is_chosen.to_string()}
+                onclick={send.reform(move |_| Action::ShowPoint(point))}>
+                <span>{ front.name(point) }</span>
+            </button></li>
+        }
+    };
+    html! {
+        <section class="front">
+            <h3>{ "Pareto front" }</h3>
+            { plot(&front.plot(), chosen, send) }
+            <ul class="choices" aria-label="Pareto front">{ for (0..front.points.len()).map(one) }</ul>
+            <p class="remark">{ front.claim() }</p>
+        </section>
+    }
+}
+
+/// The picture: what its points are is said by the buttons below it.
+fn plot(plot: &Plot, chosen: Option<usize>, send: &Callback<Action>) -> Html {
+    let (width, height) = Plot::ROOM;
+    let (right, bottom) = (LEFT + width, TOP + height);
+    let point = |(at, &(x, y)): (usize, &(u32, u32))| {
+        let class = classes!("pt", (chosen == Some(at)).then_some("on"));
+        html! {
+            <circle {class} cx={(LEFT + x).to_string()} cy={(TOP + y).to_string()} r="7"
+                onclick={send.reform(move |_| Action::ShowPoint(at))} />
+        }
+    };
+    let text = |x: u32, y: u32, anchor: &'static str, text: String| {
+        html! { <text x={x.to_string()} y={y.to_string()} text-anchor={anchor}>{ text }</text> }
+    };
+    let [least, most] = plot.across;
+    let [low, high] = plot.up;
+    html! {
+        <svg class="plot" viewBox={format!("0 0 {} {}", right + 20, bottom + 36)} aria-hidden="true">
+            <path d={format!("M{0} {TOP}V{1}H{right}", LEFT - 14, bottom + 10)} />
+            { text(LEFT - 20, bottom + 4, "end", low.to_string()) }
+            if high > low { { text(LEFT - 20, TOP + 4, "end", high.to_string()) } }
+            { text(LEFT, bottom + 26, "middle", least.to_string()) }
+            if most > least { { text(right, bottom + 26, "middle", most.to_string()) } }
+            { text(LEFT + width / 2, bottom + 26, "middle", plot.titles[0].to_owned()) }
+            { text(LEFT - 8, TOP - 3, "start", plot.titles[1].to_owned()) }
+            { for plot.points.iter().enumerate().map(point) }
+        </svg>
+    }
+}
