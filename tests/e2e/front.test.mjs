@@ -38,7 +38,9 @@ describe("the Pareto front", () => {
     }
     await points.last().click();
     await playground.says(new RegExp(`front of ${count} plans: ${names.at(-1)}\\.`));
+    await playground.showTab("Timeline");
     assert.equal(await playground.time.getAttribute("aria-valuemax"), String(values.at(-1)[0]));
+    await playground.showTab("Inspector");
     assert.equal(await points.last().getAttribute("aria-pressed"), "true");
     await playground.picture("front");
     // A front is of its scene: an edit hides it, and undoing that brings it back.
