@@ -6,7 +6,7 @@ use yew::prelude::*;
 
 /// Left of the points and above them: room for their halves and the numbers.
 const LEFT: u32 = 40;
-const TOP: u32 = 14;
+const TOP: u32 = 34;
 
 /// The front of the scene on the board, where one was found.
 pub(super) fn show(state: &State, send: &Callback<Action>) -> Html {
@@ -58,7 +58,7 @@ fn plot(plot: &Plot, chosen: Option<usize>, send: &Callback<Action>) -> Html {
             { text(LEFT, bottom + 26, "middle", least.to_string()) }
             if most > least { { text(right, bottom + 26, "middle", most.to_string()) } }
             { text(LEFT + width / 2, bottom + 26, "middle", plot.titles[0].to_owned()) }
-            { text(LEFT - 8, TOP - 3, "start", plot.titles[1].to_owned()) }
+            { text(LEFT - 20, TOP - 22, "start", plot.titles[1].to_owned()) }
             { for plot.points.iter().enumerate().map(point) }
         </svg>
     }
