@@ -48,6 +48,7 @@ mod things;
 pub mod timeline;
 mod tool;
 pub mod words;
+mod work;
 
 pub use action::Action;
 pub use answer::Answer;
@@ -60,7 +61,6 @@ pub use problems::Problem;
 pub use reduce::reduce;
 pub use reserve::Reserve;
 pub use settings::{Settings, Tab, Theme, View};
-pub use state::{
-    Adapting, Certifying, Inquiry, Notice, Phase, Placing, Run, Selection, Size, State, Work,
-};
+pub use state::{Notice, Phase, Placing, Selection, State};
 pub use tool::Tool;
+pub use work::{Adapting, Certifying, Inquiry, Run, Size, Work};

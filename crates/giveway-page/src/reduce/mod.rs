@@ -9,6 +9,7 @@ mod solve;
 mod stroke;
 #[cfg(test)]
 pub(crate) mod tests;
+mod touch;
 
 use giveway_model::Cell;
 
@@ -114,7 +115,7 @@ fn step(state: &mut State, action: Action) {
 /// Whether the tool that selects can move what is on a cell of the changing
 /// world.
 pub(crate) fn can_hold(state: &State, changing: &Changing, cell: Cell) -> bool {
-    change::held(state, changing, cell).is_some()
+    touch::held(state, changing, cell).is_some()
 }
 
 /// What is selected has the inspector: a question makes way for it.

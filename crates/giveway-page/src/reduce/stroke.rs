@@ -34,7 +34,7 @@ pub(super) fn press(state: &mut State, cell: Cell) {
     let cell = state.draft.clamp(cell);
     state.cursor = cell;
     if state.changing.is_some() {
-        return super::change::press(state, cell);
+        return super::touch::press(state, cell);
     }
     match state.tool {
         Tool::Select => {
@@ -156,7 +156,7 @@ pub(super) fn drag(state: &mut State, cell: Cell) {
         return;
     }
     if state.changing.is_some() {
-        return super::change::drag(state, cell);
+        return super::touch::drag(state, cell);
     }
     let Some(stroke) = &mut state.stroke else {
         return;
@@ -205,7 +205,7 @@ pub(super) fn release(state: &mut State) {
             place(state);
         }
     }
-    super::change::release(state);
+    super::touch::release(state);
     let Some(stroke) = state.stroke.take() else {
         return;
     };
@@ -231,7 +231,7 @@ fn place(state: &mut State) {
         return;
     };
     if state.changing.is_some() {
-        return super::change::join(state, start, goal);
+        return super::touch::join(state, start, goal);
     }
     let count = state.draft.agents().len();
     edit::change(state, |scene| {
@@ -251,7 +251,7 @@ fn place(state: &mut State) {
 /// Leaves a stroke or a placing as if it had never begun.
 pub(super) fn abandon(state: &mut State) {
     state.placing = None;
-    super::change::abandon(state);
+    super::touch::abandon(state);
     if let Some(stroke) = state.stroke.take() {
         let present = std::mem::replace(&mut state.draft, stroke.before);
         edit::reselect(state, &present);
