@@ -5,6 +5,7 @@ import { readFileSync } from "node:fs";
 import { createRequire } from "node:module";
 import { describe } from "node:test";
 
+import { adapt, begin, join, running } from "./change.mjs";
 import { flows, sample } from "./flow.mjs";
 
 const AXE = readFileSync(createRequire(import.meta.url).resolve("axe-core/axe.min.js"), "utf8");
@@ -75,6 +76,21 @@ describe("the audit finds nothing", () => {
       await playground.button("Take the other plan").waitFor({ timeout: 60_000 });
       await playground.button("Solve").waitFor({ timeout: 60_000 });
       await audit(playground, "answered");
+    }, options);
+
+    flow(`changing, comparing, and adopted, ${theme}`, async (playground) => {
+      await running(playground);
+      await begin(playground);
+      await playground.showTab("Inspector");
+      await audit(playground, "nothing changed yet");
+      await join(playground, [2, 2], [1, 0]);
+      await playground.says(/1 change listed/);
+      await audit(playground, "changing");
+      await adapt(playground);
+      await audit(playground, "comparing");
+      await playground.page.getByRole("button", { name: /^Adopt/ }).first().click();
+      await playground.says(/^The world changed at time 1/);
+      await audit(playground, "adopted");
     }, options);
 
     flow(`solving, stopped, and asking, ${theme}`, async (playground) => {

@@ -5,30 +5,9 @@ import assert from "node:assert/strict";
 import { readFileSync } from "node:fs";
 import { describe } from "node:test";
 
-import { flows, sample } from "./flow.mjs";
+import { adapt, begin, join, running } from "./change.mjs";
+import { flows } from "./flow.mjs";
 import { eventually } from "./wait.mjs";
-
-/** The example of the literature with the paper's plan, at time 1. */
-async function running(playground) {
-  const file = (name) => ({ name: `${name}.json`, bytes: readFileSync(sample(`seed/dynamic-3x3${name}.json`)) });
-  await playground.open(file(""), file(".plan"));
-  await playground.says(/^Best plan so far: makespan 4/);
-  await playground.press("Step forward");
-  await playground.reaches(1);
-}
-
-/** The world changes at the time shown. */
-async function begin(playground) {
-  await playground.page.getByRole("button", { name: /^Change (the world )?here/ }).first().click();
-  await playground.says(/^The world changes at time/);
-}
-
-/** A3 joins by the tool, from one cell to another. */
-async function join(playground, from, to) {
-  await playground.pick("Agent");
-  await playground.cell(...from).waitFor();
-  await playground.stroke(from, to);
-}
 
 function changes(playground) {
   return playground.inspector.getByRole("region", { name: "Changes" }).getByRole("listitem");
@@ -42,11 +21,6 @@ function lists(playground, ...texts) {
 
 function column(playground, name) {
   return playground.page.getByRole("article", { name, exact: true });
-}
-
-async function adapt(playground) {
-  await playground.press("Adapt");
-  await playground.says(/^At time \d+: /);
 }
 
 async function inspect(playground) {

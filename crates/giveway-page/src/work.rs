@@ -53,7 +53,7 @@ impl Work {
 }
 
 /// A question on its way to an answer; what is known stands in
-/// [`State::asking`].
+/// [`State::asking`](crate::State::asking).
 #[derive(Clone, Debug, PartialEq)]
 pub struct Inquiry {
     /// The number of the run, from 1.

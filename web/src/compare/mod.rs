@@ -41,7 +41,7 @@ fn column(index: usize, facts: &Column, send: &Callback<Action>) -> Html {
     html! {
         <article key={index} class={classes!("col", facts.is_chosen.then_some("best"))} aria-label={title.clone()}>
             <header>
-                <h3>{ title.clone() }</h3>
+                <h2>{ title.clone() }</h2>
                 if facts.is_least {
                     <span class="badge proved"><Icon name="proved" />{ "Lowest cost" }</span>
                 }
