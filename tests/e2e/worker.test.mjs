@@ -2,6 +2,7 @@
 
 import { describe } from "node:test";
 
+import { bytes, files } from "./dist.mjs";
 import { flows } from "./flow.mjs";
 import { eventually } from "./wait.mjs";
 
@@ -44,12 +45,11 @@ describe("a broken worker", () => {
   flow("that breaks off is replaced, and the scene stays", async (playground, { context, page }) => {
     await playground.says(OPENING);
     // The next one answers its first request with an exception.
-    await context.route(LOADER, async (route) => {
-      const response = await route.fetch();
-      const fault = 'addEventListener("message", ({ data }) => { if (!data.module) throw new Error("out of order"); });';
-      const body = `${await response.text()}\n;${fault}`;
-      await route.fulfill({ response, body });
-    });
+    const fault = 'addEventListener("message", ({ data }) => { if (!data.module) throw new Error("out of order"); });';
+    const loader = files().find((path) => /(^|\/)worker-[^/]*\.js$/.test(path));
+    const body = `${bytes(loader)}\n;${fault}`;
+    // Answered at once: what is still on its way when a route ends is answered twice.
+    await context.route(LOADER, (route) => route.fulfill({ body, contentType: "text/javascript" }));
     await playground.example("Thirty robots");
     await playground.button("Cancel").waitFor();
     const broken = page.waitForEvent("worker");
