@@ -32,13 +32,11 @@ async fn keys_go_to_a_cell_and_apply_the_tool() {
     let board = stage.find("[role=grid]").await;
     press(&board, "ArrowRight");
     press(&board, "Enter");
-    let at = Cell::new(3, 1);
-    let expect = [
-        Action::MoveCursor(Cell::new(4, 1)),
-        Action::Press(at),
-        Action::Release,
-    ];
-    assert_eq!(stage.sent(), expect);
+    let step = Action::StepCursor {
+        by: (1, 0),
+        carries: false,
+    };
+    assert_eq!(stage.sent(), [step, Action::UseTool]);
 }
 
 #[wasm_bindgen_test]
