@@ -65,6 +65,7 @@ export function flows() {
           if (!complains) {
             assertQuiet(complaints);
           }
+          await playground.fits();
         } catch (error) {
           await playground.picture(`failed-${name.replaceAll(/\W+/g, "-")}`).catch(() => undefined);
           throw error;

@@ -1,5 +1,7 @@
 // The playground as a person finds it: by roles and names, never by classes.
 
+import assert from "node:assert/strict";
+
 import { eventually } from "./wait.mjs";
 
 /** The page's places and the things a person does there. */
@@ -124,6 +126,12 @@ export class Playground {
   async middleOf(x, y) {
     const box = await this.cell(x, y).boundingBox();
     return { x: box.x + box.width / 2, y: box.y + box.height / 2 };
+  }
+
+  /** The page as a whole never scrolls: a stroke or a focus could move it away from its window. */
+  async fits() {
+    const [found, window] = await this.page.evaluate(() => [document.documentElement.scrollHeight, innerHeight]);
+    assert.ok(found <= window, `the page is ${found} high, its window ${window}`);
   }
 
   /** Picks a tool. */
