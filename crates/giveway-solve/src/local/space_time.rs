@@ -117,7 +117,9 @@ impl Search<'_, '_> {
         let Some(first) = task.first() else {
             return Ok(None);
         };
-        self.push(first, 0, collisions, NO_PARENT);
+        if let Some(bound) = self.bound(first, 0) {
+            self.push(first, (0, bound), collisions, NO_PARENT);
+        }
         let mut effort = self.query.effort;
         while let Some(Reverse(((_, collisions, _, id), ends))) = self.heap.pop() {
             meter.tick()?;
@@ -179,42 +181,51 @@ impl Search<'_, '_> {
         });
     }
 
+    /// What is cheap to know is asked first: most ways are too long.
     fn reach(&mut self, to: task::State, time: u32, collisions: u32, parent: u32) {
+        let Some(bound) = self.bound(to, time) else {
+            return;
+        };
+        if self.is_known(to, time, collisions) {
+            return;
+        }
         let met = match to.place {
             Place::At(v) => self.count(self.others.at(time, v)),
             Place::Along(_) => 0,
         };
         if self.query.price.is_some() || collisions + met == 0 {
-            self.push(to, time, collisions + met, parent);
+            self.push(to, (time, bound), collisions + met, parent);
         }
     }
 
-    fn push(&mut self, to: task::State, time: u32, collisions: u32, parent: u32) {
+    /// The earliest arrival from a state, if that is early enough.
+    fn bound(&self, to: task::State, time: u32) -> Option<u32> {
+        let task = &self.problem.tasks[self.query.agent];
+        let (arrival, delay) = match to.place {
+            Place::At(v) => (v, 0),
+            Place::Along(arc) => (self.problem.terrain.ends(arc).1, 1),
+        };
+        let to_go = &self.problem.to_go[self.query.agent];
+        let rest = to_go.from(arrival, to.mask | task.bit(arrival), to.battery)?;
+        let bound = (time + delay + rest).max(self.earliest);
+        (bound <= self.query.latest).then_some(bound)
+    }
+
+    /// Whether a state as good was reached before.
+    fn is_known(&self, to: task::State, time: u32, collisions: u32) -> bool {
+        let seen = self.seen.get(&(time, to.place, to.mask));
+        seen.is_some_and(|&(fewer, fuller)| fewer <= collisions && fuller >= to.battery)
+    }
+
+    fn push(&mut self, to: task::State, (time, bound): (u32, u32), collisions: u32, parent: u32) {
+        if self.is_known(to, time, collisions) {
+            return;
+        }
         let task::State {
             place,
             mask,
             battery,
         } = to;
-        let task = &self.problem.tasks[self.query.agent];
-        let (arrival, delay) = match place {
-            Place::At(v) => (v, 0),
-            Place::Along(arc) => (self.problem.terrain.ends(arc).1, 1),
-        };
-        let to_go = &self.problem.to_go[self.query.agent];
-        let Some(rest) = to_go.from(arrival, mask | task.bit(arrival), battery) else {
-            return;
-        };
-        let bound = time + delay + rest;
-        let bound = bound.max(self.earliest);
-        if bound > self.query.latest {
-            return;
-        }
-        if let Some(&(fewer, fuller)) = self.seen.get(&(time, place, mask))
-            && fewer <= collisions
-            && fuller >= battery
-        {
-            return;
-        }
         self.seen.insert((time, place, mask), (collisions, battery));
         let id = self.states.len() as u32;
         self.states.push(State {
