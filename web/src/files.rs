@@ -4,8 +4,8 @@ use std::rc::Rc;
 
 use giveway_model::Scene;
 use giveway_model::format::native;
-use giveway_page::files::{Opened, Reading, Saved, read, too_large};
-use giveway_page::{Action, Notice};
+use giveway_page::files::{Opened, Reading, Saved, picture_name, read, too_large};
+use giveway_page::{Action, Notice, State};
 use gloo::file::{Blob, File, ObjectUrl, futures::read_as_bytes};
 use gloo::net::http::Request;
 use gloo::timers::callback::Timeout;
@@ -14,6 +14,7 @@ use web_sys::{FileList, HtmlAnchorElement};
 use yew::Callback;
 use yew::platform::spawn_local;
 
+use crate::board;
 use crate::dialog::Panel;
 
 /// Where the examples are, from the page on.
@@ -87,11 +88,40 @@ async fn read_all(files: &[File]) -> Result<Vec<Opened>, Notice> {
 /// Hands a file to the browser to be saved.
 pub(crate) fn save(saved: &Saved) {
     let blob = Blob::new_with_options(saved.text.as_str(), Some("application/json"));
+    save_as(&saved.name, blob);
+}
+
+/// Hands the board as it looks now to the browser to be saved, as SVG or PNG;
+/// tells where that fails.
+pub(crate) fn save_picture(state: &State, is_png: bool, send: Callback<Action>) {
+    let name = picture_name(state, if is_png { "png" } else { "svg" });
+    let title = format!("{}, time {}", state.draft.scene().name, state.playback.time);
+    let picture = board::picture(state.world().grid(), &title);
+    spawn_local(async move {
+        let blob = async {
+            let picture = picture?;
+            if is_png {
+                return picture.png().await.map(Blob::from);
+            }
+            let svg = picture.svg.as_str();
+            Ok(Blob::new_with_options(svg, Some("image/svg+xml")))
+        };
+        match blob.await {
+            Ok(blob) => save_as(&name, blob),
+            Err(_) => send.emit(Action::Refuse(Notice {
+                sentence: "The browser could not make the picture.".to_owned(),
+                details: Vec::new(),
+            })),
+        }
+    });
+}
+
+fn save_as(name: &str, blob: Blob) {
     let url = ObjectUrl::from(blob);
     let link = gloo::utils::document().create_element("a").ok();
     if let Some(link) = link.and_then(|link| link.dyn_into::<HtmlAnchorElement>().ok()) {
         link.set_href(&url);
-        link.set_download(&saved.name);
+        link.set_download(name);
         link.click();
     }
     // The browser reads it after this returns.

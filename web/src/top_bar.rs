@@ -116,13 +116,13 @@ pub(crate) fn TopBar(props: &TopBarProps) -> Html {
                 </button>
                 { toggle(panel, Panel::Menu, "btn ghost only-ph", "more", "More", show) }
                 if *panel == Panel::Save {
-                    <div class="menu save">{ save_items(state, show) }</div>
+                    <div class="menu save">{ save_items(state, send, show) }</div>
                 }
                 if *panel == Panel::Menu {
                     <div class="menu">
                         { item("examples", "Examples", examples) }
                         { item("open", "Open", pick) }
-                        { save_items(state, show) }
+                        { save_items(state, send, show) }
                         { item("share", "Share", share) }
                         <hr />
                         { item("settings", "Settings", show.reform(|_| Panel::Settings)) }
@@ -157,38 +157,36 @@ fn item(icon: &'static str, name: &str, press: Callback<MouseEvent>) -> Html {
     html! { <button onclick={press}><Icon name={icon} />{ name.to_owned() }</button> }
 }
 
-fn save_items(state: &Shown, show: &Callback<Panel>) -> Html {
-    let press = |save: fn(&Shown)| {
-        let (state, show) = (state.clone(), show.clone());
+fn save_items(state: &Shown, send: &Callback<Action>, show: &Callback<Panel>) -> Html {
+    let press = |save: fn(&Shown, Callback<Action>)| {
+        let (state, send, show) = (state.clone(), send.clone(), show.clone());
         Callback::from(move |_: MouseEvent| {
             show.emit(Panel::Nothing);
-            save(&state);
+            save(&state, send.clone());
         })
     };
-    let scene = press(|state| crate::files::save(&files::scene_file(state)));
-    let plan = press(|state| {
-        if let Some(saved) = files::plan_file(state) {
-            crate::files::save(&saved);
-        }
-    });
-    let changes = press(|state| {
-        if let Some(saved) = files::changes_file(state) {
-            crate::files::save(&saved);
-        }
-    });
-    let has_changes = state
-        .fresh_answer()
-        .is_some_and(|answer| answer.course.is_some());
-    let has_plan = state
-        .fresh_answer()
-        .and_then(|answer| answer.plan())
-        .is_some();
+    let answer = state.fresh_answer();
+    let has_changes = answer.is_some_and(|answer| answer.course.is_some());
+    let has_plan = answer.and_then(|answer| answer.plan()).is_some();
+    let scene = press(|state, _| crate::files::save(&files::scene_file(state)));
+    let plan = press(|state, _| save_if(files::plan_file(state)));
+    let changes = press(|state, _| save_if(files::changes_file(state)));
+    let svg = press(|state, send| crate::files::save_picture(state, false, send));
+    let png = press(|state, send| crate::files::save_picture(state, true, send));
     html! {
         <>
             { item("save", "Save scene", scene) }
             if has_plan { { item("save", "Save plan", plan) } }
             if has_changes { { item("save", "Save changes", changes) } }
+            { item("save", "Save picture (SVG)", svg) }
+            { item("save", "Save picture (PNG)", png) }
         </>
+    }
+}
+
+fn save_if(saved: Option<files::Saved>) {
+    if let Some(saved) = saved {
+        crate::files::save(&saved);
     }
 }
 

@@ -15,7 +15,7 @@ use crate::link::Linked;
 use crate::{Notice, words::count};
 use kind::Kind;
 
-pub use save::{Saved, changes_file, plan_file, scene_file};
+pub use save::{Saved, changes_file, picture_name, plan_file, scene_file};
 pub use scenario::Choice;
 
 /// The largest file that is read, in bytes.

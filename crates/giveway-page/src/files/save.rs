@@ -50,6 +50,18 @@ pub fn changes_file(state: &State) -> Option<Saved> {
     })
 }
 
+/// The name of a picture of the board at the time shown, with its ending.
+///
+/// ```
+/// use giveway_page::{Draft, State, files};
+/// let state = State::new(Draft::default());
+/// assert_eq!(files::picture_name(&state, "svg"), "scene-0.svg");
+/// ```
+pub fn picture_name(state: &State, ending: &str) -> String {
+    let stem = file_stem(&state.draft.scene().name, "scene");
+    format!("{stem}-{}.{ending}", state.playback.time)
+}
+
 /// The longest name that is made, in characters.
 const LONGEST: usize = 60;
 
