@@ -2,37 +2,21 @@
 
 import { join } from "node:path";
 
-import { launch, open } from "../e2e/browser.mjs";
 import { root } from "../e2e/dist.mjs";
-import { Playground } from "../e2e/page.mjs";
 import { eventually } from "../e2e/wait.mjs";
+import { revising } from "./change.mjs";
+import { crowd, painting } from "./crowd.mjs";
+import { SOLVED, figure, inPage, middle, smoothness } from "./figure.mjs";
 import { Tab } from "./process.mjs";
-import { frames, solveUntil, watch } from "./watch.mjs";
+import { frames, solveUntil } from "./watch.mjs";
 
 /** A sharp figure of a machine that does other things too: the middle one of so many. */
 const TIMES = 5;
-/** How long playing is watched, in seconds. */
-const PLAYING = 5;
 /** How long solving is watched, in seconds. */
 const SOLVING = 8;
-const SOLVED = /^Optimal: /;
 
 /** The figures by what they are about: functions of the page's address. */
-export const FIGURES = { opening, playing, solving, bound, proof, memory };
-
-/** A browser of its own for every figure, so that nothing is warm but what should be. */
-async function inPage(url, act) {
-  const browser = await launch();
-  try {
-    const { context, page } = await open(browser, { serviceWorkers: "block" });
-    await context.addInitScript(watch);
-    const playground = new Playground(page);
-    await playground.goto(url);
-    return await act(playground, browser);
-  } finally {
-    await browser.close();
-  }
-}
+export const FIGURES = { opening, playing, crowd, painting, solving, bound, proof, revising, memory };
 
 async function opening(url) {
   const paints = [];
@@ -55,16 +39,7 @@ function playing(url) {
     await playground.example("Random map");
     await playground.says(SOLVED);
     await playground.reaches("2 or later", (now) => now >= 2);
-    const tab = await Tab.of(browser);
-    const cpu = tab.mainSeconds();
-    const times = await playground.page.evaluate(frames, PLAYING);
-    const busy = tab.mainSeconds() - cpu;
-    const count = times.length - 1;
-    const seconds = (times.at(-1) - times[0]) / 1000;
-    return [
-      figure("frames per second, 30 agents playing on 32 x 32 cells", count / seconds, "", { least: 58 }),
-      figure("main thread per frame of these", (busy * 1000) / count, "ms of CPU", { most: 1000 / 60, digits: 1 }),
-    ];
+    return smoothness(playground, browser, "30 agents playing on 32 x 32 cells", 58);
   });
 }
 
@@ -154,12 +129,4 @@ function memory(url) {
     most = Math.max(most, tab.bytes());
     return [figure("memory of the tab at most, 1000 agents on 256 x 256 cells, opened and solved for 30 s", most / 1e6, "MB", { most: 600 })];
   });
-}
-
-function figure(what, value, unit, { digits = 0, ...target }) {
-  return { what, value, unit, digits, ...target };
-}
-
-function middle(values) {
-  return values.toSorted((a, b) => a - b)[Math.floor(values.length / 2)];
 }
