@@ -34,7 +34,7 @@ export function scene(path) {
 /**
  * Gives the function that declares flows; they share a browser and a host.
  * @returns {(name: string, act: (playground: Playground, surroundings: object) => Promise<void>, options?: object) => void}
- *   `options.screens` are those of a desktop and a phone unless told; what else is in
+ *   `options.screens` are those of a desktop and a phone unless told, `timeout` is in milliseconds; what else is in
  *   `options` is for the browser's context. With `complains` the page may complain, which
  *   `act` judges. `before` is called before the page is opened.
  */
@@ -51,9 +51,9 @@ export function flows() {
     await host?.close();
   });
 
-  return (name, act, { screens = Object.keys(SCREENS), complains = false, before: prepare, ...options } = {}) => {
+  return (name, act, { screens = Object.keys(SCREENS), complains = false, before: prepare, timeout = PATIENCE, ...options } = {}) => {
     for (const screen of screens) {
-      test(`${name} (${screen})`, { timeout: PATIENCE }, async () => {
+      test(`${name} (${screen})`, { timeout }, async () => {
         // What a service worker fetches cannot be changed on its way.
         const opened = await open(browser, { serviceWorkers: "block", ...SCREENS[screen], ...options });
         const { context, page, complaints } = opened;
