@@ -117,6 +117,7 @@ const fn phase_class(phase: Phase) -> &'static str {
         Phase::Planned => "st-planned",
         Phase::Changing | Phase::Adapting => "st-changing",
         Phase::Comparing => "st-comparing",
+        Phase::Steering => "st-steering",
         Phase::None => "st-none",
         Phase::Stopped => "st-stopped",
     }

@@ -6,6 +6,7 @@ use giveway_solve::{Progress, Response};
 
 use crate::changing::Choice;
 use crate::link::Linked;
+use crate::steering::Lead;
 use crate::{Edit, Fill, Lit, Notice, Selection, Speed, Tab, Theme, Tool};
 
 /// What a person did, what the solver told, or that time went on.
@@ -133,6 +134,9 @@ pub enum Action {
     Preview(usize),
     /// Adopt the plan of a method, by its place.
     Adopt(usize),
+
+    /// Lead an agent by hand, in a plan of one's own.
+    Steer(Lead),
 
     /// Play from the time shown, or from the start where it is the end.
     Play,

@@ -2,7 +2,8 @@
 
 use std::rc::Rc;
 
-use giveway_model::Question;
+use giveway_model::check::Violation;
+use giveway_model::{Cost, Question};
 use giveway_proof::Report;
 use giveway_solve::explain::{ExplainAnswer, ExplainRequest};
 use giveway_solve::{SolveAnswer, Stats, Status};
@@ -59,6 +60,14 @@ impl Asking {
         &self.request.question
     }
 
+    /// What would go wrong, or does so in a person's own plan.
+    pub(crate) fn violations(&self) -> impl Iterator<Item = &Violation> {
+        let told = self.told.as_deref();
+        let would = told.into_iter().flat_map(|told| &told.witness);
+        let does = told.into_iter().flat_map(|told| &told.violations);
+        would.map(|entry| &entry.violation).chain(does.flatten())
+    }
+
     /// Takes in what became known.
     pub(crate) fn learn(&mut self, told: ExplainAnswer) {
         let plan = |answer: &ExplainAnswer| answer.alternative.clone();
@@ -70,13 +79,18 @@ impl Asking {
     }
 
     /// The other plan, with what is known of it: it is as good as proved where
-    /// it costs what a proved plan costs.
+    /// it costs what a proved plan costs, or as little as is proved of all plans.
     fn plan_of(&self, told: &ExplainAnswer) -> Option<Rc<Answer>> {
         let (plan, costs) = (told.alternative.clone()?, told.costs?);
         let solved = &self.about.solved;
         let is_equal = told.deltas.values().all(|&delta| delta == 0);
+        let objective = &self.about.draft.scene().objective;
+        let objective = self.request.objective.as_ref().unwrap_or(objective);
+        let is_least = |cost: &Cost| solved.bounds.get(cost) == Some(&costs.get(*cost));
+        let is_least = objective.costs().iter().all(is_least);
         let status = match solved.status {
             Status::Optimal if is_equal => Status::Optimal,
+            _ if is_least => Status::Optimal,
             _ => Status::Feasible,
         };
         let answer = SolveAnswer {

@@ -3,6 +3,7 @@
 use std::rc::Rc;
 
 use crate::changing::Changing;
+use crate::steering::Steering;
 use crate::{Answer, Draft};
 
 /// The most steps that are kept.
@@ -13,10 +14,12 @@ const DEPTH: usize = 200;
 pub(crate) enum Moment {
     /// A scene; the answer stays, and may be stale.
     Scene(Rc<Draft>),
-    /// A plan of the scene as it is, with what was changing around it.
+    /// A plan of the scene as it is, with what was changing around it, or the plan
+    /// of one's own that was made of it.
     Course {
         answer: Option<Rc<Answer>>,
         changing: Option<Rc<Changing>>,
+        steering: Option<Rc<Steering>>,
     },
 }
 

@@ -1,5 +1,6 @@
 //! The keys that work wherever the focus is.
 
+use crate::steering::Lead;
 use crate::{Action, Phase, Selection, State, Tool};
 
 /// A key as it was pressed.
@@ -39,6 +40,9 @@ pub fn command(key: Key<'_>, state: &State) -> Option<Command> {
     if key.ctrl {
         return with_ctrl(key).map(Command::Act);
     }
+    if let Some(lead) = leads(key.name, state) {
+        return Some(Command::Act(Action::Steer(lead)));
+    }
     let playing = state.playback.playing;
     let has_plan = state.last_time() > 0;
     let on_plan = |action| has_plan.then_some(action);
@@ -54,6 +58,23 @@ pub fn command(key: Key<'_>, state: &State) -> Option<Command> {
         name => tool(name).map(Action::PickTool),
     };
     action.map(Command::Act)
+}
+
+/// While an agent is led, keys lead it; else one begins that.
+fn leads(name: &str, state: &State) -> Option<Lead> {
+    let own = state.steering.as_deref();
+    let lead = match name {
+        "l" | "L" => return state.can_steer().map(|_| Lead::Begin),
+        "ArrowLeft" => Lead::Step((-1, 0)),
+        "ArrowRight" => Lead::Step((1, 0)),
+        "ArrowUp" => Lead::Step((0, -1)),
+        "ArrowDown" => Lead::Step((0, 1)),
+        "w" | "W" => Lead::Step((0, 0)),
+        "c" | "C" => Lead::Charge,
+        "Backspace" => Lead::Back,
+        _ => return None,
+    };
+    own.map(|_| lead)
 }
 
 fn with_ctrl(key: Key<'_>) -> Option<Action> {
@@ -83,6 +104,14 @@ fn escape(state: &State) -> Option<Action> {
         Some(Action::DismissNotice)
     } else if state.asking.is_some() {
         Some(Action::CloseQuestion)
+    } else if let Some(own) = state.steering.as_deref() {
+        // Another agent or a cell is looked at in between.
+        let led = Selection::Agent(own.agent);
+        Some(match state.selection {
+            Selection::Nothing => Action::Steer(Lead::Discard),
+            selection if selection == led => Action::Steer(Lead::Discard),
+            _ => Action::Select(led),
+        })
     } else if state.selection != Selection::Nothing {
         Some(Action::Select(Selection::Nothing))
     } else if state.changing.is_some() {
@@ -111,7 +140,7 @@ pub struct Row {
 }
 
 /// The help: groups of rows, each with a title.
-pub const HELP: [(&str, &[Row]); 4] = [
+pub const HELP: [(&str, &[Row]); 5] = [
     (
         "Solving",
         &[
@@ -162,6 +191,20 @@ pub const HELP: [(&str, &[Row]); 4] = [
             ),
             row(&["+", "\u{2212}", "0"], "Zoom in, zoom out, fit"),
             row(&["?"], "This list"),
+        ],
+    ),
+    (
+        "An agent by hand",
+        &[
+            row(&["L"], "Lead the agent that is selected"),
+            row(
+                &["\u{2190}", "\u{2191}", "\u{2192}", "\u{2193}"],
+                "Lead it a step",
+            ),
+            row(&["W"], "Let it wait a step"),
+            row(&["C"], "Let it charge in its next step"),
+            row(&["Backspace"], "Take a step back"),
+            row(&["Ctrl+Enter"], "Check your plan"),
         ],
     ),
 ];

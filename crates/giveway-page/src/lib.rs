@@ -41,6 +41,7 @@ mod reserve;
 mod sample;
 mod settings;
 mod state;
+pub mod steering;
 pub mod table;
 #[cfg(test)]
 mod tests;

@@ -10,6 +10,7 @@ use crate::changing::Changing;
 use crate::course::World;
 use crate::front::Front;
 use crate::link::Linked;
+use crate::steering::Steering;
 use crate::things::{Hold, Thing, fresh_name};
 use crate::{Answer, Asking, Draft, Fill, History, Playback, Settings, Tool, View, Work};
 
@@ -28,6 +29,8 @@ pub struct State {
     /// What changes in the world while the plan runs, until that is adopted or
     /// left.
     pub changing: Option<Rc<Changing>>,
+    /// The plan of one's own in which agents are led by hand, until it is left.
+    pub steering: Option<Rc<Steering>>,
     /// What came of checking the proof of an answer; it may be of another answer,
     /// see [`State::report`].
     pub(crate) checked: Option<(Rc<Answer>, Rc<Report>)>,
@@ -124,6 +127,8 @@ pub enum Phase {
     Adapting,
     /// Ways to go on are side by side.
     Comparing,
+    /// An agent is led by hand.
+    Steering,
     /// There is a plan, with a proof that none is better.
     Planned,
     /// There is no plan, with a proof.
@@ -149,6 +154,7 @@ impl State {
             front: None,
             asking: None,
             changing: None,
+            steering: None,
             checked: None,
             work: Work::Idle,
             history: History::default(),
@@ -175,10 +181,15 @@ impl State {
         };
         state.draft = linked.draft;
         state.changing = linked.changing;
-        state.playback.time = match &state.changing {
-            Some(changing) => changing.at,
-            None => linked.time,
+        state.steering = linked.steering;
+        state.playback.time = match (&state.changing, &state.steering) {
+            (Some(changing), _) => changing.at,
+            (None, Some(steering)) => steering.time(),
+            (None, None) => linked.time,
         };
+        if let Some(steering) = &state.steering {
+            state.selection = Selection::Agent(steering.agent);
+        }
         state
     }
 
@@ -201,8 +212,9 @@ impl State {
         is_of.then_some(report)
     }
 
-    /// The answer that is shown: the last one, the other plan of a question where
-    /// that takes its place, or the one that is previewed where the world changes.
+    /// The answer that is shown: the last one, or a plan of one's own; the other
+    /// plan of a question where that takes its place; the one that is previewed
+    /// where the world changes.
     pub fn shown(&self) -> Option<&Rc<Answer>> {
         if let Some(changing) = &self.changing {
             return Some(changing.shown());
@@ -210,7 +222,13 @@ impl State {
         let asking = self.asking.as_deref().filter(|asking| asking.shows_other);
         let asking = asking.filter(|_| !self.view.is_wide);
         let other = asking.and_then(|asking| asking.other.as_ref());
-        other.or(self.answer.as_ref())
+        other.or(self.own_answer())
+    }
+
+    /// The plan of one's own, where there is one; else the last answer.
+    fn own_answer(&self) -> Option<&Rc<Answer>> {
+        let own = self.steering.as_deref().map(|steering| &steering.answer);
+        own.or(self.answer.as_ref())
     }
 
     /// The answer that is shown beside that one: the other plan of a question,
@@ -232,7 +250,9 @@ impl State {
             return changing.last_time();
         }
         let both = self.shown().into_iter().chain(self.beside());
-        both.map(|answer| answer.makespan()).max().unwrap_or(0)
+        let led = self.steering.as_deref().map(Steering::time);
+        let ends = both.map(|answer| answer.makespan()).chain(led);
+        ends.max().unwrap_or(0)
     }
 
     /// The agent that is shown on a cell at the time shown: where the plan has
@@ -294,7 +314,20 @@ impl State {
             let last = answer.changed_last();
             last.is_none_or(|last| self.playback.time > last)
         };
-        self.changing.is_none() && answer.is_some_and(is_later)
+        self.changing.is_none() && self.steering.is_none() && answer.is_some_and(is_later)
+    }
+
+    /// The agent that could be led by hand from the time shown: the one that is
+    /// selected, where there is a plan of the scene in one world.
+    pub fn can_steer(&self) -> Option<usize> {
+        let agent = self.selected_agent().filter(|_| self.changing.is_none())?;
+        let time = self.playback.time;
+        let can = match (&self.steering, &self.answer) {
+            (Some(own), _) => own.agent != agent || time < own.time(),
+            (None, Some(answer)) => !self.is_stale() && Steering::can_begin(answer, agent, time),
+            (None, None) => false,
+        };
+        can.then_some(agent)
     }
 
     /// The agent that is selected, by its index in the scene.
@@ -315,6 +348,9 @@ impl State {
 
     /// Whether there is something on a cell that the tool `Select` moves.
     pub fn can_move(&self, cell: Cell) -> bool {
+        if self.steering.is_some() {
+            return false;
+        }
         match self.changing.as_deref() {
             Some(changing) => crate::reduce::can_hold(self, changing, cell),
             None => self.thing_at(cell).is_some(),
@@ -350,6 +386,9 @@ impl State {
                 None => Phase::Changing,
                 Some(_) => Phase::Comparing,
             };
+        }
+        if self.steering.is_some() {
+            return Phase::Steering;
         }
         if self.own_front().is_some_and(Front::is_whole) {
             return Phase::Planned;

@@ -5,6 +5,7 @@ use std::rc::Rc;
 
 use giveway_model::Cell;
 use giveway_page::board::{Cast, Frame};
+use giveway_page::steering::Lead;
 use giveway_page::{Action, Point, Selection, Tool};
 use wasm_bindgen::JsCast;
 use web_sys::{Element, PointerEvent, WheelEvent};
@@ -251,6 +252,12 @@ impl Surface {
 
     fn select(&self, at: Px, time: f64) {
         let cell = self.cell(self.frame.point(at));
+        if self.state.steering.is_some() {
+            if let Some(cell) = cell {
+                self.send.emit(Action::Steer(Lead::To(cell)));
+            }
+            return;
+        }
         if let Some(cell) = cell {
             self.send.emit(Action::MoveCursor(cell));
         }

@@ -132,7 +132,7 @@ pub fn Board(props: &BoardProps) -> Html {
             <div class={classes!("boards", other.is_some().then_some("pair"))}>
                 <figure class="pl">
                     if other.is_some() {
-                        { caption("This plan", state.shown(), None) }
+                        { caption(if state.steering.is_some() { "Your plan" } else { "This plan" }, state.shown(), None) }
                     }
                     { board_now }
                 </figure>

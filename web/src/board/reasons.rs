@@ -1,9 +1,13 @@
-//! The reasons of an answer, drawn over the map.
+//! The reasons of an answer, drawn over the map; what is against the rules of a
+//! plan of one's own.
 
 use giveway_page::board::{Place, Reasons, Spot};
 use yew::prelude::*;
 
 use super::square;
+
+/// A star with twelve points, and an exclamation mark.
+const STAR: &str = "M0-30 6.5-20 17.6-24.3 17-12.3 28.5-9.3 21 0 28.5 9.3 17 12.3 17.6 24.3 6.5 20 0 30-6.5 20-17.6 24.3-17 12.3-28.5 9.3-21 0-28.5-9.3-17-12.3-17.6-24.3-6.5-20Z";
 
 #[derive(Clone, PartialEq, Properties)]
 pub(super) struct ReasonsProps {
@@ -25,10 +29,18 @@ pub(super) fn ReasonMarks(props: &ReasonsProps) -> Html {
             </g>
         }
     };
+    let burst = |(x, y): &(f64, f64)| {
+        html! {
+            <g class="burst" transform={format!("translate({x} {y})")}>
+                <path d={STAR} /><path class="ex" d="M0-11V3M0 11v.1" />
+            </g>
+        }
+    };
     html! {
         <g class="reasons-on" aria-hidden="true">
             { for props.reasons.places.iter().map(place) }
             { for props.reasons.spots.iter().map(spot) }
+            { for props.reasons.bursts.iter().map(burst) }
         </g>
     }
 }

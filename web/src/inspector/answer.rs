@@ -26,7 +26,7 @@ pub(super) fn show(card: &Card, send: &Callback<Action>) -> Html {
                 }
             </div>
             if !card.rows.is_empty() {
-                { costs(&card.rows) }
+                { costs(&card.rows, "Both plans", ["This", "Other"]) }
             }
             if let Some((title, happenings)) = &card.witness {
                 { witness(title, happenings, send) }
@@ -82,7 +82,12 @@ pub(super) fn foot(card: &Card, send: &Callback<Action>) -> Html {
     }
 }
 
-fn costs(rows: &[CostRow]) -> Html {
+/// Costs of two plans side by side, under a heading each.
+pub(super) fn costs(
+    rows: &[CostRow],
+    name: &'static str,
+    [this, other]: [&'static str; 2],
+) -> Html {
     let row = |row: &CostRow| {
         let class = match row.other.cmp(&row.this) {
             std::cmp::Ordering::Less => "d better",
@@ -100,10 +105,10 @@ fn costs(rows: &[CostRow]) -> Html {
         }
     };
     html! {
-        <table class="compare" aria-label="Both plans">
+        <table class="compare" aria-label={name}>
             <thead><tr>
                 <th scope="col"><span class="vh">{ "Cost" }</span></th>
-                <th scope="col">{ "This" }</th><th scope="col">{ "Other" }</th>
+                <th scope="col">{ this }</th><th scope="col">{ other }</th>
                 <th scope="col"><span class="vh">{ "Difference" }</span></th>
             </tr></thead>
             <tbody>{ for rows.iter().map(row) }</tbody>

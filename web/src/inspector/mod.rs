@@ -9,6 +9,7 @@ mod edit;
 mod front;
 mod proof;
 mod questions;
+mod steer;
 mod whole;
 
 use giveway_page::{Action, Selection, State, ask, changing, inspect};
@@ -39,6 +40,7 @@ pub fn Inspector(props: &InspectorProps) -> Html {
             } else {
                 <div class="scroll">
                     { content(state, send) }
+                    { steer::begin(state, send) }
                     { change::begin(state, send) }
                     { questions::show(&ask::offers(state), send) }
                     if let Some(why) = ask::no_offers(state) {
@@ -46,6 +48,7 @@ pub fn Inspector(props: &InspectorProps) -> Html {
                     }
                 </div>
                 if state.changing.is_some() { { change::foot(send) } }
+                if state.steering.is_some() { { steer::foot(send) } }
             }
         </aside>
     }
@@ -54,6 +57,9 @@ pub fn Inspector(props: &InspectorProps) -> Html {
 fn content(state: &Shown, send: &Callback<Action>) -> Html {
     if let Some(facts) = changing::facts(state) {
         return while_changing(state, &facts, send);
+    }
+    if let Some(led) = steer::show(state, send) {
+        return led;
     }
     match state.selection {
         Selection::Agent(index) => match inspect::agent(state, index) {

@@ -62,7 +62,7 @@ pub(crate) fn StatusBar(props: &StatusBarProps) -> Html {
                     <Icon name="settings" />
                     { objective(&costs) }
                 </button>
-                { solve_button(state.phase(), send) }
+                { solve_button(state, send) }
                 if open {
                     <SettingsCard draft={state.draft.clone()} settings={state.settings}
                         send={send.clone()} on_close={close} />
@@ -109,13 +109,22 @@ fn objective_words(costs: &[&'static str]) -> String {
 
 /// The one next step is dark: to cancel, or to solve where nothing fits the
 /// scene.
-fn solve_button(phase: Phase, send: &Callback<Action>) -> Html {
+fn solve_button(state: &Shown, send: &Callback<Action>) -> Html {
+    let phase = state.phase();
     let (class, title, action) = match phase {
         Phase::Solving | Phase::Asking | Phase::Checking | Phase::Adapting => {
             ("primary", "Cancel (Escape)", Action::Cancel)
         }
         Phase::Changing => ("primary", "Adapt (Ctrl Enter)", Action::Adapt),
         Phase::Comparing => ("outline", "Adapt again (Ctrl Enter)", Action::Adapt),
+        Phase::Steering => {
+            let class = if state.asking.is_some() {
+                "outline"
+            } else {
+                "primary"
+            };
+            (class, "Check my plan (Ctrl Enter)", Action::Solve)
+        }
         Phase::Editing => ("primary", "Solve (Ctrl Enter)", Action::Solve),
         _ => ("outline", "Solve (Ctrl Enter)", Action::Solve),
     };
@@ -123,6 +132,7 @@ fn solve_button(phase: Phase, send: &Callback<Action>) -> Html {
         Phase::Solving | Phase::Asking | Phase::Checking | Phase::Adapting => "Cancel",
         Phase::Changing => "Adapt",
         Phase::Comparing => "Adapt again",
+        Phase::Steering => "Check my plan",
         _ => "Solve",
     };
     let press = send.reform(move |_| action.clone());

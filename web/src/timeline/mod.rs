@@ -56,7 +56,12 @@ pub fn Dock(props: &DockProps) -> Html {
         // The one dark button is elsewhere while the plan is not the answer.
         let calm = matches!(
             state.phase(),
-            Phase::Editing | Phase::Solving | Phase::Changing | Phase::Adapting | Phase::Comparing
+            Phase::Editing
+                | Phase::Solving
+                | Phase::Changing
+                | Phase::Adapting
+                | Phase::Comparing
+                | Phase::Steering
         );
         let stale = state.is_stale();
         return html! {

@@ -2,6 +2,7 @@
 
 use std::rc::Rc;
 
+use giveway_page::steering::Steering;
 use giveway_page::timeline::{Lane, Row};
 use giveway_page::{Action, Answer, Selection, State, Tab, changing, table};
 use wasm_bindgen::JsCast;
@@ -54,8 +55,10 @@ pub(super) fn Plan(props: &PlanProps) -> Html {
     let plans = if beside.is_some() { 2.0 } else { 1.0 };
     let height = plans * row.height;
     let last = beside.as_ref().map_or(0, |beside| beside.makespan());
+    // Waits at a goal, until it is left again.
+    let led = state.steering.as_deref().map_or(0, Steering::time);
     let extent = Extent {
-        last: answer.makespan().max(last),
+        last: answer.makespan().max(last).max(led),
         lanes: lanes.len(),
         lane: height,
         rows: lanes.len() + batteries,

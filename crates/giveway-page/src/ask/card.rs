@@ -40,6 +40,16 @@ pub struct Badge {
     pub class: &'static str,
 }
 
+/// Of a plan that breaks a rule nothing else is asked.
+const BROKEN: Badge = Badge {
+    word: "Against the rules",
+    icon: "collision",
+    class: "necessary",
+};
+
+/// The most things that go wrong that are told one by one.
+const HAPPENINGS: usize = 30;
+
 /// A cost of both plans.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct CostRow {
@@ -127,7 +137,11 @@ pub fn card(state: &State) -> Option<Card> {
         card.pending.push("Looking for the verdict");
         return Some(card);
     };
-    card.verdict = Some((badge(asking, told.verdict), words::cells(&told.words)));
+    let badge = match told.valid {
+        Some(false) => BROKEN,
+        _ => badge(asking, told.verdict),
+    };
+    card.verdict = Some((badge, words::cells(&told.words)));
     if let Some(other) = &asking.other {
         card.rows = rows(asking, other);
         card.other = Some(Other {
@@ -136,16 +150,13 @@ pub fn card(state: &State) -> Option<Card> {
             is_closest: told.closest,
         });
     }
-    let happenings = told
-        .witness
-        .iter()
-        .enumerate()
-        .map(|(index, entry)| Happening {
-            number: index + 1,
-            text: words::cells(&entry.violation.message),
-            time: entry.violation.time,
-            is_lit: asking.lit == Some(Lit::Witness(index)),
-        });
+    let happenings = asking.violations().enumerate().take(HAPPENINGS);
+    let happenings = happenings.map(|(index, violation)| Happening {
+        number: index + 1,
+        text: words::cells(&violation.message),
+        time: violation.time,
+        is_lit: asking.lit == Some(Lit::Witness(index)),
+    });
     let happenings: Vec<Happening> = happenings.collect();
     card.witness = (!happenings.is_empty()).then(|| (would(asking), happenings));
     card.core = told.core.as_ref().map(|core| Facts {

@@ -68,7 +68,8 @@ pub fn offers(state: &State) -> Vec<Group> {
     let Some(answer) = state.answer.as_deref() else {
         return Vec::new();
     };
-    if state.is_stale() || state.changing.is_some() || answer.course.is_some() {
+    let is_busy = state.changing.is_some() || state.steering.is_some();
+    if state.is_stale() || is_busy || answer.course.is_some() {
         return Vec::new();
     }
     if answer.plan().is_none() {

@@ -10,6 +10,8 @@ use crate::State;
 pub enum Kind {
     /// Something is wrong on a cell.
     Problem,
+    /// Something is against the rules at the time shown.
+    Burst,
     /// Two plans are shown, and an agent is elsewhere in the other one.
     Differs,
     /// The plan is of another scene.
@@ -33,6 +35,7 @@ impl Kind {
     pub const fn words(self) -> &'static str {
         match self {
             Self::Problem => "Problem: press to see it",
+            Self::Burst => "Against a rule at this time",
             Self::Differs => "Elsewhere in the other plan",
             Self::Stale => "Stale plan, faded",
             Self::Charger => "Charger",
@@ -48,6 +51,7 @@ impl Kind {
     pub const fn class(self) -> &'static str {
         match self {
             Self::Problem => "k-problem",
+            Self::Burst => "k-burst",
             Self::Differs => "k-diff",
             Self::Stale => "k-stale",
             Self::Charger => "k-chg",
@@ -72,6 +76,7 @@ pub fn legend(state: &State, cast: &Cast) -> Vec<Kind> {
             Kind::Problem,
             problems.iter().any(|problem| problem.cell.is_some()),
         ),
+        (Kind::Burst, !super::reasons(state).bursts.is_empty()),
         (Kind::Differs, state.beside().is_some()),
         (Kind::Stale, is_stale),
         (Kind::Charger, has_ground(Ground::is_charger)),

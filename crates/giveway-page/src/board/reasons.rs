@@ -1,9 +1,11 @@
 //! Where the reasons of an answer are on the map.
 
 use giveway_model::Cell;
+use giveway_model::check::Violation;
 use giveway_solve::explain::FactKind;
 
 use super::CELL;
+use crate::steering::Steering;
 use crate::{Asking, Lit, State};
 
 /// A number on the map: the same as in the list of what would happen.
@@ -35,6 +37,9 @@ pub struct Reasons {
     pub places: Vec<Place>,
     /// The agents of the fact that is lit up, by their indices.
     pub agents: Vec<usize>,
+    /// What is against the rules of a plan of one's own at the time shown: the
+    /// middles, in units.
+    pub bursts: Vec<(f64, f64)>,
 }
 
 /// The numbers that are drawn: more would cover the map.
@@ -45,24 +50,15 @@ const SPOTS: usize = 12;
 pub fn reasons(state: &State) -> Reasons {
     let mut reasons = Reasons::default();
     let Some(asking) = state.asking.as_deref() else {
+        reasons.bursts = bursts(state);
         return reasons;
     };
     let Some(told) = asking.told.as_deref().filter(|_| is_this(asking, state)) else {
         return reasons;
     };
-    for (index, entry) in told.witness.iter().enumerate().take(SPOTS) {
-        let violation = &entry.violation;
-        let middle = |cell: Cell| {
-            let middle = |n: u32| (f64::from(n) + 0.5) * CELL;
-            (middle(cell.x), middle(cell.y))
-        };
-        let at = match (violation.cell, violation.edge) {
-            (Some(cell), _) => middle(cell),
-            (None, Some([from, to])) => {
-                let ((x, y), (u, v)) = (middle(from), middle(to));
-                (f64::midpoint(x, u), f64::midpoint(y, v))
-            }
-            (None, None) => continue,
+    for (index, violation) in asking.violations().enumerate().take(SPOTS) {
+        let Some(at) = place(violation) else {
+            continue;
         };
         reasons.spots.push(Spot {
             number: index + 1,
@@ -83,6 +79,37 @@ pub fn reasons(state: &State) -> Reasons {
         }
     }
     reasons
+}
+
+/// Where a violation is, in units.
+fn place(violation: &Violation) -> Option<(f64, f64)> {
+    let middle = |cell: Cell| {
+        let middle = |n: u32| (f64::from(n) + 0.5) * CELL;
+        (middle(cell.x), middle(cell.y))
+    };
+    match (violation.cell, violation.edge) {
+        (Some(cell), _) => Some(middle(cell)),
+        (None, Some([from, to])) => {
+            let ((x, y), (u, v)) = (middle(from), middle(to));
+            Some((f64::midpoint(x, u), f64::midpoint(y, v)))
+        }
+        (None, None) => None,
+    }
+}
+
+/// What is against the rules at the time shown, each place once.
+fn bursts(state: &State) -> Vec<(f64, f64)> {
+    let mut bursts: Vec<(f64, f64)> = Vec::new();
+    let violations = state.steering.iter().flat_map(|own| &own.violations);
+    for violation in violations {
+        if let Some(at) = place(violation)
+            && Steering::is_now(violation, state.playback.time)
+            && !bursts.contains(&at)
+        {
+            bursts.push(at);
+        }
+    }
+    bursts
 }
 
 /// Whether the plan asked about is the one that is shown.

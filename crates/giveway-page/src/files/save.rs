@@ -28,10 +28,11 @@ pub fn scene_file(state: &State) -> Saved {
     }
 }
 
-/// The plan that is shown; `None` without one, and where it is stale, since it
+/// The plan of the scene, or that of one's own where one is led; `None` without one, and where it is stale, since it
 /// would not fit the scene that is saved.
 pub fn plan_file(state: &State) -> Option<Saved> {
-    let plan = state.fresh_answer()?.plan()?;
+    let own = state.steering.as_deref().map(|own| &*own.answer);
+    let plan = own.or(state.fresh_answer())?.plan()?;
     let stem = file_stem(&state.draft.scene().name, "scene");
     Some(Saved {
         name: format!("{stem}-plan.json"),

@@ -124,6 +124,9 @@ fn doing(lane: &Lane, time: u32) -> String {
                 format!("Removed at time {until}")
             };
         }
+        if !lane.arrives {
+            return format!("At {end}, not led any further");
+        }
         return if lane.stays || time == lane.arrival {
             format!("Arrived at {end}")
         } else {
@@ -201,6 +204,7 @@ mod tests {
             entry: Cell::new(0, 0),
             begins: 0,
             arrival: 3,
+            arrives: true,
             stays: false,
             removed: None,
             steps: [(0, 1, 0), (1, 2, 0), (2, 3, 1)]

@@ -11,6 +11,7 @@ mod claim;
 mod plan;
 mod preferences;
 mod scene;
+mod steering;
 #[cfg(test)]
 mod tests;
 mod text;
@@ -23,6 +24,7 @@ use giveway_model::{Agent, Plan, Scene, check};
 use giveway_solve::{SolveAnswer, SolveRequest, Status};
 
 use crate::changing::Changing;
+use crate::steering::Steering;
 use crate::{Action, Answer, Draft, Notice, State};
 
 pub use preferences::{prefer, preferences};
@@ -41,6 +43,8 @@ pub struct Linked {
     pub(crate) time: u32,
     /// What was changing in the world, where the browser kept that.
     pub(crate) changing: Option<Rc<Changing>>,
+    /// The plan of one's own, where the browser kept one.
+    pub(crate) steering: Option<Rc<Steering>>,
 }
 
 /// Whose text it is.
@@ -96,6 +100,10 @@ pub fn keep(state: &State) -> String {
         let listed = change::write(changes.get(listed..).unwrap_or_default());
         let _ = write!(text, "&listed={}!{listed}", changing.at);
     }
+    if let Some(own) = state.steering.as_deref().and_then(steering::write) {
+        text += "&own=";
+        text += &own;
+    }
     text
 }
 
@@ -146,6 +154,7 @@ fn parse(text: &str, from: From) -> Result<Linked, String> {
             "claim" if from == From::Here => kept.claim = Some(value),
             "steps" if from == From::Here => kept.steps = Some(value),
             "listed" if from == From::Here => kept.listed = Some(value),
+            "own" if from == From::Here => kept.own = Some(value),
             _ => scene::read(&mut scene, key, value).ok_or_else(broken)?,
         }
     }
@@ -178,7 +187,11 @@ fn parse(text: &str, from: From) -> Result<Linked, String> {
     let changing = answer
         .as_ref()
         .and_then(|answer| listed(answer, kept.listed?));
+    let own = answer
+        .as_ref()
+        .and_then(|answer| steering::read(answer, kept.own?));
     Ok(Linked {
+        steering: own.map(Rc::new),
         time: time.min(answer.as_deref().map_or(0, Answer::makespan)),
         answer,
         changing: changing.map(Rc::new),
@@ -192,6 +205,7 @@ struct Kept<'a> {
     claim: Option<&'a str>,
     steps: Option<&'a str>,
     listed: Option<&'a str>,
+    own: Option<&'a str>,
 }
 
 /// What was being listed when the page was left; what does not fit is left out.
@@ -222,6 +236,7 @@ pub(crate) fn judged(draft: Draft, plan: Plan, changes: Option<Changes>) -> Resu
         answer: answer.map(Rc::new),
         time: 0,
         changing: None,
+        steering: None,
     })
 }
 

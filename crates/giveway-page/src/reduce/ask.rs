@@ -14,7 +14,13 @@ use crate::{Answer, Inquiry, Notice, State, Tab, Work};
 /// Asks about the plan that is shown; about the scene where there is none.
 pub(super) fn ask(state: &mut State, question: Question) {
     stroke::release(state);
-    let Some(answer) = state.answer.clone().filter(|_| !state.is_stale()) else {
+    let own = state.steering.as_deref().map(|own| Rc::clone(&own.answer));
+    let own = own.filter(|_| question == Question::Plan);
+    if own.is_none() && super::steer::is_in_the_way(state) {
+        return;
+    }
+    let fresh = || state.answer.clone().filter(|_| !state.is_stale());
+    let Some(answer) = own.or_else(fresh) else {
         refuse(
             state,
             "Solve the scene first: questions are about its plan.",
@@ -24,7 +30,9 @@ pub(super) fn ask(state: &mut State, question: Question) {
     if answer.course.is_some() || state.changing.is_some() {
         return refuse(state, crate::ask::NO_QUESTIONS);
     }
-    if let (Ok(instance), Some(plan)) = (answer.draft.instance(), answer.plan())
+    // A plan of one's own may break any rule: that is what is asked.
+    if question != Question::Plan
+        && let (Ok(instance), Some(plan)) = (answer.draft.instance(), answer.plan())
         && let Err(misfit) = fits(&question, instance, plan)
     {
         refuse(state, &misfit.to_string());
@@ -128,6 +136,12 @@ pub(super) fn take_other(state: &mut State) {
         .and_then(|asking| asking.other.clone());
     if let Some(other) = other {
         close(state);
+        if state.steering.is_some() {
+            // The plan of one's own is not lost.
+            let before = super::change::moment(state);
+            state.history.record(before);
+            state.steering = None;
+        }
         state.answer = Some(other);
         state.playback.time = state.playback.time.min(state.last_time());
     }

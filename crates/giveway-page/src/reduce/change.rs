@@ -11,11 +11,12 @@ use crate::changing::{Changing, Choice, Compared, WIDEST};
 use crate::history::Moment;
 use crate::{Adapting, Notice, Selection, Size, State, Tab, Tool, Work};
 
-/// What a step of undo brings back of what changes.
-fn moment(state: &State) -> Moment {
+/// What a step of undo brings back of what changes, or of a plan of one's own.
+pub(super) fn moment(state: &State) -> Moment {
     Moment::Course {
         answer: state.answer.clone(),
         changing: state.changing.clone(),
+        steering: state.steering.clone(),
     }
 }
 
@@ -36,11 +37,16 @@ pub(super) fn end_work(state: &mut State) {
 }
 
 /// The time and the selection as what is shown now allows them.
-fn settle(state: &mut State) {
+pub(super) fn settle(state: &mut State) {
     if let Some(changing) = state.changing.as_deref()
         && changing.compared.is_none()
     {
         state.playback.time = changing.at;
+    }
+    if let Some(steering) = state.steering.as_deref() {
+        state.playback.time = steering.time();
+        state.cursor = steering.cell();
+        state.selection = Selection::Agent(steering.agent);
     }
     state.playback.playing = false;
     state.playback.sought = true;
@@ -54,7 +60,12 @@ fn settle(state: &mut State) {
 
 /// Brings back what was, or what was undone.
 pub(super) fn travel(state: &mut State, moment: &Moment) {
-    let Moment::Course { answer, changing } = moment else {
+    let Moment::Course {
+        answer,
+        changing,
+        steering,
+    } = moment
+    else {
         return;
     };
     ask::close(state);
@@ -62,13 +73,14 @@ pub(super) fn travel(state: &mut State, moment: &Moment) {
     state.placing = None;
     state.answer.clone_from(answer);
     state.changing.clone_from(changing);
+    state.steering.clone_from(steering);
     settle(state);
 }
 
 /// The world changes at the time shown.
 pub(super) fn begin(state: &mut State) {
     super::stroke::release(state);
-    if state.changing.is_some() {
+    if state.changing.is_some() || super::steer::is_in_the_way(state) {
         return;
     }
     let answer = state.answer.clone().filter(|_| !state.is_stale());

@@ -48,11 +48,17 @@ pub(super) fn open_link(state: &mut State, linked: Linked) {
 /// Puts another scene onto the board, as one step of undo.
 fn put(state: &mut State, draft: Draft) {
     release(state);
+    if state.steering.is_some() {
+        // Another step of undo: with the scene its plan of one's own comes back.
+        let before = super::change::moment(state);
+        state.history.record(before);
+    }
     state.placing = None;
     state.notice = None;
     state.answer = None;
     state.asking = None;
     state.changing = None;
+    state.steering = None;
     state.selection = Selection::Nothing;
     // A horizon is for one scene; the other limits are for all.
     state.settings.within = None;
@@ -80,6 +86,9 @@ pub(super) fn change(state: &mut State, edit: impl FnOnce(&mut Scene)) {
             changing.at
         );
         return ask::refuse(state, &sentence);
+    }
+    if super::steer::is_in_the_way(state) {
+        return;
     }
     match Draft::new(scene) {
         Ok(draft) => {
@@ -122,10 +131,7 @@ pub(super) fn redo(state: &mut State) {
 fn present(state: &State, like: &Moment) -> Moment {
     match like {
         Moment::Scene(_) => Moment::Scene(Rc::clone(&state.draft)),
-        Moment::Course { .. } => Moment::Course {
-            answer: state.answer.clone(),
-            changing: state.changing.clone(),
-        },
+        Moment::Course { .. } => super::change::moment(state),
     }
 }
 

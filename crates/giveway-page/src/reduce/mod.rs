@@ -6,6 +6,7 @@ mod edit;
 mod play;
 mod proof;
 mod solve;
+mod steer;
 mod stroke;
 #[cfg(test)]
 pub(crate) mod tests;
@@ -14,6 +15,7 @@ mod touch;
 use giveway_model::Cell;
 
 use crate::changing::Changing;
+use crate::steering::Lead;
 use crate::{Action, Selection, State, Tool};
 
 /// The next state. Pure: the same state and action always give the same.
@@ -96,6 +98,8 @@ fn step(state: &mut State, action: Action) {
         Action::Preview(index) => change::preview(state, index),
         Action::Adopt(index) => change::adopt(state, index),
 
+        Action::Steer(lead) => steer::steer(state, lead),
+
         Action::Play => play::play(state),
         Action::Pause => state.playback.playing = false,
         Action::Seek(time) => play::seek(state, time),
@@ -124,8 +128,14 @@ fn select(state: &mut State, selection: Selection) {
     state.selection = selection;
 }
 
-/// A step of the keyboard; with the tool that selects, a thing can go along.
+/// A step of the keyboard; with the tool that selects, a thing can go along. The
+/// agent that is led takes the step itself.
 fn step_cursor(state: &mut State, (right, down): (i32, i32), carries: bool) {
+    let is_one = right.unsigned_abs().saturating_add(down.unsigned_abs()) == 1;
+    if state.steering.is_some() && is_one && !carries {
+        return steer::steer(state, Lead::Step((right, down)));
+    }
+    let carries = carries && state.steering.is_none();
     let Cell { x, y } = state.cursor;
     let to = Cell::new(
         x.saturating_add_signed(right),

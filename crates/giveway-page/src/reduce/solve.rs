@@ -7,6 +7,7 @@
 use std::collections::BTreeMap;
 use std::rc::Rc;
 
+use giveway_model::Question;
 use giveway_solve::{Limits, Progress, Refusal, Response, SolveRequest};
 
 use crate::front::{Front, has_front};
@@ -17,6 +18,9 @@ pub(super) fn start(state: &mut State) {
     super::stroke::release(state);
     if state.changing.is_some() {
         return super::change::adapt(state);
+    }
+    if state.steering.is_some() {
+        return super::ask::ask(state, Question::Plan);
     }
     if state.draft.instance().is_err() {
         let problems = state.draft.problems().iter();
@@ -165,6 +169,7 @@ pub(super) fn respond(state: &mut State, id: u64, response: Response) {
                 let before = Moment::Course {
                     answer: state.answer.clone(),
                     changing: None,
+                    steering: None,
                 };
                 state.history.record(before);
             }
@@ -195,6 +200,9 @@ pub(super) fn show_point(state: &mut State, point: usize) {
     let Some(answer) = points.and_then(|points| points.get(point)).cloned() else {
         return;
     };
+    if super::steer::is_in_the_way(state) {
+        return;
+    }
     super::ask::close(state);
     state.answer = Some(answer);
     state.playback.time = state.playback.time.min(state.last_time());

@@ -9,12 +9,16 @@ use super::{ask, edit, select, solve};
 use crate::ground::Brush;
 use crate::history::Moment;
 use crate::state::Stroke;
+use crate::steering::Lead;
 use crate::things::{Hold, Thing, fresh_name};
 use crate::{Draft, Notice, Placing, Selection, State, Tool};
 
 /// Picks a tool; what another was doing is over.
 pub(super) fn pick(state: &mut State, tool: Tool) {
     release(state);
+    if tool != Tool::Select && super::steer::is_in_the_way(state) {
+        return;
+    }
     state.placing = None;
     state.tool = tool;
     if let Some(changing) = state.changing.as_deref() {
@@ -32,6 +36,9 @@ pub(super) fn pick(state: &mut State, tool: Tool) {
 pub(super) fn press(state: &mut State, cell: Cell) {
     release(state);
     let cell = state.draft.clamp(cell);
+    if state.steering.is_some() {
+        return super::steer::steer(state, Lead::To(cell));
+    }
     state.cursor = cell;
     if state.changing.is_some() {
         return super::touch::press(state, cell);

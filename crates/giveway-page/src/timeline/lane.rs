@@ -43,6 +43,9 @@ pub struct Lane {
     pub begins: u32,
     /// The time at which it arrives.
     pub arrival: u32,
+    /// Whether it arrives at all: one that is removed does not, nor one that has
+    /// not been led to its goal.
+    pub arrives: bool,
     /// Whether it stays where it arrived.
     pub stays: bool,
     /// The time from which it is gone, where it was removed: it never arrives.
@@ -88,6 +91,7 @@ impl Lane {
             });
             (begin, from) = (end, to);
         }
+        let arrives = answer.arrivals.get(agent).copied().flatten().is_some();
         let levels = answer.levels.get(agent).map_or(&[][..], Vec::as_slice);
         Some(Self {
             agent,
@@ -95,7 +99,8 @@ impl Lane {
             entry,
             begins,
             arrival: begin,
-            stays: removed.is_none() && answer.draft.scene().rules.at_goal == AtGoal::Stay,
+            arrives,
+            stays: arrives && answer.draft.scene().rules.at_goal == AtGoal::Stay,
             removed,
             steps,
             charges: plan.charges(&who.name).to_vec(),
@@ -164,7 +169,8 @@ impl Lane {
         }
         parts.push(match self.removed {
             Some(time) => format!("is removed at {time}"),
-            None => format!("arrives at {}", self.arrival),
+            None if self.arrives => format!("arrives at {}", self.arrival),
+            None => format!("led up to {}", self.arrival),
         });
         format!("{}: {}", self.name, parts.join(", "))
     }

@@ -131,7 +131,7 @@ impl Shapes {
             .map(x)
             .collect();
         shapes.charge_radius = (axis.column * 0.6).clamp(7.0, row.thick * 0.8);
-        let arrives = lane.removed.is_none() && is_seen(&lane.arrival);
+        let arrives = lane.arrives && is_seen(&lane.arrival);
         shapes.flag = arrives.then(|| x(lane.arrival));
         let late = lane.begins > 0 && is_seen(&lane.begins);
         shapes.entry = late.then(|| x(lane.begins));

@@ -4,6 +4,7 @@ pub mod change;
 mod costs;
 mod question;
 mod status;
+mod steering;
 
 pub use costs::{count, grouped, name, objective, title, value, values};
 pub use question::{cells, question};

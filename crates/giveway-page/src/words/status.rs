@@ -29,6 +29,8 @@ pub enum Badge {
     Adapting,
     /// Ways to go on are side by side; how many.
     Compared(u8),
+    /// An agent is led by hand.
+    Steering,
     /// A plan that went on where the world changed.
     Adopted,
     /// A plan, with a proof that none is better.
@@ -55,6 +57,7 @@ impl Badge {
             Self::Compared(1) => "1 answer",
             Self::Compared(2) => "2 answers",
             Self::Compared(_) => "3 answers",
+            Self::Steering => "Steering",
             Self::Adopted => "Adopted",
             Self::Proved => "Proved",
             Self::Impossible => "Impossible",
@@ -68,6 +71,7 @@ impl Badge {
         match self {
             Self::Draft | Self::Changing => "change",
             Self::Compared(_) => "compare",
+            Self::Steering => "steer",
             Self::Adopted => "check",
             Self::Solving | Self::Adapting | Self::Stopped => "clock",
             Self::Asking => "question",
@@ -87,7 +91,8 @@ impl Badge {
             | Self::Checking
             | Self::Changing
             | Self::Adapting
-            | Self::Compared(_) => "info",
+            | Self::Compared(_)
+            | Self::Steering => "info",
             Self::Proved => "proved",
             Self::Impossible | Self::Faulty => "bad",
             Self::Stopped | Self::Stale => "warn",
@@ -134,6 +139,9 @@ pub fn standing(state: &State) -> Standing {
                 say(Badge::Compared(count), sentence)
             }
         };
+    }
+    if let Some(own) = state.steering.as_deref() {
+        return say(Badge::Steering, super::steering::steering(own));
     }
     if let Some(placing) = state.placing {
         let at = crate::inspect::at(placing.start);

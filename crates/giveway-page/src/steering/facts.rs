@@ -1,0 +1,96 @@
+//! What the inspector tells of a plan of one's own.
+
+use std::fmt::Write as _;
+
+use giveway_model::Cost;
+
+use super::Steering;
+use crate::ask::{CostRow, Happening};
+use crate::inspect::at;
+use crate::{State, words};
+
+/// The most violations that are told one by one.
+const MOST: usize = 30;
+
+/// What there is to tell of the agent that is led, and of the plan.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Facts {
+    /// Who is led, by its index in the scene.
+    pub agent: usize,
+    /// Its name.
+    pub name: String,
+    /// Where it has been led to: `A1 is at (3,1) at time 5, battery 4 of 10`.
+    pub place: String,
+    /// Whether there is a step to take back.
+    pub can_go_back: bool,
+    /// Whether it charges in its next step; `None` where it cannot.
+    pub charges: Option<bool>,
+    /// Whether it has a battery.
+    pub has_battery: bool,
+    /// What is against the rules; lit is what is so at the time shown.
+    pub violations: Vec<Happening>,
+    /// How many more there are.
+    pub more: usize,
+    /// What is not done yet.
+    pub to_do: Vec<String>,
+    /// The costs of the plan that it began with, and of this one.
+    pub rows: Vec<CostRow>,
+}
+
+/// What there is to tell; nothing unless an agent is led.
+pub fn facts(state: &State) -> Option<Facts> {
+    let steering = state.steering.as_deref()?;
+    let (agent, time) = (steering.agent, steering.time());
+    let battery = steering.about.draft.agents().get(agent)?.battery;
+    let name = steering.name();
+    let mut place = format!("{name} is at {} at time {time}", at(steering.cell()));
+    if let Some(battery) = battery {
+        let levels = steering.answer.levels.get(agent);
+        let level = levels.and_then(|levels| levels.get(time as usize).or(levels.last()));
+        let level = level.copied().unwrap_or_default();
+        // Writing to a string cannot fail.
+        let _ = write!(place, ", battery {level} of {}", battery.capacity);
+    }
+    let violations = steering.violations.iter().enumerate();
+    let violations = violations.map(|(index, violation)| Happening {
+        number: index + 1,
+        text: words::cells(&violation.message),
+        time: violation.time,
+        is_lit: Steering::is_now(violation, state.playback.time),
+    });
+    let to_do = steering.to_do.iter();
+    Some(Facts {
+        agent,
+        name: name.to_owned(),
+        place,
+        can_go_back: steering.can_go_back(),
+        charges: steering.charges(),
+        has_battery: battery.is_some(),
+        violations: violations.take(MOST).collect(),
+        more: steering.violations.len().saturating_sub(MOST),
+        to_do: to_do.map(|open| words::cells(&open.message)).collect(),
+        rows: rows(steering),
+    })
+}
+
+/// All five costs, those of the objective first.
+fn rows(steering: &Steering) -> Vec<CostRow> {
+    let costs = steering
+        .about
+        .solved
+        .costs
+        .zip(steering.answer.solved.costs);
+    let Some((this, other)) = costs else {
+        return Vec::new();
+    };
+    let objective = steering.about.draft.scene().objective.costs();
+    let others = Cost::ALL.into_iter().filter(|c| !objective.contains(c));
+    let all = objective.iter().copied().chain(others);
+    all.map(|cost| CostRow {
+        title: words::title(cost).to_owned(),
+        agent: None,
+        this: this.get(cost),
+        other: other.get(cost),
+    })
+    .collect()
+}

@@ -1,0 +1,392 @@
+//! A plan of one's own: agents that a person leads by hand, step by step, while
+//! the judge tells at each step what is against the rules.
+//!
+//! It begins with the plan that is there. An agent that is led keeps its path up
+//! to the time at which that began; all others go on as planned.
+
+mod facts;
+
+use std::rc::Rc;
+
+use giveway_model::check::{Report, Rule, Violation, check};
+use giveway_model::{Agent, AtGoal, Cell, Grid, Instance, Plan, Scene};
+use giveway_solve::{SolveAnswer, Stats, Status};
+
+use crate::inspect::at;
+use crate::{Answer, words};
+
+pub use facts::{Facts, facts};
+
+/// The most steps that an agent is led.
+const LONGEST: usize = 10_000;
+
+/// What a person does while leading an agent.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Lead {
+    /// Leads the agent that is selected, from the time shown.
+    Begin,
+    /// The agent goes so many cells right and down; neither is a wait.
+    Step((i32, i32)),
+    /// The agent goes to a cell beside it; on a cell further away, the agent that
+    /// stands there is selected.
+    To(Cell),
+    /// The agent charges in its next step, or does not.
+    Charge,
+    /// The last step was none.
+    Back,
+    /// Leaves the plan of one's own.
+    Discard,
+}
+
+/// A plan of one's own, and which of its agents is led.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Steering {
+    /// The plan that it began with.
+    pub about: Rc<Answer>,
+    /// Who is led, by its index in the scene.
+    pub agent: usize,
+    /// The plan of one's own, as the page shows plans; it may break any rule.
+    pub answer: Rc<Answer>,
+    /// What is against the rules, by time. What only follows from an agent that
+    /// has not been led to its goal yet is not among it.
+    pub violations: Vec<Violation>,
+    /// What is not done yet: goals that are not reached, waypoints that are left out.
+    pub to_do: Vec<Violation>,
+    /// What the last step brought, or why it was not made; empty where there is
+    /// nothing to tell.
+    pub told: String,
+    /// Every step as it was led: waits at a goal stay, as it may be left again.
+    plan: Plan,
+    /// From which time on each agent is led.
+    from: Vec<Option<u32>>,
+}
+
+impl Steering {
+    /// Leads an agent of a plan from a time on; `None` where [`Steering::can_begin`]
+    /// says no.
+    pub(crate) fn begin(about: &Rc<Answer>, agent: usize, time: u32) -> Option<Self> {
+        if !Self::can_begin(about, agent, time) {
+            return None;
+        }
+        let from = vec![None; about.draft.agents().len()];
+        Self::taking(about, about.plan()?.clone(), from, agent, time)
+    }
+
+    /// Whether an answer has a plan in one world, and in it the agent is not gone
+    /// by a time.
+    pub(crate) fn can_begin(about: &Answer, agent: usize, time: u32) -> bool {
+        let plan = about.plan().filter(|_| about.course.is_none());
+        plan.is_some_and(|plan| end(about.draft.scene(), plan, agent, time).is_some())
+    }
+
+    /// Leads another agent, or this one anew, from a time on.
+    pub(crate) fn lead(&self, agent: usize, time: u32) -> Option<Self> {
+        let (plan, from) = (self.plan.clone(), self.from.clone());
+        Self::taking(&self.about, plan, from, agent, time)
+    }
+
+    fn taking(
+        about: &Rc<Answer>,
+        mut plan: Plan,
+        mut from: Vec<Option<u32>>,
+        agent: usize,
+        time: u32,
+    ) -> Option<Self> {
+        let scene = about.draft.scene();
+        let who = scene.agents.get(agent)?;
+        let end = end(scene, &plan, agent, time)?;
+        let path = plan.paths.get_mut(&who.name)?;
+        path.resize(end + 1, Some(who.goal));
+        let end = u32::try_from(end).ok()?;
+        if let Some(charges) = plan.charges.get_mut(&who.name) {
+            charges.retain(|&charge| charge < end);
+        }
+        let from_now = from.get_mut(agent)?;
+        *from_now = Some(from_now.map_or(end, |before| before.min(end)));
+        Self::judged(about, plan, from, agent)
+    }
+
+    /// The same with why a step was not made.
+    pub(crate) fn refusing(&self, told: String) -> Self {
+        Self {
+            told,
+            ..self.clone()
+        }
+    }
+
+    /// The plan with what the judge says of it.
+    fn judged(
+        about: &Rc<Answer>,
+        plan: Plan,
+        from: Vec<Option<u32>>,
+        agent: usize,
+    ) -> Option<Self> {
+        let instance = about.draft.instance().ok()?;
+        let made = without_pending(&plan, about.draft.agents(), &from);
+        let report = check(instance, &made);
+        let answer = answer(about, instance, made, &report);
+        let (to_do, violations) = sorted(report);
+        Some(Self {
+            about: Rc::clone(about),
+            agent,
+            answer: Rc::new(open_ended(answer, &to_do)),
+            violations,
+            to_do,
+            told: String::new(),
+            plan,
+            from,
+        })
+    }
+
+    /// The plan as it was led so far, for what the browser keeps.
+    pub(crate) const fn led(&self) -> (&Plan, &[Option<u32>]) {
+        (&self.plan, self.from.as_slice())
+    }
+
+    /// What the browser kept of it; `None` where that does not fit the plan.
+    pub(crate) fn kept(
+        about: &Rc<Answer>,
+        plan: Plan,
+        from: Vec<Option<u32>>,
+        agent: usize,
+    ) -> Option<Self> {
+        let agents = about.draft.agents();
+        let ends = |(agent, from): (&Agent, &Option<u32>)| {
+            let path = plan.path(&agent.name);
+            path.last().copied().flatten().is_some()
+                && from.is_none_or(|from| (from as usize) < path.len())
+        };
+        let fits = about.plan().is_some() && about.course.is_none() && from.len() == agents.len();
+        let is_led = from.get(agent)?.is_some();
+        let fits = fits && is_led && agents.iter().zip(&from).all(ends);
+        fits.then(|| Self::judged(about, plan, from, agent))?
+    }
+
+    fn grid(&self) -> &Grid {
+        self.about.draft.grid()
+    }
+
+    /// The name of the agent that is led.
+    pub fn name(&self) -> &str {
+        let who = self.about.draft.agents().get(self.agent);
+        who.map_or("", |who| who.name.as_str())
+    }
+
+    fn path(&self) -> &[Option<Cell>] {
+        self.plan.path(self.name())
+    }
+
+    /// Where the agent has been led to.
+    pub fn cell(&self) -> Cell {
+        let last = self.path().last().copied().flatten();
+        last.unwrap_or(Cell::new(0, 0))
+    }
+
+    /// The time up to which it has been led, in steps.
+    pub fn time(&self) -> u32 {
+        u32::try_from(self.path().len().saturating_sub(1)).unwrap_or(u32::MAX)
+    }
+
+    /// Whether there is a step to take back.
+    pub fn can_go_back(&self) -> bool {
+        let from = self.from.get(self.agent).copied().flatten();
+        from.is_some_and(|from| self.time() > from)
+    }
+
+    /// Whether the agent charges in its next step; `None` where it cannot.
+    pub fn charges(&self) -> Option<bool> {
+        let who = self.about.draft.agents().get(self.agent)?;
+        let can = who.battery.is_some() && self.grid().is_charger(self.cell());
+        can.then(|| self.plan.charges(&who.name).contains(&self.time()))
+    }
+
+    /// Whether every agent does its task, and none breaks a rule.
+    pub const fn is_whole(&self) -> bool {
+        self.violations.is_empty() && self.to_do.is_empty()
+    }
+
+    /// Whether a violation is to be seen at a time: a step lasts.
+    pub(crate) fn is_now(violation: &Violation, time: u32) -> bool {
+        let lasts = match violation.rule {
+            Rule::Swap | Rule::Move => 1,
+            Rule::SlowSwap => 2,
+            _ => 0,
+        };
+        let past = time.checked_sub(violation.time);
+        past.is_some_and(|past| past <= lasts)
+    }
+
+    /// A step so many cells right and down, or a wait.
+    ///
+    /// # Errors
+    /// Why there is no such step, as a sentence.
+    pub(crate) fn step(&self, by: (i32, i32)) -> Result<Self, String> {
+        let (name, from) = (self.name().to_owned(), self.cell());
+        let refused = |why: String| Err(format!("{name} stays: {why}."));
+        if self.path().len() >= LONGEST {
+            return refused("nobody is led that far".to_owned());
+        }
+        let to = from.x.checked_add_signed(by.0);
+        let to = to.zip(from.y.checked_add_signed(by.1));
+        let to = to.map(|(x, y)| Cell::new(x, y));
+        let Some(to) = to.filter(|&to| self.grid().ground(to).is_some()) else {
+            return refused("the map ends there".to_owned());
+        };
+        if !self.grid().is_vertex(to) {
+            return refused(format!("at {} there is an obstacle", at(to)));
+        }
+        if to != from && !to.touches(from) {
+            return refused(format!("{} is not beside it", at(to)));
+        }
+        let mut plan = self.plan.clone();
+        if let Some(path) = plan.paths.get_mut(&name) {
+            if self.grid().is_slow_edge(from, to) {
+                path.push(None);
+            }
+            path.push(Some(to));
+        }
+        Ok(self.after(plan))
+    }
+
+    /// Whether it charges in its next step, the other way round.
+    ///
+    /// # Errors
+    /// Why it cannot, as a sentence.
+    pub(crate) fn charge(&self) -> Result<Self, String> {
+        let (name, time) = (self.name().to_owned(), self.time());
+        let Some(charges) = self.charges() else {
+            let cell = at(self.cell());
+            return Err(format!("{name} cannot charge at {cell}."));
+        };
+        let mut plan = self.plan.clone();
+        let times = plan.charges.entry(name.clone()).or_default();
+        if charges {
+            times.retain(|&charge| charge != time);
+        } else {
+            times.push(time);
+        }
+        // It begins with the next step, and is judged with that.
+        Ok(Self {
+            told: if charges {
+                format!("{name} does not charge.")
+            } else {
+                format!("{name} charges in its next step.")
+            },
+            plan,
+            ..self.clone()
+        })
+    }
+
+    /// The same without the last step.
+    ///
+    /// # Errors
+    /// That there is none, as a sentence.
+    pub(crate) fn back(&self) -> Result<Self, String> {
+        if !self.can_go_back() {
+            return Err("There is no step to take back.".to_owned());
+        }
+        let name = self.name().to_owned();
+        let mut plan = self.plan.clone();
+        if let Some(path) = plan.paths.get_mut(&name) {
+            path.pop();
+            while path.last() == Some(&None) {
+                path.pop();
+            }
+            let last = path.len().saturating_sub(1);
+            if let Some(charges) = plan.charges.get_mut(&name) {
+                // That of the step taken back stays chosen, to be made anew.
+                charges.retain(|&charge| charge as usize <= last);
+            }
+        }
+        Ok(Self {
+            told: String::new(),
+            ..self.after(plan)
+        })
+    }
+
+    /// Another plan for the agent that is led, with what is against the rules
+    /// only now.
+    fn after(&self, plan: Plan) -> Self {
+        let after = Self::judged(&self.about, plan, self.from.clone(), self.agent);
+        let mut after = after.unwrap_or_else(|| self.clone());
+        let news = after.violations.iter();
+        let news = news.filter(|violation| !self.violations.contains(violation));
+        let news: Vec<String> = news
+            .take(2)
+            .map(|violation| words::cells(&violation.message))
+            .collect();
+        after.told = news.join(" ");
+        after
+    }
+}
+
+/// The time up to which an agent's path is kept where it is led from a time on;
+/// `None` where it is gone by then.
+fn end(scene: &Scene, plan: &Plan, agent: usize, time: u32) -> Option<usize> {
+    let who = scene.agents.get(agent)?;
+    let path = plan.path(&who.name);
+    let (last, time) = (path.len().checked_sub(1)?, time as usize);
+    if time <= last {
+        // Within a slow move there is no turning: it is made.
+        let rest = path.get(time..)?;
+        return Some(time + rest.iter().position(Option::is_some)?);
+    }
+    if path.last() != Some(&Some(who.goal)) {
+        // Not led further so far: it goes on from where it is.
+        return Some(last);
+    }
+    (scene.rules.at_goal == AtGoal::Stay).then_some(time)
+}
+
+/// The plan as the page shows plans, with what is proved of all plans.
+fn answer(about: &Answer, instance: &Instance, mut plan: Plan, report: &Report) -> Answer {
+    plan.cut_trailing_goals(instance);
+    let solved = SolveAnswer {
+        status: Status::Feasible,
+        costs: report.costs,
+        plan: Some(plan),
+        reason: None,
+        stats: Stats::default(),
+        ..about.solved.clone()
+    };
+    Answer::new(Rc::clone(&about.draft), Rc::clone(&about.request), solved)
+}
+
+/// The plan without charges that are chosen for a step that is not made yet.
+fn without_pending(plan: &Plan, agents: &[Agent], from: &[Option<u32>]) -> Plan {
+    let mut made = plan.clone();
+    for (agent, _) in agents.iter().zip(from).filter(|(_, from)| from.is_some()) {
+        let end = plan.path(&agent.name).len().saturating_sub(1);
+        if let Some(charges) = made.charges.get_mut(&agent.name) {
+            charges.retain(|&charge| (charge as usize) < end);
+        }
+    }
+    made
+}
+
+/// Whose task is not done has not arrived.
+fn open_ended(mut answer: Answer, to_do: &[Violation]) -> Answer {
+    let agents = answer.draft.agents().iter();
+    for (agent, arrival) in agents.zip(&mut answer.arrivals) {
+        if to_do.iter().any(|open| open.agents.contains(&agent.name)) {
+            *arrival = None;
+        }
+    }
+    answer
+}
+
+/// What is not done yet, and what is against the rules.
+fn sorted(report: Report) -> (Vec<Violation>, Vec<Violation>) {
+    let is_open = |violation: &Violation| matches!(violation.rule, Rule::Goal | Rule::Waypoint);
+    let (to_do, violations): (Vec<_>, Vec<_>) = report.violations.into_iter().partition(is_open);
+    // The judge has an agent stay where its path ends; it may yet be led away.
+    let is_after = |violation: &Violation| {
+        let ends = to_do.iter().filter(|open| open.time < violation.time);
+        violation.rule == Rule::Vertex
+            && ends
+                .flat_map(|open| &open.agents)
+                .any(|agent| violation.agents.contains(agent))
+    };
+    let violations = violations.into_iter().filter(|v| !is_after(v)).collect();
+    (to_do, violations)
+}
