@@ -7,6 +7,7 @@ import { describe } from "node:test";
 
 import { adapt, begin, join, running } from "./change.mjs";
 import { flows, sample } from "./flow.mjs";
+import { lead, rows, steps } from "./steer.mjs";
 
 const AXE = readFileSync(createRequire(import.meta.url).resolve("axe-core/axe.min.js"), "utf8");
 const OPENING = /^Optimal: makespan 18/;
@@ -91,6 +92,18 @@ describe("the audit finds nothing", () => {
       await playground.page.getByRole("button", { name: /^Adopt/ }).first().click();
       await playground.says(/^The world changed at time 1/);
       await audit(playground, "adopted");
+    }, options);
+
+    flow(`steering, and a plan of one's own that is checked, ${theme}`, async (playground) => {
+      await rows(playground);
+      await lead(playground, "A1", 0, 0);
+      await audit(playground, "steering");
+      await steps(playground, "Down", "Right");
+      await playground.says(/both at \(1,1\)/);
+      await audit(playground, "a collision");
+      await playground.press("Check my plan");
+      await playground.inspector.getByRole("heading", { name: "What is against the rules" }).waitFor();
+      await audit(playground, "checked");
     }, options);
 
     flow(`solving, stopped, and asking, ${theme}`, async (playground) => {

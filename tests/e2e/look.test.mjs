@@ -8,6 +8,7 @@ import { describe } from "node:test";
 import { root } from "./dist.mjs";
 import { flows } from "./flow.mjs";
 import { Playground } from "./page.mjs";
+import { lead, rows, steps } from "./steer.mjs";
 
 const OPENING = /^Optimal: makespan 18/;
 const EXAMPLES = JSON.parse(readFileSync(join(root, "static/examples/index.json"), "utf8"));
@@ -49,6 +50,20 @@ describe("the look", () => {
       await playground.act(playground.isPhone() ? "Settings" : "Save");
       await playground.picture(`menu-${theme}`);
     }, { theme });
+  }
+
+  for (const theme of ["light", "dark"]) {
+    flow(`shows an agent that is led by hand into another, ${theme}`, async (playground) => {
+      await rows(playground);
+      await lead(playground, "A1", 0, 0);
+      await playground.picture(`steering-${theme}`);
+      await steps(playground, "Down", "Right");
+      await playground.says(/both at \(1,1\)/);
+      await playground.picture(`steering-collision-${theme}`);
+      await playground.press("Check my plan");
+      await playground.inspector.getByRole("heading", { name: "What is against the rules" }).waitFor();
+      await playground.picture(`steering-checked-${theme}`);
+    }, { colorScheme: theme, reducedMotion: "reduce" });
   }
 
   // docs/playground.png is a copy of this picture.

@@ -21,10 +21,11 @@ export async function rows(playground) {
   await playground.reaches(0);
 }
 
-/** The agent on a cell is led by hand. */
+/** An agent is led by hand from its start, which is this cell. */
 export async function lead(playground, name, ...cell) {
-  await playground.cell(...cell).click();
   await playground.showTab("Inspector");
+  // Not on the board: there it is pressed where it is seen, which may be on its way.
+  await playground.inspector.getByRole("button", { name: new RegExp(`^${name}\\b`) }).first().click();
   await playground.inspector.getByRole("button", { name: `Lead ${name} by hand` }).click();
   await playground.says(new RegExp(`^${name} is at \\(${cell}\\) at time`));
 }

@@ -30,6 +30,8 @@ pub struct InspectorProps {
 #[component]
 pub fn Inspector(props: &InspectorProps) -> Html {
     let InspectorProps { state, send } = props;
+    // Whoever is led is told of from the top, wherever the button was that began it.
+    let led = state.steering.as_deref().map_or(0, |own| own.agent + 1);
     // Without a plan a phone has no tabs: this place is all there is.
     let alone = state.plan().is_none().then_some("alone");
     html! {
@@ -38,7 +40,7 @@ pub fn Inspector(props: &InspectorProps) -> Html {
                 <div class="scroll">{ answer::show(&card, send) }{ proof::show(state, send) }</div>
                 { answer::foot(&card, send) }
             } else {
-                <div class="scroll">
+                <div class="scroll" key={led}>
                     { content(state, send) }
                     { steer::begin(state, send) }
                     { change::begin(state, send) }

@@ -16,5 +16,5 @@ pub(super) fn steering(own: &Steering) -> String {
     if own.can_go_back() {
         return here;
     }
-    format!("{here} Lead it with the arrow keys, or press a cell beside it.")
+    format!("{here} Lead it with the arrows, or press a cell beside it.")
 }
