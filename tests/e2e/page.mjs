@@ -205,6 +205,9 @@ export class Playground {
   async open(...files) {
     const chooser = this.page.waitForEvent("filechooser");
     await this.act("Open");
+    if (!this.isPhone()) {
+      await this.press("Choose a file");
+    }
     const chosen = files.map((file) => typeof file === "string"
       ? file
       : { name: file.name, mimeType: "application/octet-stream", buffer: Buffer.from(file.bytes) });

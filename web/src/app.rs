@@ -12,6 +12,7 @@ use crate::drop::Drop;
 use crate::keep::{self, use_keep};
 use crate::keys::use_keys;
 use crate::notice::Notices;
+use crate::paste::use_paste;
 use crate::solver::use_solver;
 use crate::status::StatusBar;
 use crate::theme::{use_theme, wants_less_motion};
@@ -71,6 +72,7 @@ pub fn App() -> Html {
     use_keep(&state, &send);
     use_theme(state.view.theme);
     use_keys(&state, &send, &show);
+    use_paste(&state, &send, &show);
     use_wide(&send);
     html! {
         <ContextProvider<Clock> context={(*clock).clone()}>
@@ -102,9 +104,11 @@ fn dialog(panel: &Panel, state: &Shown, send: &Callback<Action>, show: &Callback
         Panel::Examples => html! { <Examples {send} {on_close} /> },
         Panel::Agents(choice) => html! { <Agents choice={choice.clone()} {send} {on_close} /> },
         Panel::Scenes => html! { <Scenes state={state.clone()} {send} {on_close} /> },
-        Panel::Share(link) => html! { <Share link={link.clone()} {send} {on_close} /> },
+        Panel::Share(link) => {
+            html! { <Share link={link.clone()} name={state.draft.scene().name.clone()} {send} {on_close} /> }
+        }
         Panel::Help => html! { <Help {on_close} /> },
-        Panel::Nothing | Panel::Menu | Panel::Save | Panel::Settings => html! {},
+        Panel::Nothing | Panel::Menu | Panel::Open | Panel::Save | Panel::Settings => html! {},
     }
 }
 

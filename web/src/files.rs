@@ -57,13 +57,22 @@ pub(crate) fn open(files: Option<FileList>, send: Callback<Action>, show: Callba
             Ok(opened) => read(&opened),
             Err(notice) => Err(notice),
         };
-        match reading {
-            Ok(Reading::Scene(scene)) => send.emit(Action::Open(scene)),
-            Ok(Reading::Linked(linked)) => send.emit(Action::OpenLink(linked)),
-            Ok(Reading::Scenario(choice)) => show.emit(Panel::Agents(Rc::new(*choice))),
-            Err(notice) => send.emit(Action::Refuse(notice)),
-        }
+        take(reading, &send, &show);
     });
+}
+
+/// Opens what was read, or tells why it cannot be.
+pub(crate) fn take(
+    reading: Result<Reading, Notice>,
+    send: &Callback<Action>,
+    show: &Callback<Panel>,
+) {
+    match reading {
+        Ok(Reading::Scene(scene)) => send.emit(Action::Open(scene)),
+        Ok(Reading::Linked(linked)) => send.emit(Action::OpenLink(linked)),
+        Ok(Reading::Scenario(choice)) => show.emit(Panel::Agents(Rc::new(*choice))),
+        Err(notice) => send.emit(Action::Refuse(notice)),
+    }
 }
 
 async fn read_all(files: &[File]) -> Result<Vec<Opened>, Notice> {

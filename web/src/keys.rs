@@ -7,14 +7,14 @@ use giveway_page::{
 };
 use gloo::events::{EventListener, EventListenerOptions};
 use wasm_bindgen::JsCast as _;
-use web_sys::{Element, KeyboardEvent};
+use web_sys::{Element, Event, KeyboardEvent};
 use yew::prelude::*;
 
 use crate::Shown;
 use crate::dialog::Panel;
 
 /// Where a person types.
-const FIELDS: &str = "input, textarea, select, [contenteditable]";
+pub(crate) const FIELDS: &str = "input, textarea, select, [contenteditable]";
 /// What Space presses.
 const PRESSED: &str = "button, a, summary, label";
 
@@ -57,19 +57,21 @@ fn wanted(event: &KeyboardEvent, state: &Shown) -> Option<Command> {
         shift: event.shift_key(),
         alt: event.alt_key(),
     };
-    let target = event.target().and_then(|t| t.dyn_into::<Element>().ok());
-    let is_in = |places: &str| {
-        let place = target.as_ref().map(|element| element.closest(places));
-        place.is_some_and(|place| place.is_ok_and(|place| place.is_some()))
-    };
     let everywhere = name == "Escape" || (key.ctrl && name == "Enter");
-    if (is_in(FIELDS) && !everywhere) || (name == " " && is_in(PRESSED)) {
+    if (is_in(event, FIELDS) && !everywhere) || (name == " " && is_in(event, PRESSED)) {
         return None;
     }
     command(key, state)
 }
 
-fn dialog_is_open() -> bool {
+/// Whether an event came from such a place.
+pub(crate) fn is_in(event: &Event, places: &str) -> bool {
+    let target = event.target().and_then(|t| t.dyn_into::<Element>().ok());
+    let place = target.map(|element| element.closest(places));
+    place.is_some_and(|place| place.is_ok_and(|place| place.is_some()))
+}
+
+pub(crate) fn dialog_is_open() -> bool {
     let dialog = gloo::utils::document().query_selector("dialog[open]");
     dialog.is_ok_and(|dialog| dialog.is_some())
 }

@@ -19,6 +19,7 @@ mod inspector;
 mod keep;
 mod keys;
 mod notice;
+mod paste;
 mod settings;
 mod shown;
 mod solver;

@@ -6,7 +6,7 @@ use yew::prelude::*;
 
 use crate::dialog::{Panel, use_dismiss};
 use crate::theme::system_is_dark;
-use crate::{Icon, Shown, keep};
+use crate::{Icon, Shown, copy, keep, paste};
 
 /// The state, what is open, and where changes of both go.
 #[derive(Clone, PartialEq, Properties)]
@@ -32,8 +32,13 @@ pub(crate) fn TopBar(props: &TopBarProps) -> Html {
     } = props;
     let acts = use_node_ref();
     let picker = use_node_ref();
-    let menu_open = matches!(panel, Panel::Menu | Panel::Save);
+    let menu_open = matches!(panel, Panel::Menu | Panel::Open | Panel::Save);
     use_dismiss(&acts, menu_open, &show.reform(|()| Panel::Nothing));
+    let is_copied = use_state_eq(|| false);
+    {
+        let is_copied = is_copied.clone();
+        use_effect_with(menu_open, move |_| is_copied.set(false));
+    }
     let pick = {
         let (picker, show) = (picker.clone(), show.clone());
         Callback::from(move |_: MouseEvent| {
@@ -50,6 +55,13 @@ pub(crate) fn TopBar(props: &TopBarProps) -> Html {
             crate::files::open(input.files(), send.clone(), show.clone());
             // So that the same file can be opened again.
             input.set_value("");
+        })
+    };
+    let paste = {
+        let (state, send, show) = (state.clone(), send.clone(), show.clone());
+        Callback::from(move |_: MouseEvent| {
+            show.emit(Panel::Nothing);
+            paste::ask(&state, send.clone(), show.clone());
         })
     };
     let scene = state.draft.scene();
@@ -89,9 +101,7 @@ pub(crate) fn TopBar(props: &TopBarProps) -> Html {
                 <button class="btn ghost wide" title="Examples" onclick={examples.clone()}>
                     <Icon name="examples" /><span>{ "Examples" }</span>
                 </button>
-                <button class="btn ghost wide" title="Open a file" onclick={pick.clone()}>
-                    <Icon name="open" /><span>{ "Open" }</span>
-                </button>
+                { toggle(panel, Panel::Open, "btn ghost wide", "open", "Open", show) }
                 <input ref={picker} type="file" hidden=true multiple=true onchange={picked}
                     accept=".json,.map,.scen,application/json" />
                 { toggle(panel, Panel::Save, "btn ghost wide", "save", "Save", show) }
@@ -115,14 +125,25 @@ pub(crate) fn TopBar(props: &TopBarProps) -> Html {
                     <Icon name="help" /><span class="vh">{ "Help" }</span>
                 </button>
                 { toggle(panel, Panel::Menu, "btn ghost only-ph", "more", "More", show) }
+                if *panel == Panel::Open {
+                    <div class="menu">
+                        { item("open", "Choose a file", pick.clone()) }
+                        { item("copy", "Paste", paste.clone()) }
+                    </div>
+                }
                 if *panel == Panel::Save {
-                    <div class="menu save">{ save_items(state, send, show) }</div>
+                    <div class="menu save">
+                        { save_items(state, send, show) }
+                        { copy_item(state, &is_copied, send) }
+                    </div>
                 }
                 if *panel == Panel::Menu {
                     <div class="menu">
                         { item("examples", "Examples", examples) }
                         { item("open", "Open", pick) }
+                        { item("copy", "Paste", paste) }
                         { save_items(state, send, show) }
+                        { copy_item(state, &is_copied, send) }
                         { item("share", "Share", share) }
                         <hr />
                         { item("settings", "Settings", show.reform(|_| Panel::Settings)) }
@@ -180,6 +201,31 @@ fn save_items(state: &Shown, send: &Callback<Action>, show: &Callback<Panel>) ->
             if has_changes { { item("save", "Save changes", changes) } }
             { item("save", "Save picture (SVG)", svg) }
             { item("save", "Save picture (PNG)", png) }
+        </>
+    }
+}
+
+/// Copies the scene, and says that it did for as long as the menu is open.
+fn copy_item(state: &Shown, is_copied: &UseStateHandle<bool>, send: &Callback<Action>) -> Html {
+    let press = {
+        let (state, is_copied, send) = (state.clone(), is_copied.clone(), send.clone());
+        Callback::from(move |_: MouseEvent| {
+            let (is_copied, send) = (is_copied.clone(), send.clone());
+            let text = files::scene_file(&state).text;
+            copy::text("scene", &text, move |done| match done {
+                Ok(()) => is_copied.set(true),
+                Err(notice) => send.emit(Action::Refuse(notice)),
+            });
+        })
+    };
+    let (icon, name) = match **is_copied {
+        true => ("check", "Scene copied"),
+        false => ("copy", "Copy scene"),
+    };
+    html! {
+        <>
+            { item(icon, name, press) }
+            <span class="vh" aria-live="polite">{ is_copied.then_some(name) }</span>
         </>
     }
 }

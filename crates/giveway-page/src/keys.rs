@@ -148,6 +148,10 @@ pub const HELP: [(&str, &[Row]); 5] = [
             row(&["Escape"], "Cancel; close what is open"),
             row(&["Ctrl+Z"], "Undo"),
             row(&["Ctrl+Shift+Z"], "Redo"),
+            row(
+                &["Ctrl+V"],
+                "Open what was copied: a scene, a plan, a map, a link",
+            ),
         ],
     ),
     (

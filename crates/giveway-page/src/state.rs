@@ -2,7 +2,7 @@
 
 use std::rc::Rc;
 
-use giveway_model::{Agent, Cell, Plan};
+use giveway_model::{Agent, Cell, Plan, Question};
 use giveway_proof::Report;
 use giveway_solve::Status;
 
@@ -26,6 +26,8 @@ pub struct State {
     pub(crate) front: Option<Rc<Front>>,
     /// The question that was asked last, until it is left.
     pub asking: Option<Rc<Asking>>,
+    /// A question that came without a plan, and the run that may find one.
+    pub(crate) wanted: Option<(u64, Question)>,
     /// What changes in the world while the plan runs, until that is adopted or
     /// left.
     pub changing: Option<Rc<Changing>>,
@@ -153,6 +155,7 @@ impl State {
             answer: None,
             front: None,
             asking: None,
+            wanted: None,
             changing: None,
             steering: None,
             checked: None,

@@ -27,6 +27,8 @@ pub(crate) enum Panel {
     Nothing,
     /// The menu of a phone.
     Menu,
+    /// From where a scene can come.
+    Open,
     /// What can be saved.
     Save,
     /// The settings.

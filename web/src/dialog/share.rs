@@ -1,6 +1,6 @@
-//! The link that holds the scene with its plan.
+//! The link that holds the scene with its plan and its question.
 
-use giveway_page::Action;
+use giveway_page::{Action, link::embed};
 use yew::prelude::*;
 
 use super::frame::Frame;
@@ -13,31 +13,36 @@ const LONG: usize = 8000;
 pub(crate) struct ShareProps {
     /// The link.
     pub(crate) link: AttrValue,
+    /// The scene's name.
+    pub(crate) name: String,
     /// Takes what the browser refuses.
     pub(crate) send: Callback<Action>,
     /// Called when it was closed.
     pub(crate) on_close: Callback<()>,
 }
 
-/// The link, to be copied.
+/// The link, to be copied, by itself or as HTML.
 #[component]
 pub(crate) fn Share(props: &ShareProps) -> Html {
-    let is_copied = use_state_eq(|| false);
-    let press = {
-        let (props, is_copied) = (props.clone(), is_copied.clone());
+    let told = use_state_eq(|| "");
+    let press = |what: &'static str, text: AttrValue, done_so: &'static str| {
+        let (send, told) = (props.send.clone(), told.clone());
         Callback::from(move |_: MouseEvent| {
-            let (send, is_copied) = (props.send.clone(), is_copied.clone());
-            copy::text("link", &props.link, move |done| match done {
-                Ok(()) => is_copied.set(true),
+            let (send, told) = (send.clone(), told.clone());
+            copy::text(what, &text, move |done| match done {
+                Ok(()) => told.set(done_so),
                 Err(notice) => send.emit(Action::Refuse(notice)),
             });
         })
     };
+    let link = press("link", props.link.clone(), "Link copied.");
+    let html = embed(&props.link, &props.name).into();
+    let code = press("embed code", html, "Embed code copied.");
     let length = props.link.len();
     html! {
         <Frame title="Share" on_close={props.on_close.clone()}>
-            <p>{ "Whoever opens this link sees the scene and its plan at the time shown. \
-                  Nothing is sent anywhere: all of it is in the link." }</p>
+            <p>{ "Whoever opens this link sees the scene and its plan at the time shown; a question \
+                  that is open is asked again. Nothing is sent anywhere: all of it is in the link." }</p>
             if length > LONG {
                 <p>{ format!("It has {length} characters, which some programs cut: a file is safer.") }</p>
             }
@@ -46,8 +51,10 @@ pub(crate) fn Share(props: &ShareProps) -> Html {
                 <input id="link" class="field" type="text" readonly=true value={props.link.clone()} />
             </div>
             <div class="dialog-foot">
-                <span class="grow" role="status">{ if *is_copied { "Copied." } else { "" } }</span>
-                <button class="btn primary" onclick={press}><Icon name="copy" />{ "Copy link" }</button>
+                <span class="grow" role="status">{ *told }</span>
+                <button class="btn outline" title="HTML that shows the plan inside another page"
+                    onclick={code}>{ "Copy embed code" }</button>
+                <button class="btn primary" onclick={link}><Icon name="copy" />{ "Copy link" }</button>
             </div>
         </Frame>
     }

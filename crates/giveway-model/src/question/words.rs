@@ -132,7 +132,11 @@ pub fn to_words(question: &Question) -> String {
 }
 
 impl Asked {
-    fn set(&mut self, option: &str, value: &str) -> Result<(), WordsError> {
+    /// Takes an option in: its name without `--`, and its value as it is typed.
+    ///
+    /// # Errors
+    /// A sentence: there is no such option, or the value cannot be read.
+    pub fn set(&mut self, option: &str, value: &str) -> Result<(), WordsError> {
         let cell = |place: &mut Option<Cell>| {
             *place = Some(read_cell(value).ok_or_else(|| unread(option, value, "a cell X,Y"))?);
             Ok(())
@@ -158,7 +162,7 @@ impl Asked {
     }
 
     /// The options that are given, with their values, in a fixed order.
-    fn options(&self) -> Vec<(&'static str, String)> {
+    pub fn options(&self) -> Vec<(&'static str, String)> {
         let cell = |cell: Option<Cell>| cell.map(|cell| format!("{},{}", cell.x, cell.y));
         let number = |number: Option<u32>| number.map(|number| number.to_string());
         [
@@ -306,7 +310,7 @@ impl Asked {
     }
 
     /// The parts of a question.
-    fn of(question: &Question) -> Self {
+    pub fn of(question: &Question) -> Self {
         let mut asked = Self {
             kind: question.kind().to_owned(),
             agents: question.agent().into_iter().map(str::to_owned).collect(),

@@ -11,8 +11,8 @@ mod tests;
 use giveway_model::format::{movingai, native, read_text};
 use giveway_model::{Fault, Scene};
 
-use crate::link::Linked;
-use crate::{Notice, words::count};
+use crate::link::{self, Linked};
+use crate::{Notice, State, words::count};
 use kind::Kind;
 
 pub use save::{Saved, changes_file, picture_name, plan_file, scene_file};
@@ -102,6 +102,41 @@ pub fn read(files: &[Opened]) -> Result<Reading, Notice> {
             ],
         }),
     }
+}
+
+/// What a pasted text is called.
+const PASTED: &str = "Pasted text";
+
+/// Reads a text that was pasted: what a file may hold, a plan for the scene on
+/// the board, or a link of this page.
+///
+/// # Errors
+/// As [`read`].
+///
+/// ```
+/// use giveway_page::{Draft, State, files::{Reading, pasted}};
+/// let state = State::new(Draft::default());
+/// let scene = r#"{"giveway": 1, "map": [".."], "agents": []}"#;
+/// assert!(matches!(pasted(&state, scene), Ok(Reading::Scene(_))));
+/// assert!(pasted(&state, "good morning").is_err());
+/// ```
+pub fn pasted(state: &State, text: &str) -> Result<Reading, Notice> {
+    let link = text.trim().split_once('#').map(|(_, link)| link);
+    if let Some(link) = link.filter(|link| link.starts_with("giveway=")) {
+        let linked = link::read(link, link::From::Anywhere)?;
+        return Ok(Reading::Linked(Box::new(linked)));
+    }
+    let opened = |name: &str, text: &str| Opened {
+        name: name.to_owned(),
+        bytes: text.as_bytes().to_vec(),
+    };
+    let pasted = opened(PASTED, text);
+    if text.len() as u64 <= MAX_BYTES && course::is_plan(text) {
+        // Two things cannot be pasted together.
+        let scene = scene_file(state);
+        return read(&[opened(&scene.name, &scene.text), pasted]);
+    }
+    read(&[pasted])
 }
 
 fn text(file: &Opened) -> Result<&str, Notice> {

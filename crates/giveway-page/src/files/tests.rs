@@ -176,3 +176,41 @@ fn a_scene_with_its_plan_and_what_changed() {
         "{notice:?}"
     );
 }
+
+#[test]
+fn a_pasted_plan_is_for_the_scene_on_the_board() {
+    let state = crate::sample::solved();
+    let plan = plan_file(&state).unwrap().text;
+    let Ok(Reading::Linked(linked)) = pasted(&state, &plan) else {
+        panic!("no plan");
+    };
+    assert_eq!(linked.answer.unwrap().plan(), state.plan());
+    let other = crate::State::new(crate::Draft::default());
+    let refused = pasted(&other, &plan).unwrap_err();
+    assert!(refused.sentence.contains("Pasted text"), "{refused:?}");
+}
+
+#[test]
+fn a_pasted_link_is_opened_and_a_broken_one_refused() {
+    let state = crate::sample::solved();
+    let link = format!(
+        " https://example.org/play?x#{}\n",
+        crate::link::write(&state)
+    );
+    assert!(matches!(pasted(&state, &link), Ok(Reading::Linked(_))));
+    let broken = pasted(&state, "https://example.org/#giveway=9").unwrap_err();
+    assert!(broken.details[0].contains("version 9"), "{broken:?}");
+}
+
+#[test]
+fn a_pasted_text_is_refused_with_its_place() {
+    let state = crate::sample::solved();
+    let broken = pasted(&state, "{\n  \"giveway\": 1,\n  \"map\": [").unwrap_err();
+    assert!(
+        broken.details[0].contains("Pasted text, line 3"),
+        "{broken:?}"
+    );
+    let huge = " ".repeat(10_000_001);
+    let refused = pasted(&state, &huge).unwrap_err();
+    assert!(refused.details[0].contains("11 MB"), "{refused:?}");
+}

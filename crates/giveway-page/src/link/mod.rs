@@ -3,9 +3,10 @@
 //!
 //! ```text
 //! giveway=1&map=10.2f6s2f...&name=warehouse&rules=0.0&costs=012&agents=A1.0.0.9.2!10.10;...
-//! &plan=2rR...;...&time=7
+//! &plan=2rR...;...&time=7&ask=wait;A2!at.3.1
 //! ```
 
+mod ask;
 mod change;
 mod claim;
 mod plan;
@@ -20,7 +21,7 @@ use std::fmt::Write as _;
 use std::rc::Rc;
 
 use giveway_model::change::Changes;
-use giveway_model::{Agent, Plan, Scene, check};
+use giveway_model::{Agent, Plan, Question, Scene, check};
 use giveway_solve::{SolveAnswer, SolveRequest, Status};
 
 use crate::changing::Changing;
@@ -45,6 +46,8 @@ pub struct Linked {
     pub(crate) changing: Option<Rc<Changing>>,
     /// The plan of one's own, where the browser kept one.
     pub(crate) steering: Option<Rc<Steering>>,
+    /// The question that was asked of the plan, or why there is none.
+    pub(crate) question: Option<Question>,
 }
 
 /// Whose text it is.
@@ -65,6 +68,42 @@ pub enum From {
 /// assert!(link::read(&text, link::From::Anywhere).is_ok());
 /// ```
 pub fn write(state: &State) -> String {
+    let mut text = write_plan(state);
+    let asking = state.asking.as_deref().filter(|_| !state.is_stale());
+    if let Some(asking) = asking {
+        text += ASK;
+        text += &ask::write(asking.question());
+    }
+    text
+}
+
+/// What comes before the question, which is the last part of a link.
+const ASK: &str = "&ask=";
+
+/// HTML that shows the scene of a link inside another page: a question is not
+/// asked there.
+///
+/// ```
+/// use giveway_page::link::embed;
+/// let html = embed("https://example.org/#giveway=1&map=1.f", "5 < 6");
+/// assert!(html.contains("src=\"https://example.org/?embed#giveway=1&amp;map=1.f\""));
+/// assert!(html.contains("title=\"Giveway: 5 &lt; 6\""));
+/// ```
+pub fn embed(link: &str, name: &str) -> String {
+    let text = |text: &str| {
+        let text = text.replace('&', "&amp;").replace('"', "&quot;");
+        text.replace('<', "&lt;").replace('>', "&gt;")
+    };
+    let link = link.split(ASK).next().unwrap_or_default();
+    let link = text(&link.replacen('#', "?embed#", 1));
+    let name = text(name);
+    format!(
+        "<iframe src=\"{link}\" title=\"Giveway: {name}\" width=\"640\" height=\"480\" \
+         loading=\"lazy\" style=\"border: 0\"></iframe>"
+    )
+}
+
+fn write_plan(state: &State) -> String {
     let mut text = scene::write(state.draft.scene());
     if let Some(answer) = state.fresh_answer()
         && let Some(plan) = answer.plan()
@@ -85,7 +124,7 @@ pub fn write(state: &State) -> String {
 
 /// The state as this browser keeps it: a link, with what was proved.
 pub fn keep(state: &State) -> String {
-    let mut text = write(state);
+    let mut text = write_plan(state);
     if let Some(answer) = state.fresh_answer() {
         text += "&claim=";
         text += &claim::write(&answer.solved);
@@ -144,13 +183,14 @@ fn parse(text: &str, from: From) -> Result<Linked, String> {
     let mut scene = Scene::default();
     let (mut plan, mut time) = (None, 0);
     let mut kept = Kept::default();
-    let mut changes = None;
+    let (mut changes, mut question) = (None, None);
     for (key, value) in parts {
         let broken = || format!("Its part \u{201c}{key}\u{201d} is broken.");
         match key {
             "plan" => plan = Some(value),
             "time" => time = value.parse().map_err(|_| broken())?,
             "changes" => changes = Some(value),
+            "ask" => question = Some(ask::read(value).ok_or_else(broken)?),
             "claim" if from == From::Here => kept.claim = Some(value),
             "steps" if from == From::Here => kept.steps = Some(value),
             "listed" if from == From::Here => kept.listed = Some(value),
@@ -195,6 +235,7 @@ fn parse(text: &str, from: From) -> Result<Linked, String> {
         time: time.min(answer.as_deref().map_or(0, Answer::makespan)),
         answer,
         changing: changing.map(Rc::new),
+        question,
         draft,
     })
 }
@@ -237,6 +278,7 @@ pub(crate) fn judged(draft: Draft, plan: Plan, changes: Option<Changes>) -> Resu
         time: 0,
         changing: None,
         steering: None,
+        question: None,
     })
 }
 

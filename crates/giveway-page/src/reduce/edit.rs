@@ -34,7 +34,8 @@ pub(super) fn open(state: &mut State, scene: Scene) {
     put(state, draft);
 }
 
-/// Replaces the scene by that of a link, with its plan.
+/// Replaces the scene by that of a link, with its plan, and asks its question:
+/// without a plan, once the scene is solved.
 pub(super) fn open_link(state: &mut State, linked: Linked) {
     put(state, (*linked.draft).clone());
     if let Some(answer) = linked.answer {
@@ -42,6 +43,12 @@ pub(super) fn open_link(state: &mut State, linked: Linked) {
         state.draft = linked.draft;
         state.answer = Some(answer);
         state.playback.time = linked.time;
+        if let Some(question) = linked.question {
+            ask::ask(state, question);
+        }
+    } else if let Some(question) = linked.question {
+        solve::start(state);
+        state.wanted = state.work.id().map(|run| (run, question));
     }
 }
 

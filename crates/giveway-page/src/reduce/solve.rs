@@ -175,6 +175,9 @@ pub(super) fn respond(state: &mut State, id: u64, response: Response) {
             }
             state.front = None;
             play_from_start(state, Rc::new(answer));
+            if let Some((_, question)) = state.wanted.take().filter(|(run, _)| *run == id) {
+                super::ask::ask(state, question);
+            }
         }
         Response::Front(front) => {
             let front = Front::new(run.draft, &run.request, front);

@@ -1,0 +1,72 @@
+//! What is pasted anywhere but into a field: it is opened as a file is.
+
+use giveway_page::{Action, Notice, State, files::pasted};
+use gloo::events::{EventListener, EventListenerOptions};
+use wasm_bindgen::JsCast as _;
+use wasm_bindgen_futures::JsFuture;
+use web_sys::ClipboardEvent;
+use yew::platform::spawn_local;
+use yew::prelude::*;
+
+use crate::dialog::Panel;
+use crate::keys::{FIELDS, dialog_is_open, is_in};
+use crate::{Shown, files};
+
+/// Listens for what is pasted.
+#[hook]
+pub(crate) fn use_paste(state: &Shown, send: &Callback<Action>, show: &Callback<Panel>) {
+    let latest = use_mut_ref(|| state.clone());
+    latest.replace(state.clone());
+    let (send, show) = (send.clone(), show.clone());
+    use_effect_with((), move |()| {
+        let window = gloo::utils::window();
+        let options = EventListenerOptions::enable_prevent_default();
+        let listening = EventListener::new_with_options(&window, "paste", options, move |event| {
+            let Some(data) = wanted(event).and_then(ClipboardEvent::clipboard_data) else {
+                return;
+            };
+            let text = data.get_data("text/plain").unwrap_or_default();
+            let copied = data.files().filter(|files| files.length() > 0);
+            if copied.is_some() {
+                files::open(copied, send.clone(), show.clone());
+            } else if !text.trim().is_empty() {
+                files::take(pasted(&latest.borrow(), &text), &send, &show);
+            } else {
+                return;
+            }
+            event.prevent_default();
+        });
+        move || drop(listening)
+    });
+}
+
+fn wanted(event: &web_sys::Event) -> Option<&ClipboardEvent> {
+    if event.default_prevented() || dialog_is_open() || is_in(event, FIELDS) {
+        return None;
+    }
+    event.dyn_ref()
+}
+
+/// Asks the browser for what was copied, and opens it.
+pub(crate) fn ask(state: &Shown, send: Callback<Action>, show: Callback<Panel>) {
+    let refused = Notice {
+        sentence: "The browser did not let the page read what was copied.".to_owned(),
+        details: vec!["Press Ctrl V instead.".to_owned()],
+    };
+    let window = gloo::utils::window();
+    if !window.is_secure_context() {
+        // There is no clipboard at all then.
+        return send.emit(Action::Refuse(refused));
+    }
+    let read = window.navigator().clipboard().read_text();
+    let state: State = (**state).clone();
+    spawn_local(async move {
+        match JsFuture::from(read).await {
+            Ok(text) => {
+                let text = text.as_string().unwrap_or_default();
+                files::take(pasted(&state, &text), &send, &show);
+            }
+            Err(_) => send.emit(Action::Refuse(refused)),
+        }
+    });
+}
