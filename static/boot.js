@@ -20,7 +20,8 @@ function tell(error) {
 // Only a build names a service worker: while one works on the page, nothing is kept.
 function keep() {
   const script = document.querySelector('meta[name="giveway-service-worker"]')?.content;
-  if (script && "serviceWorker" in navigator) {
+  // Inside another page nothing is kept either.
+  if (script && "serviceWorker" in navigator && location.search !== "?embed") {
     navigator.serviceWorker.register(new URL(script, document.baseURI)).catch((error) => {
       // Some hosts and some private windows allow none; the page works all the same.
       console.warn(`Giveway is not kept for offline use: ${error.message}`);

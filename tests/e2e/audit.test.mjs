@@ -1,15 +1,12 @@
 // An automated audit in every state of the page, light and dark: no violation.
 
-import assert from "node:assert/strict";
-import { readFileSync } from "node:fs";
-import { createRequire } from "node:module";
 import { describe } from "node:test";
 
+import { audit } from "./audit.mjs";
 import { adapt, begin, join, running } from "./change.mjs";
 import { flows, sample } from "./flow.mjs";
 import { lead, rows, steps } from "./steer.mjs";
 
-const AXE = readFileSync(createRequire(import.meta.url).resolve("axe-core/axe.min.js"), "utf8");
 const OPENING = /^Optimal: makespan 18/;
 /** Takes the solver longer than any audit. */
 const HARD = sample("mmapf/A17_mm_20x20_o15_a30.json");
@@ -139,21 +136,4 @@ async function ask(playground, question) {
     await playground.showTab("Inspector");
   }
   await playground.inspector.getByRole("button", { name: question }).first().click();
-}
-
-/** Fails with every violation that the page has as it is now. */
-async function audit({ page }, state) {
-  // Through the driver: the page's own policy lets no foreign script in.
-  if (!await page.evaluate(() => "axe" in window)) {
-    await page.evaluate(AXE);
-  }
-  const violations = await page.evaluate(async () => {
-    const { violations } = await window.axe.run(document, { resultTypes: ["violations"] });
-    return violations.map(({ id, help, nodes }) => ({
-      id,
-      help,
-      nodes: nodes.slice(0, 5).map(({ html, failureSummary }) => `${html.slice(0, 200)}: ${failureSummary}`),
-    }));
-  });
-  assert.deepEqual(violations, [], state);
 }

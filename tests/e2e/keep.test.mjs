@@ -127,6 +127,38 @@ describe("links", () => {
     await other.close();
   }, WITH_TIME);
 
+  flow("hold the question, which is asked again", async (playground, { context, page }) => {
+    await playground.example("Who waits?");
+    await playground.says(/^Optimal: makespan 4/);
+    await playground.showTab("Inspector");
+    await playground.inspector.getByRole("button", { name: /^A2\b/ }).first().click();
+    await playground.inspector.getByRole("button", { name: /^Why does A2 wait at \(3,1\)\?/ }).first().click();
+    await playground.button("Take the other plan").waitFor();
+    await playground.act("Share");
+    const link = await page.getByRole("dialog", { name: "Share" }).getByLabel("Link").inputValue();
+    assert.match(link, /&ask=wait;A2!at\.3\.1/);
+    const other = await context.newPage();
+    await other.goto(link);
+    await other.getByRole("heading", { level: 1, name: /^scenario 1/ }).waitFor();
+    await other.getByRole("button", { name: "Take the other plan", exact: true }).waitFor();
+    await other.screenshot({ path: playground.pathOf("linked-question") });
+    await other.close();
+  });
+
+  flow("about what has no plan solve it first, and then ask why", async (playground, { host, page }) => {
+    await playground.example("No way past");
+    await playground.says(/^No plan, whatever the horizon/);
+    await playground.showTab("Inspector");
+    await playground.inspector.getByRole("button", { name: /^Why is there no plan\?/ }).first().click();
+    await playground.inspector.getByRole("heading", { name: "What would help" }).waitFor();
+    await playground.act("Share");
+    const link = await page.getByRole("dialog", { name: "Share" }).getByLabel("Link").inputValue();
+    await page.goto("about:blank");
+    await page.goto(link);
+    await playground.inspector.getByRole("heading", { name: "What would help" }).waitFor();
+    assert.ok(link.startsWith(`${host.url}#`));
+  }, { screens: ["desktop"] });
+
   for (const [what, hash, told] of [
     ["another version", "giveway=2&map=1.f", /version 2; this page reads version 1/],
     ["a version that is markup", "giveway=<script>alert(1)</script>&map=1.f", /version %3Cscript/],

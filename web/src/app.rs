@@ -9,6 +9,7 @@ use yew::prelude::*;
 
 use crate::dialog::{Agents, Examples, Help, Panel, Scenes, Share};
 use crate::drop::Drop;
+use crate::embed;
 use crate::keep::{self, use_keep};
 use crate::keys::use_keys;
 use crate::notice::Notices;
@@ -71,9 +72,26 @@ pub fn App() -> Html {
     use_solver(&state, &send);
     use_keep(&state, &send);
     use_theme(state.view.theme);
-    use_keys(&state, &send, &show);
-    use_paste(&state, &send, &show);
+    let is_embedded = *use_memo((), |()| embed::is_embedded());
+    use_keys(&state, &send, &show, is_embedded);
+    use_paste(&state, &send, &show, is_embedded);
     use_wide(&send);
+    if is_embedded {
+        let send = send.clone();
+        let look = Callback::from(move |action| {
+            if embed::only_looks(&action) {
+                send.emit(action);
+            }
+        });
+        return html! {
+            <ContextProvider<Clock> context={(*clock).clone()}>
+                <div class="app embed">
+                    { embed::show(&state, &look) }
+                    <Notices notice={state.notice.clone()} send={look} />
+                </div>
+            </ContextProvider<Clock>>
+        };
+    }
     html! {
         <ContextProvider<Clock> context={(*clock).clone()}>
             <div class={classes!("app", phase_class(state.phase()))} data-tab={tab(state.view.tab)}>

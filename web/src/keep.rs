@@ -9,6 +9,7 @@ use web_sys::Storage;
 use yew::prelude::*;
 
 use crate::Shown;
+use crate::embed::is_embedded;
 
 /// The names under which things are kept; others of the same host have theirs.
 const PAGE: &str = "giveway.page";
@@ -19,7 +20,12 @@ const SCENES: usize = 100;
 /// How long nothing must change before the page is kept, in milliseconds.
 const CALM_MS: u32 = 400;
 
+/// Inside another page there is none: it must not keep its plan in the place of
+/// what a person left on the page itself.
 fn storage() -> Option<Storage> {
+    if is_embedded() {
+        return None;
+    }
     gloo::utils::window().local_storage().ok()?
 }
 
@@ -55,6 +61,7 @@ pub(crate) fn opening(otherwise: impl FnOnce() -> Draft) -> State {
 
 /// Opens the scene of the address, once: the address is then as it was before,
 /// so that what is changed from now on is not lost by loading the page anew.
+/// Inside another page nothing is changed, and loading it anew shows the same.
 fn from_address() -> Option<Action> {
     let window = gloo::utils::window();
     let hash = window.location().hash().ok()?;
@@ -66,7 +73,8 @@ fn from_address() -> Option<Action> {
         window.location().pathname(),
         window.location().search(),
         window.history(),
-    ) {
+    ) && !is_embedded()
+    {
         let address = path + &query;
         // Where it is refused the link is just opened anew the next time.
         let _ = history.replace_state_with_url(&wasm_bindgen::JsValue::NULL, "", Some(&address));

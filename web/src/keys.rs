@@ -12,15 +12,22 @@ use yew::prelude::*;
 
 use crate::Shown;
 use crate::dialog::Panel;
+use crate::embed::only_looks;
 
 /// Where a person types.
 pub(crate) const FIELDS: &str = "input, textarea, select, [contenteditable]";
 /// What Space presses.
 const PRESSED: &str = "button, a, summary, label";
 
-/// Listens for keys that no place of the page took for itself.
+/// Listens for keys that no place of the page took for itself; inside another
+/// page only for those that play.
 #[hook]
-pub(crate) fn use_keys(state: &Shown, send: &Callback<Action>, show: &Callback<Panel>) {
+pub(crate) fn use_keys(
+    state: &Shown,
+    send: &Callback<Action>,
+    show: &Callback<Panel>,
+    is_embedded: bool,
+) {
     let latest = use_mut_ref(|| state.clone());
     latest.replace(state.clone());
     let (send, show) = (send.clone(), show.clone());
@@ -33,7 +40,11 @@ pub(crate) fn use_keys(state: &Shown, send: &Callback<Action>, show: &Callback<P
                     return;
                 };
                 let command = wanted(event, &latest.borrow());
-                let Some(command) = command else {
+                let fits = |command: &Command| match command {
+                    Command::Act(action) => only_looks(action),
+                    Command::Help => false,
+                };
+                let Some(command) = command.filter(|command| !is_embedded || fits(command)) else {
                     return;
                 };
                 event.prevent_default();

@@ -11,6 +11,7 @@ mod compare;
 mod copy;
 mod dialog;
 mod drop;
+mod embed;
 mod field;
 mod files;
 mod glyph;

@@ -12,16 +12,21 @@ use crate::dialog::Panel;
 use crate::keys::{FIELDS, dialog_is_open, is_in};
 use crate::{Shown, files};
 
-/// Listens for what is pasted.
+/// Listens for what is pasted; not inside another page, where nothing is edited.
 #[hook]
-pub(crate) fn use_paste(state: &Shown, send: &Callback<Action>, show: &Callback<Panel>) {
+pub(crate) fn use_paste(
+    state: &Shown,
+    send: &Callback<Action>,
+    show: &Callback<Panel>,
+    is_embedded: bool,
+) {
     let latest = use_mut_ref(|| state.clone());
     latest.replace(state.clone());
     let (send, show) = (send.clone(), show.clone());
     use_effect_with((), move |()| {
         let window = gloo::utils::window();
         let options = EventListenerOptions::enable_prevent_default();
-        let listening = EventListener::new_with_options(&window, "paste", options, move |event| {
+        let listen = move |event: &web_sys::Event| {
             let Some(data) = wanted(event).and_then(ClipboardEvent::clipboard_data) else {
                 return;
             };
@@ -35,7 +40,9 @@ pub(crate) fn use_paste(state: &Shown, send: &Callback<Action>, show: &Callback<
                 return;
             }
             event.prevent_default();
-        });
+        };
+        let listening = (!is_embedded)
+            .then(|| EventListener::new_with_options(&window, "paste", options, listen));
         move || drop(listening)
     });
 }

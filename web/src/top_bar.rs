@@ -101,10 +101,26 @@ pub(crate) fn TopBar(props: &TopBarProps) -> Html {
                 <button class="btn ghost wide" title="Examples" onclick={examples.clone()}>
                     <Icon name="examples" /><span>{ "Examples" }</span>
                 </button>
-                { toggle(panel, Panel::Open, "btn ghost wide", "open", "Open", show) }
+                <span class="hold">
+                    { toggle(panel, Panel::Open, "btn ghost wide", "open", "Open", show) }
+                    if *panel == Panel::Open {
+                        <div class="menu">
+                            { item("open", "Choose a file", pick.clone()) }
+                            { item("copy", "Paste", paste.clone()) }
+                        </div>
+                    }
+                </span>
                 <input ref={picker} type="file" hidden=true multiple=true onchange={picked}
                     accept=".json,.map,.scen,application/json" />
-                { toggle(panel, Panel::Save, "btn ghost wide", "save", "Save", show) }
+                <span class="hold">
+                    { toggle(panel, Panel::Save, "btn ghost wide", "save", "Save", show) }
+                    if *panel == Panel::Save {
+                        <div class="menu">
+                            { save_items(state, send, show) }
+                            { copy_item(state, &is_copied, send) }
+                        </div>
+                    }
+                </span>
                 <button class="btn ghost wide" title="Share a link" onclick={share.clone()}>
                     <Icon name="share" /><span>{ "Share" }</span>
                 </button>
@@ -125,18 +141,6 @@ pub(crate) fn TopBar(props: &TopBarProps) -> Html {
                     <Icon name="help" /><span class="vh">{ "Help" }</span>
                 </button>
                 { toggle(panel, Panel::Menu, "btn ghost only-ph", "more", "More", show) }
-                if *panel == Panel::Open {
-                    <div class="menu">
-                        { item("open", "Choose a file", pick.clone()) }
-                        { item("copy", "Paste", paste.clone()) }
-                    </div>
-                }
-                if *panel == Panel::Save {
-                    <div class="menu save">
-                        { save_items(state, send, show) }
-                        { copy_item(state, &is_copied, send) }
-                    </div>
-                }
                 if *panel == Panel::Menu {
                     <div class="menu">
                         { item("examples", "Examples", examples) }

@@ -17,6 +17,7 @@ mod marks;
 mod motion;
 mod picture;
 mod reasons;
+mod still;
 mod viewport;
 mod ways;
 
@@ -37,6 +38,7 @@ use legend::Under;
 use marks::Marks;
 pub(crate) use picture::picture;
 use reasons::ReasonMarks;
+pub(crate) use still::Still;
 use viewport::use_viewport;
 use ways::Ways;
 

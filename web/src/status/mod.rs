@@ -2,7 +2,7 @@
 
 mod live;
 
-use giveway_page::{Action, Phase, words};
+use giveway_page::{Action, Phase, State, words};
 use yew::prelude::*;
 
 use crate::dialog::{Panel, use_dismiss};
@@ -44,17 +44,9 @@ pub(crate) fn StatusBar(props: &StatusBarProps) -> Html {
         }
     });
     let costs = words::objective(&state.draft.scene().objective);
-    let standing = words::standing(state);
-    let badge = standing.badge;
     html! {
         <section class="status" aria-label="Status">
-            <p class="status-line" aria-hidden="true">
-                <span class={classes!("badge", badge.class())}>
-                    <Icon name={badge.icon()} />{ badge.word() }
-                </span>
-                <span class="say">{ after_badge(&standing) }</span>
-            </p>
-            <Live {standing} />
+            { sentence(state) }
             <div class="solve" ref={around}>
                 <button class="obj" title="Objective, rules and limits"
                     aria-label={format!("Settings: {}", objective_words(&costs))}
@@ -69,6 +61,23 @@ pub(crate) fn StatusBar(props: &StatusBarProps) -> Html {
                 }
             </div>
         </section>
+    }
+}
+
+/// The status sentence with its badge: seen, and read aloud.
+pub(crate) fn sentence(state: &State) -> Html {
+    let standing = words::standing(state);
+    let badge = standing.badge;
+    html! {
+        <>
+            <p class="status-line" aria-hidden="true">
+                <span class={classes!("badge", badge.class())}>
+                    <Icon name={badge.icon()} />{ badge.word() }
+                </span>
+                <span class="say">{ after_badge(&standing) }</span>
+            </p>
+            <Live {standing} />
+        </>
     }
 }
 

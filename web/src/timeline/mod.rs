@@ -21,6 +21,7 @@ use plan::Plan;
 use same::Same;
 use tabs::Tabs;
 use transport::Transport;
+pub(crate) use transport::play_keys;
 use wait::Wait;
 
 /// Windows lower than this, in pixels, begin with the plan table closed, so

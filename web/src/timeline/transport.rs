@@ -1,7 +1,7 @@
 //! The transport: time shown, playing, speed, and what is shown of the plan.
 
 use giveway_page::changing::columns;
-use giveway_page::{Action, Speed, table};
+use giveway_page::{Action, Speed, State, table};
 use gloo::timers::callback::Timeout;
 use yew::prelude::*;
 
@@ -15,6 +15,22 @@ const COPIED_MS: u32 = 1600;
 #[component]
 pub(super) fn Transport(props: &DockProps) -> Html {
     let DockProps { state, send } = props;
+    let (playback, last) = (state.playback, state.last_time());
+    html! {
+        <div class="transport">
+            { play_keys(state, send) }
+            // No live region: nobody wants every step read aloud.
+            <p class="clock"><b>{ playback.time }</b><span>{ format!(" of {last}") }</span></p>
+            <SpeedPicker speed={playback.speed} send={send.clone()} />
+            { change(props) }
+            <span class="grow"></span>
+            { views(props) }
+        </div>
+    }
+}
+
+/// The buttons that play and step.
+pub(crate) fn play_keys(state: &State, send: &Callback<Action>) -> Html {
     let playback = state.playback;
     let last = state.last_time();
     let button = |icon: &'static str, name: &'static str, key: &str, action: Action, off: bool| {
@@ -33,23 +49,15 @@ pub(super) fn Transport(props: &DockProps) -> Html {
         ("play", "Play", Action::Play)
     };
     html! {
-        <div class="transport">
-            <div class="keys">
-                { button("start", "To start", "Home", Action::Seek(0), at_start && !playback.playing) }
-                { button("step-back", "Step back", ",", Action::StepBack, at_start) }
-                <button type="button" class="btn playb" title={format!("{name} (Space)")} disabled={last == 0}
-                    onclick={send.reform(move |_| action.clone())}>
-                    <Icon name={icon} /><span class="vh">{ name }</span>
-                </button>
-                { button("step", "Step forward", ".", Action::StepForward, at_end) }
-                { button("end", "To end", "End", Action::Seek(last), at_end) }
-            </div>
-            // No live region: nobody wants every step read aloud.
-            <p class="clock"><b>{ playback.time }</b><span>{ format!(" of {last}") }</span></p>
-            <SpeedPicker speed={playback.speed} send={send.clone()} />
-            { change(props) }
-            <span class="grow"></span>
-            { views(props) }
+        <div class="keys">
+            { button("start", "To start", "Home", Action::Seek(0), at_start && !playback.playing) }
+            { button("step-back", "Step back", ",", Action::StepBack, at_start) }
+            <button type="button" class="btn playb" title={format!("{name} (Space)")} disabled={last == 0}
+                onclick={send.reform(move |_| action.clone())}>
+                <Icon name={icon} /><span class="vh">{ name }</span>
+            </button>
+            { button("step", "Step forward", ".", Action::StepForward, at_end) }
+            { button("end", "To end", "End", Action::Seek(last), at_end) }
         </div>
     }
 }

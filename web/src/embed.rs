@@ -1,0 +1,74 @@
+//! The page inside another page, at the address with `?embed`: a plan to be
+//! watched. It edits nothing, keeps nothing, and takes only the keys that play.
+
+use giveway_page::{Action, State};
+use web_sys::HtmlInputElement;
+use yew::prelude::*;
+
+use crate::board::Still;
+use crate::status::sentence;
+use crate::timeline::play_keys;
+use crate::{Shown, keep};
+
+/// Whether the page is shown so.
+pub(crate) fn is_embedded() -> bool {
+    let query = gloo::utils::window().location().search();
+    query.is_ok_and(|query| query == "?embed")
+}
+
+/// Whether an action only looks at what there is.
+pub(crate) const fn only_looks(action: &Action) -> bool {
+    matches!(
+        action,
+        Action::StepCursor { carries: false, .. }
+            | Action::DismissNotice
+            | Action::Cancel
+            | Action::Play
+            | Action::Pause
+            | Action::Seek(_)
+            | Action::StepForward
+            | Action::StepBack
+    )
+}
+
+/// The sentence, the board, what plays, and the way to the whole page.
+pub(crate) fn show(state: &Shown, send: &Callback<Action>) -> Html {
+    html! {
+        <>
+            <header class="status">{ sentence(state) }</header>
+            <Still state={state.clone()} send={send.clone()} />
+            <footer class="dock">
+                <h1>{ title(state) }</h1>
+                <a href={keep::address(state)} target="_blank" rel="noopener">{ "Open in Giveway" }</a>
+                if state.plan().is_some() {
+                    { play_keys(state, send) }
+                    { slider(state, send) }
+                }
+            </footer>
+        </>
+    }
+}
+
+fn title(state: &State) -> String {
+    match state.draft.scene().name.as_str() {
+        "" => "Untitled",
+        name => name,
+    }
+    .to_owned()
+}
+
+/// The time shown; the browser's own slider has its keys, too.
+fn slider(state: &State, send: &Callback<Action>) -> Html {
+    let (time, last) = (state.playback.time, state.last_time());
+    let seek = send.reform(|event: InputEvent| {
+        let input: HtmlInputElement = event.target_unchecked_into();
+        Action::Seek(input.value().parse().unwrap_or(0))
+    });
+    html! {
+        <>
+            <input type="range" aria-label="Time" min="0" max={last.to_string()} step="1"
+                value={time.to_string()} aria-valuetext={format!("{time} of {last}")} oninput={seek} />
+            <output aria-hidden="true">{ format!("{time} / {last}") }</output>
+        </>
+    }
+}
