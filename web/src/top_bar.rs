@@ -222,9 +222,10 @@ fn copy_item(state: &Shown, is_copied: &UseStateHandle<bool>, send: &Callback<Ac
             });
         })
     };
-    let (icon, name) = match **is_copied {
-        true => ("check", "Scene copied"),
-        false => ("copy", "Copy scene"),
+    let (icon, name) = if **is_copied {
+        ("check", "Scene copied")
+    } else {
+        ("copy", "Copy scene")
     };
     html! {
         <>
