@@ -113,7 +113,7 @@ describe("what means harm", () => {
       }
       await playground.cell(2, 0).click();
       await playground.showTab("Inspector");
-      await playground.inspector.getByRole("heading", { name: MARKUP }).waitFor();
+      await playground.inspector.getByRole("heading", { name: MARKUP, level: 2 }).waitFor();
       await playground.act("Share");
       await page.getByRole("dialog", { name: "Share" }).waitFor();
       await playground.key("Escape");

@@ -130,6 +130,10 @@ describe("links", () => {
   flow("hold the question, which is asked again", async (playground, { context, page }) => {
     await playground.example("Who waits?");
     await playground.says(/^Optimal: makespan 4/);
+    // The questions go with the time shown.
+    await playground.reaches(4);
+    await playground.press("To start");
+    await playground.reaches(0);
     await playground.showTab("Inspector");
     await playground.inspector.getByRole("button", { name: /^A2\b/ }).first().click();
     await playground.inspector.getByRole("button", { name: /^Why does A2 wait at \(3,1\)\?/ }).first().click();
