@@ -24,7 +24,7 @@ pub(super) fn begin(state: &State, send: &Callback<Action>) -> Html {
         format!("Lead {name} by hand")
     };
     html! {
-        <button type="button" class="btn outline more" title={format!("{text} (l)")}
+        <button type="button" class="btn outline more" title="Key: L"
             onclick={send.reform(|_| Action::Steer(Lead::Begin))}>
             <Icon name="steer" />{ text }
         </button>
@@ -83,32 +83,58 @@ fn led(facts: &Facts, send: &Callback<Action>) -> Html {
 
 /// The keys of a keyboard as buttons: the arrows, waiting, taking back.
 fn pad(facts: &Facts, send: &Callback<Action>) -> Html {
-    let press = |lead: Lead| send.reform(move |_: MouseEvent| Action::Steer(lead));
-    let arrow = |name: &'static str, class: &'static str, by: (i32, i32)| {
+    let button = |class: &'static str,
+                  name: &'static str,
+                  keys: &'static str,
+                  lead: Lead,
+                  shown: Html| {
+        // What cannot be done is said by the status line: a button that is off
+        // would lose the focus.
+        let is_off = match lead {
+            Lead::Back => !facts.can_go_back,
+            Lead::Charge => facts.charges.is_none(),
+            _ => false,
+        };
+        let pressed = match lead {
+            Lead::Charge if facts.charges == Some(true) => Some("true"),
+            Lead::Charge => Some("false"),
+            _ => None,
+        };
         html! {
-            <button type="button" class={classes!("btn", "outline", class)} aria-label={name}
-                title={format!("{name} (arrow key)")} onclick={press(Lead::Step(by))}>
-                <Icon name="down" />
+            <button type="button" {class} aria-label={name} title={keys} aria-pressed={pressed}
+                aria-disabled={is_off.then_some("true")} onclick={send.reform(move |_| Action::Steer(lead))}>
+                { shown }
             </button>
         }
     };
+    let arrow = |class, name, by| {
+        button(
+            class,
+            name,
+            "Arrow key",
+            Lead::Step(by),
+            html! { <Icon name="down" /> },
+        )
+    };
+    let worded = |class, name, keys, lead, icon: &'static str| {
+        button(
+            class,
+            name,
+            keys,
+            lead,
+            html! { <><Icon name={icon} />{ name }</> },
+        )
+    };
     html! {
-        <div class="pad" role="group" aria-label={format!("Lead {}", facts.name)}>
-            <button type="button" class="btn ghost" title="Back (Backspace)" aria-disabled={(!facts.can_go_back).to_string()}
-                onclick={press(Lead::Back)}><Icon name="undo" />{ "Back" }</button>
-            { arrow("Up", "pad-up", (0, -1)) }
-            <button type="button" class="btn outline" title="Wait (w)" onclick={press(Lead::Step((0, 0)))}>
-                <Icon name="pause" />{ "Wait" }
-            </button>
-            { arrow("Left", "pad-left", (-1, 0)) }
-            { arrow("Down", "pad-down", (0, 1)) }
-            { arrow("Right", "pad-right", (1, 0)) }
+        <div class="pad" role="group" aria-label="Lead it">
+            { worded("btn ghost", "Back", "Backspace", Lead::Back, "undo") }
+            { arrow("btn outline pad-up", "Up", (0, -1)) }
+            { worded("btn outline", "Wait", "W", Lead::Step((0, 0)), "pause") }
+            { arrow("btn outline pad-left", "Left", (-1, 0)) }
+            { arrow("btn outline", "Down", (0, 1)) }
+            { arrow("btn outline pad-right", "Right", (1, 0)) }
             if facts.has_battery {
-                <button type="button" class="btn outline pad-charge" title="Charge in the next step (c)"
-                    aria-pressed={(facts.charges == Some(true)).to_string()}
-                    aria-disabled={facts.charges.is_none().to_string()} onclick={press(Lead::Charge)}>
-                    <Icon name="charger" />{ "Charge in the next step" }
-                </button>
+                { worded("btn outline pad-charge", "Charge in the next step", "C", Lead::Charge, "charger") }
             }
         </div>
     }

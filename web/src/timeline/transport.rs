@@ -69,9 +69,6 @@ fn change(props: &DockProps) -> Html {
     if let Some(column) = chosen {
         return html! { <span class="preview">{ "Previewing " }<b>{ column.title }</b></span> };
     }
-    if state.steering.is_some() {
-        return html! { <span class="preview">{ "Showing " }<b>{ "your plan" }</b></span> };
-    }
     if !state.can_change() {
         return html! {};
     }

@@ -1,21 +1,31 @@
-//! A plan of one's own, for this browser only: who is led, since when each agent
-//! is led (`-` for one that is not), and the plan, joined by `!`.
+//! A plan of one's own, for this browser only: who is led, one more than the time
+//! since when each agent is led (0 for one that is not), and the plan, joined by
+//! `!`.
 
+use std::fmt::Write as _;
 use std::rc::Rc;
 
 use giveway_model::Plan;
 
 use super::plan;
+use super::text::numbers;
 use crate::Answer;
 use crate::steering::Steering;
 
 /// The plan; `None` where a link cannot hold it.
 pub(super) fn write(own: &Steering) -> Option<String> {
     let (led, from) = own.led();
-    let since = |from: &Option<u32>| from.map_or_else(|| "-".to_owned(), |from| from.to_string());
-    let from: Vec<String> = from.iter().map(since).collect();
-    let plan = plan::write(own.about.draft.agents(), led)?;
-    Some(format!("{}!{}!{plan}", own.agent, from.join(".")))
+    let mut text = own.agent.to_string();
+    let mut gap = '!';
+    for from in from {
+        let since = from.map_or(0, |from| from.saturating_add(1));
+        // Writing to a string cannot fail.
+        let _ = write!(text, "{gap}{since}");
+        gap = '.';
+    }
+    text.push('!');
+    text += &plan::write(own.about.draft.agents(), led)?;
+    Some(text)
 }
 
 /// What a text tells of a plan that was made of an answer; `None` where it does
@@ -23,11 +33,10 @@ pub(super) fn write(own: &Steering) -> Option<String> {
 pub(super) fn read(about: &Rc<Answer>, text: &str) -> Option<Steering> {
     let (agent, rest) = text.split_once('!')?;
     let (from, led) = rest.split_once('!')?;
-    let since = |from: &str| match from {
-        "-" => Some(None),
-        from => from.parse().ok().map(Some),
-    };
-    let from: Option<Vec<Option<u32>>> = from.split('.').map(since).collect();
+    let mut since = Vec::new();
+    for from in numbers(from)? {
+        since.push(from.checked_sub(1));
+    }
     let led = plan::read(about.draft.agents(), led, Plan::default())?;
-    Steering::kept(about, led, from?, agent.parse().ok()?)
+    Steering::kept(about, led, since, agent.parse().ok()?)
 }

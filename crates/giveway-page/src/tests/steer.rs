@@ -458,7 +458,7 @@ fn a_step_closes_the_answer_and_ends_the_search() {
 fn the_plan_comes_back_after_a_reload() {
     let state = after(&leading(0, 1), [DOWN, WAIT]);
     let text = keep(&state);
-    assert!(text.contains("&own=0!1.-!"), "{text}");
+    assert!(text.contains("&own=0!2.0!"), "{text}");
     let restored = State::restored(read(&text, From::Here).unwrap());
     assert_eq!(restored.phase(), Phase::Steering);
     assert_eq!(path(&restored, "A1"), path(&state, "A1"));
@@ -468,10 +468,10 @@ fn the_plan_comes_back_after_a_reload() {
     assert!(!told(&after(&restored, [BACK, BACK])).can_go_back);
     assert!(read(&text, From::Anywhere).is_err(), "no link has it");
     for broken in [
-        "9!1.-!rdw;lll",
-        "0!-.-!rdw;lll",
-        "0!99.-!rdw;lll",
-        "0!1!r;l",
+        "9!2.0!rdw;lll",
+        "0!0.0!rdw;lll",
+        "0!99.0!rdw;lll",
+        "0!2!r;l",
         "x",
     ] {
         let (before, _) = text.split_once("&own=").unwrap();
