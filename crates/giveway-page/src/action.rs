@@ -155,6 +155,10 @@ pub enum Action {
 
     /// Shows or hides ways behind and ahead.
     ShowTrails(bool),
+    /// Shades cells by how much they are used, or not.
+    ShowHeat(bool),
+    /// Lets the camera go with the agent selected, or not.
+    Follow(bool),
     /// Shows or hides the plan table.
     ShowTable(bool),
     /// What a phone shows below the board.

@@ -54,6 +54,10 @@ pub fn command(key: Key<'_>, state: &State) -> Option<Command> {
         "." => on_plan(Action::StepForward),
         "Home" => on_plan(Action::Seek(0)),
         "End" => on_plan(Action::Seek(state.last_time())),
+        "f" | "F" => {
+            let follow = Action::Follow(!state.view.follow);
+            state.selected_agent().and_then(|_| on_plan(follow))
+        }
         "x" | "X" => state.can_change().then_some(Action::BeginChange),
         name => tool(name).map(Action::PickTool),
     };
@@ -194,6 +198,7 @@ pub const HELP: [(&str, &[Row]); 5] = [
                 "Move what is on the cell (Select)",
             ),
             row(&["+", "\u{2212}", "0"], "Zoom in, zoom out, fit"),
+            row(&["F"], "Follow the agent selected"),
             row(&["?"], "This list"),
         ],
     ),

@@ -61,7 +61,7 @@ pub use playback::{Playback, Point, Speed, position};
 pub use problems::Problem;
 pub use reduce::reduce;
 pub use reserve::Reserve;
-pub use settings::{Settings, Tab, Theme, View};
+pub use settings::{Layers, Settings, Tab, Theme, View};
 pub use state::{Notice, Phase, Placing, Selection, State};
 pub use tool::Tool;
 pub use work::{Adapting, Certifying, Inquiry, Run, Size, Work};

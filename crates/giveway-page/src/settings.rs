@@ -84,11 +84,31 @@ pub enum Tab {
     Plan,
 }
 
+/// What is drawn over the map.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Layers {
+    /// Ways behind and ahead.
+    pub trails: bool,
+    /// Cells shaded by how much they are used.
+    pub heat: bool,
+}
+
+impl Default for Layers {
+    fn default() -> Self {
+        Self {
+            trails: true,
+            heat: false,
+        }
+    }
+}
+
 /// What is shown and how.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct View {
-    /// Whether ways behind and ahead are drawn.
-    pub trails: bool,
+    /// What is drawn over the map.
+    pub layers: Layers,
+    /// Whether the camera goes with the agent selected.
+    pub follow: bool,
     /// Whether the plan table is open.
     pub table: bool,
     /// The colours.
@@ -103,7 +123,8 @@ pub struct View {
 impl Default for View {
     fn default() -> Self {
         Self {
-            trails: true,
+            layers: Layers::default(),
+            follow: false,
             table: true,
             theme: Theme::System,
             tab: Tab::Timeline,

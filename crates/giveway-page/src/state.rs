@@ -341,6 +341,11 @@ impl State {
         }
     }
 
+    /// The agent that the camera goes with, by its index in the scene.
+    pub fn followed(&self) -> Option<usize> {
+        self.selected_agent().filter(|_| self.view.follow)
+    }
+
     /// The name that the next agent gets.
     pub fn next_name(&self) -> String {
         match &self.changing {

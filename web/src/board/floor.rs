@@ -3,7 +3,7 @@
 use std::rc::Rc;
 
 use giveway_page::Draft;
-use giveway_page::board::{Detail, floor};
+use giveway_page::board::{Cast, Detail, floor, heat};
 use yew::prelude::*;
 
 /// Which map, and whether its cells are large enough for more than their colour.
@@ -11,11 +11,14 @@ use yew::prelude::*;
 pub(super) struct FloorProps {
     pub(super) draft: Rc<Draft>,
     pub(super) is_fine: bool,
+    /// Whose use of the cells is shown, if anyone's.
+    pub(super) used_by: Option<Rc<Cast>>,
 }
 
 impl PartialEq for FloorProps {
     fn eq(&self, other: &Self) -> bool {
         self.is_fine == other.is_fine
+            && self.used_by == other.used_by
             && (Rc::ptr_eq(&self.draft, &other.draft) || self.draft.grid() == other.draft.grid())
     }
 }
@@ -52,10 +55,19 @@ pub(super) fn FloorShapes(props: &FloorProps) -> Html {
             <g>{ for floor.slow_tint.into_iter().map(shape("slow-t")) }</g>
             <path class="grid" d={floor.lines} />
             <g>{ for floor.slow.into_iter().map(shape("slow")) }</g>
+            { props.used_by.as_deref().map(shades) }
             <g>{ for floor.obstacles.into_iter().map(shape("obst")) }</g>
             <path class="chg" d={floor.chargers} />
             <path class="bolt" d={floor.bolts} />
             { sheet("edge") }
         </g>
     }
+}
+
+/// A shade for every cell that is used, below what stands there.
+fn shades(cast: &Cast) -> Html {
+    let shade = |(index, d): (usize, String)| {
+        html! { <path class={format!("heat-{}", index + 1)} {d} /> }
+    };
+    html! { <g class="heat">{ for heat(cast).into_iter().enumerate().map(shade) }</g> }
 }

@@ -1,5 +1,6 @@
 //! What stands below the board: the legend, and how near the map is.
 
+use giveway_page::Action;
 use giveway_page::board::Kind;
 use yew::prelude::*;
 
@@ -16,6 +17,9 @@ pub(super) struct UnderProps {
     pub(super) look: Callback<Look>,
     pub(super) is_fit: bool,
     pub(super) is_nearest: bool,
+    /// The agent that the camera can go with, and whether it does.
+    pub(super) follow: Option<(AttrValue, bool)>,
+    pub(super) send: Callback<Action>,
 }
 
 /// The legend and the buttons of the view.
@@ -35,10 +39,25 @@ pub(super) fn Under(props: &UnderProps) -> Html {
         <div class="under">
             <ul class="legend" aria-label="Legend">{ for props.kinds.iter().map(kind) }</ul>
             <div class="zoom" role="group" aria-label="View">
+                { follow(props) }
                 { button("Zoom out", "minus", '-', props.is_fit, Look::Zoom(1.0 / ZOOM, None)) }
                 { button("Fit", "fit", '0', props.is_fit, Look::Fit) }
                 { button("Zoom in", "plus", '+', props.is_nearest, Look::Zoom(ZOOM, None)) }
             </div>
         </div>
+    }
+}
+
+/// The button that lets the camera go with the agent selected.
+fn follow(props: &UnderProps) -> Html {
+    let Some((name, on)) = props.follow.clone() else {
+        return html! {};
+    };
+    let onclick = props.send.reform(move |_| Action::Follow(!on));
+    html! {
+        <button class="btn ghost round" title={format!("Follow {name} (f)")} aria-label={format!("Follow {name}")}
+            aria-pressed={on.to_string()} {onclick}>
+            <Icon name="follow" />
+        </button>
     }
 }

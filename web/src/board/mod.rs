@@ -9,6 +9,7 @@ mod axis;
 mod beside;
 mod cells;
 mod floor;
+mod follow;
 mod gestures;
 mod ghost;
 mod keys;
@@ -70,6 +71,8 @@ pub fn Board(props: &BoardProps) -> Html {
     let detail = frame.detail();
 
     keys::use_view_keys(&viewport.look);
+    let followed = state.followed().filter(|_| cast.has_plan());
+    follow::use_follow(followed, &cast, &viewport);
     let gestures = gestures::use_gestures(gestures::Surface {
         svg: svg.clone(),
         hover: hover.clone(),
@@ -141,16 +144,23 @@ pub fn Board(props: &BoardProps) -> Html {
                 if let Some(other) = other {
                     <figure class="pl other">
                         { caption(OTHER, state.beside(), ask::closeness(state)) }
-                        <Beside name={OTHER} state={state.clone()} cast={other} versus={cast}
+                        <Beside name={OTHER} state={state.clone()} cast={other} versus={Rc::clone(&cast)}
                             camera={viewport.camera} {onkeydown} />
                     </figure>
                 }
             </div>
-            <Under {kinds} look={viewport.look.clone()}
+            <Under {kinds} look={viewport.look.clone()} follow={follow(state, &cast)} send={props.send.clone()}
                 is_fit={viewport.camera.is_fit()}
                 is_nearest={viewport.is_nearest(board)} />
         </>
     }
+}
+
+/// The agent that the camera can go with, by name, and whether it does.
+fn follow(state: &Shown, cast: &Cast) -> Option<(AttrValue, bool)> {
+    let agent = cast.agents.get(state.selected_agent()?)?;
+    let name = cast.has_plan().then(|| agent.name.clone())?;
+    Some((name.into(), state.view.follow))
 }
 
 /// What stands above one of two plans: which it is, what is claimed of it, and
@@ -173,8 +183,9 @@ fn layers(state: &Shown, cast: &Rc<Cast>, versus: Option<&Rc<Cast>>, frame: Fram
     let board = (state.world().grid().width(), state.world().grid().height());
     html! {
         <>
-            <FloorShapes draft={Rc::clone(state.world())} is_fine={detail > Detail::Dots} />
-            if state.view.trails {
+            <FloorShapes draft={Rc::clone(state.world())} is_fine={detail > Detail::Dots}
+                used_by={state.view.layers.heat.then(|| Rc::clone(cast))} />
+            if state.view.layers.trails {
                 <Ways cast={Rc::clone(cast)} {selected} />
             }
             <Agents cast={Rc::clone(cast)} versus={versus.cloned()} {detail} {selected} />

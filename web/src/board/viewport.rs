@@ -3,6 +3,7 @@
 use std::rc::Rc;
 
 use giveway_model::Cell;
+use giveway_page::Point;
 use giveway_page::board::{CELL, Camera, Frame};
 use wasm_bindgen::JsCast;
 use wasm_bindgen::closure::Closure;
@@ -22,6 +23,8 @@ pub(super) enum Look {
     Pan((f64, f64)),
     /// All of the map.
     Fit,
+    /// This point of the map in the middle, in cells.
+    Middle(Point),
     /// This cell too.
     Show(Cell),
 }
@@ -62,6 +65,7 @@ impl Reducible for Sight {
             Look::Zoom(factor, at) => camera.zoom(factor, at.unwrap_or(middle), board, px),
             Look::Pan(by) => camera.pan(by, board, px),
             Look::Fit => Camera::default(),
+            Look::Middle(point) => camera.centred(point, board, px),
             Look::Show(cell) => camera.show(cell, board, px),
         };
         Rc::new(Self {

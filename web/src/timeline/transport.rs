@@ -94,7 +94,8 @@ fn views(props: &DockProps) -> Html {
     let view = state.view;
     html! {
         <div class="views">
-            { chip("trail", "Trails", view.trails, Action::ShowTrails(!view.trails)) }
+            { chip("trail", "Trails", view.layers.trails, Action::ShowTrails(!view.layers.trails)) }
+            { chip("heat", "Use", view.layers.heat, Action::ShowHeat(!view.layers.heat)) }
             { chip("down", "Plan table", view.table, Action::ShowTable(!view.table)) }
             <CopyButton ..props.clone() />
         </div>

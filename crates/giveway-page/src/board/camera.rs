@@ -190,6 +190,12 @@ impl Camera {
         self.pan((-units.0 * px, -units.1 * px), board, screen)
     }
 
+    /// Moved so that a point, in cells, is in the middle, as far as the map goes.
+    #[must_use]
+    pub fn centred(&self, middle: Point, board: (u32, u32), screen: (f64, f64)) -> Self {
+        Self { middle, ..*self }.settled(board, screen)
+    }
+
     /// With the middle that is really shown, so that nothing is dragged beyond
     /// the edge and must be dragged back.
     fn settled(&self, board: (u32, u32), screen: (f64, f64)) -> Self {
@@ -296,6 +302,26 @@ mod tests {
                 .show(Cell::new(8, 1), BOARD, SCREEN)
                 .frame(BOARD, SCREEN),
             frame
+        );
+    }
+
+    #[test]
+    fn a_point_is_in_the_middle_as_far_as_the_map_goes() {
+        let near_by = Camera::default().zoom(1.7, (0.0, 220.0), BOARD, SCREEN);
+        let middle = |x| {
+            let camera = near_by.centred(Point { x, y: 1.0 }, BOARD, SCREEN);
+            let frame = camera.frame(BOARD, SCREEN);
+            frame.x + frame.width / 2.0
+        };
+        near(middle(4.25), 475.0);
+        near(
+            middle(9.0),
+            1010.0 - near_by.frame(BOARD, SCREEN).width / 2.0,
+        );
+        assert!(
+            Camera::default()
+                .centred(Point { x: 4.0, y: 1.0 }, BOARD, SCREEN)
+                .is_fit()
         );
     }
 

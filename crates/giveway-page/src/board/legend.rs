@@ -28,6 +28,8 @@ pub enum Kind {
     Ahead,
     /// A wait.
     Wait,
+    /// A cell that is used much.
+    Used,
 }
 
 impl Kind {
@@ -44,6 +46,7 @@ impl Kind {
             Self::Waypoint => "Waypoint, filled once visited",
             Self::Ahead => "Way ahead",
             Self::Wait => "Waits",
+            Self::Used => "Used more, the darker",
         }
     }
 
@@ -60,6 +63,7 @@ impl Kind {
             Self::Waypoint => "k-wp",
             Self::Ahead => "k-ahead",
             Self::Wait => "k-wait",
+            Self::Used => "k-used",
         }
     }
 }
@@ -83,8 +87,9 @@ pub fn legend(state: &State, cast: &Cast) -> Vec<Kind> {
         (Kind::Slow, has_ground(Ground::is_slow)),
         (Kind::Goal, has_mark(MarkKind::Goal)),
         (Kind::Waypoint, has_mark(MarkKind::Waypoint)),
-        (Kind::Ahead, state.view.trails && moves),
+        (Kind::Ahead, state.view.layers.trails && moves),
         (Kind::Wait, cast.tracks.iter().any(Track::has_waits)),
+        (Kind::Used, state.view.layers.heat && moves),
     ];
     signs
         .into_iter()

@@ -32,7 +32,7 @@ fn scene() -> State {
     State::new(Draft::new(scene).unwrap())
 }
 
-fn planned() -> State {
+pub(super) fn planned() -> State {
     let mut state = scene();
     let plan: Plan = serde_json::from_str(PLAN).unwrap();
     let costs = Costs {

@@ -9,22 +9,24 @@ const THEMES: [Theme; 3] = [Theme::System, Theme::Light, Theme::Dark];
 ///
 /// ```
 /// use giveway_page::{Draft, State, link};
-/// assert_eq!(link::preferences(&State::new(Draft::default())), "1.30.0.0.1.1.0.20.4.1");
+/// assert_eq!(link::preferences(&State::new(Draft::default())), "2.30.0.0.1.1.0.20.4.1.0.0");
 /// ```
 pub fn preferences(state: &State) -> String {
     let (settings, view, fill) = (&state.settings, &state.view, &state.fill);
     let theme = THEMES.iter().position(|theme| *theme == view.theme);
     let numbers = [
-        1,
+        2,
         settings.seconds,
         settings.within.map_or(0, |within| within.saturating_add(1)),
         u32::from(settings.solve_on_change),
-        u32::from(view.trails),
+        u32::from(view.layers.trails),
         u32::from(view.table),
         theme.unwrap_or(0) as u32,
         fill.obstacles,
         fill.agents,
         fill.seed,
+        u32::from(view.layers.heat),
+        u32::from(settings.front),
     ];
     numbers.map(|n| n.to_string()).join(".")
 }
@@ -32,8 +34,13 @@ pub fn preferences(state: &State) -> String {
 /// Takes in what [`preferences`] wrote; what cannot be read changes nothing.
 pub fn prefer(state: &mut State, text: &str) {
     let numbers = numbers(text).unwrap_or_default();
-    let [
-        1,
+    // The first version knew no heat and kept no front.
+    let (set, later) = match numbers[..] {
+        [1, ref set @ ..] => (set, [0, 0]),
+        [2, ref set @ .., heat, front] => (set, [heat, front]),
+        _ => return,
+    };
+    let &[
         seconds,
         within,
         on_change,
@@ -43,16 +50,18 @@ pub fn prefer(state: &mut State, text: &str) {
         obstacles,
         agents,
         seed,
-    ] = numbers[..]
+    ] = set
     else {
         return;
     };
     state.settings.seconds = seconds.max(1);
     state.settings.within = within.checked_sub(1);
     state.settings.solve_on_change = on_change == 1;
-    state.view.trails = trails == 1;
+    state.view.layers.trails = trails == 1;
     state.view.table = table == 1;
     state.view.theme = THEMES.get(theme as usize).copied().unwrap_or_default();
+    state.view.layers.heat = later[0] == 1;
+    state.settings.front = later[1] == 1;
     state.fill = Fill {
         obstacles,
         agents,
@@ -73,6 +82,8 @@ mod tests {
             Action::SetWithin(Some(0)),
             Action::SetSolveOnChange(true),
             Action::ShowTrails(false),
+            Action::ShowHeat(true),
+            Action::SetFront(true),
             Action::ShowTable(false),
             Action::SetTheme(Theme::Dark),
             Action::SetFill(Fill {
@@ -81,15 +92,22 @@ mod tests {
                 seed: u32::MAX,
             }),
         ];
-        let set = actions
+        let mut set = actions
             .into_iter()
             .fold(fresh.clone(), |state, action| reduce(&state, action));
         let mut again = fresh.clone();
         prefer(&mut again, &preferences(&set));
         assert_eq!(again, set);
+        let mut old = fresh.clone();
+        prefer(&mut old, "1.7.1.1.0.0.2.5.6.4294967295");
+        set.view.layers.heat = false;
+        set.settings.front = false;
+        assert_eq!(old, set, "what was kept by the first version");
         for text in [
             "",
             "2.1.1",
+            "2.30.0.0.1.1.0.20.4.1",
+            "3.30.0.0.1.1.0.20.4.1.0.0",
             "1.x",
             "1.30.0.0.1.1.0.20.4",
             "1.-3.0.0.1.1.0.20.4.1",

@@ -108,7 +108,9 @@ fn step(state: &mut State, action: Action) {
         Action::Reach(time) => play::reach(state, time),
         Action::SetSpeed(speed) => state.playback.speed = speed,
 
-        Action::ShowTrails(on) => state.view.trails = on,
+        Action::ShowTrails(on) => state.view.layers.trails = on,
+        Action::ShowHeat(on) => state.view.layers.heat = on,
+        Action::Follow(on) => state.view.follow = on,
         Action::ShowTable(on) => state.view.table = on,
         Action::ShowTab(tab) => state.view.tab = tab,
         Action::SetWide(on) => play::widen(state, on),

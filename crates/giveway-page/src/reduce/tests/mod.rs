@@ -105,13 +105,15 @@ fn select_takes_the_agent_or_else_the_cell() {
 fn what_is_shown() {
     let actions = [
         Action::ShowTrails(false),
+        Action::ShowHeat(true),
+        Action::Follow(true),
         Action::ShowTable(false),
         Action::ShowTab(Tab::Plan),
         Action::SetTheme(Theme::Dark),
         Action::SetSpeed(Speed::Four),
     ];
     let state = after(&fresh(), actions);
-    assert!(!state.view.trails && !state.view.table);
+    assert!(!state.view.layers.trails && !state.view.table);
     assert_eq!((state.view.tab, state.view.theme), (Tab::Plan, Theme::Dark));
     assert_eq!(state.playback.speed, Speed::Four);
     assert!(!state.history.can_undo(), "nothing of the scene");
