@@ -72,8 +72,9 @@ describe("inside another page", () => {
 
   flow("shows the same after it is loaded anew, and refuses a broken link with a sentence", async (playground, { host, page }) => {
     const scene = "giveway=1&map=3.9f&name=mine&rules=0.0&costs=0&agents=A.0.0.2.2&plan=2r2d";
-    const frame = await show(page, host, `<iframe title="mine" width="600" height="400" src="${host.url}?embed#${scene}"></iframe>`);
+    const frame = await show(page, host, `<iframe title="mine" width="600" height="400" src="${host.url}?from=notes&amp;embed#${scene}"></iframe>`);
     await frame.getByRole("heading", { name: "mine" }).waitFor();
+    await frame.getByRole("link", { name: "Open in Giveway" }).waitFor();
     await frame.evaluate(() => location.reload());
     await frame.waitForLoadState();
     await frame.getByRole("heading", { name: "mine" }).waitFor();

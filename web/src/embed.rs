@@ -10,10 +10,10 @@ use crate::status::sentence;
 use crate::timeline::play_keys;
 use crate::{Shown, keep};
 
-/// Whether the page is shown so.
+/// Whether the page is shown so; whoever embeds it may add to the address.
 pub(crate) fn is_embedded() -> bool {
     let query = gloo::utils::window().location().search();
-    query.is_ok_and(|query| query == "?embed")
+    query.is_ok_and(|query| query.split(['?', '&']).any(|part| part == "embed"))
 }
 
 /// Whether an action only looks at what there is.

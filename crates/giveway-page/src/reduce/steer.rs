@@ -41,16 +41,11 @@ pub(super) fn steer(state: &mut State, lead: Lead) {
         Lead::Back => made(state, &own, own.back()),
         Lead::To(cell) => {
             let from = own.cell();
+            if let Some(agent) = state.agent_at(cell).filter(|_| !cell.touches(from)) {
+                return super::select(state, Selection::Agent(agent));
+            }
             let by = |to: u32, from: u32| to.cast_signed().wrapping_sub(from.cast_signed());
-            if cell.touches(from) {
-                made(
-                    state,
-                    &own,
-                    own.step((by(cell.x, from.x), by(cell.y, from.y))),
-                );
-            } else if let Some(agent) = state.agent_at(cell) {
-                super::select(state, Selection::Agent(agent));
-            } else if cell != from {
+            if cell != from {
                 made(
                     state,
                     &own,
