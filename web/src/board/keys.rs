@@ -4,11 +4,12 @@ use giveway_model::Cell;
 use giveway_page::Action;
 use gloo::events::EventListener;
 use wasm_bindgen::JsCast;
-use web_sys::{Element, KeyboardEvent};
+use web_sys::KeyboardEvent;
 use yew::prelude::*;
 
 use super::legend::ZOOM;
 use super::viewport::Look;
+use crate::keys::{FIELDS, dialog_is_open, is_in};
 
 /// How many rows a page key goes at least.
 const PAGE: u32 = 5;
@@ -86,7 +87,8 @@ pub(super) fn use_view_keys(look: &Callback<Look>) {
                 return;
             };
             let has_modifier = event.ctrl_key() || event.alt_key() || event.meta_key();
-            if has_modifier || event.default_prevented() || is_in_field(event) {
+            let is_taken = event.default_prevented() || dialog_is_open();
+            if has_modifier || is_taken || is_in(event, FIELDS) {
                 return;
             }
             match event.key().as_str() {
@@ -98,12 +100,4 @@ pub(super) fn use_view_keys(look: &Callback<Look>) {
         });
         move || drop(listener)
     });
-}
-
-fn is_in_field(event: &KeyboardEvent) -> bool {
-    let target = event.target().and_then(|target| target.dyn_into().ok());
-    target.is_some_and(|target: Element| {
-        let fields = "input, select, textarea, dialog, [contenteditable]";
-        target.closest(fields).is_ok_and(|field| field.is_some())
-    })
 }

@@ -6,6 +6,7 @@
 //! "Explanation Generation for Multi-Modal Multi-Agent Path Finding with
 //! Optimal Resource Utilization using Answer Set Programming" (2020).
 
+mod asked;
 mod contrast;
 mod fits;
 mod holds;
@@ -19,10 +20,11 @@ use serde::{Deserialize, Serialize};
 
 use crate::Cell;
 
+pub use asked::Asked;
 pub use contrast::{Contrast, contrast};
 pub use fits::{Misfit, fits, names_exist};
 pub use holds::holds;
-pub use words::{Asked, WordsError, from_words, to_words};
+pub use words::{WordsError, from_words, to_words};
 
 /// A question. Times are steps from 0; agents go by their names.
 #[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize, BorshSerialize, BorshDeserialize)]

@@ -1,0 +1,90 @@
+//! Links with changes of the world.
+
+use giveway_model::Cell;
+use giveway_solve::Status;
+
+use super::{read_noise, why};
+use crate::link::{From, change, keep, read, write};
+use crate::{Action, Phase, State, reduce};
+
+/// A3 joined at time 1 and a charger appears at time 2; something else is listed.
+fn changed() -> State {
+    let stroke = |tool, x, y| {
+        let cell = Cell::new(x, y);
+        [Action::PickTool(tool), Action::Press(cell), Action::Release]
+    };
+    let state = crate::tests::adopted();
+    let state = reduce(&state, Action::Seek(2));
+    let actions = [Action::BeginChange].into_iter();
+    let actions = actions.chain(stroke(crate::Tool::Charger, 0, 0));
+    actions.fold(state, |state, action| reduce(&state, action))
+}
+
+#[test]
+fn a_course_comes_back_judged_with_its_changes() {
+    let state = crate::tests::adopted();
+    let text = write(&state);
+    assert!(text.contains("&changes=1aA3.2.2.1.0&plan="), "{text}");
+    let linked = read(&text, From::Anywhere).unwrap();
+    let answer = linked.answer.unwrap();
+    assert_eq!(answer.plan(), state.plan());
+    let course = answer.course.as_deref().unwrap();
+    let before = state.answer.as_ref().unwrap();
+    assert_eq!(course.changes, before.course.as_deref().unwrap().changes);
+    assert_eq!(course.steps[0].method, None, "a link is not believed");
+    assert_eq!(answer.solved.status, Status::Feasible);
+    assert_eq!(answer.arrivals, before.arrivals);
+}
+
+#[test]
+fn what_the_browser_kept_of_a_course_is_as_it_was() {
+    let state = changed();
+    let restored = State::restored(read(&keep(&state), From::Here).unwrap());
+    assert_eq!(restored.phase(), Phase::Changing);
+    assert_eq!(restored.playback.time, 2);
+    let list = |state: &State| state.changing.as_ref().unwrap().list.clone();
+    assert_eq!(list(&restored), list(&state));
+    let course = |state: &State| state.answer.as_ref().unwrap().course.clone();
+    assert_eq!(course(&restored), course(&state));
+    let left = State::restored(read(&keep(&crate::tests::adopted()), From::Here).unwrap());
+    assert_eq!(left.phase(), Phase::Planned);
+}
+
+#[test]
+fn every_kind_of_change_comes_back() {
+    let text = "0aA%2E.0.0.1.1.0.1!9.4;1rA1;2o1.2;2f1.2;3m1.2.3.4;4s0.0.1.1;4n0.0;5c1.0;\
+        5k1.0;6gA1.2.2;6wA1.0.2;7dA1.0.2;8bA1.5;9pA1.3";
+    let changes = change::read(text, 2).unwrap();
+    assert_eq!(changes.changes.len(), 14);
+    assert_eq!(change::write(&changes.changes), text);
+}
+
+#[test]
+fn hostile_changes_are_refused() {
+    let good = write(&crate::tests::adopted());
+    for (changes, expect) in [
+        ("1", "changes"),
+        ("x", "changes"),
+        ("1zA3", "changes"),
+        ("1o1", "changes"),
+        ("1o1.2.3", "changes"),
+        ("99999999999o1.1", "changes"),
+        ("100001aA3.2.2.1.0", "changes"),
+        ("1aA3.2.2.1.0;1o1.0", "do not fit"),
+        ("1aA3.9.9.1.0", "do not fit"),
+        ("1aA1.2.2.1.0", "do not fit"),
+        ("", "plan is broken"),
+    ] {
+        let text = good.replace("1aA3.2.2.1.0", changes);
+        assert!(why(&text).contains(expect), "{changes}: {}", why(&text));
+    }
+    let many: Vec<String> = (1..=300).map(|at| format!("{at}o0.0")).collect();
+    assert!(change::read(&many.join(";"), 2).is_none(), "too many times");
+    let late: Vec<String> = (0..11).map(|n| format!("100000aB{n}.0.0.1.1")).collect();
+    assert!(change::read(&late.join(";"), 2).is_none(), "too many steps");
+}
+
+#[test]
+fn noise_about_changes_is_never_a_panic() {
+    read_noise(&keep(&changed()), 8, 3000);
+}
