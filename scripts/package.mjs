@@ -21,14 +21,16 @@ mkdirSync(out, { recursive: true });
 const small = new Map();
 for (const target of ["web", "bundler", "nodejs"]) {
   const folder = join(out, target);
-  run("wasm-pack", "build", crate, "--mode", "no-install", "--profile", "page", "--no-opt", "--no-pack",
+  run("wasm-pack", "build", crate, "--mode", "no-install", "--profile", "javascript", "--no-opt", "--no-pack",
     "--no-typescript", "--no-gitignore", "--target", target, "--out-dir", folder, "--", "--locked");
   // To make it small takes a minute, and all three may hold the same.
   const wasm = join(folder, WASM);
   const print = createHash("sha256").update(readFileSync(wasm)).digest("hex");
   if (!small.has(print)) {
-    // What is written inline no longer resembles what else there is, and compresses worse.
-    run("wasm-opt", "-Oz", "--one-caller-inline-max-function-size=0", wasm, "--output", wasm);
+    // What is written inline no longer resembles what else there is, and compresses worse: only
+    // what is hardly more than its call, and hence slow as one.
+    run("wasm-opt", "-Oz", "--one-caller-inline-max-function-size=0", "--always-inline-max-function-size=16",
+      wasm, "--output", wasm);
     small.set(print, readFileSync(wasm));
   }
   writeFileSync(wasm, small.get(print));
