@@ -7,19 +7,17 @@ use giveway_model::format::native;
 use giveway_page::{Action, Draft, Phase, Tab, reduce};
 use yew::prelude::*;
 
-use crate::dialog::{Agents, Examples, Help, Panel, Scenes, Share};
+use crate::dialog::{Agents, Examples, Panel, Scenes, Share, help};
 use crate::drop::Drop;
-use crate::embed;
 use crate::keep::{self, use_keep};
 use crate::keys::use_keys;
-use crate::notice::Notices;
 use crate::paste::use_paste;
 use crate::solver::use_solver;
 use crate::status::StatusBar;
 use crate::theme::{use_theme, wants_less_motion};
 use crate::top_bar::TopBar;
 use crate::wide::use_wide;
-use crate::{Board, Clock, Compare, Dock, Inspector, Shown, Tools};
+use crate::{Board, Clock, Dock, Inspector, Shown, Tools, compare, embed, notice};
 
 /// The scene that the page opens on.
 const OPENING: &str = include_str!("../../static/examples/warehouse.json");
@@ -87,7 +85,7 @@ pub fn App() -> Html {
             <ContextProvider<Clock> context={(*clock).clone()}>
                 <div class="app embed">
                     { embed::show(&state, &look) }
-                    <Notices notice={state.notice.clone()} send={look} />
+                    { notice::show(state.notice.as_ref(), &look) }
                 </div>
             </ContextProvider<Clock>>
         };
@@ -103,10 +101,10 @@ pub fn App() -> Html {
                     <Tools tool={state.tool} send={send.clone()} />
                     <Board state={state.clone()} send={send.clone()} />
                 </main>
-                <Compare state={state.clone()} send={send.clone()} />
+                { compare::show(&state, &send) }
                 <Inspector state={state.clone()} send={send.clone()} />
                 <Dock state={state.clone()} send={send.clone()} />
-                <Notices notice={state.notice.clone()} send={send.clone()} />
+                { notice::show(state.notice.as_ref(), &send) }
                 <Drop send={send.clone()} show={show.clone()} />
                 { dialog(&panel, &state, &send, &show) }
             </div>
@@ -125,7 +123,7 @@ fn dialog(panel: &Panel, state: &Shown, send: &Callback<Action>, show: &Callback
         Panel::Share(link) => {
             html! { <Share link={link.clone()} name={state.draft.scene().name.clone()} {send} {on_close} /> }
         }
-        Panel::Help => html! { <Help {on_close} /> },
+        Panel::Help => help(on_close),
         Panel::Nothing | Panel::Menu | Panel::Open | Panel::Save | Panel::Settings => html! {},
     }
 }

@@ -17,29 +17,28 @@ pub fn form(agent: usize) -> Html {
     }
 }
 
-/// Which agent.
-#[derive(Clone, PartialEq, Eq, Properties)]
-pub struct GlyphProps {
-    /// Its index in the scene.
-    pub agent: usize,
-    /// Its name, where it is to stand on the form.
-    #[prop_or_default]
-    pub name: Option<AttrValue>,
-    /// More classes: they set the size.
-    #[prop_or_default]
-    pub class: Classes,
+/// A small picture of an agent, by its index in the scene; `class` sets its size. It
+/// is silent: its name stands beside it.
+pub(crate) fn show(agent: usize, class: &'static str) -> Html {
+    draw(agent, html! {}, class)
 }
 
-/// A small picture of an agent. It is silent: its name stands beside it.
-#[component]
-pub fn Glyph(props: &GlyphProps) -> Html {
-    let short = props.name.as_deref().map(form::short_name);
+/// The picture above the facts about an agent, with its name on the form.
+pub(crate) fn named(agent: usize, name: &str) -> Html {
+    let short = form::short_name(name);
+    let is_long = form::is_long(&short);
+    let name = html! {
+        <text class={classes!("gname", is_long.then_some("long"))} y={if is_long { "6.5" } else { "8.5" }} text-anchor="middle">{ short }</text>
+    };
+    draw(agent, name, "insp-glyph")
+}
+
+#[inline(never)]
+fn draw(agent: usize, name: Html, class: &'static str) -> Html {
     html! {
-        <svg class={classes!("glyph", form::class(props.agent), props.class.clone())} viewBox="-32 -32 64 64" aria-hidden="true">
-            { form(props.agent) }
-            if let Some(short) = short {
-                <text class={classes!("gname", form::is_long(&short).then_some("long"))} y={if form::is_long(&short) { "6.5" } else { "8.5" }} text-anchor="middle">{ short }</text>
-            }
+        <svg class={classes!("glyph", form::class(agent), class)} viewBox="-32 -32 64 64" aria-hidden="true">
+            { form(agent) }
+            { name }
         </svg>
     }
 }

@@ -3,32 +3,23 @@
 use giveway_page::{Action, Notice};
 use yew::prelude::*;
 
-use crate::Icon;
-
-#[derive(Clone, PartialEq, Properties)]
-pub(crate) struct NoticesProps {
-    /// What is told, if there is something.
-    pub(crate) notice: Option<Notice>,
-    /// Takes the dismissal.
-    pub(crate) send: Callback<Action>,
-}
+use crate::icon;
 
 /// The notice, over the page, so that nothing moves when it comes or goes.
-#[component]
-pub(crate) fn Notices(props: &NoticesProps) -> Html {
-    let dismiss = props.send.reform(|_: MouseEvent| Action::DismissNotice);
+pub(crate) fn show(notice: Option<&Notice>, send: &Callback<Action>) -> Html {
+    let dismiss = send.reform(|_: MouseEvent| Action::DismissNotice);
     // The region is there before its text: some readers hear it only so.
     html! {
         <div role="alert">
-            if let Some(notice) = &props.notice {
+            if let Some(notice) = notice {
                 <div class="notice">
-                    <Icon name="warning" />
+                    { icon::show("warning") }
                     <div>
                         <b>{ notice.sentence.clone() }</b>
                         <ul>{ for notice.details.iter().map(|line| html! { <li>{ line }</li> }) }</ul>
                     </div>
                     <button class="btn ghost round" title="Dismiss (Escape)" onclick={dismiss}>
-                        <Icon name="cancel" /><span class="vh">{ "Dismiss" }</span>
+                        { icon::show("cancel") }<span class="vh">{ "Dismiss" }</span>
                     </button>
                 </div>
             }

@@ -4,7 +4,7 @@ use giveway_page::{Action, Tool};
 use web_sys::HtmlElement;
 use yew::prelude::*;
 
-use crate::Icon;
+use crate::icon;
 
 /// Which tool is picked.
 #[derive(Clone, PartialEq, Properties)]
@@ -68,7 +68,7 @@ pub fn Tools(props: &ToolsProps) -> Html {
                     aria-label={tool.name()} aria-keyshortcuts={tool.key().to_string()}
                     title={format!("{} ({})", tool.name(), tool.key())}
                     tabindex={if index == reached { "0" } else { "-1" }}>
-                    <Icon name={tool.icon()} />
+                    { icon::show(tool.icon()) }
                 </button>
             </>
         }

@@ -6,7 +6,7 @@ use yew::prelude::*;
 
 use crate::dialog::{Panel, use_dismiss};
 use crate::theme::system_is_dark;
-use crate::{Icon, Shown, copy, keep, paste};
+use crate::{Shown, copy, icon, keep, paste};
 
 /// The state, what is open, and where changes of both go.
 #[derive(Clone, PartialEq, Properties)]
@@ -92,14 +92,14 @@ pub(crate) fn TopBar(props: &TopBarProps) -> Html {
             </span>
             <h1 class="scene">
                 <button title="Scenes in this browser" aria-haspopup="dialog" onclick={scenes.clone()}>
-                    <span>{ name.to_owned() }</span><Icon name="down" />
+                    <span>{ name.to_owned() }</span>{ icon::show("down") }
                 </button>
                 <small>{ format!("{} \u{d7} {}, {agents}", grid.width(), grid.height()) }</small>
             </h1>
             <span class="grow"></span>
             <div class="acts" ref={acts}>
                 <button class="btn ghost wide" title="Examples" onclick={examples.clone()}>
-                    <Icon name="examples" /><span>{ "Examples" }</span>
+                    { icon::show("examples") }<span>{ "Examples" }</span>
                 </button>
                 <span class="hold">
                     { toggle(panel, Panel::Open, "btn ghost wide", "open", "Open", show) }
@@ -122,23 +122,23 @@ pub(crate) fn TopBar(props: &TopBarProps) -> Html {
                     }
                 </span>
                 <button class="btn ghost wide" title="Share a link" onclick={share.clone()}>
-                    <Icon name="share" /><span>{ "Share" }</span>
+                    { icon::show("share") }<span>{ "Share" }</span>
                 </button>
                 <i class="sep"></i>
                 <button class="btn ghost ph" title="Undo (Ctrl Z)" onclick={undo}
                     disabled={!state.history.can_undo()}>
-                    <Icon name="undo" /><span class="vh">{ "Undo" }</span>
+                    { icon::show("undo") }<span class="vh">{ "Undo" }</span>
                 </button>
                 <button class="btn ghost ph" title="Redo (Ctrl Shift Z)" onclick={redo}
                     disabled={!state.history.can_redo()}>
-                    <Icon name="redo" /><span class="vh">{ "Redo" }</span>
+                    { icon::show("redo") }<span class="vh">{ "Redo" }</span>
                 </button>
                 <i class="sep"></i>
                 <button class="btn ghost" title={theme_title.clone()} onclick={theme.clone()}>
-                    <Icon name="theme" /><span class="vh">{ "Theme" }</span>
+                    { icon::show("theme") }<span class="vh">{ "Theme" }</span>
                 </button>
                 <button class="btn ghost" title="Help (?)" onclick={help.clone()}>
-                    <Icon name="help" /><span class="vh">{ "Help" }</span>
+                    { icon::show("help") }<span class="vh">{ "Help" }</span>
                 </button>
                 { toggle(panel, Panel::Menu, "btn ghost only-ph", "more", "More", show) }
                 if *panel == Panel::Menu {
@@ -173,13 +173,13 @@ fn toggle(
     let press = show.reform(move |_: MouseEvent| if open { Panel::Nothing } else { own.clone() });
     html! {
         <button {class} title={name} aria-expanded={open.to_string()} onclick={press}>
-            <Icon name={icon} /><span class={(name == "More").then_some("vh")}>{ name }</span>
+            { icon::show(icon) }<span class={(name == "More").then_some("vh")}>{ name }</span>
         </button>
     }
 }
 
 fn item(icon: &'static str, name: &str, press: Callback<MouseEvent>) -> Html {
-    html! { <button onclick={press}><Icon name={icon} />{ name.to_owned() }</button> }
+    html! { <button onclick={press}>{ icon::show(icon) }{ name.to_owned() }</button> }
 }
 
 fn save_items(state: &Shown, send: &Callback<Action>, show: &Callback<Panel>) -> Html {

@@ -5,33 +5,31 @@ use giveway_page::board::Kind;
 use yew::prelude::*;
 
 use super::viewport::Look;
-use crate::Icon;
+use crate::icon;
 
 /// By how much a button or key enlarges.
 pub(super) const ZOOM: f64 = 1.5;
 
 /// What to explain, and how the view can change.
-#[derive(Clone, PartialEq, Properties)]
-pub(super) struct UnderProps {
+pub(super) struct Under<'a> {
     pub(super) kinds: Vec<Kind>,
-    pub(super) look: Callback<Look>,
+    pub(super) look: &'a Callback<Look>,
     pub(super) is_fit: bool,
     pub(super) is_nearest: bool,
     /// The agent that the camera can go with, and whether it does.
     pub(super) follow: Option<(AttrValue, bool)>,
-    pub(super) send: Callback<Action>,
+    pub(super) send: &'a Callback<Action>,
 }
 
 /// The legend and the buttons of the view.
-#[component]
-pub(super) fn Under(props: &UnderProps) -> Html {
+pub(super) fn under(props: &Under<'_>) -> Html {
     let kind = |kind: &Kind| html! { <li><i class={kind.class()}></i>{ kind.words() }</li> };
     let button = |name: &'static str, icon: &'static str, key: char, is_off: bool, look: Look| {
         let onclick = props.look.reform(move |_| look);
         html! {
             <button class="btn ghost round" title={format!("{name} ({key})")} aria-label={name}
                 aria-disabled={is_off.then_some("true")} {onclick}>
-                <Icon name={icon} />
+                { icon::show(icon) }
             </button>
         }
     };
@@ -49,7 +47,7 @@ pub(super) fn Under(props: &UnderProps) -> Html {
 }
 
 /// The button that lets the camera go with the agent selected.
-fn follow(props: &UnderProps) -> Html {
+fn follow(props: &Under<'_>) -> Html {
     let Some((name, on)) = props.follow.clone() else {
         return html! {};
     };
@@ -57,7 +55,7 @@ fn follow(props: &UnderProps) -> Html {
     html! {
         <button class="btn ghost round" title={format!("Follow {name} (f)")} aria-label={format!("Follow {name}")}
             aria-pressed={on.to_string()} {onclick}>
-            <Icon name="follow" />
+            { icon::show("follow") }
         </button>
     }
 }

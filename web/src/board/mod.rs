@@ -35,7 +35,7 @@ use axis::Axis;
 use beside::Beside;
 use cells::Cells;
 use floor::FloorShapes;
-use legend::Under;
+use legend::{Under, under};
 use marks::Marks;
 pub(crate) use picture::picture;
 use reasons::ReasonMarks;
@@ -132,6 +132,14 @@ pub fn Board(props: &BoardProps) -> Html {
             </svg>
         </div>
     };
+    let below = Under {
+        kinds,
+        look: &viewport.look,
+        is_fit: viewport.camera.is_fit(),
+        is_nearest: viewport.is_nearest(board),
+        follow: follow(state, &cast),
+        send: &props.send,
+    };
     html! {
         <>
             <div class={classes!("boards", other.is_some().then_some("pair"))}>
@@ -149,9 +157,7 @@ pub fn Board(props: &BoardProps) -> Html {
                     </figure>
                 }
             </div>
-            <Under {kinds} look={viewport.look.clone()} follow={follow(state, &cast)} send={props.send.clone()}
-                is_fit={viewport.camera.is_fit()}
-                is_nearest={viewport.is_nearest(board)} />
+            { under(&below) }
         </>
     }
 }

@@ -1,25 +1,14 @@
 //! Ways to go on where the world changed, side by side: a column each, one of
 //! which the board and the timeline preview.
 
-use giveway_page::Action;
 use giveway_page::changing::{Column, CostChange, Group, columns};
+use giveway_page::{Action, State};
 use yew::prelude::*;
 
-use crate::{Glyph, Icon, Shown};
-
-/// The state and where actions go.
-#[derive(Clone, PartialEq, Properties)]
-pub struct CompareProps {
-    /// The state.
-    pub state: Shown,
-    /// Takes actions.
-    pub send: Callback<Action>,
-}
+use crate::{glyph, icon};
 
 /// The columns; nothing while nothing is compared.
-#[component]
-pub fn Compare(props: &CompareProps) -> Html {
-    let CompareProps { state, send } = props;
+pub(crate) fn show(state: &State, send: &Callback<Action>) -> Html {
     let Some(columns) = columns(state) else {
         return Html::default();
     };
@@ -28,7 +17,7 @@ pub fn Compare(props: &CompareProps) -> Html {
         <section class="cmp" aria-label="Ways to go on">
             <div class="cols" tabindex="0">{ for columns.iter().enumerate().map(column) }</div>
             <button type="button" class="btn ghost only-ph" onclick={send.reform(|_| Action::DiscardChange)}>
-                <Icon name="undo" />{ "Discard" }
+                { icon::show("undo") }{ "Discard" }
             </button>
         </section>
     }
@@ -43,7 +32,7 @@ fn column(index: usize, facts: &Column, send: &Callback<Action>) -> Html {
             <header>
                 <h2>{ title.clone() }</h2>
                 if facts.is_least {
-                    <span class="badge proved"><Icon name="proved" />{ "Lowest cost" }</span>
+                    <span class="badge proved">{ icon::show("proved") }{ "Lowest cost" }</span>
                 }
                 <p>{ facts.promise.clone() }</p>
             </header>
@@ -57,13 +46,13 @@ fn column(index: usize, facts: &Column, send: &Callback<Action>) -> Html {
             <footer>
                 if facts.has_plan {
                     <button type="button" class={classes!("btn", if facts.is_chosen { "primary" } else { "outline" })} onclick={adopt}>
-                        <Icon name="check" />{ "Adopt" }<span class="vh">{ format!(" {title}") }</span>
+                        { icon::show("check") }{ "Adopt" }<span class="vh">{ format!(" {title}") }</span>
                     </button>
                     <button type="button" class="btn ghost" aria-pressed={facts.is_chosen.to_string()} onclick={preview}>
                         { "Preview" }<span class="vh">{ format!(" {title}") }</span>
                     </button>
                 }
-                <span class="ms"><Icon name="clock" />{ facts.time.clone() }</span>
+                <span class="ms">{ icon::show("clock") }{ facts.time.clone() }</span>
             </footer>
         </article>
     }
@@ -91,7 +80,7 @@ fn cost(cost: &CostChange) -> Html {
 
 fn group(group: &Group) -> Html {
     let one = |(agent, name): &(usize, String)| {
-        html! { <span><Glyph agent={*agent} class="who-glyph" />{ name.clone() }</span> }
+        html! { <span>{ glyph::show(*agent, "who-glyph") }{ name.clone() }</span> }
     };
     html! {
         <div>

@@ -6,7 +6,7 @@ use yew::platform::spawn_local;
 use yew::prelude::*;
 
 use super::frame::Frame;
-use crate::{Icon, files};
+use crate::{files, icon};
 
 #[derive(Clone, PartialEq, Properties)]
 pub(crate) struct ExamplesProps {
@@ -61,7 +61,7 @@ fn pick(example: &Example, choose: &Callback<String>) -> Html {
             <button class="pick" onclick={choose}>
                 <b>{ example.title.clone() }</b>
                 <span>{ example.line.clone() }</span>
-                <Icon name="chevron" />
+                { icon::show("chevron") }
             </button>
         </li>
     }

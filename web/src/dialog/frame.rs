@@ -5,7 +5,7 @@ use gloo::events::EventListener;
 use web_sys::HtmlDialogElement;
 use yew::prelude::*;
 
-use crate::Icon;
+use crate::icon;
 
 #[derive(Clone, PartialEq, Properties)]
 pub(super) struct FrameProps {
@@ -67,7 +67,7 @@ pub(super) fn Frame(props: &FrameProps) -> Html {
             <header>
                 <h2 id="dialog-title">{ title }</h2>
                 <button class="btn ghost round" title="Close (Escape)" onclick={close}>
-                    <Icon name="cancel" /><span class="vh">{ "Close" }</span>
+                    { icon::show("cancel") }<span class="vh">{ "Close" }</span>
                 </button>
             </header>
             <div class="dialog-body" tabindex={reads.then_some("0")} role={reads.then_some("group")}

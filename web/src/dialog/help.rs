@@ -5,17 +5,10 @@ use yew::prelude::*;
 
 use super::frame::Frame;
 
-#[derive(Clone, PartialEq, Properties)]
-pub(crate) struct HelpProps {
-    /// Called when it was closed.
-    pub(crate) on_close: Callback<()>,
-}
-
-/// All keys, by what they are for.
-#[component]
-pub(crate) fn Help(props: &HelpProps) -> Html {
+/// All keys, by what they are for; calls back when it was closed.
+pub(crate) fn help(on_close: Callback<()>) -> Html {
     html! {
-        <Frame title="Keys" reads=true on_close={props.on_close.clone()}>
+        <Frame title="Keys" reads=true {on_close}>
             { for HELP.iter().map(|(title, rows)| group(title, rows)) }
         </Frame>
     }

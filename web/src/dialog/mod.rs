@@ -14,7 +14,7 @@ use giveway_page::files::Choice;
 
 pub(crate) use agents::Agents;
 pub(crate) use examples::Examples;
-pub(crate) use help::Help;
+pub(crate) use help::help;
 pub(crate) use popover::use_dismiss;
 pub(crate) use scenes::Scenes;
 pub(crate) use share::Share;

@@ -4,7 +4,7 @@ use giveway_page::{Action, Notice};
 use yew::prelude::*;
 
 use super::frame::Frame;
-use crate::{Icon, Shown, app, keep};
+use crate::{Shown, app, icon, keep};
 
 #[derive(Clone, PartialEq, Properties)]
 pub(crate) struct ScenesProps {
@@ -44,10 +44,10 @@ pub(crate) fn Scenes(props: &ScenesProps) -> Html {
         html! {
             <li key={name.clone()} class="kept">
                 <button class="pick" onclick={open(keep::scene, name)}>
-                    <b>{ shown.clone() }</b><Icon name="chevron" />
+                    <b>{ shown.clone() }</b>{ icon::show("chevron") }
                 </button>
                 <button class="btn ghost round" onclick={forget} title="Forget"
-                    aria-label={format!("Forget {shown}")}><Icon name="cancel" /></button>
+                    aria-label={format!("Forget {shown}")}>{ icon::show("cancel") }</button>
             </li>
         }
     };

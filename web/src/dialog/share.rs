@@ -4,7 +4,7 @@ use giveway_page::{Action, link::embed};
 use yew::prelude::*;
 
 use super::frame::Frame;
-use crate::{Icon, copy};
+use crate::{copy, icon};
 
 /// From so many characters on, a link is too long for some programs.
 const LONG: usize = 8000;
@@ -54,7 +54,7 @@ pub(crate) fn Share(props: &ShareProps) -> Html {
                 <span class="grow" role="status">{ *told }</span>
                 <button class="btn outline" title="HTML that shows the plan inside another page"
                     onclick={code}>{ "Copy embed code" }</button>
-                <button class="btn primary" onclick={link}><Icon name="copy" />{ "Copy link" }</button>
+                <button class="btn primary" onclick={link}>{ icon::show("copy") }{ "Copy link" }</button>
             </div>
         </Frame>
     }

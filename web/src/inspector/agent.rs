@@ -6,7 +6,7 @@ use giveway_page::timeline::{Lane, Way};
 use yew::prelude::*;
 
 use super::back;
-use crate::Glyph;
+use crate::glyph;
 
 pub(super) fn show(facts: &AgentFacts, send: &Callback<Action>) -> Html {
     let (visited, waypoints) = facts.waypoints;
@@ -14,7 +14,7 @@ pub(super) fn show(facts: &AgentFacts, send: &Callback<Action>) -> Html {
         <>
             <header class="ih">
                 { back(send) }
-                <Glyph agent={facts.agent} name={facts.name.clone()} class="insp-glyph" />
+                { glyph::named(facts.agent, &facts.name) }
                 <div><h2>{ facts.name.clone() }</h2><p class="doing">{ facts.doing.clone() }</p></div>
             </header>
             <dl class="facts">

@@ -5,7 +5,7 @@ use giveway_page::ask::{Card, CostRow, Facts, Happening, Offered, Other};
 use giveway_page::{Action, Lit};
 use yew::prelude::*;
 
-use crate::{Glyph, Icon};
+use crate::{glyph, icon};
 
 /// What scrolls of the card.
 pub(super) fn show(card: &Card, send: &Callback<Action>) -> Html {
@@ -13,14 +13,14 @@ pub(super) fn show(card: &Card, send: &Callback<Action>) -> Html {
         <>
             <header class="qh">
                 <button type="button" class="crumb" onclick={send.reform(|_| Action::CloseQuestion)}>
-                    <Icon name="back" />{ "Back" }
+                    { icon::show("back") }{ "Back" }
                 </button>
                 <h2>{ card.question.clone() }</h2>
             </header>
             <div class="verdict-at" aria-live="polite">
                 if let Some((badge, words)) = &card.verdict {
                     <div class={classes!("verdict", badge.class)}>
-                        <p class="vb"><Icon name={badge.icon} /><b>{ badge.word }</b></p>
+                        <p class="vb">{ icon::show(badge.icon) }<b>{ badge.word }</b></p>
                         <p class="vs">{ words.clone() }</p>
                     </div>
                 }
@@ -61,21 +61,21 @@ pub(super) fn foot(card: &Card, send: &Callback<Action>) -> Html {
         // Both are there to be seen: what is left is to decide.
         html! {
             <button type="button" class="btn outline" onclick={send.reform(|_| Action::CloseQuestion)}>
-                <Icon name="cancel" />{ "Keep this" }
+                { icon::show("cancel") }{ "Keep this" }
             </button>
         }
     } else {
         html! {
             <button type="button" class="btn outline" aria-pressed={is_shown.to_string()}
                 onclick={send.reform(move |_| Action::ShowOther(!is_shown))}>
-                <Icon name="compare" />{ if is_shown { "Show this" } else { "Show other" } }
+                { icon::show("compare") }{ if is_shown { "Show this" } else { "Show other" } }
             </button>
         }
     };
     html! {
         <footer class="foot">
             <button type="button" class="btn primary" onclick={send.reform(|_| Action::TakeOther)}>
-                <Icon name="check" />{ "Take the other plan" }
+                { icon::show("check") }{ "Take the other plan" }
             </button>
             { second }
         </footer>
@@ -97,7 +97,7 @@ pub(super) fn costs(
         html! {
             <tr>
                 <th scope="row">
-                    if let Some(agent) = row.agent { <Glyph {agent} class="cost-glyph" /> }
+                    if let Some(agent) = row.agent { { glyph::show(agent, "cost-glyph") } }
                     { row.title.clone() }
                 </th>
                 <td>{ row.this }</td><td>{ row.other }</td><td {class}>{ row.difference() }</td>
@@ -152,7 +152,7 @@ fn core(facts: &Facts, send: &Callback<Action>) -> Html {
                 onclick={on.reform(|_: MouseEvent| ())}
                 onpointerenter={on.reform(|_| ())} onpointerleave={off.reform(|_| ())}
                 onfocus={on.reform(|_| ())} onblur={off.reform(|_| ())}>
-                <Icon name={*icon} /><span>{ text.clone() }</span>
+                { icon::show(icon) }<span>{ text.clone() }</span>
             </button></li>
         }
     };
@@ -170,7 +170,7 @@ fn repairs(offered: &[Offered], leads: bool, send: &Callback<Action>) -> Html {
         html! {
             <li><button type="button" class={classes!("repair", (leads && index == 0).then_some("lead"))}
                 onclick={send.reform(move |_| Action::TakeRepair(index))}>
-                <Icon name={repair.icon} />
+                { icon::show(repair.icon) }
                 <span>{ repair.text.clone() }<small>{ repair.costs.clone() }</small></span>
             </button></li>
         }

@@ -5,7 +5,7 @@ use giveway_page::{Action, Selection};
 use yew::prelude::*;
 
 use super::{back, in_draft};
-use crate::{Glyph, Icon, Shown};
+use crate::{Shown, glyph, icon};
 
 /// The most lines of who passes.
 const MAX_PASSES: usize = 60;
@@ -16,7 +16,7 @@ pub(super) fn show(state: &Shown, facts: &CellFacts, send: &Callback<Action>) ->
             <header class="ih">
                 { back(send) }
                 <span class={classes!("cellsw", facts.icon)}>
-                    if let Some(icon) = facts.icon { <Icon name={icon} /> }
+                    if let Some(icon) = facts.icon { { icon::show(icon) } }
                 </span>
                 <div><h2>{ facts.title.clone() }</h2><p>{ facts.ground }</p></div>
             </header>
@@ -46,7 +46,7 @@ fn show_role(agent: usize, role: &str, send: &Callback<Action>) -> Html {
     let onclick = send.reform(move |_| Action::Select(Selection::Agent(agent)));
     html! {
         <li><button type="button" class="choice" {onclick}>
-            <Glyph {agent} class="choice-glyph" /><span>{ role.to_owned() }</span><Icon name="chevron" class="end" />
+            { glyph::show(agent, "choice-glyph") }<span>{ role.to_owned() }</span>{ icon::at_end("chevron") }
         </button></li>
     }
 }
@@ -60,7 +60,7 @@ fn show_pass(state: &Shown, pass: &Pass, send: &Callback<Action>) -> Html {
     html! {
         <li><button type="button" class={classes!("choice", is_past.then_some("past"))} title={format!("Show time {from}")}
             onclick={send.reform(move |_| Action::Seek(from))}>
-            <Glyph {agent} class="choice-glyph" /><span><b>{ pass.name.clone() }</b>{ format!(" {}", pass.when) }</span>
+            { glyph::show(agent, "choice-glyph") }<span><b>{ pass.name.clone() }</b>{ format!(" {}", pass.when) }</span>
         </button></li>
     }
 }

@@ -7,7 +7,7 @@ use giveway_page::{Action, State};
 use yew::prelude::*;
 
 use crate::field::number;
-use crate::{Glyph, Icon, Shown};
+use crate::{Shown, glyph, icon};
 
 /// The longest breakdown that can be typed, in steps.
 const LONGEST: u32 = 1000;
@@ -21,7 +21,7 @@ pub(super) fn begin(state: &State, send: &Callback<Action>) -> Html {
     html! {
         <button type="button" class="btn outline more" title="Change the world here (x)"
             onclick={send.reform(|_| Action::BeginChange)}>
-            <Icon name="change" />{ "Change the world here" }<span class="vh">{ format!(", at time {time}") }</span>
+            { icon::show("change") }{ "Change the world here" }<span class="vh">{ format!(", at time {time}") }</span>
         </button>
     }
 }
@@ -56,15 +56,15 @@ fn listed_change(index: usize, listed: &Listed, send: &Callback<Action>) -> Html
     html! {
         <li key={index}>
             if let Some(agent) = listed.agent {
-                <Glyph {agent} class="choice-glyph" />
+                { glyph::show(agent, "choice-glyph") }
             } else {
-                <Icon name={listed.icon} />
+                { icon::show(listed.icon) }
             }
             <span><b>{ listed.text.clone() }</b>
                 if let Some(detail) = &listed.detail { <small>{ detail.clone() }</small> }
             </span>
             <button type="button" class="btn ghost round" title="Take back" aria-label={name} onclick={take_back}>
-                <Icon name="cancel" />
+                { icon::show("cancel") }
             </button>
         </li>
     }
@@ -159,7 +159,7 @@ pub(super) fn agent(state: &Shown, index: usize, send: &Callback<Action>) -> Htm
         html! {
             <li>{ &place }<button type="button" class="btn ghost round" onclick={press}
                 aria-label={format!("Drop waypoint {place}")} title="Drop">
-                <Icon name="cancel" />
+                { icon::show("cancel") }
             </button></li>
         }
     };
@@ -187,7 +187,7 @@ pub(super) fn foot(send: &Callback<Action>) -> Html {
     html! {
         <footer class="foot">
             <button type="button" class="btn ghost" onclick={send.reform(|_| Action::DiscardChange)}>
-                <Icon name="undo" />{ "Discard" }
+                { icon::show("undo") }{ "Discard" }
             </button>
         </footer>
     }

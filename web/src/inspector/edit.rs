@@ -5,7 +5,7 @@ use giveway_page::{Action, DENSEST, Edit, Fill, MAX_AGENTS, MAX_SIDE, Phase, Pro
 use yew::prelude::*;
 
 use crate::field::{Field, number};
-use crate::{Icon, Shown};
+use crate::{Shown, icon};
 
 /// The largest battery that can be set, in steps.
 const CAPACITY: u32 = 100_000;
@@ -30,7 +30,7 @@ pub(super) fn agent(state: &Shown, index: usize, send: &Callback<Action>) -> Htm
         html! {
             <li>{ &name }<button type="button" class="btn ghost round" onclick={press}
                 aria-label={format!("Remove waypoint {name}")} title="Remove">
-                <Icon name="cancel" />
+                { icon::show("cancel") }
             </button></li>
         }
     };
@@ -151,7 +151,8 @@ pub(super) fn problems(
         return Html::default();
     }
     let one = |problem: &&Problem| {
-        let text = html! { <><Icon name="warning" /><span>{ problem.sentence.clone() }</span></> };
+        let text =
+            html! { <>{ icon::show("warning") }<span>{ problem.sentence.clone() }</span></> };
         match problem.cell {
             Some(cell) => {
                 let show = send.reform(move |_: MouseEvent| Action::Select(Selection::Cell(cell)));

@@ -15,7 +15,7 @@ mod whole;
 use giveway_page::{Action, Selection, State, ask, changing, inspect};
 use yew::prelude::*;
 
-use crate::{Icon, Shown};
+use crate::{Shown, icon};
 
 /// The state and where actions go.
 #[derive(Clone, PartialEq, Properties)]
@@ -112,7 +112,7 @@ fn while_changing(state: &Shown, facts: &changing::Facts, send: &Callback<Action
 fn back(send: &Callback<Action>) -> Html {
     html! {
         <button type="button" class="crumb" onclick={send.reform(|_| Action::Select(Selection::Nothing))}>
-            <Icon name="back" />{ "Whole plan" }
+            { icon::show("back") }{ "Whole plan" }
         </button>
     }
 }

@@ -4,14 +4,14 @@ use giveway_page::proof::{Line, Outcome, Proof, proof};
 use giveway_page::{Action, State};
 use yew::prelude::*;
 
-use crate::Icon;
+use crate::icon;
 
 pub(super) fn show(state: &State, send: &Callback<Action>) -> Html {
     match proof(state) {
         None => html! {},
         Some(Proof::Offered) => html! {
             <button type="button" class="btn outline more" onclick={send.reform(|_| Action::CheckProof)}>
-                <Icon name="proved" />{ "Check the proof" }
+                { icon::show("proved") }{ "Check the proof" }
             </button>
         },
         Some(Proof::Running(doing)) => html! {
@@ -26,7 +26,7 @@ fn done(outcome: &Outcome) -> Html {
     html! {
         <section class="proof-at" aria-label="Proof">
             <div class={classes!("verdict", badge.class)} aria-live="polite">
-                <p class="vb"><Icon name={badge.icon} /><b>{ badge.word }</b></p>
+                <p class="vb">{ icon::show(badge.icon) }<b>{ badge.word }</b></p>
                 <p class="vs">{ outcome.sentence.clone() }</p>
             </div>
             <ul class="proofs">{ for outcome.claims.iter().map(line) }</ul>
@@ -36,6 +36,6 @@ fn done(outcome: &Outcome) -> Html {
 
 fn line(line: &Line) -> Html {
     html! {
-        <li><Icon name={line.icon} /><span>{ line.text.clone() }<small>{ line.rests_on.clone() }</small></span></li>
+        <li>{ icon::show(line.icon) }<span>{ line.text.clone() }<small>{ line.rests_on.clone() }</small></span></li>
     }
 }

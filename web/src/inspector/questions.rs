@@ -4,7 +4,7 @@ use giveway_page::Action;
 use giveway_page::ask::{Group, Offer};
 use yew::prelude::*;
 
-use crate::Icon;
+use crate::icon;
 
 pub(super) fn show(groups: &[Group], send: &Callback<Action>) -> Html {
     let offer = |offer: &Offer| {
@@ -12,12 +12,12 @@ pub(super) fn show(groups: &[Group], send: &Callback<Action>) -> Html {
         let onclick = send.reform(move |_| Action::Ask(question.clone()));
         html! {
             <li><button type="button" class="ask" {onclick}>
-                <Icon name={offer.icon} />
+                { icon::show(offer.icon) }
                 <span>
                     { offer.text.clone() }
                     if let Some(detail) = &offer.detail { <small>{ detail.clone() }</small> }
                 </span>
-                <Icon name="chevron" class="end" />
+                { icon::at_end("chevron") }
             </button></li>
         }
     };

@@ -7,7 +7,7 @@ use giveway_page::{Action, Selection, State};
 use yew::prelude::*;
 
 use super::{agent, answer, cell};
-use crate::{Glyph, Icon, Shown};
+use crate::{Shown, glyph, icon};
 
 /// The button that begins to lead the agent that is selected; nothing where it
 /// cannot be led.
@@ -26,7 +26,7 @@ pub(super) fn begin(state: &State, send: &Callback<Action>) -> Html {
     html! {
         <button type="button" class="btn outline more" title="Key: L"
             onclick={send.reform(|_| Action::Steer(Lead::Begin))}>
-            <Icon name="steer" />{ text }
+            { icon::show("steer") }{ text }
         </button>
     }
 }
@@ -51,7 +51,7 @@ fn led(facts: &Facts, send: &Callback<Action>) -> Html {
     html! {
         <>
             <header class="ih">
-                <Glyph agent={facts.agent} name={facts.name.clone()} class="insp-glyph" />
+                { glyph::named(facts.agent, &facts.name) }
                 <div><h2>{ "Your plan" }</h2><p>{ facts.place.clone() }</p></div>
             </header>
             { pad(facts, send) }
@@ -113,7 +113,7 @@ fn pad(facts: &Facts, send: &Callback<Action>) -> Html {
             name,
             "Arrow key",
             Lead::Step(by),
-            html! { <Icon name="down" /> },
+            html! { { icon::show("down") } },
         )
     };
     let worded = |class, name, keys, lead, icon: &'static str| {
@@ -122,7 +122,7 @@ fn pad(facts: &Facts, send: &Callback<Action>) -> Html {
             name,
             keys,
             lead,
-            html! { <><Icon name={icon} />{ name }</> },
+            html! { <>{ icon::show(icon) }{ name }</> },
         )
     };
     html! {
@@ -146,7 +146,7 @@ fn violation(violation: &Happening, send: &Callback<Action>) -> Html {
     html! {
         <li><button type="button" class="problem" title={format!("Show time {time}")}
             aria-current={violation.is_lit.then_some("time")} onclick={send.reform(move |_| Action::Seek(time))}>
-            <Icon name="collision" /><span>{ violation.text.clone() }</span>
+            { icon::show("collision") }<span>{ violation.text.clone() }</span>
         </button></li>
     }
 }
@@ -156,7 +156,7 @@ pub(super) fn foot(send: &Callback<Action>) -> Html {
     html! {
         <footer class="foot">
             <button type="button" class="btn ghost" onclick={send.reform(|_| Action::Steer(Lead::Discard))}>
-                <Icon name="undo" />{ "Discard" }
+                { icon::show("undo") }{ "Discard" }
             </button>
         </footer>
     }

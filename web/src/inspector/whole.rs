@@ -8,7 +8,7 @@ use giveway_page::{Action, Answer, Draft, Selection, Work};
 use yew::prelude::*;
 
 use super::{change, edit, front, proof};
-use crate::{Glyph, Icon, Shown};
+use crate::{Shown, glyph, icon};
 
 /// So many agents are listed at first, and with every press of `More`.
 const AGENTS: usize = 50;
@@ -55,7 +55,7 @@ fn costs(costs: &[CostFacts]) -> Html {
                 <td>{ number(facts.value) }</td>
                 <td>
                     if facts.is_proved() {
-                        <span class="seal"><Icon name="proved" /><span class="vh">{ "proved least: " }</span></span>
+                        <span class="seal">{ icon::show("proved") }<span class="vh">{ "proved least: " }</span></span>
                     }
                     if facts.is_minimised { { number(facts.at_least) } }
                 </td>
@@ -114,14 +114,14 @@ fn Agents(props: &AgentsProps) -> Html {
         let onclick = send.reform(move |_| Action::Select(Selection::Agent(agent)));
         html! {
             <li key={agent}><button type="button" class="choice" {onclick}>
-                <Glyph {agent} class="choice-glyph" />
+                { glyph::show(agent, "choice-glyph") }
                 <span>
                     <b>{ who.name.clone() }</b>
                     <small>{ format!("({},{}) to ({},{})", who.start.x, who.start.y, who.goal.x, who.goal.y) }
                         if let Some(time) = arrival(&who.name) { { format!(", arrives at {time}") } }
                     </small>
                 </span>
-                <Icon name="chevron" class="end" />
+                { icon::at_end("chevron") }
             </button></li>
         }
     };

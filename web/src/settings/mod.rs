@@ -2,16 +2,13 @@
 
 mod order;
 
-use std::rc::Rc;
-
 use giveway_model::AtGoal;
-use giveway_page::{Action, Draft, Settings};
+use giveway_page::{Action, Settings, State};
 use web_sys::HtmlInputElement;
 use yew::prelude::*;
 
-use crate::Icon;
 use crate::field::number;
-use order::Order;
+use crate::icon;
 
 /// The longest horizon that can be asked for, in time steps.
 const LONGEST: u32 = 10_000;
@@ -20,40 +17,22 @@ const PATIENCE: u32 = 3600;
 /// The highest battery floor.
 const HIGHEST_FLOOR: u32 = 100_000;
 
-#[derive(Clone, PartialEq, Properties)]
-pub(crate) struct SettingsCardProps {
-    /// The scene, which has objective and rules.
-    pub(crate) draft: Rc<Draft>,
-    /// What is set beside it.
-    pub(crate) settings: Settings,
-    /// Takes actions.
-    pub(crate) send: Callback<Action>,
-    /// Called when it should close.
-    pub(crate) on_close: Callback<()>,
-}
-
 /// The card with all settings; each takes effect at once.
-#[component]
-pub(crate) fn SettingsCard(props: &SettingsCardProps) -> Html {
-    let SettingsCardProps {
-        draft,
-        settings,
-        send,
-        on_close,
-    } = props;
-    let scene = draft.scene();
+pub(crate) fn show(state: &State, send: &Callback<Action>, on_close: &Callback<()>) -> Html {
+    let settings = state.settings;
+    let scene = state.draft.scene();
     let close = on_close.reform(|_: MouseEvent| ());
     html! {
         <div class="settings" role="group" aria-labelledby="settings-title">
             <header>
                 <h2 id="settings-title">{ "Settings" }</h2>
                 <button class="btn ghost round" title="Close (Escape)" onclick={close}>
-                    <Icon name="cancel" /><span class="vh">{ "Close" }</span>
+                    { icon::show("cancel") }<span class="vh">{ "Close" }</span>
                 </button>
             </header>
             <fieldset>
                 <legend>{ "Objective" }</legend>
-                <Order objective={scene.objective.clone()} send={send.clone()} />
+                { order::show(&scene.objective, send) }
                 { switch("Pareto front of two or three costs", settings.front, send, Action::SetFront) }
             </fieldset>
             <fieldset>

@@ -4,28 +4,26 @@ use giveway_model::{Cost, Objective};
 use giveway_page::{Action, objective, words};
 use yew::prelude::*;
 
-use crate::Icon;
+use crate::icon;
 
-#[derive(Clone, PartialEq, Properties)]
-pub(super) struct OrderProps {
-    /// The objective.
-    pub(super) objective: Objective,
-    /// Takes another one.
-    pub(super) send: Callback<Action>,
+#[derive(Clone, Copy)]
+struct Given<'a> {
+    objective: &'a Objective,
+    send: &'a Callback<Action>,
 }
 
 /// A list to be ordered with buttons, and the costs that can be added.
-#[component]
-pub(super) fn Order(props: &OrderProps) -> Html {
-    let costs = props.objective.costs();
-    let others = objective::others(&props.objective);
+pub(super) fn show(objective: &Objective, send: &Callback<Action>) -> Html {
+    let given = Given { objective, send };
+    let costs = objective.costs();
+    let others = objective::others(objective);
     html! {
         <>
             <ol class="order">
-                { for costs.iter().enumerate().map(|(at, &cost)| row(props, at, cost)) }
+                { for costs.iter().enumerate().map(|(at, &cost)| row(given, at, cost)) }
             </ol>
             if !others.is_empty() {
-                <div class="adds">{ for others.iter().map(|&cost| addition(props, cost)) }</div>
+                <div class="adds">{ for others.iter().map(|&cost| addition(given, cost)) }</div>
             }
         </>
     }
@@ -33,22 +31,22 @@ pub(super) fn Order(props: &OrderProps) -> Html {
 
 type Step = fn(&Objective, Cost) -> Objective;
 
-fn press(props: &OrderProps, cost: Cost, step: Step) -> Callback<MouseEvent> {
-    let objective = props.objective.clone();
-    props
+fn press(given: Given<'_>, cost: Cost, step: Step) -> Callback<MouseEvent> {
+    let objective = given.objective.clone();
+    given
         .send
         .reform(move |_| Action::SetObjective(step(&objective, cost)))
 }
 
-fn row(props: &OrderProps, at: usize, cost: Cost) -> Html {
-    let last = props.objective.costs().len() - 1;
+fn row(given: Given<'_>, at: usize, cost: Cost) -> Html {
+    let last = given.objective.costs().len() - 1;
     let title = words::title(cost);
     let button = |class: &'static str, icon: &'static str, verb: &str, step: Step, off: bool| {
         let name = format!("{verb} {title}");
         let class = classes!("btn", "ghost", class);
         html! {
-            <button {class} title={name.clone()} disabled={off} onclick={press(props, cost, step)}>
-                <Icon name={icon} /><span class="vh">{ name }</span>
+            <button {class} title={name.clone()} disabled={off} onclick={press(given, cost, step)}>
+                { icon::show(icon) }<span class="vh">{ name }</span>
             </button>
         }
     };
@@ -63,12 +61,12 @@ fn row(props: &OrderProps, at: usize, cost: Cost) -> Html {
     }
 }
 
-fn addition(props: &OrderProps, cost: Cost) -> Html {
+fn addition(given: Given<'_>, cost: Cost) -> Html {
     let name = words::title(cost);
     html! {
         <button key={cost.name()} class="btn chip" title={format!("Add {name}")}
-            onclick={press(props, cost, objective::with)}>
-            <Icon name="plus" /><span class="vh">{ "Add " }</span>{ name }
+            onclick={press(given, cost, objective::with)}>
+            { icon::show("plus") }<span class="vh">{ "Add " }</span>{ name }
         </button>
     }
 }

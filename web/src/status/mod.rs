@@ -6,8 +6,7 @@ use giveway_page::{Action, Phase, State, words};
 use yew::prelude::*;
 
 use crate::dialog::{Panel, use_dismiss};
-use crate::settings::SettingsCard;
-use crate::{Icon, Shown};
+use crate::{Shown, icon, settings};
 use live::Live;
 
 /// The state, what is open, and where changes of both go.
@@ -51,13 +50,12 @@ pub(crate) fn StatusBar(props: &StatusBarProps) -> Html {
                 <button class="obj" title="Objective, rules and limits"
                     aria-label={format!("Settings: {}", objective_words(&costs))}
                     aria-expanded={open.to_string()} onclick={toggle}>
-                    <Icon name="settings" />
+                    { icon::show("settings") }
                     { objective(&costs) }
                 </button>
                 { solve_button(state, send) }
                 if open {
-                    <SettingsCard draft={state.draft.clone()} settings={state.settings}
-                        send={send.clone()} on_close={close} />
+                    { settings::show(state, send, &close) }
                 }
             </div>
         </section>
@@ -72,7 +70,7 @@ pub(crate) fn sentence(state: &State) -> Html {
         <>
             <p class="status-line" aria-hidden="true">
                 <span class={classes!("badge", badge.class())}>
-                    <Icon name={badge.icon()} />{ badge.word() }
+                    { icon::show(badge.icon()) }{ badge.word() }
                 </span>
                 <span class="say">{ after_badge(&standing) }</span>
             </p>
@@ -147,7 +145,7 @@ fn solve_button(state: &Shown, send: &Callback<Action>) -> Html {
     let press = send.reform(move |_| action.clone());
     html! {
         <button class={classes!("btn", class)} {title} onclick={press}>
-            if word == "Cancel" { <Icon name="cancel" /> }
+            if word == "Cancel" { { icon::show("cancel") } }
             <span>{ word }</span>
         </button>
     }

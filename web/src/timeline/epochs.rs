@@ -6,32 +6,14 @@ use giveway_page::course::Course;
 use giveway_page::timeline::Axis;
 use yew::prelude::*;
 
-#[derive(Clone, PartialEq, Properties)]
-pub(super) struct EpochsProps {
-    /// The times.
-    pub times: Vec<u32>,
-    /// The time up to which all is settled.
-    pub frozen: Option<u32>,
-    pub axis: Axis,
-}
-
-/// The times at which the world of the plan that is shown changed, or changes.
-pub(super) fn epochs(state: &State) -> Vec<u32> {
+/// The lines where the world of the plan that is shown changed, or changes; nothing
+/// where it did not.
+pub(super) fn show(state: &State, axis: Axis) -> Html {
     let course = state.shown().and_then(|answer| answer.course.as_deref());
     let mut times = course.map_or_else(Vec::new, Course::times);
-    let now = state.changing.as_deref().map(|changing| changing.at);
-    times.extend(now.filter(|at| !times.contains(at)));
-    times
-}
-
-/// The lines; nothing where nothing changed.
-#[component]
-pub(super) fn Epochs(props: &EpochsProps) -> Html {
-    let EpochsProps {
-        times,
-        frozen,
-        axis,
-    } = props;
+    // Up to now all is settled.
+    let frozen = state.changing.as_deref().map(|changing| changing.at);
+    times.extend(frozen.filter(|at| !times.contains(at)));
     if times.is_empty() {
         return Html::default();
     }
@@ -54,7 +36,7 @@ pub(super) fn Epochs(props: &EpochsProps) -> Html {
                         <path d="M4 0V8" />
                     </pattern>
                 </defs>
-                <rect class="past" width={axis.x(f64::from(*at)).to_string()} height="100%" />
+                <rect class="past" width={axis.x(f64::from(at)).to_string()} height="100%" />
             }
             { for times.iter().map(line) }
         </svg>

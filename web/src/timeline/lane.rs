@@ -7,7 +7,7 @@ use giveway_page::timeline::{Axis, Lane, Row, Shapes};
 use yew::prelude::*;
 
 use super::same::Same;
-use crate::Glyph;
+use crate::glyph;
 
 /// The bolt and the flag of the icons, for use among the bars.
 const BOLT: &str = "M11.4 2.8 5 11.2h4.6l-1 6L15 8.8h-4.6Z";
@@ -58,7 +58,7 @@ pub(super) fn LaneRow(props: &LaneRowProps) -> Html {
             onclick={props.pick.reform(move |_| index)}>
             <button type="button" class="lab" aria-pressed={props.selected.to_string()}
                 tabindex={if props.tab_stop { "0" } else { "-1" }} data-lane={index.to_string()} title={lane.name.clone()}>
-                <Glyph agent={lane.agent} class="lane-glyph" />
+                { glyph::show(lane.agent, "lane-glyph") }
                 <span class="lane-name">
                     <b>{ lane.name.clone() }</b>
                     if let Some(fate) = &props.fate {

@@ -16,12 +16,12 @@ mod wait;
 use giveway_page::{Action, Phase, Work};
 use yew::prelude::*;
 
-use crate::{Icon, Shown};
+use crate::{Shown, icon};
 use plan::Plan;
 use same::Same;
 use tabs::Tabs;
-use transport::Transport;
 pub(crate) use transport::play_keys;
+use transport::transport;
 use wait::Wait;
 
 /// Windows lower than this, in pixels, begin with the plan table closed, so
@@ -67,7 +67,7 @@ pub fn Dock(props: &DockProps) -> Html {
         let stale = state.is_stale();
         return html! {
             <section class={classes!("dock", calm.then_some("calm"), stale.then_some("stale"))} aria-label="Timeline">
-                <Transport state={state.clone()} send={send.clone()} />
+                { transport(props) }
                 <Tabs tab={state.view.tab} send={send.clone()} />
                 <Plan answer={Same::new(answer)} beside={state.beside().cloned().map(Same::new)} state={state.clone()} send={send.clone()} />
             </section>
@@ -97,7 +97,7 @@ pub fn Dock(props: &DockProps) -> Html {
     html! {
         <section class="dock empty" aria-label="Timeline">
             <div class="nil">
-                <Icon name="clock" />
+                { icon::show("clock") }
                 <p><b>{ head }</b>{ text }</p>
             </div>
         </section>

@@ -10,7 +10,7 @@ use wasm_bindgen::closure::Closure;
 use web_sys::{Element, HtmlElement, ResizeObserver};
 use yew::prelude::*;
 
-use super::epochs::{Epochs, epochs};
+use super::epochs;
 use super::head::{Moved, use_head};
 use super::lane::LaneRow;
 use super::plan_table::PlanTable;
@@ -151,7 +151,7 @@ pub(super) fn Plan(props: &PlanProps) -> Html {
                         { for seen.lanes.clone().map(lane_row) }
                         { spacer(below) }
                     </div>
-                    <Epochs times={epochs(state)} frozen={state.changing.as_deref().map(|changing| changing.at)} {axis} />
+                    { epochs::show(state, axis) }
                     <i class="head" ref={moved.head.clone()}></i>
                 </div>
             </div>

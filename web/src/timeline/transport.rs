@@ -6,14 +6,13 @@ use gloo::timers::callback::Timeout;
 use yew::prelude::*;
 
 use super::DockProps;
-use crate::{Icon, copy};
+use crate::{copy, icon};
 
 /// How long it is shown that the table was copied, in milliseconds.
 const COPIED_MS: u32 = 1600;
 
 /// The buttons above the lanes.
-#[component]
-pub(super) fn Transport(props: &DockProps) -> Html {
+pub(super) fn transport(props: &DockProps) -> Html {
     let DockProps { state, send } = props;
     let (playback, last) = (state.playback, state.last_time());
     html! {
@@ -21,7 +20,7 @@ pub(super) fn Transport(props: &DockProps) -> Html {
             { play_keys(state, send) }
             // No live region: nobody wants every step read aloud.
             <p class="clock"><b>{ playback.time }</b><span>{ format!(" of {last}") }</span></p>
-            <SpeedPicker speed={playback.speed} send={send.clone()} />
+            { speed(playback.speed, send) }
             { change(props) }
             <span class="grow"></span>
             { views(props) }
@@ -38,7 +37,7 @@ pub(crate) fn play_keys(state: &State, send: &Callback<Action>) -> Html {
         html! {
             <button type="button" class="btn ghost round" title={format!("{name} ({key})")} disabled={off}
                 onclick={move |_| send.emit(action.clone())}>
-                <Icon name={icon} /><span class="vh">{ name }</span>
+                { icon::show(icon) }<span class="vh">{ name }</span>
             </button>
         }
     };
@@ -54,7 +53,7 @@ pub(crate) fn play_keys(state: &State, send: &Callback<Action>) -> Html {
             { button("step-back", "Step back", ",", Action::StepBack, at_start) }
             <button type="button" class="btn playb" title={format!("{name} (Space)")} disabled={last == 0}
                 onclick={send.reform(move |_| action.clone())}>
-                <Icon name={icon} /><span class="vh">{ name }</span>
+                { icon::show(icon) }<span class="vh">{ name }</span>
             </button>
             { button("step", "Step forward", ".", Action::StepForward, at_end) }
             { button("end", "To end", "End", Action::Seek(last), at_end) }
@@ -75,7 +74,7 @@ fn change(props: &DockProps) -> Html {
     html! {
         <button type="button" class="btn chip change-here" title="Change the world here (x)"
             onclick={send.reform(|_| Action::BeginChange)}>
-            <Icon name="change" /><span>{ "Change here" }</span>
+            { icon::show("change") }<span>{ "Change here" }</span>
         </button>
     }
 }
@@ -87,7 +86,7 @@ fn views(props: &DockProps) -> Html {
         html! {
             <button type="button" class={classes!("btn", "chip", on.then_some("on"))} title={name}
                 aria-pressed={on.to_string()} onclick={move |_| send.emit(action.clone())}>
-                <Icon name={icon} /><span>{ name }</span>
+                { icon::show(icon) }<span>{ name }</span>
             </button>
         }
     };
@@ -129,30 +128,22 @@ fn CopyButton(props: &DockProps) -> Html {
     html! {
         <>
             <button type="button" class="btn ghost round" title="Copy the plan table as text" {onclick}>
-                <Icon name={if *copied { "check" } else { "copy" }} /><span class="vh">{ "Copy as text" }</span>
+                { icon::show(if *copied { "check" } else { "copy" }) }<span class="vh">{ "Copy as text" }</span>
             </button>
             <span class="vh" aria-live="polite">{ if *copied { "Copied" } else { "" } }</span>
         </>
     }
 }
 
-#[derive(Clone, PartialEq, Properties)]
-struct SpeedProps {
-    speed: Speed,
-    send: Callback<Action>,
-}
-
 /// The speeds side by side; on a phone one button that goes on to the next.
-#[component]
-fn SpeedPicker(props: &SpeedProps) -> Html {
-    let SpeedProps { speed, send } = props;
+fn speed(speed: Speed, send: &Callback<Action>) -> Html {
     let one = |&choice: &Speed| {
         let onclick = send.reform(move |_| Action::SetSpeed(choice));
         html! {
-            <button type="button" aria-pressed={(choice == *speed).to_string()} {onclick}>{ choice.name() }</button>
+            <button type="button" aria-pressed={(choice == speed).to_string()} {onclick}>{ choice.name() }</button>
         }
     };
-    let at = Speed::ALL.iter().position(|choice| choice == speed);
+    let at = Speed::ALL.iter().position(|&choice| choice == speed);
     let next = Speed::ALL[(at.unwrap_or(0) + 1) % Speed::ALL.len()];
     html! {
         <>

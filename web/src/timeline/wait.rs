@@ -1,7 +1,7 @@
 //! While no plan is there: what is proved, what is found, and the gap between.
 
 use giveway_page::timeline::{Gauge, Row, gauge, whole, work_done};
-use giveway_page::{Run, words};
+use giveway_page::{Draft, Run, words};
 use gloo::timers::callback::Interval;
 use yew::prelude::*;
 
@@ -51,7 +51,7 @@ pub(super) fn Wait(props: &WaitProps) -> Html {
     work.retain(|part| !part.is_empty());
     html! {
         <>
-            <Room agents={run.draft.agents().len()} batteries={run.draft.agents().iter().filter(|agent| agent.battery.is_some()).count()} {table} />
+            { room(&run.draft, *table) }
             <div class="bound">
                 <p class="bl">
                     <b>{ words::title(gauge.cost) }</b>
@@ -119,24 +119,17 @@ fn bar(gauge: &Gauge, scale: u32) -> Html {
     }
 }
 
-#[derive(Clone, PartialEq, Properties)]
-struct RoomProps {
-    agents: usize,
-    batteries: usize,
-    table: bool,
-}
-
 /// The room that transport, lanes and table will take: nothing jumps when the
 /// plan arrives.
-#[component]
-fn Room(props: &RoomProps) -> Html {
-    let RoomProps {
-        agents,
-        batteries,
-        table,
-    } = props;
-    let row = Row::of(*agents, *batteries);
-    let lanes = 24.0 + *agents as f64 * row.height;
+fn room(draft: &Draft, table: bool) -> Html {
+    let agents = draft.agents().len();
+    let with_battery = draft
+        .agents()
+        .iter()
+        .filter(|agent| agent.battery.is_some());
+    let batteries = with_battery.count();
+    let row = Row::of(agents, batteries);
+    let lanes = 24.0 + agents as f64 * row.height;
     let rows = (agents + batteries) * 22 + 5;
     html! {
         <div class="room" aria-hidden="true">
