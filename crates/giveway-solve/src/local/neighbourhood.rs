@@ -5,7 +5,7 @@
 //! is no worse (MAPF-LNS; Li et al. 2021).
 
 use fastrand::Rng;
-use giveway_model::Objective;
+use giveway_model::{Cost, Objective};
 
 use super::{
     Query, Reservations,
@@ -59,7 +59,12 @@ impl Improver {
             for &agent in &group {
                 others.remove(agent, &walks[agent]);
             }
-            let planned = replan(problem, walks, &mut others, &group, horizon, meter);
+            let room = match objective.costs().first() {
+                Some(Cost::SumOfCosts) => Room::sum(&old, horizon),
+                Some(Cost::Makespan) => Room::each(horizon.min(best[0])),
+                _ => Room::each(horizon),
+            };
+            let planned = replan(problem, walks, &mut others, &group, room, meter);
             let vector = costs(problem, walks).vector(objective);
             if matches!(planned, Ok(true)) && vector <= best {
                 best = vector;
@@ -130,25 +135,57 @@ impl Improver {
     }
 }
 
+/// How late agents that are planned anew may arrive for the plan to be no
+/// worse: what cannot be is not searched for, which takes the longest.
+#[derive(Clone, Copy)]
+struct Room {
+    /// The latest arrival of each.
+    each: u32,
+    /// What their arrivals may be together.
+    sum: u32,
+}
+
+impl Room {
+    /// Each by a time.
+    const fn each(latest: u32) -> Self {
+        Self {
+            each: latest,
+            sum: u32::MAX,
+        }
+    }
+
+    /// Together no later than on these walks.
+    fn sum(walks: &[Walk], latest: u32) -> Self {
+        Self {
+            each: latest,
+            sum: walks.iter().map(|walk| arrival(walk)).sum(),
+        }
+    }
+}
+
 /// Plans agents one after the other around all others; false where one finds
-/// no way.
+/// no way, or none within the room.
 fn replan(
     problem: &Problem,
     walks: &mut [Walk],
     others: &mut Reservations,
     group: &[AgentId],
-    horizon: u32,
+    room: Room,
     meter: &Meter,
 ) -> Result<bool, Stop> {
+    let least: u32 = group.iter().map(|&agent| problem.optima[agent]).sum();
+    let mut spare = room.sum.saturating_sub(least);
     for &agent in group {
+        let optimum = problem.optima[agent];
         let query = Query {
             agent,
-            latest: horizon,
+            latest: room.each.min(optimum.saturating_add(spare)),
             price: None,
             effort: EFFORT,
         };
         match plan_one(problem, others, query, meter)? {
             Some((walk, _)) => {
+                spare = spare.saturating_sub(arrival(&walk).saturating_sub(optimum));
                 walks[agent] = walk;
                 others.add(agent, &walks[agent]);
             }

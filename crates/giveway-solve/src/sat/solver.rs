@@ -85,14 +85,27 @@ impl<'h> Sat<'h> {
     /// # Errors
     /// When the budget is spent; the solver is lost then.
     pub(crate) fn solve(&mut self, assumptions: &[Lit]) -> Result<Outcome, Stop> {
+        if let Some(core) = self.refute(assumptions)? {
+            return Ok(Outcome::Unsat(core));
+        }
+        self.read_model();
+        Ok(Outcome::Sat)
+    }
+
+    /// Solves under assumptions, for the core alone: `None` where there is a
+    /// model, which is not read, as that takes long in a large formula.
+    ///
+    /// # Errors
+    /// When the budget is spent; the solver is lost then.
+    pub(crate) fn refute(&mut self, assumptions: &[Lit]) -> Result<Option<Vec<Lit>>, Stop> {
         let Some(mut core) = self.call(assumptions)? else {
-            return Ok(Outcome::Sat);
+            return Ok(None);
         };
         self.needed.clear();
         if !self.verify {
-            return Ok(Outcome::Unsat(core));
+            return Ok(Some(core));
         }
-        self.trim(assumptions, &mut core)
+        self.trim(assumptions, &mut core).map(Some)
     }
 
     /// Verifies a core, and makes it smaller on the way.
@@ -103,7 +116,7 @@ impl<'h> Sat<'h> {
     /// each tells more: assumptions are made one after the other, so the last
     /// one of the core is needed with those before it. Put first from then on,
     /// it leaves the place of the last one to another, until all are needed.
-    fn trim(&mut self, assumptions: &[Lit], core: &mut Vec<Lit>) -> Result<Outcome, Stop> {
+    fn trim(&mut self, assumptions: &[Lit], core: &mut Vec<Lit>) -> Result<Vec<Lit>, Stop> {
         let mut proved = assumptions.to_vec();
         let mut needed: Vec<Lit> = Vec::new();
         for trim in 0..MOST_TRIMS {
@@ -129,7 +142,7 @@ impl<'h> Sat<'h> {
             }
         }
         self.needed = needed;
-        Ok(Outcome::Unsat(proved))
+        Ok(proved)
     }
 
     /// The conflicts of the whole request so far.
@@ -145,10 +158,7 @@ impl<'h> Sat<'h> {
         self.buffer.extend(assumptions.iter().map(|&l| outward(l)));
         self.solver.assume(&self.buffer);
         match self.solver.solve() {
-            Ok(true) => {
-                self.read_model();
-                Ok(None)
-            }
+            Ok(true) => Ok(None),
             Ok(false) => {
                 let core = self.solver.failed_core().unwrap_or(&[]);
                 Ok(Some(core.iter().map(|&l| inward(l)).collect()))

@@ -18,6 +18,9 @@ pub(crate) struct Tap<'h> {
     parser: Parser,
     /// The head of a step whose tail has not been written yet.
     rest: Vec<u8>,
+    /// How long the rest has to be before it is read again: a long step comes
+    /// in many pieces.
+    wait: usize,
 }
 
 impl<'h> Tap<'h> {
@@ -26,6 +29,7 @@ impl<'h> Tap<'h> {
             meter,
             parser: Parser::default(),
             rest: Vec::new(),
+            wait: 0,
         }
     }
 }
@@ -39,6 +43,24 @@ impl Write for Tap<'_> {
         // After an error the same bytes may come again; they are of no use then.
         self.meter.check().map_err(stopped)?;
         self.rest.extend_from_slice(bytes);
+        if self.rest.len() >= self.wait {
+            self.read();
+        }
+        self.meter.report_size();
+        self.meter.check().map_err(stopped)?;
+        Ok(bytes.len())
+    }
+
+    /// varisat does so at the end of a call.
+    fn flush(&mut self) -> io::Result<()> {
+        self.read();
+        Ok(())
+    }
+}
+
+impl Tap<'_> {
+    /// Reads the steps that are whole.
+    fn read(&mut self) {
         let mut conflicts = 0;
         let mut cursor = Cursor::new(self.rest.as_slice());
         let mut whole = 0;
@@ -47,13 +69,7 @@ impl Write for Tap<'_> {
             conflicts += u64::from(matches!(step, ProofStep::AtClause { .. }));
         }
         self.rest.drain(..whole);
+        self.wait = 2 * self.rest.len();
         self.meter.count_conflicts(conflicts);
-        self.meter.report_size();
-        self.meter.check().map_err(stopped)?;
-        Ok(bytes.len())
-    }
-
-    fn flush(&mut self) -> io::Result<()> {
-        Ok(())
     }
 }

@@ -285,6 +285,12 @@ impl<'p, 'h> Team<'p, 'h> {
         self.sat.solve(assumptions)
     }
 
+    /// As [`Team::solve`], for the core alone; `None` where there is a model.
+    pub(crate) fn refute(&mut self, assumptions: &[Lit]) -> Result<Option<Vec<Lit>>, Stop> {
+        self.meter.report_size();
+        self.sat.refute(assumptions)
+    }
+
     /// Makes the core of the last call smaller, where that is cheap.
     pub(crate) fn minimise(&mut self, core: Vec<Lit>) -> Result<Vec<Lit>, Stop> {
         self.sat.minimise(core)

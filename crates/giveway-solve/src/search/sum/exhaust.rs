@@ -12,12 +12,7 @@ use std::collections::BTreeMap;
 use giveway_model::sorting;
 
 use super::{Soft, SumStage};
-use crate::{
-    encode::totalizer::totalizer,
-    meter::Stop,
-    sat::{Lit, Outcome},
-    search::stage::Search,
-};
+use crate::{encode::totalizer::totalizer, meter::Stop, sat::Lit, search::stage::Search};
 
 /// Cores of more literals are not gone on with.
 const MOST_LITERALS: usize = 8;
@@ -50,8 +45,8 @@ impl SumStage {
             sorting::sort_by_key(&mut order, |lit| {
                 assumed.get(lit).is_some_and(|s| s.agent().is_some())
             });
-            let core = match search.team.solve(&order)? {
-                Outcome::Unsat(core) if !core.is_empty() => core,
+            let core = match search.team.refute(&order)? {
+                Some(core) if !core.is_empty() => core,
                 _ => return Ok(assumed.into_values().collect()),
             };
             self.pay(search, &core);

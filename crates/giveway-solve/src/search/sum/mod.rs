@@ -309,7 +309,7 @@ impl SumStage {
                 levels.push(core);
             }
             let highest = levels.last().map_or(&[][..], Vec::as_slice);
-            if matches!(search.team.solve(highest)?, Outcome::Sat) {
+            if search.team.refute(highest)?.is_none() {
                 return Ok(learnt);
             }
             // Lower levels exclude each other all the more.
