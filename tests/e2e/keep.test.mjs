@@ -108,7 +108,7 @@ describe("links", () => {
       location.href = link;
     }, link);
     await playground.shows("warehouse");
-    await playground.says(/^Best plan so far: makespan 18; sum of costs 35; 3 charges\. Whether it is the best is not known here: solve it\.$/);
+    await playground.says(/^Best plan so far: makespan 18; sum of costs 35; 3 charges\. Whether it is the best is known once it is solved\.$/);
     await playground.reaches(1);
     await playground.picture("linked");
     assert.equal(await page.evaluate(() => location.hash), "", "a reload would open it again");

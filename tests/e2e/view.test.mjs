@@ -51,4 +51,37 @@ describe("the view", () => {
     await playground.key("f");
     await eventually("to be let go", () => follow.getAttribute("aria-pressed"), (pressed) => pressed === "false");
   }, { screens: ["desktop"] });
+
+  flow("is chosen on a phone by touch", async (playground, { page }) => {
+    await playground.says(/^Optimal: makespan 18/);
+    await playground.pause();
+    await playground.openSettings();
+    const part = playground.settings.getByRole("group", { name: "On the board" });
+    const choice = (name) => part.getByRole("switch", { name });
+    assert.equal(await choice(/^Follow/).count(), 0, "no agent is selected");
+    for (const name of ["Trails", "Use of cells"]) {
+      const { width, height } = await choice(name).boundingBox();
+      assert.ok(width >= 44 && height >= 44, `${name} is ${width} by ${height}`);
+    }
+    await choice("Use of cells").tap();
+    await choice("Trails").tap();
+    const legend = page.getByRole("list", { name: "Legend", includeHidden: true });
+    await legend.getByText("Used more, the darker").waitFor({ state: "attached" });
+    assert.equal(await choice("Trails").isChecked(), false);
+    await playground.picture("view-settings");
+    await playground.closeSettings();
+
+    await playground.example("Large warehouse");
+    await playground.says(/^Optimal/);
+    await playground.pause();
+    await playground.showTab("Inspector");
+    await playground.inspector.getByRole("button", { name: /^A1\b/ }).first().tap();
+    const width = () => playground.board.getAttribute("viewBox").then((box) => Number(box.split(" ")[2]));
+    const whole = await width();
+    await playground.openSettings();
+    await choice("Follow A1").tap();
+    await playground.closeSettings();
+    await eventually("the camera to come near", width, (now) => now < whole);
+    await playground.fits();
+  }, { screens: ["phone"] });
 });

@@ -56,8 +56,26 @@ pub(crate) fn show(state: &State, send: &Callback<Action>, on_close: &Callback<(
                        Only plans within the horizon count; empty leaves it to the solver." }
                 </p>
             </fieldset>
+            { on_the_board(state, send) }
             <fieldset>{ switch("Solve on every change", settings.solve_on_change, send, Action::SetSolveOnChange) }</fieldset>
         </div>
+    }
+}
+
+/// What is drawn on the board, for a phone, which has no room for it elsewhere.
+fn on_the_board(state: &State, send: &Callback<Action>) -> Html {
+    let view = state.view;
+    let agents = state.world().agents();
+    let agent = state.selected_agent().and_then(|agent| agents.get(agent));
+    html! {
+        <fieldset class="phone">
+            <legend>{ "On the board" }</legend>
+            { switch("Trails", view.layers.trails, send, Action::ShowTrails) }
+            { switch("Use of cells", view.layers.heat, send, Action::ShowHeat) }
+            if let Some(agent) = agent {
+                { switch(&format!("Follow {}", agent.name), view.follow, send, Action::Follow) }
+            }
+        </fieldset>
     }
 }
 
@@ -76,12 +94,7 @@ fn arrival(at_goal: AtGoal, send: &Callback<Action>) -> Html {
     }
 }
 
-fn switch(
-    name: &'static str,
-    on: bool,
-    send: &Callback<Action>,
-    action: fn(bool) -> Action,
-) -> Html {
+fn switch(name: &str, on: bool, send: &Callback<Action>, action: fn(bool) -> Action) -> Html {
     let change = send.reform(move |event: Event| {
         let input: HtmlInputElement = event.target_unchecked_into();
         action(input.checked())
@@ -90,7 +103,7 @@ fn switch(
         <label class="switch">
             <input type="checkbox" role="switch" checked={on} onchange={change} />
             <i></i>
-            { name }
+            { name.to_owned() }
         </label>
     }
 }
