@@ -75,6 +75,9 @@ pub(crate) fn plan_one(
     let waits = rests && query.price.is_none_or(|price| price >= DEAR);
     let passed = others.last_visit(goal).filter(|_| waits);
     let earliest = passed.map_or(0, |time| time + 1);
+    if earliest > query.latest && query.price.is_none() {
+        return Ok(None);
+    }
     let mut search = Search {
         problem,
         others,
