@@ -118,6 +118,30 @@ describe("a scene by hand", () => {
     await playground.says(OPENING);
   });
 
+  flow("gives an agent another colour", async (playground) => {
+    await playground.says(OPENING);
+    await playground.showTab("Inspector");
+    await playground.inspector.getByRole("button", { name: /^A1/ }).click();
+    await openEdit(playground, "Edit agent");
+    const radio = (name) => playground.inspector.getByRole("radiogroup", { name: "Colour" }).getByRole("radio", { name });
+    assert.ok(await radio("Blue").isChecked());
+    await radio("Mauve").check();
+    const drawn = (look) => playground.page.evaluate((look) => {
+      const style = (element) => getComputedStyle(element);
+      const is = style(document.querySelector(`.ag-${look}`)).getPropertyValue("--c");
+      const palette = style(document.documentElement);
+      return Array.from({ length: 12 }, (_, n) => n + 1).filter((n) => palette.getPropertyValue(`--agent-${n}`) === is);
+    }, look);
+    await eventually("mauve", () => drawn(1), (colours) => colours.join() === "8");
+    assert.deepEqual(await drawn(2), [2], "the other one stays as it was");
+    await playground.picture("recoloured");
+    await radio("Mauve").press("ArrowRight");
+    await eventually("violet", () => drawn(1), (colours) => colours.join() === "9");
+    await playground.page.reload();
+    await playground.says(OPENING);
+    await eventually("kept", () => drawn(1), (colours) => colours.join() === "9");
+  });
+
   flow("edits the scene as a whole", async (playground) => {
     await playground.says(OPENING);
     await playground.showTab("Inspector");

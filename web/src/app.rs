@@ -14,7 +14,7 @@ use crate::keys::use_keys;
 use crate::paste::use_paste;
 use crate::solver::use_solver;
 use crate::status::StatusBar;
-use crate::theme::{use_theme, wants_less_motion};
+use crate::theme::{use_colours, use_theme, wants_less_motion};
 use crate::top_bar::TopBar;
 use crate::wide::use_wide;
 use crate::{Board, Clock, Dock, Inspector, Shown, Tools, compare, embed, notice};
@@ -70,6 +70,7 @@ pub fn App() -> Html {
     use_solver(&state, &send);
     use_keep(&state, &send);
     use_theme(state.view.theme);
+    use_colours(state.view.colours);
     let is_embedded = *use_memo((), |()| embed::is_embedded());
     use_keys(&state, &send, &show, is_embedded);
     use_paste(&state, &send, &show, is_embedded);

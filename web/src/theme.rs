@@ -1,6 +1,9 @@
 //! Light or dark: an attribute of the root, which the style sheets read.
 
-use giveway_page::Theme;
+use giveway_page::form::LOOKS;
+use giveway_page::{Colours, Theme};
+use wasm_bindgen::JsCast as _;
+use web_sys::HtmlElement;
 use yew::prelude::*;
 
 /// Gives the page its colours; without an attribute the system decides.
@@ -16,6 +19,31 @@ pub(crate) fn use_theme(theme: Theme) {
             Theme::Light => root.set_attribute("data-theme", "light"),
             Theme::Dark => root.set_attribute("data-theme", "dark"),
         };
+    });
+}
+
+/// Gives agents the colours that a person chose for them: properties of the root,
+/// which the style sheet takes before those of the design.
+#[hook]
+pub(crate) fn use_colours(colours: Colours) {
+    use_effect_with(colours, |colours| {
+        let root = gloo::utils::document().document_element();
+        let Some(root) = root.and_then(|root| root.dyn_into::<HtmlElement>().ok()) else {
+            return;
+        };
+        for look in 0..LOOKS {
+            let (own, colour) = (look + 1, colours.of(look) + 1);
+            for part in ["", "-on"] {
+                let name = format!("--own-{own}{part}");
+                // Neither can fail: names and values are valid.
+                let _ = if own == colour {
+                    root.style().remove_property(&name).map(drop)
+                } else {
+                    root.style()
+                        .set_property(&name, &format!("var(--agent-{colour}{part})"))
+                };
+            }
+        }
     });
 }
 

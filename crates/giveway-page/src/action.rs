@@ -159,6 +159,8 @@ pub enum Action {
     ShowHeat(bool),
     /// Lets the camera go with the agent selected, or not.
     Follow(bool),
+    /// Gives an agent, by its index in the scene, one of the colours.
+    Recolour(usize, usize),
     /// Shows or hides the plan table.
     ShowTable(bool),
     /// What a phone shows below the board.

@@ -4,7 +4,7 @@
 //! them with a rim. Agent 13 begins again, and its name tells it apart.
 
 /// How many looks there are.
-const LOOKS: usize = 12;
+pub const LOOKS: usize = 12;
 
 /// The six forms around `(0, 0)`, within a radius of 27 units.
 const SHAPES: [Shape; 6] = [

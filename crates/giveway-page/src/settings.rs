@@ -1,5 +1,6 @@
 //! What a person sets for the solver and for the page.
 
+use crate::Colours;
 use crate::changing::Choice;
 
 /// What the solver is told beside the scene; the objective and the rules are
@@ -111,8 +112,10 @@ pub struct View {
     pub follow: bool,
     /// Whether the plan table is open.
     pub table: bool,
-    /// The colours.
+    /// Light or dark.
     pub theme: Theme,
+    /// The colours of agents.
+    pub colours: Colours,
     /// What a phone shows below the board.
     pub tab: Tab,
     /// Whether there is room for two boards side by side: else the other plan of
@@ -127,6 +130,7 @@ impl Default for View {
             follow: false,
             table: true,
             theme: Theme::System,
+            colours: Colours::default(),
             tab: Tab::Timeline,
             is_wide: false,
         }

@@ -1,7 +1,9 @@
 //! What is edited beside the board: an agent, or the scene as a whole.
 
 use giveway_model::{Agent, Battery};
-use giveway_page::{Action, DENSEST, Edit, Fill, MAX_AGENTS, MAX_SIDE, Phase, Problem, Selection};
+use giveway_page::{
+    Action, COLOURS, DENSEST, Edit, Fill, MAX_AGENTS, MAX_SIDE, Phase, Problem, Selection,
+};
 use yew::prelude::*;
 
 use crate::field::{Field, number};
@@ -38,6 +40,7 @@ pub(super) fn agent(state: &Shown, index: usize, send: &Callback<Action>) -> Htm
     let body = html! {
         <>
             <Field label="Name" value={agent.name.clone()} on_change={edit(Edit::Rename)} />
+            { colour(state, index, send) }
             { battery(agent, index, send) }
             if !agent.waypoints.is_empty() {
                 <ul class="removable" aria-label="Waypoints">
@@ -48,6 +51,24 @@ pub(super) fn agent(state: &Shown, index: usize, send: &Callback<Action>) -> Htm
         </>
     };
     section(state, "Edit agent", body)
+}
+
+/// The colours to choose from; the form stays, so that no two look the same.
+fn colour(state: &Shown, index: usize, send: &Callback<Action>) -> Html {
+    let chosen = state.view.colours.of(index);
+    let swatch = |(colour, name): (usize, &&'static str)| {
+        let choose = send.reform(move |_: Event| Action::Recolour(index, colour));
+        html! {
+            <label key={colour} title={*name}>
+                <input type="radio" name="colour" aria-label={*name} checked={colour == chosen} onchange={choose} /><i></i>
+            </label>
+        }
+    };
+    html! {
+        <div class="swatches" role="radiogroup" aria-label="Colour">
+            { for COLOURS.iter().enumerate().map(swatch) }
+        </div>
+    }
 }
 
 fn battery(agent: &Agent, index: usize, send: &Callback<Action>) -> Html {

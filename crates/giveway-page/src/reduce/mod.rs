@@ -111,6 +111,7 @@ fn step(state: &mut State, action: Action) {
         Action::ShowTrails(on) => state.view.layers.trails = on,
         Action::ShowHeat(on) => state.view.layers.heat = on,
         Action::Follow(on) => state.view.follow = on,
+        Action::Recolour(agent, colour) => state.view.colours.set(agent, colour),
         Action::ShowTable(on) => state.view.table = on,
         Action::ShowTab(tab) => state.view.tab = tab,
         Action::SetWide(on) => play::widen(state, on),

@@ -106,6 +106,7 @@ fn what_is_shown() {
     let actions = [
         Action::ShowTrails(false),
         Action::ShowHeat(true),
+        Action::Recolour(1, 8),
         Action::Follow(true),
         Action::ShowTable(false),
         Action::ShowTab(Tab::Plan),
@@ -116,6 +117,9 @@ fn what_is_shown() {
     assert!(!state.view.layers.trails && !state.view.table);
     assert_eq!((state.view.tab, state.view.theme), (Tab::Plan, Theme::Dark));
     assert_eq!(state.playback.speed, Speed::Four);
+    assert_eq!((state.view.colours.of(1), state.view.colours.of(0)), (8, 0));
+    let same = after(&state, [Action::Recolour(0, 12)]);
+    assert_eq!(same, state, "there is no such colour");
     assert!(!state.history.can_undo(), "nothing of the scene");
 }
 

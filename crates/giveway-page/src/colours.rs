@@ -1,0 +1,67 @@
+//! The colours that a person gives to agents, in the place of those that come by
+//! their order.
+
+use crate::form::LOOKS;
+
+/// What the colours are called, in the order of the looks that they come with.
+pub const COLOURS: [&str; LOOKS] = [
+    "Blue",
+    "Sea",
+    "Plum",
+    "Amber",
+    "Lavender",
+    "Forest",
+    "Raspberry",
+    "Mauve",
+    "Violet",
+    "Olive",
+    "Dusk",
+    "Moss",
+];
+
+/// Which colour each look has. It belongs to the page and not to the scene, whose
+/// format knows no colours; so agents that look alike keep one colour.
+///
+/// ```
+/// use giveway_page::Colours;
+/// let mut colours = Colours::default();
+/// assert_eq!((colours.of(2), colours.of(14)), (2, 2));
+/// colours.set(2, 7);
+/// assert_eq!((colours.of(2), colours.of(3)), (7, 3));
+/// ```
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Colours([u8; LOOKS]);
+
+impl Default for Colours {
+    fn default() -> Self {
+        Self(std::array::from_fn(|look| look as u8))
+    }
+}
+
+impl Colours {
+    /// The colour of an agent, by its index in the scene: an index of [`COLOURS`].
+    pub fn of(&self, agent: usize) -> usize {
+        usize::from(self.0[agent % LOOKS])
+    }
+
+    /// Gives an agent a colour; one that does not exist changes nothing.
+    pub fn set(&mut self, agent: usize, colour: usize) {
+        if colour < LOOKS {
+            self.0[agent % LOOKS] = colour as u8;
+        }
+    }
+
+    /// All of them as one number a look, in their order.
+    pub(crate) fn numbers(self) -> [u32; LOOKS] {
+        self.0.map(u32::from)
+    }
+
+    /// What [`Colours::numbers`] gave; a colour that does not exist is left out.
+    pub(crate) fn from_numbers(numbers: [u32; LOOKS]) -> Self {
+        let mut colours = Self::default();
+        for (look, colour) in numbers.into_iter().enumerate() {
+            colours.set(look, colour as usize);
+        }
+        colours
+    }
+}
