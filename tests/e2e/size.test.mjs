@@ -9,7 +9,7 @@ import { bytes, files } from "./dist.mjs";
 /** What all Wasm of the page together should be at most, compressed by brotli, bytes. */
 const WASM_AIM = 300_000;
 /** What it may be until then: it must not grow while it is being made smaller. */
-const WASM_LIMIT = 585_000;
+const WASM_LIMIT = 580_000;
 
 function onTheWire(path) {
   const content = bytes(path);
