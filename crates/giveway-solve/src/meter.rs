@@ -62,6 +62,7 @@ pub(crate) struct Meter<'h> {
     variables: Cell<u64>,
     clauses: Cell<u64>,
     conflicts: Cell<u64>,
+    derived: Cell<u64>,
     held: Cell<u64>,
     until_clock: Cell<u32>,
     reported_at: Cell<u64>,
@@ -74,6 +75,8 @@ pub(crate) struct Meter<'h> {
     /// Clauses that may be written: a measure of work that needs no clock, so
     /// that the same request is cut off at the same place.
     most_clauses: u64,
+    /// Clauses that the SAT solver may derive: the same for its work.
+    most_derived: u64,
 }
 
 impl<'h> Meter<'h> {
@@ -88,6 +91,7 @@ impl<'h> Meter<'h> {
             variables: Cell::new(0),
             clauses: Cell::new(0),
             conflicts: Cell::new(0),
+            derived: Cell::new(0),
             held: Cell::new(0),
             until_clock: Cell::new(CLOCK_INTERVAL),
             reported_at: Cell::new(0),
@@ -96,6 +100,7 @@ impl<'h> Meter<'h> {
             joint_given: JOINT_STEPS,
             joint_left: Cell::new(JOINT_STEPS),
             most_clauses: u64::MAX,
+            most_derived: u64::MAX,
         }
     }
 
@@ -115,6 +120,7 @@ impl<'h> Meter<'h> {
             },
         );
         part.quiet = true;
+        part.most_derived = self.most_derived.saturating_sub(self.derived.get());
         part.joint_given = self.joint_left.get().min(PART_JOINT_STEPS);
         part.joint_left.set(part.joint_given);
         part
@@ -130,6 +136,12 @@ impl<'h> Meter<'h> {
     pub(crate) fn count_joint(&self, steps: u64) {
         self.joint_left
             .set(self.joint_left.get().saturating_sub(steps));
+    }
+
+    /// The same meter with a limit of clauses that the SAT solver may derive.
+    pub(crate) fn with_derived(mut self, clauses: u64) -> Self {
+        self.most_derived = self.most_derived.min(clauses);
+        self
     }
 
     /// The same meter with a limit of clauses, and one of joint steps.
@@ -158,6 +170,7 @@ impl<'h> Meter<'h> {
         add(&self.variables, &part.variables);
         add(&self.clauses, &part.clauses);
         add(&self.conflicts, &part.conflicts);
+        add(&self.derived, &part.derived);
         self.count_joint(part.joint_given - part.joint_left.get());
     }
 
@@ -172,6 +185,7 @@ impl<'h> Meter<'h> {
         } else if self.is_too_large() {
             Stop::Memory
         } else if spent(self.limits.conflicts, self.conflicts.get())
+            || self.derived.get() > self.most_derived
             || self.clauses.get() > self.most_clauses
         {
             Stop::Conflicts
@@ -232,6 +246,17 @@ impl<'h> Meter<'h> {
 
     pub(crate) fn count_conflicts(&self, conflicts: u64) {
         self.conflicts.set(self.conflicts.get() + conflicts);
+    }
+
+    pub(crate) fn count_derived(&self, clauses: u64) {
+        self.derived.set(self.derived.get() + clauses);
+    }
+
+    /// Clauses that the SAT solver derived: learnt from conflicts, or rewritten
+    /// when a literal came to hold for good. A measure of its work, by which
+    /// the search paces itself.
+    pub(crate) fn derived(&self) -> u64 {
+        self.derived.get()
     }
 
     /// Tells the host that something became known.

@@ -16,18 +16,21 @@ use crate::{
 };
 use giveway_model::sorting::{map, sort};
 
-/// Conflicts and seconds that it may take.
-const CONFLICTS: u64 = 20_000;
+/// Clauses that it may derive, and seconds that it may take.
+const DERIVED: u64 = 20_000;
 const SECONDS: f64 = 3.0;
 
 /// Of the plans that cost as much as the best other one, that which is closest
 /// to the plan asked about, and whether that is proved.
 pub(crate) fn closest(case: &Case, best: (&Plan, Costs), meter: &Rc<Meter>) -> (Plan, bool) {
-    let part = Rc::new(meter.part(Limits {
-        seconds: Some(SECONDS),
-        conflicts: Some(CONFLICTS),
-        ..Limits::default()
-    }));
+    let part = Rc::new(
+        meter
+            .part(Limits {
+                seconds: Some(SECONDS),
+                ..Limits::default()
+            })
+            .with_derived(DERIVED),
+    );
     let mut proved = true;
     let mut nearest = (distance(case, best.0), best.0.clone());
     for condition in &case.conditions {

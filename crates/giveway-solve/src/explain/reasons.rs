@@ -20,8 +20,8 @@ use super::{
 };
 use crate::{Limits, Status, meter::Meter};
 
-/// Conflicts, clauses and joint steps that one part may take.
-const CONFLICTS: u64 = 15_000;
+/// Clauses that one part may derive and write, and joint steps that it may take.
+const DERIVED: u64 = 15_000;
 const CLAUSES: u64 = 1_200_000;
 const JOINT_STEPS: u64 = 600_000;
 /// What one part may take of the seconds that are left.
@@ -30,11 +30,15 @@ const SHARE: f64 = 0.4;
 /// The budget of one part.
 fn part<'h>(meter: &Meter<'h>) -> Rc<Meter<'h>> {
     let limits = Limits {
-        conflicts: Some(CONFLICTS),
         seconds: meter.seconds_left().map(|seconds| seconds * SHARE),
         ..Limits::default()
     };
-    Rc::new(meter.part(limits).with_work(CLAUSES, JOINT_STEPS))
+    Rc::new(
+        meter
+            .part(limits)
+            .with_derived(DERIVED)
+            .with_work(CLAUSES, JOINT_STEPS),
+    )
 }
 
 /// Who hears of the answer when a part of it is there.

@@ -20,8 +20,8 @@ use super::{
 use crate::{Limits, Status, meter::Meter};
 use giveway_model::sorting::set;
 
-/// Conflicts that one of many searches may take.
-const CONFLICTS_EACH: u64 = 8_000;
+/// Clauses that one of many searches may derive.
+const DERIVED_EACH: u64 = 8_000;
 /// Clauses that one of many searches may write.
 const CLAUSES_EACH: u64 = 500_000;
 /// Joint steps that it may look at.
@@ -31,12 +31,13 @@ const MOST_SETS: usize = 400;
 
 /// The budget of one search of many.
 pub(crate) fn one_search<'h>(meter: &Meter<'h>) -> Rc<Meter<'h>> {
-    let limits = Limits {
-        conflicts: Some(CONFLICTS_EACH),
-        ..Limits::default()
-    };
     let clauses = CLAUSES_EACH.min(meter.clauses_left());
-    Rc::new(meter.part(limits).with_work(clauses, JOINT_STEPS_EACH))
+    Rc::new(
+        meter
+            .part(Limits::default())
+            .with_derived(DERIVED_EACH)
+            .with_work(clauses, JOINT_STEPS_EACH),
+    )
 }
 
 /// The search for any plan at all, of variants of one instance.

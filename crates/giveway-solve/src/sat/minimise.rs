@@ -13,8 +13,8 @@ use crate::meter::Stop;
 const SMALL_CORE: usize = 4;
 /// Assumptions found to be needed before the rest is taken to be so, too.
 const MOST_FAILURES: usize = 20;
-/// Conflicts after which no further call is begun.
-const MOST_CONFLICTS: u64 = 300;
+/// Clauses that may be derived before no further call is begun.
+const MOST_DERIVED: u64 = 300;
 
 impl Sat<'_> {
     /// Makes the core of the last call smaller. What is left is proved as well:
@@ -32,10 +32,10 @@ impl Sat<'_> {
     /// The same for a core of any size.
     pub(super) fn leave_out(&mut self, mut proved: Vec<Lit>) -> Result<Vec<Lit>, Stop> {
         let needed = std::mem::take(&mut self.needed);
-        let until = self.conflicts() + MOST_CONFLICTS;
+        let until = self.derived() + MOST_DERIVED;
         let mut failures = 0;
         for lit in proved.clone() {
-            if failures == MOST_FAILURES || self.conflicts() > until {
+            if failures == MOST_FAILURES || self.derived() > until {
                 break;
             }
             if needed.contains(&lit) || !proved.contains(&lit) {

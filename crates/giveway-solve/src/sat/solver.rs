@@ -145,9 +145,9 @@ impl<'h> Sat<'h> {
         Ok(proved)
     }
 
-    /// The conflicts of the whole request so far.
-    pub(super) fn conflicts(&self) -> u64 {
-        self.meter.stats().conflicts
+    /// The clauses derived in the whole request so far.
+    pub(super) fn derived(&self) -> u64 {
+        self.meter.derived()
     }
 
     /// One call: `None` for a model, else the core as varisat states it.

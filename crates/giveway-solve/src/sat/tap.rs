@@ -3,7 +3,9 @@
 //! varisat 0.2 has neither a conflict count nor an interrupt. It writes its
 //! proof as it goes, though, and gives up as soon as the writer fails: so the
 //! tap reads the learnt clauses off the proof, and fails when the budget is
-//! spent.
+//! spent. Not every clause that is derived was learnt from a conflict: where a
+//! literal holds for good, clauses are rewritten without it, and the proof tells
+//! these apart only by what follows, which is the deletion of the old one.
 
 use std::io::{self, Cursor, Write};
 use std::rc::Rc;
@@ -21,6 +23,9 @@ pub(crate) struct Tap<'h> {
     /// How long the rest has to be before it is read again: a long step comes
     /// in many pieces.
     wait: usize,
+    /// The last step derived a clause, which counts as learnt if no deletion
+    /// comes next.
+    derived: bool,
 }
 
 impl<'h> Tap<'h> {
@@ -30,6 +35,7 @@ impl<'h> Tap<'h> {
             parser: Parser::default(),
             rest: Vec::new(),
             wait: 0,
+            derived: false,
         }
     }
 }
@@ -54,6 +60,8 @@ impl Write for Tap<'_> {
     /// varisat does so at the end of a call.
     fn flush(&mut self) -> io::Result<()> {
         self.read();
+        let learnt = std::mem::take(&mut self.derived);
+        self.meter.count_conflicts(u64::from(learnt));
         Ok(())
     }
 }
@@ -61,15 +69,19 @@ impl Write for Tap<'_> {
 impl Tap<'_> {
     /// Reads the steps that are whole.
     fn read(&mut self) {
-        let mut conflicts = 0;
+        let (mut conflicts, mut derived) = (0, 0);
         let mut cursor = Cursor::new(self.rest.as_slice());
         let mut whole = 0;
         while let Ok(step) = self.parser.parse_step(&mut cursor) {
             whole = cursor.position() as usize;
-            conflicts += u64::from(matches!(step, ProofStep::AtClause { .. }));
+            let rewritten = matches!(step, ProofStep::DeleteClause { .. });
+            conflicts += u64::from(self.derived && !rewritten);
+            self.derived = matches!(step, ProofStep::AtClause { .. });
+            derived += u64::from(self.derived);
         }
         self.rest.drain(..whole);
         self.wait = 2 * self.rest.len();
         self.meter.count_conflicts(conflicts);
+        self.meter.count_derived(derived);
     }
 }

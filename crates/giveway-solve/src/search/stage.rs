@@ -22,8 +22,8 @@ use crate::{
     walk::Walk,
 };
 
-/// Conflicts before the best plan is improved for the first time: what is
-/// proved sooner needs no better plan.
+/// Clauses that the SAT solver derives before the best plan is improved for the
+/// first time: what is proved sooner needs no better plan.
 const FIRST_POLISH: u64 = 1000;
 /// Neighbourhoods tried each time.
 const POLISH_ROUNDS: usize = 30;
@@ -57,7 +57,7 @@ pub(crate) struct Search<'p, 'h> {
     /// The costs whose optimum holds for good.
     done: BTreeMap<Cost, u32>,
     improver: Improver,
-    /// Conflicts from which on the best plan is to be improved again.
+    /// Derived clauses from which on the best plan is to be improved again.
     polish_at: u64,
     /// Counts of which agents that enter have their own minima.
     at_minima: Vec<Cost>,
@@ -94,11 +94,11 @@ impl<'p, 'h> Search<'p, 'h> {
         }
     }
 
-    /// Improves the best plan, now and then: as the proof gets a quarter more
-    /// conflicts, so that both get their share of the time.
+    /// Improves the best plan, now and then: as the proof gets longer by a
+    /// part of it, so that both get their share of the time.
     pub(crate) fn polish(&mut self, cost: Cost, bound: u32) -> Result<(), Stop> {
-        let conflicts = self.meter.stats().conflicts;
-        if conflicts < self.polish_at {
+        let derived = self.meter.derived();
+        if derived < self.polish_at {
             return Ok(());
         }
         let Some(walks) = self.incumbent.walks() else {
@@ -109,11 +109,11 @@ impl<'p, 'h> Search<'p, 'h> {
         let best = self.incumbent.costs().map_or(0, |costs| costs.get(cost));
         let wide = best > bound + bound / 20;
         let pause = match (improved?, wide) {
-            (_, true) => conflicts / 16,
-            (true, false) => conflicts / 4,
-            (false, false) => conflicts,
+            (_, true) => derived / 16,
+            (true, false) => derived / 4,
+            (false, false) => derived,
         };
-        self.polish_at = conflicts + pause;
+        self.polish_at = derived + pause;
         Ok(())
     }
 

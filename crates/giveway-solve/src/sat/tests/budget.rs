@@ -57,6 +57,34 @@ fn conflicts_stop_a_hard_formula() {
 }
 
 #[test]
+fn derived_clauses_stop_it_too() {
+    let meter = Rc::new(Meter::new(&SilentHost, Limits::default()).with_derived(500));
+    let mut sat = Sat::new(Rc::clone(&meter));
+    add_pigeons(&mut sat, 11);
+    assert_eq!(sat.solve(&[]).unwrap_err(), Stop::Conflicts);
+    assert!((501..1_000).contains(&meter.derived()));
+    let part = meter.part(Limits::default());
+    part.count_derived(1);
+    assert_eq!(part.check(), Err(Stop::Conflicts), "nothing is left");
+}
+
+#[test]
+fn clauses_that_are_only_rewritten_are_no_conflicts() {
+    let meter = Rc::new(Meter::new(&SilentHost, Limits::default()));
+    let mut sat = Sat::new(Rc::clone(&meter));
+    let shared = sat.fresh();
+    for _ in 0..100 {
+        let [a, b, c] = [sat.fresh(), sat.fresh(), sat.fresh()];
+        sat.clause(&[shared, a, b, c]);
+    }
+    assert!(matches!(sat.solve(&[]), Ok(Outcome::Sat)));
+    sat.clause(&[!shared]);
+    assert!(matches!(sat.solve(&[]), Ok(Outcome::Sat)));
+    assert_eq!(meter.stats().conflicts, 0);
+    assert!(meter.derived() >= 100, "the clauses were rewritten");
+}
+
+#[test]
 fn a_limit_that_is_just_enough_does_not_stop() {
     let solve = |conflicts| {
         let limits = Limits {

@@ -17,8 +17,8 @@ use crate::{
     search::{incumbent::free_of_collisions, stage::Search},
 };
 
-/// Conflicts before the first such plan is made: what is proved sooner needs
-/// none.
+/// Clauses derived before the first such plan is made: what is proved sooner
+/// needs none.
 const FIRST_GUESS: u64 = 300;
 /// States to look at for one agent.
 const EFFORT: u32 = 20_000;
@@ -28,7 +28,7 @@ const MOST_IMPROVEMENTS: usize = 20;
 impl SumStage {
     /// Makes a plan of the last model, if agents find a way around the others.
     pub(super) fn guess(&self, search: &mut Search) -> Result<(), Stop> {
-        let early = search.meter.stats().conflicts < FIRST_GUESS;
+        let early = search.meter.derived() < FIRST_GUESS;
         if early || self.known || self.cost != Cost::SumOfCosts {
             return Ok(());
         }
