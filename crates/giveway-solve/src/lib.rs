@@ -13,6 +13,7 @@ mod encode;
 pub mod explain;
 mod host;
 mod joint;
+mod judged;
 mod local;
 mod meter;
 mod pareto;

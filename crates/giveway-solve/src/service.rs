@@ -112,7 +112,7 @@ fn serve_solve(request: &SolveRequest, host: &dyn Host) -> Response {
     let objective = request.objective.clone();
     let task = Task::new(instance, objective, request.within, request.limits, host);
     if !request.pareto {
-        return Response::Solved(solve::solve(&task));
+        return Response::Solved(solve::solve(&task).answer);
     }
     let costs = task.objective.costs().len();
     if !(2..=3).contains(&costs) {

@@ -19,7 +19,7 @@ use super::{
 use crate::{
     meter::{Meter, Stop},
     problem::{Problem, Setback},
-    search::{Aim, Bounded, find},
+    search::{Aim, Bounded, Horizon, find},
     single::{Bounds, Task},
 };
 
@@ -116,9 +116,9 @@ impl Case<'_, '_> {
 
     /// What is looked for in a problem.
     pub(super) fn bounded(&self, problem: &Problem) -> Bounded {
-        let default = problem.default_horizon(self.world.after.grid(self.world.at));
+        let grid = self.world.after.grid(self.world.at);
         Bounded {
-            horizon: self.within.unwrap_or(default),
+            horizon: Horizon::of(problem, grid, self.within, 0),
             limits: BTreeMap::new(),
         }
     }
@@ -177,7 +177,7 @@ impl Case<'_, '_> {
             Err(_) => return Ok(false),
         };
         let bounded = Bounded {
-            horizon: steps,
+            horizon: Horizon::at(steps),
             limits: BTreeMap::new(),
         };
         let verdict = find(&problem, self.objective, &bounded, &Aim::Any, &self.meter);

@@ -18,10 +18,11 @@ use super::{
     verdict::{Case, compare},
 };
 use crate::{
-    Host, Progress, Refusal, SolveAnswer, Status,
+    Host, Progress, Refusal, Status,
+    judged::told,
     meter::Meter,
     problem::Relaxed,
-    solve::{self, Task},
+    solve::{self, Solved, Task},
 };
 
 /// Answers a question, and tells the host of every part.
@@ -50,7 +51,7 @@ pub(crate) fn explain(request: &ExplainRequest, host: &dyn Host) -> Result<Expla
         Some(_) => None,
         None => Some(solved(&instance, request, &meter)?),
     };
-    let best = solved.as_ref().and_then(|solved| solved.plan.clone());
+    let best = solved.as_ref().and_then(|it| it.answer.plan.clone());
     let Some(plan) = request.plan.clone().or_else(|| best.clone()) else {
         answer
             .words
@@ -72,7 +73,7 @@ pub(crate) fn explain(request: &ExplainRequest, host: &dyn Host) -> Result<Expla
     fits(question, &instance, &plan).map_err(|misfit| Refusal::Question { misfit })?;
     answer.plan = best;
     let mut case = Case::new(&instance, question, &plan, costs, request.within);
-    case.optimal = solved.is_some_and(|solved| solved.status == Status::Optimal);
+    case.optimal = solved.and_then(|solved| solved.reach);
     answer.pending = vec![
         Part::Verdict,
         Part::Closest,
@@ -80,7 +81,7 @@ pub(crate) fn explain(request: &ExplainRequest, host: &dyn Host) -> Result<Expla
         Part::Core,
         Part::Repairs,
     ];
-    tell_verdict(&case, &mut answer, &telling);
+    tell_verdict(&mut case, &mut answer, &telling);
     reasons::of_case(&case, &mut answer, &meter, &mut |answer, part| {
         telling.tell(answer, part);
     });
@@ -88,17 +89,17 @@ pub(crate) fn explain(request: &ExplainRequest, host: &dyn Host) -> Result<Expla
 }
 
 /// The verdict with an other plan: the first part.
-fn tell_verdict(case: &Case, answer: &mut ExplainAnswer, telling: &Telling) {
+fn tell_verdict(case: &mut Case, answer: &mut ExplainAnswer, telling: &Telling) {
     let compared = compare(case, telling.meter);
     answer.verdict = compared.verdict;
     answer.deltas = compared.deltas;
-    answer.within = compared.within;
-    answer.complete = compared.complete;
+    case.shown = compared.reach;
+    (answer.complete, answer.within) = told(compared.reach);
     let (alternative, costs) = compared.other.unzip();
     (answer.alternative, answer.costs) = (alternative, costs);
     reasons::word(case, "", answer);
     telling.tell(answer, Part::Verdict);
-    if compared.proved {
+    if compared.reach.is_some() {
         tell_closest(case, answer, telling);
     }
     telling.tell(answer, Part::Closest);
@@ -177,22 +178,22 @@ fn solved(
     instance: &Instance,
     request: &ExplainRequest,
     meter: &Rc<Meter>,
-) -> Result<SolveAnswer, Refusal> {
+) -> Result<Solved, Refusal> {
     let task = Task {
         instance: instance.clone(),
         objective: instance.objective().clone(),
         within: request.within,
         meter: Rc::clone(meter),
     };
-    let answer = solve::solve(&task);
-    if answer.status == Status::Impossible {
+    let solved = solve::solve(&task);
+    if solved.answer.status == Status::Impossible {
         let misfit = Misfit::NotSo {
             is_so: "There is no plan to ask about.".to_owned(),
             ask: Some(Question::Unsolvable),
         };
         return Err(Refusal::Question { misfit });
     }
-    Ok(answer)
+    Ok(solved)
 }
 
 /// An answer of which nothing is known yet.

@@ -18,7 +18,7 @@ use super::{
     verdict::Case,
     words,
 };
-use crate::{Limits, Status, meter::Meter};
+use crate::{Limits, Status, judged::told, meter::Meter};
 
 /// Clauses that one part may derive and write, and joint steps that it may take.
 const DERIVED: u64 = 15_000;
@@ -118,7 +118,7 @@ fn contrasted<'a, 'h>(
 fn core_of_case(case: &Case, answer: &ExplainAnswer, meter: &Rc<Meter>) -> Option<CoreFound> {
     let mut contrasted = contrasted(case, answer, meter);
     let refuted = Tried::None {
-        within: answer.within,
+        reach: case.shown?,
         clash: Vec::new(),
     };
     let core = minimal_set(
@@ -156,8 +156,7 @@ pub(crate) fn of_no_plan(
     tell: Tell,
 ) {
     answer.verdict = Verdict::Necessary;
-    answer.complete = found.complete;
-    answer.within = (!found.complete).then_some(found.horizon);
+    (answer.complete, answer.within) = told(found.reach);
     tell_no_plan(answer, Part::Verdict, tell);
     let searching = || AnyPlan {
         objective: instance.objective(),
@@ -215,8 +214,7 @@ pub(crate) fn of_own_plan(
     answer.excess = judged.excess;
     if let Some(found) = &judged.found {
         let proved = found.status == Status::Optimal;
-        answer.complete = proved && found.complete;
-        answer.within = (proved && !found.complete).then_some(found.horizon);
+        (answer.complete, answer.within) = told(found.reach.filter(|_| proved));
     }
     let own = costs(instance, plan).filter(|_| answer.valid == Some(true));
     let least: Option<Costs> = judged.better.as_ref().map(|(_, costs)| *costs).or(own);

@@ -7,11 +7,15 @@
 //! - [`mod@closest`]: of the best plans one that is close to a given one;
 //! - [`incumbent`]: the best plan so far;
 //! - [`lexicographic`]: all of it in order;
+//! - [`deadlines`]: the latest arrivals that are looked at, and why;
+//! - [`mod@horizon`]: the makespan beyond which nothing is looked for;
 //! - [`for_ever`]: what is so whatever the horizon.
 
 mod closest;
+mod deadlines;
 mod feasible;
 mod for_ever;
+mod horizon;
 mod incumbent;
 mod lexicographic;
 mod makespan;
@@ -21,5 +25,7 @@ mod tally;
 mod team;
 
 pub(crate) use closest::{Before, Extent, closest};
+pub(crate) use for_ever::{ForEver, Reach};
+pub(crate) use horizon::Horizon;
 pub(crate) use lexicographic::{Aim, Bounded, Verdict, find, solve};
 pub(crate) use team::Team;

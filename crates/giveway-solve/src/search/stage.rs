@@ -5,19 +5,25 @@
 //! the same formula: a lexicographic optimum is an optimum of the last cost
 //! among the optima of all before it.
 
-use std::collections::{BTreeMap, BTreeSet};
+use std::collections::BTreeMap;
 use std::rc::Rc;
 
-use giveway_model::Cost;
+use giveway_model::{Cost, sorting};
 
-use super::{incumbent::Incumbent, team::Team};
+use super::{
+    deadlines::{Deadlines, Keeping},
+    horizon::Horizon,
+    incumbent::Incumbent,
+    lexicographic::Bounded,
+    team::Team,
+};
 use crate::{
     encode::{collisions::AgentId, limit::SumLimit},
     local::Improver,
     meter::{Meter, Stop},
     problem::Problem,
     progress::Progress,
-    sat::Lit,
+    sat::{Lit, Outcome},
     single::Demand,
     walk::Walk,
 };
@@ -37,26 +43,53 @@ pub(crate) enum End {
     None,
 }
 
+/// Which deadlines are assumed beside what is assumed anyway.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Until {
+    /// Those of all diagrams, as far as arrivals up to this time matter.
+    Time(u32),
+    /// None: the assumptions guard the diagrams themselves.
+    Guarded,
+}
+
+impl Until {
+    /// Those of all diagrams.
+    pub(crate) const EVER: Self = Self::Time(u32::MAX);
+}
+
+/// What came of a call under assumptions.
+#[derive(Clone, Debug)]
+pub(crate) enum Growing {
+    /// There is a model.
+    Model,
+    /// There is none yet: diagrams have grown, by a core of so many literals.
+    Grown(usize),
+    /// There is none, however late the deadlines are that can still grow.
+    Core(Core),
+}
+
+/// Assumptions that exclude each other.
+#[derive(Clone, Debug)]
+pub(crate) struct Core {
+    pub(crate) lits: Vec<Lit>,
+    /// The agents whose deadlines are among them.
+    pub(crate) agents: Vec<AgentId>,
+}
+
 /// A lexicographic search under way.
 pub(crate) struct Search<'p, 'h> {
     pub(crate) problem: &'p Problem,
     pub(crate) meter: Rc<Meter<'h>>,
     pub(crate) team: Team<'p, 'h>,
     pub(crate) incumbent: &'p mut Incumbent,
-    /// The latest arrival of each agent that is still of interest.
-    caps: Vec<u32>,
-    /// Agents whose cap is a clause already.
-    capped: BTreeSet<AgentId>,
-    /// Whether caps become clauses as diagrams reach them; otherwise they stay
-    /// assumptions, and cores tell whose they are.
-    pub(crate) hard_caps: bool,
-    /// Whether the horizon itself was made a clause: then claims are within it.
-    pub(crate) met_horizon: bool,
-    horizon: u32,
+    /// The latest arrivals that are still of interest.
+    pub(super) deadlines: Deadlines,
     limits: BTreeMap<Cost, SumLimit>,
     /// The costs whose optimum holds for good.
     done: BTreeMap<Cost, u32>,
     improver: Improver,
+    /// Whether cores are made smaller.
+    pub(super) minimises: bool,
     /// Derived clauses from which on the best plan is to be improved again.
     polish_at: u64,
     /// Counts of which agents that enter have their own minima.
@@ -69,27 +102,24 @@ impl<'p, 'h> Search<'p, 'h> {
     pub(crate) fn new(
         problem: &'p Problem,
         walks: Vec<Walk>,
-        horizon: u32,
+        bounded: &Bounded,
+        keeping: Keeping,
         incumbent: &'p mut Incumbent,
         meter: Rc<Meter<'h>>,
     ) -> Self {
+        let makespan = bounded.limits.get(&Cost::Makespan).copied();
         Self {
             problem,
             team: Team::new(problem, walks, Rc::clone(&meter)),
             meter,
             incumbent,
-            caps: (0..problem.agents())
-                .map(|agent| horizon.min(problem.not_after(agent)))
-                .collect(),
-            capped: BTreeSet::new(),
-            hard_caps: true,
-            met_horizon: false,
-            horizon,
+            deadlines: Deadlines::new(problem, bounded.horizon, makespan, keeping),
             limits: BTreeMap::new(),
             done: BTreeMap::new(),
             at_minima: Vec::new(),
             begun: Vec::new(),
             improver: Improver::new(),
+            minimises: false,
             polish_at: FIRST_POLISH,
         }
     }
@@ -120,7 +150,7 @@ impl<'p, 'h> Search<'p, 'h> {
     /// Improves a plan for some time, and keeps it if it is the best; whether
     /// it became better.
     pub(crate) fn improve(&mut self, mut walks: Vec<Walk>) -> Result<bool, Stop> {
-        let latest = self.caps.iter().copied().max().unwrap_or(0);
+        let latest = self.deadlines.last_cap();
         let objective = self.incumbent.objective().clone();
         let improved = self.improver.improve(
             self.problem,
@@ -136,38 +166,34 @@ impl<'p, 'h> Search<'p, 'h> {
 
     /// The latest arrival of an agent that is still of interest.
     pub(crate) fn cap(&self, agent: AgentId) -> u32 {
-        self.caps[agent]
+        self.deadlines.cap(agent)
     }
 
     /// The latest arrival of any agent.
-    pub(crate) const fn horizon(&self) -> u32 {
-        self.horizon
+    pub(crate) const fn latest(&self) -> u32 {
+        self.deadlines.latest()
     }
 
     /// Allows no plan in which an agent arrives later.
     pub(crate) fn lower_cap(&mut self, agent: AgentId, cap: u32) {
-        if cap < self.caps[agent] {
-            self.caps[agent] = cap;
-            self.capped.remove(&agent);
+        if self.deadlines.lower(agent, cap) {
             self.harden_cap(agent);
         }
     }
 
     /// Makes the cap a clause, once the diagram reaches it.
     fn harden_cap(&mut self, agent: AgentId) {
-        let cap = self.caps[agent];
-        let inside = self.hard_caps && self.team.is_inside(agent);
-        if inside && self.team.deadline(agent) >= cap && self.capped.insert(agent) {
-            self.met_horizon |= cap == self.horizon;
-            if let Some(by) = self.team.by(agent, cap) {
-                self.team.harden(by);
-            }
+        if self.team.is_inside(agent)
+            && let Some(cap) = self.deadlines.harden(agent, self.team.deadline(agent))
+            && let Some(by) = self.team.by(agent, cap)
+        {
+            self.team.harden(by);
         }
     }
 
     /// Lets an inside agent arrive up to a time, or up to its cap.
     pub(crate) fn grow(&mut self, agent: AgentId, deadline: u32) -> Result<(), Stop> {
-        self.team.grow(agent, deadline.min(self.caps[agent]))?;
+        self.team.grow(agent, deadline.min(self.cap(agent)))?;
         self.harden_cap(agent);
         Ok(())
     }
@@ -175,13 +201,12 @@ impl<'p, 'h> Search<'p, 'h> {
     /// Doubles the delay that an agent may have, up to a latest arrival; false
     /// where it may arrive so late already.
     pub(crate) fn grow_further(&mut self, agent: AgentId, latest: u32) -> Result<bool, Stop> {
-        let deadline = self.team.deadline(agent);
-        let latest = latest.min(self.caps[agent]);
-        if deadline >= latest {
+        let covered = self.team.deadline(agent);
+        let optimum = self.problem.optima[agent];
+        let Some(next) = self.deadlines.next(agent, covered, optimum, latest) else {
             return Ok(false);
-        }
-        let delay = deadline - self.problem.optima[agent];
-        self.grow(agent, (deadline + delay.max(1)).min(latest))?;
+        };
+        self.grow(agent, next)?;
         Ok(true)
     }
 
@@ -223,19 +248,61 @@ impl<'p, 'h> Search<'p, 'h> {
         Ok(())
     }
 
-    /// The guards of all diagrams that can still grow: under these literals
-    /// the clauses are as they would be if nothing were left out.
-    pub(crate) fn guards(&mut self) -> BTreeMap<Lit, AgentId> {
+    /// The guards of the diagrams, as far as arrivals up to `until` matter:
+    /// under these literals the clauses are as they would be if nothing were
+    /// left out.
+    fn guards(&mut self, until: u32) -> BTreeMap<Lit, AgentId> {
         let mut guards = BTreeMap::new();
         for agent in self.team.insiders() {
-            let deadline = self.team.deadline(agent);
-            if (deadline < self.caps[agent] || !self.hard_caps)
+            let covered = self.team.deadline(agent);
+            if let Some(deadline) = self.deadlines.assumed(agent, covered, until)
                 && let Some(by) = self.team.by(agent, deadline)
             {
                 guards.insert(by, agent);
             }
         }
         guards
+    }
+
+    /// Solves under assumptions, and under the deadlines of all diagrams, as
+    /// far as arrivals up to `until` matter. Where a core names deadlines that
+    /// can be later, its agents' diagrams grow; otherwise it is told.
+    pub(crate) fn solve_growing(
+        &mut self,
+        assumptions: Vec<Lit>,
+        until: Until,
+    ) -> Result<Growing, Stop> {
+        let mut guards = match until {
+            Until::Guarded => BTreeMap::new(),
+            Until::Time(until) => self.guards(until),
+        };
+        for lit in &assumptions {
+            guards.remove(lit);
+        }
+        let mut assumptions = assumptions;
+        assumptions.extend(guards.keys());
+        let Outcome::Unsat(mut core) = self.team.solve(&assumptions)? else {
+            return Ok(Growing::Model);
+        };
+        if self.minimises {
+            core = self.team.minimise(core)?;
+        }
+        let agents: Vec<AgentId> = core
+            .iter()
+            .filter_map(|lit| guards.get(lit).copied())
+            .collect();
+        let mut grown = false;
+        for &agent in &agents {
+            let latest = match until {
+                Until::Guarded => u32::MAX,
+                Until::Time(until) => until,
+            };
+            grown |= self.grow_further(agent, latest)?;
+        }
+        if grown {
+            return Ok(Growing::Grown(core.len()));
+        }
+        Ok(Growing::Core(Core { lits: core, agents }))
     }
 
     /// Reads the model and plans the outside agents around it; the agents that
@@ -344,7 +411,19 @@ impl<'p, 'h> Search<'p, 'h> {
     /// formula: the later stages need much smaller diagrams than the proof of
     /// the makespan did.
     pub(crate) fn afresh(self, makespan: u32, walks: Vec<Walk>) -> Self {
-        let mut fresh = Self::new(self.problem, walks, makespan, self.incumbent, self.meter);
+        let bounded = Bounded {
+            horizon: Horizon::at(makespan),
+            limits: sorting::map([(Cost::Makespan, makespan)]),
+        };
+        let mut fresh = Self::new(
+            self.problem,
+            walks,
+            &bounded,
+            Keeping::Hard,
+            self.incumbent,
+            self.meter,
+        );
+        fresh.minimises = self.minimises;
         fresh.improver = self.improver;
         fresh.finish(Cost::Makespan, makespan);
         fresh.begin(Cost::Makespan);
