@@ -29,6 +29,8 @@ pub(crate) enum Stop {
     Conflicts,
     /// The memory ran out.
     Memory,
+    /// There were more sets of agents to compare than are looked at.
+    Sets,
     /// The person asked to stop.
     Cancelled,
     /// A plan and a proved bound contradict each other: a fault of the program,
@@ -43,6 +45,7 @@ impl Stop {
             Self::Time => "The time limit was reached.",
             Self::Conflicts => "The limit of conflicts was reached.",
             Self::Memory => "The memory limit was reached.",
+            Self::Sets => "There were too many sets of robots to free to compare them all.",
             Self::Cancelled => "It was cancelled.",
             Self::Contradiction => {
                 "A plan and a bound contradicted each other, which is a fault of this program."

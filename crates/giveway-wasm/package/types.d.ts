@@ -37,6 +37,10 @@ export interface Plan {
   from?: Record<string, number>;
   /** The time from which a removed agent is gone. */
   until?: Record<string, number>;
+  /** The last time whose changes the plan takes into account. */
+  knows?: number;
+  /** What agents slept through at their goals before a change made them go on. */
+  slept?: Record<string, [number, number][]>;
 }
 
 export interface SolveRequest {

@@ -120,12 +120,25 @@ fn free_fewest(case: &Case<'_, '_>, before: &Found, fewest: Fewest) -> Result<Fo
     };
     let cause = blocked(case, &fewest.core, within);
     let mut best: Option<Found> = None;
+    let mut stop = fewest.left;
+    let mut reach: Option<Reach> = None;
     for freed in fewest.sets {
-        let Ok(problem) = case.problem(&freed) else {
-            continue;
+        let problem = match case.problem(&freed) {
+            Ok(problem) => problem,
+            Err(Trouble::Stopped(why)) => {
+                stop = Some(why);
+                break;
+            }
+            Err(_) => continue,
         };
         let bounded = case.bounded(&problem);
         let verdict = solve(&problem, case.objective, &bounded, &case.meter);
+        // The best of all sets is shown as far as each was looked at.
+        stop = stop.or(verdict.stop);
+        reach = match (reach, verdict.reach) {
+            (Some(reach), Some(own)) => Some(reach.and(own)),
+            (one, other) => one.or(other),
+        };
         let vector = |found: &Verdict| {
             let costs = found.best.as_ref().map(|(_, costs)| *costs);
             costs.map(|costs| costs.vector(case.objective))
@@ -146,7 +159,10 @@ fn free_fewest(case: &Case<'_, '_>, before: &Found, fewest: Fewest) -> Result<Fo
             });
         }
     }
-    best.ok_or(Stop::Contradiction)
+    let mut best = best.ok_or(stop.unwrap_or(Stop::Contradiction))?;
+    best.verdict.reach = reach;
+    best.verdict.stop = stop;
+    Ok(best)
 }
 
 /// The answer where there is nothing to search in.
