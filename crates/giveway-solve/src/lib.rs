@@ -11,6 +11,7 @@ pub mod change;
 mod condition;
 mod encode;
 pub mod explain;
+mod held;
 mod host;
 mod joint;
 mod judged;

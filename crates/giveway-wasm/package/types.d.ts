@@ -351,6 +351,10 @@ export type Checked = { text: string; claim: Claim } & (
 export interface Report {
   giveway: 1;
   accepted: boolean;
+  /** What its claims were shown by, taken together. */
+  certified: "proved" | "proved-and-searched" | "not-certified";
+  /** What plan and claims say together. */
+  conclusion: string | null;
   /** Why it was not accepted. */
   reason: string | null;
   /** Whether the check ended before it came to a result. */

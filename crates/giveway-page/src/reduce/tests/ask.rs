@@ -241,6 +241,8 @@ fn the_proof_of_an_answer_is_checked_for_the_answer() {
     let report = Report {
         giveway: Version,
         accepted: true,
+        certified: giveway_proof::Certified::Proved,
+        conclusion: None,
         reason: None,
         stopped: false,
         claims: Vec::new(),
