@@ -147,3 +147,30 @@ fn a_horizon_beyond_any_use_costs_nothing() {
         assert_ne!(answer.verdict, Verdict::Unknown);
     }
 }
+
+/// Whoever could do what is asked for is never left out of the facts: without it
+/// less is possible, not more, and what would help it would be missed.
+#[test]
+fn facts_about_whichever_agent_keep_all_of_them() {
+    let scene = r#"{ "giveway": 1, "map": ["...", ".#.", ".#.", "+#+", "+.."],
+        "rules": { "at_goal": "vanish" },
+        "objective": ["makespan", "charges", "sum-of-costs", "waits", "moves"],
+        "agents": [
+            { "name": "A1", "start": [2, 1], "goal": [0, 3],
+              "battery": { "capacity": 6, "initial": 4 } },
+            { "name": "A2", "start": [1, 4], "goal": [2, 2],
+              "battery": { "capacity": 2, "initial": 2 } }] }"#;
+    let plan = r#"{ "giveway": 1, "paths": {
+        "A1": [[2, 1], [2, 1], [2, 2], [2, 3], [2, 2], [2, 1], [2, 2], [2, 3], [2, 4], [1, 4],
+               [0, 4], [0, 3]],
+        "A2": [[1, 4], [2, 4], [2, 3], [2, 4], [2, 3], [2, 2]] },
+        "charges": { "A1": [3, 10], "A2": [2] } }"#;
+    let scene = giveway_model::format::native::read_instance(scene).unwrap();
+    let plan = giveway_model::format::native::read_plan(plan).unwrap();
+    let question = "no-visit any --at 0,1";
+    let answer = explain(&scene, Some(plan), question, None, Limits::default());
+    assert_eq!(answer.verdict, Verdict::Costly);
+    let mut edits = answer.repairs.iter().flat_map(|repair| &repair.edits);
+    let frees = edits.any(|edit| matches!(edit, Edit::RemoveObstacle { .. }));
+    assert!(frees || !answer.exhaustive, "{:?}", answer.core);
+}

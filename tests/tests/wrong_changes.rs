@@ -229,9 +229,9 @@ fn running_out_of_time_is_neither_a_fault_nor_a_proof() {
     let whole = whole.methods.get(Method::Revise).unwrap().clone();
     let mut seen = std::collections::BTreeSet::new();
     request.limits.seconds = Some(1.0);
-    for n in 0..24_u32 {
+    for n in 0..24_i32 {
         let host = Ticking {
-            step: 1.5_f64.powi(-(n as i32)),
+            step: 1.5_f64.powi(-n),
             now: std::cell::Cell::new(0.0),
         };
         let response = serve(&Request::Change(request.clone()), &host);

@@ -145,7 +145,7 @@ pub(crate) fn conclude(
         });
     };
     let certain: Vec<&Claim> = entries.iter().filter(certified).map(Entry::claim).collect();
-    if let Some(within) = reach(objective, costs, &certain) {
+    if let Some(Reach { within }) = reach(objective, costs, &certain) {
         return Conclusion::Best {
             of_a_kind: kind,
             within,
@@ -161,11 +161,17 @@ pub(crate) fn conclude(
     }
 }
 
-/// Up to which makespan (`None`: any) claims say that nothing costs less, cost
+/// How far claims reach together.
+struct Reach {
+    /// Up to this makespan; `None` for any.
+    within: Option<u32>,
+}
+
+/// How far claims say that nothing costs less, cost
 /// after cost; nothing where they do not. A claim about one cost excludes all
 /// that costs less of it and no more of those before; it says nothing of the
 /// kind where it limits anything else.
-fn reach(objective: &Objective, costs: Costs, claims: &[&Claim]) -> Option<Option<u32>> {
+fn reach(objective: &Objective, costs: Costs, claims: &[&Claim]) -> Option<Reach> {
     let mut within: Option<u32> = None;
     let order = objective.costs();
     for (i, &cost) in order.iter().enumerate() {
@@ -187,7 +193,7 @@ fn reach(objective: &Objective, costs: Costs, claims: &[&Claim]) -> Option<Optio
             (one, other) => one.or(other),
         };
     }
-    Some(within)
+    Some(Reach { within })
 }
 
 fn costs(whole: &Whole<'_>) -> Option<Costs> {

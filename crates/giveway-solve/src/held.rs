@@ -51,6 +51,26 @@ impl Drop for Held {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::{
+        Limits, SilentHost, meter::Meter, problem::Problem, single::Diagram, tests::instance,
+    };
+
+    #[test]
+    fn tables_and_diagrams_are_counted_while_they_are_there() {
+        let meter = Meter::new(&SilentHost, Limits::default());
+        let problem = Problem::new(&instance("a . . . A"), &meter).ok().unwrap();
+        let tables = meter.held();
+        assert!(tables > 0);
+        let mut diagram = Diagram::new(&problem.tasks[0], problem.optima[0]);
+        let (task, terrain) = (&problem.tasks[0], &problem.terrain);
+        let grown = diagram.grow(6, task, terrain, &problem.to_go[0], &meter);
+        grown.unwrap();
+        assert!(meter.held() > tables);
+        drop(diagram);
+        assert_eq!(meter.held(), tables);
+        drop(problem);
+        assert_eq!(meter.held(), 0);
+    }
 
     #[test]
     fn what_is_dropped_is_free() {

@@ -233,6 +233,12 @@ impl<'h> Meter<'h> {
         Held::new(&self.held, bytes)
     }
 
+    /// The bytes that are held now.
+    #[cfg(test)]
+    pub(crate) fn held(&self) -> u64 {
+        self.held.get()
+    }
+
     /// Counts further memory of something, in bytes.
     pub(crate) fn hold_more(&self, held: &mut Held, bytes: usize) {
         held.more(&self.held, bytes);

@@ -91,10 +91,14 @@ pub(crate) fn word(case: &Case, about: &str, answer: &mut ExplainAnswer) {
     });
 }
 
-/// The agents that are never left out.
+/// The agents that are never left out: without one of those that could do what
+/// is asked for there would be less, not more, that is possible.
 fn asked(case: &Case) -> Vec<usize> {
     let agents = case.instance.agents().iter();
-    let asked = |name: &str| case.question.agent() == Some(name);
+    let asked = |name: &str| {
+        let mut conditions = case.conditions.iter();
+        conditions.any(|condition| condition.agent() == Some(name))
+    };
     let asked = agents.enumerate().filter(|(_, agent)| asked(&agent.name));
     asked.map(|(index, _)| index).collect()
 }
