@@ -35,8 +35,8 @@ fn what_is_false_is_rejected() {
         ("f3b-within", "a horizon beside a limit"),
         ("f4-why", "manifest.json"),
         ("f5-name", "claims[0].why"),
-        ("f6-cond", "not of the kind"),
-        ("f6b-two-kinds", "several kinds"),
+        ("f6-cond", "its proofs have other names"),
+        ("f6b-two-kinds", "its proofs have other names"),
         ("f7-proof-name", "its proofs have other names"),
         ("f8-unknown-agent", "about no agent"),
     ] {
@@ -55,6 +55,38 @@ fn what_is_false_is_rejected() {
     named.insert("manifest.json".to_owned(), manifest.into_bytes());
     let reason = verify(&named, &Budget::default()).reason.unwrap();
     assert!(reason.contains("about no agent"), "{reason}");
+    // With names as proofs have them, so are plans that are not of the kind.
+    for (case, why) in [
+        ("f6-cond", "not of the kind"),
+        ("f6b-two-kinds", "several kinds"),
+    ] {
+        let report = verify(&renamed(case), &Budget::default());
+        assert!(!report.accepted, "{case}");
+        let reason = report.reason.unwrap();
+        assert!(reason.contains(why), "{case}: {reason}");
+    }
+}
+
+/// A case with its proofs named as the claims' costs are.
+fn renamed(case: &str) -> Bundle {
+    let names = [("m.", "makespan."), ("s.", "sum-of-costs.")];
+    let mut files = Bundle::new();
+    for (name, bytes) in bundle(case) {
+        let other = names.iter().find(|(old, _)| name.starts_with(old));
+        let name = other.map_or(name.clone(), |(old, new)| name.replacen(old, new, 1));
+        files.insert(name, bytes);
+    }
+    let mut manifest = String::from_utf8(files["manifest.json"].clone()).unwrap();
+    for (old, new) in [
+        ("\"m\"", "\"makespan\""),
+        ("\"s\"", "\"sum-of-costs\""),
+        ("\"m.", "\"makespan."),
+        ("\"s.", "\"sum-of-costs."),
+    ] {
+        manifest = manifest.replace(old, new);
+    }
+    files.insert("manifest.json".to_owned(), manifest.into_bytes());
+    files
 }
 
 fn solved(instance: &Instance, objective: &Objective, within: Option<u32>) -> SolveAnswer {

@@ -5,7 +5,10 @@
 //! cannot grow any more names agents that cannot all arrive within it; a core
 //! without any shows that no deadline would help.
 
-use super::stage::{Growing, Search, Until};
+use super::{
+    growing::{Growing, Until},
+    stage::Search,
+};
 use crate::{encode::collisions::AgentId, meter::Stop};
 
 /// Looks for any plan; where there is none, the agents that cannot all arrive

@@ -7,7 +7,10 @@
 
 use giveway_model::Cost;
 
-use super::stage::{End, Growing, Search, Until};
+use super::{
+    growing::{Growing, Until},
+    stage::{End, Search},
+};
 use crate::meter::Stop;
 
 /// Minimises the makespan.

@@ -9,7 +9,7 @@ use crate::{
     encode::{collisions::AgentId, totalizer::totalizer},
     meter::Stop,
     sat::Lit,
-    search::stage::{Growing, Until},
+    search::growing::{Growing, Until},
 };
 
 /// An agent that does as before, or does not.

@@ -5,7 +5,7 @@ use crate::{
     encode::totalizer::merge,
     meter::Stop,
     sat::{Clauses, Lit},
-    search::stage::{Growing, Until},
+    search::growing::{Growing, Until},
     single::Place,
     walk::{Walk, arrival},
 };

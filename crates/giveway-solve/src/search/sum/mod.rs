@@ -24,7 +24,10 @@ use std::collections::BTreeMap;
 
 use giveway_model::Cost;
 
-use super::stage::{End, Growing, Search, Until};
+use super::{
+    growing::{Growing, Until},
+    stage::{End, Search},
+};
 use crate::{encode::collisions::AgentId, meter::Stop, sat::Lit};
 use giveway_model::sorting::{sort, sort_by_key};
 
