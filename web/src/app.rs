@@ -4,7 +4,7 @@ use std::rc::Rc;
 
 use giveway_model::Scene;
 use giveway_model::format::native;
-use giveway_page::{Action, Draft, Phase, Tab, reduce};
+use giveway_page::{Action, Draft, FileAction, Phase, Tab, reduce};
 use yew::prelude::*;
 
 use crate::dialog::{Agents, Examples, Panel, Scenes, Share, help};
@@ -42,7 +42,7 @@ fn opening_scene() -> Scene {
 
 /// Puts the scene that the page opens on onto the board again.
 pub(crate) fn example() -> Action {
-    Action::Open(Box::new(opening_scene()))
+    Action::File(FileAction::Open(Box::new(opening_scene())))
 }
 
 /// The page.
@@ -63,30 +63,24 @@ pub fn App() -> Html {
     {
         let clock = clock.clone();
         use_effect_with(
-            (state.playback, state.last_time()),
+            (state.view.playback, state.last_time()),
             move |&(playback, last)| clock.follow(playback, last),
         );
     }
     use_solver(&state, &send);
     use_keep(&state, &send);
     use_theme(state.view.theme);
-    use_colours(state.view.colours);
+    use_colours(state.document.colours);
     let is_embedded = *use_memo((), |()| embed::is_embedded());
-    use_keys(&state, &send, &show, is_embedded);
+    use_keys(&state, &send, &show);
     use_paste(&state, &send, &show, is_embedded);
     use_wide(&send);
     if is_embedded {
-        let send = send.clone();
-        let look = Callback::from(move |action| {
-            if embed::only_looks(&action) {
-                send.emit(action);
-            }
-        });
         return html! {
             <ContextProvider<Clock> context={(*clock).clone()}>
                 <div class="app embed">
-                    { embed::show(&state, &look) }
-                    { notice::show(state.notice.as_ref(), &look) }
+                    { embed::show(&state, &send) }
+                    { notice::show(state.view.notice.as_ref(), &send) }
                 </div>
             </ContextProvider<Clock>>
         };
@@ -99,13 +93,13 @@ pub fn App() -> Html {
                 <StatusBar state={state.clone()} panel={panel.clone()} send={send.clone()}
                     show={show.clone()} />
                 <main class="stage">
-                    <Tools tool={state.tool} send={send.clone()} />
+                    <Tools tool={state.view.tool} send={send.clone()} />
                     <Board state={state.clone()} send={send.clone()} />
                 </main>
                 { compare::show(&state, &send) }
                 <Inspector state={state.clone()} send={send.clone()} />
                 <Dock state={state.clone()} send={send.clone()} />
-                { notice::show(state.notice.as_ref(), &send) }
+                { notice::show(state.view.notice.as_ref(), &send) }
                 <Drop send={send.clone()} show={show.clone()} />
                 { dialog(&panel, &state, &send, &show) }
             </div>
@@ -122,7 +116,7 @@ fn dialog(panel: &Panel, state: &Shown, send: &Callback<Action>, show: &Callback
         Panel::Agents(choice) => html! { <Agents choice={choice.clone()} {send} {on_close} /> },
         Panel::Scenes => html! { <Scenes state={state.clone()} {send} {on_close} /> },
         Panel::Share(link) => {
-            html! { <Share link={link.clone()} name={state.draft.scene().name.clone()} {send} {on_close} /> }
+            html! { <Share link={link.clone()} name={state.document.draft.scene().name.clone()} {send} {on_close} /> }
         }
         Panel::Help => help(on_close),
         Panel::Nothing | Panel::Menu | Panel::Open | Panel::Save | Panel::Settings => html! {},

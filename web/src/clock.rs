@@ -8,7 +8,7 @@ use std::cell::{Cell, RefCell};
 use std::collections::BTreeMap;
 use std::rc::Rc;
 
-use giveway_page::{Action, Playback};
+use giveway_page::{Action, PlayAction, Playback};
 use gloo::render::{AnimationFrame, request_animation_frame};
 use yew::Callback;
 
@@ -63,7 +63,7 @@ impl Drop for Listening {
 }
 
 impl Clock {
-    /// A clock at 0 that sends [`Action::Reach`] at every step. With `jumps`,
+    /// A clock at 0 that sends [`Action::Play(PlayAction::Reach)`] at every step. With `jumps`,
     /// for people who want less motion, it knows whole steps only.
     pub fn new(send: Callback<Action>, jumps: bool) -> Self {
         Self(Rc::new(Inner {
@@ -104,7 +104,9 @@ impl Clock {
         let paused = before.playback.playing && !playback.playing && !playback.sought;
         if paused && playback.time == before.playback.time && now > f64::from(playback.time) {
             // Nobody stops between two steps, and nobody walks back.
-            inner.send.emit(Action::Seek(playback.time + 1));
+            inner
+                .send
+                .emit(Action::Play(PlayAction::Seek(playback.time + 1)));
             return;
         }
         let target = f64::from(playback.time);
@@ -164,7 +166,9 @@ impl Clock {
         if playback.playing && then >= target + 1.0 {
             let steps = std::iter::successors(Some(playback.time), |time| time.checked_add(1));
             let reached = steps.take_while(|&time| f64::from(time) <= then).last();
-            inner.send.emit(Action::Reach(reached.unwrap_or(last)));
+            inner
+                .send
+                .emit(Action::Play(PlayAction::Reach(reached.unwrap_or(last))));
         }
     }
 }

@@ -5,7 +5,7 @@ use std::rc::Rc;
 use giveway_model::Scene;
 use giveway_model::format::native;
 use giveway_page::files::{Opened, Reading, Saved, picture_name, read, too_large};
-use giveway_page::{Action, Notice, State};
+use giveway_page::{Action, FileAction, Notice, State};
 use gloo::file::{Blob, File, ObjectUrl, futures::read_as_bytes};
 use gloo::net::http::Request;
 use gloo::timers::callback::Timeout;
@@ -68,10 +68,10 @@ pub(crate) fn take(
     show: &Callback<Panel>,
 ) {
     match reading {
-        Ok(Reading::Scene(scene)) => send.emit(Action::Open(scene)),
-        Ok(Reading::Linked(linked)) => send.emit(Action::OpenLink(linked)),
+        Ok(Reading::Scene(scene)) => send.emit(Action::File(FileAction::Open(scene))),
+        Ok(Reading::Linked(linked)) => send.emit(Action::File(FileAction::OpenLink(linked))),
         Ok(Reading::Scenario(choice)) => show.emit(Panel::Agents(Rc::new(*choice))),
-        Err(notice) => send.emit(Action::Refuse(notice)),
+        Err(notice) => send.emit(Action::File(FileAction::Refuse(notice))),
     }
 }
 
@@ -104,7 +104,11 @@ pub(crate) fn save(saved: &Saved) {
 /// tells where that fails.
 pub(crate) fn save_picture(state: &State, is_png: bool, send: Callback<Action>) {
     let name = picture_name(state, if is_png { "png" } else { "svg" });
-    let title = format!("{}, time {}", state.draft.scene().name, state.playback.time);
+    let title = format!(
+        "{}, time {}",
+        state.document.draft.scene().name,
+        state.view.playback.time
+    );
     let picture = board::picture(state.world().grid(), &title);
     spawn_local(async move {
         let blob = async {
@@ -117,10 +121,10 @@ pub(crate) fn save_picture(state: &State, is_png: bool, send: Callback<Action>) 
         };
         match blob.await {
             Ok(blob) => save_as(&name, blob),
-            Err(_) => send.emit(Action::Refuse(Notice {
+            Err(_) => send.emit(Action::File(FileAction::Refuse(Notice {
                 sentence: "The browser could not make the picture.".to_owned(),
                 details: Vec::new(),
-            })),
+            }))),
         }
     });
 }

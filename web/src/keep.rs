@@ -2,7 +2,7 @@
 //! refuse all of it, and then the page just begins anew every time.
 
 use giveway_model::sorting;
-use giveway_page::{Action, Draft, State, link, reduce};
+use giveway_page::{Action, Draft, FileAction, Place, SolveAction, State, link, reduce};
 use gloo::events::EventListener;
 use gloo::timers::callback::Timeout;
 use web_sys::Storage;
@@ -41,18 +41,21 @@ fn store(name: &str, text: &str) -> bool {
 /// The page as it was left, or a draft that is solved at once; in either case
 /// with the scene of a link, if the address has one.
 pub(crate) fn opening(otherwise: impl FnOnce() -> Draft) -> State {
-    let kept = load(PAGE).and_then(|text| link::read(&text, link::From::Here).ok());
+    let kept = load(PAGE).and_then(|text| link::kept(&text).ok());
     let is_kept = kept.is_some();
-    let mut state = kept.map_or_else(|| State::new(otherwise()), State::restored);
+    let mut state = kept.unwrap_or_else(|| State::new(otherwise()));
     if let Some(text) = load(PREFERENCES) {
         link::prefer(&mut state, &text);
     }
+    if is_embedded() {
+        state.view.place = Place::Embedded;
+    }
     match from_address() {
-        Some(action @ Action::OpenLink(_)) => reduce(&state, action),
+        Some(action @ Action::File(FileAction::OpenLink(_))) => reduce(&state, action),
         // A link that is refused is told beside the page as it opens without it.
         refused => {
             if !is_kept {
-                state = reduce(&state, Action::Solve);
+                state = reduce(&state, Action::Solve(SolveAction::Begin));
             }
             refused.map_or_else(|| state.clone(), |action| reduce(&state, action))
         }
@@ -112,7 +115,7 @@ pub(crate) fn use_keep(state: &Shown, send: &Callback<Action>) {
     use_effect_with(state.clone(), |state| {
         // While it plays nothing is changed but the time.
         let state = state.clone();
-        let is_calm = !state.playback.playing;
+        let is_calm = !state.view.playback.playing;
         let waiting = is_calm.then(|| Timeout::new(CALM_MS, move || keep(&state)));
         move || drop(waiting)
     });
@@ -140,7 +143,7 @@ pub(crate) fn scenes() -> Vec<String> {
 /// Keeps the scene under its name, in the place of one of that name; whether
 /// there was room.
 pub(crate) fn keep_scene(state: &State) -> bool {
-    let name = &state.draft.scene().name;
+    let name = &state.document.draft.scene().name;
     let names = scenes();
     (names.len() < SCENES || names.contains(name))
         && store(&format!("{SCENE}{name}"), &link::write(state))

@@ -12,22 +12,15 @@ use yew::prelude::*;
 
 use crate::Shown;
 use crate::dialog::Panel;
-use crate::embed::only_looks;
 
 /// Where a person types.
 pub(crate) const FIELDS: &str = "input, textarea, select, [contenteditable]";
 /// What Space presses.
 const PRESSED: &str = "button, a, summary, label";
 
-/// Listens for keys that no place of the page took for itself; inside another
-/// page only for those that play.
+/// Listens for keys that no place of the page took for itself.
 #[hook]
-pub(crate) fn use_keys(
-    state: &Shown,
-    send: &Callback<Action>,
-    show: &Callback<Panel>,
-    is_embedded: bool,
-) {
+pub(crate) fn use_keys(state: &Shown, send: &Callback<Action>, show: &Callback<Panel>) {
     let latest = use_mut_ref(|| state.clone());
     latest.replace(state.clone());
     let (send, show) = (send.clone(), show.clone());
@@ -39,14 +32,9 @@ pub(crate) fn use_keys(
                 let Some(event) = event.dyn_ref::<KeyboardEvent>() else {
                     return;
                 };
-                let command = wanted(event, &latest.borrow());
-                let fits = |command: &Command| match command {
-                    Command::Act(action) => only_looks(action),
-                    Command::Help => false,
-                };
-                let Some(command) = command.filter(|command| !is_embedded || fits(command)) else {
-                    return;
-                };
+                let state = latest.borrow().clone();
+                let command = wanted(event, &state);
+                let Some(command) = command else { return };
                 event.prevent_default();
                 match command {
                     Command::Act(action) => send.emit(action),

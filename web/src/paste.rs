@@ -1,6 +1,6 @@
 //! What is pasted anywhere but into a field: it is opened as a file is.
 
-use giveway_page::{Action, Notice, State, files::pasted};
+use giveway_page::{Action, FileAction, Notice, State, files::pasted};
 use gloo::events::{EventListener, EventListenerOptions};
 use wasm_bindgen::JsCast as _;
 use wasm_bindgen_futures::JsFuture;
@@ -63,7 +63,7 @@ pub(crate) fn ask(state: &Shown, send: Callback<Action>, show: Callback<Panel>) 
     let window = gloo::utils::window();
     if !window.is_secure_context() {
         // There is no clipboard at all then.
-        return send.emit(Action::Refuse(refused));
+        return send.emit(Action::File(FileAction::Refuse(refused)));
     }
     let read = window.navigator().clipboard().read_text();
     let state: State = (**state).clone();
@@ -73,7 +73,7 @@ pub(crate) fn ask(state: &Shown, send: Callback<Action>, show: Callback<Panel>) 
                 let text = text.as_string().unwrap_or_default();
                 files::take(pasted(&state, &text), &send, &show);
             }
-            Err(_) => send.emit(Action::Refuse(refused)),
+            Err(_) => send.emit(Action::File(FileAction::Refuse(refused))),
         }
     });
 }

@@ -1,6 +1,6 @@
 //! The top bar: the scene's name and size, and what is done to it as a whole.
 
-use giveway_page::{Action, files, words};
+use giveway_page::{Action, FileAction, ViewAction, files, words};
 use web_sys::{Event, HtmlInputElement};
 use yew::prelude::*;
 
@@ -64,8 +64,8 @@ pub(crate) fn TopBar(props: &TopBarProps) -> Html {
             paste::ask(&state, send.clone(), show.clone());
         })
     };
-    let scene = state.draft.scene();
-    let grid = state.draft.grid();
+    let scene = state.document.draft.scene();
+    let grid = state.document.draft.grid();
     let name = match scene.name.as_str() {
         "" => "Untitled",
         name => name,
@@ -190,7 +190,7 @@ fn save_items(state: &Shown, send: &Callback<Action>, show: &Callback<Panel>) ->
             save(&state, send.clone());
         })
     };
-    let answer = state.fresh_answer();
+    let answer = state.document.fresh_answer();
     let has_changes = answer.is_some_and(|answer| answer.course.is_some());
     let has_plan = answer.and_then(|answer| answer.plan()).is_some();
     let scene = press(|state, _| crate::files::save(&files::scene_file(state)));
@@ -218,7 +218,7 @@ fn copy_item(state: &Shown, is_copied: &UseStateHandle<bool>, send: &Callback<Ac
             let text = files::scene_file(&state).text;
             copy::text("scene", &text, move |done| match done {
                 Ok(()) => is_copied.set(true),
-                Err(notice) => send.emit(Action::Refuse(notice)),
+                Err(notice) => send.emit(Action::File(FileAction::Refuse(notice))),
             });
         })
     };
@@ -243,5 +243,5 @@ fn save_if(saved: Option<files::Saved>) {
 
 fn press_theme(state: &Shown, send: &Callback<Action>) -> Callback<MouseEvent> {
     let theme = state.view.theme;
-    send.reform(move |_| Action::SetTheme(theme.next(system_is_dark())))
+    send.reform(move |_| Action::View(ViewAction::SetTheme(theme.next(system_is_dark()))))
 }

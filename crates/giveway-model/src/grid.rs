@@ -219,7 +219,7 @@ impl Grid {
     }
 
     /// Changes what lies on a cell; false off the map.
-    pub(crate) fn set_ground(&mut self, cell: Cell, ground: Ground) -> bool {
+    pub fn set_ground(&mut self, cell: Cell, ground: Ground) -> bool {
         if self.ground(cell).is_none() {
             return false;
         }

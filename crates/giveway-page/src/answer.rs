@@ -25,6 +25,8 @@ pub struct Answer {
     pub arrivals: Vec<Option<u32>>,
     /// What changed while the plan ran, where something did.
     pub course: Option<Rc<Course>>,
+    /// Whether the plan came from elsewhere and nothing was proved of it here.
+    pub is_shared: bool,
 }
 
 impl Answer {
@@ -47,6 +49,7 @@ impl Answer {
             levels,
             arrivals,
             course: None,
+            is_shared: false,
         }
     }
 
@@ -81,6 +84,7 @@ impl Answer {
             levels,
             arrivals,
             course: Some(Rc::new(course)),
+            is_shared: false,
         })
     }
 

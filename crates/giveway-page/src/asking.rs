@@ -6,7 +6,7 @@ use giveway_model::check::Violation;
 use giveway_model::{Cost, Question};
 use giveway_proof::Report;
 use giveway_solve::explain::{ExplainAnswer, ExplainRequest};
-use giveway_solve::{SolveAnswer, Stats, Status};
+use giveway_solve::{Limits, SolveAnswer, Stats, Status};
 
 use crate::Answer;
 
@@ -27,8 +27,6 @@ pub struct Asking {
     pub lit: Option<Lit>,
     /// What came of checking its proof.
     pub report: Option<Rc<Report>>,
-    /// Whether nothing more will come.
-    pub is_done: bool,
 }
 
 /// What is lit up on the map.
@@ -41,8 +39,21 @@ pub enum Lit {
 }
 
 impl Asking {
+    /// A question about an answer that was just asked.
+    pub(crate) fn about(answer: &Rc<Answer>, question: Question, limits: Limits) -> Self {
+        let request = Rc::new(ExplainRequest {
+            scene: answer.draft.scene().clone(),
+            plan: answer.plan().cloned(),
+            question,
+            objective: answer.request.objective.clone(),
+            within: answer.request.within,
+            limits,
+        });
+        Self::new(request, Rc::clone(answer))
+    }
+
     /// A question that was just asked.
-    pub(crate) const fn new(request: Rc<ExplainRequest>, about: Rc<Answer>) -> Self {
+    const fn new(request: Rc<ExplainRequest>, about: Rc<Answer>) -> Self {
         Self {
             request,
             about,
@@ -51,8 +62,13 @@ impl Asking {
             shows_other: false,
             lit: None,
             report: None,
-            is_done: false,
         }
+    }
+
+    /// The other plan, where it takes the place of this one.
+    pub(crate) fn in_place(&self, is_alone: bool) -> Option<&Rc<Answer>> {
+        let shows = self.shows_other && is_alone;
+        self.other.as_ref().filter(|_| shows)
     }
 
     /// The question.

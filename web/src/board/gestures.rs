@@ -6,7 +6,7 @@ use std::rc::Rc;
 use giveway_model::Cell;
 use giveway_page::board::{Cast, Frame};
 use giveway_page::steering::Lead;
-use giveway_page::{Action, Point, Selection, Tool};
+use giveway_page::{Action, BoardAction, Point, Selection, Tool};
 use wasm_bindgen::JsCast;
 use web_sys::{Element, PointerEvent, WheelEvent};
 use yew::prelude::*;
@@ -107,7 +107,7 @@ impl Surface {
         hand.fingers.push((event.pointer_id(), at));
         if hand.fingers.len() > 1 {
             if let Act::Paint(_) = hand.act {
-                self.send.emit(Action::Release);
+                self.send.emit(Action::Board(BoardAction::Release));
             }
             hand.act = Act::Pinch;
             self.hide_hover();
@@ -159,10 +159,10 @@ impl Surface {
         hand.fingers.retain(|f| f.0 != event.pointer_id());
         let act = std::mem::take(&mut hand.act);
         match act {
-            Act::Paint(_) => self.send.emit(Action::Release),
+            Act::Paint(_) => self.send.emit(Action::Board(BoardAction::Release)),
             Act::Pressed(at) if self.paints() => {
                 if let Act::Paint(_) = self.begin_stroke(at) {
-                    self.send.emit(Action::Release);
+                    self.send.emit(Action::Board(BoardAction::Release));
                 }
             }
             Act::Pressed(at) => self.select(at, time),
@@ -176,7 +176,7 @@ impl Surface {
     fn cancel(&self, hand: &mut Hand, event: &PointerEvent) {
         hand.fingers.retain(|f| f.0 != event.pointer_id());
         if let Act::Paint(_) = std::mem::replace(&mut hand.act, Act::Spent) {
-            self.send.emit(Action::Release);
+            self.send.emit(Action::Board(BoardAction::Release));
         }
     }
 
@@ -212,7 +212,7 @@ impl Surface {
     fn begin_stroke(&self, at: Px) -> Act {
         match self.cell(self.frame.point(at)) {
             Some(cell) => {
-                self.send.emit(Action::Press(cell));
+                self.send.emit(Action::Board(BoardAction::Press(cell)));
                 Act::Paint(cell)
             }
             None => Act::Spent,
@@ -231,7 +231,7 @@ impl Surface {
         for place in places {
             let cell = self.nearest_cell(self.frame.point(self.px(&place)));
             if cell != last {
-                self.send.emit(Action::Drag(cell));
+                self.send.emit(Action::Board(BoardAction::Drag(cell)));
                 last = cell;
             }
         }
@@ -252,21 +252,22 @@ impl Surface {
 
     fn select(&self, at: Px, time: f64) {
         let cell = self.cell(self.frame.point(at));
-        if self.state.steering.is_some() {
+        if self.state.document.mode.steering().is_some() {
             if let Some(cell) = cell {
                 self.send.emit(Action::Steer(Lead::To(cell)));
             }
             return;
         }
         if let Some(cell) = cell {
-            self.send.emit(Action::MoveCursor(cell));
+            self.send.emit(Action::Board(BoardAction::MoveCursor(cell)));
         }
         let selection = match (self.agent_at(at, time), cell) {
             (Some(agent), _) => Selection::Agent(agent),
             (None, Some(cell)) => Selection::Cell(cell),
             (None, None) => Selection::Nothing,
         };
-        self.send.emit(Action::Select(selection));
+        self.send
+            .emit(Action::Board(BoardAction::Select(selection)));
     }
 
     /// A frame around the cell that a brush would paint.
@@ -295,12 +296,12 @@ impl Surface {
 
     /// An agent that waits for its goal looks where the pointer is.
     fn look_for_goal(&self, hand: &Hand, at: Px) {
-        if self.state.placing.is_none() || !hand.fingers.is_empty() {
+        if self.state.placing().is_none() || !hand.fingers.is_empty() {
             return;
         }
         let cell = self.cell(self.frame.point(at));
-        if let Some(cell) = cell.filter(|&cell| cell != self.state.cursor) {
-            self.send.emit(Action::MoveCursor(cell));
+        if let Some(cell) = cell.filter(|&cell| cell != self.state.view.cursor) {
+            self.send.emit(Action::Board(BoardAction::MoveCursor(cell)));
         }
     }
 
@@ -311,7 +312,7 @@ impl Surface {
         let Some(cell) = self.cell(self.frame.point(at)) else {
             return false;
         };
-        let is_selected = match self.state.selection {
+        let is_selected = match self.state.view.selection {
             Selection::Cell(selected) => selected == cell,
             Selection::Agent(agent) => self.state.agent_at(cell) == Some(agent),
             Selection::Nothing => false,
@@ -321,7 +322,7 @@ impl Surface {
     }
 
     fn paints(&self) -> bool {
-        self.state.tool != Tool::Select
+        self.state.view.tool != Tool::Select
     }
 
     fn agent_at(&self, at: Px, time: f64) -> Option<usize> {
@@ -330,14 +331,14 @@ impl Surface {
 
     /// The cell at a point; `None` off the map.
     fn cell(&self, point: Point) -> Option<Cell> {
-        let grid = self.state.draft.grid();
+        let grid = self.state.document.draft.grid();
         let is_on = |at: f64, side: u32| at >= -0.5 && at < f64::from(side) - 0.5;
         let is_on = is_on(point.x, grid.width()) && is_on(point.y, grid.height());
         is_on.then(|| self.nearest_cell(point))
     }
 
     fn nearest_cell(&self, point: Point) -> Cell {
-        self.state.draft.clamp(point.nearest_cell())
+        self.state.document.draft.clamp(point.nearest_cell())
     }
 
     /// Where an event is, from the upper left of the board.

@@ -1,7 +1,7 @@
 //! The keys of the board.
 
 use giveway_model::Cell;
-use giveway_page::Action;
+use giveway_page::{Action, BoardAction};
 use gloo::events::EventListener;
 use wasm_bindgen::JsCast;
 use web_sys::KeyboardEvent;
@@ -40,11 +40,11 @@ pub(super) fn use_cursor_keys(
         }
         let (key, ctrl) = (event.key(), event.ctrl_key());
         let action = if !ctrl && matches!(key.as_str(), "Enter" | " ") {
-            (!event.repeat()).then_some(Action::UseTool)
+            (!event.repeat()).then_some(Action::Board(BoardAction::UseTool))
         } else if let Some(by) = goes_by(&key, ctrl, rows.max(PAGE)) {
             follows.replace(true);
             let carries = event.shift_key();
-            Some(Action::StepCursor { by, carries })
+            Some(Action::Board(BoardAction::StepCursor { by, carries }))
         } else {
             return;
         };

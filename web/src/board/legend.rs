@@ -1,7 +1,7 @@
 //! What stands below the board: the legend, and how near the map is.
 
-use giveway_page::Action;
 use giveway_page::board::Kind;
+use giveway_page::{Action, ViewAction};
 use yew::prelude::*;
 
 use super::viewport::Look;
@@ -51,7 +51,9 @@ fn follow(props: &Under<'_>) -> Html {
     let Some((name, on)) = props.follow.clone() else {
         return html! {};
     };
-    let onclick = props.send.reform(move |_| Action::Follow(!on));
+    let onclick = props
+        .send
+        .reform(move |_| Action::View(ViewAction::Follow(!on)));
     html! {
         <button class="btn ghost round" title={format!("Follow {name} (f)")} aria-label={format!("Follow {name}")}
             aria-pressed={on.to_string()} {onclick}>

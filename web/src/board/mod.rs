@@ -85,20 +85,20 @@ pub fn Board(props: &BoardProps) -> Html {
     });
     let (_, rows) = frame.cells(board);
     let page = rows.1 - rows.0;
-    let onkeydown = keys::use_cursor_keys(state.cursor, &props.send, &viewport.look, page);
+    let onkeydown = keys::use_cursor_keys(state.view.cursor, &props.send, &viewport.look, page);
 
     let reasons = giveway_page::board::reasons(state);
     let kinds: Vec<Kind> = legend(state, &cast);
-    let is_stale = state.is_stale() && cast.has_plan();
+    let is_stale = state.document.is_stale() && cast.has_plan();
     let class = classes!(
         "map",
         detail.class(),
         is_stale.then_some("stale"),
-        (state.playback.time > 0).then_some("later"),
-        (state.tool != Tool::Select).then_some("brush-on"),
+        (state.view.playback.time > 0).then_some("later"),
+        (state.view.tool != Tool::Select).then_some("brush-on"),
         (!viewport.camera.is_fit()).then_some("near"),
     );
-    let cursor = state.cursor;
+    let cursor = state.view.cursor;
     let board_now = html! {
         <div class="bd" ref={area}>
             <svg {class} ref={svg}
@@ -116,7 +116,7 @@ pub fn Board(props: &BoardProps) -> Html {
                 { problems(state) }
                 { ghost::show(state) }
                 <g aria-hidden="true">
-                    if let Selection::Cell(cell) = state.selection {
+                    if let Selection::Cell(cell) = state.view.selection {
                         { square("selcell", cell, 3) }
                     }
                     <rect class="hover" ref={hover} width="94" height="94" rx="15" visibility="hidden" />
@@ -125,9 +125,9 @@ pub fn Board(props: &BoardProps) -> Html {
                     of={BOARD}
                     draft={Rc::clone(state.world())}
                     cast={Rc::clone(&cast)}
-                    time={state.playback.time}
+                    time={state.view.playback.time}
                     window={Window::around(cursor, &frame, board)}
-                    selection={state.selection} />
+                    selection={state.view.selection} />
                 <g aria-hidden="true">{ square("cursor", cursor, 2) }</g>
             </svg>
         </div>
@@ -145,7 +145,7 @@ pub fn Board(props: &BoardProps) -> Html {
             <div class={classes!("boards", other.is_some().then_some("pair"))}>
                 <figure class="pl">
                     if other.is_some() {
-                        { caption(if state.steering.is_some() { "Your plan" } else { "This plan" }, state.shown(), None) }
+                        { caption(if state.document.mode.steering().is_some() { "Your plan" } else { "This plan" }, state.shown(), None) }
                     }
                     { board_now }
                 </figure>
@@ -206,6 +206,7 @@ fn layers(state: &Shown, cast: &Rc<Cast>, versus: Option<&Rc<Cast>>, frame: Fram
 /// A frame and a triangle on every cell where something is wrong.
 fn problems(state: &Shown) -> Html {
     let cells = state
+        .document
         .draft
         .problems()
         .iter()

@@ -2,7 +2,7 @@
 //! which the board and the timeline preview.
 
 use giveway_page::changing::{Column, CostChange, Group, columns};
-use giveway_page::{Action, State};
+use giveway_page::{Action, ChangeAction, State};
 use yew::prelude::*;
 
 use crate::{glyph, icon};
@@ -16,7 +16,7 @@ pub(crate) fn show(state: &State, send: &Callback<Action>) -> Html {
     html! {
         <section class="cmp" aria-label="Ways to go on">
             <div class="cols" tabindex="0">{ for columns.iter().enumerate().map(column) }</div>
-            <button type="button" class="btn ghost only-ph" onclick={send.reform(|_| Action::DiscardChange)}>
+            <button type="button" class="btn ghost only-ph" onclick={send.reform(|_| Action::Change(ChangeAction::Discard))}>
                 { icon::show("undo") }{ "Discard" }
             </button>
         </section>
@@ -25,8 +25,8 @@ pub(crate) fn show(state: &State, send: &Callback<Action>) -> Html {
 
 fn column(index: usize, facts: &Column, send: &Callback<Action>) -> Html {
     let title = facts.title.clone();
-    let preview = send.reform(move |_: MouseEvent| Action::Preview(index));
-    let adopt = send.reform(move |_: MouseEvent| Action::Adopt(index));
+    let preview = send.reform(move |_: MouseEvent| Action::Change(ChangeAction::Preview(index)));
+    let adopt = send.reform(move |_: MouseEvent| Action::Change(ChangeAction::Adopt(index)));
     html! {
         <article key={index} class={classes!("col", facts.is_chosen.then_some("best"))} aria-label={title.clone()}>
             <header>

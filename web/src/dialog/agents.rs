@@ -2,7 +2,7 @@
 
 use std::rc::Rc;
 
-use giveway_page::{Action, files::Choice, words};
+use giveway_page::{Action, FileAction, files::Choice, words};
 use web_sys::HtmlInputElement;
 use yew::prelude::*;
 
@@ -43,8 +43,8 @@ pub(crate) fn Agents(props: &AgentsProps) -> Html {
             let agents = agents.clamp(1, choice.most());
             on_close.emit(());
             send.emit(match choice.scene(agents) {
-                Ok(scene) => Action::Open(Box::new(scene)),
-                Err(notice) => Action::Refuse(notice),
+                Ok(scene) => Action::File(FileAction::Open(Box::new(scene))),
+                Err(notice) => Action::File(FileAction::Refuse(notice)),
             });
         })
     };

@@ -1,6 +1,6 @@
 //! The scenes that this browser keeps.
 
-use giveway_page::{Action, Notice};
+use giveway_page::{Action, FileAction, Notice};
 use yew::prelude::*;
 
 use super::frame::Frame;
@@ -57,15 +57,15 @@ pub(crate) fn Scenes(props: &ScenesProps) -> Html {
             if keep::keep_scene(&state) {
                 names.set(keep::scenes());
             } else {
-                send.emit(Action::Refuse(Notice {
+                send.emit(Action::File(FileAction::Refuse(Notice {
                     sentence: "This browser has no room for the scene: save it as a file."
                         .to_owned(),
                     details: Vec::new(),
-                }));
+                })));
             }
         })
     };
-    let own = title(&state.draft.scene().name);
+    let own = title(&state.document.draft.scene().name);
     html! {
         <Frame title="Scenes" on_close={on_close.clone()}>
             if names.is_empty() {

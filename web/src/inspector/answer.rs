@@ -2,7 +2,7 @@
 //! what excludes it, what would help.
 
 use giveway_page::ask::{Card, CostRow, Facts, Happening, Offered, Other};
-use giveway_page::{Action, Lit};
+use giveway_page::{Action, AskAction, Lit, PlayAction};
 use yew::prelude::*;
 
 use crate::{glyph, icon};
@@ -12,7 +12,7 @@ pub(super) fn show(card: &Card, send: &Callback<Action>) -> Html {
     html! {
         <>
             <header class="qh">
-                <button type="button" class="crumb" onclick={send.reform(|_| Action::CloseQuestion)}>
+                <button type="button" class="crumb" onclick={send.reform(|_| Action::Ask(AskAction::Close))}>
                     { icon::show("back") }{ "Back" }
                 </button>
                 <h2>{ card.question.clone() }</h2>
@@ -60,21 +60,21 @@ pub(super) fn foot(card: &Card, send: &Callback<Action>) -> Html {
     let second = if is_beside {
         // Both are there to be seen: what is left is to decide.
         html! {
-            <button type="button" class="btn outline" onclick={send.reform(|_| Action::CloseQuestion)}>
+            <button type="button" class="btn outline" onclick={send.reform(|_| Action::Ask(AskAction::Close))}>
                 { icon::show("cancel") }{ "Keep this" }
             </button>
         }
     } else {
         html! {
             <button type="button" class="btn outline" aria-pressed={is_shown.to_string()}
-                onclick={send.reform(move |_| Action::ShowOther(!is_shown))}>
+                onclick={send.reform(move |_| Action::Ask(AskAction::ShowOther(!is_shown)))}>
                 { icon::show("compare") }{ if is_shown { "Show this" } else { "Show other" } }
             </button>
         }
     };
     html! {
         <footer class="foot">
-            <button type="button" class="btn primary" onclick={send.reform(|_| Action::TakeOther)}>
+            <button type="button" class="btn primary" onclick={send.reform(|_| Action::Ask(AskAction::TakeOther))}>
                 { icon::show("check") }{ "Take the other plan" }
             </button>
             { second }
@@ -118,8 +118,8 @@ pub(super) fn costs(
 
 /// Lights up while it is pointed at or has the focus.
 fn lit(lit: Lit, send: &Callback<Action>) -> [Callback<()>; 2] {
-    let on = send.reform(move |()| Action::Light(Some(lit)));
-    let off = send.reform(|()| Action::Light(None));
+    let on = send.reform(move |()| Action::Ask(AskAction::Light(Some(lit))));
+    let off = send.reform(|()| Action::Ask(AskAction::Light(None)));
     [on, off]
 }
 
@@ -129,7 +129,7 @@ fn witness(title: &str, happenings: &[Happening], send: &Callback<Action>) -> Ht
         let time = happening.time;
         html! {
             <li><button type="button" class={classes!("reason", happening.is_lit.then_some("lit"))}
-                title={format!("Show time {time}")} onclick={send.reform(move |_| Action::Seek(time))}
+                title={format!("Show time {time}")} onclick={send.reform(move |_| Action::Play(PlayAction::Seek(time)))}
                 onpointerenter={on.reform(|_| ())} onpointerleave={off.reform(|_| ())}
                 onfocus={on.reform(|_| ())} onblur={off.reform(|_| ())}>
                 <span class="no">{ happening.number }</span><span>{ happening.text.clone() }</span>
@@ -169,7 +169,7 @@ fn repairs(offered: &[Offered], leads: bool, send: &Callback<Action>) -> Html {
     let one = |(index, repair): (usize, &Offered)| {
         html! {
             <li><button type="button" class={classes!("repair", (leads && index == 0).then_some("lead"))}
-                onclick={send.reform(move |_| Action::TakeRepair(index))}>
+                onclick={send.reform(move |_| Action::Ask(AskAction::TakeRepair(index)))}>
                 { icon::show(repair.icon) }
                 <span>{ repair.text.clone() }<small>{ repair.costs.clone() }</small></span>
             </button></li>

@@ -4,7 +4,7 @@ use std::rc::Rc;
 
 use giveway_page::changing::history;
 use giveway_page::inspect::{CostFacts, whole};
-use giveway_page::{Action, Answer, Draft, Selection, Work};
+use giveway_page::{Action, Answer, BoardAction, Draft, Selection};
 use yew::prelude::*;
 
 use super::{change, edit, front, proof};
@@ -15,10 +15,14 @@ const AGENTS: usize = 50;
 
 pub(super) fn show(state: &Shown, send: &Callback<Action>) -> Html {
     let facts = whole(state);
-    let past = state.fresh_answer().map(history).unwrap_or_default();
+    let past = state
+        .document
+        .fresh_answer()
+        .map(|answer| history(answer))
+        .unwrap_or_default();
     let is_there = 0..state.world().agents().len();
     let is_there: Vec<bool> = is_there.map(|agent| state.is_there(agent)).collect();
-    let is_solving = matches!(state.work, Work::Solving(_));
+    let is_solving = state.work.solving().is_some();
     html! {
         <>
             <header class="ih"><div><h2>{ facts.title.clone() }</h2><p>{ facts.contents.clone() }</p></div></header>
@@ -37,7 +41,7 @@ pub(super) fn show(state: &Shown, send: &Callback<Action>) -> Html {
             { change::history(&past, false) }
             { front::show(state, send) }
             { edit::whole(state, send) }
-            <Agents draft={Rc::clone(state.world())} {is_there} answer={state.answer.clone()} send={send.clone()} />
+            <Agents draft={Rc::clone(state.world())} {is_there} answer={state.document.answer.clone()} send={send.clone()} />
         </>
     }
 }
@@ -111,7 +115,8 @@ fn Agents(props: &AgentsProps) -> Html {
         *answer.arrivals.get(index)?
     };
     let one = |(agent, who): (usize, &giveway_model::Agent)| {
-        let onclick = send.reform(move |_| Action::Select(Selection::Agent(agent)));
+        let onclick =
+            send.reform(move |_| Action::Board(BoardAction::Select(Selection::Agent(agent))));
         html! {
             <li key={agent}><button type="button" class="choice" {onclick}>
                 { glyph::show(agent, "choice-glyph") }

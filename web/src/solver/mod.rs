@@ -9,7 +9,7 @@ mod worker;
 use std::cell::RefCell;
 use std::rc::Rc;
 
-use giveway_page::{Action, Work};
+use giveway_page::{Action, SolveAction, Work};
 use giveway_solve::Progress;
 use giveway_wasm::protocol::{Ask, Message};
 use gloo::render::{AnimationFrame, request_animation_frame};
@@ -146,7 +146,9 @@ impl Solver {
                 {
                     self.0.news.take();
                     let response = Box::new(response);
-                    self.0.send.emit(Action::Respond { run, response });
+                    self.0
+                        .send
+                        .emit(Action::Solve(SolveAction::Respond { job: run, response }));
                 }
             }
             Message::Failed { sentence, .. } => self.broken(sentence),
@@ -167,11 +169,11 @@ impl Solver {
             self.hire();
         }
         if let Some(Job { run, .. }) = job {
-            self.0.send.emit(Action::Crash {
-                run,
+            self.0.send.emit(Action::Solve(SolveAction::Crash {
+                job: run,
                 sentence,
                 had_started,
-            });
+            }));
         }
     }
 
@@ -200,7 +202,9 @@ impl Solver {
             return;
         };
         for event in events {
-            self.0.send.emit(Action::Progress { run, event });
+            self.0
+                .send
+                .emit(Action::Solve(SolveAction::Progress { job: run, event }));
         }
     }
 }

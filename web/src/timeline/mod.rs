@@ -13,7 +13,7 @@ mod tabs;
 mod transport;
 mod wait;
 
-use giveway_page::{Action, Phase, Work};
+use giveway_page::{Action, Phase, ViewAction};
 use yew::prelude::*;
 
 use crate::{Shown, icon};
@@ -47,7 +47,7 @@ pub fn Dock(props: &DockProps) -> Html {
         let send = send.clone();
         use_effect_with((), move |()| {
             if is_low_window() {
-                send.emit(Action::ShowTable(false));
+                send.emit(Action::View(ViewAction::ShowTable(false)));
             }
         });
     }
@@ -64,7 +64,7 @@ pub fn Dock(props: &DockProps) -> Html {
                 | Phase::Comparing
                 | Phase::Steering
         );
-        let stale = state.is_stale();
+        let stale = state.document.is_stale();
         return html! {
             <section class={classes!("dock", calm.then_some("calm"), stale.then_some("stale"))} aria-label="Timeline">
                 { transport(props) }
@@ -73,10 +73,10 @@ pub fn Dock(props: &DockProps) -> Html {
             </section>
         };
     }
-    if let Work::Solving(run) = &state.work {
+    if let Some(run) = state.work.solving() {
         return html! {
             <section class="dock wait" aria-label="Timeline">
-                <Wait run={run.clone()} table={state.view.table} />
+                <Wait id={state.work.id().unwrap_or(0)} run={run.clone()} table={state.view.table} />
             </section>
         };
     }

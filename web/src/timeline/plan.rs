@@ -4,7 +4,7 @@ use std::rc::Rc;
 
 use giveway_page::steering::Steering;
 use giveway_page::timeline::{Lane, Row};
-use giveway_page::{Action, Answer, Selection, State, Tab, changing, table};
+use giveway_page::{Action, Answer, BoardAction, Selection, State, Tab, changing, table};
 use wasm_bindgen::JsCast;
 use wasm_bindgen::closure::Closure;
 use web_sys::{Element, HtmlElement, ResizeObserver};
@@ -56,7 +56,11 @@ pub(super) fn Plan(props: &PlanProps) -> Html {
     let height = plans * row.height;
     let last = beside.as_ref().map_or(0, |beside| beside.makespan());
     // Waits at a goal, until it is left again.
-    let led = state.steering.as_deref().map_or(0, Steering::time);
+    let led = state
+        .document
+        .mode
+        .steering()
+        .map_or(0, |own| Steering::time(own));
     let extent = Extent {
         last: answer.makespan().max(last).max(led),
         lanes: lanes.len(),
@@ -72,13 +76,15 @@ pub(super) fn Plan(props: &PlanProps) -> Html {
         state.view.tab,
         state.view.table,
     );
+    // What was seen was seen of the plan before this one.
+    let seen = seen.within(extent);
     let axis = seen.axis(extent);
     let moved = Moved {
         head: use_node_ref(),
         thumb: use_node_ref(),
         places: [lanes_ref.clone(), table_ref.clone()],
     };
-    use_head(&moved, axis, &seen, state.playback.playing);
+    use_head(&moved, axis, &seen, state.view.playback.playing);
 
     let selected = selected_lane(state, &lanes);
     let focus = use_mut_ref(|| None::<usize>);
@@ -87,11 +93,11 @@ pub(super) fn Plan(props: &PlanProps) -> Html {
         let (state, lanes) = (state.clone(), lanes.clone());
         send.reform(move |index: usize| {
             let again = selected_lane(&state, &lanes) == Some(index);
-            Action::Select(if again {
+            Action::Board(BoardAction::Select(if again {
                 Selection::Nothing
             } else {
                 selection(&state, &lanes, index)
-            })
+            }))
         })
     };
     let onkeydown = {
@@ -107,7 +113,9 @@ pub(super) fn Plan(props: &PlanProps) -> Html {
                 event.prevent_default();
                 event.stop_propagation();
                 *focus.borrow_mut() = Some(to);
-                send.emit(Action::Select(selection(&state, &lanes, to)));
+                send.emit(Action::Board(BoardAction::Select(selection(
+                    &state, &lanes, to,
+                ))));
             }
         }
     };
@@ -123,14 +131,15 @@ pub(super) fn Plan(props: &PlanProps) -> Html {
         }
     };
 
-    let time = state.playback.time;
+    let time = state.view.playback.time;
     let (above, below) = Seen::beyond(&seen.lanes, lanes.len(), height);
     let tab_stop = selected.filter(|index| seen.lanes.contains(index));
     let tab_stop = tab_stop.unwrap_or(seen.lanes.start);
     let lane_row = |index: usize| {
         html! {
             <LaneRow key={index} lanes={lanes.clone()} others={others.clone()} {index} {axis} {row} columns={seen.columns.clone()}
-                level={lanes[index].level_at(time)} fate={changing::fate(state, &lanes[index].name)} selected={selected == Some(index)}
+                level={lanes.get(index).and_then(|lane| lane.level_at(time))}
+                fate={lanes.get(index).and_then(|lane| changing::fate(state, &lane.name))} selected={selected == Some(index)}
                 tab_stop={index == tab_stop} pick={pick.clone()} />
         }
     };
@@ -266,7 +275,7 @@ fn lane_of(event: &KeyboardEvent) -> Option<usize> {
 /// The lane of the agent that is selected. The answer may be of an older draft:
 /// agents are the same if their names are.
 fn selected_lane(state: &State, lanes: &[Lane]) -> Option<usize> {
-    let Selection::Agent(agent) = state.selection else {
+    let Selection::Agent(agent) = state.view.selection else {
         return None;
     };
     let name = &state.world().agents().get(agent)?.name;

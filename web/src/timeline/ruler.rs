@@ -2,8 +2,8 @@
 
 use std::ops::Range;
 
-use giveway_page::Action;
 use giveway_page::timeline::Axis;
+use giveway_page::{Action, PlayAction};
 use web_sys::Element;
 use yew::prelude::*;
 
@@ -41,7 +41,7 @@ pub(super) fn Ruler(props: &RulerProps) -> Html {
             if let Some(track) = track.cast::<Element>() {
                 let left = track.get_bounding_client_rect().left();
                 let x = f64::from(event.client_x()) - left;
-                send.emit(Action::Seek(axis.time_at(x)));
+                send.emit(Action::Play(PlayAction::Seek(axis.time_at(x))));
             }
         }
     };
@@ -75,12 +75,12 @@ pub(super) fn Ruler(props: &RulerProps) -> Html {
             }
             let page = (last / 10).max(5);
             let action = match event.key().as_str() {
-                "ArrowRight" | "ArrowUp" => Action::StepForward,
-                "ArrowLeft" | "ArrowDown" => Action::StepBack,
-                "PageUp" => Action::Seek(time.saturating_add(page).min(last)),
-                "PageDown" => Action::Seek(time.saturating_sub(page)),
-                "Home" => Action::Seek(0),
-                "End" => Action::Seek(last),
+                "ArrowRight" | "ArrowUp" => Action::Play(PlayAction::StepForward),
+                "ArrowLeft" | "ArrowDown" => Action::Play(PlayAction::StepBack),
+                "PageUp" => Action::Play(PlayAction::Seek(time.saturating_add(page).min(last))),
+                "PageDown" => Action::Play(PlayAction::Seek(time.saturating_sub(page))),
+                "Home" => Action::Play(PlayAction::Seek(0)),
+                "End" => Action::Play(PlayAction::Seek(last)),
                 _ => return,
             };
             event.prevent_default();

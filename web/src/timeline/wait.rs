@@ -1,7 +1,7 @@
 //! While no plan is there: what is proved, what is found, and the gap between.
 
 use giveway_page::timeline::{Gauge, Row, gauge, whole, work_done};
-use giveway_page::{Draft, Run, words};
+use giveway_page::{Draft, Solving, words};
 use gloo::timers::callback::Interval;
 use yew::prelude::*;
 
@@ -10,7 +10,9 @@ const NARROWEST: f64 = 290.0;
 
 #[derive(Clone, PartialEq, Properties)]
 pub(super) struct WaitProps {
-    pub run: Run,
+    /// The number of the job.
+    pub id: u64,
+    pub run: Solving,
     /// Whether the plan table will be open.
     pub table: bool,
 }
@@ -18,11 +20,11 @@ pub(super) struct WaitProps {
 /// How far the solve has come, in the room that the lanes will take.
 #[component]
 pub(super) fn Wait(props: &WaitProps) -> Html {
-    let WaitProps { run, table } = props;
+    let WaitProps { id, run, table } = props;
     let seconds = use_state_eq(|| 0_u32);
     {
         let seconds = seconds.clone();
-        use_effect_with(run.id, move |_| {
+        use_effect_with(*id, move |_| {
             seconds.set(0);
             let begin = js_sys::Date::now();
             let ticking = Interval::new(1000, move || {
@@ -37,13 +39,13 @@ pub(super) fn Wait(props: &WaitProps) -> Html {
     let widest = use_mut_ref(|| ((0, gauge.cost), 0));
     let scale = {
         let mut widest = widest.borrow_mut();
-        let is_same = widest.0 == (run.id, gauge.cost);
+        let is_same = widest.0 == (*id, gauge.cost);
         let scale = if is_same {
             widest.1.max(gauge.scale())
         } else {
             gauge.scale()
         };
-        *widest = ((run.id, gauge.cost), scale);
+        *widest = ((*id, gauge.cost), scale);
         scale
     };
     let mut work = vec![work_done(run.size)];

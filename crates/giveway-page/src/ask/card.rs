@@ -121,7 +121,7 @@ pub struct Offered {
 
 /// What the card shows; nothing where nothing was asked.
 pub fn card(state: &State) -> Option<Card> {
-    let asking = state.asking.as_deref()?;
+    let asking = state.document.mode.asking()?;
     let mut card = Card {
         question: words::question(asking.question()),
         verdict: None,
@@ -188,7 +188,7 @@ pub fn card(state: &State) -> Option<Card> {
             costs: words::values(objective, &repair.costs),
         })
         .collect();
-    if !asking.is_done {
+    if state.is_looking() {
         card.pending = told.pending.iter().map(|&part| pending(part)).collect();
     } else if told.complete {
         card.standing = Some("This holds whatever the horizon.".to_owned());
@@ -201,7 +201,7 @@ pub fn card(state: &State) -> Option<Card> {
 /// What is claimed of the other plan: that none as good is closer to this one,
 /// where that is proved.
 pub fn closeness(state: &State) -> Option<&'static str> {
-    let told = state.asking.as_deref()?.told.as_deref()?;
+    let told = state.document.mode.asking()?.told.as_deref()?;
     told.closest.then_some("closest to this plan")
 }
 

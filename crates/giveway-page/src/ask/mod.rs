@@ -58,26 +58,30 @@ pub const NO_QUESTIONS: &str = "Questions are answered of a plan in one world: o
 
 /// Why nothing is offered, where a person would look for questions.
 pub fn no_offers(state: &State) -> Option<&'static str> {
-    let is_course = state.fresh_answer().is_some_and(|a| a.course.is_some());
-    (is_course && state.changing.is_none()).then_some(NO_QUESTIONS)
+    let is_course = state
+        .document
+        .fresh_answer()
+        .is_some_and(|a| a.course.is_some());
+    (is_course && state.document.mode.changing().is_none()).then_some(NO_QUESTIONS)
 }
 
 /// The questions to offer, by heading. None while the plan is not that of the
 /// scene as it stands.
 pub fn offers(state: &State) -> Vec<Group> {
-    let Some(answer) = state.answer.as_deref() else {
+    let Some(answer) = state.document.answer.as_deref() else {
         return Vec::new();
     };
-    let is_busy = state.changing.is_some() || state.steering.is_some();
-    if state.is_stale() || is_busy || answer.course.is_some() {
+    let is_busy =
+        state.document.mode.changing().is_some() || state.document.mode.steering().is_some();
+    if state.document.is_stale() || is_busy || answer.course.is_some() {
         return Vec::new();
     }
     if answer.plan().is_none() {
         return plan::without(answer);
     }
-    let groups = match state.selection {
+    let groups = match state.view.selection {
         Selection::Agent(index) => {
-            let mut groups = agent::groups(answer, index, state.playback.time);
+            let mut groups = agent::groups(answer, index, state.view.playback.time);
             groups.extend(plan::groups(answer));
             groups
         }

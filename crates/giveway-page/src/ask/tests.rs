@@ -3,7 +3,7 @@
 use giveway_model::Cell;
 
 use super::*;
-use crate::{Action, reduce, sample};
+use crate::{Action, BoardAction, PlayAction, reduce, sample};
 
 fn texts(state: &State) -> Vec<(String, Vec<String>)> {
     let text = |offer: Offer| match offer.detail {
@@ -15,8 +15,8 @@ fn texts(state: &State) -> Vec<(String, Vec<String>)> {
 }
 
 fn selected(selection: Selection, time: u32) -> State {
-    let state = reduce(&sample::solved(), Action::Seek(time));
-    reduce(&state, Action::Select(selection))
+    let state = reduce(&sample::solved(), Action::Play(PlayAction::Seek(time)));
+    reduce(&state, Action::Board(BoardAction::Select(selection)))
 }
 
 #[track_caller]
@@ -107,9 +107,12 @@ fn cells() {
 fn nothing_is_asked_of_a_stale_plan() {
     let state = selected(Selection::Nothing, 0);
     check(&state, &[PLAN]);
-    let stale = reduce(&state, Action::PickTool(crate::Tool::Obstacle));
-    let stale = reduce(&stale, Action::Press(Cell::new(8, 2)));
-    let stale = reduce(&stale, Action::Release);
+    let stale = reduce(
+        &state,
+        Action::Board(BoardAction::PickTool(crate::Tool::Obstacle)),
+    );
+    let stale = reduce(&stale, Action::Board(BoardAction::Press(Cell::new(8, 2))));
+    let stale = reduce(&stale, Action::Board(BoardAction::Release));
     assert!(stale.is_stale());
     check(&stale, &[]);
 }

@@ -56,7 +56,7 @@ impl Cast {
         let answer = answer.filter(|answer| is_drawn(answer, draft));
         let agents = draft.agents().to_vec();
         let is_there = there(state);
-        let at_goal = state.draft.scene().rules.at_goal;
+        let at_goal = state.document.draft.scene().rules.at_goal;
         let track = |(index, agent): (usize, &Agent)| {
             let solved = answer.and_then(|answer| answer.agent(draft, index));
             let plan = answer.filter(|_| solved.is_some());
@@ -119,7 +119,7 @@ fn there(state: &State) -> Vec<bool> {
 
 /// When an agent joins that no plan knows yet.
 fn joins(state: &State, agent: usize) -> u32 {
-    let changing = state.changing.as_deref();
+    let changing = state.document.mode.changing();
     let changing = changing.filter(|changing| agent >= changing.about.agents().len());
     changing.map_or(0, |changing| changing.at)
 }

@@ -72,9 +72,9 @@ impl Kind {
 pub fn legend(state: &State, cast: &Cast) -> Vec<Kind> {
     let has_ground = |is: fn(Ground) -> bool| state.world().grid().cells().any(|(_, g)| is(g));
     let has_mark = |kind| cast.marks.iter().any(|mark| mark.kind == kind);
-    let is_stale = state.is_stale() && cast.has_plan();
+    let is_stale = state.document.is_stale() && cast.has_plan();
     let moves = cast.tracks.iter().any(|track| track.arrival() > 0);
-    let problems = state.draft.problems();
+    let problems = state.document.draft.problems();
     let signs = [
         (
             Kind::Problem,

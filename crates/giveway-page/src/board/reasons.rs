@@ -49,7 +49,7 @@ const SPOTS: usize = 12;
 /// shown in the place of this one: in it nothing goes wrong.
 pub fn reasons(state: &State) -> Reasons {
     let mut reasons = Reasons::default();
-    let Some(asking) = state.asking.as_deref() else {
+    let Some(asking) = state.document.mode.asking() else {
         reasons.bursts = bursts(state);
         return reasons;
     };
@@ -73,7 +73,7 @@ pub fn reasons(state: &State) -> Reasons {
             reasons.places.push(Place { cell, is_lit });
         }
         if is_lit && fact.kind != FactKind::Obstacle {
-            let named = state.draft.agents().iter().enumerate();
+            let named = state.document.draft.agents().iter().enumerate();
             let named = named.filter(|(_, agent)| fact.agents.contains(&agent.name));
             reasons.agents = named.map(|(index, _)| index).collect();
         }
@@ -100,10 +100,11 @@ fn place(violation: &Violation) -> Option<(f64, f64)> {
 /// What is against the rules at the time shown, each place once.
 fn bursts(state: &State) -> Vec<(f64, f64)> {
     let mut bursts: Vec<(f64, f64)> = Vec::new();
-    let violations = state.steering.iter().flat_map(|own| &own.violations);
+    let own = state.document.mode.steering().into_iter();
+    let violations = own.flat_map(|own| &own.violations);
     for violation in violations {
         if let Some(at) = place(violation)
-            && Steering::is_now(violation, state.playback.time)
+            && Steering::is_now(violation, state.view.playback.time)
             && !bursts.contains(&at)
         {
             bursts.push(at);

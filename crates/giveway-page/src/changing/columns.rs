@@ -64,8 +64,8 @@ pub struct Group {
 
 /// The methods side by side; `None` while nothing is compared.
 pub fn columns(state: &State) -> Option<Vec<Column>> {
-    let changing = state.changing.as_deref()?;
-    let compared = changing.compared.as_deref()?;
+    let compared = state.document.mode.comparing()?;
+    let changing = &compared.changing;
     let column = |(index, tried): (usize, &Tried)| {
         let told = &tried.told;
         let has_plan = tried.answer.is_some();

@@ -157,8 +157,17 @@ fn a_scene_with_its_plan_and_what_changed() {
     let Ok(Reading::Linked(linked)) = read(&all) else {
         panic!("they belong together");
     };
-    let opened = crate::reduce(&state, crate::Action::OpenLink(linked));
-    let course = |state: &crate::State| state.answer.as_ref().unwrap().course.clone().unwrap();
+    let opened = crate::reduce(&state, crate::Action::File(FileAction::OpenLink(linked)));
+    let course = |state: &crate::State| {
+        state
+            .document
+            .answer
+            .as_ref()
+            .unwrap()
+            .course
+            .clone()
+            .unwrap()
+    };
     assert_eq!(course(&opened).changes, course(&state).changes);
     assert_eq!(opened.plan(), state.plan());
     // Without its changes the plan breaks rules.

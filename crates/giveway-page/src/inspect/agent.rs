@@ -4,8 +4,8 @@ use std::collections::BTreeSet;
 
 use giveway_model::Cell;
 
-use super::at;
 use crate::timeline::{Lane, Way};
+use crate::words::at;
 use crate::{Reserve, State};
 use giveway_model::sorting::set;
 
@@ -65,7 +65,7 @@ pub fn planned(state: &State, agent: usize) -> Option<Lane> {
 /// What there is to tell of an agent of the draft; `None` if there is none.
 pub fn agent(state: &State, agent: usize) -> Option<AgentFacts> {
     let who = state.world().agents().get(agent)?;
-    let time = state.playback.time;
+    let time = state.view.playback.time;
     let lane = planned(state, agent);
     let battery = who.battery.map(|battery| {
         let level = lane.as_ref().and_then(|lane| lane.level_at(time));
@@ -82,7 +82,7 @@ pub fn agent(state: &State, agent: usize) -> Option<AgentFacts> {
     });
     let doing = match &lane {
         Some(lane) => doing(lane, time),
-        None if state.changing.is_some() => format!("Joins at {}", at(who.start)),
+        None if state.document.mode.changing().is_some() => format!("Joins at {}", at(who.start)),
         None => format!("From {} to {}", at(who.start), at(who.goal)),
     };
     let visited = lane.as_ref().map(|lane| visited(lane, time));
@@ -157,7 +157,7 @@ mod tests {
     use crate::{Action, reduce, sample};
 
     fn facts(agent: usize, time: u32) -> AgentFacts {
-        let state = reduce(&sample::solved(), Action::Seek(time));
+        let state = reduce(&sample::solved(), Action::Play(PlayAction::Seek(time)));
         super::agent(&state, agent).unwrap()
     }
 

@@ -5,7 +5,7 @@ use giveway_solve::Status;
 
 use crate::timeline::work_done;
 use crate::words::{count, title};
-use crate::{Answer, Draft, Size, State, Work};
+use crate::{Answer, Draft, Size, State};
 
 /// What the inspector tells where nothing is selected.
 #[derive(Clone, Debug, PartialEq)]
@@ -46,7 +46,7 @@ impl CostFacts {
 
 /// What there is to tell of the scene and its plan.
 pub fn whole(state: &State) -> Whole {
-    let scene = state.draft.scene();
+    let scene = state.document.draft.scene();
     let mut whole = Whole {
         title: if scene.name.is_empty() {
             "Scene without a name".to_owned()
@@ -58,7 +58,7 @@ pub fn whole(state: &State) -> Whole {
         costs: Vec::new(),
         work: None,
     };
-    if let Work::Solving(run) = &state.work {
+    if let Some(run) = state.work.solving() {
         let asked = run.request.objective.as_ref();
         let objective = asked.unwrap_or(&run.request.scene.objective);
         whole.costs = costs(objective.costs(), |cost| {
@@ -68,13 +68,13 @@ pub fn whole(state: &State) -> Whole {
             )
         });
         whole.work = Some(work_done(run.size)).filter(|text| !text.is_empty());
-    } else if let Some(answer) = &state.answer {
+    } else if let Some(answer) = &state.document.answer {
         tell(&mut whole, answer);
-        if state.own_front().is_some() {
+        if state.document.own_front().is_some() {
             // What is claimed is claimed of the front, and said with it.
             whole.claims.clear();
         }
-        if state.is_stale() {
+        if state.document.is_stale() {
             whole
                 .claims
                 .insert(0, "This is of the scene before the last edit.".to_owned());
@@ -201,13 +201,19 @@ mod tests {
 
     #[test]
     fn a_solve_under_way() {
-        let state = reduce(&State::new(sample::draft()), Action::Solve);
+        let state = reduce(
+            &State::new(sample::draft()),
+            Action::Solve(SolveAction::Solve),
+        );
         assert_eq!(whole(&state).costs, []);
         let event = Progress::Bound {
             cost: Cost::Makespan,
             at_least: 17,
         };
-        let state = reduce(&state, Action::Progress { run: 1, event });
+        let state = reduce(
+            &state,
+            Action::Solve(SolveAction::Progress { job: 1, event }),
+        );
         let costs = whole(&state).costs;
         assert_eq!(costs.len(), 1);
         assert_eq!((costs[0].value, costs[0].at_least), (None, Some(17)));
@@ -217,11 +223,20 @@ mod tests {
     #[test]
     fn a_stale_plan_is_called_one() {
         let state = sample::solved();
-        let state = reduce(&state, Action::PickTool(crate::Tool::Obstacle));
-        let state = reduce(&state, Action::Press(giveway_model::Cell::new(8, 1)));
-        let state = reduce(&state, Action::Press(giveway_model::Cell::new(4, 2)));
-        let state = reduce(&state, Action::Release);
-        assert!(state.is_stale());
+        let state = reduce(
+            &state,
+            Action::Board(BoardAction::PickTool(crate::Tool::Obstacle)),
+        );
+        let state = reduce(
+            &state,
+            Action::Board(BoardAction::Press(giveway_model::Cell::new(8, 1))),
+        );
+        let state = reduce(
+            &state,
+            Action::Board(BoardAction::Press(giveway_model::Cell::new(4, 2))),
+        );
+        let state = reduce(&state, Action::Board(BoardAction::Release));
+        assert!(state.document.is_stale());
         assert!(whole(&state).claims[0].contains("before the last edit"));
     }
 }

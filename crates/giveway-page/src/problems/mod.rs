@@ -10,7 +10,7 @@ use std::collections::BTreeMap;
 
 use giveway_model::{Agent, AtGoal, Cell, Fault, Grid, Scene};
 
-use crate::inspect::at;
+use crate::words::at;
 pub(crate) use parts::Parts;
 use reach::{Reach, reach};
 

@@ -6,7 +6,7 @@ use giveway_model::Cost;
 
 use super::Steering;
 use crate::ask::{CostRow, Happening};
-use crate::inspect::at;
+use crate::words::at;
 use crate::{State, words};
 
 /// The most violations that are told one by one.
@@ -39,7 +39,7 @@ pub struct Facts {
 
 /// What there is to tell; nothing unless an agent is led.
 pub fn facts(state: &State) -> Option<Facts> {
-    let steering = state.steering.as_deref()?;
+    let steering = state.document.mode.steering()?;
     let (agent, time) = (steering.agent, steering.time());
     let battery = steering.about.draft.agents().get(agent)?.battery;
     let name = steering.name();
@@ -56,7 +56,7 @@ pub fn facts(state: &State) -> Option<Facts> {
         number: index + 1,
         text: words::cells(&violation.message),
         time: violation.time,
-        is_lit: Steering::is_now(violation, state.playback.time),
+        is_lit: Steering::is_now(violation, state.view.playback.time),
     });
     let to_do = steering.to_do.iter();
     Some(Facts {

@@ -9,14 +9,17 @@ use crate::changing::{Choice, columns, facts, fate, history};
 use crate::reduce::tests::{after, stroke};
 use crate::sample::proved;
 use crate::table::lanes;
-use crate::{Action, Draft, Phase, Selection, State, Tool, Work, reduce, words};
+use crate::{
+    Action, BoardAction, ChangeAction, Draft, Edit, Phase, PlayAction, Selection, SolveAction,
+    State, Tool, Work, reduce, words,
+};
 
 /// The scene of the example with the paper's plan, at time 1.
 fn running() -> State {
     let scene = include_str!("../../../../tests/data/seed/dynamic-3x3.json");
     let plan = include_str!("../../../../tests/data/seed/dynamic-3x3.plan.json");
     let draft = Draft::new(native::read_scene(scene).unwrap()).unwrap();
-    let state = reduce(&State::new(draft), Action::Solve);
+    let state = reduce(&State::new(draft), Action::Solve(SolveAction::Solve));
     let costs = Costs {
         makespan: 4,
         sum_of_costs: 8,
@@ -24,18 +27,21 @@ fn running() -> State {
         moves: 8,
         waits: 0,
     };
-    let objective = state.draft.scene().objective.clone();
+    let objective = state.document.draft.scene().objective.clone();
     let solved = proved(&objective, costs, native::read_plan(plan).unwrap());
     let response = Box::new(Response::Solved(solved));
     after(
         &state,
-        [Action::Respond { run: 1, response }, Action::Seek(1)],
+        [
+            Action::Solve(SolveAction::Respond { job: 1, response }),
+            Action::Play(PlayAction::Seek(1)),
+        ],
     )
 }
 
 /// The same with the world changing.
 fn changing() -> State {
-    after(&running(), [Action::BeginChange])
+    after(&running(), [Action::Change(ChangeAction::Begin)])
 }
 
 /// A3 joins as in the paper, by the tool.
@@ -47,15 +53,18 @@ fn joined() -> State {
 fn answered(state: &State) -> State {
     let (run, request) = state.work.request().expect("it works");
     let response = Box::new(serve(&request, &SilentHost));
-    after(state, [Action::Respond { run, response }])
+    after(
+        state,
+        [Action::Solve(SolveAction::Respond { job: run, response })],
+    )
 }
 
 fn compared() -> State {
-    answered(&after(&joined(), [Action::Adapt]))
+    answered(&after(&joined(), [Action::Change(ChangeAction::Adapt)]))
 }
 
 pub(crate) fn adopted() -> State {
-    after(&compared(), [Action::Adopt(2)])
+    after(&compared(), [Action::Change(ChangeAction::Adopt(2))])
 }
 
 fn list(state: &State) -> Vec<String> {
@@ -70,14 +79,20 @@ fn saying(state: &State) -> String {
 #[test]
 fn the_world_can_change_only_while_a_plan_runs() {
     let fresh = State::new(Draft::default());
-    let refused = after(&fresh, [Action::BeginChange]);
+    let refused = after(&fresh, [Action::Change(ChangeAction::Begin)]);
     assert!(refused.changing.is_none() && refused.notice.is_some());
     let state = changing();
     assert_eq!(state.phase(), Phase::Changing);
-    assert!(!state.playback.playing);
+    assert!(!state.view.playback.playing);
     assert!(saying(&state).starts_with("The world changes at time 1"));
     assert_eq!(state.last_time(), 1, "what comes later is not known");
-    let past = after(&state, [Action::Seek(4), Action::StepBack]);
+    let past = after(
+        &state,
+        [
+            Action::Play(PlayAction::Seek(4)),
+            Action::Play(PlayAction::StepBack),
+        ],
+    );
     assert_eq!(past.playback.time, 0);
     let edited = after(&past, stroke(Tool::Obstacle, &[(0, 2)]));
     assert_eq!(edited.playback.time, 1, "what changes does so then");
@@ -105,8 +120,8 @@ fn every_tool_lists_a_change() {
     assert_eq!(slow.text, "2 cells become slow");
     assert_eq!(slow.detail.as_deref(), Some("(0,1), (1,1)"));
     let select = [
-        Action::PickTool(Tool::Select),
-        Action::Select(Selection::Agent(0)),
+        Action::Board(BoardAction::PickTool(Tool::Select)),
+        Action::Board(BoardAction::Select(Selection::Agent(0))),
     ];
     let state = after(&state, select);
     let state = after(&state, stroke(Tool::Goal, &[(2, 0)]));
@@ -122,11 +137,11 @@ fn every_tool_lists_a_change() {
     assert_eq!(list(&state)[4], "A2 is removed");
     assert!(!state.is_there(1));
     assert_eq!(
-        state.draft,
+        state.document.draft,
         running().draft,
         "the scene itself is as it was"
     );
-    assert!(!state.is_stale());
+    assert!(!state.document.is_stale());
 }
 
 #[test]
@@ -160,37 +175,37 @@ fn what_contradicts_the_world_is_refused_and_nothing_changes() {
     let state = after(&changing(), stroke(Tool::Obstacle, &[(1, 0)]));
     assert_eq!(list(&state), Vec::<String>::new());
     assert_eq!(
-        state.notice.unwrap().sentence,
+        state.view.notice.unwrap().sentence,
         "This contradicts the world: found an obstacle at (1, 0), where A1 is at time 1, \
          expected a cell that is free then."
     );
     // A stroke over it paints what can be.
     let state = after(&changing(), stroke(Tool::Obstacle, &[(0, 0), (1, 0)]));
     assert_eq!(list(&state), ["An obstacle appears at (0,0)"]);
-    assert!(state.notice.is_some());
+    assert!(state.view.notice.is_some());
 }
 
 #[test]
 fn the_scene_cannot_be_edited_while_the_world_changes() {
-    let state = after(&changing(), [Action::SetBatteryFloor(2)]);
-    assert!(state.notice.is_some() && !state.is_stale());
-    assert_eq!(state.draft, running().draft);
+    let state = after(&changing(), [Action::Edit(Edit::BatteryFloor(2))]);
+    assert!(state.view.notice.is_some() && !state.document.is_stale());
+    assert_eq!(state.document.draft, running().draft);
 }
 
 #[test]
 fn each_change_is_one_step_of_undo_and_can_be_taken_back() {
     let state = joined();
     assert_eq!(list(&state), ["A3 joins at (2,2)"]);
-    assert_eq!(state.selection, Selection::Agent(2));
+    assert_eq!(state.view.selection, Selection::Agent(2));
     let state = after(&state, stroke(Tool::Obstacle, &[(0, 2)]));
     let undone = after(&state, [Action::Undo]);
     assert_eq!(list(&undone), ["A3 joins at (2,2)"]);
     let redone = after(&undone, [Action::Redo]);
     assert_eq!(list(&redone).len(), 2);
-    let back = after(&redone, [Action::TakeBack(0)]);
+    let back = after(&redone, [Action::Change(ChangeAction::TakeBack(0))]);
     assert_eq!(list(&back), ["An obstacle appears at (0,2)"]);
     assert_eq!(back.selection, Selection::Nothing, "A3 is gone");
-    let left = after(&back, [Action::DiscardChange]);
+    let left = after(&back, [Action::Change(ChangeAction::Discard)]);
     assert_eq!(left.phase(), Phase::Planned);
     assert_eq!(list(&after(&left, [Action::Undo])).len(), 1);
     let all = [Action::Undo, Action::Undo, Action::Undo];
@@ -200,7 +215,15 @@ fn each_change_is_one_step_of_undo_and_can_be_taken_back() {
 #[test]
 fn an_agent_that_has_its_cell_taken_back_loses_what_is_its_own() {
     let state = after(&joined(), stroke(Tool::Waypoint, &[(0, 1)]));
-    let Some(What::AddAgent { agent }) = state.changing.as_ref().unwrap().list.first() else {
+    let Some(What::AddAgent { agent }) = state
+        .document
+        .mode
+        .changing()
+        .as_ref()
+        .unwrap()
+        .list
+        .first()
+    else {
         panic!("it joins");
     };
     assert_eq!(agent.waypoints, [Cell::new(0, 1)]);
@@ -216,14 +239,14 @@ fn a_change_that_another_needs_takes_it_along() {
         list(&state),
         ["A1 is removed", "An obstacle appears at (1,0)"]
     );
-    let state = after(&state, [Action::TakeBack(0)]);
+    let state = after(&state, [Action::Change(ChangeAction::TakeBack(0))]);
     assert_eq!(list(&state), Vec::<String>::new());
-    assert!(state.notice.is_some());
+    assert!(state.view.notice.is_some());
 }
 
 #[test]
 fn the_methods_answer_side_by_side() {
-    let state = after(&joined(), [Action::Adapt]);
+    let state = after(&joined(), [Action::Change(ChangeAction::Adapt)]);
     assert_eq!(state.phase(), Phase::Adapting);
     let Work::Adapting(run) = &state.work else {
         panic!("{:?}", state.work);
@@ -247,7 +270,13 @@ fn the_methods_answer_side_by_side() {
     let said = saying(&state);
     assert!(said.starts_with("At time 1: "), "{said}");
     assert_eq!(state.last_time(), 4);
-    let other = after(&state, [Action::Preview(2), Action::Seek(4)]);
+    let other = after(
+        &state,
+        [
+            Action::Change(ChangeAction::Preview(2)),
+            Action::Play(PlayAction::Seek(4)),
+        ],
+    );
     assert_eq!(other.playback.time, 4);
     assert_eq!(fate(&other, "A3").as_deref(), Some("joins at 1"));
     assert_eq!(fate(&other, "A1").as_deref(), Some("kept"));
@@ -264,42 +293,51 @@ fn only_the_methods_chosen_are_asked_and_one_at_least() {
         tunnel: false,
         ..Choice::default()
     };
-    let state = after(&joined(), [Action::ChooseMethods(choice), Action::Adapt]);
+    let state = after(
+        &joined(),
+        [
+            Action::Change(ChangeAction::ChooseMethods(choice)),
+            Action::Change(ChangeAction::Adapt),
+        ],
+    );
     let state = answered(&state);
     assert_eq!(columns(&state).unwrap().len(), 1);
     let none = Choice {
         replan: false,
         ..choice
     };
-    let state = after(&state, [Action::ChooseMethods(none)]);
+    let state = after(&state, [Action::Change(ChangeAction::ChooseMethods(none))]);
     assert_eq!(state.settings.methods, choice);
 }
 
 #[test]
 fn it_is_cancelled_at_once_and_a_late_answer_is_ignored() {
-    let state = after(&joined(), [Action::Adapt]);
+    let state = after(&joined(), [Action::Change(ChangeAction::Adapt)]);
     let (run, request) = state.work.request().unwrap();
-    let state = after(&state, [Action::Cancel]);
+    let state = after(&state, [Action::Solve(SolveAction::Cancel)]);
     assert_eq!(state.phase(), Phase::Changing);
     assert_eq!(list(&state).len(), 1);
     let response = Box::new(serve(&request, &SilentHost));
-    let late = after(&state, [Action::Respond { run, response }]);
+    let late = after(
+        &state,
+        [Action::Solve(SolveAction::Respond { job: run, response })],
+    );
     assert_eq!(late, state);
 }
 
 #[test]
 fn nothing_is_asked_of_an_empty_list() {
-    let state = after(&changing(), [Action::Adapt]);
+    let state = after(&changing(), [Action::Change(ChangeAction::Adapt)]);
     assert_eq!(state.work, Work::Idle);
-    assert!(state.notice.is_some());
+    assert!(state.view.notice.is_some());
 }
 
 #[test]
 fn the_adopted_plan_has_its_history_and_undo_takes_it_back() {
     let state = adopted();
     assert_eq!(state.phase(), Phase::Planned);
-    assert_eq!((state.playback.time, state.last_time()), (1, 4));
-    let answer = state.fresh_answer().unwrap();
+    assert_eq!((state.view.playback.time, state.last_time()), (1, 4));
+    let answer = state.document.fresh_answer().unwrap();
     let past = history(answer);
     assert_eq!(past[1].text, "A3 joins at (2,2)");
     assert_eq!(
@@ -312,7 +350,7 @@ fn the_adopted_plan_has_its_history_and_undo_takes_it_back() {
     assert!(saying(&state).contains("went on by replan: makespan 4"));
     // Before it joins it is not there.
     assert!(state.is_there(2));
-    let before = after(&state, [Action::Seek(0)]);
+    let before = after(&state, [Action::Play(PlayAction::Seek(0))]);
     assert!(!before.is_there(2));
     assert_eq!(before.agent_at(Cell::new(2, 2)), None);
     assert_eq!(state.agent_at(Cell::new(2, 2)), Some(2));
@@ -321,16 +359,22 @@ fn the_adopted_plan_has_its_history_and_undo_takes_it_back() {
     let undone = after(&state, [Action::Undo]);
     assert_eq!(undone.phase(), Phase::Comparing);
     let redone = after(&undone, [Action::Redo]);
-    assert_eq!(redone.answer, state.answer);
+    assert_eq!(redone.answer, state.document.answer);
 }
 
 #[test]
 fn the_world_changes_again_later_and_not_before() {
     let state = adopted();
     assert!(!state.can_change());
-    let refused = after(&state, [Action::BeginChange]);
+    let refused = after(&state, [Action::Change(ChangeAction::Begin)]);
     assert!(refused.changing.is_none() && refused.notice.is_some());
-    let later = after(&state, [Action::Seek(2), Action::BeginChange]);
+    let later = after(
+        &state,
+        [
+            Action::Play(PlayAction::Seek(2)),
+            Action::Change(ChangeAction::Begin),
+        ],
+    );
     let joins = What::AddAgent {
         agent: Agent {
             name: "A4".to_owned(),
@@ -340,32 +384,44 @@ fn the_world_changes_again_later_and_not_before() {
             battery: None,
         },
     };
-    let state = answered(&after(&later, [Action::ListChange(joins), Action::Adapt]));
+    let state = answered(&after(
+        &later,
+        [
+            Action::ListChange(joins),
+            Action::Change(ChangeAction::Adapt),
+        ],
+    ));
     let columns = columns(&state).unwrap();
     assert!(columns[2].costs[0].after <= columns[0].costs[0].after);
-    let state = after(&state, [Action::Adopt(2)]);
-    let course = state.fresh_answer().unwrap().course.clone().unwrap();
+    let state = after(&state, [Action::Change(ChangeAction::Adopt(2))]);
+    let course = state
+        .document
+        .fresh_answer()
+        .unwrap()
+        .course
+        .clone()
+        .unwrap();
     assert_eq!(course.times(), [1, 2]);
     assert_eq!(course.changes.changes.len(), 2);
-    let solved = answered(&after(&state, [Action::Solve]));
+    let solved = answered(&after(&state, [Action::Solve(SolveAction::Solve)]));
     assert!(solved.fresh_answer().unwrap().course.is_none());
-    assert_eq!(after(&solved, [Action::Undo]).answer, state.answer);
+    assert_eq!(after(&solved, [Action::Undo]).answer, state.document.answer);
 }
 
 #[test]
 fn an_edit_of_the_scene_makes_the_course_stale() {
     let state = after(&adopted(), stroke(Tool::Obstacle, &[(0, 1)]));
-    assert!(state.is_stale());
-    assert_eq!(state.world(), &state.draft);
+    assert!(state.document.is_stale());
+    assert_eq!(state.world(), &state.document.draft);
     assert!(!after(&state, [Action::Undo]).is_stale());
 }
 
 #[test]
 fn a_removed_agent_is_gone_and_its_lane_ends() {
     let state = after(&changing(), stroke(Tool::Erase, &[(2, 1)]));
-    let state = answered(&after(&state, [Action::Adapt]));
-    let state = after(&state, [Action::Adopt(0)]);
-    let answer = state.fresh_answer().unwrap();
+    let state = answered(&after(&state, [Action::Change(ChangeAction::Adapt)]));
+    let state = after(&state, [Action::Change(ChangeAction::Adopt(0))]);
+    let answer = state.document.fresh_answer().unwrap();
     let lane = lanes(answer).nth(1).unwrap();
     assert_eq!((lane.removed, lane.stays), (Some(1), false));
     assert!(
@@ -374,14 +430,14 @@ fn a_removed_agent_is_gone_and_its_lane_ends() {
         lane.sentence()
     );
     assert!(!state.is_there(1));
-    assert!(after(&state, [Action::Seek(0)]).is_there(1));
+    assert!(after(&state, [Action::Play(PlayAction::Seek(0))]).is_there(1));
 }
 
 #[test]
 fn an_obstacle_on_a_path_frees_its_agent_and_says_why() {
     // A1 goes on over (2,0).
     let state = after(&changing(), stroke(Tool::Obstacle, &[(2, 0)]));
-    let state = answered(&after(&state, [Action::Adapt]));
+    let state = answered(&after(&state, [Action::Change(ChangeAction::Adapt)]));
     let columns = columns(&state).unwrap();
     let freed = columns[0]
         .groups
@@ -393,9 +449,9 @@ fn an_obstacle_on_a_path_frees_its_agent_and_says_why() {
         "{:?}",
         columns[0].notes
     );
-    let world = after(&state, [Action::Seek(1)]);
+    let world = after(&state, [Action::Play(PlayAction::Seek(1))]);
     assert!(!world.world().grid().is_vertex(Cell::new(2, 0)));
-    let before = after(&state, [Action::Seek(0)]);
+    let before = after(&state, [Action::Play(PlayAction::Seek(0))]);
     assert!(before.world().grid().is_vertex(Cell::new(2, 0)));
 }
 
@@ -403,7 +459,7 @@ fn an_obstacle_on_a_path_frees_its_agent_and_says_why() {
 fn where_no_method_has_a_plan_nothing_can_be_adopted_and_the_cause_is_told() {
     // The goal of A1 is walled in, and no way of it leads there.
     let state = after(&changing(), stroke(Tool::Obstacle, &[(2, 2)]));
-    let state = answered(&after(&state, [Action::Adapt]));
+    let state = answered(&after(&state, [Action::Change(ChangeAction::Adapt)]));
     let columns = columns(&state).unwrap();
     assert!(
         columns
@@ -418,5 +474,8 @@ fn where_no_method_has_a_plan_nothing_can_be_adopted_and_the_cause_is_told() {
         "{}",
         saying(&state)
     );
-    assert_eq!(after(&state, [Action::Adopt(0)]), state);
+    assert_eq!(
+        after(&state, [Action::Change(ChangeAction::Adopt(0))]),
+        state
+    );
 }

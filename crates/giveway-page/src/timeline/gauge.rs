@@ -3,7 +3,7 @@
 use crate::words::grouped;
 use giveway_model::{Cost, Objective};
 
-use crate::{Run, Size, words};
+use crate::{Size, Solving, words};
 
 /// The cost that is worked on: what is proved of it and what is found.
 #[derive(Clone, Debug, PartialEq)]
@@ -20,7 +20,7 @@ pub struct Gauge {
 
 /// How far a run has come: of the costs that it minimises in turn, the last one
 /// that it knows a bound of.
-pub fn gauge(run: &Run) -> Gauge {
+pub fn gauge(run: &Solving) -> Gauge {
     let costs = objective(run).costs();
     let known = |cost: &&Cost| run.bounds.contains_key(cost);
     let reached = costs.iter().rev().find(known).or(costs.first());
@@ -52,13 +52,13 @@ impl Gauge {
     }
 }
 
-fn objective(run: &Run) -> &Objective {
+fn objective(run: &Solving) -> &Objective {
     let asked = run.request.objective.as_ref();
     asked.unwrap_or(&run.request.scene.objective)
 }
 
 /// The costs before the one that is worked on: `With makespan 18: `.
-fn settled(run: &Run, cost: Cost) -> String {
+fn settled(run: &Solving, cost: Cost) -> String {
     let before = objective(run).costs().iter();
     let values: Vec<String> = before
         .take_while(|&&before| before != cost)
@@ -116,10 +116,16 @@ mod tests {
     use crate::{Action, State, Work, reduce, sample};
 
     fn after(events: &[Progress]) -> Gauge {
-        let mut state = reduce(&State::new(sample::draft()), Action::Solve);
+        let mut state = reduce(
+            &State::new(sample::draft()),
+            Action::Solve(SolveAction::Solve),
+        );
         for event in events {
             let event = event.clone();
-            state = reduce(&state, Action::Progress { run: 1, event });
+            state = reduce(
+                &state,
+                Action::Solve(SolveAction::Progress { job: 1, event }),
+            );
         }
         let Work::Solving(run) = &state.work else {
             panic!("it solves");

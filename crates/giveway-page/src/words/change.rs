@@ -6,10 +6,10 @@ use giveway_solve::change::Method;
 
 use super::costs::values;
 use super::count;
-use crate::changing::{Changing, Compared, Tried};
-use crate::inspect::at;
+use crate::changing::{Changing, Comparing, Tried};
 use crate::timeline::work_done;
-use crate::{Adapting, Answer, State};
+use crate::words::at;
+use crate::{Adapting, Answer};
 
 /// A change as a sentence without its stop, and what else there is to know.
 ///
@@ -90,7 +90,9 @@ pub fn method_in_words(method: Method) -> String {
 pub(super) fn changing(changing: &Changing) -> String {
     let at = changing.at;
     match changing.list.as_slice() {
-        [] => format!("The world changes at time {at}: change it with the tools, then adapt."),
+        [] => format!(
+            "The world changes at time {at}: change it with the tools, then find new plans."
+        ),
         list => {
             let listed = count(list.len(), "change");
             format!("The world changes at time {at}: {listed} listed.")
@@ -99,18 +101,18 @@ pub(super) fn changing(changing: &Changing) -> String {
 }
 
 /// While ways to go on are looked for.
-pub(super) fn adapting(state: &State, run: &Adapting) -> String {
-    let at = state.changing.as_deref().map_or(0, |changing| changing.at);
+pub(super) fn adapting(run: &Adapting) -> String {
+    let at = run.changing.at;
     match work_done(run.size).as_str() {
-        "" => format!("Adapting: looking for ways to go on from time {at}."),
-        work => format!("Adapting: looking for ways to go on from time {at}; {work}."),
+        "" => format!("Looking for ways to go on from time {at}."),
+        work => format!("Looking for ways to go on from time {at}; {work}."),
     }
 }
 
 /// `At time 2: revise has makespan 5; tunnel 1 and replan have makespan 4.`
-pub(super) fn compared(changing: &Changing, compared: &Compared) -> String {
+pub(super) fn compared(comparing: &Comparing) -> String {
     let mut parts: Vec<(Option<u32>, Vec<String>)> = Vec::new();
-    for Tried { method, told, .. } in &compared.tried {
+    for Tried { method, told, .. } in &comparing.tried {
         let makespan = told.result.costs.map(|costs| costs.makespan);
         let name = method_in_words(*method);
         match parts.iter_mut().find(|(other, _)| *other == makespan) {
@@ -127,7 +129,7 @@ pub(super) fn compared(changing: &Changing, compared: &Compared) -> String {
         }
     });
     let parts: Vec<String> = parts.collect();
-    format!("At time {}: {}.", changing.at, parts.join("; "))
+    format!("At time {}: {}.", comparing.changing.at, parts.join("; "))
 }
 
 /// Of a plan that went on where the world changed.

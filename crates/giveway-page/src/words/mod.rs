@@ -8,4 +8,10 @@ mod steering;
 
 pub use costs::{count, grouped, name, objective, title, value, values};
 pub use question::{cells, question};
+
 pub use status::{Badge, Standing, standing};
+
+/// A cell in a sentence: `(3, 1)`.
+pub(crate) fn at(cell: giveway_model::Cell) -> String {
+    format!("({}, {})", cell.x, cell.y)
+}

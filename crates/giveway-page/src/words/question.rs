@@ -2,7 +2,7 @@
 
 use giveway_model::{Cell, Question};
 
-use crate::inspect::at;
+use crate::words::at;
 
 /// A text of the solver with its cells written as the page writes them.
 ///

@@ -1,7 +1,7 @@
 //! A plan of one's own in words.
 
-use crate::inspect::at;
 use crate::steering::Steering;
+use crate::words::at;
 
 /// Where the agent is that is led, and what its last step brought.
 pub(super) fn steering(own: &Steering) -> String {

@@ -4,7 +4,7 @@ use giveway_model::{Cell, Question};
 
 use super::why;
 use crate::link::{ask, keep, open, write};
-use crate::{Action, Draft, Phase, State, reduce, sample};
+use crate::{Action, AskAction, Draft, Phase, SolveAction, State, reduce, sample};
 
 #[test]
 fn a_question_is_asked_again() {
@@ -13,7 +13,10 @@ fn a_question_is_asked_again() {
         at: Some(Cell::new(6, 2)),
         time: None,
     };
-    let state = reduce(&sample::solved(), Action::Ask(question.clone()));
+    let state = reduce(
+        &sample::solved(),
+        Action::Ask(AskAction::Ask(question.clone())),
+    );
     let text = write(&state);
     assert!(text.contains("&ask="), "{text}");
     assert!(!keep(&state).contains("&ask="), "a reload asks nothing");
@@ -21,7 +24,7 @@ fn a_question_is_asked_again() {
     assert_eq!(opened.phase(), Phase::Asking);
     assert_eq!(opened.asking.unwrap().question(), &question);
     assert_eq!(opened.answer.unwrap().plan(), state.plan());
-    let closed = reduce(&state, Action::CloseQuestion);
+    let closed = reduce(&state, Action::Ask(AskAction::Close));
     assert!(!write(&closed).contains("&ask="));
 }
 
@@ -37,10 +40,13 @@ fn a_question_without_a_plan_waits_for_the_answer() {
     let run = opened.work.id().unwrap();
     let solved = sample::solved().answer.unwrap().solved.clone();
     let response = Box::new(giveway_solve::Response::Solved(solved));
-    let answered = reduce(&opened, Action::Respond { run, response });
+    let answered = reduce(
+        &opened,
+        Action::Solve(SolveAction::Respond { job: run, response }),
+    );
     assert_eq!(answered.phase(), Phase::Asking);
     assert_eq!(answered.asking.unwrap().question(), &Question::Makespan);
-    let cancelled = reduce(&opened, Action::Cancel);
+    let cancelled = reduce(&opened, Action::Solve(SolveAction::Cancel));
     assert_eq!(cancelled.phase(), Phase::Editing);
 }
 
@@ -106,6 +112,9 @@ fn hostile_questions_are_refused() {
     // It can be read, and does not fit: the plan is shown all the same.
     let text = format!("{good}&ask=wait;nobody");
     let state = reduce(&State::new(Draft::default()), open(&text));
-    assert_eq!((state.phase(), state.asking), (Phase::Stopped, None));
-    assert!(state.notice.unwrap().sentence.contains("nobody"));
+    assert_eq!(
+        (state.phase(), state.document.mode.asking()),
+        (Phase::Stopped, None)
+    );
+    assert!(state.view.notice.unwrap().sentence.contains("nobody"));
 }

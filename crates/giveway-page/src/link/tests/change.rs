@@ -5,17 +5,21 @@ use giveway_solve::Status;
 
 use super::{read_noise, why};
 use crate::link::{From, change, keep, read, write};
-use crate::{Action, Phase, State, reduce};
+use crate::{Action, BoardAction, ChangeAction, Phase, PlayAction, State, reduce};
 
 /// A3 joined at time 1 and a charger appears at time 2; something else is listed.
 fn changed() -> State {
     let stroke = |tool, x, y| {
         let cell = Cell::new(x, y);
-        [Action::PickTool(tool), Action::Press(cell), Action::Release]
+        [
+            Action::Board(BoardAction::PickTool(tool)),
+            Action::Board(BoardAction::Press(cell)),
+            Action::Board(BoardAction::Release),
+        ]
     };
     let state = crate::tests::adopted();
-    let state = reduce(&state, Action::Seek(2));
-    let actions = [Action::BeginChange].into_iter();
+    let state = reduce(&state, Action::Play(PlayAction::Seek(2)));
+    let actions = [Action::Change(ChangeAction::Begin)].into_iter();
     let actions = actions.chain(stroke(crate::Tool::Charger, 0, 0));
     actions.fold(state, |state, action| reduce(&state, action))
 }
@@ -29,7 +33,7 @@ fn a_course_comes_back_judged_with_its_changes() {
     let answer = linked.answer.unwrap();
     assert_eq!(answer.plan(), state.plan());
     let course = answer.course.as_deref().unwrap();
-    let before = state.answer.as_ref().unwrap();
+    let before = state.document.answer.as_ref().unwrap();
     assert_eq!(course.changes, before.course.as_deref().unwrap().changes);
     assert_eq!(course.steps[0].method, None, "a link is not believed");
     assert_eq!(answer.solved.status, Status::Feasible);
@@ -42,9 +46,18 @@ fn what_the_browser_kept_of_a_course_is_as_it_was() {
     let restored = State::restored(read(&keep(&state), From::Here).unwrap());
     assert_eq!(restored.phase(), Phase::Changing);
     assert_eq!(restored.playback.time, 2);
-    let list = |state: &State| state.changing.as_ref().unwrap().list.clone();
+    let list = |state: &State| {
+        state
+            .document
+            .mode
+            .changing()
+            .as_ref()
+            .unwrap()
+            .list
+            .clone()
+    };
     assert_eq!(list(&restored), list(&state));
-    let course = |state: &State| state.answer.as_ref().unwrap().course.clone();
+    let course = |state: &State| state.document.answer.as_ref().unwrap().course.clone();
     assert_eq!(course(&restored), course(&state));
     let left = State::restored(read(&keep(&crate::tests::adopted()), From::Here).unwrap());
     assert_eq!(left.phase(), Phase::Planned);

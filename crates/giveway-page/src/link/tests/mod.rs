@@ -7,7 +7,7 @@ use giveway_model::{AtGoal, Cell, Scene};
 use giveway_solve::Status;
 
 use super::*;
-use crate::{Action, Phase, Selection, reduce, sample};
+use crate::{Action, FileAction, Phase, PlayAction, Selection, reduce, sample};
 
 fn scene(text: &str) -> Scene {
     read(text, From::Anywhere).unwrap().draft.scene().clone()
@@ -38,7 +38,7 @@ fn a_scene_comes_back_as_it_was() {
 
 #[test]
 fn a_plan_comes_back_judged_and_not_believed() {
-    let state = reduce(&sample::solved(), Action::Seek(7));
+    let state = reduce(&sample::solved(), Action::Play(PlayAction::Seek(7)));
     let text = write(&state);
     assert!(text.len() < 300, "{} letters", text.len());
     let linked = read(&text, From::Anywhere).unwrap();
@@ -46,7 +46,7 @@ fn a_plan_comes_back_judged_and_not_believed() {
     assert_eq!(answer.plan(), state.plan());
     assert_eq!(
         answer.solved.costs,
-        state.answer.as_ref().unwrap().solved.costs
+        state.document.answer.as_ref().unwrap().solved.costs
     );
     assert_eq!(
         answer.solved.status,
@@ -61,12 +61,12 @@ fn a_plan_comes_back_judged_and_not_believed() {
 
 #[test]
 fn what_the_browser_kept_is_as_it_was() {
-    let state = reduce(&sample::solved(), Action::Seek(7));
+    let state = reduce(&sample::solved(), Action::Play(PlayAction::Seek(7)));
     let linked = read(&keep(&state), From::Here).unwrap();
     let restored = State::restored(linked);
     assert_eq!(restored.phase(), Phase::Planned);
     assert_eq!(restored.playback.time, 7);
-    let before = state.answer.as_ref().unwrap();
+    let before = state.document.answer.as_ref().unwrap();
     assert_eq!(restored.answer.as_ref().unwrap().solved, before.solved);
     assert!(!restored.history.can_undo());
 
@@ -107,13 +107,16 @@ fn opening_a_link_is_one_step_of_undo() {
     other.draft = Rc::new(Draft::default());
     let text = write(&other);
     let state = reduce(&before, open(&text));
-    assert_eq!(state.draft, other.draft);
-    assert_eq!(state.answer, None);
+    assert_eq!(state.document.draft, other.draft);
+    assert_eq!(state.document.answer, None);
     let undone = reduce(&state, Action::Undo);
     assert_eq!(undone.draft, before.draft);
     assert!(!undone.history.can_undo());
 
-    let planned = reduce(&state, open(&write(&reduce(&before, Action::Seek(7)))));
+    let planned = reduce(
+        &state,
+        open(&write(&reduce(&before, Action::Play(PlayAction::Seek(7))))),
+    );
     assert_eq!(
         (planned.phase(), planned.playback.time),
         (Phase::Stopped, 7)
@@ -136,9 +139,9 @@ fn a_hostile_link_is_refused_and_the_scene_stays() {
         assert!(told.contains(expect), "{told:?} for {text:.80}");
         let before = sample::solved();
         let state = reduce(&before, open(&text));
-        assert_eq!(state.draft, before.draft);
-        assert_eq!(state.answer, before.answer);
-        assert!(state.notice.is_some());
+        assert_eq!(state.document.draft, before.draft);
+        assert_eq!(state.document.answer, before.answer);
+        assert!(state.view.notice.is_some());
     };
     broken(String::new(), "no scene");
     broken("<script>alert(1)</script>".to_owned(), "no scene");
@@ -228,7 +231,7 @@ fn links_of_old_can_be_opened() {
         // They are written so still.
         let state = reduce(
             &State::new(Draft::default()),
-            Action::OpenLink(Box::new(linked)),
+            Action::File(FileAction::OpenLink(Box::new(linked))),
         );
         assert_eq!(write(&state), text);
     }

@@ -8,10 +8,10 @@ use giveway_solve::{Progress, Request, Response};
 use super::{after, stroke};
 use crate::proof::{Outcome, Proof, proof};
 use crate::sample::solved;
-use crate::{Action, Phase, Selection, State, Tool, Work, words};
+use crate::{Action, BoardAction, Phase, Selection, SolveAction, State, Tool, Work, words};
 
 fn checking() -> State {
-    after(&solved(), [Action::CheckProof])
+    after(&solved(), [Action::Solve(SolveAction::CheckProof)])
 }
 
 fn claims() -> Vec<Checked> {
@@ -53,7 +53,10 @@ fn report(claims: Vec<Checked>) -> Report {
 fn respond(state: &State, report: Report) -> State {
     let run = state.work.id().unwrap();
     let response = Box::new(Response::Certified(Box::new(report)));
-    after(state, [Action::Respond { run, response }])
+    after(
+        state,
+        [Action::Solve(SolveAction::Respond { job: run, response })],
+    )
 }
 
 #[track_caller]
@@ -81,12 +84,14 @@ fn what_was_proved_is_asked_for_in_a_request() {
 fn each_claim_is_told_as_it_is_come_to() {
     let state = checking();
     let run = state.work.id().unwrap();
-    let tell = |checking| Action::Progress {
-        run,
-        event: Progress::Certifying {
-            claim: "There is no plan.".to_owned(),
-            checking,
-        },
+    let tell = |checking| {
+        Action::Solve(SolveAction::Progress {
+            job: run,
+            event: Progress::Certifying {
+                claim: "There is no plan.".to_owned(),
+                checking,
+            },
+        })
     };
     let proving = after(&state, [tell(false)]);
     let said = "Proving again: There is no plan.";
@@ -156,14 +161,20 @@ fn a_report_is_of_one_answer_only() {
 #[test]
 fn it_is_cancelled_at_once_and_what_comes_late_is_ignored() {
     let state = checking();
-    let cancelled = after(&state, [Action::Cancel]);
+    let cancelled = after(&state, [Action::Solve(SolveAction::Cancel)]);
     assert_eq!(cancelled.work, Work::Idle);
     assert_eq!(proof(&cancelled), Some(Proof::Offered));
     let run = state.work.id().unwrap();
     let response = Box::new(Response::Certified(Box::new(report(claims()))));
-    let late = after(&cancelled, [Action::Respond { run, response }]);
+    let late = after(
+        &cancelled,
+        [Action::Solve(SolveAction::Respond { job: run, response })],
+    );
     assert_eq!(proof(&late), Some(Proof::Offered));
-    let selected = after(&state, [Action::Select(Selection::Agent(1))]);
+    let selected = after(
+        &state,
+        [Action::Board(BoardAction::Select(Selection::Agent(1)))],
+    );
     assert_eq!(selected.work, state.work, "it goes on beside a selection");
 }
 
@@ -177,10 +188,10 @@ fn where_nothing_was_proved_nothing_is_offered() {
         }),
         None
     );
-    let answer = std::rc::Rc::make_mut(state.answer.as_mut().unwrap());
+    let answer = std::rc::Rc::make_mut(state.document.answer.as_mut().unwrap());
     answer.solved.bounds.clear();
     assert_eq!(proof(&state), None);
-    let refused = after(&state, [Action::CheckProof]);
+    let refused = after(&state, [Action::Solve(SolveAction::CheckProof)]);
     assert_eq!(refused.work, Work::Idle);
     assert!(refused.notice.is_some());
 }

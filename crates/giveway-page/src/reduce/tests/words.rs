@@ -7,7 +7,7 @@ use super::solve::respond;
 use super::{after, edit, fresh};
 use crate::sample::solved;
 use crate::words::{Badge, standing};
-use crate::{Action, Draft, State};
+use crate::{Action, Draft, SolveAction, State};
 
 #[track_caller]
 fn check(state: &State, badge: Badge, sentence: &str) {
@@ -20,7 +20,8 @@ fn check(state: &State, badge: Badge, sentence: &str) {
 
 /// The answer to the warehouse, changed.
 fn answered(change: impl FnOnce(&mut SolveAnswer)) -> State {
-    let Action::Respond { mut response, .. } = respond(1, Status::Unknown) else {
+    let Action::Solve(SolveAction::Respond { mut response, .. }) = respond(1, Status::Unknown)
+    else {
         panic!("no response");
     };
     if let Response::Solved(solved) = &mut *response {
@@ -28,7 +29,10 @@ fn answered(change: impl FnOnce(&mut SolveAnswer)) -> State {
     }
     after(
         &fresh(),
-        [Action::Solve, Action::Respond { run: 1, response }],
+        [
+            Action::Solve(SolveAction::Solve),
+            Action::Solve(SolveAction::Respond { job: 1, response }),
+        ],
     )
 }
 
@@ -63,9 +67,9 @@ fn with_a_plan() {
 
 #[test]
 fn while_it_solves() {
-    let tell = |event| Action::Progress { run: 1, event };
+    let tell = |event| Action::Solve(SolveAction::Progress { job: 1, event });
     let bound = |cost, at_least| tell(Progress::Bound { cost, at_least });
-    let mut state = after(&fresh(), [Action::Solve]);
+    let mut state = after(&fresh(), [Action::Solve(SolveAction::Solve)]);
     check(&state, Badge::Solving, "Solving: no bound yet.");
     let steps = [
         (
@@ -93,7 +97,10 @@ fn a_plan_before_any_bound() {
     let event = Progress::Plan { costs: COSTS };
     let state = after(
         &fresh(),
-        [Action::Solve, Action::Progress { run: 1, event }],
+        [
+            Action::Solve(SolveAction::Solve),
+            Action::Solve(SolveAction::Progress { job: 1, event }),
+        ],
     );
     let sentence = "Solving: a plan with makespan 20, sum of costs 40, 1 charge.";
     check(&state, Badge::Solving, sentence);
@@ -155,8 +162,8 @@ fn a_scene_that_cannot_be_solved() {
         standing.sentence,
         "This cannot be solved: The goal of A1 is on an obstacle, at (1,1)."
     );
-    let state = after(&state, [Action::Solve]);
-    let notice = state.notice.unwrap();
+    let state = after(&state, [Action::Solve(SolveAction::Solve)]);
+    let notice = state.view.notice.unwrap();
     assert_eq!(
         notice.details,
         ["The goal of A1 is on an obstacle, at (1,1)."],

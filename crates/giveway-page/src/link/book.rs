@@ -1,0 +1,169 @@
+//! All that the browser keeps of a page: the document with its past, so that what
+//! was done can be undone after the page was loaded again.
+//!
+//! A line each; what several documents have in common stands in it once:
+//!
+//! ```text
+//! giveway-kept=2
+//! =map=10.2f6s...          a part; parts are numbered from 0 as they come
+//! +7.agent1:0.1.2          a document: time, selection, its parts; the present one first
+//! ```
+
+use std::collections::BTreeMap;
+use std::fmt::Write as _;
+
+use giveway_model::Cell;
+
+use super::read::Reader;
+use super::{From, LONGEST, document};
+use crate::history::Moment;
+use crate::{History, Notice, Selection, State};
+
+/// What stands first; another number is another format.
+const HEAD: &str = "giveway-kept=2";
+
+/// The state as this browser keeps it: the document and as much of its past as
+/// there is room for.
+pub fn keep(state: &State) -> String {
+    let mut book = Book {
+        text: format!("{HEAD}\n"),
+        ..Book::default()
+    };
+    book.write(&state.moment());
+    if state.history.is_touched() {
+        book.text += "touched\n";
+        for moment in state.history.past().iter().rev() {
+            let before = book.text.len();
+            book.write(moment);
+            if book.text.len() > LONGEST {
+                book.text.truncate(before);
+                break;
+            }
+        }
+    }
+    book.text
+}
+
+#[derive(Default)]
+struct Book {
+    text: String,
+    parts: BTreeMap<String, usize>,
+}
+
+impl Book {
+    fn write(&mut self, moment: &Moment) {
+        let text = document::write(&moment.document, From::Here);
+        let mut places = Vec::new();
+        for part in text.split('&') {
+            let next = self.parts.len();
+            let place = *self.parts.entry(part.to_owned()).or_insert_with(|| {
+                self.text.push('=');
+                self.text += part;
+                self.text.push('\n');
+                next
+            });
+            places.push(place.to_string());
+        }
+        let selection = match moment.selection {
+            Selection::Nothing => "-".to_owned(),
+            Selection::Agent(agent) => format!("a{agent}"),
+            Selection::Cell(Cell { x, y }) => format!("c{x}:{y}"),
+        };
+        // Writing to a string cannot fail.
+        let _ = writeln!(
+            self.text,
+            "+{}.{selection}.{}",
+            moment.time,
+            places.join(".")
+        );
+    }
+}
+
+/// Reads what [`keep`] wrote, or what the first version kept: the page as it was
+/// left. Of the past, what cannot be read is left out with all before it.
+///
+/// # Errors
+/// Why it cannot be read, in sentences.
+pub fn kept(text: &str) -> Result<State, Notice> {
+    read(text).map_err(|why| Notice {
+        sentence: "What this browser kept cannot be read.".to_owned(),
+        details: vec![why],
+    })
+}
+
+fn read(text: &str) -> Result<State, String> {
+    let mut lines = text.lines();
+    let mut reader = Reader::default();
+    match lines.next() {
+        Some(HEAD) => {}
+        // The first version kept one document.
+        Some(line) if line.starts_with("giveway=") => {
+            let linked = reader.read(line, From::Here)?;
+            let moment = Moment {
+                document: linked.document,
+                time: linked.time,
+                selection: Selection::Nothing,
+            };
+            return Ok(State::resumed(moment, History::of(Vec::new())));
+        }
+        Some(line) if line.starts_with("giveway-kept=") => {
+            return Err("A newer version of this page has written it.".to_owned());
+        }
+        _ => return Err("It is no document of Giveway.".to_owned()),
+    }
+    let (mut parts, mut moments, mut touched) = (Vec::new(), Vec::new(), false);
+    for line in lines {
+        if let Some(part) = line.strip_prefix('=') {
+            parts.push(part);
+        } else if let Some(moment) = line.strip_prefix('+') {
+            match read_moment(&mut reader, moment, &parts) {
+                Ok(moment) => moments.push(moment),
+                Err(why) if moments.is_empty() => return Err(why),
+                Err(_) => break,
+            }
+        } else {
+            touched |= line == "touched";
+        }
+    }
+    let mut moments = moments.into_iter();
+    let present = moments.next().ok_or("It holds no document.")?;
+    let mut past: Vec<Moment> = moments.collect();
+    past.reverse();
+    let history = if touched {
+        History::of(past)
+    } else {
+        History::default()
+    };
+    Ok(State::resumed(present, history))
+}
+
+fn read_moment(reader: &mut Reader, line: &str, parts: &[&str]) -> Result<Moment, String> {
+    let broken = || "Its list of documents is broken.".to_owned();
+    let mut words = line.split('.');
+    let time = words.next().and_then(|time| time.parse().ok());
+    let selection = words.next().and_then(read_selection);
+    let mut text = String::new();
+    for place in words {
+        let place: usize = place.parse().map_err(|_| broken())?;
+        if !text.is_empty() {
+            text.push('&');
+        }
+        text += parts.get(place).ok_or_else(broken)?;
+    }
+    Ok(Moment {
+        time: time.ok_or_else(broken)?,
+        selection: selection.ok_or_else(broken)?,
+        document: reader.read(&text, From::Here)?.document,
+    })
+}
+
+fn read_selection(text: &str) -> Option<Selection> {
+    if text == "-" {
+        return Some(Selection::Nothing);
+    }
+    if let Some(agent) = text.strip_prefix('a') {
+        return agent.parse().ok().map(Selection::Agent);
+    }
+    let (x, y) = text.strip_prefix('c')?.split_once(':')?;
+    Some(Selection::Cell(Cell::new(x.parse().ok()?, y.parse().ok()?)))
+}
