@@ -182,6 +182,7 @@ fn get(costs: giveway_model::Costs, cost: Cost) -> u32 {
 
 #[cfg(test)]
 mod tests {
+    use crate::{BoardAction, SolveAction, State, ViewAction};
     use giveway_model::Costs;
     use giveway_solve::Response;
 
@@ -257,7 +258,7 @@ mod tests {
         assert_eq!((solved.status, solved.bounds.len()), (Status::Feasible, 0));
         let part = self::solved(Status::Feasible, &[(18, 35)]);
         assert_eq!(part.phase(), Phase::Stopped);
-        assert!(part.front().unwrap().claim().contains("so far"));
+        assert!(part.document.front().unwrap().claim().contains("so far"));
         let none = self::solved(Status::Impossible, &[]);
         assert_eq!(none.phase(), Phase::None);
     }
@@ -269,7 +270,7 @@ mod tests {
         assert_eq!(plot.points, [(0, 0), (130, 40), (260, 120)]);
         assert_eq!((plot.across, plot.up), ([18, 22], [32, 35]));
         let one = solved(Status::Optimal, &[(18, 35)]);
-        assert_eq!(one.front().unwrap().plot().points, [(130, 60)]);
+        assert_eq!(one.document.front().unwrap().plot().points, [(130, 60)]);
     }
 
     #[test]
@@ -282,12 +283,14 @@ mod tests {
         ]
         .into_iter()
         .fold(state.clone(), |state, action| reduce(&state, action));
-        assert!(edited.front().is_none());
+        assert!(edited.document.front().is_none());
         let back = reduce(&edited, Action::Undo);
-        assert!(back.front().is_some());
+        assert!(back.document.front().is_some());
         assert_eq!(
-            reduce(&back, Action::View(ViewAction::SetFront(false))).front(),
-            back.front()
+            reduce(&back, Action::View(ViewAction::SetFront(false)))
+                .document
+                .front(),
+            back.document.front()
         );
     }
 }

@@ -75,6 +75,8 @@ pub(crate) struct Stroke {
     pub(crate) from: Cell,
     /// The cell that it came to last; `None` before the first cell is done.
     at: Option<Cell>,
+    /// Whether it ever left its first cell.
+    has_left: bool,
     /// What it is made on, and what has come of it so far.
     pub(crate) canvas: Canvas,
     /// Why a part of it was refused.
@@ -120,6 +122,7 @@ impl Stroke {
             hold,
             from: cell,
             at: None,
+            has_left: false,
             canvas,
             refused: None,
         }
@@ -136,6 +139,7 @@ impl Stroke {
         // The cell that it comes from is done, but for the first one.
         let way = way.get(usize::from(self.at.is_some())..);
         self.at = Some(to);
+        self.has_left |= to != self.from;
         if let Hold::Brush(..) | Hold::Eraser = self.hold {
             self.paint(way.unwrap_or_default());
         } else {
@@ -216,9 +220,7 @@ impl Stroke {
     /// Where it only pressed on a waypoint: the edit that takes it away.
     pub(crate) fn toggled(&self) -> Option<Edit> {
         match self.hold {
-            Hold::Toggle(agent) if self.at() == self.from => {
-                Some(Edit::DropWaypoint(agent, self.from))
-            }
+            Hold::Toggle(agent) if !self.has_left => Some(Edit::DropWaypoint(agent, self.from)),
             _ => None,
         }
     }

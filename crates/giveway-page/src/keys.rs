@@ -191,7 +191,7 @@ pub const HELP: [(&str, &[Row]); 5] = [
             row(&["C"], "Charger"),
             row(&["S"], "Slow zone"),
             row(&["E"], "Erase"),
-            row(&["A"], "Agent"),
+            row(&["A"], "Robot"),
             row(&["G"], "Goal"),
             row(&["W"], "Waypoint"),
         ],
@@ -214,14 +214,14 @@ pub const HELP: [(&str, &[Row]); 5] = [
                 "Move what is on the cell (Select)",
             ),
             row(&["+", "\u{2212}", "0"], "Zoom in, zoom out, fit"),
-            row(&["F"], "Follow the agent selected"),
+            row(&["F"], "Follow the robot selected"),
             row(&["?"], "This list"),
         ],
     ),
     (
-        "An agent by hand",
+        "A robot by hand",
         &[
-            row(&["L"], "Lead the agent that is selected"),
+            row(&["L"], "Lead the robot that is selected"),
             row(
                 &["\u{2190}", "\u{2191}", "\u{2192}", "\u{2193}"],
                 "Lead it a step",

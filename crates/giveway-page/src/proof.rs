@@ -8,7 +8,7 @@ use giveway_solve::CertifyRequest;
 use giveway_solve::explain::Verdict;
 
 use crate::ask::Badge;
-use crate::words::{cells, count, grouped};
+use crate::words::{count, grouped};
 use crate::{Certified, Certifying, State, Task};
 
 /// The check of a proof.
@@ -102,8 +102,8 @@ fn claims_something(request: &CertifyRequest) -> bool {
 pub(crate) fn doing(run: &Certifying) -> String {
     match &run.at {
         None => "Checking the proof.".to_owned(),
-        Some((claim, false)) => format!("Proving again: {}", cells(claim)),
-        Some((claim, true)) => format!("Checking the proof: {}", cells(claim)),
+        Some((claim, false)) => format!("Proving again: {}", claim),
+        Some((claim, true)) => format!("Checking the proof: {}", claim),
     }
 }
 
@@ -121,10 +121,10 @@ fn outcome(report: &Report) -> Outcome {
     let reason = report.reason.as_deref().unwrap_or_default();
     let sentence = match (report.accepted, report.stopped) {
         (true, _) => sums(report),
-        (false, true) => format!("The check ended too early. {}", cells(reason)),
+        (false, true) => format!("The check ended too early. {}", reason),
         (false, false) => format!(
             "The certificate does not hold, which is a fault of this program. {}",
-            cells(reason)
+            reason
         ),
     };
     Outcome {
@@ -206,7 +206,7 @@ fn line(claim: &Checked) -> Line {
     };
     Line {
         icon,
-        text: cells(text),
-        rests_on: cells(&rests_on),
+        text: text.clone(),
+        rests_on: rests_on,
     }
 }

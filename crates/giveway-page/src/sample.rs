@@ -64,7 +64,7 @@ pub(crate) fn proved(objective: &Objective, costs: Costs, plan: Plan) -> SolveAn
 
 /// The page after the warehouse was solved, playing.
 pub(crate) fn solved() -> State {
-    let state = reduce(&State::new(draft()), Action::Solve(SolveAction::Solve));
+    let state = reduce(&State::new(draft()), Action::Solve(SolveAction::Begin));
     let costs = Costs {
         makespan: 18,
         sum_of_costs: 35,
@@ -82,7 +82,7 @@ pub(crate) fn solved() -> State {
 
 /// Its answer.
 pub(crate) fn warehouse() -> Rc<Answer> {
-    solved().answer.unwrap()
+    solved().document.answer.unwrap()
 }
 
 /// The page after an edit that its plan does not know.

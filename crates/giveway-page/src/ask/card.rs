@@ -1,7 +1,7 @@
 //! The answer to a question, as the inspector shows it.
 
 use giveway_model::{Cost, Question};
-use giveway_solve::explain::{Edit, Fact, FactKind, Part, Verdict};
+use giveway_solve::explain::{Edit, Fact, FactKind, Part, Verdict, edits_in_words};
 
 use crate::timeline::Lane;
 use crate::{Answer, Asking, Lit, State, words};
@@ -141,7 +141,7 @@ pub fn card(state: &State) -> Option<Card> {
         Some(false) => BROKEN,
         _ => badge(asking, told.verdict),
     };
-    card.verdict = Some((badge, words::cells(&told.words)));
+    card.verdict = Some((badge, told.words.clone()));
     if let Some(other) = &asking.other {
         card.rows = rows(asking, other);
         card.other = Some(Other {
@@ -153,7 +153,7 @@ pub fn card(state: &State) -> Option<Card> {
     let happenings = asking.violations().enumerate().take(HAPPENINGS);
     let happenings = happenings.map(|(index, violation)| Happening {
         number: index + 1,
-        text: words::cells(&violation.message),
+        text: violation.message.clone(),
         time: violation.time,
         is_lit: asking.lit == Some(Lit::Witness(index)),
     });
@@ -172,7 +172,7 @@ pub fn card(state: &State) -> Option<Card> {
             .enumerate()
             .map(|(index, fact)| {
                 let is_lit = asking.lit == Some(Lit::Fact(index));
-                (fact_icon(fact), words::cells(&fact.text), is_lit)
+                (fact_icon(fact), fact.text.clone(), is_lit)
             })
             .collect(),
     });
@@ -184,7 +184,7 @@ pub fn card(state: &State) -> Option<Card> {
         .map(|repair| Offered {
             icon: repair.edits.first().map_or("check", edit_icon),
             // Its costs stand below it.
-            text: words::cells(repair.text.split(": ").next().unwrap_or_default()),
+            text: edits_in_words(&repair.edits),
             costs: words::values(objective, &repair.costs),
         })
         .collect();

@@ -115,7 +115,7 @@ fn an_edit_of_the_ground_keeps_the_cast() {
         &reduce(&state, Action::Board(BoardAction::Press(Cell::new(0, 1)))),
         Action::Board(BoardAction::Release),
     );
-    assert!(edited.is_stale() && cast.is_by(&edited, edited.shown()));
+    assert!(edited.document.is_stale() && cast.is_by(&edited, edited.shown()));
     assert!(legend(&edited, &cast).contains(&Kind::Stale));
 }
 

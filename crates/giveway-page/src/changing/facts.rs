@@ -30,7 +30,7 @@ pub struct Listed {
     pub agent: Option<usize>,
     /// The icon of what is no agent's.
     pub icon: &'static str,
-    /// What changes: `A4 joins at (0,2)`.
+    /// What changes: `A4 joins at (0, 2)`.
     pub text: String,
     /// What else there is to know.
     pub detail: Option<String>,
@@ -41,7 +41,7 @@ pub struct Listed {
 pub struct Past {
     /// The time.
     pub at: u32,
-    /// What was: `A3 joins at (2,2)`.
+    /// What was: `A3 joins at (2, 2)`.
     pub text: String,
     /// What was made of it: `revise: makespan 4, sum of costs 12`.
     pub detail: Option<String>,

@@ -33,7 +33,7 @@ impl Sketch {
     /// The scene to be looked at while the edit is not finished: nothing is said
     /// against it.
     pub(crate) fn shown(&self) -> Draft {
-        Draft::shown(self.scene.clone(), self.grid.clone())
+        Draft::shown(self.clone().into_scene(), self.grid.clone())
     }
 
     pub(super) fn ground(&self, cell: Cell) -> Option<Ground> {

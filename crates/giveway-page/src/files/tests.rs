@@ -1,5 +1,6 @@
 //! Files as a person may open them.
 
+use crate::FileAction;
 use giveway_model::{Cell, Fault};
 
 use super::*;
@@ -193,7 +194,7 @@ fn a_pasted_plan_is_for_the_scene_on_the_board() {
     let Ok(Reading::Linked(linked)) = pasted(&state, &plan) else {
         panic!("no plan");
     };
-    assert_eq!(linked.answer.unwrap().plan(), state.plan());
+    assert_eq!(linked.document.answer.unwrap().plan(), state.plan());
     let other = crate::State::new(crate::Draft::default());
     let refused = pasted(&other, &plan).unwrap_err();
     assert!(refused.sentence.contains("Pasted text"), "{refused:?}");

@@ -16,7 +16,7 @@ pub struct AgentFacts {
     pub agent: usize,
     /// Its name.
     pub name: String,
-    /// What it does: `Charging at (6,2), then to (6,1)`.
+    /// What it does: `Charging at (6, 2), then to (6, 1)`.
     pub doing: String,
     /// Its battery, if it has one.
     pub battery: Option<BatteryFacts>,
@@ -154,6 +154,7 @@ fn doing(lane: &Lane, time: u32) -> String {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::PlayAction;
     use crate::{Action, reduce, sample};
 
     fn facts(agent: usize, time: u32) -> AgentFacts {
@@ -164,7 +165,7 @@ mod tests {
     #[test]
     fn a_charge() {
         let facts = facts(0, 9);
-        assert_eq!(facts.doing, "Charging at (6,2), then to (6,1)");
+        assert_eq!(facts.doing, "Charging at (6, 2), then to (6, 1)");
         assert_eq!(facts.waypoints, (2, 3));
         let battery = facts.battery.unwrap();
         assert_eq!((battery.level, battery.charges), (1, true));
@@ -174,14 +175,14 @@ mod tests {
 
     #[test]
     fn a_slow_move_and_half_of_it() {
-        assert_eq!(facts(1, 9).doing, "Going slowly from (4,0) to (3,0)");
-        assert_eq!(facts(1, 10).doing, "Half way from (4,0) to (3,0)");
+        assert_eq!(facts(1, 9).doing, "Going slowly from (4, 0) to (3, 0)");
+        assert_eq!(facts(1, 10).doing, "Half way from (4, 0) to (3, 0)");
     }
 
     #[test]
     fn the_end() {
         let facts = facts(0, 18);
-        assert_eq!(facts.doing, "Arrived at (9,2)");
+        assert_eq!(facts.doing, "Arrived at (9, 2)");
         assert_eq!(facts.waypoints, (3, 3));
         assert_eq!(facts.battery.unwrap().level, 3);
     }
@@ -190,7 +191,7 @@ mod tests {
     fn without_a_plan() {
         let state = State::new(sample::draft());
         let facts = super::agent(&state, 1).unwrap();
-        assert_eq!(facts.doing, "From (9,2) to (0,0)");
+        assert_eq!(facts.doing, "From (9, 2) to (0, 0)");
         assert_eq!(facts.waypoints.0, 0);
         assert_eq!(facts.battery.unwrap().level, 8);
         assert_eq!(super::agent(&state, 2), None);
@@ -220,13 +221,13 @@ mod tests {
             capacity: None,
             levels: Vec::new(),
         };
-        assert_eq!(doing(&lane(vec![]), 0), "Waiting at (0,0) until 2");
+        assert_eq!(doing(&lane(vec![]), 0), "Waiting at (0, 0) until 2");
         assert_eq!(
             doing(&lane(vec![1]), 1),
-            "Charging at (0,0), and waiting there"
+            "Charging at (0, 0), and waiting there"
         );
-        assert_eq!(doing(&lane(vec![]), 3), "Arrived at (1,0)");
-        assert_eq!(doing(&lane(vec![]), 4), "Arrived at (1,0), and gone");
+        assert_eq!(doing(&lane(vec![]), 3), "Arrived at (1, 0)");
+        assert_eq!(doing(&lane(vec![]), 4), "Arrived at (1, 0), and gone");
     }
 
     #[test]

@@ -176,6 +176,7 @@ fn contents(draft: &Draft, is_there: impl Fn(usize) -> bool) -> String {
 
 #[cfg(test)]
 mod tests {
+    use crate::{BoardAction, SolveAction};
     use giveway_solve::Progress;
 
     use super::*;

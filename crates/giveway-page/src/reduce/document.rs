@@ -12,6 +12,7 @@ use crate::{Document, Draft, Mode, Notice, Selection, State};
 /// Puts a document in the place of the one that there is, as one step of undo.
 pub(super) fn put(state: &mut State, document: Document) {
     state.history.record(state.moment());
+    state.view.playback.playing = false;
     amend(state, document);
 }
 

@@ -19,7 +19,7 @@ pub struct Facts {
     pub agent: usize,
     /// Its name.
     pub name: String,
-    /// Where it has been led to: `A1 is at (3,1) at time 5, battery 4 of 10`.
+    /// Where it has been led to: `A1 is at (3, 1) at time 5, battery 4 of 10`.
     pub place: String,
     /// Whether there is a step to take back.
     pub can_go_back: bool,
@@ -54,7 +54,7 @@ pub fn facts(state: &State) -> Option<Facts> {
     let violations = steering.violations.iter().enumerate();
     let violations = violations.map(|(index, violation)| Happening {
         number: index + 1,
-        text: words::cells(&violation.message),
+        text: violation.message.clone(),
         time: violation.time,
         is_lit: Steering::is_now(violation, state.view.playback.time),
     });
@@ -68,7 +68,7 @@ pub fn facts(state: &State) -> Option<Facts> {
         has_battery: battery.is_some(),
         violations: violations.take(MOST).collect(),
         more: steering.violations.len().saturating_sub(MOST),
-        to_do: to_do.map(|open| words::cells(&open.message)).collect(),
+        to_do: to_do.map(|open| open.message.clone()).collect(),
         rows: rows(steering),
     })
 }

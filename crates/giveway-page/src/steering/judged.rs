@@ -43,7 +43,7 @@ impl Steering {
         let news = news.filter(|violation| !self.violations.contains(violation));
         let news: Vec<String> = news
             .take(2)
-            .map(|violation| words::cells(&violation.message))
+            .map(|violation| violation.message.clone())
             .collect();
         after.told = news.join(" ");
         after

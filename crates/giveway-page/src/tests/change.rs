@@ -1,5 +1,6 @@
 //! The world changes while the plan of the literature's example runs.
 
+use crate::Task;
 use giveway_model::change::What;
 use giveway_model::format::native;
 use giveway_model::{Agent, Cell, Costs};
@@ -11,7 +12,7 @@ use crate::sample::proved;
 use crate::table::lanes;
 use crate::{
     Action, BoardAction, ChangeAction, Draft, Edit, Phase, PlayAction, Selection, SolveAction,
-    State, Tool, Work, reduce, words,
+    State, Tool, reduce, words,
 };
 
 /// The scene of the example with the paper's plan, at time 1.
@@ -59,7 +60,7 @@ fn answered(state: &State) -> State {
     )
 }
 
-fn compared() -> State {
+pub(crate) fn compared() -> State {
     answered(&after(&joined(), [Action::Change(ChangeAction::Adapt)]))
 }
 
@@ -80,7 +81,7 @@ fn saying(state: &State) -> String {
 fn the_world_can_change_only_while_a_plan_runs() {
     let fresh = State::new(Draft::default());
     let refused = after(&fresh, [Action::Change(ChangeAction::Begin)]);
-    assert!(refused.changing.is_none() && refused.notice.is_some());
+    assert!(refused.document.mode.changing().is_none() && refused.view.notice.is_some());
     let state = changing();
     assert_eq!(state.phase(), Phase::Changing);
     assert!(!state.view.playback.playing);
@@ -93,23 +94,23 @@ fn the_world_can_change_only_while_a_plan_runs() {
             Action::Play(PlayAction::StepBack),
         ],
     );
-    assert_eq!(past.playback.time, 0);
+    assert_eq!(past.view.playback.time, 0);
     let edited = after(&past, stroke(Tool::Obstacle, &[(0, 2)]));
-    assert_eq!(edited.playback.time, 1, "what changes does so then");
+    assert_eq!(edited.view.playback.time, 1, "what changes does so then");
 }
 
 #[test]
 fn every_tool_lists_a_change() {
     let state = after(&changing(), stroke(Tool::Obstacle, &[(0, 2), (1, 2)]));
     let appear = [
-        "An obstacle appears at (0,2)",
-        "An obstacle appears at (1,2)",
+        "An obstacle appears at (0, 2)",
+        "An obstacle appears at (1, 2)",
     ];
     assert_eq!(list(&state), appear);
     let state = after(&state, stroke(Tool::Select, &[(1, 2), (0, 0)]));
     let moved = [
-        "An obstacle appears at (0,2)",
-        "An obstacle appears at (0,0)",
+        "An obstacle appears at (0, 2)",
+        "An obstacle appears at (0, 0)",
     ];
     assert_eq!(list(&state), moved);
     let state = after(&state, stroke(Tool::Erase, &[(0, 0)]));
@@ -118,7 +119,7 @@ fn every_tool_lists_a_change() {
     let state = after(&state, stroke(Tool::SlowZone, &[(0, 1), (1, 1)]));
     let slow = facts(&state).unwrap().list.pop().unwrap();
     assert_eq!(slow.text, "2 cells become slow");
-    assert_eq!(slow.detail.as_deref(), Some("(0,1), (1,1)"));
+    assert_eq!(slow.detail.as_deref(), Some("(0, 1), (1, 1)"));
     let select = [
         Action::Board(BoardAction::PickTool(Tool::Select)),
         Action::Board(BoardAction::Select(Selection::Agent(0))),
@@ -128,17 +129,20 @@ fn every_tool_lists_a_change() {
     let state = after(&state, stroke(Tool::Waypoint, &[(1, 1)]));
     assert_eq!(
         list(&state)[3..],
-        ["The goal of A1 is (2,0) now", "A1 has to visit (1,1), too"]
+        [
+            "The goal of A1 is (2, 0) now",
+            "A1 has to visit (1, 1), too"
+        ]
     );
     let state = after(&state, stroke(Tool::Waypoint, &[(1, 1)]));
     assert_eq!(list(&state).len(), 4, "that one is taken back");
-    // A2 is at (2,1) at time 1.
+    // A2 is at (2, 1) at time 1.
     let state = after(&state, stroke(Tool::Erase, &[(2, 1)]));
     assert_eq!(list(&state)[4], "A2 is removed");
     assert!(!state.is_there(1));
     assert_eq!(
         state.document.draft,
-        running().draft,
+        running().document.draft,
         "the scene itself is as it was"
     );
     assert!(!state.document.is_stale());
@@ -146,32 +150,19 @@ fn every_tool_lists_a_change() {
 
 #[test]
 fn beside_the_board_agents_break_down_and_batteries_go_down() {
-    let delay = What::DelayAgent {
-        agent: "A1".to_owned(),
-        steps: 2,
-    };
-    let longer = What::DelayAgent {
-        agent: "A1".to_owned(),
-        steps: 3,
-    };
-    let state = after(
-        &changing(),
-        [Action::ListChange(delay), Action::ListChange(longer)],
-    );
+    let (delay, longer) = (Edit::Delay(0, 2), Edit::Delay(0, 3));
+    let state = after(&changing(), [Action::Edit(delay), Action::Edit(longer)]);
     assert_eq!(list(&state), ["A1 breaks down for 3 steps"]);
-    let level = What::SetBattery {
-        agent: "A1".to_owned(),
-        level: 2,
-    };
-    let refused = after(&state, [Action::ListChange(level)]);
+    let level = Edit::SetLevel(0, 2);
+    let refused = after(&state, [Action::Edit(level)]);
     assert_eq!(list(&refused), list(&state));
-    let notice = refused.notice.unwrap().sentence;
+    let notice = refused.view.notice.unwrap().sentence;
     assert!(notice.contains("A1, which has no battery"), "{notice}");
 }
 
 #[test]
 fn what_contradicts_the_world_is_refused_and_nothing_changes() {
-    // A1 is at (1,0) at time 1.
+    // A1 is at (1, 0) at time 1.
     let state = after(&changing(), stroke(Tool::Obstacle, &[(1, 0)]));
     assert_eq!(list(&state), Vec::<String>::new());
     assert_eq!(
@@ -181,7 +172,7 @@ fn what_contradicts_the_world_is_refused_and_nothing_changes() {
     );
     // A stroke over it paints what can be.
     let state = after(&changing(), stroke(Tool::Obstacle, &[(0, 0), (1, 0)]));
-    assert_eq!(list(&state), ["An obstacle appears at (0,0)"]);
+    assert_eq!(list(&state), ["An obstacle appears at (0, 0)"]);
     assert!(state.view.notice.is_some());
 }
 
@@ -189,27 +180,27 @@ fn what_contradicts_the_world_is_refused_and_nothing_changes() {
 fn the_scene_cannot_be_edited_while_the_world_changes() {
     let state = after(&changing(), [Action::Edit(Edit::BatteryFloor(2))]);
     assert!(state.view.notice.is_some() && !state.document.is_stale());
-    assert_eq!(state.document.draft, running().draft);
+    assert_eq!(state.document.draft, running().document.draft);
 }
 
 #[test]
 fn each_change_is_one_step_of_undo_and_can_be_taken_back() {
     let state = joined();
-    assert_eq!(list(&state), ["A3 joins at (2,2)"]);
+    assert_eq!(list(&state), ["A3 joins at (2, 2)"]);
     assert_eq!(state.view.selection, Selection::Agent(2));
     let state = after(&state, stroke(Tool::Obstacle, &[(0, 2)]));
     let undone = after(&state, [Action::Undo]);
-    assert_eq!(list(&undone), ["A3 joins at (2,2)"]);
+    assert_eq!(list(&undone), ["A3 joins at (2, 2)"]);
     let redone = after(&undone, [Action::Redo]);
     assert_eq!(list(&redone).len(), 2);
     let back = after(&redone, [Action::Change(ChangeAction::TakeBack(0))]);
-    assert_eq!(list(&back), ["An obstacle appears at (0,2)"]);
-    assert_eq!(back.selection, Selection::Nothing, "A3 is gone");
+    assert_eq!(list(&back), ["An obstacle appears at (0, 2)"]);
+    assert_eq!(back.view.selection, Selection::Nothing, "A3 is gone");
     let left = after(&back, [Action::Change(ChangeAction::Discard)]);
     assert_eq!(left.phase(), Phase::Planned);
     assert_eq!(list(&after(&left, [Action::Undo])).len(), 1);
     let all = [Action::Undo, Action::Undo, Action::Undo];
-    assert!(after(&undone, all).changing.is_none());
+    assert!(after(&undone, all).document.mode.changing().is_none());
 }
 
 #[test]
@@ -237,7 +228,7 @@ fn a_change_that_another_needs_takes_it_along() {
     let state = after(&state, stroke(Tool::Obstacle, &[(1, 0)]));
     assert_eq!(
         list(&state),
-        ["A1 is removed", "An obstacle appears at (1,0)"]
+        ["A1 is removed", "An obstacle appears at (1, 0)"]
     );
     let state = after(&state, [Action::Change(ChangeAction::TakeBack(0))]);
     assert_eq!(list(&state), Vec::<String>::new());
@@ -248,7 +239,7 @@ fn a_change_that_another_needs_takes_it_along() {
 fn the_methods_answer_side_by_side() {
     let state = after(&joined(), [Action::Change(ChangeAction::Adapt)]);
     assert_eq!(state.phase(), Phase::Adapting);
-    let Work::Adapting(run) = &state.work else {
+    let Some(Task::Change(run)) = state.work.task() else {
         panic!("{:?}", state.work);
     };
     assert_eq!(run.request.since, Some(1));
@@ -277,7 +268,7 @@ fn the_methods_answer_side_by_side() {
             Action::Play(PlayAction::Seek(4)),
         ],
     );
-    assert_eq!(other.playback.time, 4);
+    assert_eq!(other.view.playback.time, 4);
     assert_eq!(fate(&other, "A3").as_deref(), Some("joins at 1"));
     assert_eq!(fate(&other, "A1").as_deref(), Some("kept"));
     // A further change makes the answers old.
@@ -328,7 +319,7 @@ fn it_is_cancelled_at_once_and_a_late_answer_is_ignored() {
 #[test]
 fn nothing_is_asked_of_an_empty_list() {
     let state = after(&changing(), [Action::Change(ChangeAction::Adapt)]);
-    assert_eq!(state.work, Work::Idle);
+    assert!(state.work.is_idle());
     assert!(state.view.notice.is_some());
 }
 
@@ -339,7 +330,7 @@ fn the_adopted_plan_has_its_history_and_undo_takes_it_back() {
     assert_eq!((state.view.playback.time, state.last_time()), (1, 4));
     let answer = state.document.fresh_answer().unwrap();
     let past = history(answer);
-    assert_eq!(past[1].text, "A3 joins at (2,2)");
+    assert_eq!(past[1].text, "A3 joins at (2, 2)");
     assert_eq!(
         past[1].detail.as_deref(),
         Some("replan: makespan 4, sum of costs 12")
@@ -359,7 +350,7 @@ fn the_adopted_plan_has_its_history_and_undo_takes_it_back() {
     let undone = after(&state, [Action::Undo]);
     assert_eq!(undone.phase(), Phase::Comparing);
     let redone = after(&undone, [Action::Redo]);
-    assert_eq!(redone.answer, state.document.answer);
+    assert_eq!(redone.document.answer, state.document.answer);
 }
 
 #[test]
@@ -367,7 +358,7 @@ fn the_world_changes_again_later_and_not_before() {
     let state = adopted();
     assert!(!state.can_change());
     let refused = after(&state, [Action::Change(ChangeAction::Begin)]);
-    assert!(refused.changing.is_none() && refused.notice.is_some());
+    assert!(refused.document.mode.changing().is_none() && refused.view.notice.is_some());
     let later = after(
         &state,
         [
@@ -375,21 +366,16 @@ fn the_world_changes_again_later_and_not_before() {
             Action::Change(ChangeAction::Begin),
         ],
     );
-    let joins = What::AddAgent {
-        agent: Agent {
-            name: "A4".to_owned(),
-            start: Cell::new(0, 2),
-            goal: Cell::new(0, 0),
-            waypoints: Vec::new(),
-            battery: None,
-        },
-    };
+    let joins = Edit::AddAgent(Agent {
+        name: "A4".to_owned(),
+        start: Cell::new(0, 2),
+        goal: Cell::new(0, 0),
+        waypoints: Vec::new(),
+        battery: None,
+    });
     let state = answered(&after(
         &later,
-        [
-            Action::ListChange(joins),
-            Action::Change(ChangeAction::Adapt),
-        ],
+        [Action::Edit(joins), Action::Change(ChangeAction::Adapt)],
     ));
     let columns = columns(&state).unwrap();
     assert!(columns[2].costs[0].after <= columns[0].costs[0].after);
@@ -404,8 +390,11 @@ fn the_world_changes_again_later_and_not_before() {
     assert_eq!(course.times(), [1, 2]);
     assert_eq!(course.changes.changes.len(), 2);
     let solved = answered(&after(&state, [Action::Solve(SolveAction::Solve)]));
-    assert!(solved.fresh_answer().unwrap().course.is_none());
-    assert_eq!(after(&solved, [Action::Undo]).answer, state.document.answer);
+    assert!(solved.document.fresh_answer().unwrap().course.is_none());
+    assert_eq!(
+        after(&solved, [Action::Undo]).document.answer,
+        state.document.answer
+    );
 }
 
 #[test]
@@ -413,7 +402,7 @@ fn an_edit_of_the_scene_makes_the_course_stale() {
     let state = after(&adopted(), stroke(Tool::Obstacle, &[(0, 1)]));
     assert!(state.document.is_stale());
     assert_eq!(state.world(), &state.document.draft);
-    assert!(!after(&state, [Action::Undo]).is_stale());
+    assert!(!after(&state, [Action::Undo]).document.is_stale());
 }
 
 #[test]
@@ -435,7 +424,7 @@ fn a_removed_agent_is_gone_and_its_lane_ends() {
 
 #[test]
 fn an_obstacle_on_a_path_frees_its_agent_and_says_why() {
-    // A1 goes on over (2,0).
+    // A1 goes on over (2, 0).
     let state = after(&changing(), stroke(Tool::Obstacle, &[(2, 0)]));
     let state = answered(&after(&state, [Action::Change(ChangeAction::Adapt)]));
     let columns = columns(&state).unwrap();

@@ -109,11 +109,12 @@ pub fn work_done(size: Size) -> String {
 
 #[cfg(test)]
 mod tests {
+    use crate::SolveAction;
     use giveway_model::Costs;
     use giveway_solve::Progress;
 
     use super::*;
-    use crate::{Action, State, Work, reduce, sample};
+    use crate::{Action, State, reduce, sample};
 
     fn after(events: &[Progress]) -> Gauge {
         let mut state = reduce(
@@ -127,10 +128,7 @@ mod tests {
                 Action::Solve(SolveAction::Progress { job: 1, event }),
             );
         }
-        let Work::Solving(run) = &state.work else {
-            panic!("it solves");
-        };
-        gauge(run)
+        gauge(state.work.solving().unwrap())
     }
 
     const fn bound(cost: Cost, at_least: u32) -> Progress {

@@ -231,7 +231,7 @@ fn shared(answer: &Answer) -> String {
     format!("This plan was shared: {costs}. Nobody has checked here whether it is the best.")
 }
 
-/// `Asking: why does A1 wait at (3,1)?`, and how far the answer is.
+/// `Asking: why does A1 wait at (3, 1)?`, and how far the answer is.
 fn asked(asking: &Asking) -> String {
     let question = super::question(asking.question());
     if asking.told.is_none() {
@@ -297,7 +297,7 @@ fn answered(answer: &Answer) -> String {
         }
         (Status::Feasible, Some(costs)) => {
             let costs = with_bounds(objective, costs, bounds);
-            format!("Stopped: best {costs}. {reason}")
+            format!("Best so far: {costs}. {reason}")
                 .trim_end()
                 .to_owned()
         }
@@ -330,7 +330,7 @@ fn with_bounds(objective: &Objective, costs: &Costs, bounds: &BTreeMap<Cost, u32
         match bounds.get(&cost) {
             None => said,
             Some(&bound) if bound >= n => format!("{said}, proved"),
-            Some(&bound) => format!("{said} (at least {bound})"),
+            Some(&bound) => format!("{said}, at least {bound}"),
         }
     });
     parts.collect::<Vec<_>>().join("; ")

@@ -4,7 +4,7 @@ use giveway_model::Cell;
 use giveway_solve::Status;
 
 use super::{read_noise, why};
-use crate::link::{From, change, keep, read, write};
+use crate::link::{From, change, keep, kept, read, write};
 use crate::{Action, BoardAction, ChangeAction, Phase, PlayAction, State, reduce};
 
 /// A3 joined at time 1 and a charger appears at time 2; something else is listed.
@@ -30,7 +30,7 @@ fn a_course_comes_back_judged_with_its_changes() {
     let text = write(&state);
     assert!(text.contains("&changes=1aA3.2.2.1.0&plan="), "{text}");
     let linked = read(&text, From::Anywhere).unwrap();
-    let answer = linked.answer.unwrap();
+    let answer = linked.document.answer.unwrap();
     assert_eq!(answer.plan(), state.plan());
     let course = answer.course.as_deref().unwrap();
     let before = state.document.answer.as_ref().unwrap();
@@ -43,9 +43,9 @@ fn a_course_comes_back_judged_with_its_changes() {
 #[test]
 fn what_the_browser_kept_of_a_course_is_as_it_was() {
     let state = changed();
-    let restored = State::restored(read(&keep(&state), From::Here).unwrap());
+    let restored = kept(&keep(&state)).unwrap();
     assert_eq!(restored.phase(), Phase::Changing);
-    assert_eq!(restored.playback.time, 2);
+    assert_eq!(restored.view.playback.time, 2);
     let list = |state: &State| {
         state
             .document
@@ -59,7 +59,7 @@ fn what_the_browser_kept_of_a_course_is_as_it_was() {
     assert_eq!(list(&restored), list(&state));
     let course = |state: &State| state.document.answer.as_ref().unwrap().course.clone();
     assert_eq!(course(&restored), course(&state));
-    let left = State::restored(read(&keep(&crate::tests::adopted()), From::Here).unwrap());
+    let left = kept(&keep(&crate::tests::adopted())).unwrap();
     assert_eq!(left.phase(), Phase::Planned);
 }
 

@@ -14,7 +14,7 @@ use crate::proof::{Proof, proof};
 use crate::sample::solved;
 use crate::{
     Action, AskAction, BoardAction, Lit, Phase, PlayAction, Selection, SolveAction, State, Tool,
-    ViewAction, Work, words,
+    ViewAction, words,
 };
 
 fn question() -> Question {
@@ -62,7 +62,7 @@ fn told(state: &State) -> ExplainAnswer {
         }],
         costs,
         plan: plan.clone(),
-        text: "Drop A1's waypoint (4,2)".to_owned(),
+        text: "Drop A1's waypoint (4, 2)".to_owned(),
     };
     ExplainAnswer {
         giveway: Version,
@@ -103,6 +103,11 @@ fn learn(state: &State) -> State {
     )
 }
 
+/// The warehouse with a question that was answered.
+pub(crate) fn asked_and_answered() -> State {
+    answered(&asked())
+}
+
 fn answered(state: &State) -> State {
     let answer = ExplainAnswer {
         pending: Vec::new(),
@@ -121,7 +126,7 @@ fn a_question_runs_in_the_solver_and_is_said() {
     let state = asked();
     assert_eq!(state.phase(), Phase::Asking);
     let standing = words::standing(&state);
-    let said = "Why does A1 charge at (6,2) at time 9?";
+    let said = "Why does A1 charge at (6, 2) at time 9?";
     assert_eq!(standing.sentence, said);
     let card = card(&state).unwrap();
     assert_eq!(card.question, said);
@@ -129,10 +134,9 @@ fn a_question_runs_in_the_solver_and_is_said() {
         (card.verdict, card.pending),
         (None, vec!["Looking for the verdict"])
     );
-    let Work::Asking(inquiry) = &state.work else {
-        panic!("{:?}", state.work);
-    };
-    assert!(inquiry.request.plan.is_some());
+    assert!(state.is_looking());
+    let asking = state.document.mode.asking().unwrap();
+    assert!(asking.request.plan.is_some());
 }
 
 #[test]
@@ -151,7 +155,7 @@ fn the_answer_grows_until_it_is_whole() {
     );
 
     let state = answered(&state);
-    assert_eq!(state.work, Work::Idle);
+    assert!(state.work.is_idle());
     let whole = card(&state).unwrap();
     assert_eq!(whole.pending, Vec::<&str>::new());
     assert!(whole.standing.is_some());
@@ -185,13 +189,13 @@ fn the_other_plan_is_shown_and_taken() {
     assert_eq!(state.shown(), this.as_ref());
     let shown = after(&state, [Action::Ask(AskAction::ShowOther(true))]);
     assert_ne!(shown.shown(), this.as_ref());
-    assert_eq!(shown.answer, this, "nothing is taken yet");
+    assert_eq!(shown.document.answer, this, "nothing is taken yet");
     let back = after(&shown, [Action::Ask(AskAction::ShowOther(false))]);
     assert_eq!(back.shown(), this.as_ref());
 
     let taken = after(&shown, [Action::Ask(AskAction::TakeOther)]);
-    assert_eq!(taken.asking, None);
-    let answer = taken.answer.unwrap();
+    assert_eq!(taken.document.mode.asking(), None);
+    let answer = taken.document.answer.unwrap();
     // It costs more than what was proved.
     assert_eq!(answer.solved.status, Status::Feasible);
     assert_eq!(answer.solved.costs.unwrap().charges, 4);
@@ -202,7 +206,7 @@ fn where_there_is_room_the_other_plan_is_beside_this_one() {
     let state = answered(&asked());
     assert_eq!(state.beside(), None);
     let wide = after(&state, [Action::View(ViewAction::SetWide(true))]);
-    let other = wide.asking.as_ref().unwrap().other.clone();
+    let other = wide.document.mode.asking().as_ref().unwrap().other.clone();
     assert_eq!(wide.beside(), other.as_ref());
     assert!(card(&wide).unwrap().other.unwrap().is_beside);
 
@@ -226,15 +230,15 @@ fn two_plans_play_to_the_end_of_the_longer_one() {
         &answered(&asked()),
         [Action::View(ViewAction::SetWide(true))],
     );
-    let asking = Rc::make_mut(state.document.mode.asking().as_mut().unwrap());
+    let asking = state.document.mode.asking_mut().unwrap();
     let mut other = asking.other.as_deref().unwrap().clone();
     other.solved.costs.as_mut().unwrap().makespan = 20;
     asking.other = Some(Rc::new(other));
     assert_eq!(state.last_time(), 20);
     let end = after(&state, [Action::Play(PlayAction::Seek(99))]);
-    assert_eq!(end.playback.time, 20);
+    assert_eq!(end.view.playback.time, 20);
     let narrow = after(&end, [Action::View(ViewAction::SetWide(false))]);
-    assert_eq!(narrow.playback.time, 18);
+    assert_eq!(narrow.view.playback.time, 18);
 }
 
 #[test]
@@ -242,12 +246,12 @@ fn a_repair_is_an_edit_that_can_be_undone() {
     let state = answered(&asked());
     let before = state.document.draft.clone();
     let repaired = after(&state, [Action::Ask(AskAction::TakeRepair(0))]);
-    assert_eq!(repaired.draft.agents()[0].waypoints.len(), 2);
+    assert_eq!(repaired.document.draft.agents()[0].waypoints.len(), 2);
     assert_eq!(repaired.phase(), Phase::Solving);
     assert!(repaired.plan().is_some(), "its plan is there already");
-    assert_eq!(repaired.asking, None);
+    assert_eq!(repaired.document.mode.asking(), None);
     let undone = after(&repaired, [Action::Undo]);
-    assert_eq!(undone.draft, before);
+    assert_eq!(undone.document.draft, before);
     let none = after(&state, [Action::Ask(AskAction::TakeRepair(7))]);
     assert_eq!(none, state);
 }
@@ -255,7 +259,7 @@ fn a_repair_is_an_edit_that_can_be_undone() {
 #[test]
 fn cancelling_keeps_what_is_known() {
     let state = after(&learn(&asked()), [Action::Solve(SolveAction::Cancel)]);
-    assert_eq!(state.work, Work::Idle);
+    assert!(state.work.is_idle());
     let kept = card(&state).unwrap();
     assert!(kept.verdict.is_some() && kept.pending.is_empty());
     let state = after(&asked(), [Action::Solve(SolveAction::Cancel)]);
@@ -290,7 +294,7 @@ fn the_proof_of_an_answer_is_checked_for_the_answer() {
     );
     assert!(matches!(proof(&checked), Some(Proof::Done(_))));
     let left = after(&checking, [Action::Ask(AskAction::Close)]);
-    assert_eq!(left.work, Work::Idle);
+    assert!(left.work.is_idle());
     assert_eq!(
         proof(&left),
         Some(Proof::Offered),
@@ -304,12 +308,14 @@ fn the_proof_of_an_answer_is_checked_for_the_answer() {
 fn an_edit_or_a_selection_leaves_the_question() {
     let state = learn(&asked());
     let edited = after(&state, stroke(Tool::Obstacle, &[(8, 2)]));
-    assert_eq!((edited.asking, edited.work), (None, Work::Idle));
+    assert_eq!(edited.document.mode.asking(), None);
+    assert!(edited.work.is_idle());
     let selected = after(
         &state,
         [Action::Board(BoardAction::Select(Selection::Agent(1)))],
     );
-    assert_eq!((selected.asking, selected.work), (None, Work::Idle));
+    assert_eq!(selected.document.mode.asking(), None);
+    assert!(selected.work.is_idle());
 }
 
 #[test]
@@ -324,14 +330,14 @@ fn what_is_not_so_is_refused_with_what_is() {
     let state = after(&solved(), [Action::Ask(AskAction::Ask(wait))]);
     let notice = state.view.notice.unwrap();
     assert!(notice.sentence.contains("does not wait"), "{notice:?}");
-    assert_eq!(state.work, Work::Idle);
+    assert!(state.work.is_idle());
 }
 
 #[test]
 fn a_fact_lights_up_while_it_is_pointed_at() {
     let state = answered(&asked());
     let lit = after(&state, [Action::Ask(AskAction::Light(Some(Lit::Fact(0))))]);
-    assert_eq!(lit.asking.unwrap().lit, Some(Lit::Fact(0)));
+    assert_eq!(lit.document.mode.asking().unwrap().lit, Some(Lit::Fact(0)));
     let dark = after(&state, [Action::Ask(AskAction::Light(None))]);
-    assert_eq!(dark.asking.unwrap().lit, None);
+    assert_eq!(dark.document.mode.asking().unwrap().lit, None);
 }

@@ -8,6 +8,7 @@ mod solve;
 mod things;
 mod words;
 
+pub(crate) use ask::asked_and_answered;
 use giveway_model::{AtGoal, Cell, Cost, Objective};
 
 use crate::sample::{draft, solved};
@@ -38,7 +39,7 @@ pub(crate) fn stroke(tool: Tool, cells: &[(u32, u32)]) -> Vec<Action> {
         Action::Board(BoardAction::PickTool(tool)),
         Action::Board(BoardAction::Press(first)),
     ];
-    actions.extend(cells.map(Action::Board(BoardAction::Drag)));
+    actions.extend(cells.map(|cell| Action::Board(BoardAction::Drag(cell))));
     actions.push(Action::Board(BoardAction::Release));
     actions
 }
@@ -98,7 +99,7 @@ fn the_keyboard_goes_step_by_step_as_far_as_the_map() {
 
 #[test]
 fn the_keyboard_carries_what_is_there() {
-    let start = fresh().draft.agents()[1].start;
+    let start = fresh().document.draft.agents()[1].start;
     let state = after(
         &fresh(),
         [
@@ -112,16 +113,16 @@ fn the_keyboard_carries_what_is_there() {
     });
     let moved = after(&state, [up.clone()]);
     assert_eq!(
-        moved.draft.agents()[1].start,
+        moved.document.draft.agents()[1].start,
         Cell::new(start.x, start.y - 1)
     );
-    assert_eq!(moved.cursor, moved.draft.agents()[1].start);
+    assert_eq!(moved.view.cursor, moved.document.draft.agents()[1].start);
     let brush = after(
         &state,
         [Action::Board(BoardAction::PickTool(Tool::Obstacle)), up],
     );
     assert_eq!(
-        brush.draft, state.document.draft,
+        brush.document.draft, state.document.draft,
         "a brush has nothing to carry"
     );
 }
@@ -158,7 +159,8 @@ fn what_is_shown() {
     );
     let same = after(&state, [Action::Edit(Edit::Recolour(0, 12))]);
     assert_eq!(same, state, "there is no such colour");
-    assert!(!state.history.can_undo(), "nothing of the scene");
+    let plain = after(&state, [Action::Undo]).document.colours;
+    assert_eq!(plain.of(1), 1, "colours belong to the document");
 }
 
 #[test]
@@ -187,7 +189,8 @@ fn limits_are_no_part_of_the_scene() {
     assert_eq!(state.document.within, Some(40));
     assert_eq!(state.settings.seconds, 1, "at least one second");
     assert!(state.settings.solve_on_change);
-    assert!(!state.document.is_stale() && !state.history.can_undo());
+    assert!(!state.document.is_stale());
+    assert_eq!(after(&state, [Action::Undo]).document.within, None);
 }
 
 #[test]
@@ -210,5 +213,5 @@ fn objective_and_rules_are_edits_of_the_scene() {
     let again = after(&state, actions);
     assert_eq!(again, state, "what changes nothing is no step of undo");
     let undone = after(&state, [Action::Undo, Action::Undo, Action::Undo]);
-    assert_eq!(undone.draft, solved().draft);
+    assert_eq!(undone.document.draft, solved().document.draft);
 }

@@ -5,13 +5,10 @@ use giveway_solve::{Progress, Refusal, Response, SolveAnswer, Stats, Status};
 
 use super::{after, edit, fresh};
 use crate::sample::solved;
-use crate::{Action, Edit, Phase, Run, Size, SolveAction, State, ViewAction, Work};
+use crate::{Action, Edit, Phase, Size, SolveAction, Solving, State, ViewAction};
 
-fn run(state: &State) -> &Run {
-    match &state.work {
-        Work::Solving(run) => run,
-        other => panic!("not solving: {other:?}"),
-    }
+fn run(state: &State) -> &Solving {
+    state.work.solving().unwrap()
 }
 
 fn solving() -> State {
@@ -63,7 +60,7 @@ fn a_run_is_of_the_scene_with_the_limits_set() {
     ];
     let state = after(&fresh(), actions);
     let run = run(&state);
-    assert_eq!(run.id, 1);
+    assert_eq!(state.work.id(), Some(1));
     assert_eq!(run.request.scene, *state.document.draft.scene());
     assert_eq!(run.request.within, Some(40));
     assert_eq!(run.request.limits.seconds, Some(7.0));
@@ -74,7 +71,7 @@ fn a_run_is_of_the_scene_with_the_limits_set() {
 #[test]
 fn each_run_has_its_own_number() {
     let state = after(&solving(), [Action::Solve(SolveAction::Solve)]);
-    assert_eq!(run(&state).id, 2);
+    assert_eq!(state.work.id().unwrap(), 2);
     let state = after(
         &state,
         [
@@ -82,7 +79,7 @@ fn each_run_has_its_own_number() {
             Action::Solve(SolveAction::Solve),
         ],
     );
-    assert_eq!(run(&state).id, 3);
+    assert_eq!(state.work.id().unwrap(), 3);
 }
 
 #[test]
@@ -123,7 +120,7 @@ fn each_answer_has_its_phase() {
     ];
     for (status, phase) in cases {
         let state = after(&solving(), [respond(1, status)]);
-        assert_eq!((state.phase(), &state.work), (phase, &Work::Idle));
+        assert_eq!((state.phase(), state.work.is_idle()), (phase, true));
         assert!(!state.view.playback.playing, "nothing to play");
     }
 }
@@ -148,8 +145,8 @@ fn cancel_keeps_what_was_there() {
             Action::Solve(SolveAction::Cancel),
         ],
     );
-    assert_eq!(state.work, Work::Idle);
-    assert_eq!(state.document.answer, before.answer);
+    assert!(state.work.is_idle());
+    assert_eq!(state.document.answer, before.document.answer);
     assert_eq!(state.phase(), Phase::Planned);
 }
 
@@ -182,14 +179,14 @@ fn a_crash_is_told_and_the_scene_stays() {
     let broke = after(&before, [crash(1, true)]);
     let absent = after(&before, [crash(1, false)]);
     for state in [&broke, &absent] {
-        assert_eq!(state.work, Work::Idle);
-        assert_eq!(state.document.draft, before.draft);
+        assert!(state.work.is_idle());
+        assert_eq!(state.document.draft, before.document.draft);
         let notice = state.view.notice.as_ref().unwrap();
         assert_eq!(notice.details, ["It broke."]);
     }
-    assert_ne!(broke.notice, absent.notice);
+    assert_ne!(broke.view.notice, absent.view.notice);
     let again = after(&broke, [Action::Solve(SolveAction::Solve)]);
-    assert_eq!((again.phase(), &again.notice), (Phase::Solving, &None));
+    assert_eq!((again.phase(), &again.view.notice), (Phase::Solving, &None));
 }
 
 #[test]
@@ -210,6 +207,6 @@ fn a_refusal_is_told() {
         let notice = state.view.notice.unwrap();
         let detail = "agents[0].goal: found the obstacle (1, 1), expected a free cell";
         assert_eq!(notice.details, [detail]);
-        assert_eq!(state.work, Work::Idle);
+        assert!(state.work.is_idle());
     }
 }

@@ -29,9 +29,9 @@ fn an_agent_is_placed_with_its_goal_in_one_gesture() {
     assert_eq!(state.view.selection, Selection::Agent(2));
     assert_eq!(state.phase(), Phase::Editing);
     let undone = after(&state, [Action::Undo]);
-    assert_eq!(undone.draft, solved().draft);
+    assert_eq!(undone.document.draft, solved().document.draft);
     assert!(!undone.history.can_undo());
-    assert_eq!(undone.selection, Selection::Nothing);
+    assert_eq!(undone.view.selection, Selection::Nothing);
 }
 
 #[test]
@@ -41,23 +41,26 @@ fn an_agent_is_placed_by_two_presses() {
         [Action::Board(BoardAction::PickTool(Tool::Agent))],
     );
     let half = after(&state, key(0, 2));
-    assert_eq!(half.draft, state.document.draft, "nothing is placed yet");
+    assert_eq!(
+        half.document.draft, state.document.draft,
+        "nothing is placed yet"
+    );
     assert_eq!(
         words::standing(&half).sentence,
-        "A3 starts at (0,2): now choose its goal."
+        "A3 starts at (0, 2). Now choose its goal."
     );
     let looking = after(
         &half,
         [Action::Board(BoardAction::MoveCursor(Cell::new(4, 2)))],
     );
-    let placing = looking.placing.unwrap();
+    let placing = looking.placing().unwrap();
     assert_eq!(
         (placing.start, placing.goal),
         (Cell::new(0, 2), Cell::new(4, 2))
     );
     let placed = after(&looking, key(9, 1));
     assert_eq!(agent(&placed, 2).goal, Cell::new(9, 1));
-    assert_eq!(placed.placing, None);
+    assert_eq!(placed.placing(), None);
     let stays = after(&half, key(0, 2));
     assert_eq!(agent(&stays, 2).goal, Cell::new(0, 2), "it may stay");
 }
@@ -76,7 +79,7 @@ fn a_placing_can_be_left() {
     ] {
         let state = after(&half, [action.clone()]);
         assert_eq!(state.placing(), None, "{action:?}");
-        assert_eq!(state.document.draft, fresh().draft);
+        assert_eq!(state.document.draft, fresh().document.draft);
         assert!(!state.history.can_undo());
     }
 }
@@ -132,11 +135,14 @@ fn the_selected_agent_gets_another_goal() {
     let state = after(&fresh(), select);
     let moved = after(&state, key(8, 2));
     assert_eq!(agent(&moved, 1).goal, Cell::new(8, 2));
-    assert_eq!(after(&moved, [Action::Undo]).draft, fresh().draft);
+    assert_eq!(
+        after(&moved, [Action::Undo]).document.draft,
+        fresh().document.draft
+    );
     // The goal of another is taken hold of instead: no two may share one.
     let other = after(&state, key(9, 2));
-    assert_eq!(other.draft, fresh().draft);
-    assert_eq!(other.selection, Selection::Agent(0));
+    assert_eq!(other.document.draft, fresh().document.draft);
+    assert_eq!(other.view.selection, Selection::Agent(0));
 }
 
 #[test]
@@ -148,12 +154,13 @@ fn without_a_selection_a_goal_is_drawn_from_the_agent() {
         "the flag there is of A1"
     );
     let none = after(&fresh(), stroke(Tool::Goal, &[(4, 2), (3, 2)]));
-    assert_eq!(none.draft, fresh().draft);
+    assert_eq!(none.document.draft, fresh().document.draft);
     assert!(
-        none.notice
+        none.view
+            .notice
             .unwrap()
             .sentence
-            .starts_with("Press an agent first")
+            .starts_with("Press a robot first")
     );
 }
 
@@ -172,11 +179,18 @@ fn waypoints_are_added_moved_and_taken_away() {
     let moved = after(&added, stroke(Tool::Waypoint, &[(1, 2), (2, 2), (2, 0)]));
     assert_eq!(waypoints(&moved), cells(&[(5, 0), (2, 0), (8, 2)]));
     let back = after(&moved, stroke(Tool::Waypoint, &[(2, 0), (2, 2), (2, 0)]));
-    assert_eq!(back.draft, moved.draft, "moved there and back is no press");
+    assert_eq!(
+        back.document.draft, moved.document.draft,
+        "moved there and back is no press"
+    );
     let gone = after(&moved, key(5, 0));
     assert_eq!(waypoints(&gone), cells(&[(2, 0), (8, 2)]));
     let undone = after(&gone, [Action::Undo, Action::Undo, Action::Undo]);
-    assert_eq!(undone.draft, fresh().draft, "each is one step");
+    assert_eq!(
+        undone.document.draft,
+        fresh().document.draft,
+        "each is one step"
+    );
     assert!(!undone.history.can_undo());
 }
 
@@ -194,13 +208,16 @@ fn select_moves_what_is_on_a_cell() {
     assert_eq!(rows(&charger)[0], "..~*~~~~..", "it lies in the slow zone");
     assert_eq!(rows(&moved((1, 1), (0, 1)))[1], "#.#.##.##.");
     assert_eq!(
-        moved((1, 1), (0, 0)).draft,
-        fresh().draft,
+        moved((1, 1), (0, 0)).document.draft,
+        fresh().document.draft,
         "not onto an agent"
     );
     let state = moved((1, 1), (0, 1));
     assert_eq!(state.view.selection, Selection::Cell(Cell::new(0, 1)));
-    assert_eq!(after(&state, [Action::Undo]).draft, fresh().draft);
+    assert_eq!(
+        after(&state, [Action::Undo]).document.draft,
+        fresh().document.draft
+    );
 }
 
 #[test]
@@ -220,10 +237,11 @@ fn a_stroke_can_be_left() {
         Action::Board(BoardAction::Drag(Cell::new(0, 2))),
     ];
     let state = after(&solved(), actions);
-    assert_eq!(state.phase(), Phase::Editing);
+    assert_eq!(state.world().agents()[0].start, Cell::new(0, 2));
     let left = after(&state, [Action::Board(BoardAction::Abandon)]);
+    assert_eq!(left.world().agents()[0].start, Cell::new(0, 0));
     assert_eq!(left.phase(), Phase::Planned);
-    assert_eq!(left.draft, solved().draft);
+    assert_eq!(left.document.draft, solved().document.draft);
 }
 
 #[test]
@@ -235,7 +253,10 @@ fn erasing_takes_waypoints_goals_and_agents() {
     let left = state.document.draft.agents();
     assert_eq!(left.len(), 1, "A2 started there");
     assert_eq!(left[0].goal, left[0].start, "A1 ended there");
-    assert_eq!(after(&state, [Action::Undo]).draft, fresh().draft);
+    assert_eq!(
+        after(&state, [Action::Undo]).document.draft,
+        fresh().document.draft
+    );
 }
 
 #[test]
@@ -247,9 +268,9 @@ fn the_selection_follows_its_agent() {
     let state = after(&state, stroke(Tool::Erase, &[(0, 0)]));
     assert_eq!(state.view.selection, Selection::Agent(0), "A2 came forward");
     let undone = after(&state, [Action::Undo]);
-    assert_eq!(undone.selection, Selection::Agent(1));
+    assert_eq!(undone.view.selection, Selection::Agent(1));
     let gone = after(&undone, stroke(Tool::Erase, &[(9, 2)]));
-    assert_eq!(gone.selection, Selection::Nothing);
+    assert_eq!(gone.view.selection, Selection::Nothing);
 }
 
 #[test]

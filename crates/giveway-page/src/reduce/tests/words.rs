@@ -54,7 +54,7 @@ fn with_a_plan() {
     let planned = solved();
     let sentence = "Optimal: makespan 18, sum of costs 35, 3 charges.";
     check(&planned, Badge::Proved, sentence);
-    let stale = "The plan is for the scene before the edit: solve it anew.";
+    let stale = "The scene has changed since this plan. Solve again.";
     check(&after(&planned, edit()), Badge::Stale, stale);
     let bounded = answered(|answer| {
         answer.status = Status::Optimal;
@@ -118,9 +118,13 @@ fn without_a_plan() {
     };
     let check = |state: &State, sentence| check(state, Badge::Impossible, sentence);
     check(&none(Some(40), None), "No plan within makespan 40.");
-    check(&none(None, None), "No plan, whatever the horizon.");
+    check(
+        &none(None, None),
+        "No plan exists, no matter how many steps you allow.",
+    );
     let reason = Some("A1 and A2 cannot both arrive.");
-    let sentence = "No plan, whatever the horizon: A1 and A2 cannot both arrive.";
+    let sentence =
+        "No plan exists, no matter how many steps you allow: A1 and A2 cannot both arrive.";
     check(&none(None, reason), sentence);
     let sentence = "No plan within makespan 40: A1 and A2 cannot both arrive.";
     check(&none(Some(40), reason), sentence);
@@ -129,7 +133,7 @@ fn without_a_plan() {
 #[test]
 fn a_stale_answer_without_a_plan() {
     let state = answered(|answer| answer.status = Status::Impossible);
-    let sentence = "The scene has changed: solve it anew.";
+    let sentence = "The scene has changed. Solve again.";
     check(&after(&state, edit()), Badge::Stale, sentence);
 }
 
@@ -137,7 +141,7 @@ fn a_stale_answer_without_a_plan() {
 fn out_of_budget() {
     let reason = Some("The time limit was reached.".to_owned());
     let unknown = answered(|answer| answer.reason = reason.clone());
-    let sentence = "Undecided: no plan found, and none ruled out. The time limit was reached. \
+    let sentence = "Time ran out. There may be a plan; none was found yet. The time limit was reached. \
                     Proved so far: makespan is at least 17.";
     check(&unknown, Badge::Stopped, sentence);
     let feasible = answered(|answer| {
@@ -146,27 +150,27 @@ fn out_of_budget() {
         answer.bounds = [(Cost::Makespan, 20), (Cost::SumOfCosts, 38)].into();
         answer.reason = reason;
     });
-    let sentence = "Best plan so far: makespan 20, proved; sum of costs 40, proved at least 38; \
+    let sentence = "Best so far: makespan 20, proved; sum of costs 40, at least 38; \
                     1 charge. The time limit was reached.";
     check(&feasible, Badge::Stopped, sentence);
 }
 
 #[test]
 fn a_scene_that_cannot_be_solved() {
-    let mut scene: Scene = fresh().draft.scene().clone();
+    let mut scene: Scene = fresh().document.draft.scene().clone();
     scene.agents[0].goal = Cell::new(1, 1);
     let state = State::new(Draft::new(scene).unwrap());
     let standing = standing(&state);
     assert_eq!(standing.badge, Badge::Faulty);
     assert_eq!(
         standing.sentence,
-        "This cannot be solved: The goal of A1 is on an obstacle, at (1,1)."
+        "This cannot be solved: The goal of A1 is on an obstacle, at (1, 1)."
     );
     let state = after(&state, [Action::Solve(SolveAction::Solve)]);
     let notice = state.view.notice.unwrap();
     assert_eq!(
         notice.details,
-        ["The goal of A1 is on an obstacle, at (1,1)."],
+        ["The goal of A1 is on an obstacle, at (1, 1)."],
         "told when it is tried"
     );
 }
