@@ -102,8 +102,8 @@ fn claims_something(request: &CertifyRequest) -> bool {
 pub(crate) fn doing(run: &Certifying) -> String {
     match &run.at {
         None => "Checking the proof.".to_owned(),
-        Some((claim, false)) => format!("Proving again: {}", claim),
-        Some((claim, true)) => format!("Checking the proof: {}", claim),
+        Some((claim, false)) => format!("Proving again: {claim}"),
+        Some((claim, true)) => format!("Checking the proof: {claim}"),
     }
 }
 
@@ -121,10 +121,9 @@ fn outcome(report: &Report) -> Outcome {
     let reason = report.reason.as_deref().unwrap_or_default();
     let sentence = match (report.accepted, report.stopped) {
         (true, _) => sums(report),
-        (false, true) => format!("The check ended too early. {}", reason),
+        (false, true) => format!("The check ended too early. {reason}"),
         (false, false) => format!(
-            "The certificate does not hold, which is a fault of this program. {}",
-            reason
+            "The certificate does not hold, which is a fault of this program. {reason}"
         ),
     };
     Outcome {
@@ -207,6 +206,6 @@ fn line(claim: &Checked) -> Line {
     Line {
         icon,
         text: text.clone(),
-        rests_on: rests_on,
+        rests_on,
     }
 }

@@ -53,7 +53,7 @@ fn step(state: &mut State, action: Action) {
         Action::Change(action) => change::change(state, action),
         Action::Steer(lead) => steer::steer(state, lead),
         Action::Play(action) => play::play(state, action),
-        Action::View(action) => view::view(state, action),
+        Action::View(action) => view::view(state, &action),
     }
 }
 

@@ -3,9 +3,9 @@
 use super::play;
 use crate::{State, ViewAction};
 
-pub(super) fn view(state: &mut State, action: ViewAction) {
+pub(super) fn view(state: &mut State, action: &ViewAction) {
     let (view, settings) = (&mut state.view, &mut state.settings);
-    match action {
+    match *action {
         ViewAction::DismissNotice => view.notice = None,
         ViewAction::ShowTrails(on) => view.layers.trails = on,
         ViewAction::ShowHeat(on) => view.layers.heat = on,

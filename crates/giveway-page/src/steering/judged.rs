@@ -7,7 +7,7 @@ use giveway_model::{Agent, Instance, Plan};
 use giveway_solve::{SolveAnswer, Stats, Status};
 
 use super::Steering;
-use crate::{Answer, words};
+use crate::Answer;
 
 impl Steering {
     /// The plan with what the judge says of it.

@@ -365,7 +365,7 @@ fn every_step_is_one_of_undo_and_nothing_is_lost() {
     );
     let left = after(&one, [Action::Undo, Action::Undo]);
     assert_eq!(
-        (left.document.mode.steering().clone(), left.phase()),
+        (left.document.mode.steering(), left.phase()),
         (None, Phase::Planned)
     );
     let discarded = after(&two, [DISCARD]);
@@ -526,7 +526,7 @@ fn a_step_closes_the_answer_and_ends_the_search() {
         [WAIT, Action::Ask(AskAction::Ask(Question::Plan)), RIGHT],
     );
     assert_eq!(
-        (state.phase(), state.document.mode.asking().clone()),
+        (state.phase(), state.document.mode.asking()),
         (Phase::Steering, None)
     );
     assert_eq!(path(&state, "A1").len(), 3);
