@@ -108,7 +108,7 @@ pub(super) fn progress(state: &mut State, id: u64, event: Progress) {
             let bound = run.bounds.entry(cost).or_insert(at_least);
             *bound = at_least.max(*bound);
         }
-        Progress::Plan { costs } => run.best = Some(costs),
+        Progress::Plan { costs, .. } => run.best = Some(costs),
         Progress::Size {
             variables,
             clauses,
