@@ -13,8 +13,8 @@ use giveway_model::{Cost, Version};
 use crate::{
     FrontAnswer, SolveAnswer, Status,
     problem::Problem,
-    search::{self, Bounded},
-    solve::{Task, answer, without_search},
+    search::Bounded,
+    solve::{Task, answer, best, without_search},
 };
 
 /// Upper limits, both included, by cost.
@@ -40,7 +40,7 @@ pub(crate) fn front(task: &Task) -> FrontAnswer {
             continue;
         }
         let bounded = Bounded { horizon, limits };
-        let verdict = search::solve(&problem, &task.objective, &bounded, &task.meter);
+        let verdict = best(task, &problem, &bounded);
         let answer = answer(task, &problem, horizon, verdict);
         match (answer.status, answer.costs) {
             (Status::Optimal, Some(found)) => {

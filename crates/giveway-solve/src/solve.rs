@@ -3,14 +3,14 @@
 use std::collections::BTreeMap;
 use std::rc::Rc;
 
-use giveway_model::{Instance, Objective, Version, check::check};
+use giveway_model::{Costs, Instance, Objective, Plan, Version, check::check};
 
 use crate::{
-    Host, Limits, SolveAnswer, Status,
+    Host, Limits, Progress, SolveAnswer, Status,
     meter::{Meter, Stop},
     problem::{Problem, Setback},
-    search::{self, Bounded, Verdict},
-    walk::to_plan,
+    search::{self, Bounded, Contact, Verdict},
+    walk::{Walk, of_plan, to_plan},
 };
 
 /// The parts of a request that have been checked.
@@ -19,6 +19,8 @@ pub(crate) struct Task<'h> {
     pub(crate) objective: Objective,
     /// The horizon, where a person set one.
     pub(crate) within: Option<u32>,
+    /// A plan that is known already, as it was handed in.
+    pub(crate) start: Option<Plan>,
     pub(crate) meter: Rc<Meter<'h>>,
 }
 
@@ -34,6 +36,7 @@ impl<'h> Task<'h> {
             objective: objective.unwrap_or_else(|| instance.objective().clone()),
             instance,
             within,
+            start: None,
             meter: Rc::new(Meter::new(host, limits)),
         }
     }
@@ -53,11 +56,55 @@ pub(crate) fn solve(task: &Task) -> SolveAnswer {
                 horizon: task.horizon(&problem),
                 limits: BTreeMap::new(),
             };
-            let verdict = search::solve(&problem, &task.objective, &bounded, &task.meter);
+            let verdict = best(task, &problem, &bounded);
             answer(task, &problem, bounded.horizon, verdict)
         }
-        Err(setback) => without_search(task, &setback),
+        Err(setback) => {
+            let mut answer = without_search(task, &setback);
+            if answer.status == Status::Unknown
+                && let Some((plan, costs)) = start(task)
+                && task.within.is_none_or(|within| costs.makespan <= within)
+            {
+                answer.status = Status::Feasible;
+                (answer.plan, answer.costs) = (Some(plan), Some(costs));
+            }
+            answer
+        }
     }
+}
+
+/// The search for the best plan: it begins with the plan that is known, and
+/// tells the host of each better one.
+pub(crate) fn best(task: &Task, problem: &Problem, bounded: &Bounded) -> Verdict {
+    let names = names(task);
+    let start = start(task).and_then(|(plan, _)| of_plan(problem, &names, &plan));
+    let on_better = |walks: &[Walk]| {
+        let plan = to_plan(problem, &names, walks);
+        let report = check(&task.instance, &plan);
+        if let (true, Some(costs)) = (report.is_valid(), report.costs) {
+            task.meter.report(&Progress::Plan { costs, plan });
+        }
+    };
+    let contact = Contact {
+        start: start.as_deref(),
+        on_better: &on_better,
+    };
+    search::solve(problem, &task.objective, bounded, &contact, &task.meter)
+}
+
+/// The plan that is known already, where the judge passes it.
+fn start(task: &Task) -> Option<(Plan, Costs)> {
+    let mut plan = task.start.clone()?;
+    plan.cut_trailing_goals(&task.instance);
+    let report = check(&task.instance, &plan);
+    let costs = report.costs.filter(|_| report.violations.is_empty())?;
+    Some((plan, costs))
+}
+
+/// The agents' names, in the order of the instance.
+fn names(task: &Task) -> Vec<String> {
+    let agents = task.instance.agents().iter();
+    agents.map(|agent| agent.name.clone()).collect()
 }
 
 /// The answer where an agent alone decides it.
@@ -99,12 +146,7 @@ pub(crate) fn answer(
     horizon: u32,
     verdict: Verdict,
 ) -> SolveAnswer {
-    let names: Vec<String> = task
-        .instance
-        .agents()
-        .iter()
-        .map(|a| a.name.clone())
-        .collect();
+    let names = names(task);
     let mut stop = verdict.stop;
     let mut found = verdict
         .best

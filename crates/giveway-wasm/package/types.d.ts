@@ -47,6 +47,8 @@ export interface SolveRequest {
   pareto?: boolean;
   /** Only plans of at most this makespan count. */
   within?: number;
+  /** A plan known already, to begin with; ignored where it breaks a rule or is beyond `within`. */
+  start?: Plan;
   limits?: Limits;
 }
 
@@ -70,7 +72,8 @@ export interface CheckRequest {
 /** Something became known on the way. */
 export type Progress =
   | { event: "bound"; cost: Cost; at_least: number }
-  | { event: "plan"; costs: Record<Cost, number> }
+  /** The best plan so far; it may be handed in again as `start`. */
+  | { event: "plan"; costs: Record<Cost, number>; plan: Plan }
   | { event: "size"; variables: number; clauses: number; conflicts: number }
   | { event: "explained"; answer: ExplainAnswer }
   | { event: "certifying"; claim: string; checking: boolean };

@@ -110,6 +110,7 @@ pub(super) fn start(state: &mut State, how: Start) {
         scene: document.draft.scene().clone(),
         pareto: state.settings.front && has_front(&document.draft.scene().objective),
         within: document.within,
+        start: from.as_ref().and_then(|from| from.solved.plan.clone()),
         limits: Limits {
             seconds: Some(f64::from(state.settings.seconds)),
             ..Limits::default()
@@ -140,6 +141,11 @@ impl Solving {
             Progress::Bound { cost, at_least } => {
                 let bound = self.bounds.entry(cost).or_insert(at_least);
                 *bound = at_least.max(*bound);
+            }
+            // Of a front it is the plan of one point.
+            Progress::Plan { costs, plan } if !self.request.pareto => {
+                self.best = Some(costs);
+                self.plan = Some(Rc::new(plan));
             }
             Progress::Plan { costs, .. } => self.best = Some(costs),
             Progress::Size { .. } | Progress::Explained { .. } | Progress::Certifying { .. } => {}

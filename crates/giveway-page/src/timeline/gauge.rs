@@ -109,12 +109,11 @@ pub fn work_done(size: Size) -> String {
 
 #[cfg(test)]
 mod tests {
-    use crate::SolveAction;
-    use giveway_model::Costs;
+    use giveway_model::{Costs, Plan};
     use giveway_solve::Progress;
 
     use super::*;
-    use crate::{Action, State, reduce, sample};
+    use crate::{Action, SolveAction, State, reduce, sample};
 
     fn after(events: &[Progress]) -> Gauge {
         let mut state = reduce(
@@ -135,15 +134,18 @@ mod tests {
         Progress::Bound { cost, at_least }
     }
 
-    const PLAN: Progress = Progress::Plan {
-        costs: Costs {
-            makespan: 20,
-            sum_of_costs: 37,
-            charges: 3,
-            moves: 30,
-            waits: 0,
-        },
-    };
+    fn plan() -> Progress {
+        Progress::Plan {
+            costs: Costs {
+                makespan: 20,
+                sum_of_costs: 37,
+                charges: 3,
+                moves: 30,
+                waits: 0,
+            },
+            plan: Plan::default(),
+        }
+    }
 
     #[test]
     fn nothing_known() {
@@ -166,7 +168,7 @@ mod tests {
             gauge.sentence,
             "Below 17 there is no plan. None is found yet."
         );
-        let gauge = after(&[makespan, PLAN]);
+        let gauge = after(&[makespan, plan()]);
         assert_eq!(
             gauge.sentence,
             "Below 17 there is no plan. A plan of 20 exists. The answer lies between."
@@ -175,7 +177,7 @@ mod tests {
 
     #[test]
     fn the_next_cost_says_what_is_settled() {
-        let gauge = after(&[bound(Cost::Makespan, 20), PLAN, bound(Cost::SumOfCosts, 37)]);
+        let gauge = after(&[bound(Cost::Makespan, 20), plan(), bound(Cost::SumOfCosts, 37)]);
         assert_eq!(gauge.cost, Cost::SumOfCosts);
         assert_eq!(
             gauge.sentence,

@@ -17,10 +17,10 @@ use super::{
     words,
 };
 use crate::{
-    SolveAnswer, Status,
+    Progress, SolveAnswer, Status,
     meter::Stop,
     problem::Problem,
-    search::{Before, Bounded, Extent, Verdict, closest, solve},
+    search::{Before, Bounded, Contact, Extent, Verdict, closest, solve},
     walk::Walk,
 };
 
@@ -45,7 +45,7 @@ pub(super) fn run(case: &Case<'_, '_>) -> MethodAnswer {
         Err(trouble) => return without_search(case, trouble),
     };
     let bounded = case.bounded(&problem);
-    let verdict = solve(&problem, case.objective, &bounded, &case.meter);
+    let verdict = search(case, &problem, &bounded, &freed);
     let found = Found {
         problem,
         bounded,
@@ -67,6 +67,26 @@ pub(super) fn run(case: &Case<'_, '_>) -> MethodAnswer {
         Ok(None) => answer(case, &found),
         Err(stop) => answer(case, &stopped(found, stop)),
     }
+}
+
+/// The search for the best plan with these agents freed; it tells the host of
+/// each better one, behind the past.
+fn search(
+    case: &Case<'_, '_>,
+    problem: &Problem,
+    bounded: &Bounded,
+    freed: &BTreeSet<usize>,
+) -> Verdict {
+    let on_better = |walks: &[Walk]| {
+        if let Some((plan, costs)) = judged(case, problem, freed, walks, &[]) {
+            case.meter.report(&Progress::Plan { costs, plan });
+        }
+    };
+    let contact = Contact {
+        start: None,
+        on_better: &on_better,
+    };
+    solve(problem, case.objective, bounded, &contact, &case.meter)
 }
 
 /// The same, ended by the budget.
@@ -124,7 +144,7 @@ fn free_fewest(case: &Case<'_, '_>, before: &Found, fewest: Fewest) -> Result<Fo
             continue;
         };
         let bounded = case.bounded(&problem);
-        let verdict = solve(&problem, case.objective, &bounded, &case.meter);
+        let verdict = search(case, &problem, &bounded, &freed);
         let vector = |found: &Verdict| {
             let costs = found.best.as_ref().map(|(_, costs)| *costs);
             costs.map(|costs| costs.vector(case.objective))
@@ -213,9 +233,11 @@ fn answer(case: &Case<'_, '_>, found: &Found) -> MethodAnswer {
         let near = near
             .as_ref()
             .map(|(walks, same, _)| (walks.as_slice(), same.as_slice()));
-        let judged = near.and_then(|(walks, same)| judged(case, found, walks, same));
+        let judge =
+            |walks: &[Walk], same: &[bool]| judged(case, &found.problem, &found.freed, walks, same);
+        let judged = near.and_then(|(walks, same)| judge(walks, same));
         closest &= judged.is_some();
-        plan = judged.or_else(|| self::judged(case, found, walks, &[]));
+        plan = judged.or_else(|| judge(walks, &[]));
         if plan.is_none() {
             stop = Some(Stop::Contradiction);
         }
@@ -297,15 +319,16 @@ fn disturb_few(
 /// agent that is held to the method keeps to it.
 fn judged(
     case: &Case<'_, '_>,
-    found: &Found,
+    problem: &Problem,
+    freed: &BTreeSet<usize>,
     walks: &[Walk],
     same: &[bool],
 ) -> Option<(Plan, Costs)> {
-    let plan = splice(case.world, &found.problem, walks, same);
+    let plan = splice(case.world, problem, walks, same);
     let report = check_history(case.world.after, &plan);
     let costs = report.costs.filter(|_| report.is_valid())?;
     if case.method == Method::Revise {
-        let held = case.held(&found.freed);
+        let held = case.held(freed);
         let rerouted = compare(case.world, &plan).rerouted;
         let strays = |agent: usize| {
             let member = case.member(agent);

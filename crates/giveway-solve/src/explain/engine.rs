@@ -182,6 +182,7 @@ fn solved(
         instance: instance.clone(),
         objective: instance.objective().clone(),
         within: request.within,
+        start: None,
         meter: Rc::clone(meter),
     };
     let answer = solve::solve(&task);

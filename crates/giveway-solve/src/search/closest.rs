@@ -68,7 +68,7 @@ pub(crate) fn closest(
     meter: &Rc<Meter>,
 ) -> Result<Option<Close>, Stop> {
     let objective = giveway_model::Objective::default();
-    let mut incumbent = Incumbent::new(objective, bounded.horizon, bounded.limits.clone());
+    let mut incumbent = Incumbent::new(objective, bounded.horizon, bounded.limits.clone(), &|_| {});
     let walks: Vec<Walk> = before.iter().map(|it| it.walk.clone()).collect();
     let horizon = bounded.latest();
     let search = Search::new(problem, walks, horizon, &mut incumbent, Rc::clone(meter));
@@ -107,7 +107,7 @@ struct Trace {
 struct Near<'p, 'h> {
     problem: &'p Problem,
     before: &'p [Before],
-    search: Search<'p, 'h>,
+    search: Search<'p, 'h, 'p>,
     traces: Vec<Option<Trace>>,
     written: Vec<Written>,
     /// "Its entry at this time differs", of inside agents, once they count.

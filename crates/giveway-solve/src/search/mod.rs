@@ -21,5 +21,5 @@ mod tally;
 mod team;
 
 pub(crate) use closest::{Before, Extent, closest};
-pub(crate) use lexicographic::{Aim, Bounded, Verdict, find, solve};
+pub(crate) use lexicographic::{Aim, Bounded, Contact, Verdict, find, solve};
 pub(crate) use team::Team;

@@ -38,11 +38,11 @@ pub(crate) enum End {
 }
 
 /// A lexicographic search under way.
-pub(crate) struct Search<'p, 'h> {
+pub(crate) struct Search<'p, 'h, 'b> {
     pub(crate) problem: &'p Problem,
     pub(crate) meter: Rc<Meter<'h>>,
     pub(crate) team: Team<'p, 'h>,
-    pub(crate) incumbent: &'p mut Incumbent,
+    pub(crate) incumbent: &'p mut Incumbent<'b>,
     /// The latest arrival of each agent that is still of interest.
     caps: Vec<u32>,
     /// Agents whose cap is a clause already.
@@ -65,12 +65,12 @@ pub(crate) struct Search<'p, 'h> {
     begun: Vec<Cost>,
 }
 
-impl<'p, 'h> Search<'p, 'h> {
+impl<'p, 'h, 'b> Search<'p, 'h, 'b> {
     pub(crate) fn new(
         problem: &'p Problem,
         walks: Vec<Walk>,
         horizon: u32,
-        incumbent: &'p mut Incumbent,
+        incumbent: &'p mut Incumbent<'b>,
         meter: Rc<Meter<'h>>,
     ) -> Self {
         Self {
@@ -130,7 +130,7 @@ impl<'p, 'h> Search<'p, 'h> {
             POLISH_ROUNDS,
             &self.meter,
         );
-        self.incumbent.offer(self.problem, &walks, &self.meter);
+        self.incumbent.offer(self.problem, &walks);
         improved
     }
 
@@ -255,7 +255,7 @@ impl<'p, 'h> Search<'p, 'h> {
         }
         if entering.is_empty() {
             let walks = self.team.walks.clone();
-            self.incumbent.offer(self.problem, &walks, &self.meter);
+            self.incumbent.offer(self.problem, &walks);
         }
         Ok(entering)
     }

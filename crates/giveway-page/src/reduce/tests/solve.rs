@@ -1,6 +1,6 @@
 //! Runs of the solver, and what comes late.
 
-use giveway_model::{Cost, Costs, Fault, Version};
+use giveway_model::{Cost, Costs, Fault, Plan, Version};
 use giveway_solve::{Progress, Refusal, Response, SolveAnswer, Stats, Status};
 
 use super::{after, edit, fresh};
@@ -97,7 +97,10 @@ fn progress_only_improves() {
     let actions = [
         bound(1, 17),
         bound(1, 15),
-        tell(Progress::Plan { costs }),
+        tell(Progress::Plan {
+            costs,
+            plan: Plan::default(),
+        }),
         tell(Progress::Size {
             variables: 900,
             clauses: 3000,

@@ -1,6 +1,6 @@
 //! What the page says in each state.
 
-use giveway_model::{Cell, Cost, Costs, Scene};
+use giveway_model::{Cell, Cost, Costs, Plan, Scene};
 use giveway_solve::{Progress, Response, SolveAnswer, Status};
 
 use super::solve::respond;
@@ -65,6 +65,14 @@ fn with_a_plan() {
     check(&bounded, Badge::Proved, sentence);
 }
 
+/// A plan found on the way.
+fn plan() -> Progress {
+    Progress::Plan {
+        costs: COSTS,
+        plan: Plan::default(),
+    }
+}
+
 #[test]
 fn while_it_solves() {
     let tell = |event| Action::Solve(SolveAction::Progress { job: 1, event });
@@ -77,7 +85,7 @@ fn while_it_solves() {
             "Solving: makespan is at least 17.",
         ),
         (
-            tell(Progress::Plan { costs: COSTS }),
+            tell(plan()),
             "Solving: makespan is at least 17, the best plan so far has 20.",
         ),
         (bound(Cost::Makespan, 20), "Solving: makespan is 20."),
@@ -94,7 +102,7 @@ fn while_it_solves() {
 
 #[test]
 fn a_plan_before_any_bound() {
-    let event = Progress::Plan { costs: COSTS };
+    let event = plan();
     let state = after(
         &fresh(),
         [
