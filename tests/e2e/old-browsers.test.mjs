@@ -3,8 +3,8 @@
 // is told in a sentence.
 
 import assert from "node:assert/strict";
-import { readFileSync } from "node:fs";
-import { join } from "node:path";
+import { readFileSync, readdirSync } from "node:fs";
+import { extname, join } from "node:path";
 import { after, before, describe, test } from "node:test";
 
 import { plainTokens } from "../../scripts/plain-tokens.mjs";
@@ -62,6 +62,18 @@ describe("what older browsers lack", () => {
       for (const name of ["at", "findLast", "findLastIndex", "toReversed", "toSorted", "toSpliced", "with"]) {
         delete Array.prototype[name];
       }
+    }),
+  });
+
+  flow("a canvas for the picture (Safari before 16.4)", async (playground) => {
+    await playground.says(/\b18\b/);
+    await playground.act("Save");
+    await playground.press("Save picture (PNG)");
+    await playground.warns(/could not make the picture/);
+  }, {
+    screens,
+    before: (context) => context.addInitScript(() => {
+      delete window.OffscreenCanvas;
     }),
   });
 
@@ -148,6 +160,37 @@ describe("a host without https", () => {
     await playground.warns(/Ctrl V/);
     assertQuiet(complaints);
   });
+});
+
+// What Safari 16.4 and Firefox 128 know. Where a browser ignores what it does not know and the page
+// is as good, it may be there.
+test("nothing is written that the oldest browsers cannot read", () => {
+  const unknown = {
+    css: [
+      [/[{;]\s*&|^\s*&/m, "nested rules"],
+      [/@(scope|starting-style|function|position-try)\b/, "a newer rule"],
+      [/:(popover-open|state|open)\b/, "a newer state"],
+      [/\b(anchor|anchor-size|if|sibling-index|rgb|hsl|oklch|lab|lch|oklab)\((from\b|--|style\()/, "a newer function"],
+      [/\b(interpolate-size|position-anchor|position-area)\s*:/, "a newer property"],
+    ],
+    js: [
+      [/AbortSignal\.(timeout|any)|Promise\.(withResolvers|try)|Array\.fromAsync|Object\.groupBy/, "a newer function"],
+      [/\.(toSorted|toReversed|toSpliced)\(|Iterator\.|new Set\([^)]*\)\.(union|difference)/, "a newer method"],
+      [/\bimport\b[^;]*\bwith\s*\{|^\s*using\s/m, "newer syntax"],
+    ],
+  };
+  const found = [];
+  for (const path of readdirSync(join(root, "static"), { recursive: true })) {
+    const patterns = unknown[extname(path).slice(1)] ?? [];
+    const text = patterns.length > 0 ? readFileSync(join(root, "static", path), "utf8") : "";
+    for (const [pattern, what] of patterns) {
+      const at = text.replaceAll(/\/\*.*?\*\//gs, "").match(pattern);
+      if (at) {
+        found.push(`${path}: ${what}: ${at[0].trim()}`);
+      }
+    }
+  }
+  assert.deepEqual(found, []);
 });
 
 describe("colours without light-dark()", () => {

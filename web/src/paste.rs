@@ -9,8 +9,8 @@ use yew::platform::spawn_local;
 use yew::prelude::*;
 
 use crate::dialog::Panel;
-use crate::keys::{FIELDS, dialog_is_open, is_in};
 use crate::held::use_held;
+use crate::keys::{FIELDS, dialog_is_open, is_in};
 use crate::{Shown, files, support};
 
 /// Listens for what is pasted; not inside another page, where nothing is edited.
