@@ -21,19 +21,22 @@ const PICTURES = join(root, "target/e2e");
 /** A name that no browser takes for safe. */
 const INSECURE = "giveway.test";
 
+/** What one flow may take on a machine that does other things too, in milliseconds. */
+const timeout = 120_000;
+
 const size = { width: 1280, height: 800 };
 
 for (const browser of [firefox, webkit]) {
   describe(browser.name, { skip: browser.missing }, () => {
-    test("plays, paints, solves, answers, undoes, keeps", async (t) => {
+    test("plays, paints, solves, answers, undoes, keeps", { timeout }, async (t) => {
       await mainFlow(await visit(t, browser, {}));
     });
 
-    test("the same over plain http", async (t) => {
+    test("the same over plain http", { timeout }, async (t) => {
       await mainFlow(await visit(t, browser, { insecure: true }));
     });
 
-    test("the same as an older version, dark", async (t) => {
+    test("the same as an older version, dark", { timeout }, async (t) => {
       await mainFlow(await visit(t, browser, {
         dark: true,
         before: () => {
