@@ -21,7 +21,7 @@ function tell(error) {
 function keep() {
   const script = document.querySelector('meta[name="giveway-service-worker"]')?.content;
   // Inside another page nothing is kept either.
-  if (script && "serviceWorker" in navigator && !/[?&]embed(&|$)/.test(location.search)) {
+  if (script && navigator.serviceWorker && !/[?&]embed(&|$)/.test(location.search)) {
     navigator.serviceWorker.register(new URL(script, document.baseURI)).catch((error) => {
       // Some hosts and some private windows allow none; the page works all the same.
       console.warn(`Giveway is not kept for offline use: ${error.message}`);

@@ -4,6 +4,7 @@
 import { createServer } from "node:http";
 import { readFile, stat } from "node:fs/promises";
 import { extname, join, normalize } from "node:path";
+import { setTimeout } from "node:timers/promises";
 
 const TYPES = {
   ".css": "text/css; charset=utf-8",
@@ -34,6 +35,8 @@ class Host {
   missing = [];
   /** Paths that were sent, each as often as it was. */
   sent = [];
+  /** Paths within the base that take long, milliseconds: until the headers, and from them until the end. */
+  slow = new Map();
 
   constructor(folder, base) {
     this.folder = folder;
@@ -69,7 +72,13 @@ class Host {
     this.sent.push(path.slice(this.base.length));
     const body = await readFile(file);
     const type = TYPES[extname(file)] ?? "application/octet-stream";
-    response.writeHead(200, { "Content-Type": type, "Content-Length": body.length }).end(body);
+    const { headers = 0, end = 0 } = this.slow.get(path.slice(this.base.length)) ?? {};
+    await setTimeout(headers);
+    response.writeHead(200, { "Content-Type": type, "Content-Length": body.length });
+    const half = body.length >> 1;
+    response.write(body.subarray(0, half));
+    await setTimeout(end);
+    response.end(body.subarray(half));
   }
 
   async #file(path) {

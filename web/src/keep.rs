@@ -10,6 +10,7 @@ use yew::prelude::*;
 
 use crate::Shown;
 use crate::embed::is_embedded;
+use crate::held::use_held;
 
 /// The names under which things are kept; others of the same host have theirs.
 const PAGE: &str = "giveway.page";
@@ -97,13 +98,13 @@ pub(crate) fn address(state: &State) -> String {
 /// the address while it is shown.
 #[hook]
 pub(crate) fn use_keep(state: &Shown, send: &Callback<Action>) {
-    let latest = use_mut_ref(|| state.clone());
-    latest.replace(state.clone());
+    let latest = use_held(|| state.clone());
+    latest.set(state.clone());
     {
         let send = send.clone();
         use_effect_with((), move |()| {
             let window = gloo::utils::window();
-            let left = EventListener::new(&window, "pagehide", move |_| keep(&latest.borrow()));
+            let left = EventListener::new(&window, "pagehide", move |_| keep(&latest.get()));
             let linked = EventListener::new(&window, "hashchange", move |_| {
                 if let Some(action) = from_address() {
                     send.emit(action);

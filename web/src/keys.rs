@@ -12,6 +12,7 @@ use yew::prelude::*;
 
 use crate::Shown;
 use crate::dialog::Panel;
+use crate::held::use_held;
 
 /// Where a person types.
 pub(crate) const FIELDS: &str = "input, textarea, select, [contenteditable]";
@@ -21,8 +22,8 @@ const PRESSED: &str = "button, a, summary, label";
 /// Listens for keys that no place of the page took for itself.
 #[hook]
 pub(crate) fn use_keys(state: &Shown, send: &Callback<Action>, show: &Callback<Panel>) {
-    let latest = use_mut_ref(|| state.clone());
-    latest.replace(state.clone());
+    let latest = use_held(|| state.clone());
+    latest.set(state.clone());
     let (send, show) = (send.clone(), show.clone());
     use_effect_with((), move |()| {
         let window = gloo::utils::window();
@@ -32,8 +33,7 @@ pub(crate) fn use_keys(state: &Shown, send: &Callback<Action>, show: &Callback<P
                 let Some(event) = event.dyn_ref::<KeyboardEvent>() else {
                     return;
                 };
-                let state = latest.borrow().clone();
-                let command = wanted(event, &state);
+                let command = wanted(event, &latest.get());
                 let Some(command) = command else { return };
                 event.prevent_default();
                 match command {

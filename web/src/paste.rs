@@ -9,8 +9,9 @@ use yew::platform::spawn_local;
 use yew::prelude::*;
 
 use crate::dialog::Panel;
+use crate::held::use_held;
 use crate::keys::{FIELDS, dialog_is_open, is_in};
-use crate::{Shown, files};
+use crate::{Shown, files, support};
 
 /// Listens for what is pasted; not inside another page, where nothing is edited.
 #[hook]
@@ -20,8 +21,8 @@ pub(crate) fn use_paste(
     show: &Callback<Panel>,
     is_embedded: bool,
 ) {
-    let latest = use_mut_ref(|| state.clone());
-    latest.replace(state.clone());
+    let latest = use_held(|| state.clone());
+    latest.set(state.clone());
     let (send, show) = (send.clone(), show.clone());
     use_effect_with((), move |()| {
         let window = gloo::utils::window();
@@ -35,7 +36,7 @@ pub(crate) fn use_paste(
             if copied.is_some() {
                 files::open(copied, send.clone(), show.clone());
             } else if !text.trim().is_empty() {
-                files::take(pasted(&latest.borrow(), &text), &send, &show);
+                files::take(pasted(&latest.get(), &text), &send, &show);
             } else {
                 return;
             }
@@ -60,12 +61,10 @@ pub(crate) fn ask(state: &Shown, send: Callback<Action>, show: Callback<Panel>) 
         sentence: "The browser did not let the page read what was copied.".to_owned(),
         details: vec!["Press Ctrl V instead.".to_owned()],
     };
-    let window = gloo::utils::window();
-    if !window.is_secure_context() {
-        // There is no clipboard at all then.
+    let Some(clipboard) = support::clipboard("readText") else {
         return send.emit(Action::File(FileAction::Refuse(refused)));
-    }
-    let read = window.navigator().clipboard().read_text();
+    };
+    let read = clipboard.read_text();
     let state: State = (**state).clone();
     spawn_local(async move {
         match JsFuture::from(read).await {

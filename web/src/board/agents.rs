@@ -1,6 +1,5 @@
 //! The agents, moving evenly from cell to cell.
 
-use std::cell::RefCell;
 use std::rc::Rc;
 
 use giveway_model::Cell;
@@ -11,6 +10,7 @@ use yew::prelude::*;
 
 use super::motion::{Attribute, children, use_motion};
 use super::units;
+use crate::held::Held;
 
 /// The circumference of a battery ring, in units.
 const RING: f64 = 226.2;
@@ -185,7 +185,7 @@ impl Parts {
 struct Transit {
     element: Element,
     off: Attribute,
-    over: RefCell<Option<(Cell, Cell)>>,
+    over: Held<Option<(Cell, Cell)>>,
 }
 
 impl Transit {
@@ -194,16 +194,17 @@ impl Transit {
         Self {
             element,
             off,
-            over: RefCell::new(None),
+            over: Held::new(None),
         }
     }
 
     fn show(&self, over: Option<(Cell, Cell)>) {
         self.off.toggle(over.is_none());
         let Some((from, to)) = over else { return };
-        if self.over.replace(Some((from, to))) == Some((from, to)) {
+        if self.over.get() == over {
             return;
         }
+        self.over.set(over);
         let (left, top) = (from.x.min(to.x), from.y.min(to.y));
         let (across, down) = (from.x.abs_diff(to.x), from.y.abs_diff(to.y));
         let sides = [

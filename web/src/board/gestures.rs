@@ -1,17 +1,17 @@
 //! Pointers on the board: to paint, to select, to move the map, to pinch it.
 
-use std::cell::RefCell;
 use std::rc::Rc;
 
 use giveway_model::Cell;
 use giveway_page::board::{Cast, Frame};
 use giveway_page::steering::Lead;
 use giveway_page::{Action, BoardAction, Point, Selection, Tool};
-use wasm_bindgen::JsCast;
 use web_sys::{Element, PointerEvent, WheelEvent};
 use yew::prelude::*;
 
+use super::coalesced::places;
 use super::viewport::Look;
+use crate::held::use_held;
 use crate::{Clock, Shown};
 
 /// How far a pointer goes before that is a drag, in pixels.
@@ -73,14 +73,17 @@ struct Hand {
 /// The gestures on a surface.
 #[hook]
 pub(super) fn use_gestures(surface: Surface) -> Gestures {
-    let hand: Rc<RefCell<Hand>> = use_mut_ref(Hand::default);
+    let hand = use_held(Hand::default);
     let clock = use_context::<Clock>();
     let surface = Rc::new((surface, clock));
     let listen = |act: fn(&Surface, &mut Hand, &PointerEvent, f64)| {
         let (hand, surface) = (Rc::clone(&hand), Rc::clone(&surface));
         Callback::from(move |event: PointerEvent| {
             let time = surface.1.as_ref().map_or(0.0, Clock::now);
-            act(&surface.0, &mut hand.borrow_mut(), &event, time);
+            // Where the browser ends this with an exception, the hand is empty.
+            let mut now = hand.take();
+            act(&surface.0, &mut now, &event, time);
+            hand.set(now);
         })
     };
     let wheel = {
@@ -222,13 +225,7 @@ impl Surface {
     /// Takes a stroke on through all the places that the pointer came to since
     /// the last frame.
     fn stroke(&self, mut last: Cell, event: &PointerEvent) -> Cell {
-        let places = event.get_coalesced_events();
-        let places = places.iter().filter_map(|place| place.dyn_into().ok());
-        let mut places: Vec<PointerEvent> = places.collect();
-        if places.is_empty() {
-            places.push(event.clone());
-        }
-        for place in places {
+        for place in places(event) {
             let cell = self.nearest_cell(self.frame.point(self.px(&place)));
             if cell != last {
                 self.send.emit(Action::Board(BoardAction::Drag(cell)));

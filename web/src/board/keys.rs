@@ -9,6 +9,7 @@ use yew::prelude::*;
 
 use super::legend::ZOOM;
 use super::viewport::Look;
+use crate::held::use_held;
 use crate::keys::{FIELDS, dialog_is_open, is_in};
 
 /// How many rows a page key goes at least.
@@ -24,7 +25,7 @@ pub(super) fn use_cursor_keys(
     rows: u32,
 ) -> Callback<KeyboardEvent> {
     // The camera follows the keyboard, and leaves the pointer where it is.
-    let follows = use_mut_ref(|| false);
+    let follows = use_held(|| false);
     {
         let (follows, look) = (follows.clone(), look.clone());
         use_effect_with(cursor, move |&cursor| {
@@ -42,7 +43,7 @@ pub(super) fn use_cursor_keys(
         let action = if !ctrl && matches!(key.as_str(), "Enter" | " ") {
             (!event.repeat()).then_some(Action::Board(BoardAction::UseTool))
         } else if let Some(by) = goes_by(&key, ctrl, rows.max(PAGE)) {
-            follows.replace(true);
+            follows.set(true);
             let carries = event.shift_key();
             Some(Action::Board(BoardAction::StepCursor { by, carries }))
         } else {

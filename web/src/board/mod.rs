@@ -8,6 +8,7 @@ mod agents;
 mod axis;
 mod beside;
 mod cells;
+mod coalesced;
 mod floor;
 mod follow;
 mod gestures;
@@ -30,6 +31,7 @@ use giveway_page::{Action, Answer, Selection, State, Tool, ask, words};
 use yew::prelude::*;
 
 use crate::Shown;
+use crate::held::use_held;
 use agents::Agents;
 use axis::Axis;
 use beside::Beside;
@@ -253,14 +255,16 @@ fn units(cells: f64) -> f64 {
 /// ones as long as they fit.
 #[hook]
 fn use_casts(state: &Shown) -> (Rc<Cast>, Option<Rc<Cast>>) {
-    let kept = use_mut_ref(<[Option<Rc<Cast>>; 2]>::default);
-    let [this, other] = &mut *kept.borrow_mut();
-    (
-        renewed(this, state, state.shown()),
+    let kept = use_held(<[Option<Rc<Cast>>; 2]>::default);
+    let [mut this, mut other] = kept.take();
+    let casts = (
+        renewed(&mut this, state, state.shown()),
         state
             .beside()
-            .map(|answer| renewed(other, state, Some(answer))),
-    )
+            .map(|answer| renewed(&mut other, state, Some(answer))),
+    );
+    kept.set([this, other]);
+    casts
 }
 
 fn renewed(kept: &mut Option<Rc<Cast>>, state: &State, answer: Option<&Rc<Answer>>) -> Rc<Cast> {

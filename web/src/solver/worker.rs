@@ -1,5 +1,6 @@
 //! One worker: started, listened to, ended.
 
+use std::cell::Cell;
 use std::rc::Rc;
 
 use giveway_wasm::protocol::Message;
@@ -8,6 +9,8 @@ use gloo::timers::callback::Timeout;
 use js_sys::{Object, Reflect, Uint8Array};
 use wasm_bindgen::{JsCast as _, JsValue};
 use web_sys::{ErrorEvent, MessageEvent, Url, Worker, WorkerOptions, WorkerType};
+
+use crate::held::Held;
 
 /// How long a worker may take to load, in milliseconds: as long as a slow
 /// network may need.
@@ -24,7 +27,8 @@ pub(super) enum Event {
 /// A worker; it is ended when this is dropped.
 pub(super) struct Hired {
     worker: Worker,
-    patience: Option<Timeout>,
+    is_ready: Cell<bool>,
+    patience: Held<Option<Timeout>>,
     _listening: [EventListener; 3],
 }
 
@@ -65,19 +69,21 @@ impl Hired {
         });
         Ok(Self {
             worker,
-            patience: Some(patience),
+            is_ready: Cell::new(false),
+            patience: Held::new(Some(patience)),
             _listening: listening,
         })
     }
 
     /// Whether it listens.
-    pub(super) const fn is_ready(&self) -> bool {
-        self.patience.is_none()
+    pub(super) fn is_ready(&self) -> bool {
+        self.is_ready.get()
     }
 
     /// It said that it listens.
-    pub(super) fn set_ready(&mut self) {
-        self.patience = None;
+    pub(super) fn set_ready(&self) {
+        self.is_ready.set(true);
+        self.patience.set(None);
     }
 
     /// Posts bytes, which cannot fail.

@@ -18,6 +18,7 @@ use super::ruler::Ruler;
 use super::same::Same;
 use super::seen::{Extent, Seen};
 use crate::Shown;
+use crate::held::{Held, use_held};
 
 #[derive(Clone, PartialEq, Properties)]
 pub(super) struct PlanProps {
@@ -87,7 +88,7 @@ pub(super) fn Plan(props: &PlanProps) -> Html {
     use_head(&moved, axis, &seen, state.view.playback.playing);
 
     let selected = selected_lane(state, &lanes);
-    let focus = use_mut_ref(|| None::<usize>);
+    let focus = use_held(|| None::<usize>);
     use_selected_in_view(selected, extent, &lanes_ref, &focus);
     let pick = {
         let (state, lanes) = (state.clone(), lanes.clone());
@@ -112,7 +113,7 @@ pub(super) fn Plan(props: &PlanProps) -> Html {
             if to < lanes.len() {
                 event.prevent_default();
                 event.stop_propagation();
-                *focus.borrow_mut() = Some(to);
+                focus.set(Some(to));
                 send.emit(Action::Board(BoardAction::Select(selection(
                     &state, &lanes, to,
                 ))));
@@ -185,13 +186,13 @@ fn use_seen(
 ) -> (Seen, Rc<dyn Fn()>) {
     let seen = use_state_eq(Seen::default);
     // The function stays the same, so that the observer need not change.
-    let latest = use_mut_ref(|| extent);
-    *latest.borrow_mut() = extent;
+    let latest = use_held(|| extent);
+    latest.set(extent);
     let look = {
         let (lanes, table, setter) = (lanes.clone(), table.clone(), seen.setter());
         use_memo((), move |()| {
             let look: Rc<dyn Fn()> = Rc::new(move || {
-                setter.set(Seen::look(*latest.borrow(), &lanes, &table));
+                setter.set(Seen::look(latest.get(), &lanes, &table));
             });
             look
         })
@@ -229,7 +230,7 @@ fn use_selected_in_view(
     selected: Option<usize>,
     extent: Extent,
     lanes: &NodeRef,
-    focus: &Rc<std::cell::RefCell<Option<usize>>>,
+    focus: &Rc<Held<Option<usize>>>,
 ) {
     const RULER: f64 = 24.0;
     {
@@ -254,14 +255,14 @@ fn use_selected_in_view(
     // After every render: the lane may have been drawn only now.
     let (lanes, focus) = (lanes.clone(), Rc::clone(focus));
     use_effect(move || {
-        let wanted = *focus.borrow();
+        let wanted = focus.get();
         let button = wanted.and_then(|index| {
             let selector = format!("[data-lane=\"{index}\"]");
             lanes.cast::<Element>()?.query_selector(&selector).ok()?
         });
         if let Some(button) = button.and_then(|button| button.dyn_into::<HtmlElement>().ok()) {
             let _ = button.focus();
-            *focus.borrow_mut() = None;
+            focus.set(None);
         }
     });
 }

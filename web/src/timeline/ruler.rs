@@ -7,6 +7,8 @@ use giveway_page::{Action, PlayAction};
 use web_sys::Element;
 use yew::prelude::*;
 
+use crate::held::use_held;
+
 /// Half the width of the thumb and a little more, in pixels.
 const THUMB: f64 = 17.0;
 
@@ -33,7 +35,7 @@ pub(super) fn Ruler(props: &RulerProps) -> Html {
         send,
     } = props;
     let track = use_node_ref();
-    let dragging = use_mut_ref(|| false);
+    let dragging = use_held(|| false);
     let last = axis.times - 1;
     let seek = {
         let (track, send, axis) = (track.clone(), send.clone(), *axis);
@@ -54,19 +56,19 @@ pub(super) fn Ruler(props: &RulerProps) -> Html {
             if let Some(track) = track.cast::<Element>() {
                 let _ = track.set_pointer_capture(event.pointer_id());
             }
-            *dragging.borrow_mut() = true;
+            dragging.set(true);
             seek(&event);
         }
     };
     let onpointermove = {
         let dragging = dragging.clone();
         move |event: PointerEvent| {
-            if *dragging.borrow() {
+            if dragging.get() {
                 seek(&event);
             }
         }
     };
-    let release = move |_: PointerEvent| *dragging.borrow_mut() = false;
+    let release = move |_: PointerEvent| dragging.set(false);
     let onkeydown = {
         let (send, time) = (send.clone(), *time);
         move |event: KeyboardEvent| {

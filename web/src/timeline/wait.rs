@@ -5,6 +5,8 @@ use giveway_page::{Draft, Solving, words};
 use gloo::timers::callback::Interval;
 use yew::prelude::*;
 
+use crate::held::use_held;
+
 /// The width of the bar on a phone, in pixels.
 const NARROWEST: f64 = 290.0;
 
@@ -36,16 +38,15 @@ pub(super) fn Wait(props: &WaitProps) -> Html {
     let gauge = gauge(run);
     // The bar grows from the left and shrinks from the right, and nothing else:
     // its scale never becomes smaller within a cost.
-    let widest = use_mut_ref(|| ((0, gauge.cost), 0));
+    let widest = use_held(|| ((0, gauge.cost), 0));
     let scale = {
-        let mut widest = widest.borrow_mut();
-        let is_same = widest.0 == (*id, gauge.cost);
-        let scale = if is_same {
-            widest.1.max(gauge.scale())
+        let (of, before) = widest.get();
+        let scale = if of == (*id, gauge.cost) {
+            before.max(gauge.scale())
         } else {
             gauge.scale()
         };
-        *widest = ((*id, gauge.cost), scale);
+        widest.set(((*id, gauge.cost), scale));
         scale
     };
     let mut work = vec![work_done(run.size)];
