@@ -13,7 +13,7 @@ mod tabs;
 mod transport;
 mod wait;
 
-use giveway_page::{Action, Phase, ViewAction};
+use giveway_page::{Action, Phase, ViewAction, ask};
 use yew::prelude::*;
 
 use crate::{Shown, icon};
@@ -59,11 +59,13 @@ pub fn Dock(props: &DockProps) -> Html {
             state.phase(),
             Phase::Editing
                 | Phase::Solving
+                | Phase::Asking
+                | Phase::Checking
                 | Phase::Changing
                 | Phase::Adapting
                 | Phase::Comparing
                 | Phase::Steering
-        );
+        ) || ask::offers_next_step(state);
         let stale = state.document.is_stale();
         return html! {
             <section class={classes!("dock", calm.then_some("calm"), stale.then_some("stale"))} aria-label="Timeline">
