@@ -9,8 +9,9 @@ const PLACES = ".bar, .status, .boards, .under, .tools, .insp, .dock, .transport
 const FLOATS = "dialog, .menu, .settings, .notice, .fit, .drop";
 /** What scrolls sideways by design. */
 const SIDEWAYS = ".lanes, .tblwrap, .cols, .tools";
-/** Smaller by design: the ruler's time is also set by the buttons of the transport. */
-const SLENDER = "[role=slider]";
+/** Smaller by design: the time of the ruler is also set by the buttons of the transport, and
+ * whose lane it is is also chosen on the board and in the inspector. */
+const SLENDER = "[role=slider], .lane .lab";
 
 /** The least side of a control, in pixels: for a pointer, for a finger. */
 const POINTER = 24;
@@ -96,13 +97,13 @@ function look({ places, floats, sideways, slender, least }) {
 
   // The things: controls with their boxes, texts with the boxes of their lines.
   const things = [];
-  const add = (element, rect, is_text) => things.push({ element, rect: box(rect), is_text, ...clipped(is_text ? element.firstChild?.parentElement ?? element : element, box(rect)) });
   for (const element of root.querySelectorAll("*")) {
     if (element.closest("svg") && element.getAttribute("role") !== "grid" || !is_shown(element)) {
       continue;
     }
     if (element.matches(CONTROLS)) {
-      add(element, element.getBoundingClientRect(), false);
+      const rect = box(element.getBoundingClientRect());
+      things.push({ element, rect, is_text: false, ...clipped(element, rect) });
     }
     for (const node of element.childNodes) {
       if (node.nodeType === Node.TEXT_NODE && node.data.trim() !== "") {
@@ -226,6 +227,11 @@ function look({ places, floats, sideways, slender, least }) {
     }
     const hit = (element.closest("label") ?? element).getBoundingClientRect();
     if (hit.width === 0 || hit.height === 0) {
+      continue;
+    }
+    // What floats covers it.
+    const cover = document.elementFromPoint((hit.left + hit.right) / 2, hit.bottom - 2)?.closest(floats);
+    if (cover && !cover.contains(element)) {
       continue;
     }
     const middle = { x: (hit.left + hit.right) / 2, y: (hit.top + hit.bottom) / 2 };

@@ -13,7 +13,8 @@ mod tabs;
 mod transport;
 mod wait;
 
-use giveway_page::{Action, Phase, ViewAction, ask};
+use giveway_model::Question;
+use giveway_page::{Action, AskAction, Phase, ViewAction, ask};
 use yew::prelude::*;
 
 use crate::{Shown, icon};
@@ -82,6 +83,8 @@ pub fn Dock(props: &DockProps) -> Html {
             </section>
         };
     }
+    // Nothing else is the next step, until it is asked.
+    let asks_why = state.phase() == Phase::None && state.document.mode.asking().is_none();
     let (head, text) = match state.phase() {
         Phase::None => (
             "Nothing to play",
@@ -101,6 +104,11 @@ pub fn Dock(props: &DockProps) -> Html {
             <div class="nil">
                 { icon::show("clock") }
                 <p><b>{ head }</b>{ text }</p>
+                if asks_why {
+                    <button type="button" class="btn primary" onclick={send.reform(|_| Action::Ask(AskAction::Ask(Question::Unsolvable)))}>
+                        { "Why is there no plan?" }
+                    </button>
+                }
             </div>
         </section>
     }

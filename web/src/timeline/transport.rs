@@ -19,7 +19,7 @@ pub(super) fn transport(props: &DockProps) -> Html {
         <div class="transport">
             { play_keys(state, send) }
             // No live region: nobody wants every step read aloud.
-            <p class="clock"><b>{ playback.time }</b><span>{ format!(" of {last}") }</span></p>
+            <p class="clock" title={format!("Time {} of {last}", playback.time)}><b>{ playback.time }</b><span>{ format!(" of {last}") }</span></p>
             { speed(playback.speed, send) }
             { change(props) }
             <span class="grow"></span>
