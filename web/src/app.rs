@@ -4,7 +4,7 @@ use std::rc::Rc;
 
 use giveway_model::Scene;
 use giveway_model::format::native;
-use giveway_page::{Action, Draft, FileAction, Phase, Tab, reduce};
+use giveway_page::{Action, Draft, FileAction, Phase, Tab, Tool, reduce};
 use yew::prelude::*;
 
 use crate::dialog::{Agents, Examples, Panel, Scenes, Share, help};
@@ -85,9 +85,10 @@ pub fn App() -> Html {
             </ContextProvider<Clock>>
         };
     }
+    let is_answering = state.document.mode.asking().is_some();
     html! {
         <ContextProvider<Clock> context={(*clock).clone()}>
-            <div class={classes!("app", phase_class(state.phase()))} data-tab={tab(state.view.tab)}>
+            <div class={classes!("app", phase_class(&state), is_answering.then_some("answering"))} data-tab={tab(state.view.tab)}>
                 <TopBar state={state.clone()} panel={panel.clone()} send={send.clone()}
                     show={show.clone()} />
                 <StatusBar state={state.clone()} panel={panel.clone()} send={send.clone()}
@@ -123,9 +124,11 @@ fn dialog(panel: &Panel, state: &Shown, send: &Callback<Action>, show: &Callback
     }
 }
 
-/// The phase in the style sheets.
-const fn phase_class(phase: Phase) -> &'static str {
-    match phase {
+/// The phase in the style sheets. While ways to go on are compared their columns have
+/// the place of the board; a tool that is picked needs the board.
+fn phase_class(state: &Shown) -> &'static str {
+    match state.phase() {
+        Phase::Comparing if state.view.tool != Tool::Select => "st-changing",
         Phase::Editing => "st-editing",
         Phase::Solving => "st-solving",
         Phase::Asking | Phase::Checking => "st-asking",

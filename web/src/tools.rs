@@ -78,6 +78,10 @@ pub fn Tools(props: &ToolsProps) -> Html {
     html! {
         <div class="tools" role="toolbar" aria-label="Tools" {onkeydown} {onfocusin} {onfocusout}>
             { for Tool::ALL.into_iter().enumerate().map(button) }
+            if props.tool != Tool::Select {
+                // For a finger, which no tip follows; the button has the same name.
+                <span class="tool-name" aria-hidden="true">{ props.tool.name() }</span>
+            }
         </div>
     }
 }

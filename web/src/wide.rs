@@ -4,8 +4,8 @@ use giveway_page::{Action, ViewAction};
 use gloo::events::EventListener;
 use yew::prelude::*;
 
-/// Wider than a phone: as in the style sheets.
-const WIDE: &str = "(min-width: 721px)";
+/// Larger than a phone, upright or lying: as in the style sheets.
+const WIDE: &str = "(min-width: 721px) and (min-height: 481px)";
 
 /// Tells the state how much room there is, now and when that changes.
 #[hook]

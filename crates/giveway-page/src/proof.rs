@@ -122,9 +122,9 @@ fn outcome(report: &Report) -> Outcome {
     let sentence = match (report.accepted, report.stopped) {
         (true, _) => sums(report),
         (false, true) => format!("The check ended too early. {reason}"),
-        (false, false) => format!(
-            "The certificate does not hold, which is a fault of this program. {reason}"
-        ),
+        (false, false) => {
+            format!("The certificate does not hold, which is a fault of this program. {reason}")
+        }
     };
     Outcome {
         badge: Badge { word, icon, class },

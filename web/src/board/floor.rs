@@ -2,6 +2,7 @@
 
 use std::rc::Rc;
 
+use giveway_model::Cell;
 use giveway_page::Draft;
 use giveway_page::board::{Cast, Detail, floor, heat};
 use yew::prelude::*;
@@ -19,8 +20,18 @@ impl PartialEq for FloorProps {
     fn eq(&self, other: &Self) -> bool {
         self.is_fine == other.is_fine
             && self.used_by == other.used_by
-            && (Rc::ptr_eq(&self.draft, &other.draft) || self.draft.grid() == other.draft.grid())
+            && (Rc::ptr_eq(&self.draft, &other.draft)
+                || (self.draft.grid() == other.draft.grid()
+                    && stars(&self.draft).eq(stars(&other.draft))))
     }
+}
+
+/// The cells that agents visit on their way.
+fn stars(draft: &Draft) -> impl Iterator<Item = Cell> {
+    draft
+        .agents()
+        .iter()
+        .flat_map(|agent| agent.waypoints.iter().copied())
 }
 
 /// The hatch of slow zones: once on the page, for all boards.
@@ -43,7 +54,9 @@ pub(super) fn FloorShapes(props: &FloorProps) -> Html {
     } else {
         Detail::Dots
     };
-    let floor = floor(grid, detail);
+    let floor = floor(grid, detail, |cell| {
+        stars(&props.draft).any(|star| star == cell)
+    });
     let (width, height) = (100 * grid.width(), 100 * grid.height());
     let shape = |class: &'static str| move |d: String| html! { <path {class} {d} /> };
     let sheet = |class: &'static str| {

@@ -18,6 +18,7 @@ mod legend;
 mod marks;
 mod motion;
 mod picture;
+mod preview;
 mod reasons;
 mod still;
 mod viewport;
@@ -30,8 +31,8 @@ use giveway_page::board::{CELL, Cast, Detail, Frame, Kind, Window, legend};
 use giveway_page::{Action, Answer, Selection, State, Tool, ask, words};
 use yew::prelude::*;
 
-use crate::Shown;
 use crate::held::use_held;
+use crate::{Shown, icon};
 use agents::Agents;
 use axis::Axis;
 use beside::Beside;
@@ -40,6 +41,7 @@ use floor::FloorShapes;
 use legend::{Under, under};
 use marks::Marks;
 pub(crate) use picture::picture;
+pub(crate) use preview::Preview;
 use reasons::ReasonMarks;
 pub(crate) use still::Still;
 use viewport::use_viewport;
@@ -150,6 +152,9 @@ pub fn Board(props: &BoardProps) -> Html {
                         { caption(if state.document.mode.steering().is_some() { "Your plan" } else { "This plan" }, state.shown(), None) }
                     }
                     { board_now }
+                    if !viewport.camera.is_fit() {
+                        { fit(&viewport.look) }
+                    }
                 </figure>
                 if let Some(other) = other {
                     <figure class="pl other">
@@ -169,6 +174,15 @@ fn follow(state: &Shown, cast: &Cast) -> Option<(AttrValue, bool)> {
     let agent = cast.agents.get(state.selected_agent()?)?;
     let name = cast.has_plan().then(|| agent.name.clone())?;
     Some((name.into(), state.view.follow))
+}
+
+/// The way back to all of the map for a finger, where there is no row of such buttons.
+fn fit(look: &Callback<viewport::Look>) -> Html {
+    html! {
+        <button type="button" class="btn outline fit" onclick={look.reform(|_: MouseEvent| viewport::Look::Fit)}>
+            { icon::show("fit") }{ "Fit" }
+        </button>
+    }
 }
 
 /// What stands above one of two plans: which it is, what is claimed of it, and

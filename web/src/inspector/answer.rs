@@ -1,7 +1,7 @@
 //! The answer to a question: verdict, costs side by side, what would happen,
 //! what excludes it, what would help.
 
-use giveway_page::ask::{Card, CostRow, Facts, Happening, Offered, Other};
+use giveway_page::ask::{Card, CostRow, FactRow, Facts, Happening, Offered, Other};
 use giveway_page::{Action, AskAction, Lit, PlayAction};
 use yew::prelude::*;
 
@@ -9,6 +9,12 @@ use crate::{glyph, icon};
 
 /// What scrolls of the card.
 pub(super) fn show(card: &Card, send: &Callback<Action>) -> Html {
+    // The facts have the numbers: they come first.
+    let is_numbered = card
+        .core
+        .iter()
+        .flat_map(|core| &core.facts)
+        .any(|fact| fact.number.is_some());
     html! {
         <>
             <header class="qh">
@@ -25,17 +31,24 @@ pub(super) fn show(card: &Card, send: &Callback<Action>) -> Html {
                     </div>
                 }
             </div>
+            // Without a plan to show, what would help is the next step.
+            if card.other.is_none() && !card.repairs.is_empty() {
+                { repairs(&card.repairs, true, send) }
+            }
             if !card.rows.is_empty() {
                 { costs(&card.rows, "Both plans", ["This", "Other"]) }
             }
-            if let Some((title, happenings)) = &card.witness {
+            if let Some((title, happenings)) = &card.witness && !is_numbered {
                 { witness(title, happenings, send) }
             }
             if let Some(facts) = &card.core {
                 { core(facts, send) }
             }
-            if !card.repairs.is_empty() {
-                { repairs(&card.repairs, card.other.is_none(), send) }
+            if let Some((title, happenings)) = &card.witness && is_numbered {
+                { witness(title, happenings, send) }
+            }
+            if card.other.is_some() && !card.repairs.is_empty() {
+                { repairs(&card.repairs, false, send) }
             }
             if !card.pending.is_empty() {
                 <ul class="pending">{ for card.pending.iter().map(|line| html! { <li>{ *line }</li> }) }</ul>
@@ -132,7 +145,12 @@ fn witness(title: &str, happenings: &[Happening], send: &Callback<Action>) -> Ht
                 title={format!("Show time {time}")} onclick={send.reform(move |_| Action::Play(PlayAction::Seek(time)))}
                 onpointerenter={on.reform(|_| ())} onpointerleave={off.reform(|_| ())}
                 onfocus={on.reform(|_| ())} onblur={off.reform(|_| ())}>
-                <span class="no">{ happening.number }</span><span>{ happening.text.clone() }</span>
+                if let Some(number) = happening.number {
+                    <span class="no">{ number }</span>
+                } else {
+                    { icon::show("collision") }
+                }
+                <span>{ happening.text.clone() }</span>
             </button></li>
         }
     };
@@ -145,14 +163,20 @@ fn witness(title: &str, happenings: &[Happening], send: &Callback<Action>) -> Ht
 }
 
 fn core(facts: &Facts, send: &Callback<Action>) -> Html {
-    let one = |(index, (icon, text, is_lit)): (usize, &(&'static str, String, bool))| {
+    let one = |(index, fact): (usize, &FactRow)| {
+        let is_lit = fact.is_lit;
         let [on, off] = lit(Lit::Fact(index), send);
         html! {
             <li><button type="button" class={classes!("fact", is_lit.then_some("lit"))} aria-pressed={is_lit.to_string()}
                 onclick={on.reform(|_: MouseEvent| ())}
                 onpointerenter={on.reform(|_| ())} onpointerleave={off.reform(|_| ())}
                 onfocus={on.reform(|_| ())} onblur={off.reform(|_| ())}>
-                { icon::show(icon) }<span>{ text.clone() }</span>
+                if let Some(number) = fact.number {
+                    <span class="no">{ number }</span>
+                } else {
+                    { icon::show(fact.icon) }
+                }
+                <span>{ fact.text.clone() }</span>
             </button></li>
         }
     };

@@ -2,7 +2,7 @@
 //! changed of an agent.
 
 use giveway_page::changing::{self, Choice, Facts, Listed, Past, WIDEST};
-use giveway_page::{Action, ChangeAction, Edit, State};
+use giveway_page::{Action, BoardAction, ChangeAction, Edit, State, Tool};
 use yew::prelude::*;
 
 use crate::field::number;
@@ -41,6 +41,11 @@ pub(super) fn show(facts: &Facts, methods: Choice, send: &Callback<Action>) -> H
                     <p class="remark">{ "Use the tools on the board: what they do becomes a change. Select an agent for more." }</p>
                 } else {
                     <ul class="changes">{ for facts.list.iter().enumerate().map(one) }</ul>
+                }
+                if facts.is_compared {
+                    <button type="button" class="btn ghost add-change" onclick={send.reform(|_| Action::Board(BoardAction::PickTool(Tool::Obstacle)))}>
+                        { icon::show("plus") }{ "Add a change on the board" }
+                    </button>
                 }
             </section>
             { choose(methods, send) }

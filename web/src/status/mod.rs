@@ -2,7 +2,7 @@
 
 mod live;
 
-use giveway_page::{Action, ChangeAction, Phase, SolveAction, State, words};
+use giveway_page::{Action, ChangeAction, Phase, SolveAction, State, ask, words};
 use yew::prelude::*;
 
 use crate::dialog::{Panel, use_dismiss};
@@ -119,6 +119,12 @@ fn objective_words(costs: &[&'static str]) -> String {
 fn solve_button(state: &Shown, send: &Callback<Action>) -> Html {
     let phase = state.phase();
     let (class, title, action) = match phase {
+        // What is found already is the next step, and the rest may come.
+        Phase::Asking if ask::offers_next_step(state) => (
+            "outline",
+            "Cancel (Escape)",
+            Action::Solve(SolveAction::Cancel),
+        ),
         Phase::Solving | Phase::Asking | Phase::Checking | Phase::Adapting => (
             "primary",
             "Cancel (Escape)",

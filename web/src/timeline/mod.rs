@@ -13,7 +13,8 @@ mod tabs;
 mod transport;
 mod wait;
 
-use giveway_page::{Action, Phase, ViewAction};
+use giveway_model::Question;
+use giveway_page::{Action, AskAction, Phase, ViewAction, ask};
 use yew::prelude::*;
 
 use crate::{Shown, icon};
@@ -59,11 +60,13 @@ pub fn Dock(props: &DockProps) -> Html {
             state.phase(),
             Phase::Editing
                 | Phase::Solving
+                | Phase::Asking
+                | Phase::Checking
                 | Phase::Changing
                 | Phase::Adapting
                 | Phase::Comparing
                 | Phase::Steering
-        );
+        ) || ask::offers_next_step(state);
         let stale = state.document.is_stale();
         return html! {
             <section class={classes!("dock", calm.then_some("calm"), stale.then_some("stale"))} aria-label="Timeline">
@@ -80,6 +83,8 @@ pub fn Dock(props: &DockProps) -> Html {
             </section>
         };
     }
+    // Nothing else is the next step, until it is asked.
+    let asks_why = state.phase() == Phase::None && state.document.mode.asking().is_none();
     let (head, text) = match state.phase() {
         Phase::None => (
             "Nothing to play",
@@ -99,6 +104,11 @@ pub fn Dock(props: &DockProps) -> Html {
             <div class="nil">
                 { icon::show("clock") }
                 <p><b>{ head }</b>{ text }</p>
+                if asks_why {
+                    <button type="button" class="btn primary" onclick={send.reform(|_| Action::Ask(AskAction::Ask(Question::Unsolvable)))}>
+                        { "Why is there no plan?" }
+                    </button>
+                }
             </div>
         </section>
     }

@@ -19,7 +19,7 @@ pub(super) fn transport(props: &DockProps) -> Html {
         <div class="transport">
             { play_keys(state, send) }
             // No live region: nobody wants every step read aloud.
-            <p class="clock"><b>{ playback.time }</b><span>{ format!(" of {last}") }</span></p>
+            <p class="clock" title={format!("Time {} of {last}", playback.time)}><b>{ playback.time }</b><span>{ format!(" of {last}") }</span></p>
             { speed(playback.speed, send) }
             { change(props) }
             <span class="grow"></span>
@@ -81,10 +81,14 @@ fn change(props: &DockProps) -> Html {
 
 fn views(props: &DockProps) -> Html {
     let DockProps { state, send } = props;
-    let chip = |icon: &'static str, name: &'static str, on: bool, action: Action| {
+    let chip = |class: &'static str,
+                icon: &'static str,
+                name: &'static str,
+                on: bool,
+                action: Action| {
         let send = send.clone();
         html! {
-            <button type="button" class={classes!("btn", "chip", on.then_some("on"))} title={name}
+            <button type="button" class={classes!("btn", "chip", class, on.then_some("on"))} title={name}
                 aria-pressed={on.to_string()} onclick={move |_| send.emit(action.clone())}>
                 { icon::show(icon) }<span>{ name }</span>
             </button>
@@ -93,9 +97,9 @@ fn views(props: &DockProps) -> Html {
     let view = &state.view;
     html! {
         <div class="views">
-            { chip("trail", "Trails", view.layers.trails, Action::View(ViewAction::ShowTrails(!view.layers.trails))) }
-            { chip("heat", "Use", view.layers.heat, Action::View(ViewAction::ShowHeat(!view.layers.heat))) }
-            { chip("down", "Plan table", view.table, Action::View(ViewAction::ShowTable(!view.table))) }
+            { chip("view", "trail", "Trails", view.layers.trails, Action::View(ViewAction::ShowTrails(!view.layers.trails))) }
+            { chip("view", "heat", "Use", view.layers.heat, Action::View(ViewAction::ShowHeat(!view.layers.heat))) }
+            { chip("", "down", "Plan table", view.table, Action::View(ViewAction::ShowTable(!view.table))) }
             <CopyButton ..props.clone() />
         </div>
     }

@@ -1,7 +1,7 @@
 //! The answer to a question, as the inspector shows it.
 
 use giveway_model::{Cost, Question};
-use giveway_solve::explain::{Edit, Fact, FactKind, Part, Verdict, edits_in_words};
+use giveway_solve::explain::{Edit, ExplainAnswer, Fact, FactKind, Part, Verdict, edits_in_words};
 
 use crate::timeline::Lane;
 use crate::{Answer, Asking, Lit, State, words};
@@ -87,8 +87,8 @@ pub struct Other {
 /// Something that would go wrong.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Happening {
-    /// Its number on the map, from 1.
-    pub number: usize,
+    /// Its number on the map, from 1; `None` where the facts have the numbers.
+    pub number: Option<usize>,
     /// What.
     pub text: String,
     /// When.
@@ -104,8 +104,21 @@ pub struct Facts {
     pub title: &'static str,
     /// What is claimed of it.
     pub claim: &'static str,
-    /// The facts: icon, text, whether it is lit up.
-    pub facts: Vec<(&'static str, String, bool)>,
+    /// The facts.
+    pub facts: Vec<FactRow>,
+}
+
+/// A fact of the minimal set.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct FactRow {
+    /// Its number on the map, from 1; `None` where what would happen has the numbers.
+    pub number: Option<usize>,
+    /// The icon of its kind.
+    pub icon: &'static str,
+    /// What.
+    pub text: String,
+    /// Whether it is lit up.
+    pub is_lit: bool,
 }
 
 /// A repair.
@@ -141,7 +154,7 @@ pub fn card(state: &State) -> Option<Card> {
         Some(false) => BROKEN,
         _ => badge(asking, told.verdict),
     };
-    card.verdict = Some((badge, told.words.clone()));
+    card.verdict = Some((badge, verdict_words(asking, told).to_owned()));
     if let Some(other) = &asking.other {
         card.rows = rows(asking, other);
         card.other = Some(Other {
@@ -152,7 +165,7 @@ pub fn card(state: &State) -> Option<Card> {
     }
     let happenings = asking.violations().enumerate().take(HAPPENINGS);
     let happenings = happenings.map(|(index, violation)| Happening {
-        number: index + 1,
+        number: (!numbers_facts(asking)).then_some(index + 1),
         text: violation.message.clone(),
         time: violation.time,
         is_lit: asking.lit == Some(Lit::Witness(index)),
@@ -170,9 +183,11 @@ pub fn card(state: &State) -> Option<Card> {
             .facts
             .iter()
             .enumerate()
-            .map(|(index, fact)| {
-                let is_lit = asking.lit == Some(Lit::Fact(index));
-                (fact_icon(fact), fact.text.clone(), is_lit)
+            .map(|(index, fact)| FactRow {
+                number: numbers_facts(asking).then_some(index + 1),
+                icon: fact_icon(fact),
+                text: fact.text.clone(),
+                is_lit: asking.lit == Some(Lit::Fact(index)),
             })
             .collect(),
     });
@@ -196,6 +211,30 @@ pub fn card(state: &State) -> Option<Card> {
         card.standing = Some(format!("This holds up to makespan {within}."));
     }
     Some(card)
+}
+
+/// Whether the answer itself offers the next step: another plan, or a repair.
+pub fn offers_next_step(state: &State) -> bool {
+    state.document.mode.asking().is_some_and(|asking| {
+        let told = asking.told.as_deref();
+        asking.other.is_some() || told.is_some_and(|told| !told.repairs.is_empty())
+    })
+}
+
+/// Whether the numbers on the map are those of the facts: where there is no plan at
+/// all. Else they are those of what would happen.
+pub(crate) fn numbers_facts(asking: &Asking) -> bool {
+    matches!(asking.question(), Question::Unsolvable)
+}
+
+/// The verdict in words. Where there is no plan, all that follows from it stands below
+/// in lists: only the reason is said.
+fn verdict_words<'a>(asking: &'a Asking, told: &'a ExplainAnswer) -> &'a str {
+    let reason = asking.about.solved.reason.as_deref();
+    match reason {
+        Some(reason) if numbers_facts(asking) && told.verdict == Verdict::Necessary => reason,
+        _ => &told.words,
+    }
 }
 
 /// What is claimed of the other plan: that none as good is closer to this one,

@@ -8,7 +8,11 @@ mod card;
 mod cell;
 mod plan;
 
-pub use card::{Badge, Card, CostRow, Facts, Happening, Offered, Other, card, closeness};
+pub(crate) use card::numbers_facts;
+pub use card::{
+    Badge, Card, CostRow, FactRow, Facts, Happening, Offered, Other, card, closeness,
+    offers_next_step,
+};
 use giveway_model::{Question, question::fits};
 
 use crate::{Answer, Selection, State, words};

@@ -2,7 +2,7 @@
 
 use std::fmt::Write;
 
-use giveway_model::{Grid, Ground};
+use giveway_model::{Cell, Grid, Ground};
 
 use super::Detail;
 use super::outline::{Pen, Region};
@@ -24,8 +24,9 @@ pub struct Floor {
     pub bolts: String,
 }
 
-/// The shapes of a map at a level of detail: from forms down they are plain.
-pub fn floor(grid: &Grid, detail: Detail) -> Floor {
+/// The shapes of a map at a level of detail: from forms down they are plain. The
+/// bolt of a charger makes way where a star lies on it.
+pub fn floor(grid: &Grid, detail: Detail, has_star: impl Fn(Cell) -> bool) -> Floor {
     let is_fine = detail > Detail::Dots;
     let pen = |inset: i32, radius: i32| {
         if is_fine {
@@ -47,7 +48,7 @@ pub fn floor(grid: &Grid, detail: Detail) -> Floor {
         region.paths(pen)
     };
     let is_obstacle = |ground| ground == Ground::Obstacle;
-    let (chargers, bolts) = chargers(grid, is_fine);
+    let (chargers, bolts) = chargers(grid, is_fine, has_star);
     Floor {
         slow_tint: region(
             Ground::is_slow,
@@ -77,7 +78,7 @@ fn lines(grid: &Grid) -> String {
     path
 }
 
-fn chargers(grid: &Grid, is_fine: bool) -> (String, String) {
+fn chargers(grid: &Grid, is_fine: bool, has_star: impl Fn(Cell) -> bool) -> (String, String) {
     let (mut plates, mut bolts) = (String::new(), String::new());
     for (cell, ground) in grid.cells() {
         if !ground.is_charger() {
@@ -91,7 +92,12 @@ fn chargers(grid: &Grid, is_fine: bool) -> (String, String) {
                 x + 23,
                 y + 7,
             );
-            let _ = write!(bolts, "M{} {}l-25 35h17l-5 26 27-38h-17Z", x + 55, y + 20);
+            let _ = if has_star(cell) {
+                // Smaller, in the upper left corner.
+                write!(bolts, "M{} {}l-10 15h7l-2 11 11-16h-7Z", x + 22, y + 12)
+            } else {
+                write!(bolts, "M{} {}l-25 35h17l-5 26 27-38h-17Z", x + 55, y + 20)
+            };
         } else {
             let _ = write!(plates, "M{x} {y}h100v100h-100Z");
         }
@@ -104,7 +110,7 @@ mod tests {
     use super::*;
 
     fn of(rows: &[&str], detail: Detail) -> Floor {
-        floor(&Grid::from_rows(rows).unwrap(), detail)
+        floor(&Grid::from_rows(rows).unwrap(), detail, |_| false)
     }
 
     #[test]
@@ -115,6 +121,15 @@ mod tests {
         assert!(floor.chargers.starts_with("M123 7h54"));
         assert!(floor.bolts.starts_with("M155 20"));
         assert!(floor.obstacles.is_empty());
+    }
+
+    #[test]
+    fn a_bolt_makes_way_for_a_star() {
+        let grid = Grid::from_rows(&["++"]).unwrap();
+        let floor = floor(&grid, Detail::All, |cell| cell.x == 1);
+        let bolts: Vec<&str> = floor.bolts.split_inclusive('Z').collect();
+        assert!(bolts[0].starts_with("M55 20l-25 35"), "{}", bolts[0]);
+        assert!(bolts[1].starts_with("M122 12l-10 15"), "{}", bolts[1]);
     }
 
     #[test]

@@ -20,7 +20,7 @@ use giveway_solve::change::{ChangeRequest, Method};
 use crate::course::World;
 use crate::{Answer, Draft, Settings};
 
-pub use columns::{Column, CostChange, Group, columns};
+pub use columns::{Column, CostChange, Fix, Group, columns, fixes};
 pub use compared::{Comparing, Tried};
 pub use facts::{Facts, Listed, Offers, Past, facts, fate, history, offers};
 

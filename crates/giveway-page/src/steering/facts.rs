@@ -53,7 +53,7 @@ pub fn facts(state: &State) -> Option<Facts> {
     }
     let violations = steering.violations.iter().enumerate();
     let violations = violations.map(|(index, violation)| Happening {
-        number: index + 1,
+        number: Some(index + 1),
         text: violation.message.clone(),
         time: violation.time,
         is_lit: Steering::is_now(violation, state.view.playback.time),

@@ -177,7 +177,11 @@ mod tests {
 
     #[test]
     fn the_next_cost_says_what_is_settled() {
-        let gauge = after(&[bound(Cost::Makespan, 20), plan(), bound(Cost::SumOfCosts, 37)]);
+        let gauge = after(&[
+            bound(Cost::Makespan, 20),
+            plan(),
+            bound(Cost::SumOfCosts, 37),
+        ]);
         assert_eq!(gauge.cost, Cost::SumOfCosts);
         assert_eq!(
             gauge.sentence,
