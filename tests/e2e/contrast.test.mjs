@@ -22,7 +22,7 @@ describe("forced colours", () => {
         await differ(tab("Timeline"), tab("Plan"));
       } else {
         await differ(playground.button("1×"), playground.button("2×"));
-        await differ(playground.button("Trails"), playground.button("Use"));
+        await differ(playground.button("Trails"), playground.button("Heat map"));
         await differ(playground.plan.locator("td.now").first(), playground.plan.locator("td:not(.now)").first());
       }
       const lane = (name) => page.getByRole("button", { name: new RegExp(`^${name}`) }).and(page.locator("[data-lane]"));

@@ -88,7 +88,7 @@ describe("the geometry", () => {
     await rows(playground);
     await lead(playground, "A1", 0, 0);
     await steps(playground, "Down", "Right");
-    await playground.says(/both at \(1,1\)/);
+    await playground.says(/both at \(1, 1\)/);
   });
   state("settings", async (playground) => {
     await opening(playground);
@@ -143,7 +143,7 @@ async function answered(playground) {
   await playground.press("To start");
   await playground.reaches(0);
   await playground.inspector.getByRole("button", { name: /^A2\b/ }).first().click();
-  await playground.inspector.getByRole("button", { name: /^Why does A2 wait at \(3,1\)\?/ }).first().click();
+  await playground.inspector.getByRole("button", { name: /^Why does A2 wait at \(3, 1\)\?/ }).first().click();
   await playground.button("Take the other plan").waitFor();
   await playground.button("Solve").waitFor();
   await playground.press("Step forward");

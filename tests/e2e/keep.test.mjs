@@ -108,7 +108,7 @@ describe("links", () => {
       location.href = link;
     }, link);
     await playground.shows("warehouse");
-    await playground.says(/^Best plan so far: makespan 18; sum of costs 35; 3 charges\. Whether it is the best is known once it is solved\.$/);
+    await playground.says(/^Best so far: makespan 18; sum of costs 35; 3 charges\. Whether it is the best is known once it is solved\.$/);
     await playground.reaches(1);
     await playground.picture("linked");
     assert.equal(await page.evaluate(() => location.hash), "", "a reload would open it again");
@@ -136,7 +136,7 @@ describe("links", () => {
     await playground.reaches(0);
     await playground.showTab("Inspector");
     await playground.inspector.getByRole("button", { name: /^A2\b/ }).first().click();
-    await playground.inspector.getByRole("button", { name: /^Why does A2 wait at \(3,1\)\?/ }).first().click();
+    await playground.inspector.getByRole("button", { name: /^Why does A2 wait at \(3, 1\)\?/ }).first().click();
     await playground.button("Take the other plan").waitFor();
     await playground.act("Share");
     const link = await page.getByRole("dialog", { name: "Share" }).getByLabel("Link").inputValue();
@@ -151,7 +151,7 @@ describe("links", () => {
 
   flow("about what has no plan solve it first, and then ask why", async (playground, { host, page }) => {
     await playground.example("No way past");
-    await playground.says(/^No plan, whatever the horizon/);
+    await playground.says(/^No plan exists, no matter how many steps you allow/);
     await playground.showTab("Inspector");
     await playground.inspector.getByRole("button", { name: /^Why is there no plan\?/ }).first().click();
     await playground.inspector.getByRole("heading", { name: "What would help" }).waitFor();

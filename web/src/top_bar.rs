@@ -70,7 +70,7 @@ pub(crate) fn TopBar(props: &TopBarProps) -> Html {
         "" => "Untitled",
         name => name,
     };
-    let agents = words::count(scene.agents.len(), "agent");
+    let agents = words::count(scene.agents.len(), "robot");
     let examples = show.reform(|_: MouseEvent| Panel::Examples);
     let scenes = show.reform(|_: MouseEvent| Panel::Scenes);
     let share = {

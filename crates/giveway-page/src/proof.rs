@@ -196,8 +196,8 @@ fn line(claim: &Checked) -> Line {
         }
         Checked::Search { text, method, .. } => {
             let what = match method {
-                Method::Alone => "A search of each agent alone, repeated.",
-                Method::Joint => "A search of all states of all agents, repeated.",
+                Method::Alone => "A search of each robot alone, repeated.",
+                Method::Joint => "A search of all states of all robots, repeated.",
             };
             ("search", text, what.to_owned())
         }

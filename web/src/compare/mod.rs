@@ -100,7 +100,7 @@ fn column(index: usize, facts: &Column, state: &Shown, send: &Callback<Action>) 
             <footer>
                 if has_plan {
                     <button type="button" class={classes!("btn", if facts.is_chosen { "primary" } else { "outline" })} onclick={adopt}>
-                        { icon::show("check") }{ "Adopt" }<span class="vh">{ format!(" {title}") }</span>
+                        { icon::show("check") }{ "Use this plan" }<span class="vh">{ format!(" {title}") }</span>
                     </button>
                     <button type="button" class="btn ghost" aria-pressed={facts.is_chosen.to_string()} onclick={preview}>
                         { "Preview" }<span class="vh">{ format!(" {title}") }</span>

@@ -142,7 +142,7 @@ fn Agents(props: &AgentsProps) -> Html {
             <p class="remark">{ "No agents." }</p>
         } else {
             <section>
-                <h3>{ "Agents" }</h3>
+                <h3>{ "Robots" }</h3>
                 <ul class="choices">{ for there.take(*shown).map(one) }</ul>
                 if agents.len() > *shown {
                     <button type="button" class="btn outline more" onclick={more}>{ format!("Show more of {}", agents.len()) }</button>

@@ -132,12 +132,12 @@ fn solve_button(state: &Shown, send: &Callback<Action>) -> Html {
         ),
         Phase::Changing => (
             "primary",
-            "Adapt (Ctrl Enter)",
+            "Find new plans (Ctrl Enter)",
             Action::Change(ChangeAction::Adapt),
         ),
         Phase::Comparing => (
             "outline",
-            "Adapt again (Ctrl Enter)",
+            "Find new plans again (Ctrl Enter)",
             Action::Change(ChangeAction::Adapt),
         ),
         Phase::Steering => {
@@ -165,8 +165,8 @@ fn solve_button(state: &Shown, send: &Callback<Action>) -> Html {
     };
     let word = match phase {
         Phase::Solving | Phase::Asking | Phase::Checking | Phase::Adapting => "Cancel",
-        Phase::Changing => "Adapt",
-        Phase::Comparing => "Adapt again",
+        Phase::Changing => "Find new plans",
+        Phase::Comparing => "Find again",
         Phase::Steering => "Check my plan",
         _ => "Solve",
     };

@@ -86,17 +86,14 @@ pub fn Dock(props: &DockProps) -> Html {
     // Nothing else is the next step, until it is asked.
     let asks_why = state.phase() == Phase::None && state.document.mode.asking().is_none();
     let (head, text) = match state.phase() {
-        Phase::None => (
-            "Nothing to play",
-            "Change the scene and solve it again: the lanes appear here.",
-        ),
+        Phase::None => ("Nothing to play", "Change the scene and solve it again."),
         Phase::Stopped => (
             "No plan within the limits",
             "Raise the time limit, or change the scene, and solve again.",
         ),
         _ => (
             "Nothing to play yet",
-            "Solve the scene: a lane for each agent appears here.",
+            "Solve the scene: each robot gets a lane here.",
         ),
     };
     html! {

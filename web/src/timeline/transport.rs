@@ -98,7 +98,7 @@ fn views(props: &DockProps) -> Html {
     html! {
         <div class="views">
             { chip("view", "trail", "Trails", view.layers.trails, Action::View(ViewAction::ShowTrails(!view.layers.trails))) }
-            { chip("view", "heat", "Use", view.layers.heat, Action::View(ViewAction::ShowHeat(!view.layers.heat))) }
+            { chip("view", "heat", "Heat map", view.layers.heat, Action::View(ViewAction::ShowHeat(!view.layers.heat))) }
             { chip("", "down", "Plan table", view.table, Action::View(ViewAction::ShowTable(!view.table))) }
             <CopyButton ..props.clone() />
         </div>

@@ -173,11 +173,11 @@ pub fn card(state: &State) -> Option<Card> {
     let happenings: Vec<Happening> = happenings.collect();
     card.witness = (!happenings.is_empty()).then(|| (would(asking), happenings));
     card.core = told.core.as_ref().map(|core| Facts {
-        title: "What excludes it together",
+        title: "These facts together rule it out",
         claim: if core.minimal {
-            "Without any one of these it can be done."
+            "Drop any one of them and it becomes possible."
         } else {
-            "Not shown to be minimal."
+            "Some of these may not be needed."
         },
         facts: core
             .facts
@@ -206,7 +206,7 @@ pub fn card(state: &State) -> Option<Card> {
     if state.is_looking() {
         card.pending = told.pending.iter().map(|&part| pending(part)).collect();
     } else if told.complete {
-        card.standing = Some("This holds whatever the horizon.".to_owned());
+        card.standing = Some("This holds no matter how many steps you allow.".to_owned());
     } else if let Some(within) = told.within {
         card.standing = Some(format!("This holds up to makespan {within}."));
     }
@@ -302,7 +302,7 @@ fn would(asking: &Asking) -> String {
         Question::Wait { agent, .. } => format!("If {agent} did not wait"),
         Question::Unsolvable => "At the least, this would go wrong".to_owned(),
         Question::Plan => "What is against the rules".to_owned(),
-        _ => "Otherwise, all else as it is".to_owned(),
+        _ => "What would go wrong if only this changed".to_owned(),
     }
 }
 

@@ -52,7 +52,7 @@ impl Kind {
             Self::Waypoint => "Waypoint, filled once visited",
             Self::Ahead => "Way ahead",
             Self::Wait => "Waits",
-            Self::Used => "Used more, the darker",
+            Self::Used => "Darker: used more often",
         }
     }
 

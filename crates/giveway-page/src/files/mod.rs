@@ -90,7 +90,7 @@ pub fn read(files: &[Opened]) -> Result<Reading, Notice> {
         ([], [], &[(file, text)]) => Err(map_missing(file, text)),
         ([], [map], [scenario]) => scenario::read(*map, *scenario),
         _ => Err(Notice {
-            sentence: "These files are no single scene.".to_owned(),
+            sentence: "Open one scene at a time.".to_owned(),
             details: vec![
                 format!(
                     "found {}, {}, {}",

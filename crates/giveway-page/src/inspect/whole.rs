@@ -12,7 +12,7 @@ use crate::{Answer, Draft, Size, State};
 pub struct Whole {
     /// The name of the scene.
     pub title: String,
-    /// What the scene contains: `2 agents, 2 chargers, 6 slow cells, 6 obstacles`.
+    /// What the scene contains: `2 robots, 2 chargers, 6 slow cells, 6 obstacles`.
     pub contents: String,
     /// What is claimed of the plan, and why nothing more; none before a solve.
     pub claims: Vec<String>,
@@ -102,7 +102,7 @@ fn tell(whole: &mut Whole, answer: &Answer) {
     };
     let mut work = work_done(size);
     if work.is_empty() {
-        "No formula was needed".clone_into(&mut work);
+        "Proved without SAT".clone_into(&mut work);
     }
     let seconds = match solved.stats.cpu_seconds {
         little if little < 0.05 => "less than 0.1 s".to_owned(),
@@ -144,7 +144,7 @@ fn claim(answer: &Answer) -> String {
     }
     let reach = match solved.within {
         Some(within) if !solved.complete => format!("up to makespan {within}"),
-        _ => "whatever the horizon".to_owned(),
+        _ => "no matter how many steps you allow".to_owned(),
     };
     match solved.status {
         Status::Optimal => format!("No plan is better, {reach}."),
@@ -161,7 +161,7 @@ fn contents(draft: &Draft, is_there: impl Fn(usize) -> bool) -> String {
         cells.filter(|&(_, ground)| is(ground)).count()
     };
     let agents = (0..draft.agents().len()).filter(|&agent| is_there(agent));
-    let mut parts = vec![count(agents.count(), "agent")];
+    let mut parts = vec![count(agents.count(), "robot")];
     for (n, thing) in [
         (grounds(Ground::is_charger), "charger"),
         (grounds(Ground::is_slow), "slow cell"),
@@ -188,15 +188,18 @@ mod tests {
         assert_eq!(whole.title, "warehouse");
         assert_eq!(
             whole.contents,
-            "2 agents, 2 chargers, 6 slow cells, 6 obstacles"
+            "2 robots, 2 chargers, 6 slow cells, 6 obstacles"
         );
-        assert_eq!(whole.claims, ["No plan is better, whatever the horizon."]);
+        assert_eq!(
+            whole.claims,
+            ["No plan is better, no matter how many steps you allow."]
+        );
         let proved: Vec<_> = whole.costs.iter().map(CostFacts::is_proved).collect();
         assert_eq!(proved, [true, true, true, false, false]);
         assert_eq!(whole.costs[1].title, "Sum of costs");
         assert_eq!(
             whole.work.as_deref(),
-            Some("No formula was needed, less than 0.1 s")
+            Some("Proved without SAT, less than 0.1 s")
         );
     }
 

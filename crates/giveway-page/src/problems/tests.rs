@@ -75,7 +75,7 @@ fn what_two_agents_share() {
     shared.agents[1].start = Cell::new(1, 0);
     assert_eq!(told(shared.clone()), []);
     shared.agents[1].name = "A1".to_owned();
-    assert_eq!(sentences(shared), ["Two agents are called A1."]);
+    assert_eq!(sentences(shared), ["Two robots are called A1."]);
 }
 
 #[test]

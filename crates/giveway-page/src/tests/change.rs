@@ -102,16 +102,10 @@ fn the_world_can_change_only_while_a_plan_runs() {
 #[test]
 fn every_tool_lists_a_change() {
     let state = after(&changing(), stroke(Tool::Obstacle, &[(0, 2), (1, 2)]));
-    let appear = [
-        "An obstacle appears at (0, 2)",
-        "An obstacle appears at (1, 2)",
-    ];
+    let appear = ["New obstacle at (0, 2)", "New obstacle at (1, 2)"];
     assert_eq!(list(&state), appear);
     let state = after(&state, stroke(Tool::Select, &[(1, 2), (0, 0)]));
-    let moved = [
-        "An obstacle appears at (0, 2)",
-        "An obstacle appears at (0, 0)",
-    ];
+    let moved = ["New obstacle at (0, 2)", "New obstacle at (0, 0)"];
     assert_eq!(list(&state), moved);
     let state = after(&state, stroke(Tool::Erase, &[(0, 0)]));
     assert_eq!(list(&state), appear[..1]);
@@ -172,7 +166,7 @@ fn what_contradicts_the_world_is_refused_and_nothing_changes() {
     );
     // A stroke over it paints what can be.
     let state = after(&changing(), stroke(Tool::Obstacle, &[(0, 0), (1, 0)]));
-    assert_eq!(list(&state), ["An obstacle appears at (0, 0)"]);
+    assert_eq!(list(&state), ["New obstacle at (0, 0)"]);
     assert!(state.view.notice.is_some());
 }
 
@@ -194,7 +188,7 @@ fn each_change_is_one_step_of_undo_and_can_be_taken_back() {
     let redone = after(&undone, [Action::Redo]);
     assert_eq!(list(&redone).len(), 2);
     let back = after(&redone, [Action::Change(ChangeAction::TakeBack(0))]);
-    assert_eq!(list(&back), ["An obstacle appears at (0, 2)"]);
+    assert_eq!(list(&back), ["New obstacle at (0, 2)"]);
     assert_eq!(back.view.selection, Selection::Nothing, "A3 is gone");
     let left = after(&back, [Action::Change(ChangeAction::Discard)]);
     assert_eq!(left.phase(), Phase::Planned);
@@ -226,10 +220,7 @@ fn an_agent_that_has_its_cell_taken_back_loses_what_is_its_own() {
 fn a_change_that_another_needs_takes_it_along() {
     let state = after(&changing(), stroke(Tool::Erase, &[(1, 0)]));
     let state = after(&state, stroke(Tool::Obstacle, &[(1, 0)]));
-    assert_eq!(
-        list(&state),
-        ["A1 is removed", "An obstacle appears at (1, 0)"]
-    );
+    assert_eq!(list(&state), ["A1 is removed", "New obstacle at (1, 0)"]);
     let state = after(&state, [Action::Change(ChangeAction::TakeBack(0))]);
     assert_eq!(list(&state), Vec::<String>::new());
     assert!(state.view.notice.is_some());
@@ -453,10 +444,9 @@ fn where_no_method_has_a_plan_nothing_can_be_adopted_and_the_cause_is_told() {
     assert!(
         columns
             .iter()
-            .all(|column| !column.has_plan && !column.is_least)
+            .all(|column| !column.has_plan() && !column.is_least)
     );
-    assert_eq!(columns[2].notes[0], "It has no plan.");
-    assert!(columns[2].notes[1].contains("(2, 2), where an obstacle is now"));
+    assert!(columns[2].notes[0].contains("(2, 2), where an obstacle is now"));
     assert_eq!(state.last_time(), 1);
     assert!(
         saying(&state).ends_with("have no plan."),

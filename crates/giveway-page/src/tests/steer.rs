@@ -322,7 +322,7 @@ fn one_that_has_arrived_waits_at_its_goal_until_it_is_led() {
     assert_eq!(state.view.playback.time, 5);
     assert_eq!(path(&state, "A1").len(), 4, "the wait after all is none");
     assert_eq!(told(&state).to_do, [""; 0]);
-    assert!(saying(&state).ends_with("All agents do their tasks: check your plan."));
+    assert!(saying(&state).ends_with("All robots do their tasks. Check your plan."));
     let state = after(&state, [LEFT]);
     assert_eq!(path(&state, "A1").len(), 7);
     assert_eq!(path(&state, "A1")[3..6], cells(&[(3, 0), (3, 0), (3, 0)]));

@@ -41,13 +41,13 @@ pub fn sentence(what: &What) -> (String, Option<String>) {
         What::SetSlow { cells } => format!("{} becomes slow", self::cells(cells)),
         What::SetNormal { cells } => format!("{} is slow no more", self::cells(cells)),
         What::RemoveAgent { agent } => format!("{agent} is removed"),
-        What::AddObstacle { cell } => format!("An obstacle appears at {}", at(*cell)),
+        What::AddObstacle { cell } => format!("New obstacle at {}", at(*cell)),
         What::RemoveObstacle { cell } => format!("The obstacle at {} goes", at(*cell)),
         What::MoveObstacle { from, to } => {
             format!("The obstacle at {} moves to {}", at(*from), at(*to))
         }
-        What::AddCharger { cell } => format!("A charger appears at {}", at(*cell)),
-        What::RemoveCharger { cell } => format!("The charger at {} goes", at(*cell)),
+        What::AddCharger { cell } => format!("New charger at {}", at(*cell)),
+        What::RemoveCharger { cell } => format!("Charger at {} removed", at(*cell)),
         What::SetGoal { agent, cell } => format!("The goal of {agent} is {} now", at(*cell)),
         What::AddWaypoint { agent, cell } => format!("{agent} has to visit {}, too", at(*cell)),
         What::DropWaypoint { agent, cell } => {

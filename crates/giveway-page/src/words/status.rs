@@ -55,7 +55,7 @@ impl Badge {
             Self::Asking => "Asking",
             Self::Checking => "Checking",
             Self::Changing => "Changing",
-            Self::Adapting => "Adapting",
+            Self::Adapting => "Looking",
             Self::Compared(1) => "1 answer",
             Self::Compared(2) => "2 answers",
             Self::Compared(_) => "3 answers",

@@ -118,7 +118,7 @@ fn what_each_claim_rests_on_is_told() {
         lines,
         [
             "A checked proof: 900 variables, 23\u{202f}456 clauses, 3214 steps.",
-            "A search of each agent alone, repeated.",
+            "A search of each robot alone, repeated.",
             "Not checked. Its formula would be too large.",
         ]
     );
