@@ -47,7 +47,13 @@ fn pick(state: &mut State, tool: Tool) {
 /// What is selected has the inspector: a question makes way for it.
 pub(super) fn select(state: &mut State, selection: Selection) {
     ask::close(state);
-    state.view.selection = selection;
+    let count = state.world().agents().len();
+    state.view.selection = match selection {
+        // Of a scene before this one.
+        Selection::Agent(agent) if agent >= count => Selection::Nothing,
+        Selection::Cell(cell) => Selection::Cell(state.document.draft.clamp(cell)),
+        selection => selection,
+    };
 }
 
 /// A step of the keyboard; with the tool that selects, a thing can go along. The

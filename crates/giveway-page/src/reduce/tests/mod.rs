@@ -4,6 +4,7 @@ mod ask;
 mod edit;
 mod play;
 mod proof;
+mod soak;
 mod solve;
 mod things;
 mod words;
