@@ -123,6 +123,19 @@ impl State {
         self.shown()?.plan()
     }
 
+    /// The plan that plays: the one that is shown, where anybody who is on the board
+    /// has a part in it.
+    pub fn playing(&self) -> Option<&Rc<Answer>> {
+        let answer = self.shown()?;
+        answer.plan()?;
+        let draft = &self.document.draft;
+        let mut agents = 0..draft.agents().len();
+        let has_part = answer.course.is_some()
+            || answer.agents().is_empty()
+            || agents.any(|agent| answer.agent(draft, agent).is_some());
+        has_part.then_some(answer)
+    }
+
     /// The last time that can be shown, in steps.
     pub fn last_time(&self) -> u32 {
         let mode = &self.document.mode;
@@ -134,7 +147,7 @@ impl State {
             }
             _ => {}
         }
-        let both = self.shown().into_iter().chain(self.beside());
+        let both = self.playing().into_iter().chain(self.beside());
         let led = mode.steering().map(|own| Steering::time(own));
         let ends = both.map(|answer| answer.makespan()).chain(led);
         ends.max().unwrap_or(0)

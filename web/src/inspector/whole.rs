@@ -106,13 +106,9 @@ fn Agents(props: &AgentsProps) -> Html {
     } = props;
     let shown = use_state_eq(|| AGENTS);
     let agents = draft.agents();
-    let arrival = |name: &str| {
+    let arrival = |agent: usize| {
         let answer = answer.as_deref()?;
-        let index = answer
-            .agents()
-            .iter()
-            .position(|agent| agent.name == name)?;
-        *answer.arrivals.get(index)?
+        *answer.arrivals.get(answer.agent(draft, agent)?)?
     };
     let one = |(agent, who): (usize, &giveway_model::Agent)| {
         let onclick =
@@ -122,8 +118,8 @@ fn Agents(props: &AgentsProps) -> Html {
                 { glyph::show(agent, "choice-glyph") }
                 <span>
                     <b>{ who.name.clone() }</b>
-                    <small>{ format!("({},{}) to ({},{})", who.start.x, who.start.y, who.goal.x, who.goal.y) }
-                        if let Some(time) = arrival(&who.name) { { format!(", arrives at {time}") } }
+                    <small>{ format!("{} to {}", who.start, who.goal) }
+                        if let Some(time) = arrival(agent) { { format!(", arrives at {time}") } }
                     </small>
                 </span>
                 { icon::at_end("chevron") }
@@ -139,7 +135,7 @@ fn Agents(props: &AgentsProps) -> Html {
     };
     html! {
         if agents.is_empty() {
-            <p class="remark">{ "No agents." }</p>
+            <p class="remark">{ "No robots." }</p>
         } else {
             <section>
                 <h3>{ "Robots" }</h3>

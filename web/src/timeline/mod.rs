@@ -52,9 +52,7 @@ pub fn Dock(props: &DockProps) -> Html {
             }
         });
     }
-    let planned = state.shown().cloned();
-    let planned = planned.filter(|answer| answer.plan().is_some());
-    if let Some(answer) = planned {
+    if let Some(answer) = state.playing().cloned() {
         // The one dark button is elsewhere while the plan is not the answer.
         let calm = matches!(
             state.phase(),

@@ -38,14 +38,15 @@ pub(super) fn Plan(props: &PlanProps) -> Html {
         state,
         send,
     } = props;
-    let lanes = use_memo(answer.clone(), |answer| {
-        table::lanes(answer).collect::<Vec<Lane>>()
+    let draft = Same::new(Rc::clone(&state.document.draft));
+    let lanes = use_memo((answer.clone(), draft.clone()), |(answer, draft)| {
+        table::lanes(answer, draft)
     });
     let lanes = Same::new(lanes);
     let batteries = lanes.iter().filter(|lane| lane.capacity.is_some()).count();
-    let others = use_memo(beside.clone(), |beside| match beside {
-        Some(beside) => table::lanes(beside).collect::<Vec<Lane>>(),
-        None => Vec::new(),
+    let others = use_memo((beside.clone(), draft), |(beside, draft)| match beside {
+        Some(beside) => table::lanes(beside, draft),
+        None => Vec::<Lane>::new(),
     });
     let others = Same::new(others);
     let row = if beside.is_some() {

@@ -75,6 +75,10 @@ pub fn whole(state: &State) -> Whole {
             whole.claims.clear();
         }
         if state.document.is_stale() {
+            // What was proved was proved of another scene.
+            for cost in &mut whole.costs {
+                cost.at_least = None;
+            }
             whole
                 .claims
                 .insert(0, "This is of the scene before the last edit.".to_owned());

@@ -326,9 +326,12 @@ fn the_adopted_plan_has_its_history_and_undo_takes_it_back() {
         past[1].detail.as_deref(),
         Some("replan: makespan 4, sum of costs 12")
     );
-    let names: Vec<String> = lanes(answer).map(|lane| lane.name).collect();
+    let names: Vec<String> = lanes(answer, &answer.draft)
+        .into_iter()
+        .map(|lane| lane.name)
+        .collect();
     assert_eq!(names, ["A1", "A2", "A3"]);
-    assert!(lanes(answer).nth(2).unwrap().begins == 1);
+    assert!(lanes(answer, &answer.draft)[2].begins == 1);
     assert!(saying(&state).contains("went on by replan: makespan 4"));
     // Before it joins it is not there.
     assert!(state.is_there(2));
@@ -402,7 +405,7 @@ fn a_removed_agent_is_gone_and_its_lane_ends() {
     let state = answered(&after(&state, [Action::Change(ChangeAction::Adapt)]));
     let state = after(&state, [Action::Change(ChangeAction::Adopt(0))]);
     let answer = state.document.fresh_answer().unwrap();
-    let lane = lanes(answer).nth(1).unwrap();
+    let lane = &lanes(answer, &answer.draft)[1];
     assert_eq!((lane.removed, lane.stays), (Some(1), false));
     assert!(
         lane.sentence().ends_with("is removed at 1"),

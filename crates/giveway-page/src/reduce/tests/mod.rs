@@ -6,6 +6,7 @@ mod play;
 mod proof;
 mod soak;
 mod solve;
+mod stale;
 mod things;
 mod words;
 

@@ -275,7 +275,7 @@ fn show(state: &State) {
         let _ = changing::offers(state, agent);
     }
     for answer in state.shown().into_iter().chain(state.beside()) {
-        let lanes: Vec<_> = table::lanes(answer).collect();
+        let lanes = table::lanes(answer, &state.document.draft);
         for lane in &lanes {
             let _ = (lane.sentence(), lane.level_at(state.view.playback.time));
         }
