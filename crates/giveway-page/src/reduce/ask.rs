@@ -45,6 +45,8 @@ pub(super) fn ask(state: &mut State, question: Question) {
     let request = Rc::new(ExplainRequest {
         scene: answer.draft.scene().clone(),
         plan: answer.plan().cloned(),
+        changes: None,
+        at: None,
         question,
         objective: answer.request.objective.clone(),
         within: answer.request.within,
