@@ -44,6 +44,8 @@ impl Asking {
         let request = Rc::new(ExplainRequest {
             scene: answer.draft.scene().clone(),
             plan: answer.plan().cloned(),
+            changes: answer.course.as_ref().map(|course| course.changes.clone()),
+            at: None,
             question,
             objective: answer.request.objective.clone(),
             within: answer.request.within,

@@ -12,6 +12,7 @@ use giveway_model::{
     check::{Rule, Violation, arrivals, check},
 };
 
+use super::past::Past;
 use crate::{
     Status,
     condition::Condition,
@@ -39,6 +40,8 @@ pub(crate) struct Ask<'a> {
     /// The least horizon, where none is set: what holds up to a horizon for the
     /// instance as it is should not be asked up to a lesser one.
     pub(crate) at_least_within: u32,
+    /// What is past already, which costs count.
+    pub(crate) past: &'a Past,
 }
 
 /// What the search knows at the end.
@@ -86,7 +89,7 @@ fn run(ask: &Ask, aim: &Aim, meter: &Rc<Meter>) -> Found {
     let Ok(instance) = Instance::new(ask.scene.clone()) else {
         return nothing;
     };
-    let problem = match Problem::relaxed(&instance, ask.relaxed.clone(), ask.condition, meter) {
+    let mut problem = match Problem::relaxed(&instance, ask.relaxed.clone(), ask.condition, meter) {
         Ok(problem) => problem,
         Err(Setback::Alone(agent)) => {
             let agent = instance.agents().get(agent);
@@ -99,6 +102,7 @@ fn run(ask: &Ask, aim: &Aim, meter: &Rc<Meter>) -> Found {
         }
         Err(_) => return nothing,
     };
+    ask.past.wake(&instance, &mut problem);
     let default = problem.default_horizon(instance.grid());
     let horizon = ask.within.unwrap_or(default.max(ask.at_least_within));
     let mut limits = ask.caps.clone();
@@ -113,14 +117,14 @@ fn run(ask: &Ask, aim: &Aim, meter: &Rc<Meter>) -> Found {
     }
     let bounded = Bounded { horizon, limits };
     let verdict = find(&problem, ask.objective, &bounded, aim, meter);
-    judged(&instance, &problem, ask.condition, aim, horizon, verdict)
+    judged(&instance, &problem, ask, aim, horizon, verdict)
 }
 
 /// A verdict with its plan judged: a plan that the judge refuses is no plan.
 fn judged(
     instance: &Instance,
     problem: &Problem,
-    condition: Option<&Condition>,
+    ask: &Ask,
     aim: &Aim,
     horizon: u32,
     verdict: Verdict,
@@ -132,9 +136,8 @@ fn judged(
         .map(|(walks, costs)| (to_plan(problem, &names, &walks), costs));
     if let Some((plan, costs)) = &found {
         let broken = violations(instance, &problem.relaxed, plan);
-        let met = condition.is_none_or(|it| it.is_met_by(instance, plan));
-        if !met || !broken.is_empty() || giveway_model::check::costs(instance, plan) != Some(*costs)
-        {
+        let met = ask.condition.is_none_or(|it| it.is_met_by(instance, plan));
+        if !met || !broken.is_empty() || ask.past.costs(instance, plan) != Some(*costs) {
             found = None;
             stop = Some(Stop::Contradiction);
         }

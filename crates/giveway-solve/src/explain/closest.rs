@@ -61,12 +61,14 @@ enum Tried {
 
 fn with(case: &Case, condition: &Condition, costs: Costs, meter: &Rc<Meter>) -> Tried {
     let instance = case.instance;
-    let Ok(problem) = Problem::relaxed(instance, Relaxed::default(), Some(condition), meter) else {
+    let problem = Problem::relaxed(instance, Relaxed::default(), Some(condition), meter);
+    let Ok(mut problem) = problem else {
         return match meter.check() {
             Ok(()) => Tried::None, // the agent alone cannot
             Err(_) => Tried::Unknown,
         };
     };
+    case.past.wake(instance, &mut problem);
     let default = problem.default_horizon(instance.grid());
     let horizon = case.within.unwrap_or(default.max(case.costs.makespan));
     let objective = case.objective().costs().iter();
@@ -94,8 +96,9 @@ fn with(case: &Case, condition: &Condition, costs: Costs, meter: &Rc<Meter>) -> 
                 }
             }
             let report = check(instance, &plan);
-            let as_good = report
-                .costs
+            let as_good = case
+                .past
+                .costs(instance, &plan)
                 .is_some_and(|own| own.vector(case.objective()) == costs.vector(case.objective()));
             if report.is_valid() && as_good && condition.is_met_by(instance, &plan) {
                 Tried::Plan(plan, close.proved)

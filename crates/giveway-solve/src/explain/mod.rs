@@ -5,6 +5,8 @@
 //! - [`engine`]: the order of the parts;
 //! - [`verdict`]: the best other plan beside the one asked about;
 //! - [`closest`]: of these, one that is close to it;
+//! - [`rest`]: what is left of a plan once the world has changed; [`past`] and
+//!   `told` make an answer about it one about the whole;
 //! - [`relax`], [`edits`]: facts left out, edits made;
 //! - [`reasons`]: the parts that say why, in their order;
 //! - [`contrasted`]: the search for what a question asks for, with facts left out;
@@ -27,12 +29,15 @@ pub(crate) mod engine;
 mod explanation;
 pub(crate) mod own_plan;
 pub(crate) mod own_way;
+pub(crate) mod past;
 pub(crate) mod reasons;
 pub(crate) mod relax;
 pub(crate) mod repairs;
+pub(crate) mod rest;
 pub(crate) mod soft;
 #[cfg(test)]
 mod tests;
+mod told;
 pub(crate) mod unsolvable;
 pub(crate) mod verdict;
 pub(crate) mod waits;

@@ -67,6 +67,7 @@ fn told(state: &State) -> ExplainAnswer {
     ExplainAnswer {
         giveway: Version,
         question: question(),
+        since: None,
         plan: None,
         verdict: Verdict::Costly,
         costs: Some(costs),
