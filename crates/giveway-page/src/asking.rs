@@ -9,6 +9,7 @@ use giveway_solve::explain::{ExplainAnswer, ExplainRequest};
 use giveway_solve::{Limits, SolveAnswer, Stats, Status};
 
 use crate::Answer;
+use crate::changing::Changing;
 
 /// A question with its answer so far.
 #[derive(Clone, Debug, PartialEq)]
@@ -39,6 +40,14 @@ pub enum Lit {
 }
 
 impl Asking {
+    /// Why there is no way to go on where the world changes.
+    pub(crate) fn stuck(changing: &Changing, limits: Limits) -> Self {
+        let mut asking = Self::about(&changing.about, Question::Unsolvable, limits);
+        let request = Rc::make_mut(&mut asking.request);
+        request.changes = Some(changing.changes());
+        asking
+    }
+
     /// A question about an answer that was just asked.
     pub(crate) fn about(answer: &Rc<Answer>, question: Question, limits: Limits) -> Self {
         let request = Rc::new(ExplainRequest {
@@ -120,6 +129,13 @@ impl Asking {
             ..solved.clone()
         };
         let (draft, request) = (Rc::clone(&self.about.draft), Rc::clone(&self.about.request));
-        Some(Rc::new(Answer::new(draft, request, answer)))
+        let answer = match self.about.course.as_deref() {
+            None => Answer::new(draft, request, answer),
+            Some(course) => {
+                let (changes, steps) = (course.changes.clone(), course.steps.clone());
+                Answer::over_time(draft, request, answer, changes, steps).ok()?
+            }
+        };
+        Some(Rc::new(answer))
     }
 }

@@ -98,7 +98,7 @@ impl Document {
             Mode::Editing => self.answer.as_ref(),
             Mode::Asking(asking) => asking.in_place(is_alone).or(self.answer.as_ref()),
             Mode::Changing(changing) => Some(&changing.about),
-            Mode::Comparing(comparing) => {
+            Mode::Comparing(comparing) | Mode::Stuck(comparing, _) => {
                 Some(comparing.preview().unwrap_or(&comparing.changing.about))
             }
             Mode::Steering(own) => Some(&own.answer),
@@ -111,7 +111,7 @@ impl Document {
     pub(crate) fn changed(&self, time: u32) -> Option<&World> {
         match &self.mode {
             Mode::Changing(changing) => changing.world_at(time),
-            Mode::Comparing(comparing) => comparing.world_at(time),
+            Mode::Comparing(comparing) | Mode::Stuck(comparing, _) => comparing.world_at(time),
             _ => self.fresh_answer()?.world(time),
         }
     }

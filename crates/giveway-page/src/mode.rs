@@ -18,6 +18,8 @@ pub enum Mode {
     Changing(Rc<Changing>),
     /// Ways to go on are side by side.
     Comparing(Rc<Comparing>),
+    /// No way to go on was found, and the solver was asked why.
+    Stuck(Rc<Comparing>, Rc<Asking>),
     /// Agents are led by hand, in a plan of one's own.
     Steering(Rc<Steering>),
     /// The solver was asked about a plan of one's own.
@@ -28,7 +30,9 @@ impl Mode {
     /// The question that was asked, until it is left.
     pub const fn asking(&self) -> Option<&Rc<Asking>> {
         match self {
-            Self::Asking(asking) | Self::Judging(_, asking) => Some(asking),
+            Self::Asking(asking) | Self::Judging(_, asking) | Self::Stuck(_, asking) => {
+                Some(asking)
+            }
             _ => None,
         }
     }
@@ -37,7 +41,7 @@ impl Mode {
     pub fn changing(&self) -> Option<&Rc<Changing>> {
         match self {
             Self::Changing(changing) => Some(changing),
-            Self::Comparing(comparing) => Some(&comparing.changing),
+            Self::Comparing(comparing) | Self::Stuck(comparing, _) => Some(&comparing.changing),
             _ => None,
         }
     }
@@ -45,7 +49,7 @@ impl Mode {
     /// The ways to go on, where they are known.
     pub const fn comparing(&self) -> Option<&Rc<Comparing>> {
         match self {
-            Self::Comparing(comparing) => Some(comparing),
+            Self::Comparing(comparing) | Self::Stuck(comparing, _) => Some(comparing),
             _ => None,
         }
     }
@@ -61,7 +65,9 @@ impl Mode {
     /// The question, to be changed.
     pub(crate) fn asking_mut(&mut self) -> Option<&mut Asking> {
         match self {
-            Self::Asking(asking) | Self::Judging(_, asking) => Some(Rc::make_mut(asking)),
+            Self::Asking(asking) | Self::Judging(_, asking) | Self::Stuck(_, asking) => {
+                Some(Rc::make_mut(asking))
+            }
             _ => None,
         }
     }
@@ -72,6 +78,7 @@ impl Mode {
         match self {
             Self::Asking(_) => Self::Editing,
             Self::Judging(own, _) => Self::Steering(Rc::clone(own)),
+            Self::Stuck(comparing, _) => Self::Comparing(Rc::clone(comparing)),
             other => other.clone(),
         }
     }

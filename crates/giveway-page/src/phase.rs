@@ -44,7 +44,7 @@ impl State {
         }
         match self.document.mode {
             Mode::Changing(_) => return Phase::Changing,
-            Mode::Comparing(_) => return Phase::Comparing,
+            Mode::Comparing(_) | Mode::Stuck(..) => return Phase::Comparing,
             Mode::Steering(_) | Mode::Judging(..) => return Phase::Steering,
             Mode::Editing | Mode::Asking(_) => {}
         }

@@ -80,6 +80,10 @@ pub(crate) fn request(state: &State) -> Option<(Certified, CertifyRequest)> {
         let about = Certified::Answer(Rc::clone(answer));
         return claims_something(&request).then_some((about, request));
     };
+    // Certificates are of plans in one world.
+    if asking.request.changes.is_some() {
+        return None;
+    }
     let told = asking.told.as_deref()?;
     if told.verdict == Verdict::Unknown || told.valid == Some(false) {
         return None;

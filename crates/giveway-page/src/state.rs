@@ -141,7 +141,7 @@ impl State {
         let mode = &self.document.mode;
         match mode {
             Mode::Changing(changing) => return changing.at,
-            Mode::Comparing(comparing) => {
+            Mode::Comparing(comparing) | Mode::Stuck(comparing, _) => {
                 let preview = comparing.preview();
                 return preview.map_or(comparing.changing.at, |answer| answer.makespan());
             }
@@ -258,7 +258,7 @@ impl State {
                 let answer = self.document.fresh_answer();
                 answer.is_some_and(|answer| Steering::can_begin(answer, agent, time))
             }
-            Mode::Changing(_) | Mode::Comparing(_) => false,
+            Mode::Changing(_) | Mode::Comparing(_) | Mode::Stuck(..) => false,
         };
         can.then_some(agent)
     }
@@ -294,7 +294,7 @@ impl State {
         match &self.document.mode {
             Mode::Steering(_) | Mode::Judging(..) => return None,
             Mode::Changing(changing) => return self.thing_in(changing.draft(), cell),
-            Mode::Comparing(comparing) => {
+            Mode::Comparing(comparing) | Mode::Stuck(comparing, _) => {
                 return self.thing_in(comparing.changing.draft(), cell);
             }
             Mode::Editing | Mode::Asking(_) => {}

@@ -4,7 +4,7 @@ use std::fmt::Write as _;
 
 use super::text::escape;
 use super::{From, ask, change, claim, extras, plan, scene, steering};
-use crate::{Answer, Colours, Document, Mode};
+use crate::{Answer, Colours, Document};
 
 /// The document as parts joined by `&`. What is written for anywhere holds no
 /// claims, as nobody there would believe them.
@@ -78,7 +78,7 @@ fn kept(document: &Document) -> String {
         let listed = change::write(changes.get(listed..).unwrap_or_default());
         let _ = write!(text, "&listed={}!{listed}", changing.at);
     }
-    if let Mode::Comparing(comparing) = &document.mode {
+    if let Some(comparing) = document.mode.comparing() {
         let chosen = comparing.chosen.map_or(0, |chosen| chosen + 1);
         let told = extras::write(&*comparing.told);
         let _ = write!(text, "&compared={chosen}!{told}");

@@ -6,7 +6,7 @@ use std::rc::Rc;
 
 use giveway_model::change::Changes;
 use giveway_model::{Agent, Plan, Scene, Version, check};
-use giveway_solve::{SolveAnswer, SolveRequest, Stats, Status};
+use giveway_solve::{Limits, SolveAnswer, SolveRequest, Stats, Status};
 
 use super::text::{numbers, unescape};
 use super::{From, LONGEST, Linked, ask, change, claim, extras, plan, scene, steering};
@@ -219,26 +219,40 @@ fn mode(about: &Rc<Answer>, parts: &Parts<'_>) -> Result<Mode, String> {
         )),
         None => None,
     };
-    if let Some(text) = parts.get("asked") {
-        let about = own.as_ref().map_or(about, |own| &own.answer);
-        let asking = Rc::new(asked(about, text, parts)?);
-        return Ok(match own {
-            Some(own) => Mode::Judging(own, asking),
-            None => Mode::Asking(asking),
-        });
-    }
-    if let Some(own) = own {
-        return Ok(Mode::Steering(own));
-    }
-    let Some(text) = parts.get("listed") else {
-        return Ok(Mode::Editing);
+    let changing = match parts.get("listed") {
+        Some(text) => Some(Rc::new(
+            listed(about, text).ok_or_else(|| broken("listed"))?,
+        )),
+        None => None,
     };
-    let changing = Rc::new(listed(about, text).ok_or_else(|| broken("listed"))?);
-    let Some(text) = parts.get("compared") else {
-        return Ok(Mode::Changing(changing));
+    let comparing = match (&changing, parts.get("compared")) {
+        (Some(changing), Some(text)) => Some(Rc::new(
+            compared(changing, text).ok_or_else(|| broken("compared"))?,
+        )),
+        _ => None,
     };
-    let comparing = compared(&changing, text).ok_or_else(|| broken("compared"))?;
-    Ok(Mode::Comparing(Rc::new(comparing)))
+    let asking = match parts.get("asked") {
+        Some(text) => {
+            let question = ask::read(text).ok_or_else(|| broken("asked"))?;
+            let limits = Limits::default();
+            let asking = match (&own, &changing) {
+                (Some(own), _) => Asking::about(&own.answer, question, limits),
+                (None, Some(changing)) => Asking::stuck(changing, limits),
+                (None, None) => Asking::about(about, question, limits),
+            };
+            Some(Rc::new(told(asking, parts)?))
+        }
+        None => None,
+    };
+    Ok(match (own, changing, comparing, asking) {
+        (Some(own), _, _, Some(asking)) => Mode::Judging(own, asking),
+        (Some(own), _, _, None) => Mode::Steering(own),
+        (None, _, Some(comparing), Some(asking)) => Mode::Stuck(comparing, asking),
+        (None, _, Some(comparing), None) => Mode::Comparing(comparing),
+        (None, Some(changing), None, _) => Mode::Changing(changing),
+        (None, None, None, Some(asking)) => Mode::Asking(asking),
+        (None, None, None, None) => Mode::Editing,
+    })
 }
 
 /// What was being listed.
@@ -259,9 +273,7 @@ fn compared(changing: &Rc<Changing>, text: &str) -> Option<Comparing> {
 }
 
 /// A question with what was told of it.
-fn asked(about: &Rc<Answer>, text: &str, parts: &Parts<'_>) -> Result<Asking, String> {
-    let question = ask::read(text).ok_or_else(|| broken("asked"))?;
-    let mut asking = Asking::about(about, question, giveway_solve::Limits::default());
+fn told(mut asking: Asking, parts: &Parts<'_>) -> Result<Asking, String> {
     if let Some(told) = parts.get("told") {
         asking.learn(extras::read(told).ok_or_else(|| broken("told"))?);
     }

@@ -30,32 +30,46 @@ pub(super) fn questions(state: &mut State, action: AskAction) {
     }
 }
 
-/// What a question is about, and the mode that it is asked in.
-enum About {
-    Plan(Rc<Answer>),
-    Own(Rc<crate::steering::Steering>),
-}
-
-fn about(state: &mut State, question: &Question) -> Option<About> {
-    let document = &state.document;
-    match &document.mode {
-        Mode::Steering(own) | Mode::Judging(own, _) if *question == Question::Plan => {
-            Some(About::Own(Rc::clone(own)))
+/// The mode in which a question is asked; where it cannot be asked, a notice says
+/// why.
+fn mode(state: &mut State, question: Question) -> Option<Mode> {
+    let limits = Limits {
+        seconds: Some(f64::from(state.settings.seconds)),
+        ..Limits::default()
+    };
+    let asked = |answer: &Rc<Answer>| Rc::new(Asking::about(answer, question.clone(), limits));
+    match &state.document.mode {
+        // A plan of one's own may break any rule: that is what is asked.
+        Mode::Steering(own) | Mode::Judging(own, _) if question == Question::Plan => {
+            Some(Mode::Judging(Rc::clone(own), asked(&own.answer)))
         }
         Mode::Steering(_) | Mode::Judging(..) => {
             super::steer::is_in_the_way(state);
             None
         }
-        Mode::Changing(_) | Mode::Comparing(_) => {
-            refuse(state, crate::ask::NO_QUESTIONS);
+        Mode::Comparing(comparing) | Mode::Stuck(comparing, _)
+            if question == Question::Unsolvable && comparing.preview().is_none() =>
+        {
+            let asking = Rc::new(Asking::stuck(&comparing.changing, limits));
+            Some(Mode::Stuck(Rc::clone(comparing), asking))
+        }
+        Mode::Changing(_) | Mode::Comparing(_) | Mode::Stuck(..) => {
+            refuse(state, "Use a new plan first, or discard the changes.");
             None
         }
         Mode::Editing | Mode::Asking(_) => {
-            let answer = document.fresh_answer().cloned();
-            if answer.is_none() {
+            let Some(answer) = state.document.fresh_answer() else {
                 refuse(state, "Solve first: questions are about a plan.");
+                return None;
+            };
+            if answer.course.is_none()
+                && let (Ok(instance), Some(plan)) = (answer.draft.instance(), answer.plan())
+                && let Err(misfit) = fits(&question, instance, plan)
+            {
+                refuse(state, &misfit.to_string());
+                return None;
             }
-            answer.map(About::Plan)
+            Some(Mode::Asking(asked(answer)))
         }
     }
 }
@@ -63,32 +77,11 @@ fn about(state: &mut State, question: &Question) -> Option<About> {
 /// Asks about the plan that is shown; about the scene where there is none.
 pub(super) fn ask(state: &mut State, question: Question) {
     stroke::release(state);
-    let Some(about) = about(state, &question) else {
+    let Some(mode) = mode(state, question) else {
         return;
     };
-    let answer = match &about {
-        About::Plan(answer) => answer,
-        About::Own(own) => &own.answer,
-    };
-    if answer.course.is_some() {
-        return refuse(state, crate::ask::NO_QUESTIONS);
-    }
-    // A plan of one's own may break any rule: that is what is asked.
-    if question != Question::Plan
-        && let (Ok(instance), Some(plan)) = (answer.draft.instance(), answer.plan())
-        && let Err(misfit) = fits(&question, instance, plan)
-    {
-        return refuse(state, &misfit.to_string());
-    }
-    let limits = Limits {
-        seconds: Some(f64::from(state.settings.seconds)),
-        ..Limits::default()
-    };
-    let asking = Rc::new(Asking::about(answer, question, limits));
-    let request = Rc::clone(&asking.request);
-    let mode = match about {
-        About::Plan(_) => Mode::Asking(asking),
-        About::Own(own) => Mode::Judging(own, asking),
+    let Some(request) = mode.asking().map(|asking| Rc::clone(&asking.request)) else {
+        return;
     };
     state.view.notice = None;
     state.view.playback.playing = false;
@@ -162,6 +155,10 @@ fn take_repair(state: &mut State, index: usize) {
         told.repairs.get(index).cloned()
     });
     let Some(found) = found else { return };
+    if let Mode::Stuck(comparing, _) = &state.document.mode {
+        let changing = Rc::clone(&comparing.changing);
+        return super::change::repaired(state, &changing, &found);
+    }
     let edits = repair(&found.edits, state.document.draft.agents());
     if let Err(notice) = edit_scene(state, &edits) {
         state.view.notice = Some(notice);

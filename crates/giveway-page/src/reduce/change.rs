@@ -3,12 +3,14 @@
 
 use std::rc::Rc;
 
+use giveway_model::Question;
 use giveway_solve::change::ChangeAnswer;
+use giveway_solve::explain::Repair;
 
 use super::document::{drop_gesture, enter, put};
 use super::{ask, stroke};
 use crate::changing::{Changing, Choice, Comparing, WIDEST};
-use crate::edit::Edit;
+use crate::edit::{Edit, repair};
 use crate::{Adapting, ChangeAction, Document, Mode, Notice, Size, State, Tab, Task, Tool};
 
 pub(super) fn change(state: &mut State, action: ChangeAction) {
@@ -71,6 +73,26 @@ pub(super) fn list(state: &mut State, changing: &Rc<Changing>, edit: &Edit) -> R
     refused.map_or(Ok(()), |sentence| Err(Notice::new(sentence)))
 }
 
+/// Lists the edits of a repair, and asks again how to go on.
+pub(super) fn repaired(state: &mut State, changing: &Rc<Changing>, found: &Repair) {
+    let edits = repair(&found.edits, changing.draft().agents());
+    let within = edits.iter().find_map(|edit| match edit {
+        Edit::Within(within) => Some(*within),
+        _ => None,
+    });
+    let (after, refused) = changing.with_edits(&edits);
+    if let Some(refused) = refused {
+        return ask::refuse(state, &refused);
+    }
+    let document = Document {
+        within: within.unwrap_or(state.document.within),
+        mode: Mode::Changing(Rc::new(after)),
+        ..state.document.clone()
+    };
+    put(state, document);
+    adapt(state);
+}
+
 /// Takes a listed change back.
 fn take_back(state: &mut State, index: usize) {
     stroke::release(state);
@@ -130,13 +152,17 @@ pub(super) fn answered(state: &mut State, run: &Adapting, told: ChangeAnswer) {
     let at = run.changing.at;
     state.view.tool = Tool::Select;
     state.view.tab = Tab::Inspector;
+    let is_stuck = comparing.preview().is_none();
     enter(state, Mode::Comparing(Rc::new(comparing)));
     state.view.playback.stop_at(at);
+    if is_stuck {
+        ask::ask(state, Question::Unsolvable);
+    }
 }
 
 /// Previews the plan of a method.
 fn preview(state: &mut State, index: usize) {
-    if let Mode::Comparing(comparing) = &mut state.document.mode {
+    if let Mode::Comparing(comparing) | Mode::Stuck(comparing, _) = &mut state.document.mode {
         let tried = comparing.tried.get(index);
         if tried.is_some_and(|tried| tried.answer.is_some()) {
             Rc::make_mut(comparing).chosen = Some(index);

@@ -45,7 +45,11 @@ pub(crate) fn settle(state: &mut State) {
             view.cursor = own.cell();
             view.selection = Selection::Agent(own.agent);
         }
-        Mode::Editing | Mode::Asking(_) | Mode::Comparing(_) | Mode::Judging(..) => {}
+        Mode::Editing
+        | Mode::Asking(_)
+        | Mode::Comparing(_)
+        | Mode::Stuck(..)
+        | Mode::Judging(..) => {}
     }
     let last = state.last_time();
     if state.view.playback.time > last {

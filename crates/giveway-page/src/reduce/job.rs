@@ -4,7 +4,7 @@
 use giveway_solve::{Progress, Refusal, Response};
 
 use super::{ask, change, proof, solve};
-use crate::{Notice, Size, State, Task};
+use crate::{Mode, Notice, Size, State, Task};
 
 /// Something became known on the way.
 pub(super) fn progress(state: &mut State, id: u64, event: Progress) {
@@ -70,7 +70,12 @@ fn refused(state: &mut State, task: &Task, refusal: &Refusal) {
         Task::Change(_) => "The changes were refused.",
     };
     if let Task::Explain(_) = task {
+        let is_stuck = matches!(state.document.mode, Mode::Stuck(..));
         ask::close(state);
+        if is_stuck {
+            // Nobody asked: what the methods answered tells the cause.
+            return;
+        }
     }
     state.view.notice = Some(Notice {
         sentence: sentence.to_owned(),

@@ -10,7 +10,7 @@ use crate::changing::Changing;
 use crate::edit::{Edit, Paint};
 use crate::gesture::{Canvas, Gesture, Hold, Placing, Stroke, Thing};
 use crate::steering::Lead;
-use crate::{Mode, Selection, State, Tool};
+use crate::{Selection, State, Tool};
 
 /// The pointer went down, or a key applied the tool.
 pub(super) fn press(state: &mut State, cell: Cell) {
@@ -22,7 +22,7 @@ pub(super) fn press(state: &mut State, cell: Cell) {
     let changing = state.document.mode.changing().cloned();
     if let Some(changing) = &changing {
         // The world changes at its time; the methods' plans can be watched at all.
-        let watches = matches!(state.document.mode, Mode::Comparing(_));
+        let watches = state.document.mode.comparing().is_some();
         if !(watches && state.view.tool == Tool::Select) {
             state.view.playback.stop_at(changing.at);
         }

@@ -85,7 +85,9 @@ pub(super) fn is_small(document: &Document) -> bool {
 pub(super) fn start(state: &mut State, how: Start) {
     stroke::release(state);
     match &state.document.mode {
-        Mode::Changing(_) | Mode::Comparing(_) => return change::adapt(state),
+        Mode::Changing(_) | Mode::Comparing(_) | Mode::Stuck(..) => {
+            return change::adapt(state);
+        }
         Mode::Steering(_) | Mode::Judging(..) => return ask::ask(state, Question::Plan),
         Mode::Editing | Mode::Asking(_) => {}
     }

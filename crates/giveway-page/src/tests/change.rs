@@ -10,10 +10,7 @@ use crate::changing::{Choice, columns, facts, fate, history};
 use crate::reduce::tests::{after, stroke};
 use crate::sample::proved;
 use crate::table::lanes;
-use crate::{
-    Action, BoardAction, ChangeAction, Draft, Edit, Phase, PlayAction, Selection, SolveAction,
-    State, Tool, reduce, words,
-};
+use crate::{Action, AskAction, BoardAction, ChangeAction, Draft, Edit, Mode, Phase, PlayAction, Selection, SolveAction, State, Tool, reduce, words};
 
 /// The scene of the example with the paper's plan, at time 1.
 fn running() -> State {
@@ -339,8 +336,7 @@ fn the_adopted_plan_has_its_history_and_undo_takes_it_back() {
     assert!(!before.is_there(2));
     assert_eq!(before.agent_at(Cell::new(2, 2)), None);
     assert_eq!(state.agent_at(Cell::new(2, 2)), Some(2));
-    assert!(crate::ask::offers(&state).is_empty());
-    assert!(crate::ask::no_offers(&state).is_some());
+    assert!(!crate::ask::offers(&state).is_empty());
     let undone = after(&state, [Action::Undo]);
     assert_eq!(undone.phase(), Phase::Comparing);
     let redone = after(&undone, [Action::Redo]);
@@ -442,7 +438,9 @@ fn an_obstacle_on_a_path_frees_its_agent_and_says_why() {
 fn where_no_method_has_a_plan_nothing_can_be_adopted_and_the_cause_is_told() {
     // The goal of A1 is walled in, and no way of it leads there.
     let state = after(&changing(), stroke(Tool::Obstacle, &[(2, 2)]));
-    let state = answered(&after(&state, [Action::Change(ChangeAction::Adapt)]));
+    let asked = answered(&after(&state, [Action::Change(ChangeAction::Adapt)]));
+    assert_eq!(asked.phase(), Phase::Asking, "why, and what would help");
+    let state = answered(&asked);
     let columns = columns(&state).unwrap();
     assert!(
         columns
@@ -460,4 +458,59 @@ fn where_no_method_has_a_plan_nothing_can_be_adopted_and_the_cause_is_told() {
         after(&state, [Action::Change(ChangeAction::Adopt(0))]),
         state
     );
+}
+
+#[test]
+fn where_no_method_has_a_plan_a_repair_makes_one() {
+    // The goal of A2 is walled in.
+    let state = after(&changing(), stroke(Tool::Obstacle, &[(1, 2)]));
+    let state = after(&state, stroke(Tool::Obstacle, &[(0, 1)]));
+    let state = answered(&after(&state, [Action::Change(ChangeAction::Adapt)]));
+    let state = answered(&state);
+    assert!(
+        matches!(state.document.mode, Mode::Stuck(..)),
+        "{:?} {:?}",
+        state.view.notice,
+        state.phase()
+    );
+    let told = state.document.mode.asking().unwrap().told.clone().unwrap();
+    assert!(!told.repairs.is_empty(), "{told:?}");
+    let again = after(&state, [Action::Ask(AskAction::TakeRepair(0))]);
+    assert_eq!(again.phase(), Phase::Adapting);
+    let compared = answered(&again);
+    assert_eq!(compared.phase(), Phase::Comparing);
+    assert!(
+        compared
+            .document
+            .mode
+            .comparing()
+            .unwrap()
+            .preview()
+            .is_some()
+    );
+    let undone = after(&again, [Action::Undo]);
+    assert_eq!(
+        undone.document.mode, state.document.mode,
+        "the answer is still there"
+    );
+}
+
+#[test]
+fn questions_are_answered_of_a_plan_that_went_on() {
+    let state = adopted();
+    let later = after(&state, [Action::Play(PlayAction::Seek(2))]);
+    let offers = crate::ask::offers(&later);
+    assert!(!offers.is_empty());
+    let first = offers[0].offers[0].question.clone();
+    let asked = after(&later, [Action::Ask(AskAction::Ask(first))]);
+    assert_eq!(asked.phase(), Phase::Asking);
+    let told = answered(&asked);
+    let asking = told.document.mode.asking().unwrap();
+    assert!(asking.told.is_some(), "{:?}", told.view.notice);
+    if let Some(other) = &asking.other {
+        assert!(other.course.is_some(), "in the same world");
+    }
+    let past = after(&state, [Action::Play(PlayAction::Seek(0))]);
+    assert!(crate::ask::offers(&past).is_empty());
+    assert!(crate::ask::no_offers(&past).is_some_and(|why| why.contains("before time 1")));
 }

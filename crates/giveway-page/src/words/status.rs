@@ -133,10 +133,10 @@ pub fn standing(state: &State) -> Standing {
     }
     match &state.document.mode {
         Mode::Changing(changing) => say(Badge::Changing, super::change::changing(changing)),
-        Mode::Comparing(comparing) if comparing.preview().is_none() => {
+        Mode::Comparing(comparing) | Mode::Stuck(comparing, _) if comparing.preview().is_none() => {
             say(Badge::Impossible, super::change::compared(comparing))
         }
-        Mode::Comparing(comparing) => {
+        Mode::Comparing(comparing) | Mode::Stuck(comparing, _) => {
             let count = u8::try_from(comparing.tried.len()).unwrap_or(u8::MAX);
             say(Badge::Compared(count), super::change::compared(comparing))
         }

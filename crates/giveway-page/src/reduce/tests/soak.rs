@@ -285,6 +285,7 @@ fn show(state: &State) {
         Mode::Steering(own) | Mode::Judging(own, _) => {
             assert!(own.about.course.is_none());
         }
+        Mode::Stuck(comparing, _) => assert!(comparing.preview().is_none()),
         Mode::Editing | Mode::Changing(_) | Mode::Comparing(_) => {}
     }
 }
