@@ -153,7 +153,7 @@ describe("the layout", () => {
       await playground.cellTells(2, 2, /A3/, board);
       const { width, height } = await board.boundingBox();
       assert.ok(width > 150 && height >= 110, `${width} by ${height}`);
-      sizes.push(`${width} by ${height}`);
+      sizes.push(`${Math.round(width)} by ${Math.round(height)}`);
     }
     assert.equal(new Set(sizes).size, 1, sizes.join(", "));
     await playground.press("To end");
