@@ -20,16 +20,7 @@ describe("the layout", () => {
     flow(`the transport has its place at ${width} pixels`, async (playground, { page }) => {
       await playground.says(OPENING);
       await playground.pause();
-      const transport = page.locator(".transport");
-      const place = await transport.boundingBox();
-      const parts = await transport.locator("> *").evaluateAll((all) => all
-        .map((part) => part.getBoundingClientRect())
-        .filter((rect) => rect.width > 0)
-        .map(({ left, right }) => ({ left, right })));
-      parts.forEach((part, index) => {
-        assert.ok(part.right <= place.x + place.width + 0.5, `part ${index} ends at ${part.right}, the transport at ${place.x + place.width}`);
-        assert.ok(index === 0 || part.left >= parts[index - 1].right - 0.5, `part ${index} lies on the one before it`);
-      });
+      await areApart(page.locator(".transport"));
       assert.deepEqual(await geometry(page), []);
     }, { screens, width, height: 800, reducedMotion });
   }
@@ -40,9 +31,9 @@ describe("the layout", () => {
       await playground.pause();
       await playground.press("To end");
       await playground.reaches(18);
-      const time = await page.getByText("of 18").boundingBox();
-      const speed = await page.getByTitle("Speed").boundingBox();
-      assert.ok(time.x + time.width <= speed.x, `the time ends at ${time.x + time.width}, the speed begins at ${speed.x}`);
+      await page.getByText("of 18").waitFor();
+      await page.getByTitle("Speed").waitFor();
+      await areApart(page.locator(".transport"));
     }, { screens: ["phone"], width, height: 800, reducedMotion });
   }
 
@@ -225,6 +216,21 @@ async function answered(playground) {
   await playground.inspector.getByRole("button", { name: /^Why does A2 wait at \(3, 1\)\?/ }).first().click();
   await playground.button("Take the other plan").waitFor();
   await playground.button("Solve").waitFor();
+}
+
+/** What stands in a row there lies beside each other, and within it. */
+async function areApart(row) {
+  const { x, width } = await row.boundingBox();
+  const parts = await row.locator("button, .clock > *").evaluateAll((all) => all
+    .map((part) => part.getBoundingClientRect())
+    .filter((rect) => rect.width > 0)
+    .map(({ left, right }) => ({ left, right }))
+    .sort((a, b) => a.left - b.left));
+  assert.ok(parts.length > 2);
+  parts.forEach((part, index) => {
+    assert.ok(part.right <= x + width + 0.5, `part ${index} ends at ${part.right}, the row at ${x + width}`);
+    assert.ok(index === 0 || part.left >= parts[index - 1].right - 0.5, `part ${index} lies on the one before it`);
+  });
 }
 
 /** The boxes of shapes on the screen. */
