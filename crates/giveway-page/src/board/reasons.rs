@@ -59,7 +59,7 @@ pub struct Reasons {
 const SPOTS: usize = 12;
 
 /// From the middle of a cell to a number in its corner, across and down, in units.
-const CORNER: f64 = 32.0;
+const CORNER: f64 = 34.0;
 
 /// What to draw; nothing where nothing was asked, or while the other plan is
 /// shown in the place of this one: in it nothing goes wrong.
