@@ -9,6 +9,7 @@ use yew::prelude::*;
 use super::beside::Beside;
 use super::renewed;
 use crate::Shown;
+use crate::held::use_held;
 
 /// Which plan, and which one was before it.
 #[derive(Clone, PartialEq, Properties)]
@@ -26,14 +27,13 @@ pub(crate) struct PreviewProps {
 /// The board of that plan, all of the map in sight.
 #[component]
 pub(crate) fn Preview(props: &PreviewProps) -> Html {
-    let kept = use_mut_ref(<[Option<Rc<_>>; 2]>::default);
-    let (cast, versus) = {
-        let [this, other] = &mut *kept.borrow_mut();
-        let before = renewed(other, &props.state, Some(&props.before));
-        match &props.answer {
-            Some(answer) => (renewed(this, &props.state, Some(answer)), Some(before)),
-            None => (before, None),
-        }
+    let kept = use_held(<[Option<Rc<_>>; 2]>::default);
+    let [mut this, mut other] = kept.take();
+    let before = renewed(&mut other, &props.state, Some(&props.before));
+    let (cast, versus) = match &props.answer {
+        Some(answer) => (renewed(&mut this, &props.state, Some(answer)), Some(before)),
+        None => (before, None),
     };
+    kept.set([this, other]);
     html! { <Beside name={props.name} state={props.state.clone()} {cast} {versus} /> }
 }
