@@ -9,9 +9,11 @@ use giveway_model::{
     question::from_words,
 };
 
+use giveway_proof::Claim;
+
 use super::read;
 use crate::{
-    Host, Progress, Refusal, Request, Response, SilentHost,
+    CertifyRequest, Host, Progress, Refusal, Request, Response, SilentHost,
     explain::{Edit, ExplainAnswer, ExplainRequest, Verdict},
     serve,
 };
@@ -147,7 +149,7 @@ fn what_would_happen_has_the_times_of_the_whole() {
         .map(|entry| &entry.violation)
         .map(|it| (it.rule, it.time, it.message.as_str()))
         .collect();
-    let message = "a and b are both at (2, 1) at time 2";
+    let message = "a and b are both at (2, 1) at time 2.";
     assert_eq!(told, [(Rule::Vertex, 2, message)]);
     assert!(
         answer.words.contains("meet a at (2, 1) at time 2"),
@@ -340,4 +342,13 @@ fn what_is_told_on_the_way_is_of_the_whole_too() {
             assert_eq!(answer.costs, Some(course.costs(plan)));
         }
     }
+}
+
+#[test]
+fn no_certificate_is_made_of_what_is_about_two_worlds() {
+    let course = around();
+    let answer = course.ask("makespan");
+    let request = CertifyRequest::of_explained(&course.instance, Some(&course.plan), &answer);
+    assert!(request.bounds.is_empty() && !request.impossible);
+    assert_eq!((request.plan, request.about), (None, Claim::default()));
 }
