@@ -166,6 +166,13 @@ export interface ExplainRequest {
   scene: Scene;
   /** The plan that is asked about; without one the scene is solved first. */
   plan?: Plan;
+  /**
+   * What changed while the plan ran: the question is about what comes from the last change on, in
+   * times of the whole plan. Of `unsolvable` the plan is the one that ran until then.
+   */
+  changes?: Changes;
+  /** The time that is looked at: later changes do not count. */
+  at?: number;
   question: Question;
   /** Where it is not the scene's own. */
   objective?: Cost[];
@@ -213,6 +220,8 @@ export interface Repair {
 export interface ExplainAnswer {
   giveway: 1;
   question: Question;
+  /** The time from which it is answered, where the world changed before. */
+  since?: number;
   /** The plan that is asked about, where the request had none. */
   plan?: Plan;
   verdict: Verdict;

@@ -110,7 +110,9 @@ impl Past {
         let since = course.since;
         let mut plan = plan.clone();
         for charges in plan.charges.values_mut() {
-            charges.iter_mut().for_each(|time| *time += since);
+            for time in charges {
+                *time += since;
+            }
         }
         if since > 0 {
             let agents = instance.agents().iter();
@@ -171,7 +173,9 @@ impl Past {
             path.splice(0..0, (0..since).map(|_| None));
         }
         for charges in plan.charges.values_mut() {
-            charges.iter_mut().for_each(|time| *time += since);
+            for time in charges {
+                *time += since;
+            }
         }
         plan
     }
