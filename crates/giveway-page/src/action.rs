@@ -87,10 +87,9 @@ pub enum BoardAction {
 pub enum SolveAction {
     /// Solve the scene that the page opens on: it is no step of its own.
     Begin,
-    /// Solve the scene on the board.
+    /// Solve the scene on the board: from the best plan so far, where a search was
+    /// cut off.
     Solve,
-    /// Go on from the best plan so far.
-    GoOn,
     /// Stop what runs, at once.
     Cancel,
     /// Show a plan of the front, by its number.

@@ -152,6 +152,11 @@ fn solve_button(state: &Shown, send: &Callback<Action>) -> Html {
                 Action::Solve(SolveAction::Solve),
             )
         }
+        Phase::Stopped => (
+            "outline",
+            "Go on from here (Ctrl Enter)",
+            Action::Solve(SolveAction::Solve),
+        ),
         Phase::Editing => (
             "primary",
             "Solve (Ctrl Enter)",
@@ -168,6 +173,7 @@ fn solve_button(state: &Shown, send: &Callback<Action>) -> Html {
         Phase::Changing => "Find new plans",
         Phase::Comparing => "Find again",
         Phase::Steering => "Check my plan",
+        Phase::Stopped => "Go on",
         _ => "Solve",
     };
     let press = send.reform(move |_| action.clone());

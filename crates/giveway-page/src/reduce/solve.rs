@@ -19,7 +19,6 @@ pub(super) fn solve(state: &mut State, action: SolveAction) {
     match action {
         SolveAction::Begin => start(state, Start::quiet()),
         SolveAction::Solve => start(state, Start::step()),
-        SolveAction::GoOn => start(state, Start::going_on()),
         SolveAction::Cancel => cancel(state),
         SolveAction::ShowPoint(point) => show_point(state, point),
         SolveAction::CheckProof => proof::start(state),
@@ -37,7 +36,6 @@ pub(super) fn solve(state: &mut State, action: SolveAction) {
 pub(super) struct Start {
     arrival: Arrival,
     then: Option<Question>,
-    goes_on: bool,
 }
 
 impl Start {
@@ -46,15 +44,6 @@ impl Start {
         Self {
             arrival: Arrival::Step,
             then: None,
-            goes_on: false,
-        }
-    }
-
-    /// A person asked for it, after a search that was cut off.
-    fn going_on() -> Self {
-        Self {
-            goes_on: true,
-            ..Self::step()
         }
     }
 
@@ -71,7 +60,6 @@ impl Start {
         Self {
             arrival: Arrival::Quiet,
             then,
-            goes_on: true,
         }
     }
 }
@@ -104,10 +92,12 @@ pub(super) fn start(state: &mut State, how: Start) {
     state.view.notice = None;
     state.view.playback.playing = false;
     let document = &state.document;
-    let is_of_now =
-        |answer: &&Rc<Answer>| answer.course.is_none() && answer.solved.status == Status::Feasible;
-    let from = document.fresh_answer().filter(is_of_now);
-    let from = from.filter(|_| how.goes_on).cloned();
+    // What a search that was cut off left is not lost.
+    let is_open = |answer: &&Rc<Answer>| {
+        let is_open = matches!(answer.solved.status, Status::Feasible | Status::Unknown);
+        is_open && answer.course.is_none()
+    };
+    let from = document.fresh_answer().filter(is_open).cloned();
     let request = SolveRequest {
         scene: document.draft.scene().clone(),
         pareto: state.settings.front && has_front(&document.draft.scene().objective),

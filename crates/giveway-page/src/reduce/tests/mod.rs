@@ -7,6 +7,7 @@ mod proof;
 mod soak;
 mod solve;
 mod stale;
+mod stopped;
 mod things;
 mod words;
 

@@ -132,8 +132,7 @@ impl Session {
     /// Starts, ends or answers what runs; answers come late at times.
     fn solve(&mut self) -> Vec<Action> {
         let solve = match self.rng.u8(0..10) {
-            0..3 => SolveAction::Solve,
-            3 => SolveAction::GoOn,
+            0..4 => SolveAction::Solve,
             4 => SolveAction::Cancel,
             5 => SolveAction::CheckProof,
             6 => SolveAction::ShowPoint(0),
