@@ -123,7 +123,7 @@ impl Answer {
     /// `None` where the plan is no plan of it: it has another name or another task
     /// there, or its path leads through what is no way there.
     pub fn agent(&self, draft: &Draft, agent: usize) -> Option<usize> {
-        if std::ptr::eq::<Draft>(&*self.draft, draft) {
+        if std::ptr::eq(Rc::as_ptr(&self.draft), draft) {
             return (agent < draft.agents().len()).then_some(agent);
         }
         let who = draft.agents().get(agent)?;

@@ -8,8 +8,9 @@ pub(super) fn is_later(question: &Question, since: u32) -> bool {
     let later = |time: &Option<u32>| time.is_some_and(|time| time >= since);
     match question {
         Question::Wait { from, .. } => later(from),
-        Question::Charge { time, .. } | Question::Visit { time, .. } => later(time),
-        Question::Move { time, .. } => later(time),
+        Question::Charge { time, .. }
+        | Question::Visit { time, .. }
+        | Question::Move { time, .. } => later(time),
         // They are about all of a plan, or name no time.
         Question::Order { .. } | Question::Slow { .. } | Question::Yield { .. } => false,
         _ => true,

@@ -60,9 +60,8 @@ impl Kind {
     pub const fn class(self) -> &'static str {
         match self {
             Self::Problem => "k-problem",
-            Self::Burst => "k-burst",
             Self::Reason => "k-core",
-            Self::Try => "k-burst",
+            Self::Burst | Self::Try => "k-burst",
             Self::Differs => "k-diff",
             Self::Stale => "k-stale",
             Self::Charger => "k-chg",

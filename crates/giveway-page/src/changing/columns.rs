@@ -217,10 +217,9 @@ fn notes(tried: &Tried) -> Vec<String> {
         (_, Some(_)) if tried.answer.is_none() => {
             notes.push("Its plan does not fit what is listed.".to_owned());
         }
-        (Status::Optimal, Some(_)) => {}
+        // Where it has none, its column says so first.
+        (Status::Optimal, Some(_)) | (_, None) => {}
         (_, Some(_)) => notes.push("The best so far: the limits ended the search.".to_owned()),
-        // Its column says so first.
-        (_, None) => {}
     }
     match (&told.cause, &told.result.reason) {
         (Some(cause), _) => {

@@ -15,11 +15,11 @@ use crate::{Answer, AskAction, Document, Mode, Notice, State, Tab, Task};
 
 pub(super) fn questions(state: &mut State, action: AskAction) {
     match action {
-        AskAction::Ask(question) => ask(state, question),
+        AskAction::Ask(question) => ask(state, &question),
         AskAction::Again => {
             let asking = state.document.mode.asking();
             if let Some(question) = asking.map(|asking| asking.question().clone()) {
-                ask(state, question);
+                ask(state, &question);
             }
         }
         AskAction::Close => close(state),
@@ -32,7 +32,7 @@ pub(super) fn questions(state: &mut State, action: AskAction) {
 
 /// The mode in which a question is asked; where it cannot be asked, a notice says
 /// why.
-fn mode(state: &mut State, question: Question) -> Option<Mode> {
+fn mode(state: &mut State, question: &Question) -> Option<Mode> {
     let limits = Limits {
         seconds: Some(f64::from(state.settings.seconds)),
         ..Limits::default()
@@ -40,7 +40,7 @@ fn mode(state: &mut State, question: Question) -> Option<Mode> {
     let asked = |answer: &Rc<Answer>| Rc::new(Asking::about(answer, question.clone(), limits));
     match &state.document.mode {
         // A plan of one's own may break any rule: that is what is asked.
-        Mode::Steering(own) | Mode::Judging(own, _) if question == Question::Plan => {
+        Mode::Steering(own) | Mode::Judging(own, _) if *question == Question::Plan => {
             Some(Mode::Judging(Rc::clone(own), asked(&own.answer)))
         }
         Mode::Steering(_) | Mode::Judging(..) => {
@@ -48,7 +48,7 @@ fn mode(state: &mut State, question: Question) -> Option<Mode> {
             None
         }
         Mode::Comparing(comparing) | Mode::Stuck(comparing, _)
-            if question == Question::Unsolvable && comparing.preview().is_none() =>
+            if *question == Question::Unsolvable && comparing.preview().is_none() =>
         {
             let asking = Rc::new(Asking::stuck(&comparing.changing, limits));
             Some(Mode::Stuck(Rc::clone(comparing), asking))
@@ -64,7 +64,7 @@ fn mode(state: &mut State, question: Question) -> Option<Mode> {
             };
             if answer.course.is_none()
                 && let (Ok(instance), Some(plan)) = (answer.draft.instance(), answer.plan())
-                && let Err(misfit) = fits(&question, instance, plan)
+                && let Err(misfit) = fits(question, instance, plan)
             {
                 refuse(state, &misfit.to_string());
                 return None;
@@ -75,7 +75,7 @@ fn mode(state: &mut State, question: Question) -> Option<Mode> {
 }
 
 /// Asks about the plan that is shown; about the scene where there is none.
-pub(super) fn ask(state: &mut State, question: Question) {
+pub(super) fn ask(state: &mut State, question: &Question) {
     stroke::release(state);
     let Some(mode) = mode(state, question) else {
         return;

@@ -156,7 +156,7 @@ pub(super) fn answered(state: &mut State, run: &Adapting, told: ChangeAnswer) {
     enter(state, Mode::Comparing(Rc::new(comparing)));
     state.view.playback.stop_at(at);
     if is_stuck {
-        ask::ask(state, Question::Unsolvable);
+        ask::ask(state, &Question::Unsolvable);
     }
 }
 

@@ -56,7 +56,7 @@ fn open_link(state: &mut State, linked: Linked) {
         .stop_at(linked.time.min(state.last_time()));
     let has_plan = state.document.plan().is_some();
     match linked.question {
-        Some(question) if has_plan || state.document.answer.is_some() => ask::ask(state, question),
+        Some(question) if has_plan || state.document.answer.is_some() => ask::ask(state, &question),
         question => {
             if question.is_some() || (has_plan && solve::is_small(&state.document)) {
                 solve::start(state, solve::Start::of_link(question));

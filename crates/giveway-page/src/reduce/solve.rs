@@ -76,7 +76,7 @@ pub(super) fn start(state: &mut State, how: Start) {
         Mode::Changing(_) | Mode::Comparing(_) | Mode::Stuck(..) => {
             return change::adapt(state);
         }
-        Mode::Steering(_) | Mode::Judging(..) => return ask::ask(state, Question::Plan),
+        Mode::Steering(_) | Mode::Judging(..) => return ask::ask(state, &Question::Plan),
         Mode::Editing | Mode::Asking(_) => {}
     }
     let draft = &state.document.draft;
@@ -199,7 +199,7 @@ pub(super) fn answered(state: &mut State, run: Solving, solved: SolveAnswer) {
     let answer = Rc::new(Answer::new(run.draft, run.request, solved));
     arrive(state, &answer, None, run.arrival);
     if let Some(question) = run.then {
-        ask::ask(state, question);
+        ask::ask(state, &question);
     }
 }
 

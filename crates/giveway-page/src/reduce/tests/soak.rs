@@ -205,9 +205,10 @@ impl Session {
 
     fn look(&mut self) -> Vec<Action> {
         let time = self.rng.u32(0..9);
-        let select = match self.rng.bool() {
-            true => crate::Selection::Agent(self.agent()),
-            false => crate::Selection::Cell(self.cell()),
+        let select = if self.rng.bool() {
+            crate::Selection::Agent(self.agent())
+        } else {
+            crate::Selection::Cell(self.cell())
         };
         vec![
             Action::Board(BoardAction::Select(select)),
@@ -253,7 +254,7 @@ impl Session {
             assert!(redone.document == state.document, "undo, redo: {}", told());
         }
         show(state);
-        if step % 64 == 0 {
+        if step.is_multiple_of(64) {
             let again = link::kept(&link::keep(state)).unwrap_or_else(|notice| {
                 panic!("kept: {notice:?} {}", told());
             });

@@ -5,7 +5,7 @@ use giveway_model::Cell;
 use super::{after, stroke};
 use crate::board::Cast;
 use crate::sample::solved;
-use crate::{Action, Edit, State, Tool, inspect, table};
+use crate::{Action, Edit, Point, State, Tool, inspect, table};
 
 fn lanes(state: &State) -> Vec<String> {
     let answer = state.playing();
@@ -24,8 +24,8 @@ fn a_wall_on_a_way_takes_the_lane_of_who_went_there() {
     let cast = Cast::of(&state);
     let ends = |agent: usize| cast.pose(agent, 99.0).map(|pose| pose.at);
     let start = state.document.draft.agents()[0].start;
-    assert_eq!(ends(0).map(|at| at.nearest_cell()), Some(start));
-    assert_ne!(ends(1).map(|at| at.nearest_cell()), Some(Cell::new(9, 2)));
+    assert_eq!(ends(0).map(Point::nearest_cell), Some(start));
+    assert_ne!(ends(1).map(Point::nearest_cell), Some(Cell::new(9, 2)));
     let undone = after(&state, [Action::Undo]);
     assert_eq!(lanes(&undone), ["A1", "A2"]);
 }
