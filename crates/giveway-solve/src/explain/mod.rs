@@ -5,7 +5,7 @@
 //! - [`engine`]: the order of the parts;
 //! - [`verdict`]: the best other plan beside the one asked about;
 //! - [`closest`]: of these, one that is close to it;
-//! - [`rest`]: what is left of a plan once the world has changed; [`past`] and
+//! - [`rest`]: what is left of a plan once the world has changed (`going_on`: by whom); [`past`] and
 //!   `told` make an answer about it one about the whole;
 //! - [`relax`], [`edits`]: facts left out, edits made;
 //! - [`reasons`]: the parts that say why, in their order;
@@ -27,6 +27,7 @@ pub(crate) mod core;
 pub(crate) mod edits;
 pub(crate) mod engine;
 mod explanation;
+mod going_on;
 pub(crate) mod own_plan;
 pub(crate) mod own_way;
 pub(crate) mod past;
