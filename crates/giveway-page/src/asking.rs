@@ -82,6 +82,12 @@ impl Asking {
         self.other.as_ref().filter(|_| shows)
     }
 
+    /// Whether its repairs can be made: those of a world that has changed are for
+    /// that world, not for the scene.
+    pub(crate) fn can_be_repaired(&self) -> bool {
+        self.about.course.is_none()
+    }
+
     /// The question.
     pub fn question(&self) -> &Question {
         &self.request.question

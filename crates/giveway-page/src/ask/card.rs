@@ -193,9 +193,9 @@ pub fn card(state: &State) -> Option<Card> {
     });
     let objective = asking.about.draft.scene().objective.clone();
     let objective = asking.request.objective.as_ref().unwrap_or(&objective);
-    card.repairs = told
-        .repairs
-        .iter()
+    let repairs = told.repairs.iter();
+    card.repairs = repairs
+        .filter(|_| asking.can_be_repaired())
         .map(|repair| Offered {
             icon: repair.edits.first().map_or("check", edit_icon),
             // Its costs stand below it.

@@ -150,7 +150,9 @@ fn take_other(state: &mut State) {
 /// Makes the edits of a repair, as one step of undo, and shows its plan while
 /// the scene is solved again.
 fn take_repair(state: &mut State, index: usize) {
-    let found = state.document.mode.asking().and_then(|asking| {
+    let asking = state.document.mode.asking();
+    let asking = asking.filter(|asking| asking.can_be_repaired());
+    let found = asking.and_then(|asking| {
         let told = asking.told.as_ref()?;
         told.repairs.get(index).cloned()
     });
