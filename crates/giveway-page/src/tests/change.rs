@@ -10,7 +10,10 @@ use crate::changing::{Choice, columns, facts, fate, history};
 use crate::reduce::tests::{after, stroke};
 use crate::sample::proved;
 use crate::table::lanes;
-use crate::{Action, AskAction, BoardAction, ChangeAction, Draft, Edit, Mode, Phase, PlayAction, Selection, SolveAction, State, Tool, reduce, words};
+use crate::{
+    Action, AskAction, BoardAction, ChangeAction, Draft, Edit, Mode, Phase, PlayAction, Selection,
+    SolveAction, State, Tool, reduce, words,
+};
 
 /// The scene of the example with the paper's plan, at time 1.
 fn running() -> State {
