@@ -29,7 +29,7 @@ describe("a broken worker", () => {
       // What is shown first needs none.
       await playground.says(OPENING);
       await playground.example("Who waits?");
-      await playground.warns(/The solver could not be started; Solve tries it again\./);
+      await playground.warns(/The solver could not be started\. Press Solve to try again\./);
       await playground.says(/^No plan yet\.$/);
       await playground.shows("scenario 1");
       await playground.picture("worker-broken");
