@@ -54,7 +54,7 @@ describe("a broken worker", () => {
     await playground.press("Cancel");
     await broken;
     await playground.press("Solve");
-    await playground.warns(/The solver broke off and was started again; the scene is as it was\..*out of order/s);
+    await playground.warns(/The solver broke off and was started again\. Your scene is as it was\..*out of order/s);
     await playground.shows("thirty robots");
     await context.unroute(LOADER);
     await playground.press("Solve");
