@@ -2,8 +2,6 @@
 
 use std::rc::Rc;
 
-use giveway_model::Scene;
-use giveway_model::format::native;
 use giveway_page::{Action, Draft, FileAction, Phase, Tab, Tool, reduce};
 use yew::prelude::*;
 
@@ -17,10 +15,7 @@ use crate::status::StatusBar;
 use crate::theme::{use_colours, use_theme, wants_less_motion};
 use crate::top_bar::TopBar;
 use crate::wide::use_wide;
-use crate::{Board, Clock, Dock, Inspector, Shown, Tools, compare, embed, notice};
-
-/// The scene that the page opens on.
-const OPENING: &str = include_str!("../../static/examples/warehouse.json");
+use crate::{Board, Clock, Dock, Inspector, Shown, Tools, compare, embed, notice, opening};
 
 impl Reducible for Shown {
     type Action = Action;
@@ -32,17 +27,13 @@ impl Reducible for Shown {
 
 fn opening() -> Shown {
     Shown::new(keep::opening(|| {
-        Draft::new(opening_scene()).unwrap_or_default()
+        Draft::new(opening::scene()).unwrap_or_default()
     }))
-}
-
-fn opening_scene() -> Scene {
-    native::read_scene(OPENING).unwrap_or_default()
 }
 
 /// Puts the scene that the page opens on onto the board again.
 pub(crate) fn example() -> Action {
-    Action::File(FileAction::Open(Box::new(opening_scene())))
+    Action::File(FileAction::Open(Box::new(opening::scene())))
 }
 
 /// The page.
@@ -58,7 +49,9 @@ pub fn App() -> Html {
     let show = use_callback(open.setter(), |panel: Panel, open| open.set(panel));
     let clock = {
         let send = send.clone();
-        use_memo((), move |()| Clock::new(send, wants_less_motion()))
+        use_memo((), move |()| {
+            Clock::new(send, wants_less_motion()).begun_at(opening::time())
+        })
     };
     {
         let clock = clock.clone();

@@ -81,6 +81,13 @@ impl Clock {
         }))
     }
 
+    /// The same clock, at another time than 0.
+    #[must_use]
+    pub fn begun_at(self, time: f64) -> Self {
+        self.0.now.set(time);
+        self
+    }
+
     /// The time shown, in steps.
     pub fn now(&self) -> f64 {
         let now = self.0.now.get();

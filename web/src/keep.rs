@@ -2,15 +2,15 @@
 //! refuse all of it, and then the page just begins anew every time.
 
 use giveway_model::sorting;
-use giveway_page::{Action, Draft, FileAction, Place, SolveAction, State, link, reduce};
+use giveway_page::{Action, Draft, FileAction, Place, State, link, reduce};
 use gloo::events::EventListener;
 use gloo::timers::callback::Timeout;
 use web_sys::Storage;
 use yew::prelude::*;
 
-use crate::Shown;
 use crate::embed::is_embedded;
 use crate::held::use_held;
+use crate::{Shown, opening};
 
 /// The names under which things are kept; others of the same host have theirs.
 const PAGE: &str = "giveway.page";
@@ -39,8 +39,8 @@ fn store(name: &str, text: &str) -> bool {
     text.len() <= link::LONGEST && storage().is_some_and(|s| s.set_item(name, text).is_ok())
 }
 
-/// The page as it was left, or a draft that is solved at once; in either case
-/// with the scene of a link, if the address has one.
+/// The page as it was left, or a draft with its plan; in either case with the
+/// scene of a link, if the address has one.
 pub(crate) fn opening(otherwise: impl FnOnce() -> Draft) -> State {
     let kept = load(PAGE).and_then(|text| link::kept(&text).ok());
     let is_kept = kept.is_some();
@@ -56,7 +56,7 @@ pub(crate) fn opening(otherwise: impl FnOnce() -> Draft) -> State {
         // A link that is refused is told beside the page as it opens without it.
         refused => {
             if !is_kept {
-                state = reduce(&state, Action::Solve(SolveAction::Begin));
+                state = opening::solved(&state);
             }
             refused.map_or_else(|| state.clone(), |action| reduce(&state, action))
         }

@@ -21,6 +21,7 @@ mod inspector;
 mod keep;
 mod keys;
 mod notice;
+mod opening;
 mod paste;
 mod settings;
 mod shown;

@@ -4,6 +4,7 @@
 //! ended together with its worker, and another is started at once, to be warm
 //! for the next run. An idle worker is kept.
 
+mod program;
 mod worker;
 
 use std::cell::Cell;
@@ -17,6 +18,7 @@ use yew::prelude::*;
 
 use crate::Shown;
 use crate::held::Held;
+use program::Program;
 use worker::{Event, Hired};
 
 /// Runs what [`Work`] says, and sends what the solver tells.
@@ -36,6 +38,7 @@ struct Solver(Rc<Inner>);
 
 struct Inner {
     send: Callback<Action>,
+    program: Rc<Program>,
     worker: Held<Option<Rc<Hired>>>,
     /// The run that the worker is to do, or does.
     run: Cell<Option<u64>>,
@@ -56,6 +59,7 @@ impl Solver {
     fn new(send: Callback<Action>) -> Self {
         let solver = Self(Rc::new(Inner {
             send,
+            program: Rc::default(),
             worker: Held::default(),
             run: Cell::default(),
             waiting: Held::default(),
@@ -95,7 +99,7 @@ impl Solver {
     fn hire(&self) {
         drop(self.0.worker.take());
         let solver = self.clone();
-        match Hired::start(move |event| solver.hear(event)) {
+        match Hired::start(Rc::clone(&self.0.program), move |event| solver.hear(event)) {
             Ok(hired) => self.0.worker.set(Some(Rc::new(hired))),
             Err(sentence) => self.fail(sentence, false),
         }
