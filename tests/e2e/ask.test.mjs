@@ -84,7 +84,7 @@ describe("asking why", () => {
     await repairs.first().getByRole("button").click();
     await playground.says(/^Optimal: makespan 6, sum of costs 8/);
     await playground.act("Undo");
-    await playground.says(/^The plan is for the scene before the edit/);
+    await playground.says(/^The scene has changed since this plan/);
   });
 
   flow("refuses nothing that it offers, and is left by Escape", async (playground) => {

@@ -33,7 +33,7 @@ describe("the audit finds nothing", () => {
       await audit(playground, "the plan table");
       await playground.pick("Obstacle");
       await playground.cell(0, 1).click();
-      await playground.says(/^The plan is for the scene before the edit/);
+      await playground.says(/^The scene has changed since this plan/);
       await audit(playground, "editing");
       await playground.pick("Robot");
       await playground.cell(0, 2).click();

@@ -6,7 +6,7 @@ import { describe } from "node:test";
 import { flows } from "./flow.mjs";
 
 const OPENING = /^Optimal: makespan 18/;
-const STALE = /^The plan is for the scene before the edit/;
+const STALE = /^The scene has changed since this plan/;
 
 describe("editing", () => {
   const flow = flows();

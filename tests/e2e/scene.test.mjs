@@ -8,7 +8,7 @@ import { flows } from "./flow.mjs";
 import { eventually } from "./wait.mjs";
 
 const OPENING = /^Optimal: makespan 18/;
-const STALE = /^The plan is for the scene before the edit/;
+const STALE = /^The scene has changed since this plan/;
 
 describe("a scene by hand", () => {
   const flow = flows();

@@ -9,7 +9,7 @@ use giveway_solve::{FrontAnswer, Limits, Progress, SolveAnswer, SolveRequest, St
 use super::document::{amend, put};
 use super::{ask, change, job, proof, stroke};
 use crate::front::{Front, has_front};
-use crate::known::merged;
+use crate::known::{judged, merged};
 use crate::{Answer, Arrival, Document, Mode, Notice, Size, SolveAction, Solving, State, Task};
 
 /// A plan of at most so many agents is proved as soon as it is opened.
@@ -192,6 +192,18 @@ pub(super) fn cancel(state: &mut State) {
 /// The scene was solved, or the search cut off.
 pub(super) fn answered(state: &mut State, run: Solving, solved: SolveAnswer) {
     let objective = &run.draft.scene().objective;
+    if let Some(shared) = run.from.as_ref().filter(|from| from.is_shared)
+        && run.arrival == Arrival::Quiet
+    {
+        // It stays the plan that was shared; what is known of it is told.
+        let solved = judged(&shared.solved, &solved, objective);
+        let document = Document {
+            answer: Some(Rc::new(Answer::new(run.draft, run.request, solved))),
+            ..state.document.clone()
+        };
+        amend(state, document);
+        return;
+    }
     let solved = match &run.from {
         Some(from) => merged(&from.solved, solved, objective),
         None => solved,

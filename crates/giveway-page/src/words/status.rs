@@ -315,9 +315,11 @@ fn answered(answer: &Answer) -> String {
                 "" => String::new(),
                 known => format!(" Proved so far: {known}."),
             };
-            format!("Time ran out. There may be a plan; none was found yet. {reason}{said}")
-                .trim_end()
-                .to_owned()
+            let reason = match reason.as_str() {
+                "" => "Time ran out.",
+                reason => reason,
+            };
+            format!("{reason} There may be a plan; none was found yet.{said}")
         }
     }
 }

@@ -127,3 +127,49 @@ fn an_edit_forgets_a_search_and_nothing_else_does() {
     let painted = after(&state, super::edit());
     assert!(painted.work.is_idle() && painted.document.answer.is_none());
 }
+
+/// The warehouse's plan from a link, while it is proved.
+fn shared() -> State {
+    let text = crate::link::write(&solved());
+    let state = after(&fresh(), [crate::link::open(&text)]);
+    assert_eq!(state.phase(), Phase::Solving);
+    state
+}
+
+#[test]
+fn a_shared_plan_is_proved_where_it_stands() {
+    let state = after(&shared(), [Action::Play(crate::PlayAction::Seek(4))]);
+    let best = told(&solved());
+    let job = state.work.id().unwrap();
+    let answer = |solved| {
+        let response = Box::new(Response::Solved(solved));
+        after(
+            &state,
+            [Action::Solve(SolveAction::Respond { job, response })],
+        )
+    };
+    let proved = answer(best.clone());
+    assert_eq!(proved.phase(), Phase::Planned);
+    assert_eq!(proved.view.playback.time, 4, "nothing jumps");
+    assert!(!proved.view.playback.playing);
+    let mut better = best;
+    better.costs.as_mut().unwrap().makespan -= 1;
+    better.bounds.insert(Cost::Makespan, 17);
+    let judged = answer(better);
+    assert_eq!(
+        judged.plan(),
+        solved().plan(),
+        "it stays the plan that was shared"
+    );
+    assert_eq!(judged.phase(), Phase::Stopped);
+    let said = words::standing(&judged).sentence;
+    assert!(said.ends_with("There is a better plan."), "{said}");
+}
+
+#[test]
+fn a_shared_plan_of_many_is_told_as_one() {
+    let state = after(&shared(), [Action::Solve(SolveAction::Cancel)]);
+    let standing = words::standing(&state);
+    assert_eq!(standing.badge.word(), "Shared");
+    assert!(standing.sentence.contains("makespan 18"), "{standing:?}");
+}

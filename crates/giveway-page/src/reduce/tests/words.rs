@@ -149,7 +149,7 @@ fn a_stale_answer_without_a_plan() {
 fn out_of_budget() {
     let reason = Some("The time limit was reached.".to_owned());
     let unknown = answered(|answer| answer.reason = reason.clone());
-    let sentence = "Time ran out. There may be a plan; none was found yet. The time limit was reached. \
+    let sentence = "The time limit was reached. There may be a plan; none was found yet. \
                     Proved so far: makespan is at least 17.";
     check(&unknown, Badge::Stopped, sentence);
     let feasible = answered(|answer| {
