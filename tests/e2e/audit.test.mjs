@@ -86,7 +86,7 @@ describe("the audit finds nothing", () => {
       await audit(playground, "changing");
       await adapt(playground);
       await audit(playground, "comparing");
-      await playground.page.getByRole("button", { name: /^Adopt/ }).first().click();
+      await playground.page.getByRole("button", { name: /^Use this plan/ }).first().click();
       await playground.says(/^The world changed at time 1/);
       await audit(playground, "adopted");
     }, options);

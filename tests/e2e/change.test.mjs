@@ -48,7 +48,7 @@ describe("the world changes", () => {
     await playground.picture("comparing");
     await replan.getByRole("button", { name: /^Preview/ }).click();
     await playground.page.getByRole("button", { name: "Preview Replan", pressed: true }).waitFor();
-    await replan.getByRole("button", { name: /^Adopt/ }).click();
+    await replan.getByRole("button", { name: /^Use this plan/ }).click();
     await playground.says(/^The world changed at time 1; the plan went on by replan: makespan 4/);
     await playground.picture("adopted");
     await playground.cellTells(2, 2, /A3/);
@@ -76,10 +76,10 @@ describe("the world changes", () => {
     await playground.button("Take back: New charger at (0, 2)").click();
     await lists(playground, "A3 joins");
     await playground.act("Undo");
-    await lists(playground, "A3 joins", "A charger appears");
+    await lists(playground, "A3 joins", "New charger at");
     await playground.act("Undo");
     await adapt(playground);
-    await column(playground, "Revise").getByRole("button", { name: /^Adopt/ }).click();
+    await column(playground, "Revise").getByRole("button", { name: /^Use this plan/ }).click();
     await playground.says(/^The world changed at time 1/);
     await playground.act("Undo");
     await playground.says(/^At time 1: /);
@@ -113,7 +113,7 @@ describe("the world changes", () => {
     await lists(playground, "New charger at (1, 0)");
     await playground.press("Find new plans");
     await playground.press("Cancel").catch(() => undefined);
-    await playground.page.getByRole("button", { name: /^Adapt( again)?$/ }).waitFor();
+    await playground.page.getByRole("button", { name: /^Find (new plans|again)$/ }).waitFor();
     await playground.inspector.getByRole("button", { name: "Discard" }).or(playground.button("Discard")).first().click();
     await playground.says(/^Optimal: makespan 18/);
     await playground.cellTells(1, 0, /^(free|A1)/);
@@ -130,7 +130,7 @@ describe("the world changes", () => {
     await lists(playground, "A3 joins at (2, 2)");
     await playground.key("Control+Enter");
     await playground.says(/^At time 1: /);
-    await column(playground, "Replan").getByRole("button", { name: /^Adopt/ }).focus();
+    await column(playground, "Replan").getByRole("button", { name: /^Use this plan/ }).focus();
     await playground.key("Enter");
     await playground.says(/^The world changed at time 1; the plan went on by replan/);
     await playground.key("Control+z");
@@ -142,7 +142,7 @@ describe("the world changes", () => {
     await begin(playground);
     await join(playground, [2, 2], [1, 0]);
     await adapt(playground);
-    await column(playground, "Revise").getByRole("button", { name: /^Adopt/ }).click();
+    await column(playground, "Revise").getByRole("button", { name: /^Use this plan/ }).click();
     await playground.says(/^The world changed at time 1/);
     const saved = [];
     for (const item of ["Save scene", "Save plan", "Save changes"]) {
