@@ -31,6 +31,17 @@ export function geometry(page, { touch = false } = {}) {
 function look({ places, floats, sideways, slender, least }) {
   const CONTROLS = "button, a[href], input, select, textarea, summary, [role=slider], [role=tab], svg[role=grid]";
   const found = new Set();
+  // Asked of the same elements again and again; nothing changes meanwhile.
+  const kept = new Map();
+  const styleOf = (element) => {
+    let style = kept.get(element);
+    if (!style) {
+      const { clipPath, opacity, display, overflowX, overflowY, position, textOverflow, fontSize, backgroundColor } = getComputedStyle(element);
+      style = { clipPath, opacity, display, overflowX, overflowY, position, textOverflow, fontSize, backgroundColor };
+      kept.set(element, style);
+    }
+    return style;
+  };
   const modal = document.querySelector("dialog[open]");
   const root = modal ?? document.body;
 
@@ -48,21 +59,26 @@ function look({ places, floats, sideways, slender, least }) {
   });
   const across = (a) => a.right - a.left;
   const down = (a) => a.bottom - a.top;
-  const is_there = (a) => across(a) > 0 && down(a) > 0;
+  const isThere = (a) => across(a) > 0 && down(a) > 0;
   const round = (a) => `${Math.round(a.left)},${Math.round(a.top)} to ${Math.round(a.right)},${Math.round(a.bottom)}`;
   const sight = { left: 0, top: 0, right: innerWidth, bottom: innerHeight };
 
   // For readers only: made so small that nothing of it is seen.
-  const is_silent = (element) => {
-    for (let at = element; at && at !== document.body; at = at.parentElement) {
-      const style = getComputedStyle(at);
-      if (style.clipPath === "inset(50%)" || style.opacity === "0" && at.tagName !== "INPUT") {
-        return true;
-      }
+  const silent = new Map();
+  const isSilent = (element) => {
+    if (!silent.has(element)) {
+      silent.set(element, looksSilent(element));
     }
-    return false;
+    return silent.get(element);
   };
-  const is_shown = (element) => element.checkVisibility({ visibilityProperty: true, contentVisibilityAuto: true }) && !is_silent(element);
+  const looksSilent = (element) => {
+    if (!element || element === document.body) {
+      return false;
+    }
+    const { clipPath, opacity } = styleOf(element);
+    return clipPath === "inset(50%)" || opacity === "0" && element.tagName !== "INPUT" || isSilent(element.parentElement);
+  };
+  const isShown = (element) => element.checkVisibility({ visibilityProperty: true, contentVisibilityAuto: true }) && !isSilent(element);
 
   // What is left of a box in all that scrolls or clips around it. `lost` is what cuts
   // it off where nobody can scroll.
@@ -71,7 +87,7 @@ function look({ places, floats, sideways, slender, least }) {
     let lost = null;
     let scrolls = { x: false, y: false };
     for (let at = element.parentElement; at; at = at.parentElement) {
-      const style = getComputedStyle(at);
+      const style = styleOf(at);
       if (style.display === "contents" || at instanceof SVGElement) {
         continue;
       }
@@ -98,12 +114,13 @@ function look({ places, floats, sideways, slender, least }) {
   // The things: controls with their boxes, texts with the boxes of their lines.
   const things = [];
   for (const element of root.querySelectorAll("*")) {
-    if (element.closest("svg") && element.getAttribute("role") !== "grid" || !is_shown(element)) {
+    const isDrawn = element instanceof SVGElement && element.getAttribute("role") !== "grid";
+    if (isDrawn || !isShown(element)) {
       continue;
     }
     if (element.matches(CONTROLS)) {
       const rect = box(element.getBoundingClientRect());
-      things.push({ element, rect, is_text: false, ...clipped(element, rect) });
+      things.push({ element, rect, isText: false, ...clipped(element, rect) });
     }
     for (const node of element.childNodes) {
       if (node.nodeType === Node.TEXT_NODE && node.data.trim() !== "") {
@@ -111,10 +128,10 @@ function look({ places, floats, sideways, slender, least }) {
         range.selectNodeContents(node);
         for (const line of range.getClientRects()) {
           // Its letters, without the space between lines.
-          const size = Number.parseFloat(getComputedStyle(element).fontSize);
+          const size = Number.parseFloat(styleOf(element).fontSize);
           const spare = Math.max(0, (line.height - size) / 2);
           const letters = { left: line.left, right: line.right, top: line.top + spare, bottom: line.bottom - spare };
-          things.push({ element, rect: letters, is_text: true, ...within(element, letters) });
+          things.push({ element, rect: letters, isText: true, ...within(element, letters) });
         }
       }
     }
@@ -126,7 +143,7 @@ function look({ places, floats, sideways, slender, least }) {
     return clipped(inner, rect);
   }
 
-  const has_way_to_read = (element) => {
+  const canBeRead = (element) => {
     for (let at = element, steps = 0; at && steps < 4; at = at.parentElement, steps += 1) {
       if (at.title || at.getAttribute("aria-label")) {
         return true;
@@ -135,36 +152,36 @@ function look({ places, floats, sideways, slender, least }) {
     return false;
   };
 
-  for (const { element, rect, is_text, seen, lost, scrolls } of things) {
-    if (!is_there(rect)) {
+  for (const { element, rect, isText, seen, lost, scrolls } of things) {
+    if (!isThere(rect)) {
       continue;
     }
     // Cut off.
     if (lost) {
-      const style = getComputedStyle(lost);
-      const is_meant = is_text && style.textOverflow === "ellipsis" && has_way_to_read(lost);
-      if (!is_meant) {
+      const style = styleOf(lost);
+      const isMeant = isText && style.textOverflow === "ellipsis" && canBeRead(lost);
+      if (!isMeant) {
         found.add(`cut off: ${name(element)} by ${name(lost)}`);
       }
     }
     // Out of sight, where nothing scrolls to it.
-    const off_x = rect.left < -1 || rect.right > innerWidth + 1;
-    const off_y = rect.top < -1 || rect.bottom > innerHeight + 1;
-    if (off_x && !scrolls.x && !lost || off_y && !scrolls.y && !lost) {
+    const offX = rect.left < -1 || rect.right > innerWidth + 1;
+    const offY = rect.top < -1 || rect.bottom > innerHeight + 1;
+    if (offX && !scrolls.x && !lost || offY && !scrolls.y && !lost) {
       found.add(`outside of the window: ${name(element)} at ${round(rect)}`);
     }
     // Out of its place.
     const place = element.closest(`${places}, ${floats}`);
-    if (place && place !== element && getComputedStyle(place).display !== "contents") {
+    if (place && place !== element && styleOf(place).display !== "contents") {
       const area = place.getBoundingClientRect();
-      const over_x = rect.left < area.left - 1 || rect.right > area.right + 1;
-      const over_y = rect.top < area.top - 1 || rect.bottom > area.bottom + 1;
-      if (over_x && !scrolls.x && !lost || over_y && !scrolls.y && !lost) {
+      const overX = rect.left < area.left - 1 || rect.right > area.right + 1;
+      const overY = rect.top < area.top - 1 || rect.bottom > area.bottom + 1;
+      if (overX && !scrolls.x && !lost || overY && !scrolls.y && !lost) {
         found.add(`outside of ${name(place).split(" ")[0]}: ${name(element)} at ${round(rect)}`);
       }
     }
     // Text out of its button.
-    const button = is_text && element.closest("button, a, summary, .badge, .chip");
+    const button = isText && element.closest("button, a, summary, .badge, .chip");
     if (button) {
       const area = button.getBoundingClientRect();
       if (!lost && (rect.left < area.left - 1 || rect.right > area.right + 1 || rect.top < area.top - 1 || rect.bottom > area.bottom + 1)) {
@@ -175,10 +192,10 @@ function look({ places, floats, sideways, slender, least }) {
 
   // Whatever scrolls sideways without being meant to.
   for (const element of root.querySelectorAll("*")) {
-    if (element instanceof SVGElement || element.matches(sideways) || !is_shown(element)) {
+    if (element instanceof SVGElement || element.matches(sideways) || !isShown(element)) {
       continue;
     }
-    const { overflowX } = getComputedStyle(element);
+    const { overflowX } = styleOf(element);
     if ((overflowX === "auto" || overflowX === "scroll") && element.scrollWidth > element.clientWidth + 1) {
       found.add(`scrolls sideways: ${name(element).split(" ")[0]} by ${element.scrollWidth - element.clientWidth}`);
     }
@@ -189,20 +206,20 @@ function look({ places, floats, sideways, slender, least }) {
   const layer = (element) => element.closest(floats);
   const stuck = (element) => {
     for (let at = element; at && at !== root; at = at.parentElement) {
-      if (getComputedStyle(at).position === "sticky") {
+      if (styleOf(at).position === "sticky") {
         return at.closest(".lanes, .tblwrap, .scroll");
       }
     }
     return null;
   };
-  const seen = things.filter((thing) => is_there(thing.seen)).map((thing) => ({ ...thing, layer: layer(thing.element), stuck: stuck(thing.element) }));
+  const seen = things.filter((thing) => isThere(thing.seen)).map((thing) => ({ ...thing, layer: layer(thing.element), stuck: stuck(thing.element) }));
   seen.forEach((a, index) => {
     for (const b of seen.slice(index + 1)) {
       const both = cut(a.seen, b.seen);
       if (across(both) <= 2 || down(both) <= 2 || a.layer !== b.layer) {
         continue;
       }
-      if (a.element === b.element && a.is_text === b.is_text || a.element.contains(b.element) || b.element.contains(a.element)) {
+      if (a.element === b.element && a.isText === b.isText || a.element.contains(b.element) || b.element.contains(a.element)) {
         continue;
       }
       if (a.stuck?.contains(b.element) || b.stuck?.contains(a.element)) {
@@ -218,11 +235,11 @@ function look({ places, floats, sideways, slender, least }) {
 
   // Too small to be hit.
   for (const element of root.querySelectorAll(CONTROLS)) {
-    if (element instanceof SVGElement || !is_shown(element) && element.tagName !== "INPUT" || element.matches(slender)) {
+    if (element instanceof SVGElement || !isShown(element) && element.tagName !== "INPUT" || element.matches(slender)) {
       continue;
     }
     // A link within a sentence is as high as its line.
-    if (getComputedStyle(element).display === "inline") {
+    if (styleOf(element).display === "inline") {
       continue;
     }
     const hit = (element.closest("label") ?? element).getBoundingClientRect();
@@ -240,9 +257,9 @@ function look({ places, floats, sideways, slender, least }) {
       return at !== null && (element === at || element.contains(at) || element.closest("label")?.contains(at));
     };
     const half = least / 2 - 1;
-    const is_wide = hit.width >= least - 0.5 || reaches(middle.x - half, middle.y) && reaches(middle.x + half, middle.y);
-    const is_high = hit.height >= least - 0.5 || reaches(middle.x, middle.y - half) && reaches(middle.x, middle.y + half);
-    if (!is_wide || !is_high) {
+    const isWide = hit.width >= least - 0.5 || reaches(middle.x - half, middle.y) && reaches(middle.x + half, middle.y);
+    const isHigh = hit.height >= least - 0.5 || reaches(middle.x, middle.y - half) && reaches(middle.x, middle.y + half);
+    if (!isWide || !isHigh) {
       found.add(`too small: ${name(element)} is ${Math.round(hit.width)} by ${Math.round(hit.height)}`);
     }
   }
@@ -254,7 +271,7 @@ function look({ places, floats, sideways, slender, least }) {
   const ink = getComputedStyle(probe).backgroundColor;
   probe.remove();
   const filled = [...root.querySelectorAll("button, a")].filter((button) =>
-    is_shown(button) && !button.disabled && getComputedStyle(button).backgroundColor === ink);
+    isShown(button) && !button.disabled && styleOf(button).backgroundColor === ink);
   if (filled.length > 1) {
     found.add(`filled, more than one: ${filled.map(name).join(", ")}`);
   }

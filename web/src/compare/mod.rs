@@ -25,12 +25,14 @@ pub(crate) fn show(state: &Shown, send: &Callback<Action>) -> Html {
     }
 }
 
-/// What would help where no method has a plan; the first of it is the next step.
+/// What would help where no method has a plan.
 fn help(state: &State, send: &Callback<Action>) -> Html {
     let fixes = fixes(state);
     if fixes.is_empty() {
         return Html::default();
     }
+    // Why there is no plan was asked: the answer offers the next step.
+    let leads = state.document.mode.asking().is_none();
     let one = |(index, fix): (usize, &Fix)| {
         let (icon, text) = match fix {
             Fix::TakeBack(_, what) => ("undo", format!("Take back: {what}")),
@@ -52,7 +54,7 @@ fn help(state: &State, send: &Callback<Action>) -> Html {
             }
         };
         html! {
-            <li><button type="button" class={classes!("repair", (index == 0).then_some("lead"))} onclick={press}>
+            <li><button type="button" class={classes!("repair", (leads && index == 0).then_some("lead"))} onclick={press}>
                 { icon::show(icon) }<span>{ text }</span>
             </button></li>
         }

@@ -1,8 +1,9 @@
 //! The answer to a question, as the inspector shows it.
 
 use giveway_model::{Cost, Question};
-use giveway_solve::explain::{Edit, ExplainAnswer, Fact, FactKind, Part, Verdict, edits_in_words};
+use giveway_solve::explain::edits_in_words;
 
+use super::signs::{badge, edit_icon, fact_icon, pending, verdict_words, would};
 use crate::timeline::Lane;
 use crate::{Answer, Asking, Lit, State, words};
 
@@ -154,7 +155,7 @@ pub fn card(state: &State) -> Option<Card> {
         Some(false) => BROKEN,
         _ => badge(asking, told.verdict),
     };
-    card.verdict = Some((badge, verdict_words(asking, told).to_owned()));
+    card.verdict = Some((badge, verdict_words(state, asking, told).to_owned()));
     if let Some(other) = &asking.other {
         card.rows = rows(asking, other);
         card.other = Some(Other {
@@ -227,34 +228,11 @@ pub(crate) fn numbers_facts(asking: &Asking) -> bool {
     matches!(asking.question(), Question::Unsolvable)
 }
 
-/// The verdict in words. Where there is no plan, all that follows from it stands below
-/// in lists: only the reason is said.
-fn verdict_words<'a>(asking: &'a Asking, told: &'a ExplainAnswer) -> &'a str {
-    let reason = asking.about.solved.reason.as_deref();
-    match reason {
-        Some(reason) if numbers_facts(asking) && told.verdict == Verdict::Necessary => reason,
-        _ => &told.words,
-    }
-}
-
 /// What is claimed of the other plan: that none as good is closer to this one,
 /// where that is proved.
 pub fn closeness(state: &State) -> Option<&'static str> {
     let told = state.document.mode.asking()?.told.as_deref()?;
     told.closest.then_some("closest to this plan")
-}
-
-fn badge(asking: &Asking, verdict: Verdict) -> Badge {
-    let (word, icon, class) = match (asking.question(), verdict) {
-        (Question::Unsolvable, Verdict::Necessary) => ("Impossible", "cancel", "necessary"),
-        (Question::Plan, Verdict::Needless) => ("Optimal", "proved", "needless"),
-        (_, Verdict::Needless) => ("Needless", "compare", "needless"),
-        (_, Verdict::Improvable) => ("Improvable", "compare", "needless"),
-        (_, Verdict::Costly) => ("Costly", "warning", "costly"),
-        (_, Verdict::Necessary) => ("Necessary", "proved", "necessary"),
-        (_, Verdict::Unknown) => ("Not known", "clock", "unknown"),
-    };
-    Badge { word, icon, class }
 }
 
 /// The costs of the objective, then the arrivals that differ.
@@ -295,48 +273,4 @@ fn rows(asking: &Asking, other: &Answer) -> Vec<CostRow> {
         }
     }
     rows
-}
-
-fn would(asking: &Asking) -> String {
-    match asking.question() {
-        Question::Wait { agent, .. } => format!("If {agent} did not wait"),
-        Question::Unsolvable => "At the least, this would go wrong".to_owned(),
-        Question::Plan => "What is against the rules".to_owned(),
-        _ => "What would go wrong if only this changed".to_owned(),
-    }
-}
-
-fn pending(part: Part) -> &'static str {
-    match part {
-        Part::Verdict => "Looking for the verdict",
-        Part::Closest => "Looking for a plan closer to this one",
-        Part::Witness => "Looking for what would happen",
-        Part::Core => "Looking for the reasons",
-        Part::Repairs => "Looking for what would help",
-    }
-}
-
-fn fact_icon(fact: &Fact) -> &'static str {
-    match fact.kind {
-        FactKind::Task => "agent",
-        FactKind::Waypoint => "waypoint",
-        FactKind::Battery => "charger",
-        FactKind::Obstacle => "obstacle",
-        FactKind::Slow => "slow",
-        FactKind::Collision => "collision",
-        FactKind::Stay => "goal",
-        FactKind::Deadline => "clock",
-    }
-}
-
-fn edit_icon(edit: &Edit) -> &'static str {
-    match edit {
-        Edit::RemoveObstacle { .. } => "erase",
-        Edit::AddCharger { .. } | Edit::Battery { .. } => "charger",
-        Edit::Deadline { .. } => "clock",
-        Edit::MakeNormal { .. } => "slow",
-        Edit::DropWaypoint { .. } => "waypoint",
-        Edit::Vanish => "goal",
-        Edit::LeaveOut { .. } => "agent",
-    }
 }

@@ -8,6 +8,7 @@ mod card;
 mod cell;
 mod later;
 mod plan;
+mod signs;
 
 pub(crate) use card::numbers_facts;
 pub use card::{

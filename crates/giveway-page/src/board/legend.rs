@@ -42,7 +42,7 @@ impl Kind {
         match self {
             Self::Problem => "Problem: press to see it",
             Self::Burst => "Against a rule at this time",
-            Self::Reason => "Part of the reason, numbered as beside",
+            Self::Reason => "Part of the reason",
             Self::Try => "The best try ends here",
             Self::Differs => "Elsewhere in the other plan",
             Self::Stale => "Stale plan, faded",
