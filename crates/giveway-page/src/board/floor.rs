@@ -133,10 +133,13 @@ impl Floor {
             return self.clone();
         }
         let starred = starred(draft);
-        let stars: Vec<Cell> = self.starred.symmetric_difference(&starred).copied().collect();
-        let is_same = |area: Area| {
-            !stars.iter().any(|&star| area.contains(star)) && is_same(old, new, area)
-        };
+        let stars: Vec<Cell> = self
+            .starred
+            .symmetric_difference(&starred)
+            .copied()
+            .collect();
+        let is_same =
+            |area: Area| !stars.iter().any(|&star| area.contains(star)) && is_same(old, new, area);
         let mut bands = self.bands.clone();
         for (y, band) in (0..).zip(&mut bands) {
             let row = Area {

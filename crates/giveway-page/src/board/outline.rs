@@ -446,6 +446,8 @@ mod tests {
         let whole = region(&rows, (0, 0), (3, 3));
         let ring = "M0 0H300V300H0V0ZM100 200H200V100H100V200Z";
         assert_eq!(whole.fill(SHARP), ring);
+        // The same hole, from its upper side.
+        let ring = "M0 0H300V300H0V0ZM200 100H100V200H200V100Z";
         assert_eq!(whole.edge(SHARP), ring);
     }
 

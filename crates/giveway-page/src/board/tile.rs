@@ -36,9 +36,10 @@ impl Tile {
         let slow = region(Ground::is_slow);
         let obstacles = region(|ground| ground == Ground::Obstacle);
         let (slow_pen, obstacle_pen) = (pen(4, 14), pen(6, 16));
-        // It is not opaque: what reached over it would be seen.
+        // A hatch is not opaque: where two overlap that would be seen.
+        let overlap = if look.is_fine { 0 } else { slow_pen.overlap };
         let hatch = Pen {
-            overlap: 0,
+            overlap,
             ..slow_pen
         };
         let mut shapes = [
