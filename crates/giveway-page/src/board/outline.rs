@@ -173,8 +173,10 @@ impl Region {
                     walked[cells.index(at)] = true;
                 }
                 let next = cells.next(at, side);
-                if next.1 != side {
-                    corners.push(self.cut_corner((at, side), next, pen));
+                if next.1 == side {
+                    corners.extend(self.step(&cells, (at, side), next.0, pen));
+                } else {
+                    corners.push(self.cut_corner(&cells, (at, side), next, pen));
                 }
                 (at, side) = next;
                 if (at, side) == (begin, 0) {
@@ -208,26 +210,74 @@ impl Region {
         cells
     }
 
-    /// A corner of the fill, at the end of a side. Where a shape is cut it is sharp.
-    fn cut_corner(&self, (at, from): (At, usize), (next, to): (At, usize), pen: Pen) -> Corner {
-        let is_cut = |at, side| self.cells.towards(at, left(side)).is_none();
-        let (cut_from, cut_to) = (is_cut(at, from), is_cut(next, to));
-        let inset = |is_cut| if is_cut { 0 } else { pen.inset };
+    /// Where a side of the fill ends: not far beyond the border of the area.
+    fn cut_end(&self, at: At, side: usize, pen: Pen) -> Step {
         let clamped = |place: i64, first: u32, size: u32| {
             let (begin, end) = (100 * i64::from(first), 100 * i64::from(first + size));
             place.clamp(begin - pen.overlap, end + pen.overlap)
         };
-        let (x, y) = self.end(at, from);
-        let end = (
+        let (x, y) = self.end(at, side);
+        (
             clamped(x, self.area.first.x, self.area.size.0),
             clamped(y, self.area.first.y, self.area.size.1),
-        );
+        )
+    }
+
+    /// Whether a side of the fill is where a shape is cut.
+    fn is_cut(&self, at: At, side: usize) -> bool {
+        self.cells.towards(at, left(side)).is_none()
+    }
+
+    /// How far a side of the fill stays inside of its cell. What reaches over the
+    /// border is a little narrower where the shape goes straight on: its own edges
+    /// would be drawn twice, and seen.
+    fn cut_inset(&self, cells: &Cells, at: At, side: usize, pen: Pen) -> i64 {
+        if self.is_cut(at, side) {
+            return 0;
+        }
+        let mut beside = SIDES.iter().filter_map(|&side| cells.towards(at, side));
+        let inner = beside.find(|&inner| self.is_inside(inner));
+        let inner = inner.filter(|_| !self.is_inside(at));
+        match inner {
+            Some(inner) if cells.is_free(inner, side) => pen.inset + pen.overlap / 4,
+            _ => pen.inset,
+        }
+    }
+
+    /// A corner of the fill, at the end of a side. Where a shape is cut it is sharp.
+    fn cut_corner(&self, cells: &Cells, now: (At, usize), next: (At, usize), pen: Pen) -> Corner {
+        let end = self.cut_end(now.0, now.1, pen);
+        let from = inside(end, now.1, self.cut_inset(cells, now.0, now.1, pen));
+        let is_sharp = self.is_cut(now.0, now.1) || self.is_cut(next.0, next.1);
         Corner {
-            at: inside(inside(end, from, inset(cut_from)), to, inset(cut_to)),
+            at: inside(from, next.1, self.cut_inset(cells, next.0, next.1, pen)),
+            from: now.1,
+            to: next.1,
+            radius: if is_sharp { 0 } else { pen.radius },
+        }
+    }
+
+    /// Where a side of the fill goes straight on in the next cell: a step, where it
+    /// is narrower from there on, or wider.
+    fn step(&self, cells: &Cells, (at, side): (At, usize), next: At, pen: Pen) -> Vec<Corner> {
+        let inset = |at| self.cut_inset(cells, at, side, pen);
+        let (before, after) = (inset(at), inset(next));
+        if before == after {
+            return Vec::new();
+        }
+        let turn = if after > before {
+            right(side)
+        } else {
+            left(side)
+        };
+        let end = self.cut_end(at, side, pen);
+        let corner = |inset, from, to| Corner {
+            at: inside(end, side, inset),
             from,
             to,
-            radius: if cut_from || cut_to { 0 } else { pen.radius },
-        }
+            radius: 0,
+        };
+        vec![corner(before, side, turn), corner(after, turn, side)]
     }
 
     /// The `d` of a path along the outline of the set, as far as it goes along cells
@@ -463,9 +513,10 @@ mod tests {
             ..SHARP
         };
         let left = region(&["##"], (0, 0), (1, 1));
-        assert_eq!(left.fill(pen), "M0 0H108V100H0V0Z");
+        // A little narrower there.
+        assert_eq!(left.fill(pen), "M0 0H100V2H108V98H100V100H0V0Z");
         let right = region(&["##"], (1, 0), (1, 1));
-        assert_eq!(right.fill(pen), "M92 0H200V100H92V0Z");
+        assert_eq!(right.fill(pen), "M92 2H100V0H200V100H100V98H92V2Z");
         let right = right.edge(pen);
         // From its upper left corner around to its lower one, and 8 on.
         assert_eq!(right, "M100 0H200V100H92");
