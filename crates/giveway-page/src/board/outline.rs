@@ -369,7 +369,7 @@ impl Region {
     fn end(&self, (x, y): At, side: usize) -> Step {
         let (across, down) = [(1, 0), (1, 1), (0, 1), (0, 0)][side];
         let place =
-            |first: u32, at: usize, end: i64| 100 * (i64::from(first) + at as i64 - 1 + end);
+            |first: u32, at: usize, end: i64| 100 * (i64::from(first + at as u32) - 1 + end);
         (
             place(self.area.first.x, x, across),
             place(self.area.first.y, y, down),
