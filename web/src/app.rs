@@ -2,7 +2,7 @@
 
 use std::rc::Rc;
 
-use giveway_page::{Action, Draft, FileAction, Phase, Tab, Tool, reduce};
+use giveway_page::{Action, Draft, FileAction, Phase, Tab, Tool};
 use yew::prelude::*;
 
 use crate::dialog::{Agents, Examples, Panel, Scenes, Share, help};
@@ -21,7 +21,7 @@ impl Reducible for Shown {
     type Action = Action;
 
     fn reduce(self: Rc<Self>, action: Action) -> Rc<Self> {
-        Rc::new(Self::new(reduce(&self, action)))
+        Rc::new(self.reduced(action))
     }
 }
 
@@ -79,20 +79,22 @@ pub fn App() -> Html {
         };
     }
     let is_answering = state.document.mode.asking().is_some();
+    // For the places that show nothing of a stroke on its way.
+    let settled = state.settled();
     html! {
         <ContextProvider<Clock> context={(*clock).clone()}>
             <div class={classes!("app", phase_class(&state), is_answering.then_some("answering"))} data-tab={tab(state.view.tab)}>
-                <TopBar state={state.clone()} panel={panel.clone()} send={send.clone()}
+                <TopBar state={settled.clone()} panel={panel.clone()} send={send.clone()}
                     show={show.clone()} />
-                <StatusBar state={state.clone()} panel={panel.clone()} send={send.clone()}
+                <StatusBar state={settled.clone()} panel={panel.clone()} send={send.clone()}
                     show={show.clone()} />
                 <main class="stage">
                     <Tools tool={state.view.tool} send={send.clone()} />
                     <Board state={state.clone()} send={send.clone()} />
                 </main>
-                { compare::show(&state, &send) }
+                { compare::show(&settled, &send) }
                 <Inspector state={state.clone()} send={send.clone()} />
-                <Dock state={state.clone()} send={send.clone()} />
+                <Dock state={settled} send={send.clone()} />
                 { notice::show(state.view.notice.as_ref(), &send) }
                 <Drop send={send.clone()} show={show.clone()} />
                 { dialog(&panel, &state, &send, &show) }

@@ -22,6 +22,9 @@ pub enum Action {
     Redo,
     /// On the board.
     Board(BoardAction),
+    /// The pointer went on over several cells since the last frame, each as by
+    /// [`BoardAction::Drag`].
+    DragOver(Vec<Cell>),
     /// The solver.
     Solve(SolveAction),
     /// Questions.

@@ -228,6 +228,12 @@ impl State {
         }
     }
 
+    /// Whether a stroke is being made: the board shows what it does so far, and
+    /// nothing else has changed.
+    pub fn has_stroke(&self) -> bool {
+        self.stroke().is_some()
+    }
+
     /// Whether the hand is doing something on the board.
     pub fn has_gesture(&self) -> bool {
         self.view.gesture != Gesture::None

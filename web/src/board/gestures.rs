@@ -225,12 +225,16 @@ impl Surface {
     /// Takes a stroke on through all the places that the pointer came to since
     /// the last frame.
     fn stroke(&self, mut last: Cell, event: &PointerEvent) -> Cell {
+        let mut cells = Vec::new();
         for place in places(event) {
             let cell = self.nearest_cell(self.frame.point(self.px(&place)));
             if cell != last {
-                self.send.emit(Action::Board(BoardAction::Drag(cell)));
+                cells.push(cell);
                 last = cell;
             }
+        }
+        if !cells.is_empty() {
+            self.send.emit(Action::DragOver(cells));
         }
         last
     }

@@ -89,10 +89,16 @@ fn star(mark: &Mark, detail: Detail) -> Html {
 /// Where nothing else has room: goals as rings; waypoints are left out.
 fn dot(mark: &Mark) -> Html {
     let class = classes!("goal-dot", form::class(mark.agent));
+    let (x, y) = (50.0 + mark.shift.0, 50.0 + mark.shift.1);
+    let (x, y) = (
+        f64::from(100 * mark.cell.x) + x,
+        f64::from(100 * mark.cell.y) + y,
+    );
     html! {
-        <g transform={place(mark, (50.0, 50.0))}>
+        // No transform: it would be a piece to itself.
+        <g>
             if mark.kind == MarkKind::Goal {
-                <circle {class} r="28" />
+                <circle {class} cx={x.to_string()} cy={y.to_string()} r="28" />
             }
         </g>
     }

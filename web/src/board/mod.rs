@@ -27,7 +27,7 @@ mod ways;
 use std::rc::Rc;
 
 use giveway_model::{Cell, sorting};
-use giveway_page::board::{CELL, Cast, Detail, Frame, Kind, Window, legend};
+use giveway_page::board::{CELL, Cast, Detail, FloorLook, Frame, Kind, Window, legend};
 use giveway_page::{Action, Answer, Selection, State, Tool, ask, words};
 use yew::prelude::*;
 
@@ -205,7 +205,7 @@ fn layers(state: &Shown, cast: &Rc<Cast>, versus: Option<&Rc<Cast>>, frame: Fram
     let board = (state.world().grid().width(), state.world().grid().height());
     html! {
         <>
-            <FloorShapes draft={Rc::clone(state.world())} is_fine={detail > Detail::Dots}
+            <FloorShapes draft={Rc::clone(state.world())} look={FloorLook::of(frame.cell_px)}
                 used_by={state.view.layers.heat.then(|| Rc::clone(cast))} />
             if state.view.layers.trails {
                 <Ways cast={Rc::clone(cast)} {selected} />

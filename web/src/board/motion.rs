@@ -64,7 +64,12 @@ pub(super) fn children(layer: &NodeRef) -> Vec<Element> {
     let Some(layer) = layer.cast::<Element>() else {
         return Vec::new();
     };
-    std::iter::successors(layer.first_element_child(), Element::next_element_sibling).collect()
+    children_of(&layer)
+}
+
+/// The children of an element, in order.
+pub(super) fn children_of(element: &Element) -> Vec<Element> {
+    std::iter::successors(element.first_element_child(), Element::next_element_sibling).collect()
 }
 
 /// After each rendering of the component, makes a function of what it rendered

@@ -77,7 +77,9 @@ impl Kind {
 
 /// The signs on the board of a state, with its cast.
 pub fn legend(state: &State, cast: &Cast) -> Vec<Kind> {
-    let has_ground = |is: fn(Ground) -> bool| state.world().grid().cells().any(|(_, g)| is(g));
+    let grid = state.world().grid();
+    let rows = || (0..grid.height()).map(|y| grid.row(y));
+    let has_ground = |is: fn(Ground) -> bool| rows().any(|row| row.iter().any(|&g| is(g)));
     let has_mark = |kind| cast.marks.iter().any(|mark| mark.kind == kind);
     let is_stale = state.document.is_stale() && cast.has_plan();
     let moves = cast.tracks.iter().any(|track| track.arrival() > 0);

@@ -4,7 +4,8 @@ use giveway_model::{Cell, Grid, Ground, Scene};
 
 use crate::Draft;
 
-/// A scene while it is edited: its map as a grid, the rest as in the scene. A
+/// A scene while it is edited: its map as a grid, the rest as in a scene without
+/// rows. A
 /// stroke over a large map changes a cell at a time, so nothing here looks at the
 /// whole map.
 #[derive(Clone, Debug, PartialEq)]
@@ -16,8 +17,11 @@ pub(crate) struct Sketch {
 impl Sketch {
     /// The scene of a draft, to be edited.
     pub(crate) fn of(draft: &Draft) -> Self {
+        let mut scene = draft.scene().clone();
+        // The grid has them; a stroke copies the sketch with every cell.
+        scene.map = Vec::new();
         Self {
-            scene: draft.scene().clone(),
+            scene,
             grid: draft.grid().clone(),
         }
     }

@@ -160,9 +160,10 @@ fn claim(answer: &Answer) -> String {
 
 /// What a scene contains.
 fn contents(draft: &Draft, is_there: impl Fn(usize) -> bool) -> String {
+    let grid = draft.grid();
     let grounds = |is: fn(Ground) -> bool| {
-        let cells = draft.grid().cells();
-        cells.filter(|&(_, ground)| is(ground)).count()
+        let rows = (0..grid.height()).map(|y| grid.row(y));
+        rows.flatten().filter(|&&ground| is(ground)).count()
     };
     let agents = (0..draft.agents().len()).filter(|&agent| is_there(agent));
     let mut parts = vec![count(agents.count(), "robot")];

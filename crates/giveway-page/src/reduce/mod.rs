@@ -48,6 +48,11 @@ fn step(state: &mut State, action: Action) {
         Action::Undo => document::undo(state),
         Action::Redo => document::redo(state),
         Action::Board(action) => board::board(state, action),
+        Action::DragOver(cells) => {
+            for cell in cells {
+                board::board(state, BoardAction::Drag(cell));
+            }
+        }
         Action::Solve(action) => solve::solve(state, action),
         Action::Ask(action) => ask::questions(state, action),
         Action::Change(action) => change::change(state, action),
@@ -72,6 +77,7 @@ pub(crate) const fn only_looks(action: &Action) -> bool {
                 | SolveAction::Crash { .. }
         ),
         Action::Edit(_)
+        | Action::DragOver(_)
         | Action::Undo
         | Action::Redo
         | Action::Ask(_)
