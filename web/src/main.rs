@@ -8,6 +8,7 @@ fn main() {
         giveway_wasm::serve_messages();
         return;
     }
+    giveway_web::watch();
     let place = gloo::utils::document().get_element_by_id("page");
     let place = place.unwrap_or_else(|| gloo::utils::body().into());
     yew::Renderer::<giveway_web::App>::with_root(place).render();
