@@ -32,7 +32,8 @@ function isNew() {
     return false;
   }
   try {
-    return localStorage.getItem("giveway.page") === null;
+    // What tabs keep (web/src/keep/tabs.rs), and what the first version kept.
+    return !Object.keys(localStorage).some((key) => /^giveway\.(tab\.|page$)/.test(key));
   } catch {
     // It keeps nothing at all.
     return true;
