@@ -5,7 +5,7 @@ use std::rc::Rc;
 use giveway_page::{Action, Draft, FileAction, Phase, Tab, Tool, reduce};
 use yew::prelude::*;
 
-use crate::dialog::{Agents, Examples, Panel, Scenes, Share, help};
+use crate::dialog::{Agents, Examples, NewScene, Panel, Scenes, Share, help};
 use crate::drop::Drop;
 use crate::keep::{self, use_keep};
 use crate::keys::use_keys;
@@ -94,7 +94,7 @@ pub fn App() -> Html {
                 <Inspector state={state.clone()} send={send.clone()} />
                 <Dock state={state.clone()} send={send.clone()} />
                 { notice::show(state.view.notice.as_ref(), &send) }
-                <Drop send={send.clone()} show={show.clone()} />
+                <Drop state={state.clone()} send={send.clone()} show={show.clone()} />
                 { dialog(&panel, &state, &send, &show) }
             </div>
         </ContextProvider<Clock>>
@@ -108,6 +108,7 @@ fn dialog(panel: &Panel, state: &Shown, send: &Callback<Action>, show: &Callback
     match panel {
         Panel::Examples => html! { <Examples {send} {on_close} /> },
         Panel::Agents(choice) => html! { <Agents choice={choice.clone()} {send} {on_close} /> },
+        Panel::New => html! { <NewScene {send} {on_close} /> },
         Panel::Scenes => html! { <Scenes state={state.clone()} {send} {on_close} /> },
         Panel::Share(link) => {
             html! { <Share link={link.clone()} name={state.document.draft.scene().name.clone()} {send} {on_close} /> }

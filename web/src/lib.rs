@@ -6,6 +6,7 @@
 
 mod app;
 mod board;
+mod broke;
 mod clock;
 mod compare;
 mod copy;
@@ -25,6 +26,7 @@ mod opening;
 mod paste;
 mod settings;
 mod shown;
+mod slot;
 mod solver;
 mod status;
 mod support;
@@ -36,6 +38,7 @@ mod wide;
 
 pub use app::App;
 pub use board::{Board, BoardProps};
+pub use broke::watch;
 pub use clock::{Clock, Listening};
 pub use glyph::form;
 pub use inspector::{Inspector, InspectorProps};

@@ -34,7 +34,8 @@ pub(crate) fn use_paste(
             let text = data.get_data("text/plain").unwrap_or_default();
             let copied = data.files().filter(|files| files.length() > 0);
             if copied.is_some() {
-                files::open(copied, send.clone(), show.clone());
+                let state = latest.borrow().clone();
+                files::open(&state, copied, send.clone(), show.clone());
             } else if !text.trim().is_empty() {
                 files::take(pasted(&latest.get(), &text), &send, &show);
             } else {

@@ -49,10 +49,10 @@ pub(crate) fn TopBar(props: &TopBarProps) -> Html {
         })
     };
     let picked = {
-        let (send, show) = (send.clone(), show.clone());
+        let (state, send, show) = (state.clone(), send.clone(), show.clone());
         Callback::from(move |event: Event| {
             let input: HtmlInputElement = event.target_unchecked_into();
-            crate::files::open(input.files(), send.clone(), show.clone());
+            crate::files::open(&state, input.files(), send.clone(), show.clone());
             // So that the same file can be opened again.
             input.set_value("");
         })
@@ -72,6 +72,7 @@ pub(crate) fn TopBar(props: &TopBarProps) -> Html {
     };
     let agents = words::count(scene.agents.len(), "robot");
     let examples = show.reform(|_: MouseEvent| Panel::Examples);
+    let fresh = show.reform(|_: MouseEvent| Panel::New);
     let scenes = show.reform(|_: MouseEvent| Panel::Scenes);
     let share = {
         let state = state.clone();
@@ -101,6 +102,9 @@ pub(crate) fn TopBar(props: &TopBarProps) -> Html {
                 <button class="btn ghost wide" title="Examples" onclick={examples.clone()}>
                     { icon::show("examples") }<span>{ "Examples" }</span>
                 </button>
+                <button class="btn ghost wide" title="New scene" onclick={fresh.clone()}>
+                    { icon::show("plus") }<span>{ "New" }</span>
+                </button>
                 <span class="hold">
                     { toggle(panel, Panel::Open, "btn ghost wide", "open", "Open", show) }
                     if *panel == Panel::Open {
@@ -111,7 +115,7 @@ pub(crate) fn TopBar(props: &TopBarProps) -> Html {
                     }
                 </span>
                 <input ref={picker} type="file" hidden=true multiple=true onchange={picked}
-                    accept=".json,.map,.scen,application/json" />
+                    accept=".json,.map,.scen,.giveway,application/json" />
                 <span class="hold">
                     { toggle(panel, Panel::Save, "btn ghost wide", "save", "Save", show) }
                     if *panel == Panel::Save {
@@ -144,6 +148,7 @@ pub(crate) fn TopBar(props: &TopBarProps) -> Html {
                 if *panel == Panel::Menu {
                     <div class="menu">
                         { item("examples", "Examples", examples) }
+                        { item("plus", "New scene", fresh) }
                         { item("open", "Open", pick) }
                         { item("copy", "Paste", paste) }
                         { save_items(state, send, show) }

@@ -5,8 +5,9 @@ use giveway_solve::{Progress, Response};
 
 use crate::changing::Choice;
 use crate::link::Linked;
+use crate::slot::{Elsewhere, Lost, Unkept};
 use crate::steering::Lead;
-use crate::{Edit, Fill, Lit, Notice, Selection, Speed, Tab, Theme, Tool};
+use crate::{Edit, Fill, Lit, Moment, Notice, Selection, Speed, Tab, Theme, Tool};
 
 /// What a person did, what the solver told, or that time went on.
 #[derive(Clone, Debug, PartialEq)]
@@ -34,6 +35,31 @@ pub enum Action {
     Play(PlayAction),
     /// What is shown and how.
     View(ViewAction),
+    /// The page has something to say by itself, or was heard.
+    Slot(SlotAction),
+}
+
+/// The page has something to say by itself, or was heard.
+#[derive(Clone, Debug, PartialEq)]
+pub enum SlotAction {
+    /// What the browser kept could not be opened.
+    Lose(Lost),
+    /// What could not be opened was downloaded, or need not be told any longer.
+    Settle,
+    /// The browser does not keep the document.
+    Unkept(Unkept),
+    /// The browser keeps the document again.
+    Kept,
+    /// Another tab keeps something else of this scene.
+    Differ(Box<Elsewhere>),
+    /// The other tab has what is here again.
+    Agree,
+    /// Takes what the other tab has.
+    TakeTheirs,
+    /// Stays with what is here.
+    KeepMine,
+    /// What is said was heard.
+    Close,
 }
 
 /// Documents come and go.
@@ -47,6 +73,8 @@ pub enum FileAction {
     Back,
     /// What was displaced need not be told any longer.
     Keep,
+    /// A document that the browser kept takes the place of the one on the board.
+    Resume(Box<Moment>),
     /// Something could not be done; the document stays.
     Refuse(Notice),
 }

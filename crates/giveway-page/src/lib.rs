@@ -31,6 +31,7 @@ pub mod front;
 mod gesture;
 mod history;
 pub mod inspect;
+mod kept;
 pub mod keys;
 mod known;
 mod line;
@@ -46,6 +47,7 @@ mod reserve;
 #[cfg(test)]
 mod sample;
 mod settings;
+pub mod slot;
 mod state;
 pub mod steering;
 pub mod table;
@@ -58,7 +60,8 @@ pub mod words;
 mod work;
 
 pub use action::{
-    Action, AskAction, BoardAction, ChangeAction, FileAction, PlayAction, SolveAction, ViewAction,
+    Action, AskAction, BoardAction, ChangeAction, FileAction, PlayAction, SlotAction, SolveAction,
+    ViewAction,
 };
 pub use answer::Answer;
 pub use asking::{Asking, Lit};
@@ -75,7 +78,7 @@ pub use problems::Problem;
 pub use reduce::reduce;
 pub use reserve::Reserve;
 pub use settings::{Settings, Theme};
-pub use state::{Notice, State};
+pub use state::{By, Displaced, Notice, State};
 pub use tool::Tool;
 pub use view::{Layers, Place, Selection, Tab, View};
 pub use work::{Adapting, Arrival, Certified, Certifying, Job, Size, Solving, Task, Work};

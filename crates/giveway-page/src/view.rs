@@ -4,6 +4,7 @@
 use giveway_model::Cell;
 
 use crate::gesture::Gesture;
+use crate::slot::Waiting;
 use crate::{Notice, Playback, Theme, Tool};
 
 /// What the inspector tells of.
@@ -88,6 +89,8 @@ pub struct View {
     pub is_wide: bool,
     /// What a person must be told once.
     pub notice: Option<Notice>,
+    /// What the page has to say by itself, until its turn comes.
+    pub waiting: Waiting,
 }
 
 impl Default for View {
@@ -106,6 +109,7 @@ impl Default for View {
             tab: Tab::Timeline,
             is_wide: false,
             notice: None,
+            waiting: Waiting::default(),
         }
     }
 }

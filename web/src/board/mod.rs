@@ -20,6 +20,7 @@ mod motion;
 mod picture;
 mod preview;
 mod reasons;
+mod small;
 mod still;
 mod viewport;
 mod ways;
@@ -43,6 +44,7 @@ use marks::Marks;
 pub(crate) use picture::picture;
 pub(crate) use preview::Preview;
 use reasons::ReasonMarks;
+pub(crate) use small::Small;
 pub(crate) use still::Still;
 use viewport::use_viewport;
 use ways::Ways;
@@ -143,6 +145,7 @@ pub fn Board(props: &BoardProps) -> Html {
         is_nearest: viewport.is_nearest(board),
         follow: follow(state, &cast),
         send: &props.send,
+        state,
     };
     html! {
         <>

@@ -4,7 +4,7 @@ use std::rc::Rc;
 
 use giveway_model::format::native;
 
-use crate::State;
+use crate::{State, link};
 
 /// A file to be saved.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -53,6 +53,21 @@ pub fn changes_file(state: &State) -> Option<Saved> {
         name: format!("{stem}-changes.json"),
         text: native::write_changes(&course.changes),
     })
+}
+
+/// All that the browser keeps of the page, to be kept elsewhere.
+///
+/// ```
+/// use giveway_page::{Draft, State, files};
+/// let saved = files::kept_file(&State::new(Draft::default()));
+/// assert_eq!(saved.name, "scene.giveway");
+/// ```
+pub fn kept_file(state: &State) -> Saved {
+    let stem = file_stem(&state.document.draft.scene().name, "scene");
+    Saved {
+        name: format!("{stem}.giveway"),
+        text: link::keep(state),
+    }
 }
 
 /// The name of a picture of the board at the time shown, with its ending.

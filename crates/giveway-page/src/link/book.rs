@@ -7,20 +7,25 @@
 //! giveway-kept=2
 //! =map=10.2f6s...          a part; parts are numbered from 0 as they come
 //! +7.agent1:0.1.2          a document: time, selection, its parts; the present one first
+//! touched                  something was done to it
+//! displaced                a link took the place of the document before
 //! ```
 
 use std::collections::BTreeMap;
 use std::fmt::Write as _;
+use std::rc::Rc;
 
 use giveway_model::Cell;
 
-use super::read::Reader;
-use super::{From, LONGEST, document};
+use super::kin::is_newer;
+use super::read::{Reader, is_public};
+use super::{From, LONGEST, Linked, Source, document};
 use crate::history::Moment;
+use crate::state::{By, Displaced};
 use crate::{History, Notice, Selection, State};
 
 /// What stands first; another number is another format.
-const HEAD: &str = "giveway-kept=2";
+pub(super) const HEAD: &str = "giveway-kept=2";
 
 /// The state as this browser keeps it: the document and as much of its past as
 /// there is room for.
@@ -30,6 +35,14 @@ pub fn keep(state: &State) -> String {
         ..Book::default()
     };
     book.write(&state.moment());
+    if let (Some(Displaced { by, moment }), Some(last)) =
+        (&state.displaced, state.history.past().last())
+        && *by == By::Link
+        && **moment == *last
+    {
+        book.text += DISPLACED;
+        book.text.push('\n');
+    }
     if state.history.is_touched() {
         book.text += "touched\n";
         for moment in state.history.past().iter().rev() {
@@ -43,6 +56,19 @@ pub fn keep(state: &State) -> String {
     }
     book.text
 }
+
+/// A document without its past, as this browser keeps it.
+pub fn keep_moment(moment: &Moment) -> String {
+    let mut book = Book {
+        text: format!("{HEAD}\n"),
+        ..Book::default()
+    };
+    book.write(moment);
+    book.text
+}
+
+/// The line that tells of a link.
+const DISPLACED: &str = "displaced";
 
 #[derive(Default)]
 struct Book {
@@ -79,16 +105,76 @@ impl Book {
     }
 }
 
+/// Reads a document that this browser kept, without its past.
+///
+/// # Errors
+/// As [`kept`].
+pub fn kept_moment(text: &str) -> Result<Moment, Notice> {
+    kept(text).map(|state| state.moment())
+}
+
+/// Reads a kept document that comes from anywhere, as a file does: without its
+/// past, and without what it claims of its plan.
+///
+/// # Errors
+/// As [`kept`].
+pub fn kept_elsewhere(text: &str) -> Result<Linked, Notice> {
+    let mut lines = text.lines();
+    let document = match lines.next() {
+        Some(HEAD) => first(lines).ok_or("It holds no document.".to_owned()),
+        Some(line) if line.starts_with("giveway=") => Ok(line.to_owned()),
+        _ => Err(newer(text)),
+    };
+    let shared = document.map(|document| {
+        let parts = document.split('&').filter(|part| is_public(part));
+        parts.collect::<Vec<_>>().join("&")
+    });
+    let linked = shared.and_then(|text| Reader::default().read(&text, From::Anywhere));
+    let linked = linked.map_err(unread)?;
+    Ok(Linked {
+        source: Source::File,
+        ..linked
+    })
+}
+
+/// The text of the document that stands first.
+fn first(lines: std::str::Lines<'_>) -> Option<String> {
+    let mut parts = Vec::new();
+    for line in lines {
+        if let Some(part) = line.strip_prefix('=') {
+            parts.push(part);
+        } else if let Some(moment) = line.strip_prefix('+') {
+            let places = moment.split('.').skip(2).map(|place| place.parse::<usize>());
+            let own = places.map(|place| parts.get(place.ok()?).copied());
+            return Some(own.collect::<Option<Vec<_>>>()?.join("&"));
+        }
+    }
+    None
+}
+
+/// Why a text is none that this page reads.
+fn newer(text: &str) -> String {
+    if is_newer(text) {
+        "A newer version of this page has written it.".to_owned()
+    } else {
+        "It is no document of Giveway.".to_owned()
+    }
+}
+
+fn unread(why: String) -> Notice {
+    Notice {
+        sentence: "What this browser kept cannot be read.".to_owned(),
+        details: vec![why],
+    }
+}
+
 /// Reads what [`keep`] wrote, or what the first version kept: the page as it was
 /// left. Of the past, what cannot be read is left out with all before it.
 ///
 /// # Errors
 /// Why it cannot be read, in sentences.
 pub fn kept(text: &str) -> Result<State, Notice> {
-    read(text).map_err(|why| Notice {
-        sentence: "What this browser kept cannot be read.".to_owned(),
-        details: vec![why],
-    })
+    read(text).map_err(unread)
 }
 
 fn read(text: &str) -> Result<State, String> {
@@ -106,12 +192,10 @@ fn read(text: &str) -> Result<State, String> {
             };
             return Ok(State::resumed(moment, History::of(Vec::new())));
         }
-        Some(line) if line.starts_with("giveway-kept=") => {
-            return Err("A newer version of this page has written it.".to_owned());
-        }
-        _ => return Err("It is no document of Giveway.".to_owned()),
+        _ => return Err(newer(text)),
     }
-    let (mut parts, mut moments, mut touched) = (Vec::new(), Vec::new(), false);
+    let (mut parts, mut moments) = (Vec::new(), Vec::new());
+    let (mut touched, mut displaced) = (false, false);
     for line in lines {
         if let Some(part) = line.strip_prefix('=') {
             parts.push(part);
@@ -123,6 +207,7 @@ fn read(text: &str) -> Result<State, String> {
             }
         } else {
             touched |= line == "touched";
+            displaced |= line == DISPLACED;
         }
     }
     let mut moments = moments.into_iter();
@@ -134,7 +219,13 @@ fn read(text: &str) -> Result<State, String> {
     } else {
         History::default()
     };
-    Ok(State::resumed(present, history))
+    let last = history.past().last().filter(|_| displaced).cloned();
+    let mut state = State::resumed(present, history);
+    state.displaced = last.map(|moment| Displaced {
+        moment: Rc::new(moment),
+        by: By::Link,
+    });
+    Ok(state)
 }
 
 fn read_moment(reader: &mut Reader, line: &str, parts: &[&str]) -> Result<Moment, String> {

@@ -12,6 +12,7 @@ mod change;
 mod claim;
 mod document;
 mod extras;
+mod kin;
 mod plan;
 mod preferences;
 mod read;
@@ -27,8 +28,9 @@ use giveway_model::Question;
 
 use crate::{Action, Document, FileAction, Notice, State};
 
-pub use book::{keep, kept};
-pub use preferences::{prefer, preferences};
+pub use book::{keep, keep_moment, kept, kept_elsewhere, kept_moment};
+pub use kin::{Kin, is_newer, is_touched, kin, title};
+pub use preferences::{are_newer, prefer, preferences};
 pub(crate) use read::judged;
 
 /// The longest text that is read, in bytes.
@@ -43,6 +45,17 @@ pub struct Linked {
     pub(crate) time: u32,
     /// The question to be asked: of the plan, or why there is none.
     pub(crate) question: Option<Question>,
+    /// Where it came from.
+    pub(crate) source: Source,
+}
+
+/// Where a document came from that takes the place of another one.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Source {
+    /// A link: whoever follows one need not know that it replaces anything.
+    Link,
+    /// A file, which a person chose.
+    File,
 }
 
 /// Whose text it is.

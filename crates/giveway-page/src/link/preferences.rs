@@ -3,6 +3,9 @@
 use super::text::numbers;
 use crate::{Fill, State, Theme};
 
+/// The version of what is written here.
+const VERSION: u32 = 4;
+
 const THEMES: [Theme; 3] = [Theme::System, Theme::Light, Theme::Dark];
 
 /// What a person set beside the scene.
@@ -19,7 +22,7 @@ pub fn preferences(state: &State) -> String {
     let fill = &settings.fill;
     let theme = THEMES.iter().position(|theme| *theme == view.theme);
     let numbers = [
-        4,
+        VERSION,
         settings.seconds,
         u32::from(settings.solve_on_change),
         u32::from(view.layers.trails),
@@ -35,6 +38,13 @@ pub fn preferences(state: &State) -> String {
     numbers.map(|n| n.to_string()).join(".")
 }
 
+/// Whether a text holds preferences of a newer version than this page: it must not
+/// be overwritten.
+pub fn are_newer(text: &str) -> bool {
+    let version = text.split('.').next().and_then(|n| n.parse::<u32>().ok());
+    version.is_some_and(|version| version > VERSION)
+}
+
 /// Takes in what [`preferences`] wrote, in this version or an earlier one; what
 /// cannot be read changes nothing.
 pub fn prefer(state: &mut State, text: &str) {
@@ -42,7 +52,7 @@ pub fn prefer(state: &mut State, text: &str) {
     // Up to the third version the horizon stood among them, at the third place; the
     // first knew no heat and no front, and none knew whether letters are keys.
     let (set, later): (Vec<u32>, Vec<u32>) = match numbers[..] {
-        [4, ref set @ ..] if set.len() == 11 => (set[..8].to_vec(), set[8..].to_vec()),
+        [VERSION, ref set @ ..] if set.len() == 11 => (set[..8].to_vec(), set[8..].to_vec()),
         [1..=3, seconds, _, ref rest @ ..] if rest.len() >= 7 => {
             let set = [&[seconds], &rest[..7]].concat();
             let later = rest[7..].iter().copied().take(2);

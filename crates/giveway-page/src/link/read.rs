@@ -9,7 +9,7 @@ use giveway_model::{Agent, Plan, Scene, Version, check};
 use giveway_solve::{Limits, SolveAnswer, SolveRequest, Stats, Status};
 
 use super::text::{numbers, unescape};
-use super::{From, LONGEST, Linked, ask, change, claim, extras, plan, scene, steering};
+use super::{From, LONGEST, Linked, Source, ask, change, claim, extras, plan, scene, steering};
 use crate::asking::Asking;
 use crate::changing::{Changing, Comparing};
 use crate::front::Front;
@@ -25,8 +25,8 @@ pub(super) struct Reader {
 /// The parts of a text by their names.
 type Parts<'a> = BTreeMap<&'a str, &'a str>;
 
-/// The parts that make a scene, those that make an answer, and those that only
-/// this browser writes.
+/// The parts that make a scene, those that make an answer, those that only
+/// this browser writes, and what else a link may hold.
 const SCENE: [&str; 5] = ["map", "name", "rules", "costs", "agents"];
 const ANSWER: [&str; 5] = ["changes", "plan", "claim", "steps", "asked-within"];
 const HERE: [&str; 14] = [
@@ -45,6 +45,14 @@ const HERE: [&str; 14] = [
     "told-report",
     "ask",
 ];
+
+const PUBLIC: [&str; 6] = ["plan", "changes", "time", "ask", "within", "colours"];
+
+/// Whether a part of a document is read from anywhere.
+pub(super) fn is_public(part: &str) -> bool {
+    let key = part.split_once('=').map_or(part, |(key, _)| key);
+    key == "giveway" || SCENE.contains(&key) || PUBLIC.contains(&key)
+}
 
 impl Reader {
     /// Reads a document.
@@ -79,6 +87,7 @@ impl Reader {
             time: u32::min(time, last),
             document,
             question,
+            source: Source::Link,
         })
     }
 
@@ -181,9 +190,9 @@ fn split(text: &str, from: From) -> Result<Parts<'_>, String> {
     }
     let mut parts = Parts::new();
     for (key, value) in all {
-        let is_public = SCENE.contains(&key)
-            || ["plan", "changes", "time", "ask", "within", "colours"].contains(&key);
-        let is_known = is_public || (from == From::Here && HERE.contains(&key));
+        let is_known = PUBLIC.contains(&key)
+            || SCENE.contains(&key)
+            || (from == From::Here && HERE.contains(&key));
         if !is_known || parts.insert(key, value).is_some() {
             return Err(broken(key));
         }
@@ -303,6 +312,7 @@ pub(crate) fn judged(draft: Draft, plan: Plan, changes: Option<Changes>) -> Resu
         document: Document::answered(draft, answer.map(Rc::new)),
         time: 0,
         question: None,
+        source: Source::File,
     })
 }
 

@@ -11,6 +11,7 @@ use crate::{Document, Draft, Mode, Notice, Selection, State};
 
 /// Puts a document in the place of the one that there is, as one step of undo.
 pub(super) fn put(state: &mut State, document: Document) {
+    state.view.waiting.go_on();
     state.history.record(state.moment());
     state.view.playback.playing = false;
     amend(state, document);
@@ -102,6 +103,7 @@ pub(super) fn redo(state: &mut State) {
 pub(super) fn travel(state: &mut State, moment: Option<Moment>) {
     let Some(moment) = moment else { return };
     state.view.notice = None;
+    state.view.waiting.go_on();
     state.document = moment.document;
     state.view.selection = moment.selection;
     state.view.playback.stop_at(moment.time);

@@ -4,10 +4,11 @@ use std::rc::Rc;
 
 use giveway_model::{Fault, Scene};
 
-use super::document::{drop_gesture, put, travel};
+use super::document::{drop_gesture, put, settle, travel};
 use super::{ask, solve, stroke};
-use crate::link::Linked;
-use crate::{Document, Draft, FileAction, Notice, Selection, State, Tool};
+use crate::link::{Linked, Source};
+use crate::state::{By, Displaced};
+use crate::{Document, Draft, FileAction, Moment, Notice, Selection, State, Tool};
 
 /// A scene of more agents opens without the plan table.
 const MANY: usize = 6;
@@ -18,6 +19,7 @@ pub(super) fn file(state: &mut State, action: FileAction) {
         FileAction::OpenLink(linked) => open_link(state, *linked),
         FileAction::Back => back(state),
         FileAction::Keep => state.displaced = None,
+        FileAction::Resume(moment) => resume(state, *moment),
         FileAction::Refuse(notice) => state.view.notice = Some(notice),
     }
 }
@@ -46,8 +48,11 @@ fn open(state: &mut State, scene: Scene) {
 /// plan, once the scene is solved. What was there is kept at hand.
 fn open_link(state: &mut State, linked: Linked) {
     stroke::release(state);
-    let is_work = state.history.is_touched() && !state.is_embedded();
-    let displaced = is_work.then(|| Rc::new(state.moment()));
+    let is_work = linked.source == Source::Link && state.history.is_touched();
+    let displaced = (is_work && !state.is_embedded()).then(|| Displaced {
+        moment: Rc::new(state.moment()),
+        by: By::Link,
+    });
     replace(state, linked.document);
     state.displaced = displaced;
     state
@@ -68,12 +73,31 @@ fn open_link(state: &mut State, linked: Linked) {
 /// The document that was displaced and the one that displaced it change places.
 fn back(state: &mut State) {
     stroke::release(state);
-    if let Some(displaced) = state.displaced.take() {
+    if let Some(Displaced { moment, by }) = state.displaced.take() {
         let present = Rc::new(state.moment());
         state.history.record(state.moment());
-        travel(state, Some(Rc::unwrap_or_clone(displaced)));
-        state.displaced = Some(present);
+        travel(state, Some(Rc::unwrap_or_clone(moment)));
+        state.displaced = Some(Displaced {
+            moment: present,
+            by: match by {
+                By::Link => By::Own,
+                By::Own => By::Link,
+            },
+        });
     }
+}
+
+/// Puts a document that was kept onto the board, where it was looked at.
+pub(super) fn resume(state: &mut State, moment: Moment) {
+    let Moment {
+        document,
+        time,
+        selection,
+    } = moment;
+    replace(state, document);
+    state.view.selection = selection;
+    state.view.playback.stop_at(time);
+    settle(state);
 }
 
 /// Puts another document onto the board, as one step of undo.

@@ -9,6 +9,7 @@ mod job;
 mod play;
 mod press;
 mod proof;
+mod slot;
 mod solve;
 mod steer;
 mod stroke;
@@ -54,6 +55,7 @@ fn step(state: &mut State, action: Action) {
         Action::Steer(lead) => steer::steer(state, lead),
         Action::Play(action) => play::play(state, action),
         Action::View(action) => view::view(state, &action),
+        Action::Slot(action) => slot::slot(state, action),
     }
 }
 
@@ -76,6 +78,7 @@ pub(crate) const fn only_looks(action: &Action) -> bool {
         | Action::Redo
         | Action::Ask(_)
         | Action::Change(_)
-        | Action::Steer(_) => false,
+        | Action::Steer(_)
+        | Action::Slot(_) => false,
     }
 }

@@ -1,0 +1,172 @@
+//! Each tab keeps its own document, under a number of its own: so that no tab
+//! overwrites what another one has. A new tab opens what was kept last.
+//!
+//! The number is remembered beside the tab while the page is away (left, hidden) and
+//! taken back as it comes: so a tab that is duplicated gets a number of its own.
+//! What closed tabs leave behind is bounded: beyond [`MOST`] the oldest goes, first
+//! what nobody ever touched; what was touched is kept on under Scenes. What a newer
+//! version of the page wrote stays.
+
+use std::cell::RefCell;
+
+use giveway_page::Action;
+use giveway_page::link::{self, Kin};
+
+use super::{lost, scenes, storage};
+
+/// The documents of tabs are kept under names that begin so.
+pub(super) const TAB: &str = "tab.";
+/// The numbers of tabs, the one that kept something last first.
+const ORDER: &str = "tabs";
+/// Where a tab remembers its number while the page is away.
+const OWN: &str = "tab";
+/// Where the version before kept the document of all tabs.
+const FORMER: &str = "page";
+/// The most documents of tabs that are kept.
+const MOST: usize = 12;
+
+thread_local! {
+    static NUMBER: RefCell<String> = const { RefCell::new(String::new()) };
+}
+
+/// The name of the text that this tab opens, if there is one. From then on the tab
+/// has a number.
+pub(super) fn begin() -> Option<String> {
+    let own = storage::remembered(OWN).map(|number| format!("{TAB}{number}"));
+    storage::forget_here(OWN);
+    let is_lost = lost::name();
+    let is_there = |name: &String| is_lost.as_ref() != Some(name) && storage::load(name).is_some();
+    if let Some(own) = own.filter(is_there) {
+        NUMBER.set(own.trim_start_matches(TAB).to_owned());
+        return Some(own);
+    }
+    renew();
+    let tabs = order().into_iter().map(|number| format!("{TAB}{number}"));
+    tabs.chain([FORMER.to_owned()]).find(is_there)
+}
+
+/// Takes another number.
+pub(super) fn renew() {
+    // 32 bits by chance: no two tabs of a browser have the same.
+    let number = (js_sys::Math::random() * f64::from(u32::MAX)) as u32;
+    NUMBER.set(format!("{number:08x}"));
+}
+
+/// The number of this tab.
+pub(super) fn number() -> String {
+    NUMBER.with_borrow(Clone::clone)
+}
+
+/// The name under which this tab keeps its document.
+pub(super) fn own() -> String {
+    format!("{TAB}{}", number())
+}
+
+/// The page goes away: the tab remembers its number.
+pub(super) fn leave() {
+    storage::remember(OWN, &number());
+}
+
+/// The page is shown again.
+pub(super) fn come_back() {
+    storage::forget_here(OWN);
+}
+
+/// This tab kept something: it is the last one that did.
+pub(super) fn was_last() {
+    let (mut order, own) = (order(), number());
+    if order.first() == Some(&own) {
+        return;
+    }
+    order.retain(|number| *number != own);
+    order.insert(0, own);
+    // Where it is refused, a new tab opens another of the documents.
+    let _ = storage::store(ORDER, &order.join(" "));
+    tidy(order);
+}
+
+/// Frees the room of a tab that left something behind; whether there was one.
+pub(super) fn make_room() -> bool {
+    let order = order();
+    order.len() > 1 && drop_oldest(&order).is_some()
+}
+
+/// The numbers of all tabs that keep something, the last one first.
+fn order() -> Vec<String> {
+    let mut kept = storage::names(TAB);
+    giveway_model::sorting::sort(&mut kept);
+    let told = storage::load(ORDER).unwrap_or_default();
+    let mut order: Vec<String> = Vec::new();
+    for number in told.split(' ').map(str::to_owned) {
+        if kept.contains(&number) && !order.contains(&number) {
+            order.push(number);
+        }
+    }
+    kept.retain(|number| !order.contains(number));
+    order.extend(kept);
+    order
+}
+
+fn tidy(mut order: Vec<String>) {
+    while order.len() > MOST {
+        let Some(gone) = drop_oldest(&order) else {
+            return;
+        };
+        order.retain(|number| *number != gone);
+    }
+}
+
+/// Drops the oldest document that nobody touched, or else the oldest one, which is
+/// kept on under Scenes; gives its number.
+fn drop_oldest(order: &[String]) -> Option<String> {
+    let own = number();
+    let is_lost = lost::name();
+    let kept = |number: &String| {
+        let name = format!("{TAB}{number}");
+        let text = storage::load(&name).filter(|text| !link::is_newer(text))?;
+        (is_lost.as_ref() != Some(&name) && *number != own).then(|| (number.clone(), text))
+    };
+    let oldest: Vec<(String, String)> = order.iter().rev().filter_map(kept).collect();
+    let untouched = oldest.iter().find(|(_, text)| !link::is_touched(text));
+    let mut touched = oldest.iter();
+    let gone = untouched.or_else(|| touched.find(|(_, text)| is_elsewhere(text)));
+    let (number, _) = gone?;
+    storage::forget(&format!("{TAB}{number}"));
+    Some(number.clone())
+}
+
+/// Whether the document of a tab is kept in another place: in what this tab keeps, or
+/// from now on under Scenes.
+fn is_elsewhere(text: &str) -> bool {
+    let own = storage::load(&own()).unwrap_or_default();
+    match (link::kin(&own, text), link::kept_moment(text)) {
+        (Kin::Same | Kin::Behind, _) => true,
+        (_, Ok(moment)) => scenes::keep_beside(&moment, "from another tab"),
+        // It cannot be opened anyway, and was told of when it was tried.
+        (_, Err(_)) => true,
+    }
+}
+
+/// What other tabs keep that is not here, too: the number of each and the name of its
+/// scene.
+pub(crate) fn others(here: &str) -> Vec<(String, String)> {
+    let (own, mut seen) = (number(), vec![here.to_owned()]);
+    let mut others = Vec::new();
+    for number in order().into_iter().filter(|number| *number != own) {
+        let text = storage::load(&format!("{TAB}{number}")).unwrap_or_default();
+        let is_seen = |seen: &String| matches!(link::kin(seen, &text), Kin::Same | Kin::Behind);
+        if !link::is_touched(&text) || seen.iter().any(is_seen) {
+            continue;
+        }
+        if let Some(title) = link::title(&text) {
+            others.push((number, title));
+            seen.push(text);
+        }
+    }
+    others
+}
+
+/// Opens the document of another tab.
+pub(crate) fn other(number: &str) -> Action {
+    scenes::open(&storage::load(&format!("{TAB}{number}")).unwrap_or_default())
+}
