@@ -1,6 +1,5 @@
 //! Files dropped onto the page.
 
-use std::cell::RefCell;
 use std::rc::Rc;
 
 use giveway_page::Action;
@@ -10,6 +9,7 @@ use web_sys::{DataTransfer, Event};
 use yew::prelude::*;
 
 use crate::dialog::Panel;
+use crate::held::{Held, use_held};
 use crate::{Shown, files};
 
 #[derive(Clone, PartialEq, Properties)]
@@ -26,8 +26,8 @@ pub(crate) struct DropProps {
 #[component]
 pub(crate) fn Drop(props: &DropProps) -> Html {
     let over = use_state_eq(|| false);
-    let latest = use_mut_ref(|| props.clone());
-    latest.replace(props.clone());
+    let latest = use_held(|| props.clone());
+    latest.set(props.clone());
     {
         let over = over.clone();
         use_effect_with((), move |()| {
@@ -44,7 +44,7 @@ pub(crate) fn Drop(props: &DropProps) -> Html {
 type Handle = Box<dyn Fn(&Event, DataTransfer)>;
 
 fn listen(
-    latest: Rc<RefCell<DropProps>>,
+    latest: Rc<Held<DropProps>>,
     set_over: impl Fn(bool) + Clone + 'static,
 ) -> [EventListener; 3] {
     let window = gloo::utils::window();
@@ -79,7 +79,7 @@ fn listen(
             Box::new(move |event, data| {
                 event.prevent_default();
                 set_over(false);
-                let props = latest.borrow().clone();
+                let props = latest.get();
                 files::open(&props.state, data.files(), props.send, props.show);
             }),
         ),

@@ -34,7 +34,7 @@ pub(crate) fn use_paste(
             let text = data.get_data("text/plain").unwrap_or_default();
             let copied = data.files().filter(|files| files.length() > 0);
             if copied.is_some() {
-                let state = latest.borrow().clone();
+                let state = latest.get();
                 files::open(&state, copied, send.clone(), show.clone());
             } else if !text.trim().is_empty() {
                 files::take(pasted(&latest.get(), &text), &send, &show);

@@ -33,7 +33,7 @@ fn card(state: &State, said: &Message, send: &Callback<Action>) -> Html {
     let close = said.close.clone().map(|action| {
         let press = send.reform(move |_: MouseEvent| action.clone());
         html! {
-            <button class="btn ghost round slot-close" title="Close" onclick={press}>
+            <button type="button" class="btn ghost round slot-close" title="Close" onclick={press}>
                 { icon::show("cancel") }<span class="vh">{ "Close" }</span>
             </button>
         }
@@ -85,7 +85,7 @@ fn button(state: &State, button: &Button, send: &Callback<Action>) -> Html {
         }
     };
     html! {
-        <button class={classes!("btn", class)} onclick={press}>
+        <button type="button" class={classes!("btn", class)} onclick={press}>
             { button.icon.map(icon::show) }<span>{ button.name }</span>
         </button>
     }

@@ -68,8 +68,8 @@ pub(crate) fn NewScene(props: &NewSceneProps) -> Html {
                 { number("new-rows", "Rows", &rows) }
             </div>
             <div class="dialog-foot">
-                <button class="btn outline" onclick={on_close.reform(|_| ())}>{ "Back" }</button>
-                <button class="btn primary" onclick={create.reform(|_| ())}>{ "Create" }</button>
+                <button type="button" class="btn outline" onclick={on_close.reform(|_| ())}>{ "Back" }</button>
+                <button type="button" class="btn primary" onclick={create.reform(|_| ())}>{ "Create" }</button>
             </div>
         </Frame>
     }

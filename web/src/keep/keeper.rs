@@ -1,6 +1,6 @@
 //! Keeps the page as it changes, once it is calm.
 
-use std::cell::{Cell, RefCell};
+use std::cell::Cell;
 use std::rc::Rc;
 
 use giveway_page::slot::Unkept;
@@ -12,6 +12,7 @@ use super::{opening, scenes, storage, tabs};
 use crate::Shown;
 use crate::broke;
 use crate::embed::is_embedded;
+use crate::held::Held;
 
 /// Where preferences are kept.
 pub(super) const PREFERENCES: &str = "preferences";
@@ -30,12 +31,12 @@ pub(super) struct Keeper(Rc<Inner>);
 
 struct Inner {
     send: Callback<Action>,
-    latest: RefCell<Option<Shown>>,
+    latest: Held<Option<Shown>>,
     /// The state since which the page is waiting to be calm, or was kept.
-    since: RefCell<Option<Shown>>,
-    waiting: RefCell<Option<Timeout>>,
+    since: Held<Option<Shown>>,
+    waiting: Held<Option<Timeout>>,
     /// What a link took the place of, once that is among the scenes.
-    displaced: RefCell<Option<Rc<Moment>>>,
+    displaced: Held<Option<Rc<Moment>>>,
     /// What was told last of why nothing is kept.
     told: Cell<Option<Unkept>>,
 }
@@ -50,17 +51,17 @@ impl Keeper {
     pub(super) fn new(send: Callback<Action>) -> Self {
         Self(Rc::new(Inner {
             send,
-            latest: RefCell::default(),
-            since: RefCell::default(),
-            waiting: RefCell::default(),
-            displaced: RefCell::default(),
+            latest: Held::default(),
+            since: Held::default(),
+            waiting: Held::default(),
+            displaced: Held::default(),
             told: Cell::default(),
         }))
     }
 
     /// The state that is shown now.
     pub(super) fn latest(&self) -> Option<Shown> {
-        self.0.latest.borrow().clone()
+        self.0.latest.get()
     }
 
     /// A state is shown: it is kept when nothing has changed for a while.
@@ -70,18 +71,18 @@ impl Keeper {
             return;
         }
         SHOWN.set(Some(state.clone()));
-        inner.latest.replace(Some(state.clone()));
+        inner.latest.set(Some(state.clone()));
         self.keep_displaced(state);
         // Where nothing that is kept has changed, the page stays as calm as it was.
-        let since = inner.since.borrow().clone();
+        let since = inner.since.get();
         if since.is_none_or(|since| !since.is_kept_alike(state)) {
-            inner.since.replace(Some(state.clone()));
+            inner.since.set(Some(state.clone()));
             let keeper = self.clone();
             let waiting = Timeout::new(CALM_MS, move || {
                 keeper.keep();
                 opening::went_well();
             });
-            inner.waiting.replace(Some(waiting));
+            inner.waiting.set(Some(waiting));
         }
     }
 
@@ -107,11 +108,11 @@ impl Keeper {
         let Some(moment) = displaced.map(|displaced| &displaced.moment) else {
             return;
         };
-        let mut last = self.0.displaced.borrow_mut();
-        if !last.as_ref().is_some_and(|last| Rc::ptr_eq(last, moment)) {
+        let last = self.0.displaced.get();
+        if !last.is_some_and(|last| Rc::ptr_eq(&last, moment)) {
             // Where there is no room it is still in Undo, and the slot tells of it.
             let _ = scenes::keep_beside(moment, "before the link");
-            *last = Some(Rc::clone(moment));
+            self.0.displaced.set(Some(Rc::clone(moment)));
         }
     }
 }

@@ -7,12 +7,11 @@
 //! what nobody ever touched; what was touched is kept on under Scenes. What a newer
 //! version of the page wrote stays.
 
-use std::cell::RefCell;
-
 use giveway_page::Action;
 use giveway_page::link::{self, Kin};
 
 use super::{lost, scenes, storage};
+use crate::held::Held;
 
 /// The documents of tabs are kept under names that begin so.
 pub(super) const TAB: &str = "tab.";
@@ -26,7 +25,7 @@ const FORMER: &str = "page";
 const MOST: usize = 12;
 
 thread_local! {
-    static NUMBER: RefCell<String> = const { RefCell::new(String::new()) };
+    static NUMBER: Held<String> = const { Held::new(String::new()) };
 }
 
 /// The name of the text that this tab opens, if there is one. From then on the tab
@@ -37,7 +36,7 @@ pub(super) fn begin() -> Option<String> {
     let is_lost = lost::name();
     let is_there = |name: &String| is_lost.as_ref() != Some(name) && storage::load(name).is_some();
     if let Some(own) = own.filter(is_there) {
-        NUMBER.set(own.trim_start_matches(TAB).to_owned());
+        NUMBER.with(|number| number.set(own.trim_start_matches(TAB).to_owned()));
         return Some(own);
     }
     renew();
@@ -49,12 +48,12 @@ pub(super) fn begin() -> Option<String> {
 pub(super) fn renew() {
     // 32 bits by chance: no two tabs of a browser have the same.
     let number = (js_sys::Math::random() * f64::from(u32::MAX)) as u32;
-    NUMBER.set(format!("{number:08x}"));
+    NUMBER.with(|own| own.set(format!("{number:08x}")));
 }
 
 /// The number of this tab.
 pub(super) fn number() -> String {
-    NUMBER.with_borrow(Clone::clone)
+    NUMBER.with(Held::get)
 }
 
 /// The name under which this tab keeps its document.

@@ -116,8 +116,7 @@ impl Kind {
     pub const fn icon(self) -> &'static str {
         match self {
             Self::Alert => "warning",
-            Self::Kept => "kept",
-            Self::Changed => "copy",
+            Self::Kept | Self::Changed => "kept",
         }
     }
 }
