@@ -44,19 +44,6 @@ describe("what is kept", () => {
     await eventually("the dark theme", scheme, (theme) => theme === "dark");
   }, { screens: ["desktop"] });
 
-  flow("begins anew where what was kept is broken", async (playground) => {
-    for (const kept of ["", "giveway=9", "giveway=1&map=5.7f", "\u0000"]) {
-      await playground.page.evaluate((kept) => {
-        addEventListener("pagehide", () => {
-          localStorage.setItem("giveway.page", kept);
-          localStorage.setItem("giveway.preferences", kept);
-        });
-      }, kept);
-      await playground.reload();
-      await playground.says(OPENING);
-    }
-  }, { screens: ["desktop"] });
-
   flow("keeps scenes by name, opens and forgets them", async (playground, { page }) => {
     await playground.says(OPENING);
     await playground.example("No way past");
@@ -116,8 +103,7 @@ describe("links", () => {
     await playground.shows("scenario 6");
 
     // What the other tab begins with is what this one has kept once it was calm.
-    const kept = () => page.evaluate(() => localStorage.getItem("giveway.page") ?? "");
-    await eventually("the scene to be kept", kept, (text) => text.includes("name=scenario"));
+    await eventually("the scene to be kept", () => playground.keeps(), (text) => text.includes("name=scenario"));
     const other = await context.newPage();
     await other.goto(link);
     await other.getByRole("heading", { level: 1, name: "warehouse" }).waitFor();

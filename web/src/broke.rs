@@ -25,7 +25,9 @@ pub(crate) fn is_broken() -> bool {
 /// Watches for panics, and for what breaks the program off without one: no memory,
 /// no stack.
 pub fn watch() {
-    set_hook(Box::new(|panic: &PanicHookInfo<'_>| tell(&panic.to_string())));
+    set_hook(Box::new(|panic: &PanicHookInfo<'_>| {
+        tell(&panic.to_string())
+    }));
     let window = gloo::utils::window();
     let listening = EventListener::new(&window, "error", |event| {
         let event = event.dyn_ref::<ErrorEvent>();

@@ -61,7 +61,11 @@ fn small(draft: &std::rc::Rc<Draft>, name: &'static str) -> Html {
 }
 
 fn button(state: &State, button: &Button, send: &Callback<Action>) -> Html {
-    let class = if button.is_filled { "primary" } else { "outline" };
+    let class = if button.is_filled {
+        "primary"
+    } else {
+        "outline"
+    };
     let press: Callback<MouseEvent> = match &button.press {
         Press::Act(action) => {
             let action = action.clone();

@@ -92,17 +92,17 @@ pub(crate) fn TopBar(props: &TopBarProps) -> Html {
                 <b>{ "Giveway" }</b>
             </span>
             <h1 class="scene">
-                <button type="button" title="Scenes in this browser" aria-haspopup="dialog" onclick={scenes.clone()}>
+                <button title="Scenes in this browser" aria-haspopup="dialog" onclick={scenes.clone()}>
                     <span>{ name.to_owned() }</span>{ icon::show("down") }
                 </button>
                 <small>{ format!("{} \u{d7} {}, {agents}", grid.width(), grid.height()) }</small>
             </h1>
             <span class="grow"></span>
             <div class="acts" ref={acts}>
-                <button type="button" class="btn ghost wide" title="Examples" onclick={examples.clone()}>
+                <button class="btn ghost wide" title="Examples" onclick={examples.clone()}>
                     { icon::show("examples") }<span>{ "Examples" }</span>
                 </button>
-                <button type="button" class="btn ghost wide" title="New scene" onclick={fresh.clone()}>
+                <button class="btn ghost wide" title="New scene" onclick={fresh.clone()}>
                     { icon::show("plus") }<span>{ "New" }</span>
                 </button>
                 <span class="hold">
@@ -125,23 +125,23 @@ pub(crate) fn TopBar(props: &TopBarProps) -> Html {
                         </div>
                     }
                 </span>
-                <button type="button" class="btn ghost wide" title="Share a link" onclick={share.clone()}>
+                <button class="btn ghost wide" title="Share a link" onclick={share.clone()}>
                     { icon::show("share") }<span>{ "Share" }</span>
                 </button>
                 <i class="sep"></i>
-                <button type="button" class="btn ghost ph" title="Undo (Ctrl Z)" onclick={undo}
+                <button class="btn ghost ph" title="Undo (Ctrl Z)" onclick={undo}
                     disabled={!state.history.can_undo()}>
                     { icon::show("undo") }<span class="vh">{ "Undo" }</span>
                 </button>
-                <button type="button" class="btn ghost ph" title="Redo (Ctrl Shift Z)" onclick={redo}
+                <button class="btn ghost ph" title="Redo (Ctrl Shift Z)" onclick={redo}
                     disabled={!state.history.can_redo()}>
                     { icon::show("redo") }<span class="vh">{ "Redo" }</span>
                 </button>
                 <i class="sep"></i>
-                <button type="button" class="btn ghost" title={theme_title.clone()} onclick={theme.clone()}>
+                <button class="btn ghost" title={theme_title.clone()} onclick={theme.clone()}>
                     { icon::show("theme") }<span class="vh">{ "Theme" }</span>
                 </button>
-                <button type="button" class="btn ghost" title="Help (?)" onclick={help.clone()}>
+                <button class="btn ghost" title="Help (?)" onclick={help.clone()}>
                     { icon::show("help") }<span class="vh">{ "Help" }</span>
                 </button>
                 { toggle(panel, Panel::Menu, "btn ghost only-ph", "more", "More", show) }
@@ -177,14 +177,14 @@ fn toggle(
     let open = *panel == own;
     let press = show.reform(move |_: MouseEvent| if open { Panel::Nothing } else { own.clone() });
     html! {
-        <button type="button" {class} title={name} aria-expanded={open.to_string()} onclick={press}>
+        <button {class} title={name} aria-expanded={open.to_string()} onclick={press}>
             { icon::show(icon) }<span class={(name == "More").then_some("vh")}>{ name }</span>
         </button>
     }
 }
 
 fn item(icon: &'static str, name: &str, press: Callback<MouseEvent>) -> Html {
-    html! { <button type="button" onclick={press}>{ icon::show(icon) }{ name.to_owned() }</button> }
+    html! { <button onclick={press}>{ icon::show(icon) }{ name.to_owned() }</button> }
 }
 
 fn save_items(state: &Shown, send: &Callback<Action>, show: &Callback<Panel>) -> Html {

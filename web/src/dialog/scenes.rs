@@ -47,10 +47,10 @@ pub(crate) fn Scenes(props: &ScenesProps) -> Html {
         let shown = title(name);
         html! {
             <li key={name.clone()} class="kept">
-                <button type="button" class="pick" onclick={open(keep::scene, name)}>
+                <button class="pick" onclick={open(keep::scene, name)}>
                     <b>{ shown.clone() }</b>{ icon::show("chevron") }
                 </button>
-                <button type="button" class="btn ghost round" onclick={forget} title="Forget"
+                <button class="btn ghost round" onclick={forget} title="Forget"
                     aria-label={format!("Forget {shown}")}>{ icon::show("cancel") }</button>
             </li>
         }
@@ -58,7 +58,7 @@ pub(crate) fn Scenes(props: &ScenesProps) -> Html {
     let elsewhere = |(number, name): &(String, String)| {
         html! {
             <li key={number.clone()}>
-                <button type="button" class="pick" onclick={open(keep::other, number)}>
+                <button class="pick" onclick={open(keep::other, number)}>
                     <b>{ title(name) }</b>{ icon::show("chevron") }
                 </button>
             </li>
@@ -90,8 +90,8 @@ pub(crate) fn Scenes(props: &ScenesProps) -> Html {
                 <ul class="picks">{ for others.iter().map(elsewhere) }</ul>
             }
             <div class="dialog-foot">
-                <button type="button" class="btn outline" onclick={open(|_| app::example(), "")}>{ "Restore the example" }</button>
-                <button type="button" class="btn primary" onclick={keep}>{ format!("Keep \u{201c}{own}\u{201d}") }</button>
+                <button class="btn outline" onclick={open(|_| app::example(), "")}>{ "Restore the example" }</button>
+                <button class="btn primary" onclick={keep}>{ format!("Keep \u{201c}{own}\u{201d}") }</button>
             </div>
         </Frame>
     }

@@ -32,7 +32,11 @@ pub fn read_beside(state: &State, files: &[Opened]) -> Result<Reading, Notice> {
         }
         Kind::Scenario => {
             let grid = state.document.draft.grid().clone();
-            let size = format!("the map on the board is {} x {}", grid.width(), grid.height());
+            let size = format!(
+                "the map on the board is {} x {}",
+                grid.width(),
+                grid.height()
+            );
             scenario::on(grid, (file, content)).or_else(|unfit| {
                 // What is wrong with the file itself is told as such.
                 let mut alone = read(files).err().unwrap_or(unfit);

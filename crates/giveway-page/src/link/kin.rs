@@ -68,7 +68,10 @@ pub fn title(text: &str) -> Option<String> {
 /// ```
 pub fn is_newer(text: &str) -> bool {
     let head = text.lines().next().unwrap_or_default();
-    match (head.strip_prefix("giveway-kept="), head.strip_prefix("giveway=")) {
+    match (
+        head.strip_prefix("giveway-kept="),
+        head.strip_prefix("giveway="),
+    ) {
         (Some(_), _) => head != HEAD,
         (None, Some(document)) => !document.starts_with("1&"),
         (None, None) => false,
@@ -103,5 +106,8 @@ fn moments(text: &str) -> Vec<Vec<&str>> {
 }
 
 fn name<'a>(moment: &[&'a str]) -> Option<&'a str> {
-    moment.iter().copied().find(|part| part.starts_with("name="))
+    moment
+        .iter()
+        .copied()
+        .find(|part| part.starts_with("name="))
 }

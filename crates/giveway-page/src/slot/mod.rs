@@ -2,8 +2,6 @@
 //! the board: that something was kept, could not be kept, or was changed elsewhere.
 
 mod differ;
-#[cfg(test)]
-mod tests;
 
 use std::collections::BTreeSet;
 use std::rc::Rc;
