@@ -72,7 +72,8 @@ fn overlay(message: &str) -> Result<Said, JsValue> {
     let card = element("div", "broke-card")?;
     let title = said("h2", "", "Something went wrong in the page.")?;
     title.set_id("broke-title");
-    let sentence = element("p", "")?;
+    // Should what is done next fail, too.
+    let sentence = said("p", "", "Your work up to a moment ago is saved.")?;
     let buttons = element("div", "broke-acts")?;
     let reload = said("button", "btn primary", "Reload the page")?;
     // The browser's own function: nothing of this program has to run for it.

@@ -24,33 +24,37 @@ const WHYS: [(&str, Lost); 3] = [
 pub(super) fn put_aside(name: &str, why: Lost) {
     let word = WHYS.iter().find(|(_, other)| *other == why);
     let word = word.map_or("damaged", |(word, _)| word);
+    let before = storage::load(LOST).unwrap_or_default();
     // Where it is refused, it is told again the next time.
-    let _ = storage::store(LOST, &format!("{word} {name}"));
+    let _ = storage::store(LOST, &format!("{word} {name}\n{before}"));
     tabs::renew();
 }
 
 /// Why something could not be opened, if there is such a thing.
 pub(super) fn why() -> Option<Lost> {
-    let (word, name) = noted()?;
-    storage::load(&name)?;
-    let why = WHYS.iter().find(|(other, _)| *other == word);
-    why.map(|(_, why)| *why)
+    noted().first().map(|(why, _)| *why)
 }
 
-/// The name of what could not be opened.
-pub(super) fn name() -> Option<String> {
-    noted().map(|(_, name)| name)
+/// Whether what is kept under a name could not be opened.
+pub(super) fn is_lost(name: &str) -> bool {
+    noted().iter().any(|(_, other)| other == name)
 }
 
-fn noted() -> Option<(String, String)> {
-    let noted = storage::load(LOST)?;
-    let (word, name) = noted.split_once(' ')?;
-    Some((word.to_owned(), name.to_owned()))
+/// What could not be opened and is still there, the last one first.
+fn noted() -> Vec<(Lost, String)> {
+    let noted = storage::load(LOST).unwrap_or_default();
+    let read = |line: &str| {
+        let (word, name) = line.split_once(' ')?;
+        let (_, why) = WHYS.iter().find(|(other, _)| *other == word)?;
+        storage::load(name)?;
+        Some((*why, name.to_owned()))
+    };
+    noted.lines().filter_map(read).collect()
 }
 
 /// Hands it to the browser to be saved, as it is.
 pub(crate) fn download() {
-    let text = name().and_then(|name| storage::load(&name));
+    let text = noted().first().and_then(|(_, name)| storage::load(name));
     let blob = Blob::new_with_options(
         text.unwrap_or_default().as_str(),
         Some("application/octet-stream"),
@@ -58,7 +62,14 @@ pub(crate) fn download() {
     files::save_as(FILE, blob);
 }
 
-/// It need not be told any longer.
+/// It need not be told any longer; what was put aside before it is told the next time.
 pub(crate) fn settle() {
-    storage::forget(LOST);
+    let noted = storage::load(LOST).unwrap_or_default();
+    match noted.split_once('\n') {
+        Some((_, before)) if !before.is_empty() => {
+            // Where it is refused, it is told again the next time.
+            let _ = storage::store(LOST, before);
+        }
+        _ => storage::forget(LOST),
+    }
 }

@@ -33,8 +33,7 @@ thread_local! {
 pub(super) fn begin() -> Option<String> {
     let own = storage::remembered(OWN).map(|number| format!("{TAB}{number}"));
     storage::forget_here(OWN);
-    let is_lost = lost::name();
-    let is_there = |name: &String| is_lost.as_ref() != Some(name) && storage::load(name).is_some();
+    let is_there = |name: &String| !lost::is_lost(name) && storage::load(name).is_some();
     if let Some(own) = own.filter(is_there) {
         NUMBER.with(|number| number.set(own.trim_start_matches(TAB).to_owned()));
         return Some(own);
@@ -73,10 +72,12 @@ pub(super) fn come_back() {
 
 /// This tab kept something: it is the last one that did.
 pub(super) fn was_last() {
-    let (mut order, own) = (order(), number());
-    if order.first() == Some(&own) {
+    let own = number();
+    let told = storage::load(ORDER).unwrap_or_default();
+    if told.split(' ').next() == Some(&own) {
         return;
     }
+    let mut order = order();
     order.retain(|number| *number != own);
     order.insert(0, own);
     // Where it is refused, a new tab opens another of the documents.
@@ -119,31 +120,38 @@ fn tidy(mut order: Vec<String>) {
 /// kept on under Scenes; gives its number.
 fn drop_oldest(order: &[String]) -> Option<String> {
     let own = number();
-    let is_lost = lost::name();
     let kept = |number: &String| {
         let name = format!("{TAB}{number}");
         let text = storage::load(&name).filter(|text| !link::is_newer(text))?;
-        (is_lost.as_ref() != Some(&name) && *number != own).then(|| (number.clone(), text))
+        (!lost::is_lost(&name) && *number != own).then(|| (name, text))
     };
     let oldest: Vec<(String, String)> = order.iter().rev().filter_map(kept).collect();
     let untouched = oldest.iter().find(|(_, text)| !link::is_touched(text));
     let mut touched = oldest.iter();
-    let gone = untouched.or_else(|| touched.find(|(_, text)| is_elsewhere(text)));
-    let (number, _) = gone?;
-    storage::forget(&format!("{TAB}{number}"));
-    Some(number.clone())
+    let gone = untouched.or_else(|| touched.find(|(name, text)| moves(name, text)));
+    let (name, _) = gone?;
+    storage::forget(name);
+    name.strip_prefix(TAB).map(str::to_owned)
 }
 
 /// Whether the document of a tab is kept in another place: in what this tab keeps, or
-/// from now on under Scenes.
-fn is_elsewhere(text: &str) -> bool {
-    let own = storage::load(&own()).unwrap_or_default();
-    match (link::kin(&own, text), link::kept_moment(text)) {
-        (Kin::Same | Kin::Behind, _) => true,
-        (_, Ok(moment)) => scenes::keep_beside(&moment, "from another tab"),
-        // It cannot be opened anyway, and was told of when it was tried.
-        (_, Err(_)) => true,
+/// from now on under Scenes, where it takes less room.
+fn moves(name: &str, text: &str) -> bool {
+    let here = storage::load(&own()).unwrap_or_default();
+    if matches!(link::kin(&here, text), Kin::Same | Kin::Behind) {
+        return true;
     }
+    let Ok(moment) = link::kept_moment(text) else {
+        // Damage is not made worse.
+        return false;
+    };
+    storage::forget(name);
+    let has_moved = scenes::keep_beside(&moment, "from another tab");
+    if !has_moved {
+        // There was room for it, so there is.
+        let _ = storage::store(name, text);
+    }
+    has_moved
 }
 
 /// What other tabs keep that is not here, too: the number of each and the name of its
