@@ -23,9 +23,9 @@ describe("a link", () => {
       await follow(page, LINK);
       await playground.shows("sent");
       await playground.tells(/Your own scene is kept.*Yours, “warehouse”, is where you left it\./s);
-      await playground.picture(`slot-link-${theme}`);
+      await look(playground, `slot-link-${theme}`);
       await page.setViewportSize({ width: 1024, height: 768 });
-      await playground.picture(`slot-link-tablet-${theme}`);
+      await look(playground, `slot-link-tablet-${theme}`);
     }, { theme });
   }
 
@@ -127,7 +127,7 @@ describe("what cannot be read", () => {
       await playground.reloadOn(NEWER);
       await playground.says(OPENING);
       await playground.tells(/We could not read what was kept.*newer version/s);
-      await playground.picture(`slot-lost-${theme}`);
+      await look(playground, `slot-lost-${theme}`);
       assert.equal(await playground.slot.getByRole("button", { name: "Close" }).count(), 0);
       // Editing is free, and is kept beside it. On a phone the sheet has to be answered first.
       if (playground.isPhone()) {
@@ -179,7 +179,7 @@ describe("two tabs", () => {
     flow(`that both go on ask, ${theme}`, async (playground, { context, host }) => {
       const other = await goApart(playground, context, host);
       await playground.tells(/Another tab changed this scene.*Undo brings back the one you do not take\./s);
-      await playground.picture(`slot-tab-${theme}`);
+      await look(playground, `slot-tab-${theme}`);
       await playground.cellTells(9, 1, /^obstacle/);
       await playground.press("Take theirs");
       await playground.tells(/^$/);
@@ -210,7 +210,7 @@ describe("two tabs", () => {
       await stroke(other, "Obstacle", [0, 1]);
       await playground.tells(/Another tab changed this scene.*There \(0, 1\) is an obstacle\. It is shown here, too\./s);
       await playground.cellTells(0, 1, /^obstacle/);
-      await playground.picture(`slot-taken-${theme}`);
+      await look(playground, `slot-taken-${theme}`);
       await playground.press("Undo it here");
       await playground.cellTells(0, 1, /^(?!obstacle)/);
       await playground.tells(/^$/);
@@ -275,7 +275,7 @@ describe("a browser that keeps nothing", () => {
       });
       await edit(playground);
       await playground.tells(/Your work is not being kept/);
-      await playground.picture(`slot-unkept-${theme}`);
+      await look(playground, `slot-unkept-${theme}`);
       const download = page.waitForEvent("download");
       await playground.press("Download it");
       const saved = await download;
@@ -306,7 +306,7 @@ describe("a page that breaks down", () => {
       await breakDown(playground);
       const overlay = page.getByRole("alertdialog", { name: "Something went wrong in the page." });
       await overlay.getByText("Your work is saved.").waitFor();
-      await playground.picture(`broke-${theme}`);
+      await look(playground, `broke-${theme}`);
       await overlay.getByText("What happened").click();
       await overlay.getByText(/panicked at/).waitFor();
       await overlay.getByRole("button", { name: "Reload the page" }).click();
@@ -338,7 +338,7 @@ describe("a page that breaks down", () => {
     await overlay.getByRole("button", { name: "Reload the page" }).click();
     await playground.says(OPENING);
     await playground.tells(/broke down when it opened what was kept/);
-    await playground.picture("slot-breaks");
+    await look(playground, "slot-breaks");
     await playground.cellTells(0, 1, /^(?!obstacle)/);
     const download = page.waitForEvent("download");
     await playground.press("Download it");
@@ -395,6 +395,12 @@ describe("new and dropped", () => {
     await playground.shows("empty-8-8-even-1");
   }, { screens: ["desktop"] });
 });
+
+/** A picture of what is said, once it stands still. */
+async function look(playground, title) {
+  await playground.page.evaluate(() => Promise.all([...document.querySelectorAll(".slot")].flatMap((slot) => slot.getAnimations()).map((motion) => motion.finished)));
+  await playground.picture(title);
+}
 
 /** Closes a cell of the opening scene. */
 async function edit(playground) {

@@ -37,11 +37,11 @@ pub fn read_beside(state: &State, files: &[Opened]) -> Result<Reading, Notice> {
                 grid.width(),
                 grid.height()
             );
-            scenario::on(grid, (file, content)).or_else(|unfit| {
+            scenario::on(grid, (file, content)).map_err(|unfit| {
                 // What is wrong with the file itself is told as such.
                 let mut alone = read(files).err().unwrap_or(unfit);
                 alone.details.push(size);
-                Err(alone)
+                alone
             })
         }
         _ => read(files),

@@ -144,11 +144,8 @@ fn first(lines: std::str::Lines<'_>) -> Option<String> {
         if let Some(part) = line.strip_prefix('=') {
             parts.push(part);
         } else if let Some(moment) = line.strip_prefix('+') {
-            let places = moment
-                .split('.')
-                .skip(2)
-                .map(|place| place.parse::<usize>());
-            let own = places.map(|place| parts.get(place.ok()?).copied());
+            let places = moment.split('.').skip(2);
+            let own = places.map(|place| parts.get(place.parse::<usize>().ok()?).copied());
             return Some(own.collect::<Option<Vec<_>>>()?.join("&"));
         }
     }
