@@ -2,13 +2,14 @@
 //! page again. Nothing here relies on what broke: the sentence is put up by hand.
 
 use std::cell::Cell;
-use std::panic::{PanicHookInfo, set_hook};
+use std::panic::PanicHookInfo;
 
 use gloo::events::EventListener;
 use gloo::file::{Blob, ObjectUrl};
 use js_sys::{Function, Reflect, WebAssembly};
 use wasm_bindgen::{JsCast as _, JsValue};
 use web_sys::{Element, ErrorEvent};
+use yew::set_custom_panic_hook;
 
 use crate::embed::is_embedded;
 use crate::keep::{Rescued, rescue};
@@ -25,8 +26,9 @@ pub(crate) fn is_broken() -> bool {
 /// Watches for panics, and for what breaks the program off without one: no memory,
 /// no stack.
 pub fn watch() {
-    set_hook(Box::new(|panic: &PanicHookInfo<'_>| {
-        tell(&panic.to_string())
+    // Yew would set a hook of its own in the place of any other.
+    set_custom_panic_hook(Box::new(|panic: &PanicHookInfo<'_>| {
+        tell(&panic.to_string());
     }));
     let window = gloo::utils::window();
     let listening = EventListener::new(&window, "error", |event| {

@@ -110,6 +110,20 @@ fn a_reload_brings_back_undo_and_what_was_displaced() {
 }
 
 #[test]
+fn what_was_displaced_comes_back_where_it_was_looked_at() {
+    let mine = reduce(
+        &solved(&edited(&opened("mine"), 5)),
+        Action::Play(PlayAction::Seek(2)),
+    );
+    let linked = reduce(&mine, link_to("theirs"));
+    assert_eq!(linked.view.playback.time, 0);
+    assert_eq!(reduce(&linked, Action::Undo).view.playback.time, 2);
+    assert_eq!(act(&linked, "Back to it").view.playback.time, 2);
+    let again = link::kept(&link::keep(&linked)).unwrap();
+    assert_eq!(act(&again, "Back to it").view.playback.time, 2);
+}
+
+#[test]
 fn a_kept_scene_comes_back_whole_as_one_step() {
     let mine = edited(&opened("mine"), 5);
     let text = link::keep_moment(&mine.moment());
@@ -308,6 +322,10 @@ fn differences_are_told_in_one_sentence() {
     assert_eq!(
         told(map(["....", ".++."])),
         "There (1, 1) and (2, 1) are chargers."
+    );
+    assert_eq!(
+        told(map(["~...", "...#"])),
+        "There (0, 0) is in the slow zone and (3, 1) is an obstacle."
     );
     assert_eq!(told(map(["....", ".+#~"])), "There 3 cells are different.");
     let mut two = scene("mine");

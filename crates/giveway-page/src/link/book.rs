@@ -38,7 +38,7 @@ pub fn keep(state: &State) -> String {
     if let (Some(Displaced { by, moment }), Some(last)) =
         (&state.displaced, state.history.past().last())
         && *by == By::Link
-        && **moment == *last
+        && moment.document == last.document
     {
         book.text += DISPLACED;
         book.text.push('\n');

@@ -105,13 +105,14 @@ fn replace(state: &mut State, document: Document) {
     stroke::release(state);
     drop_gesture(state);
     state.displaced = None;
+    // Of many agents a table is long: the board keeps its room.
+    state.view.table &= document.draft.agents().len() <= MANY;
+    // First, so that undo knows where the one before was looked at.
+    put(state, document);
     let view = &mut state.view;
     view.notice = None;
     view.selection = Selection::Nothing;
     view.tool = Tool::Select;
-    // Of many agents a table is long: the board keeps its room.
-    view.table &= document.draft.agents().len() <= MANY;
     // What moved goes no further: it is of another scene.
     view.playback.stop_at(0);
-    put(state, document);
 }

@@ -39,6 +39,13 @@ fn map(here: &Document, there: &Document) -> Option<String> {
         &[(one, ground), (other, same)] if ground == same => {
             Some(format!("{} and {} are {}", at(one), at(other), are(ground)))
         }
+        &[(one, ground), (other, another)] => Some(format!(
+            "{} is {} and {} is {}",
+            at(one),
+            is(ground),
+            at(other),
+            is(another)
+        )),
         others => Some(format!("{} are different", count(others.len(), "cell"))),
     }
 }
