@@ -50,8 +50,8 @@ describe("new and dropped", () => {
     await playground.open(sample("movingai/empty-8-8.map"));
     await playground.shows("empty-8-8");
     await drop(page, scen);
-    const dialog = page.getByRole("dialog", { name: "How many agents?" });
-    await dialog.getByLabel("Agents", { exact: true }).fill("3");
+    const dialog = page.getByRole("dialog", { name: "How many robots?" });
+    await dialog.getByLabel("Robots", { exact: true }).fill("3");
     await dialog.getByRole("button", { name: "Open scene" }).click();
     await playground.shows("empty-8-8-even-1");
   }, { screens: ["desktop"] });

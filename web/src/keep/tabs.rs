@@ -45,9 +45,9 @@ pub(super) fn begin() -> Option<String> {
 
 /// Takes another number.
 pub(super) fn renew() {
-    // 32 bits by chance: no two tabs of a browser have the same.
-    let number = (js_sys::Math::random() * f64::from(u32::MAX)) as u32;
-    NUMBER.with(|own| own.set(format!("{number:08x}")));
+    // By chance: no two tabs of a browser have the same.
+    let bits = js_sys::Math::random().to_bits();
+    NUMBER.with(|own| own.set(format!("{bits:016x}")));
 }
 
 /// The number of this tab.
@@ -123,7 +123,7 @@ fn drop_oldest(order: &[String]) -> Option<String> {
     let kept = |number: &String| {
         let name = format!("{TAB}{number}");
         let text = storage::load(&name).filter(|text| !link::is_newer(text))?;
-        (!lost::is_lost(&name) && *number != own).then(|| (name, text))
+        (!lost::is_lost(&name) && *number != own).then_some((name, text))
     };
     let oldest: Vec<(String, String)> = order.iter().rev().filter_map(kept).collect();
     let untouched = oldest.iter().find(|(_, text)| !link::is_touched(text));
