@@ -1,6 +1,12 @@
 //! Nothing is lost: what a page keeps, how tabs tell their documents apart, and what
 //! is said of it. By way of the public door, as the page in the browser does it.
 
+#![allow(
+    clippy::unwrap_used,
+    clippy::panic,
+    reason = "a test stops at the first surprise"
+)]
+
 use giveway_model::{Agent, Cell, Scene};
 use giveway_page::files::blank;
 use giveway_page::link::{self, Kin};
