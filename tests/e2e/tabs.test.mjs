@@ -70,7 +70,7 @@ describe("two tabs", () => {
     await other.shows("scenario 1");
     // A new tab opens what was kept last.
     const before = await playground.keeps();
-    await stroke(playground, "Obstacle", [0, 0]);
+    await stroke(playground, "Obstacle", [1, 2]);
     await eventually("it to be kept", () => playground.keeps(), (text) => text !== before);
     const third = await tab(playground, context, host);
     await third.shows("scenario 6");
