@@ -32,7 +32,8 @@ function isNew() {
     return false;
   }
   try {
-    return localStorage.getItem("giveway.page") === null;
+    // As in web/src/keep/tabs.rs; the first name is that of the version before.
+    return ["giveway.page", "giveway.tabs"].every((name) => localStorage.getItem(name) === null);
   } catch {
     // It keeps nothing at all.
     return true;
