@@ -32,8 +32,8 @@ function isNew() {
     return false;
   }
   try {
-    // What tabs keep (web/src/keep/tabs.rs), and what the first version kept.
-    return !Object.keys(localStorage).some((key) => /^giveway\.(tab\.|page$)/.test(key));
+    // As in web/src/keep/tabs.rs; the first name is that of the version before.
+    return ["giveway.page", "giveway.tabs"].every((name) => localStorage.getItem(name) === null);
   } catch {
     // It keeps nothing at all.
     return true;

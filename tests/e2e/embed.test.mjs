@@ -33,7 +33,7 @@ describe("inside another page", () => {
 
       // The narrowest phone, or what the code says.
       const frame = await show(page, host, screen === "phone" ? code.replace("640", "320") : code);
-      await eventually("the sentence", () => frame.getByRole("status").textContent(), (text) => /^Optimal: makespan 18, sum of costs 35, 3 charges\.$/.test(text)));
+      await eventually("the sentence", () => frame.getByRole("status").textContent(), (text) => /^Optimal: makespan 18, sum of costs 35, 3 charges\.$/.test(text));
       const time = frame.getByRole("slider", { name: "Time" });
       const now = async () => Number(await time.inputValue());
       assert.equal(await now(), 1);

@@ -41,7 +41,7 @@ describe("before the application", () => {
 
   flow("a scene of one's own and a link are not covered by it", async (playground, { context, page, host }) => {
     await playground.press("Pause");
-    await eventually("the page to be kept", () => page.evaluate(() => localStorage.getItem("giveway.page") !== null));
+    await eventually("the page to be kept", () => page.evaluate(() => localStorage.getItem("giveway.tabs") !== null));
     for (const address of ["", "#giveway=1&map=.."]) {
       const release = await hold(context);
       await page.goto("about:blank");

@@ -1,18 +1,19 @@
 //! What the page opens on: what this tab kept, or else what was kept last.
 
 use giveway_page::slot::Lost;
-use giveway_page::{Action, Draft, FileAction, Place, SolveAction, State, link, reduce};
+use giveway_page::{Action, Draft, FileAction, Place, State, link, reduce};
 
 use super::keeper::PREFERENCES;
 use super::{address, lost, storage, tabs};
 use crate::embed::is_embedded;
+use crate::opening::solved;
 
 /// Where a tab remembers what it is about to open: if it is still there the next
 /// time, the page broke down on it.
 const OPENING: &str = "opening";
 
-/// The page as it was left, or a draft that is solved at once; in either case
-/// with the scene of a link, if the address has one.
+/// The page as it was left, or a draft with its plan; in either case with the scene
+/// of a link, if the address has one.
 pub(crate) fn opening(otherwise: impl FnOnce() -> Draft) -> State {
     let kept = if is_embedded() { None } else { kept() };
     let is_kept = kept.is_some();
@@ -29,7 +30,7 @@ pub(crate) fn opening(otherwise: impl FnOnce() -> Draft) -> State {
         // A link that is refused is told beside the page as it opens without it.
         refused => {
             if !is_kept {
-                state = reduce(&state, Action::Solve(SolveAction::Begin));
+                state = solved(&state);
             }
             refused.map_or_else(|| state.clone(), |action| reduce(&state, action))
         }
