@@ -130,6 +130,19 @@ fn what_was_displaced_comes_back_where_it_was_looked_at() {
 }
 
 #[test]
+fn a_link_stays_at_its_time_when_its_plan_is_proved() {
+    let sent = reduce(
+        &solved(&opened("theirs")),
+        Action::Play(PlayAction::Seek(2)),
+    );
+    let linked = reduce(&opened("mine"), link::open(&link::write(&sent)));
+    assert_eq!(linked.view.playback.time, 2);
+    let proved = answered(&linked);
+    assert_eq!(proved.phase(), Phase::Planned);
+    assert_eq!(proved.view.playback, linked.view.playback);
+}
+
+#[test]
 fn a_kept_scene_comes_back_whole_as_one_step() {
     let mine = edited(&opened("mine"), 5);
     let text = link::keep_moment(&mine.moment());
@@ -194,6 +207,11 @@ fn what_a_kept_file_claims_is_not_believed() {
 
 /// Solved as the worker does it.
 fn solved(state: &State) -> State {
+    answered(&reduce(state, Action::Solve(SolveAction::Solve)))
+}
+
+/// What runs is answered.
+fn answered(run: &State) -> State {
     struct Alone;
     impl giveway_solve::Host for Alone {
         fn wall_seconds(&self) -> f64 {
@@ -201,10 +219,9 @@ fn solved(state: &State) -> State {
         }
         fn progress(&self, _: &Progress) {}
     }
-    let run = reduce(state, Action::Solve(SolveAction::Solve));
     let (job, request) = run.work.request().unwrap();
     let response = Box::new(giveway_solve::serve(&request, &Alone));
-    reduce(&run, Action::Solve(SolveAction::Respond { job, response }))
+    reduce(run, Action::Solve(SolveAction::Respond { job, response }))
 }
 
 #[test]

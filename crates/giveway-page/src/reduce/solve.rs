@@ -223,6 +223,9 @@ pub(super) fn front(state: &mut State, run: &Solving, front: FrontAnswer) {
 }
 
 fn arrive(state: &mut State, answer: &Rc<Answer>, front: Option<Rc<Front>>, arrival: Arrival) {
+    let shown = state.document.fresh_answer();
+    // A link's plan is proved: it goes on being shown where it is looked at.
+    let is_proved = arrival == Arrival::Quiet && shown.is_some_and(|shown| shown.plan().is_some());
     let document = Document {
         answer: Some(Rc::clone(answer)),
         found_front: front,
@@ -231,6 +234,9 @@ fn arrive(state: &mut State, answer: &Rc<Answer>, front: Option<Rc<Front>>, arri
     match arrival {
         Arrival::Step => put(state, document),
         Arrival::Quiet => amend(state, document),
+    }
+    if is_proved {
+        return;
     }
     let playback = &mut state.view.playback;
     playback.stop_at(0);
