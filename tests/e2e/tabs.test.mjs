@@ -58,6 +58,8 @@ describe("two tabs", () => {
   flow("keep a scene each, and come back to their own", async (playground, { context, host }) => {
     await playground.example("No way past");
     await playground.shows("scenario 6");
+    // What a new tab opens is what was kept once the page was calm.
+    await eventually("it to be kept", () => playground.keeps(), (text) => text.includes("scenario%206"));
     const other = await tab(playground, context, host);
     await other.shows("scenario 6");
     await other.example("Who waits?");
