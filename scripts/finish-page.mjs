@@ -1,19 +1,24 @@
 // Trunk's last step (Trunk.toml): makes of what it has built a folder for any static host.
 //
-// 1. The worker gets the hash of what it holds into its path, as Trunk gives all other
-//    files: so no cache can mix two versions.
-// 2. The policy loses the nonce, which only `trunk serve` needs.
-// 3. The service worker gets the list of files.
+// 1. The solver and its worker get the hashes of what they hold into their paths, as
+//    Trunk gives all other files: so no cache can mix two versions.
+// 2. The style sheets become one, in their order: fewer requests before the first paint.
+// 3. The page is told how large its Wasm is.
+// 4. The policy loses the nonce, which only `trunk serve` needs.
+// 5. The service worker gets the list of files.
 //
 // While `trunk serve` runs, none of it is done, so that nothing old is ever shown.
 
 import { createHash } from "node:crypto";
-import { readFileSync, readdirSync, renameSync, writeFileSync } from "node:fs";
+import { readFileSync, readdirSync, rmSync, writeFileSync } from "node:fs";
 import { join } from "node:path";
 
 const NONCE = "trunk-nonce";
 const PAGE = "index.html";
 const WORKER = "worker.js";
+const SOLVER = "solver.js";
+const SOLVER_WASM = "solver_bg.wasm";
+const STYLES = /<link rel="stylesheet" href="\.\/([^"]+)"[^>]*>\s*/g;
 
 const source = process.env.TRUNK_SOURCE_DIR;
 const built = process.env.TRUNK_STAGING_DIR;
@@ -23,7 +28,7 @@ if (!source || !built) {
 
 const isServed = readFileSync(join(built, PAGE), "utf8").includes("__TRUNK_ADDRESS__");
 if (!isServed) {
-  finishPage(nameWorker());
+  finishPage();
   writeServiceWorker();
 }
 
@@ -44,17 +49,25 @@ function read(name) {
   return readFileSync(join(built, name));
 }
 
-function nameWorker() {
-  const name = WORKER.replace(".", `-${hash([read(WORKER)])}.`);
-  renameSync(join(built, WORKER), join(built, name));
-  return name;
+/** Gives a file a path that says what it holds, and what that is where it names others. */
+function rename(name, pairs = []) {
+  const content = pairs.length > 0 ? replace(read(name).toString(), pairs) : read(name);
+  const renamed = name.replace(/[._]/, (end) => `-${hash([content])}${end}`);
+  rmSync(join(built, name));
+  writeFileSync(join(built, renamed), content);
+  return renamed;
 }
 
-function finishPage(worker) {
+function finishPage() {
+  const wasm = rename(SOLVER_WASM);
+  const solver = rename(SOLVER, [[SOLVER_WASM, wasm]]);
+  const worker = rename(WORKER, [[`./${SOLVER}`, `./${solver}`]]);
   // Without the comments, which are for those who read the source, and their lines.
   const text = read(PAGE).toString().replaceAll(/<!--.*?-->/gs, "").replaceAll(/^\s*\n/gm, "");
-  const finished = replace(text.replaceAll(` nonce="${NONCE}"`, ""), [
+  const sized = joinStyles(text).replace(/data-wasm="([^"]+)"/, (given, path) => `${given} data-bytes="${read(path).length}"`);
+  const finished = replace(sized.replaceAll(` nonce="${NONCE}"`, ""), [
     [` 'nonce-${NONCE}'`, ""],
+    [`content="./${SOLVER_WASM}">`, `content="./${wasm}">`],
     [`content="./${WORKER}">`, `content="./${worker}">\n  <meta name="giveway-service-worker" content="./service-worker.js">`],
   ]);
   // What the policy would refuse is found here and not by a user.
@@ -65,6 +78,24 @@ function finishPage(worker) {
     }
   }
   writeFileSync(join(built, PAGE), finished);
+}
+
+/** The page with one style sheet in the place of the first, without comments and indentation. */
+function joinStyles(text) {
+  const names = [...text.matchAll(STYLES)].map(([, name]) => name);
+  const all = names.map((name) => read(name).toString()).join("\n");
+  const style = all.replaceAll(/\/\*.*?\*\//gs, "").replaceAll(/\s*\n\s*/g, "\n").trim();
+  const name = `style-${hash([style])}.css`;
+  writeFileSync(join(built, name), style);
+  for (const joined of names) {
+    rmSync(join(built, joined));
+  }
+  let isFirst = true;
+  return text.replaceAll(STYLES, () => {
+    const link = isFirst ? `<link rel="stylesheet" href="./${name}">\n  ` : "";
+    isFirst = false;
+    return link;
+  });
 }
 
 function replace(text, pairs) {

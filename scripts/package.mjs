@@ -21,7 +21,7 @@ mkdirSync(out, { recursive: true });
 const small = new Map();
 for (const target of ["web", "bundler", "nodejs"]) {
   const folder = join(out, target);
-  run("wasm-pack", "build", crate, "--mode", "no-install", "--profile", "javascript", "--no-opt", "--no-pack",
+  run("wasm-pack", "build", crate, "--mode", "no-install", "--profile", "page", "--no-opt", "--no-pack",
     "--no-typescript", "--no-gitignore", "--target", target, "--out-dir", folder, "--", "--locked");
   // To make it small takes a minute, and all three may hold the same.
   const wasm = join(folder, WASM);

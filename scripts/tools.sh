@@ -89,7 +89,7 @@ cargo_tool() {
     PATH=$home/bin:$PATH
 }
 
-# wasm-opt, and the driver of the browser for the end-to-end tests.
+# wasm-opt, and the drivers of the browsers for the end-to-end tests.
 npm_packages() {
     local packages
     packages=$(cat package.json package-lock.json | sha256sum | cut -c 1-12)
@@ -141,6 +141,19 @@ set_up_browser() {
     command -v chromium >/dev/null || missing+=(chromium)
     command -v chromedriver >/dev/null || missing+=(chromium-driver)
     if ((${#missing[@]})); then install_packages "${missing[@]}"; fi
+    set_up_other_browsers
+}
+
+# Firefox and WebKitGTK, in which the main flows run, too. Where they cannot be had, those
+# tests are skipped, and what older browsers lack is tested in Chromium alone.
+set_up_other_browsers() {
+    local missing=()
+    command -v firefox-esr >/dev/null || missing+=(firefox-esr)
+    command -v WebKitWebDriver >/dev/null || missing+=(webkit2gtk-driver)
+    command -v Xvfb >/dev/null || missing+=(xvfb)
+    if ((${#missing[@]})); then
+        (install_packages "${missing[@]}") || step "Without ${missing[*]}: their tests are skipped"
+    fi
 }
 
 # What runs the tests of it.

@@ -5,12 +5,19 @@
 // the hash of what it holds in its path, so what is kept under a path is what the page
 // means, whichever version's page and keeper meet; what is not kept is fetched. A new
 // keeper waits until no page of the old one is open: so no page ever loses its files.
+//
+// Without a network, the page is the newest that is kept whole, not the one of the keeper
+// at work: while that keeper waits for its end, a newer page has been shown already, and may
+// have written data that an older page cannot read. One case is left: a newer page was
+// fetched, and its keeper never came to keep it. Then there is only the older page, which has
+// to leave newer data alone; that is the page's own business.
 
 const VERSION = "{version}";
 const FILES = ["{files}"];
 /** A path that says what it holds. */
 const HASHED = /-[0-9a-f]{8,16}[._/]/;
-/** How long a page waits for a network that does not answer, milliseconds. */
+/** How long a page waits for a network to answer, milliseconds: until the headers are
+ * there. What follows them may take its time, as a slow network is better than none. */
 const PATIENCE = 3000;
 
 const PAGE = new URL("./", self.registration.scope);
@@ -28,19 +35,25 @@ self.addEventListener("fetch", (event) => {
   }
 });
 
-// The whole version or nothing; what an older one has too is not fetched again.
+// The whole version or nothing. The page itself comes last: a cache that has it has all of
+// its version.
 async function install() {
   const cache = await caches.open(PREFIX + VERSION);
-  await Promise.all(FILES.map(async (path) => {
-    const url = new URL(path, PAGE);
-    const hashed = HASHED.test(path);
-    // What has no hash may stand in the browser's own cache in an older state.
-    const response = (hashed && (await caches.match(url))) || (await fetch(url, { cache: hashed ? "default" : "no-cache" }));
-    if (!response.ok) {
-      throw new Error(`${path}: ${response.status}`);
-    }
-    await cache.put(url, response);
-  }));
+  const keep = async (path) => cache.put(new URL(path, PAGE), await current(path));
+  const [page] = await Promise.all([current("./"), ...FILES.filter((path) => path !== "./").map(keep)]);
+  await cache.put(PAGE, page);
+}
+
+/** A file of this version; what an older one has too is not fetched again. */
+async function current(path) {
+  const url = new URL(path, PAGE);
+  const hashed = HASHED.test(path);
+  // What has no hash may stand in the browser's own cache in an older state.
+  const response = (hashed && (await caches.match(url))) || (await fetch(url, { cache: hashed ? "default" : "no-cache" }));
+  if (!response.ok) {
+    throw new Error(`${path}: ${response.status}`);
+  }
+  return response;
 }
 
 async function activate() {
@@ -51,23 +64,46 @@ async function activate() {
   await self.clients.claim();
 }
 
+/** The newest version that is kept whole: a browser lists caches in the order of their making. */
+async function newest() {
+  const versions = (await caches.keys()).filter((name) => name.startsWith(PREFIX));
+  for (const version of versions.reverse()) {
+    const cache = await caches.open(version);
+    if (await cache.match(PAGE)) {
+      return cache;
+    }
+  }
+  return caches.open(PREFIX + VERSION);
+}
+
 async function fromCache(request) {
   const cache = await caches.open(PREFIX + VERSION);
-  return (await cache.match(request.url)) ?? fetch(request);
+  return (await cache.match(request.url)) ?? (await caches.match(request.url)) ?? fetch(request);
 }
 
 async function fromNetwork(request, url) {
-  const cache = await caches.open(PREFIX + VERSION);
+  const cache = await newest();
   const isPage = url.pathname === PAGE.pathname || url.pathname === `${PAGE.pathname}index.html`;
   const kept = await cache.match(isPage ? PAGE : url);
   if (!kept) {
     return fetch(request);
   }
   try {
-    const fetched = await fetch(kept.url, { cache: "no-cache", signal: AbortSignal.timeout(PATIENCE) });
+    const fetched = await answered(kept.url);
     // A host in trouble, or a network that wants a login first, is no better than none.
     return fetched.ok && !fetched.redirected ? fetched : kept;
   } catch {
     return kept;
+  }
+}
+
+/** What the network answers, if its headers come in time. */
+async function answered(url) {
+  const impatience = new AbortController();
+  const timer = setTimeout(() => impatience.abort(), PATIENCE);
+  try {
+    return await fetch(url, { cache: "no-cache", signal: impatience.signal });
+  } finally {
+    clearTimeout(timer);
   }
 }

@@ -1,11 +1,8 @@
-// The solver's worker: runs the Wasm that the page has compiled. The page's first message
-// brings it, with the address of the script that belongs to it.
+// The solver's worker: its program is fetched and compiled by the page, once for all
+// workers, and comes as the page's first message.
 
-async function start({ script, module }) {
-  const { default: init } = await import(script);
-  await init({ module_or_path: module });
-}
+import init from "./solver.js";
 
 // A promise that is rejected in a worker is told to nobody, while an exception there is an
 // event of the page.
-addEventListener("message", ({ data }) => start(data).catch(reportError), { once: true });
+addEventListener("message", ({ data }) => init({ module_or_path: data }).catch(reportError), { once: true });

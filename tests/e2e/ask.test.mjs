@@ -15,7 +15,7 @@ describe("asking why", () => {
     await playground.reaches("its end", (now) => now === 4);
     await playground.press("To start");
     await about(playground, "A2");
-    await ask(playground, /^Why does A2 wait at \(3,1\)\?/);
+    await ask(playground, /^Why does A2 wait at \(3, 1\)\?/);
     await told(playground, "Needless");
     const costs = playground.inspector.getByRole("table", { name: "Both plans" });
     assert.match(await costs.innerText(), /A1 arrives\s+3\s+4\s+\+1/);
@@ -49,7 +49,7 @@ describe("asking why", () => {
     await playground.press("To start");
     await playground.reaches(0);
     await about(playground, "A2");
-    await ask(playground, /^Why does A2 wait at \(3,1\)\?/);
+    await ask(playground, /^Why does A2 wait at \(3, 1\)\?/);
     await playground.other.waitFor();
     await playground.press("Step forward");
     await playground.cellTells(2, 2, /A1/, playground.other);
@@ -74,7 +74,7 @@ describe("asking why", () => {
 
   flow("tells why there is no plan, and what would help", async (playground) => {
     await playground.example("No way past");
-    await playground.says(/^No plan, whatever the horizon/);
+    await playground.says(/^No plan exists, no matter how many steps you allow/);
     await ask(playground, /^Why is there no plan\?/);
     await told(playground, "Impossible");
     const repairs = playground.inspector.getByRole("listitem").filter({ hasText: "makespan 6, sum of costs 8" });
@@ -84,7 +84,7 @@ describe("asking why", () => {
     await repairs.first().getByRole("button").click();
     await playground.says(/^Optimal: makespan 6, sum of costs 8/);
     await playground.act("Undo");
-    await playground.says(/^The plan is for the scene before the edit/);
+    await playground.says(/^The scene has changed since this plan/);
   });
 
   flow("refuses nothing that it offers, and is left by Escape", async (playground) => {
@@ -144,7 +144,7 @@ describe("asking why", () => {
     await playground.open(sample("mmapf/A17_mm_20x20_o15_a30.json"));
     await playground.press("Solve");
     await playground.button("Cancel").waitFor();
-    await playground.says(/^Best plan so far/);
+    await playground.says(/^Best so far/);
     await playground.openSettings();
     await playground.set("Time limit, s", 60);
     await playground.closeSettings();
@@ -152,7 +152,7 @@ describe("asking why", () => {
     await playground.button("Cancel").waitFor();
     await playground.press("Cancel");
     await playground.button("Solve").waitFor();
-    await playground.says(/^Best plan so far/);
+    await playground.says(/^Best so far/);
   }, { screens: ["desktop"] });
 });
 

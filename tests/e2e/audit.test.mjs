@@ -33,9 +33,9 @@ describe("the audit finds nothing", () => {
       await audit(playground, "the plan table");
       await playground.pick("Obstacle");
       await playground.cell(0, 1).click();
-      await playground.says(/^The plan is for the scene before the edit/);
+      await playground.says(/^The scene has changed since this plan/);
       await audit(playground, "editing");
-      await playground.pick("Agent");
+      await playground.pick("Robot");
       await playground.cell(0, 2).click();
       await playground.says(/now choose its goal/);
       await audit(playground, "placing an agent");
@@ -60,7 +60,7 @@ describe("the audit finds nothing", () => {
 
     flow(`none, asking, and answered, ${theme}`, async (playground) => {
       await playground.example("No way past");
-      await playground.says(/^No plan, whatever the horizon/);
+      await playground.says(/^No plan exists, no matter how many steps you allow/);
       await audit(playground, "none");
       await ask(playground, /^Why is there no plan\?/);
       await playground.inspector.getByRole("heading", { name: "What would help" }).waitFor({ timeout: 60_000 });
@@ -70,7 +70,7 @@ describe("the audit finds nothing", () => {
       await playground.showTab("Inspector");
       await playground.inspector.getByRole("button", { name: /^A2\b/ }).first().click();
       await playground.press("To start");
-      await ask(playground, /^Why does A2 wait at \(3,1\)\?/);
+      await ask(playground, /^Why does A2 wait at \(3, 1\)\?/);
       await playground.button("Take the other plan").waitFor({ timeout: 60_000 });
       await playground.button("Solve").waitFor({ timeout: 60_000 });
       await audit(playground, "answered");
@@ -86,7 +86,7 @@ describe("the audit finds nothing", () => {
       await audit(playground, "changing");
       await adapt(playground);
       await audit(playground, "comparing");
-      await playground.page.getByRole("button", { name: /^Adopt/ }).first().click();
+      await playground.page.getByRole("button", { name: /^Use this plan/ }).first().click();
       await playground.says(/^The world changed at time 1/);
       await audit(playground, "adopted");
     }, options);
@@ -96,7 +96,7 @@ describe("the audit finds nothing", () => {
       await lead(playground, "A1", 0, 0);
       await audit(playground, "steering");
       await steps(playground, "Down", "Right");
-      await playground.says(/both at \(1,1\)/);
+      await playground.says(/both at \(1, 1\)/);
       await audit(playground, "a collision");
       await playground.press("Check my plan");
       await playground.inspector.getByRole("heading", { name: "What is against the rules" }).waitFor();
@@ -117,7 +117,7 @@ describe("the audit finds nothing", () => {
       await playground.set("Time limit, s", 3);
       await playground.closeSettings();
       await playground.press("Solve");
-      await playground.says(/^Best plan so far/);
+      await playground.says(/^Best so far/);
       await audit(playground, "stopped");
       await playground.openSettings();
       await playground.set("Time limit, s", 60);

@@ -8,7 +8,7 @@ import { sample } from "./flow.mjs";
 export async function running(playground) {
   const file = (name) => ({ name: `${name}.json`, bytes: readFileSync(sample(`seed/dynamic-3x3${name}.json`)) });
   await playground.open(file(""), file(".plan"));
-  await playground.says(/^Best plan so far: makespan 4/);
+  await playground.says(/^(Best so far|Optimal): makespan 4/);
   await playground.press("Step forward");
   await playground.reaches(1);
 }
@@ -21,13 +21,13 @@ export async function begin(playground) {
 
 /** A3 joins by the tool, from one cell to another. */
 export async function join(playground, from, to) {
-  await playground.pick("Agent");
+  await playground.pick("Robot");
   await playground.cell(...from).waitFor();
   await playground.stroke(from, to);
 }
 
 /** Asks the methods how to go on. */
 export async function adapt(playground) {
-  await playground.press("Adapt");
+  await playground.press("Find new plans");
   await playground.says(/^At time \d+: /);
 }

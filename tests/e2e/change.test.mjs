@@ -38,7 +38,7 @@ describe("the world changes", () => {
     await join(playground, [2, 2], [1, 0]);
     await playground.cellTells(2, 2, /A3/);
     await playground.key("Escape");
-    await lists(playground, "A3 joins at (2,2)");
+    await lists(playground, "A3 joins at (2, 2)");
     await playground.picture("changing");
     await adapt(playground);
     const replan = column(playground, "Replan");
@@ -48,7 +48,7 @@ describe("the world changes", () => {
     await playground.picture("comparing");
     await replan.getByRole("button", { name: /^Preview/ }).click();
     await playground.page.getByRole("button", { name: "Preview Replan", pressed: true }).waitFor();
-    await replan.getByRole("button", { name: /^Adopt/ }).click();
+    await replan.getByRole("button", { name: /^Use this plan/ }).click();
     await playground.says(/^The world changed at time 1; the plan went on by replan: makespan 4/);
     await playground.picture("adopted");
     await playground.cellTells(2, 2, /A3/);
@@ -72,14 +72,14 @@ describe("the world changes", () => {
     await playground.stroke([0, 2]);
     await inspect(playground);
     await playground.key("Escape");
-    await lists(playground, "A3 joins", "A charger appears at (0,2)");
-    await playground.button("Take back: A charger appears at (0,2)").click();
+    await lists(playground, "A3 joins", "New charger at (0, 2)");
+    await playground.button("Take back: New charger at (0, 2)").click();
     await lists(playground, "A3 joins");
     await playground.act("Undo");
-    await lists(playground, "A3 joins", "A charger appears");
+    await lists(playground, "A3 joins", "New charger at");
     await playground.act("Undo");
     await adapt(playground);
-    await column(playground, "Revise").getByRole("button", { name: /^Adopt/ }).click();
+    await column(playground, "Revise").getByRole("button", { name: /^Use this plan/ }).click();
     await playground.says(/^The world changed at time 1/);
     await playground.act("Undo");
     await playground.says(/^At time 1: /);
@@ -97,7 +97,7 @@ describe("the world changes", () => {
     await playground.key("Escape");
     await playground.stroke([2, 0]);
     await inspect(playground);
-    await lists(playground, "An obstacle appears at (2,0)");
+    await lists(playground, "New obstacle at (2, 0)");
     await adapt(playground);
     assert.match(await column(playground, "Revise").innerText(), /Freed\s+A1[^]*obstacle at \(2, ?0\)/);
     await playground.picture("comparing-freed");
@@ -110,10 +110,10 @@ describe("the world changes", () => {
     await playground.pick("Charger");
     await playground.stroke([1, 0]);
     await inspect(playground);
-    await lists(playground, "A charger appears at (1,0)");
-    await playground.press("Adapt");
+    await lists(playground, "New charger at (1, 0)");
+    await playground.press("Find new plans");
     await playground.press("Cancel").catch(() => undefined);
-    await playground.page.getByRole("button", { name: /^Adapt( again)?$/ }).waitFor();
+    await playground.page.getByRole("button", { name: /^Find (new plans|again)$/ }).waitFor();
     await playground.inspector.getByRole("button", { name: "Discard" }).or(playground.button("Discard")).first().click();
     await playground.says(/^Optimal: makespan 18/);
     await playground.cellTells(1, 0, /^(free|A1)/);
@@ -125,12 +125,12 @@ describe("the world changes", () => {
     await playground.says(/^The world changes at time 1/);
     await playground.board.focus();
     await playground.key("a", "ArrowRight", "ArrowRight", "ArrowDown", "ArrowDown", "Enter");
-    await playground.says(/^A3 starts at \(2,2\)/);
+    await playground.says(/^A3 starts at \(2, 2\)/);
     await playground.key("ArrowUp", "ArrowUp", "ArrowLeft", "Enter", "Escape");
-    await lists(playground, "A3 joins at (2,2)");
+    await lists(playground, "A3 joins at (2, 2)");
     await playground.key("Control+Enter");
     await playground.says(/^At time 1: /);
-    await column(playground, "Replan").getByRole("button", { name: /^Adopt/ }).focus();
+    await column(playground, "Replan").getByRole("button", { name: /^Use this plan/ }).focus();
     await playground.key("Enter");
     await playground.says(/^The world changed at time 1; the plan went on by replan/);
     await playground.key("Control+z");
@@ -142,7 +142,7 @@ describe("the world changes", () => {
     await begin(playground);
     await join(playground, [2, 2], [1, 0]);
     await adapt(playground);
-    await column(playground, "Revise").getByRole("button", { name: /^Adopt/ }).click();
+    await column(playground, "Revise").getByRole("button", { name: /^Use this plan/ }).click();
     await playground.says(/^The world changed at time 1/);
     const saved = [];
     for (const item of ["Save scene", "Save plan", "Save changes"]) {

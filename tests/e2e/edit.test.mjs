@@ -6,7 +6,7 @@ import { describe } from "node:test";
 import { flows } from "./flow.mjs";
 
 const OPENING = /^Optimal: makespan 18/;
-const STALE = /^The plan is for the scene before the edit/;
+const STALE = /^The scene has changed since this plan/;
 
 describe("editing", () => {
   const flow = flows();
@@ -92,7 +92,7 @@ describe("editing", () => {
   });
 
   flow("picks tools by keys and by arrows", async (playground) => {
-    for (const [key, tool] of [["o", "Obstacle"], ["c", "Charger"], ["s", "Slow zone"], ["e", "Erase"], ["a", "Agent"], ["g", "Goal"], ["w", "Waypoint"], ["v", "Select"]]) {
+    for (const [key, tool] of [["o", "Obstacle"], ["c", "Charger"], ["s", "Slow zone"], ["e", "Erase"], ["a", "Robot"], ["g", "Goal"], ["w", "Waypoint"], ["v", "Select"]]) {
       await playground.key(key);
       await playground.tools.getByRole("button", { name: tool, exact: true, pressed: true }).waitFor();
       assert.equal(await playground.tools.getByRole("button", { pressed: true }).count(), 1);

@@ -101,8 +101,8 @@ describe("files", () => {
 });
 
 async function chooseAgents(playground, count) {
-  const dialog = playground.page.getByRole("dialog", { name: "How many agents?" });
-  await dialog.getByLabel("Agents", { exact: true }).fill(String(count));
+  const dialog = playground.page.getByRole("dialog", { name: "How many robots?" });
+  await dialog.getByLabel("Robots", { exact: true }).fill(String(count));
   await dialog.getByRole("button", { name: "Open scene" }).click();
   await dialog.waitFor({ state: "detached" });
 }

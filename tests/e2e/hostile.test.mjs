@@ -126,21 +126,15 @@ describe("what means harm", () => {
   flow("in what the browser kept is left out, and the page begins anew", async (playground, { page }) => {
     await begin(playground);
     for (const kept of ["{", "giveway=1&map=256.9999999999f", "giveway=1&claim=%", MARKUP, "\ud800", "giveway=9", `${LINK}&listed=1!x`]) {
-      await page.evaluate((kept) => {
-        // Leaving the page would write over it.
-        window.addEventListener("pagehide", () => {
-          localStorage.setItem("giveway.page", kept);
-          localStorage.setItem("giveway.preferences", kept);
-          localStorage.setItem(`giveway.scene.${kept}`, kept);
-        });
-      }, kept);
-      await playground.reload();
+      await playground.reloadOn(kept, { "giveway.preferences": kept, [`giveway.scene.${kept}`]: kept });
       await playground.says(/./);
+      await playground.tells(/could not read what was kept/);
+      await playground.press("Start afresh");
     }
     await playground.sceneName.getByRole("button").click();
     const dialog = page.getByRole("dialog", { name: "Scenes" });
     await dialog.getByRole("button", { name: MARKUP, exact: true }).click();
-    await playground.warns(/link cannot be opened/);
+    await playground.warns(/scene cannot be opened/);
     await playground.press("Dismiss");
     await runsNothing(page);
   }, { screens: ["desktop"] });

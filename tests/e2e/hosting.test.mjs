@@ -82,14 +82,7 @@ describe("the built folder on a static host", () => {
     await playground.kept();
 
     host.folder = (await newVersion(t)).folder;
-    await page.evaluate(async () => {
-      const registration = await navigator.serviceWorker.ready;
-      await registration.update();
-      const installing = registration.installing ?? registration.waiting;
-      while (installing.state === "installing") {
-        await new Promise((resolve) => installing.addEventListener("statechange", resolve, { once: true }));
-      }
-    });
+    assert.equal(await update(page), "installed");
     await page.close();
     // What was kept before goes as soon as the new keeper takes over.
     let next;
@@ -107,6 +100,87 @@ describe("the built folder on a static host", () => {
   });
 });
 
+describe("a network that is slow, or gone", () => {
+  let browser;
+  before(async () => {
+    browser = await launch();
+  });
+  after(() => browser.close());
+
+  test("a page may arrive slowly", async (t) => {
+    const { host, page, complaints, playground } = await kept(t, browser);
+    host.folder = (await newVersion(t)).folder;
+    host.slow.set("", { end: 4500 });
+    await playground.reload();
+    assert.match(await page.title(), /^New: /);
+    assertQuiet(complaints);
+  });
+
+  test("a network that does not answer is not waited for", async (t) => {
+    const { host, page, complaints, playground } = await kept(t, browser);
+    host.folder = (await newVersion(t)).folder;
+    host.slow.set("", { headers: 60_000 });
+    await playground.reload();
+    assert.match(await page.title(), /^Giveway: /);
+    assertQuiet(complaints);
+  });
+
+  test("a browser without AbortSignal.timeout shows the newest page, too", async (t) => {
+    const { folder } = await newVersion(t, (script) => `delete AbortSignal.timeout;\n${script}`);
+    const { host, page, complaints, playground } = await kept(t, browser, folder);
+    host.folder = dist;
+    await playground.reload();
+    assert.match(await page.title(), /^Giveway: /);
+    assertQuiet(complaints);
+  });
+
+  test("the newest page that is kept is shown, while an older one is open", async (t) => {
+    const { host, page, complaints, playground } = await kept(t, browser);
+    const deployed = await newVersion(t);
+    host.folder = deployed.folder;
+    assert.equal(await update(page), "installed");
+    await host.close();
+    await playground.reload();
+    assert.match(await page.title(), /^New: /);
+    assert.equal(await fetched(page, deployed.worker), 200);
+    assertQuiet(complaints);
+  });
+
+  test("a page that is not kept whole is not shown", async (t) => {
+    const { host, page, complaints, playground } = await kept(t, browser);
+    host.folder = (await newVersion(t, (script) => script.replace('"./",', '"./", "missing-0123456789abcdef.js",'))).folder;
+    assert.equal(await update(page), "redundant");
+    await host.close();
+    await playground.reload();
+    assert.match(await page.title(), /^Giveway: /);
+    assertQuiet(complaints);
+  });
+});
+
+/** A page that is kept, of the built folder or of another one. */
+async function kept(t, browser, folder = dist) {
+  const { host, ...opened } = await visit(t, browser);
+  host.folder = folder;
+  const playground = new Playground(opened.page);
+  await playground.goto(host.url);
+  await playground.kept();
+  return { host, playground, ...opened };
+}
+
+/** Lets the browser look for a new keeper; gives the state in which that waits or ends. */
+function update(page) {
+  return page.evaluate(async () => {
+    const registration = await navigator.serviceWorker.ready;
+    const found = new Promise((resolve) => registration.addEventListener("updatefound", () => resolve(registration.installing), { once: true }));
+    await registration.update();
+    const keeper = registration.installing ?? registration.waiting ?? await found;
+    while (keeper.state === "installing") {
+      await new Promise((resolve) => keeper.addEventListener("statechange", resolve, { once: true }));
+    }
+    return keeper.state;
+  });
+}
+
 /** The built folder on a host, and a page that is not there yet. */
 async function visit(t, browser, base) {
   const host = await serve(dist, base);
@@ -116,8 +190,8 @@ async function visit(t, browser, base) {
   return { host, ...opened };
 }
 
-/** A copy of the built folder in which page, worker and version are other ones. */
-async function newVersion(t) {
+/** A copy of the built folder in which page, worker and version are other ones; the keeper's script may be changed, too. */
+async function newVersion(t, keeper = (script) => script) {
   const folder = await mkdtemp(join(tmpdir(), "giveway-"));
   t.after(() => rm(folder, { recursive: true }));
   await cp(dist, folder, { recursive: true });
@@ -129,6 +203,7 @@ async function newVersion(t) {
   await rename(join(folder, path), join(folder, moved));
   await change(join(folder, "index.html"), new RegExp(path, "g"), moved);
   await change(join(folder, "service-worker.js"), new RegExp(path, "g"), moved);
+  await change(join(folder, "service-worker.js"), /^[^]*$/, keeper);
   return { folder, worker: `./${moved}` };
 }
 

@@ -58,7 +58,7 @@ describe("the look", () => {
       await lead(playground, "A1", 0, 0);
       await playground.picture(`steering-${theme}`);
       await steps(playground, "Down", "Right");
-      await playground.says(/both at \(1,1\)/);
+      await playground.says(/both at \(1, 1\)/);
       await playground.picture(`steering-collision-${theme}`);
       await playground.press("Check my plan");
       await playground.inspector.getByRole("heading", { name: "What is against the rules" }).waitFor();

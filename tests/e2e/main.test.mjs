@@ -28,7 +28,7 @@ describe("the main flow", () => {
     await playground.key("o", "Control+Home", "Enter");
     await playground.cellTells(0, 0, /^obstacle$/);
     await playground.key("a", "ArrowDown", "ArrowDown", "Enter");
-    await playground.says(/^A3 starts at \(0,2\)/);
+    await playground.says(/^A3 starts at \(0, 2\)/);
     await playground.key("ArrowRight", "Enter");
     await playground.cellTells(1, 2, /goal of A3/);
     await playground.key("v", "Control+Enter");
@@ -75,9 +75,9 @@ describe("the main flow", () => {
     await tool("Obstacle");
     await tap(playground, 0, 0);
     await playground.cellTells(0, 0, /^obstacle$/);
-    await tool("Agent");
+    await tool("Robot");
     await tap(playground, 0, 2);
-    await playground.says(/^A3 starts at \(0,2\)/);
+    await playground.says(/^A3 starts at \(0, 2\)/);
     await tap(playground, 1, 2);
     await playground.cellTells(1, 2, /goal of A3/);
     await tool("Select");

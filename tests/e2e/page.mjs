@@ -16,8 +16,10 @@ export class Playground {
     this.board = page.getByRole("grid", { name: "Board" });
     this.other = page.getByRole("grid", { name: "Other plan" });
     this.sceneName = page.getByRole("heading", { level: 1 });
-    this.status = page.getByRole("status");
-    this.notice = page.getByRole("alert");
+    // Before and after the slot, which has both roles, too.
+    this.status = page.getByRole("status").first();
+    this.notice = page.getByRole("alert").last();
+    this.slot = page.locator("main").getByRole("status").or(page.locator("main").getByRole("alert"));
     this.time = page.getByRole("slider", { name: "Time" });
     this.plan = page.getByRole("table", { name: "Plan" });
     this.tools = page.getByRole("toolbar", { name: "Tools" });
@@ -74,6 +76,33 @@ export class Playground {
   /** Waits until the scene of this name is on the board. */
   shows(name) {
     return eventually(`the scene ${name}`, () => this.sceneName.innerText(), (text) => text.startsWith(name));
+  }
+
+  /** Waits for a sentence in the slot, and gives all of it. */
+  tells(pattern) {
+    return eventually(`the slot to tell ${pattern}`, async () => (await this.slot.allInnerTexts()).join(""), (text) => pattern.test(text));
+  }
+
+  /** Leaves the page, and this in the place of what it keeps then; comes back. */
+  async reloadOn(text, more = {}) {
+    await this.page.evaluate(([text, more]) => {
+      // Leaving the page would write over it: first as it goes, then as it is hidden.
+      const plant = () => {
+        localStorage.setItem(`giveway.tab.${sessionStorage.getItem("giveway.tab")}`, text);
+        Object.entries(more).forEach(([name, text]) => localStorage.setItem(name, text));
+      };
+      addEventListener("pagehide", plant);
+      document.addEventListener("visibilitychange", plant);
+    }, [text, more]);
+    await this.reload();
+  }
+
+  /** What this browser keeps for the tab that kept something last. */
+  keeps() {
+    return this.page.evaluate(() => {
+      const [last] = (localStorage.getItem("giveway.tabs") ?? "").split(" ");
+      return localStorage.getItem(`giveway.tab.${last}`) ?? "";
+    });
   }
 
   /** The time shown, in steps. */

@@ -43,13 +43,13 @@ describe("copying and pasting", () => {
     await playground.press("Save");
     await playground.press("Save plan");
     const plan = readFileSync(await (await download).path(), "utf8");
-    await playground.pick("Agent");
+    await playground.pick("Robot");
     await playground.stroke([0, 0]);
     await playground.key("Escape");
 
     await write(page, plan);
     await playground.key("Control+v");
-    await playground.says(/^Best plan so far: makespan 18; sum of costs 35; 3 charges\. Whether/);
+    await playground.says(/^Best so far: makespan 18; sum of costs 35; 3 charges\. Whether/);
     await write(page, readFileSync(sample("movingai/empty-8-8.map"), "utf8"));
     await playground.key("Control+v");
     await playground.shows("Pasted text");

@@ -8,14 +8,14 @@ import { flows } from "./flow.mjs";
 import { eventually } from "./wait.mjs";
 
 const OPENING = /^Optimal: makespan 18/;
-const STALE = /^The plan is for the scene before the edit/;
+const STALE = /^The scene has changed since this plan/;
 
 describe("a scene by hand", () => {
   const flow = flows();
 
   flow("places an agent with its goal in one gesture, and solves", async (playground) => {
     await playground.says(OPENING);
-    await playground.pick("Agent");
+    await playground.pick("Robot");
     await playground.reaches(0);
     const from = await playground.middleOf(0, 2);
     const to = await playground.middleOf(9, 0);
@@ -23,7 +23,7 @@ describe("a scene by hand", () => {
     await mouse.move(from.x, from.y);
     await mouse.down();
     await mouse.move(to.x, to.y, { steps: 6 });
-    await playground.says(/^A3 starts at \(0,2\): now choose its goal/);
+    await playground.says(/^A3 starts at \(0, 2\)\. Now choose its goal/);
     await playground.picture("placing");
     await mouse.up();
     await playground.cellTells(0, 2, /start of A3/);
@@ -45,7 +45,7 @@ describe("a scene by hand", () => {
     await playground.says(OPENING);
     await playground.board.focus();
     await playground.key("a", "Control+Home", "ArrowDown", "Enter");
-    await playground.says(/^A3 starts at \(0,1\)/);
+    await playground.says(/^A3 starts at \(0, 1\)/);
     await playground.key("ArrowDown", "Enter");
     await playground.cellTells(0, 1, /start of A3/);
     await playground.cellTells(0, 2, /goal of A3/);
@@ -86,9 +86,9 @@ describe("a scene by hand", () => {
 
   flow("taps an agent onto the board", async (playground) => {
     await playground.says(OPENING);
-    await playground.tools.getByRole("button", { name: "Agent", exact: true }).tap();
+    await playground.tools.getByRole("button", { name: "Robot", exact: true }).tap();
     await tap(playground, 0, 2);
-    await playground.says(/^A3 starts at \(0,2\)/);
+    await playground.says(/^A3 starts at \(0, 2\)/);
     await playground.picture("tapped");
     await tap(playground, 8, 2);
     await playground.cellTells(8, 2, /goal of A3/);
@@ -99,20 +99,20 @@ describe("a scene by hand", () => {
 
   flow("edits an agent in the inspector", async (playground) => {
     await playground.says(OPENING);
-    await playground.pick("Agent");
+    await playground.pick("Robot");
     await playground.stroke([0, 0]);
     await playground.showTab("Inspector");
-    await openEdit(playground, "Edit agent");
+    await openEdit(playground, "Edit robot");
     await type(playground, "Name", "Robbie");
     await playground.inspector.getByRole("heading", { name: "Robbie", level: 2 }).waitFor();
     await type(playground, "Capacity, steps", "3");
-    await playground.inspector.getByText("The battery of Robbie does not last to its waypoint (4,2).").waitFor();
+    await playground.inspector.getByText("The battery of Robbie does not last to its waypoint (4, 2).").waitFor();
     await playground.picture("edit-agent");
-    await playground.inspector.getByRole("button", { name: "Remove waypoint (4,2)" }).click();
+    await playground.inspector.getByRole("button", { name: "Remove waypoint (4, 2)" }).click();
     await playground.cellTells(4, 2, /^free$/);
     await playground.inspector.getByRole("button", { name: "No battery limit", exact: true }).click();
     await eventually("no battery", () => playground.inspector.getByLabel("Capacity, steps").count(), (n) => n === 0);
-    await playground.inspector.getByRole("button", { name: "Delete agent" }).click();
+    await playground.inspector.getByRole("button", { name: "Delete robot" }).click();
     await playground.cellTells(0, 0, /^goal of A2$/);
     await undo(playground, 5);
     await playground.says(OPENING);
@@ -122,7 +122,7 @@ describe("a scene by hand", () => {
     await playground.says(OPENING);
     await playground.showTab("Inspector");
     await playground.inspector.getByRole("button", { name: /^A1/ }).click();
-    await openEdit(playground, "Edit agent");
+    await openEdit(playground, "Edit robot");
     const radio = (name) => playground.inspector.getByRole("radiogroup", { name: "Colour" }).getByRole("radio", { name });
     assert.ok(await radio("Blue").isChecked());
     await radio("Mauve").check();
@@ -151,14 +151,14 @@ describe("a scene by hand", () => {
     await type(playground, "Height, cells", "8");
     await eventually("eight rows", () => playground.board.getAttribute("aria-rowcount"), (n) => n === "8");
     await type(playground, "Seed", "7");
-    await playground.inspector.getByRole("button", { name: "Fill by chance" }).click();
-    await playground.inspector.getByText(/^4 agents/).waitFor();
+    await playground.inspector.getByRole("button", { name: "Random scene" }).click();
+    await playground.inspector.getByText(/^4 robots/).waitFor();
     await playground.picture("filled");
     await playground.press("Solve");
     await playground.says(/^Optimal: makespan \d+/);
     await openEdit(playground, "Edit scene");
     await playground.inspector.getByRole("button", { name: "Clear", exact: true }).click();
-    await playground.inspector.getByText("No agents.").waitFor();
+    await playground.inspector.getByText("No robots.").waitFor();
     await playground.picture("cleared");
     await undo(playground, 4);
     await playground.shows("warehouse");
@@ -172,8 +172,8 @@ describe("a scene by hand", () => {
       await playground.pick("Obstacle");
       await playground.stroke([8, 0]);
       await playground.stroke([8, 2]);
-      await playground.says(/^This cannot be solved: .*\(9,2\)/);
-      await playground.cellTells(9, 2, /problem: A2 is walled in at \(9,2\)/);
+      await playground.says(/^This cannot be solved: .*\(9, 2\)/);
+      await playground.cellTells(9, 2, /problem: A2 is walled in at \(9, 2\)/);
       await playground.showTab("Inspector");
       await playground.inspector.getByRole("heading", { name: /^Problems/ }).waitFor();
       await playground.picture(`problems-${theme}`);

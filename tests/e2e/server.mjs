@@ -4,6 +4,11 @@
 import { createServer } from "node:http";
 import { readFile, stat } from "node:fs/promises";
 import { extname, join, normalize } from "node:path";
+import { setTimeout } from "node:timers/promises";
+import { promisify } from "node:util";
+import { brotliCompress } from "node:zlib";
+
+const compressed = promisify(brotliCompress);
 
 const TYPES = {
   ".css": "text/css; charset=utf-8",
@@ -21,10 +26,11 @@ const TYPES = {
  * Serves a folder.
  * @param {string} folder its path; may be changed later, as a deployment does
  * @param {string} base the path it is served under, from "/" to "/"
+ * @param {object} options `compress`: by brotli, as most hosts do
  * @returns {Promise<Host>}
  */
-export async function serve(folder, base = "/some/where/") {
-  const host = new Host(folder, base);
+export async function serve(folder, base = "/some/where/", { compress = false } = {}) {
+  const host = new Host(folder, base, compress);
   await new Promise((resolve) => host.server.listen(0, "127.0.0.1", resolve));
   return host;
 }
@@ -34,10 +40,16 @@ class Host {
   missing = [];
   /** Paths that were sent, each as often as it was. */
   sent = [];
+  /** Paths within the base that take long, milliseconds: until the headers, and from them until the end. */
+  slow = new Map();
 
-  constructor(folder, base) {
+  /** What was compressed, by file. */
+  #compressed = new Map();
+
+  constructor(folder, base, compress) {
     this.folder = folder;
     this.base = base;
+    this.compress = compress;
     this.server = createServer((request, response) => {
       this.#answer(request, response).catch((error) => response.destroy(error));
     });
@@ -67,9 +79,26 @@ class Host {
       return;
     }
     this.sent.push(path.slice(this.base.length));
-    const body = await readFile(file);
+    const accepts = request.headers["accept-encoding"]?.includes("br");
+    const [body, encoding] = this.compress && accepts
+      ? [await this.#compress(file), { "Content-Encoding": "br" }]
+      : [await readFile(file), {}];
     const type = TYPES[extname(file)] ?? "application/octet-stream";
-    response.writeHead(200, { "Content-Type": type, "Content-Length": body.length }).end(body);
+    const { headers = 0, end = 0 } = this.slow.get(path.slice(this.base.length)) ?? {};
+    await setTimeout(headers);
+    response.writeHead(200, { "Content-Type": type, "Content-Length": body.length, ...encoding });
+    const half = body.length >> 1;
+    response.write(body.subarray(0, half));
+    await setTimeout(end);
+    response.end(body.subarray(half));
+  }
+
+  /** A file compressed, each only once: the best quality takes seconds. */
+  #compress(file) {
+    if (!this.#compressed.has(file)) {
+      this.#compressed.set(file, readFile(file).then((body) => compressed(body)));
+    }
+    return this.#compressed.get(file);
   }
 
   async #file(path) {

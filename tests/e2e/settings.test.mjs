@@ -6,7 +6,7 @@ import { describe } from "node:test";
 import { flows } from "./flow.mjs";
 
 const OPENING = /^Optimal: makespan 18, sum of costs 35, 3 charges\.$/;
-const STALE = /^The plan is for the scene before the edit/;
+const STALE = /^The scene has changed since this plan/;
 
 describe("settings", () => {
   const flow = flows();
@@ -36,7 +36,7 @@ describe("settings", () => {
     await change(playground, "Battery floor", 2);
     await playground.says(/^Optimal: makespan 20, sum of costs 39, 4 charges\.$/);
     await change(playground, "Battery floor", 9);
-    await playground.says(/^No plan, whatever the horizon/);
+    await playground.says(/^No plan exists, no matter how many steps you allow/);
     await playground.press("Undo");
     await playground.press("Solve");
     await playground.says(/^Optimal: makespan 20/);
@@ -52,12 +52,12 @@ describe("settings", () => {
 
   flow("lets agents leave at their goals", async (playground) => {
     await playground.example("No way past");
-    await playground.says(/^No plan, whatever the horizon/);
+    await playground.says(/^No plan exists, no matter how many steps you allow/);
     await playground.openSettings();
     await playground.settings.getByRole("button", { name: "leaves the map" }).click();
     assert.equal(await playground.settings.getByRole("button", { name: "leaves the map" }).getAttribute("aria-pressed"), "true");
     await playground.closeSettings();
-    await playground.says(/solve it anew/);
+    await playground.says(/Solve again/);
     const saved = await sceneText(playground);
     assert.match(saved, /"at_goal": "vanish"/);
   });

@@ -140,7 +140,7 @@ class Sitting {
       await this.playground.stroke(cell);
       await this.tells(cell, "charger");
       await adapt(this.playground);
-      const adopt = this.playground.page.getByRole("button", { name: /^Adopt/ }).first();
+      const adopt = this.playground.page.getByRole("button", { name: /^Use this plan/ }).first();
       await adopt.waitFor();
       if (this.roll(2) === 0) {
         await adopt.click();

@@ -27,7 +27,7 @@ export async function lead(playground, name, ...cell) {
   // Not on the board: there it is pressed where it is seen, which may be on its way.
   await playground.inspector.getByRole("button", { name: new RegExp(`^${name}\\b`) }).first().click();
   await playground.inspector.getByRole("button", { name: `Lead ${name} by hand` }).click();
-  await playground.says(new RegExp(`^${name} is at \\(${cell}\\) at time`));
+  await playground.says(new RegExp(`^${name} is at \\(${cell.join(", ?")}\\) at time`));
 }
 
 /** Presses the buttons of the inspector that lead. */

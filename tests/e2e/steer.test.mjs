@@ -8,7 +8,7 @@ import { flows } from "./flow.mjs";
 import { lead, rows, steps } from "./steer.mjs";
 import { eventually } from "./wait.mjs";
 
-const MEETS = /A1 and A2 are both at \(1,1\) at time 2/;
+const MEETS = /A1 and A2 are both at \(1, 1\) at time 2/;
 
 function place(playground, name) {
   return playground.inspector.getByRole("region", { name });
@@ -37,7 +37,7 @@ describe("an agent is led by hand", () => {
     await steps(playground, "Down", "Right");
     await playground.says(MEETS);
     await tells(playground, "Against the rules", MEETS);
-    await tells(playground, "Not done yet", /its goal is \(3,0\)/);
+    await tells(playground, "Not done yet", /its goal is \(3, 0\)/);
     await playground.cellTells(1, 1, /A1.*A2|A2.*A1/);
     await playground.picture("steering-collision");
     await playground.press("Check my plan");
@@ -46,23 +46,23 @@ describe("an agent is led by hand", () => {
     await steps(playground, "Back");
     await steps(playground, "Back");
     await tells(playground, "Against the rules", /Nothing so far/);
-    await playground.says(/^A1 is at \(0,1\) at time 1/);
+    await playground.says(/^A1 is at \(0, 1\) at time 1/);
     await steps(playground, "Discard");
     await playground.says(/^Optimal: makespan 3/);
     await playground.act("Undo");
-    await playground.says(/^A1 is at \(0,1\) at time 1/);
+    await playground.says(/^A1 is at \(0, 1\) at time 1/);
   });
 
   flow("a plan that is as good is confirmed, and comes back after a reload", async (playground) => {
     await rows(playground);
     await lead(playground, "A1", 0, 0);
     await steps(playground, "Right", "Right");
-    await playground.says(/^A1 is at \(2,0\) at time 2/);
+    await playground.says(/^A1 is at \(2, 0\) at time 2/);
     await playground.reload();
-    await playground.says(/^A1 is at \(2,0\) at time 2/);
+    await playground.says(/^A1 is at \(2, 0\) at time 2/);
     await playground.showTab("Inspector");
     await steps(playground, "Right");
-    await playground.says(/All agents do their tasks/);
+    await playground.says(/All robots do their tasks/);
     await playground.press("Check my plan");
     await answers(playground, /Optimal[^]*no plan is better/);
     await playground.picture("steering-confirmed");
@@ -72,26 +72,26 @@ describe("an agent is led by hand", () => {
     await rows(playground);
     await lead(playground, "A1", 0, 0);
     await steps(playground, "Wait", "Right", "Right", "Right");
-    await playground.says(/^A1 is at \(3,0\) at time 4/);
+    await playground.says(/^A1 is at \(3, 0\) at time 4/);
     await playground.press("Check my plan");
     await answers(playground, /Improvable[^]*A1 waits 1 step less/);
     await playground.picture("steering-improvable");
     await playground.press("Take the other plan");
     await playground.says(/^Optimal: makespan 3/);
     await playground.act("Undo");
-    await playground.says(/^A1 is at \(3,0\) at time 4/);
+    await playground.says(/^A1 is at \(3, 0\) at time 4/);
   });
 
   flow("another agent is led in the same plan, and the scene stays", async (playground) => {
     await rows(playground);
     await lead(playground, "A1", 0, 0);
     await steps(playground, "Down");
-    await playground.says(/^A1 is at \(0,1\) at time 1/);
+    await playground.says(/^A1 is at \(0, 1\) at time 1/);
     await playground.cell(2, 1).click();
     await playground.inspector.getByRole("button", { name: "Lead A2 by hand" }).click();
-    await playground.says(/^A2 is at \(2,1\) at time 1/);
+    await playground.says(/^A2 is at \(2, 1\) at time 1/);
     await steps(playground, "Up", "Left");
-    await playground.says(/^A2 is at \(1,0\) at time 3/);
+    await playground.says(/^A2 is at \(1, 0\) at time 3/);
     await playground.cellTells(0, 1, /A1/);
     await playground.pick("Obstacle");
     await playground.warns(/You lead A2 by hand/);
@@ -103,14 +103,14 @@ describe("an agent is led by hand", () => {
     await rows(playground);
     await playground.board.focus();
     await playground.key("Enter", "l");
-    await playground.says(/^A1 is at \(0,0\) at time 0/);
+    await playground.says(/^A1 is at \(0, 0\) at time 0/);
     await playground.key("ArrowDown", "ArrowRight");
     await playground.says(MEETS);
     await playground.key("Backspace", "Backspace", "w", "ArrowUp");
-    await playground.says(/^A1 is at \(0,0\) at time 1\. A1 stays: the map ends there/);
+    await playground.says(/^A1 is at \(0, 0\) at time 1\. A1 stays: the map ends there/);
     await playground.inspector.getByRole("button", { name: "Discard" }).focus();
     await playground.key("ArrowRight", "ArrowRight", "ArrowRight");
-    await playground.says(/^A1 is at \(3,0\) at time 4/);
+    await playground.says(/^A1 is at \(3, 0\) at time 4/);
     await playground.key("Control+Enter");
     await answers(playground, /Improvable/);
     await playground.key("Escape");
@@ -118,7 +118,7 @@ describe("an agent is led by hand", () => {
     await playground.key("Escape");
     await playground.says(/^Optimal: makespan 3/);
     await playground.key("Control+z");
-    await playground.says(/^A1 is at \(3,0\) at time 4/);
+    await playground.says(/^A1 is at \(3, 0\) at time 4/);
   }, { screens: ["desktop"] });
 
   flow("all of it with a finger", async (playground, { page }) => {
@@ -130,15 +130,15 @@ describe("an agent is led by hand", () => {
     await tap(0, 0);
     await page.getByRole("tab", { name: "Inspector" }).tap();
     await playground.inspector.getByRole("button", { name: "Lead A1 by hand" }).tap();
-    await playground.says(/^A1 is at \(0,0\) at time 0/);
+    await playground.says(/^A1 is at \(0, 0\) at time 0/);
     await tap(0, 1);
-    await playground.says(/^A1 is at \(0,1\) at time 1/);
+    await playground.says(/^A1 is at \(0, 1\) at time 1/);
     await tap(1, 1);
     await playground.says(MEETS);
     await playground.inspector.getByRole("button", { name: "Back", exact: true }).tap();
-    await playground.says(/^A1 is at \(0,1\) at time 1/);
+    await playground.says(/^A1 is at \(0, 1\) at time 1/);
     await tap(3, 1);
-    await playground.says(/\(3,1\) is not beside it/);
+    await playground.says(/\(3, 1\) is not beside it/);
     await playground.button("Check my plan").tap();
     await answers(playground, /not all right/);
     // An agent is tapped where it is seen, and on the way to a time it is elsewhere.
@@ -150,7 +150,7 @@ describe("an agent is led by hand", () => {
     await playground.reaches(0);
     await lead(playground, "A1", 0, 0);
     await steps(playground, "Right", "Right", "Right");
-    await playground.says(/^A1 is at \(3,0\) at time 4/);
+    await playground.says(/^A1 is at \(3, 0\) at time 4/);
     await steps(playground, "Down", "Down", "Charge in the next step");
     assert.equal(await playground.button("Charge in the next step").getAttribute("aria-pressed"), "true");
     await steps(playground, "Up");

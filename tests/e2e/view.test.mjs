@@ -12,7 +12,7 @@ describe("the view", () => {
   flow("shades cells by their use, and keeps to it", async (playground, { page }) => {
     await playground.says(/^Optimal: makespan 18/);
     await playground.pause();
-    const chip = playground.button("Use");
+    const chip = playground.button("Heat map");
     await chip.click();
     const legend = page.getByRole("list", { name: "Legend" });
     await legend.getByText("Used more, the darker").waitFor({ state: "attached" });
@@ -59,11 +59,11 @@ describe("the view", () => {
     const part = playground.settings.getByRole("group", { name: "On the board" });
     const choice = (name) => part.getByRole("switch", { name });
     assert.equal(await choice(/^Follow/).count(), 0, "no agent is selected");
-    for (const name of ["Trails", "Use of cells"]) {
+    for (const name of ["Trails", "Heat map"]) {
       const { width, height } = await choice(name).boundingBox();
       assert.ok(width >= 44 && height >= 44, `${name} is ${width} by ${height}`);
     }
-    await choice("Use of cells").tap();
+    await choice("Heat map").tap();
     await choice("Trails").tap();
     const legend = page.getByRole("list", { name: "Legend", includeHidden: true });
     await legend.getByText("Used more, the darker").waitFor({ state: "attached" });

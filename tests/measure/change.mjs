@@ -35,9 +35,9 @@ export async function revising(url) {
       }
       const tab = await Tab.of(browser);
       const before = tab.workerSeconds();
-      await playground.press("Adapt");
+      await playground.press("Find new plans");
       await playground.says(/^At time \d+: /);
-      await playground.page.getByRole("article", { name: "Revise" }).getByRole("button", { name: /^Adopt/ }).waitFor();
+      await playground.page.getByRole("article", { name: "Revise" }).getByRole("button", { name: /^Use this plan/ }).waitFor();
       cpu.push(tab.workerSeconds() - before);
     });
   }

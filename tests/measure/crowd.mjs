@@ -6,35 +6,37 @@ import { root } from "../e2e/dist.mjs";
 import { SOLVED, figure, inPage, smoothness } from "./figure.mjs";
 import { Tab } from "./process.mjs";
 
-/** Cells a side of the crowd's map. */
-const SIDE = 64;
+/** Crowds: how many agents, on how many cells a side, and the least frames a second. */
+const CROWDS = [[100, 64, 58], [300, 64, 30], [50, 256, 50]];
+/** Cells a side of the largest map that the page takes. */
+const LARGEST = 256;
 /** Cells that are painted, one a frame. */
 const PAINTED = 100;
 
-/** Crowds of 100 and of 300 agents that all move, on 64 x 64 cells. */
+/** Crowds of agents that all move. */
 export async function crowd(url) {
   const figures = [];
-  for (const [count, least] of [[100, 58], [300, 30]]) {
+  for (const [count, side, least] of CROWDS) {
     figures.push(...await inPage(url, async (playground, browser) => {
       await playground.says(SOLVED);
-      await playground.open(...files(count));
+      await playground.open(...files(count, side));
       await playground.shows(`crowd of ${count}`);
       await playground.button("Play").or(playground.button("Pause")).first().waitFor();
       if (await playground.button("Play").isVisible()) {
         await playground.press("Play");
       }
       await playground.reaches("1 or later", (now) => now >= 1);
-      return smoothness(playground, browser, `${count} agents playing on ${SIDE} x ${SIDE} cells`, least);
+      return smoothness(playground, browser, `${count} agents playing on ${side} x ${side} cells`, least);
     }));
   }
   return figures;
 }
 
 /** A scene and a plan of it: each agent goes to and fro in cells of its own. */
-function files(count) {
-  const width = Math.floor((SIDE * SIDE) / count / 2) * 2;
+function files(count, side) {
+  const width = Math.floor((side * side) / count / 2) * 2;
   const length = Math.min(width, 12);
-  const places = Math.floor(SIDE / length);
+  const places = Math.floor(side / length);
   const agents = [];
   const paths = {};
   for (let n = 0; n < count; n += 1) {
@@ -45,7 +47,7 @@ function files(count) {
     const round = [...there, ...there.toReversed().slice(1, -1)];
     paths[name] = [...round, ...round, ...there];
   }
-  const map = Array.from({ length: SIDE }, () => ".".repeat(SIDE));
+  const map = free(side);
   const name = `crowd of ${count}`;
   return [
     { name: "crowd.json", bytes: JSON.stringify({ giveway: 1, name, map, agents }) },
@@ -53,13 +55,27 @@ function files(count) {
   ];
 }
 
-/** Obstacles on the largest of the standard maps, one a frame. */
-export function painting(url) {
+function free(side) {
+  return Array.from({ length: side }, () => ".".repeat(side));
+}
+
+/** Obstacles on large maps, one a frame. */
+export async function painting(url) {
+  const standard = join(root, "tests/data/movingai/warehouse-10-20-10-2-1.map");
+  const agents = [{ name: "R1", start: [0, 0], goal: [LARGEST - 1, LARGEST - 1] }];
+  const largest = { name: "largest.json", bytes: JSON.stringify({ giveway: 1, name: "largest", map: free(LARGEST), agents }) };
+  return [
+    await painted(url, standard, "warehouse-10-20-10-2-1", "161 x 63", 16),
+    await painted(url, largest, "largest", `${LARGEST} x ${LARGEST}`, 8),
+  ];
+}
+
+function painted(url, file, name, size, most) {
   return inPage(url, async (playground, browser) => {
     const { page } = playground;
     await playground.says(SOLVED);
-    await playground.open(join(root, "tests/data/movingai/warehouse-10-20-10-2-1.map"));
-    await playground.shows("warehouse-10-20-10-2-1");
+    await playground.open(file);
+    await playground.shows(name);
     await playground.pick("Obstacle");
     // Below the wall. Of so many cells only those near the cursor are told to who does not see the board.
     const [first, next] = [await playground.middleOf(1, 1), await playground.middleOf(2, 1)];
@@ -76,6 +92,6 @@ export function painting(url) {
     await playground.pick("Select");
     await page.mouse.click(first.x + (next.x - first.x) * PAINTED, first.y);
     await playground.cellTells(1 + PAINTED, 1, /^obstacle/);
-    return [figure("painting on 161 x 63 cells, one cell", (busy * 1000) / PAINTED, "ms of CPU", { most: 16, digits: 1 })];
+    return figure(`painting on ${size} cells, one cell`, (busy * 1000) / PAINTED, "ms of CPU", { most, digits: 1 });
   });
 }

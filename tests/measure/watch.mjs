@@ -55,3 +55,35 @@ export function solveUntil(pattern) {
     buttons.find((button) => button.textContent.trim() === "Solve").click();
   });
 }
+
+/**
+ * Presses `Solve` as soon as it is there, and notes when the solver has answered: added
+ * before the page's own scripts.
+ */
+export function solveAtOnce() {
+  const solve = () => [...document.querySelectorAll("button")].find((button) => button.textContent.trim() === "Solve");
+  const isSolved = () => document.querySelector("[role=status]")?.textContent.startsWith("Optimal: ");
+  const steps = [
+    (now) => {
+      const button = solve();
+      button?.click();
+      window.seen.running = button && now;
+      return button;
+    },
+    () => !solve(),
+    (now) => {
+      const isThere = solve() && isSolved();
+      window.seen.solved = isThere ? now : undefined;
+      return isThere;
+    },
+  ];
+  const look = (now) => {
+    if (steps[0](now)) {
+      steps.shift();
+    }
+    if (steps.length > 0) {
+      requestAnimationFrame(look);
+    }
+  };
+  requestAnimationFrame(look);
+}

@@ -1,5 +1,5 @@
-// What the page's Wasm consists of, by what it costs on the wire: `./x weigh` writes
-// docs/weight.md. It is built as for a host, but with the names of functions; then, one
+// What the Wasm of the page and of its solver consists of, by what it costs on the wire:
+// `./x weigh` writes docs/weight.md. It is built as for a host, but with the names of functions; then, one
 // group after the other, the bodies of all functions whose names say that they belong to
 // it are left out, and what is left is compressed again.
 
@@ -11,6 +11,8 @@ import { brotliCompressSync, constants } from "node:zlib";
 
 import { root } from "../e2e/dist.mjs";
 
+/** The programs, as Trunk is told in index.html. */
+const PROGRAMS = [["app", "the page"], ["solver", "the solver"]];
 const TARGET = "wasm32-unknown-unknown";
 const FEATURES = ["bulk-memory", "reference-types", "sign-ext", "nontrapping-float-to-int", "multivalue", "mutable-globals"]
   .map((feature) => `--enable-${feature}`);
@@ -33,14 +35,18 @@ const GROUPS = [
   ["floats as text", /flt2dec|dec2flt/],
 ];
 
+const kilobytes = (n) => (n / 1000).toFixed(1);
+
 const folder = mkdtempSync(join(tmpdir(), "weight-"));
 const at = (name) => join(folder, name);
 try {
   build();
-  const text = readFileSync(at("page.wat"), "utf8").split("\n");
-  const whole = weight(text, null);
-  const rows = GROUPS.map(([name, names]) => [name, weight(text, names)]);
-  const written = document(whole, rows);
+  const tables = PROGRAMS.map(([program, name]) => {
+    const text = readFileSync(at(`${program}.wat`), "utf8").split("\n");
+    const whole = weight(text, null);
+    return table(name, whole, GROUPS.map(([group, names]) => [group, weight(text, names)]));
+  });
+  const written = document(tables);
   writeFileSync(join(root, "docs/weight.md"), written);
   console.log(`${written}\nwritten: docs/weight.md`);
 } finally {
@@ -54,11 +60,12 @@ function run(command, ...args) {
 function build() {
   run("cargo", "build", "--quiet", "--locked", "--profile", "page", "--target", TARGET, "--package", "giveway-web");
   const { target_directory } = JSON.parse(run("cargo", "metadata", "--format-version", "1", "--no-deps", "--locked"));
-  run("wasm-bindgen", "--target", "web", "--keep-debug", "--out-dir", folder, "--out-name", "page",
-    join(target_directory, TARGET, "page/app.wasm"));
-  // As Trunk is told in index.html.
-  run("wasm-opt", "-Oz", "--one-caller-inline-max-function-size=0", "-g", ...FEATURES, at("page_bg.wasm"), "-o", at("small.wasm"));
-  run("wasm-dis", ...FEATURES, at("small.wasm"), "-o", at("page.wat"));
+  for (const [program] of PROGRAMS) {
+    run("wasm-bindgen", "--target", "web", "--keep-debug", "--out-dir", folder, "--out-name", program,
+      join(target_directory, TARGET, `page/${program}.wasm`));
+    run("wasm-opt", "-Oz", "--one-caller-inline-max-function-size=0", "-g", ...FEATURES, at(`${program}_bg.wasm`), "-o", at("small.wasm"));
+    run("wasm-dis", ...FEATURES, at("small.wasm"), "-o", at(`${program}.wat`));
+  }
 }
 
 /** Bytes before and after compression, without the functions with such names. */
@@ -88,17 +95,23 @@ function without(text, names) {
   return kept.join("\n");
 }
 
-function document([bytes, compressed], rows) {
-  const kilobytes = (n) => (n / 1000).toFixed(1);
-  const row = ([name, [b, c]]) => `| ${name} | ${kilobytes(bytes - b)} | ${kilobytes(compressed - c)} |`;
-  return `# What the page weighs
-
-\`./x weigh\` writes this file. All Wasm of the page is one file of ${kilobytes(bytes)} kB, or ${kilobytes(compressed)} kB compressed by
-brotli. A row tells how much smaller it is without the functions of that group, in kB. Groups overlap, and what is left
-of two may compress less well than both, so the rows do not add up.
-
-| what | Wasm | compressed |
+/** The table of a program, without the groups that it has nothing of. */
+function table(name, [bytes, compressed], groups) {
+  const rows = groups.filter(([, [b]]) => b < bytes);
+  const row = ([group, [b, c]]) => `| ${group} | ${kilobytes(bytes - b)} | ${kilobytes(compressed - c)} |`;
+  return `| ${name} | Wasm | compressed |
 |---|---:|---:|
+| all of it | ${kilobytes(bytes)} | ${kilobytes(compressed)} |
 ${rows.map(row).join("\n")}
 `;
+}
+
+function document(tables) {
+  return `# What the page weighs
+
+\`./x weigh\` writes this file: the Wasm of the page and of its solver, in kB, as it is and compressed by brotli. A row
+tells how much smaller it is without the functions of that group. Groups overlap, and what is left of two may compress
+less well than both, so the rows do not add up.
+
+${tables.join("\n")}`;
 }

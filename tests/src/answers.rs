@@ -76,6 +76,8 @@ fn ask_in(host: &dyn Host, case: &Case, within: Option<u32>, limits: Limits) -> 
         scene: case.instance.to_scene(),
         plan: Some(case.plan.clone()),
         question: case.question.clone(),
+        changes: None,
+        at: None,
         objective: None,
         within,
         limits,

@@ -54,6 +54,8 @@ pub fn unsolvable(instance: &Instance) -> Option<ExplainAnswer> {
         scene: instance.to_scene(),
         plan: None,
         question: Question::Unsolvable,
+        changes: None,
+        at: None,
         objective: None,
         within: None,
         limits: Limits::default(),

@@ -44,6 +44,8 @@ pub fn explain(
         question: from_words(&words).unwrap_or_else(|error| panic!("{question}: {error}")),
         objective: None,
         within,
+        changes: None,
+        at: None,
         limits,
     });
     match serve(&request, &SilentHost) {

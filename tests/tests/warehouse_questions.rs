@@ -29,6 +29,8 @@ fn answer(words: &str) -> ExplainAnswer {
         scene: instance().to_scene(),
         plan: Some(plan()),
         question: from_words(&words).unwrap(),
+        changes: None,
+        at: None,
         objective: None,
         within: None,
         limits: Limits::default(),

@@ -2,12 +2,10 @@
 
 use std::rc::Rc;
 
-use giveway_model::Scene;
-use giveway_model::format::native;
-use giveway_page::{Action, Draft, Phase, Tab, reduce};
+use giveway_page::{Action, Draft, FileAction, Phase, Tab, Tool};
 use yew::prelude::*;
 
-use crate::dialog::{Agents, Examples, Panel, Scenes, Share, help};
+use crate::dialog::{Agents, Examples, NewScene, Panel, Scenes, Share, help};
 use crate::drop::Drop;
 use crate::keep::{self, use_keep};
 use crate::keys::use_keys;
@@ -17,32 +15,25 @@ use crate::status::StatusBar;
 use crate::theme::{use_colours, use_theme, wants_less_motion};
 use crate::top_bar::TopBar;
 use crate::wide::use_wide;
-use crate::{Board, Clock, Dock, Inspector, Shown, Tools, compare, embed, notice};
-
-/// The scene that the page opens on.
-const OPENING: &str = include_str!("../../static/examples/warehouse.json");
+use crate::{Board, Clock, Dock, Inspector, Shown, Tools, compare, embed, notice, opening};
 
 impl Reducible for Shown {
     type Action = Action;
 
     fn reduce(self: Rc<Self>, action: Action) -> Rc<Self> {
-        Rc::new(Self::new(reduce(&self, action)))
+        Rc::new(self.reduced(action))
     }
 }
 
 fn opening() -> Shown {
     Shown::new(keep::opening(|| {
-        Draft::new(opening_scene()).unwrap_or_default()
+        Draft::new(opening::scene()).unwrap_or_default()
     }))
-}
-
-fn opening_scene() -> Scene {
-    native::read_scene(OPENING).unwrap_or_default()
 }
 
 /// Puts the scene that the page opens on onto the board again.
 pub(crate) fn example() -> Action {
-    Action::Open(Box::new(opening_scene()))
+    Action::File(FileAction::Open(Box::new(opening::scene())))
 }
 
 /// The page.
@@ -58,55 +49,54 @@ pub fn App() -> Html {
     let show = use_callback(open.setter(), |panel: Panel, open| open.set(panel));
     let clock = {
         let send = send.clone();
-        use_memo((), move |()| Clock::new(send, wants_less_motion()))
+        use_memo((), move |()| {
+            Clock::new(send, wants_less_motion()).begun_at(opening::time())
+        })
     };
     {
         let clock = clock.clone();
         use_effect_with(
-            (state.playback, state.last_time()),
+            (state.view.playback, state.last_time()),
             move |&(playback, last)| clock.follow(playback, last),
         );
     }
     use_solver(&state, &send);
     use_keep(&state, &send);
     use_theme(state.view.theme);
-    use_colours(state.view.colours);
+    use_colours(state.document.colours);
     let is_embedded = *use_memo((), |()| embed::is_embedded());
-    use_keys(&state, &send, &show, is_embedded);
+    use_keys(&state, &send, &show);
     use_paste(&state, &send, &show, is_embedded);
     use_wide(&send);
     if is_embedded {
-        let send = send.clone();
-        let look = Callback::from(move |action| {
-            if embed::only_looks(&action) {
-                send.emit(action);
-            }
-        });
         return html! {
             <ContextProvider<Clock> context={(*clock).clone()}>
                 <div class="app embed">
-                    { embed::show(&state, &look) }
-                    { notice::show(state.notice.as_ref(), &look) }
+                    { embed::show(&state, &send) }
+                    { notice::show(state.view.notice.as_ref(), &send) }
                 </div>
             </ContextProvider<Clock>>
         };
     }
+    let is_answering = state.document.mode.asking().is_some();
+    // For the places that show nothing of a stroke on its way.
+    let settled = state.settled();
     html! {
         <ContextProvider<Clock> context={(*clock).clone()}>
-            <div class={classes!("app", phase_class(state.phase()))} data-tab={tab(state.view.tab)}>
-                <TopBar state={state.clone()} panel={panel.clone()} send={send.clone()}
+            <div class={classes!("app", phase_class(&state), is_answering.then_some("answering"))} data-tab={tab(state.view.tab)}>
+                <TopBar state={settled.clone()} panel={panel.clone()} send={send.clone()}
                     show={show.clone()} />
-                <StatusBar state={state.clone()} panel={panel.clone()} send={send.clone()}
+                <StatusBar state={settled.clone()} panel={panel.clone()} send={send.clone()}
                     show={show.clone()} />
                 <main class="stage">
-                    <Tools tool={state.tool} send={send.clone()} />
+                    <Tools tool={state.view.tool} send={send.clone()} />
                     <Board state={state.clone()} send={send.clone()} />
                 </main>
-                { compare::show(&state, &send) }
+                { compare::show(&settled, &send) }
                 <Inspector state={state.clone()} send={send.clone()} />
-                <Dock state={state.clone()} send={send.clone()} />
-                { notice::show(state.notice.as_ref(), &send) }
-                <Drop send={send.clone()} show={show.clone()} />
+                <Dock state={settled} send={send.clone()} />
+                { notice::show(state.view.notice.as_ref(), &send) }
+                <Drop state={state.clone()} send={send.clone()} show={show.clone()} />
                 { dialog(&panel, &state, &send, &show) }
             </div>
         </ContextProvider<Clock>>
@@ -120,18 +110,21 @@ fn dialog(panel: &Panel, state: &Shown, send: &Callback<Action>, show: &Callback
     match panel {
         Panel::Examples => html! { <Examples {send} {on_close} /> },
         Panel::Agents(choice) => html! { <Agents choice={choice.clone()} {send} {on_close} /> },
+        Panel::New => html! { <NewScene {send} {on_close} /> },
         Panel::Scenes => html! { <Scenes state={state.clone()} {send} {on_close} /> },
         Panel::Share(link) => {
-            html! { <Share link={link.clone()} name={state.draft.scene().name.clone()} {send} {on_close} /> }
+            html! { <Share link={link.clone()} name={state.document.draft.scene().name.clone()} {send} {on_close} /> }
         }
         Panel::Help => help(on_close),
         Panel::Nothing | Panel::Menu | Panel::Open | Panel::Save | Panel::Settings => html! {},
     }
 }
 
-/// The phase in the style sheets.
-const fn phase_class(phase: Phase) -> &'static str {
-    match phase {
+/// The phase in the style sheets. While ways to go on are compared their columns have
+/// the place of the board; a tool that is picked needs the board.
+fn phase_class(state: &Shown) -> &'static str {
+    match state.phase() {
+        Phase::Comparing if state.view.tool != Tool::Select => "st-changing",
         Phase::Editing => "st-editing",
         Phase::Solving => "st-solving",
         Phase::Asking | Phase::Checking => "st-asking",

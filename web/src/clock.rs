@@ -4,13 +4,15 @@
 //! listeners the time every frame, and they move what is theirs by hand; the
 //! page is rendered anew once a step.
 
-use std::cell::{Cell, RefCell};
+use std::cell::Cell;
 use std::collections::BTreeMap;
 use std::rc::Rc;
 
-use giveway_page::{Action, Playback};
+use giveway_page::{Action, PlayAction, Playback};
 use gloo::render::{AnimationFrame, request_animation_frame};
 use yew::Callback;
+
+use crate::held::Held;
 
 /// Milliseconds of one step at speed 1: the design's `m-step`.
 const STEP_MS: f64 = 480.0;
@@ -28,8 +30,8 @@ struct Inner {
     now: Cell<f64>,
     goal: Cell<Goal>,
     last_frame_ms: Cell<Option<f64>>,
-    frame: RefCell<Option<AnimationFrame>>,
-    listeners: RefCell<BTreeMap<u64, Listener>>,
+    frame: Held<Option<AnimationFrame>>,
+    listeners: Held<BTreeMap<u64, Listener>>,
     next: Cell<u64>,
     jumps: bool,
     send: Callback<Action>,
@@ -56,26 +58,34 @@ pub struct Listening {
 
 impl Drop for Listening {
     fn drop(&mut self) {
-        if let Ok(mut listeners) = self.clock.0.listeners.try_borrow_mut() {
-            listeners.remove(&self.id);
-        }
+        let mut listeners = self.clock.0.listeners.take();
+        let gone = listeners.remove(&self.id);
+        self.clock.0.listeners.set(listeners);
+        drop(gone);
     }
 }
 
 impl Clock {
-    /// A clock at 0 that sends [`Action::Reach`] at every step. With `jumps`,
+    /// A clock at 0 that sends [`Action::Play(PlayAction::Reach)`] at every step. With `jumps`,
     /// for people who want less motion, it knows whole steps only.
     pub fn new(send: Callback<Action>, jumps: bool) -> Self {
         Self(Rc::new(Inner {
             now: Cell::new(0.0),
             goal: Cell::default(),
             last_frame_ms: Cell::new(None),
-            frame: RefCell::new(None),
-            listeners: RefCell::new(BTreeMap::new()),
+            frame: Held::default(),
+            listeners: Held::default(),
             next: Cell::new(0),
             jumps,
             send,
         }))
+    }
+
+    /// The same clock, at another time than 0.
+    #[must_use]
+    pub fn begun_at(self, time: f64) -> Self {
+        self.0.now.set(time);
+        self
     }
 
     /// The time shown, in steps.
@@ -89,7 +99,9 @@ impl Clock {
         listener(self.now());
         let id = self.0.next.get();
         self.0.next.set(id + 1);
-        self.0.listeners.borrow_mut().insert(id, Rc::new(listener));
+        let mut listeners = self.0.listeners.take();
+        listeners.insert(id, Rc::new(listener));
+        self.0.listeners.set(listeners);
         Listening {
             clock: self.clone(),
             id,
@@ -104,7 +116,9 @@ impl Clock {
         let paused = before.playback.playing && !playback.playing && !playback.sought;
         if paused && playback.time == before.playback.time && now > f64::from(playback.time) {
             // Nobody stops between two steps, and nobody walks back.
-            inner.send.emit(Action::Seek(playback.time + 1));
+            inner
+                .send
+                .emit(Action::Play(PlayAction::Seek(playback.time + 1)));
             return;
         }
         let target = f64::from(playback.time);
@@ -120,29 +134,31 @@ impl Clock {
     }
 
     fn tell(&self) {
-        let listeners: Vec<_> = self.0.listeners.borrow().values().cloned().collect();
         let now = self.now();
-        for listener in listeners {
+        for listener in self.0.listeners.get().values() {
             listener(now);
         }
     }
 
     fn wake(&self) {
-        if self.0.frame.borrow().is_none() {
-            self.0.last_frame_ms.set(None);
-            self.next_frame();
+        let frame = self.0.frame.take();
+        if frame.is_some() {
+            self.0.frame.set(frame);
+            return;
         }
+        self.0.last_frame_ms.set(None);
+        self.next_frame();
     }
 
     fn next_frame(&self) {
         let clock = self.clone();
         let frame = request_animation_frame(move |at| clock.tick(at));
-        *self.0.frame.borrow_mut() = Some(frame);
+        self.0.frame.set(Some(frame));
     }
 
     fn tick(&self, at_ms: f64) {
         let inner = &self.0;
-        inner.frame.borrow_mut().take();
+        drop(inner.frame.take());
         let since = inner.last_frame_ms.replace(Some(at_ms));
         let elapsed_ms = since.map_or(0.0, |since| (at_ms - since).clamp(0.0, LONGEST_FRAME_MS));
         let Goal { playback, last } = inner.goal.get();
@@ -164,7 +180,9 @@ impl Clock {
         if playback.playing && then >= target + 1.0 {
             let steps = std::iter::successors(Some(playback.time), |time| time.checked_add(1));
             let reached = steps.take_while(|&time| f64::from(time) <= then).last();
-            inner.send.emit(Action::Reach(reached.unwrap_or(last)));
+            inner
+                .send
+                .emit(Action::Play(PlayAction::Reach(reached.unwrap_or(last))));
         }
     }
 }

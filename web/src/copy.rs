@@ -4,6 +4,8 @@ use giveway_page::Notice;
 use wasm_bindgen_futures::JsFuture;
 use yew::platform::spawn_local;
 
+use crate::support;
+
 /// Puts a text into the clipboard, then tells how that went; `what` is in the
 /// sentence where it did not go well.
 pub(crate) fn text(
@@ -15,15 +17,13 @@ pub(crate) fn text(
         sentence: format!("The {what} could not be copied."),
         details: vec![why.to_owned()],
     };
-    let window = gloo::utils::window();
-    if !window.is_secure_context() {
-        // There is no clipboard at all then.
+    let Some(clipboard) = support::clipboard("writeText") else {
         done(Err(refused(
             "A page may write to the clipboard only over https or on this machine.",
         )));
         return;
-    }
-    let written = window.navigator().clipboard().write_text(text);
+    };
+    let written = clipboard.write_text(text);
     spawn_local(async move {
         let written = JsFuture::from(written).await;
         done(

@@ -1,5 +1,7 @@
 //! Files dropped onto the page.
 
+use std::rc::Rc;
+
 use giveway_page::Action;
 use gloo::events::{EventListener, EventListenerOptions};
 use wasm_bindgen::JsCast as _;
@@ -7,10 +9,13 @@ use web_sys::{DataTransfer, Event};
 use yew::prelude::*;
 
 use crate::dialog::Panel;
-use crate::files;
+use crate::held::{Held, use_held};
+use crate::{Shown, files};
 
 #[derive(Clone, PartialEq, Properties)]
 pub(crate) struct DropProps {
+    /// The state, whose scene or map a file may need.
+    pub(crate) state: Shown,
     /// Takes the scene.
     pub(crate) send: Callback<Action>,
     /// Opens the question that some files ask.
@@ -21,10 +26,12 @@ pub(crate) struct DropProps {
 #[component]
 pub(crate) fn Drop(props: &DropProps) -> Html {
     let over = use_state_eq(|| false);
+    let latest = use_held(|| props.clone());
+    latest.set(props.clone());
     {
         let over = over.clone();
-        use_effect_with(props.clone(), move |props| {
-            let listening = listen(props.clone(), move |held| over.set(held));
+        use_effect_with((), move |()| {
+            let listening = listen(latest, move |held| over.set(held));
             move || drop(listening)
         });
     }
@@ -36,7 +43,10 @@ pub(crate) fn Drop(props: &DropProps) -> Html {
 /// What is done with files that are over the page.
 type Handle = Box<dyn Fn(&Event, DataTransfer)>;
 
-fn listen(props: DropProps, set_over: impl Fn(bool) + Clone + 'static) -> [EventListener; 3] {
+fn listen(
+    latest: Rc<Held<DropProps>>,
+    set_over: impl Fn(bool) + Clone + 'static,
+) -> [EventListener; 3] {
     let window = gloo::utils::window();
     let on = |kind, handle: Handle| {
         let options = EventListenerOptions::enable_prevent_default();
@@ -69,7 +79,8 @@ fn listen(props: DropProps, set_over: impl Fn(bool) + Clone + 'static) -> [Event
             Box::new(move |event, data| {
                 event.prevent_default();
                 set_over(false);
-                files::open(data.files(), props.send.clone(), props.show.clone());
+                let props = latest.get();
+                files::open(&props.state, data.files(), props.send, props.show);
             }),
         ),
     ]

@@ -1,7 +1,7 @@
 //! The page inside another page, at the address with `?embed`: a plan to be
 //! watched. It edits nothing, keeps nothing, and takes only the keys that play.
 
-use giveway_page::{Action, State};
+use giveway_page::{Action, PlayAction, State};
 use web_sys::HtmlInputElement;
 use yew::prelude::*;
 
@@ -14,21 +14,6 @@ use crate::{Shown, keep};
 pub(crate) fn is_embedded() -> bool {
     let query = gloo::utils::window().location().search();
     query.is_ok_and(|query| query.split(['?', '&']).any(|part| part == "embed"))
-}
-
-/// Whether an action only looks at what there is.
-pub(crate) const fn only_looks(action: &Action) -> bool {
-    matches!(
-        action,
-        Action::StepCursor { carries: false, .. }
-            | Action::DismissNotice
-            | Action::Cancel
-            | Action::Play
-            | Action::Pause
-            | Action::Seek(_)
-            | Action::StepForward
-            | Action::StepBack
-    )
 }
 
 /// The sentence, the board, what plays, and the way to the whole page.
@@ -50,7 +35,7 @@ pub(crate) fn show(state: &Shown, send: &Callback<Action>) -> Html {
 }
 
 fn title(state: &State) -> String {
-    match state.draft.scene().name.as_str() {
+    match state.document.draft.scene().name.as_str() {
         "" => "Untitled",
         name => name,
     }
@@ -59,10 +44,10 @@ fn title(state: &State) -> String {
 
 /// The time shown; the browser's own slider has its keys, too.
 fn slider(state: &State, send: &Callback<Action>) -> Html {
-    let (time, last) = (state.playback.time, state.last_time());
+    let (time, last) = (state.view.playback.time, state.last_time());
     let seek = send.reform(|event: InputEvent| {
         let input: HtmlInputElement = event.target_unchecked_into();
-        Action::Seek(input.value().parse().unwrap_or(0))
+        Action::Play(PlayAction::Seek(input.value().parse().unwrap_or(0)))
     });
     html! {
         <>

@@ -4,8 +4,8 @@ use std::rc::Rc;
 
 use giveway_model::Scene;
 use giveway_model::format::native;
-use giveway_page::files::{Opened, Reading, Saved, picture_name, read, too_large};
-use giveway_page::{Action, Notice, State};
+use giveway_page::files::{Opened, Reading, Saved, picture_name, read_beside, too_large};
+use giveway_page::{Action, FileAction, Notice, State};
 use gloo::file::{Blob, File, ObjectUrl, futures::read_as_bytes};
 use gloo::net::http::Request;
 use gloo::timers::callback::Timeout;
@@ -14,6 +14,7 @@ use web_sys::{FileList, HtmlAnchorElement};
 use yew::Callback;
 use yew::platform::spawn_local;
 
+use crate::Shown;
 use crate::board;
 use crate::dialog::Panel;
 
@@ -46,15 +47,22 @@ pub(crate) async fn example(file: &str) -> Result<Scene, String> {
     native::read_scene(&text).map_err(|fault| format!("{file}, {fault}"))
 }
 
-/// Reads the files that a person chose or dropped, and opens what they hold.
-pub(crate) fn open(files: Option<FileList>, send: Callback<Action>, show: Callback<Panel>) {
+/// Reads the files that a person chose or dropped, and opens what they hold; what they
+/// lack is taken from the board.
+pub(crate) fn open(
+    state: &Shown,
+    files: Option<FileList>,
+    send: Callback<Action>,
+    show: Callback<Panel>,
+) {
     let Some(files) = files.filter(|files| files.length() > 0) else {
         return;
     };
     let files: Vec<File> = gloo::file::FileList::from(files).to_vec();
+    let state = state.clone();
     spawn_local(async move {
         let reading = match read_all(&files).await {
-            Ok(opened) => read(&opened),
+            Ok(opened) => read_beside(&state, &opened),
             Err(notice) => Err(notice),
         };
         take(reading, &send, &show);
@@ -68,10 +76,10 @@ pub(crate) fn take(
     show: &Callback<Panel>,
 ) {
     match reading {
-        Ok(Reading::Scene(scene)) => send.emit(Action::Open(scene)),
-        Ok(Reading::Linked(linked)) => send.emit(Action::OpenLink(linked)),
+        Ok(Reading::Scene(scene)) => send.emit(Action::File(FileAction::Open(scene))),
+        Ok(Reading::Linked(linked)) => send.emit(Action::File(FileAction::OpenLink(linked))),
         Ok(Reading::Scenario(choice)) => show.emit(Panel::Agents(Rc::new(*choice))),
-        Err(notice) => send.emit(Action::Refuse(notice)),
+        Err(notice) => send.emit(Action::File(FileAction::Refuse(notice))),
     }
 }
 
@@ -104,7 +112,11 @@ pub(crate) fn save(saved: &Saved) {
 /// tells where that fails.
 pub(crate) fn save_picture(state: &State, is_png: bool, send: Callback<Action>) {
     let name = picture_name(state, if is_png { "png" } else { "svg" });
-    let title = format!("{}, time {}", state.draft.scene().name, state.playback.time);
+    let title = format!(
+        "{}, time {}",
+        state.document.draft.scene().name,
+        state.view.playback.time
+    );
     let picture = board::picture(state.world().grid(), &title);
     spawn_local(async move {
         let blob = async {
@@ -117,15 +129,16 @@ pub(crate) fn save_picture(state: &State, is_png: bool, send: Callback<Action>) 
         };
         match blob.await {
             Ok(blob) => save_as(&name, blob),
-            Err(_) => send.emit(Action::Refuse(Notice {
+            Err(_) => send.emit(Action::File(FileAction::Refuse(Notice {
                 sentence: "The browser could not make the picture.".to_owned(),
                 details: Vec::new(),
-            })),
+            }))),
         }
     });
 }
 
-fn save_as(name: &str, blob: Blob) {
+/// Hands bytes to the browser to be saved.
+pub(crate) fn save_as(name: &str, blob: Blob) {
     let url = ObjectUrl::from(blob);
     let link = gloo::utils::document().create_element("a").ok();
     if let Some(link) = link.and_then(|link| link.dyn_into::<HtmlAnchorElement>().ok()) {

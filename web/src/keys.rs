@@ -12,24 +12,18 @@ use yew::prelude::*;
 
 use crate::Shown;
 use crate::dialog::Panel;
-use crate::embed::only_looks;
+use crate::held::use_held;
 
 /// Where a person types.
 pub(crate) const FIELDS: &str = "input, textarea, select, [contenteditable]";
 /// What Space presses.
 const PRESSED: &str = "button, a, summary, label";
 
-/// Listens for keys that no place of the page took for itself; inside another
-/// page only for those that play.
+/// Listens for keys that no place of the page took for itself.
 #[hook]
-pub(crate) fn use_keys(
-    state: &Shown,
-    send: &Callback<Action>,
-    show: &Callback<Panel>,
-    is_embedded: bool,
-) {
-    let latest = use_mut_ref(|| state.clone());
-    latest.replace(state.clone());
+pub(crate) fn use_keys(state: &Shown, send: &Callback<Action>, show: &Callback<Panel>) {
+    let latest = use_held(|| state.clone());
+    latest.set(state.clone());
     let (send, show) = (send.clone(), show.clone());
     use_effect_with((), move |()| {
         let window = gloo::utils::window();
@@ -39,14 +33,8 @@ pub(crate) fn use_keys(
                 let Some(event) = event.dyn_ref::<KeyboardEvent>() else {
                     return;
                 };
-                let command = wanted(event, &latest.borrow());
-                let fits = |command: &Command| match command {
-                    Command::Act(action) => only_looks(action),
-                    Command::Help => false,
-                };
-                let Some(command) = command.filter(|command| !is_embedded || fits(command)) else {
-                    return;
-                };
+                let command = wanted(event, &latest.get());
+                let Some(command) = command else { return };
                 event.prevent_default();
                 match command {
                     Command::Act(action) => send.emit(action),

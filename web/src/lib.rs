@@ -6,6 +6,7 @@
 
 mod app;
 mod board;
+mod broke;
 mod clock;
 mod compare;
 mod copy;
@@ -15,16 +16,20 @@ mod embed;
 mod field;
 mod files;
 mod glyph;
+mod held;
 mod icon;
 mod inspector;
 mod keep;
 mod keys;
 mod notice;
+mod opening;
 mod paste;
 mod settings;
 mod shown;
+mod slot;
 mod solver;
 mod status;
+mod support;
 mod theme;
 mod timeline;
 mod tools;
@@ -33,6 +38,7 @@ mod wide;
 
 pub use app::App;
 pub use board::{Board, BoardProps};
+pub use broke::watch;
 pub use clock::{Clock, Listening};
 pub use glyph::form;
 pub use inspector::{Inspector, InspectorProps};

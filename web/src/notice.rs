@@ -1,13 +1,13 @@
 //! What a person must be told: it stays until it is dismissed.
 
-use giveway_page::{Action, Notice};
+use giveway_page::{Action, Notice, ViewAction};
 use yew::prelude::*;
 
 use crate::icon;
 
 /// The notice, over the page, so that nothing moves when it comes or goes.
 pub(crate) fn show(notice: Option<&Notice>, send: &Callback<Action>) -> Html {
-    let dismiss = send.reform(|_: MouseEvent| Action::DismissNotice);
+    let dismiss = send.reform(|_: MouseEvent| Action::View(ViewAction::DismissNotice));
     // The region is there before its text: some readers hear it only so.
     html! {
         <div role="alert">

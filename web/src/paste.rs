@@ -1,6 +1,6 @@
 //! What is pasted anywhere but into a field: it is opened as a file is.
 
-use giveway_page::{Action, Notice, State, files::pasted};
+use giveway_page::{Action, FileAction, Notice, State, files::pasted};
 use gloo::events::{EventListener, EventListenerOptions};
 use wasm_bindgen::JsCast as _;
 use wasm_bindgen_futures::JsFuture;
@@ -9,8 +9,9 @@ use yew::platform::spawn_local;
 use yew::prelude::*;
 
 use crate::dialog::Panel;
+use crate::held::use_held;
 use crate::keys::{FIELDS, dialog_is_open, is_in};
-use crate::{Shown, files};
+use crate::{Shown, files, support};
 
 /// Listens for what is pasted; not inside another page, where nothing is edited.
 #[hook]
@@ -20,8 +21,8 @@ pub(crate) fn use_paste(
     show: &Callback<Panel>,
     is_embedded: bool,
 ) {
-    let latest = use_mut_ref(|| state.clone());
-    latest.replace(state.clone());
+    let latest = use_held(|| state.clone());
+    latest.set(state.clone());
     let (send, show) = (send.clone(), show.clone());
     use_effect_with((), move |()| {
         let window = gloo::utils::window();
@@ -33,9 +34,10 @@ pub(crate) fn use_paste(
             let text = data.get_data("text/plain").unwrap_or_default();
             let copied = data.files().filter(|files| files.length() > 0);
             if copied.is_some() {
-                files::open(copied, send.clone(), show.clone());
+                let state = latest.get();
+                files::open(&state, copied, send.clone(), show.clone());
             } else if !text.trim().is_empty() {
-                files::take(pasted(&latest.borrow(), &text), &send, &show);
+                files::take(pasted(&latest.get(), &text), &send, &show);
             } else {
                 return;
             }
@@ -60,12 +62,10 @@ pub(crate) fn ask(state: &Shown, send: Callback<Action>, show: Callback<Panel>) 
         sentence: "The browser did not let the page read what was copied.".to_owned(),
         details: vec!["Press Ctrl V instead.".to_owned()],
     };
-    let window = gloo::utils::window();
-    if !window.is_secure_context() {
-        // There is no clipboard at all then.
-        return send.emit(Action::Refuse(refused));
-    }
-    let read = window.navigator().clipboard().read_text();
+    let Some(clipboard) = support::clipboard("readText") else {
+        return send.emit(Action::File(FileAction::Refuse(refused)));
+    };
+    let read = clipboard.read_text();
     let state: State = (**state).clone();
     spawn_local(async move {
         match JsFuture::from(read).await {
@@ -73,7 +73,7 @@ pub(crate) fn ask(state: &Shown, send: Callback<Action>, show: Callback<Panel>) 
                 let text = text.as_string().unwrap_or_default();
                 files::take(pasted(&state, &text), &send, &show);
             }
-            Err(_) => send.emit(Action::Refuse(refused)),
+            Err(_) => send.emit(Action::File(FileAction::Refuse(refused))),
         }
     });
 }

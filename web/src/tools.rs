@@ -1,6 +1,6 @@
 //! The tools: what the pointer and the keys do on the board.
 
-use giveway_page::{Action, Tool};
+use giveway_page::{Action, BoardAction, Tool};
 use web_sys::HtmlElement;
 use yew::prelude::*;
 
@@ -57,7 +57,9 @@ pub fn Tools(props: &ToolsProps) -> Html {
         })
     };
     let button = |(index, tool): (usize, Tool)| {
-        let onclick = props.send.reform(move |_| Action::PickTool(tool));
+        let onclick = props
+            .send
+            .reform(move |_| Action::Board(BoardAction::PickTool(tool)));
         html! {
             <>
                 if matches!(tool, Tool::Obstacle | Tool::Agent) {
@@ -76,6 +78,10 @@ pub fn Tools(props: &ToolsProps) -> Html {
     html! {
         <div class="tools" role="toolbar" aria-label="Tools" {onkeydown} {onfocusin} {onfocusout}>
             { for Tool::ALL.into_iter().enumerate().map(button) }
+            if props.tool != Tool::Select {
+                // For a finger, which no tip follows; the button has the same name.
+                <span class="tool-name" aria-hidden="true">{ props.tool.name() }</span>
+            }
         </div>
     }
 }

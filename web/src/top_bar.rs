@@ -1,6 +1,6 @@
 //! The top bar: the scene's name and size, and what is done to it as a whole.
 
-use giveway_page::{Action, files, words};
+use giveway_page::{Action, FileAction, ViewAction, files, words};
 use web_sys::{Event, HtmlInputElement};
 use yew::prelude::*;
 
@@ -49,10 +49,10 @@ pub(crate) fn TopBar(props: &TopBarProps) -> Html {
         })
     };
     let picked = {
-        let (send, show) = (send.clone(), show.clone());
+        let (state, send, show) = (state.clone(), send.clone(), show.clone());
         Callback::from(move |event: Event| {
             let input: HtmlInputElement = event.target_unchecked_into();
-            crate::files::open(input.files(), send.clone(), show.clone());
+            crate::files::open(&state, input.files(), send.clone(), show.clone());
             // So that the same file can be opened again.
             input.set_value("");
         })
@@ -64,14 +64,15 @@ pub(crate) fn TopBar(props: &TopBarProps) -> Html {
             paste::ask(&state, send.clone(), show.clone());
         })
     };
-    let scene = state.draft.scene();
-    let grid = state.draft.grid();
+    let scene = state.document.draft.scene();
+    let grid = state.document.draft.grid();
     let name = match scene.name.as_str() {
         "" => "Untitled",
         name => name,
     };
-    let agents = words::count(scene.agents.len(), "agent");
+    let agents = words::count(scene.agents.len(), "robot");
     let examples = show.reform(|_: MouseEvent| Panel::Examples);
+    let fresh = show.reform(|_: MouseEvent| Panel::New);
     let scenes = show.reform(|_: MouseEvent| Panel::Scenes);
     let share = {
         let state = state.clone();
@@ -101,6 +102,9 @@ pub(crate) fn TopBar(props: &TopBarProps) -> Html {
                 <button class="btn ghost wide" title="Examples" onclick={examples.clone()}>
                     { icon::show("examples") }<span>{ "Examples" }</span>
                 </button>
+                <button class="btn ghost wide" title="New scene" onclick={fresh.clone()}>
+                    { icon::show("plus") }<span>{ "New" }</span>
+                </button>
                 <span class="hold">
                     { toggle(panel, Panel::Open, "btn ghost wide", "open", "Open", show) }
                     if *panel == Panel::Open {
@@ -111,7 +115,7 @@ pub(crate) fn TopBar(props: &TopBarProps) -> Html {
                     }
                 </span>
                 <input ref={picker} type="file" hidden=true multiple=true onchange={picked}
-                    accept=".json,.map,.scen,application/json" />
+                    accept=".json,.map,.scen,.giveway,application/json" />
                 <span class="hold">
                     { toggle(panel, Panel::Save, "btn ghost wide", "save", "Save", show) }
                     if *panel == Panel::Save {
@@ -144,6 +148,7 @@ pub(crate) fn TopBar(props: &TopBarProps) -> Html {
                 if *panel == Panel::Menu {
                     <div class="menu">
                         { item("examples", "Examples", examples) }
+                        { item("plus", "New scene", fresh) }
                         { item("open", "Open", pick) }
                         { item("copy", "Paste", paste) }
                         { save_items(state, send, show) }
@@ -190,7 +195,7 @@ fn save_items(state: &Shown, send: &Callback<Action>, show: &Callback<Panel>) ->
             save(&state, send.clone());
         })
     };
-    let answer = state.fresh_answer();
+    let answer = state.document.fresh_answer();
     let has_changes = answer.is_some_and(|answer| answer.course.is_some());
     let has_plan = answer.and_then(|answer| answer.plan()).is_some();
     let scene = press(|state, _| crate::files::save(&files::scene_file(state)));
@@ -218,7 +223,7 @@ fn copy_item(state: &Shown, is_copied: &UseStateHandle<bool>, send: &Callback<Ac
             let text = files::scene_file(&state).text;
             copy::text("scene", &text, move |done| match done {
                 Ok(()) => is_copied.set(true),
-                Err(notice) => send.emit(Action::Refuse(notice)),
+                Err(notice) => send.emit(Action::File(FileAction::Refuse(notice))),
             });
         })
     };
@@ -243,5 +248,5 @@ fn save_if(saved: Option<files::Saved>) {
 
 fn press_theme(state: &Shown, send: &Callback<Action>) -> Callback<MouseEvent> {
     let theme = state.view.theme;
-    send.reform(move |_| Action::SetTheme(theme.next(system_is_dark())))
+    send.reform(move |_| Action::View(ViewAction::SetTheme(theme.next(system_is_dark()))))
 }

@@ -1,11 +1,11 @@
 //! Whether there is room for two boards side by side.
 
-use giveway_page::Action;
+use giveway_page::{Action, ViewAction};
 use gloo::events::EventListener;
 use yew::prelude::*;
 
-/// Wider than a phone: as in the style sheets.
-const WIDE: &str = "(min-width: 721px)";
+/// Larger than a phone, upright or lying: as in the style sheets.
+const WIDE: &str = "(min-width: 721px) and (min-height: 481px)";
 
 /// Tells the state how much room there is, now and when that changes.
 #[hook]
@@ -14,10 +14,10 @@ pub(crate) fn use_wide(send: &Callback<Action>) {
     use_effect_with((), move |()| {
         let query = gloo::utils::window().match_media(WIDE).ok().flatten();
         let listener = query.map(|query| {
-            send.emit(Action::SetWide(query.matches()));
+            send.emit(Action::View(ViewAction::SetWide(query.matches())));
             let asked = query.clone();
             EventListener::new(&query, "change", move |_| {
-                send.emit(Action::SetWide(asked.matches()));
+                send.emit(Action::View(ViewAction::SetWide(asked.matches())));
             })
         });
         move || drop(listener)

@@ -219,7 +219,8 @@ The answer is one of
 Examples
   giveway explain scenario-1.json --plan plan-1.json wait A2 --at 3,1
   giveway explain warehouse.json charge A1 --at 6,2
-  giveway explain scenario-6.json unsolvable")]
+  giveway explain scenario-6.json unsolvable
+  giveway explain warehouse.json --plan adopted.json --changes changes.json arrival A1")]
 pub(crate) struct Explain {
     #[command(flatten)]
     pub(crate) source: Source,
@@ -229,6 +230,14 @@ pub(crate) struct Explain {
     /// standard input. Without it the instance is solved first
     #[arg(long, value_name = "PLAN")]
     pub(crate) plan: Option<PathBuf>,
+    /// What changed while the plan ran: the question is about what comes from the last of these
+    /// changes on, and its times are those of the whole plan
+    #[arg(long, value_name = "FILE", requires = "plan", conflicts_with = "proof")]
+    pub(crate) changes: Option<PathBuf>,
+    /// The time that is looked at: later changes do not count, and the plan must be right without
+    /// them [default: all changes count]
+    #[arg(long, value_name = "T", requires = "changes", value_parser = whole::<u32>, allow_negative_numbers = true)]
+    pub(crate) at_time: Option<u32>,
     /// The costs in which plans compare, the most important first [default: the instance's own,
     /// or makespan,sum-of-costs,charges]
     #[arg(long, value_name = "LIST")]

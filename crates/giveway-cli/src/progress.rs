@@ -136,7 +136,7 @@ impl Known {
             Progress::Bound { cost, at_least } => {
                 self.bounds.insert(*cost, *at_least);
             }
-            Progress::Plan { costs } => self.best = Some(*costs),
+            Progress::Plan { costs, .. } => self.best = Some(*costs),
             Progress::Size { conflicts, .. } => self.conflicts = *conflicts,
             Progress::Explained { .. } | Progress::Certifying { .. } => {}
         }
@@ -175,6 +175,8 @@ impl Known {
 
 #[cfg(test)]
 mod tests {
+    use giveway_model::Plan;
+
     use super::*;
 
     #[test]
@@ -192,6 +194,7 @@ mod tests {
                 sum_of_costs: 40,
                 ..Costs::default()
             },
+            plan: Plan::default(),
         });
         known.learn(&Progress::Size {
             variables: 1,

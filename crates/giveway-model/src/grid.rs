@@ -174,6 +174,15 @@ impl Grid {
         self.cells.get(self.index(cell)).copied()
     }
 
+    /// What lies on the cells of a row, from the left; nothing off the map.
+    pub fn row(&self, y: u32) -> &[Ground] {
+        let width = self.width as usize;
+        let begin = (y as usize).saturating_mul(width);
+        self.cells
+            .get(begin..begin.saturating_add(width))
+            .unwrap_or_default()
+    }
+
     /// Whether the cell is on the map and no obstacle.
     pub fn is_vertex(&self, cell: Cell) -> bool {
         self.ground(cell).is_some_and(Ground::is_vertex)
@@ -219,7 +228,7 @@ impl Grid {
     }
 
     /// Changes what lies on a cell; false off the map.
-    pub(crate) fn set_ground(&mut self, cell: Cell, ground: Ground) -> bool {
+    pub fn set_ground(&mut self, cell: Cell, ground: Ground) -> bool {
         if self.ground(cell).is_none() {
             return false;
         }

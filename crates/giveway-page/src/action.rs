@@ -1,26 +1,90 @@
-//! What can happen to the page.
+//! What can happen to the page, by the place where it does.
 
-use giveway_model::change::What;
-use giveway_model::{AtGoal, Cell, Objective, Question, Scene};
+use giveway_model::{Cell, Question, Scene};
 use giveway_solve::{Progress, Response};
 
 use crate::changing::Choice;
 use crate::link::Linked;
+use crate::slot::{Elsewhere, Lost, Unkept};
 use crate::steering::Lead;
-use crate::{Edit, Fill, Lit, Notice, Selection, Speed, Tab, Theme, Tool};
+use crate::{Edit, Fill, Lit, Moment, Notice, Selection, Speed, Tab, Theme, Tool};
 
 /// What a person did, what the solver told, or that time went on.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Action {
-    /// A scene was opened: it replaces the one on the board.
-    Open(Box<Scene>),
-    /// A link was opened: its scene replaces the one on the board.
-    OpenLink(Box<Linked>),
-    /// Something could not be done; the scene stays.
-    Refuse(Notice),
-    /// The notice was read.
-    DismissNotice,
+    /// Documents come and go.
+    File(FileAction),
+    /// An edit that is made beside the board: of the scene, or of the world where
+    /// that changes.
+    Edit(Edit),
+    /// Takes the last step back.
+    Undo,
+    /// Takes the last undo back.
+    Redo,
+    /// On the board.
+    Board(BoardAction),
+    /// The pointer went on over several cells since the last frame, each as by
+    /// [`BoardAction::Drag`].
+    DragOver(Vec<Cell>),
+    /// The solver.
+    Solve(SolveAction),
+    /// Questions.
+    Ask(AskAction),
+    /// The world changes while a plan runs.
+    Change(ChangeAction),
+    /// An agent is led by hand, in a plan of one's own.
+    Steer(Lead),
+    /// The plan plays.
+    Play(PlayAction),
+    /// What is shown and how.
+    View(ViewAction),
+    /// The page has something to say by itself, or was heard.
+    Slot(SlotAction),
+}
 
+/// The page has something to say by itself, or was heard.
+#[derive(Clone, Debug, PartialEq)]
+pub enum SlotAction {
+    /// What the browser kept could not be opened.
+    Lose(Lost),
+    /// What could not be opened was downloaded, or need not be told any longer.
+    Settle,
+    /// The browser does not keep the document.
+    Unkept(Unkept),
+    /// The browser keeps the document again.
+    Kept,
+    /// Another tab keeps something else of this scene.
+    Differ(Box<Elsewhere>),
+    /// The other tab has what is here again.
+    Agree,
+    /// Takes what the other tab has.
+    TakeTheirs,
+    /// Stays with what is here.
+    KeepMine,
+    /// What is said was heard.
+    Close,
+}
+
+/// Documents come and go.
+#[derive(Clone, Debug, PartialEq)]
+pub enum FileAction {
+    /// A scene was opened: it takes the place of the one on the board.
+    Open(Box<Scene>),
+    /// A link, a file, or what the browser kept was opened.
+    OpenLink(Box<Linked>),
+    /// Back to the document that another one was opened in the place of.
+    Back,
+    /// What was displaced need not be told any longer.
+    Keep,
+    /// A document that the browser kept takes the place of the one on the board.
+    Resume(Box<Moment>),
+    /// Something could not be done; the document stays.
+    Refuse(Notice),
+}
+
+/// On the board.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum BoardAction {
     /// A tool was picked.
     PickTool(Tool),
     /// The keyboard's place on the board is this cell now.
@@ -47,64 +111,57 @@ pub enum Action {
     Abandon,
     /// The selection changed.
     Select(Selection),
-    /// An edit that is made beside the board.
-    Edit(Edit),
-    /// What is strewn by chance next time.
-    SetFill(Fill),
-    /// Takes the last edit back.
-    Undo,
-    /// Takes the last undo back.
-    Redo,
+}
 
-    /// The costs to minimise.
-    SetObjective(Objective),
-    /// What happens to arrived agents.
-    SetAtGoal(AtGoal),
-    /// The least battery level.
-    SetBatteryFloor(u32),
-    /// The horizon in time steps.
-    SetWithin(Option<u32>),
-    /// The time limit in seconds.
-    SetSeconds(u32),
-    /// Whether every edit is solved at once.
-    SetSolveOnChange(bool),
-    /// Whether all plans of the Pareto front are sought.
-    SetFront(bool),
+/// The solver.
+#[derive(Clone, Debug, PartialEq)]
+pub enum SolveAction {
+    /// Solve the scene that the page opens on: it is no step of its own.
+    Begin,
+    /// Solve the scene on the board: from the best plan so far, where a search was
+    /// cut off.
+    Solve,
+    /// Stop what runs, at once.
+    Cancel,
     /// Show a plan of the front, by its number.
     ShowPoint(usize),
-
-    /// Solve the scene on the board.
-    Solve,
-    /// Stop solving, at once.
-    Cancel,
-    /// The solver got to know something; `run` is [`crate::Run::id`].
+    /// Prove again what was answered last, to the question or of the plan, and
+    /// check the proofs.
+    CheckProof,
+    /// The worker got to know something.
     Progress {
-        /// The run.
-        run: u64,
+        /// The number of the job.
+        job: u64,
         /// What became known.
         event: Progress,
     },
-    /// The solver answered.
+    /// The worker answered.
     Respond {
-        /// The run.
-        run: u64,
+        /// The number of the job.
+        job: u64,
         /// The answer.
         response: Box<Response>,
     },
-    /// The solver ended without an answer.
+    /// The worker ended without an answer.
     Crash {
-        /// The run.
-        run: u64,
+        /// The number of the job.
+        job: u64,
         /// Why, as a sentence.
         sentence: String,
         /// Whether it broke off and was replaced; else it did not even start.
         had_started: bool,
     },
+}
 
+/// Questions.
+#[derive(Clone, Debug, PartialEq)]
+pub enum AskAction {
     /// Ask a question about the plan that is shown.
     Ask(Question),
+    /// Ask the question again whose answer was cut off.
+    Again,
     /// Leave the question.
-    CloseQuestion,
+    Close,
     /// Show the other plan, or this one again.
     ShowOther(bool),
     /// Light something of the answer up on the map.
@@ -113,17 +170,15 @@ pub enum Action {
     TakeOther,
     /// Make the edits of a repair, by its index.
     TakeRepair(usize),
+}
 
-    /// Prove again what was answered last, to the question or of the plan, and
-    /// check the proofs.
-    CheckProof,
-
-    /// The world changes at the time shown, while the plan runs.
-    BeginChange,
+/// The world changes while a plan runs.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum ChangeAction {
+    /// The world changes at the time shown.
+    Begin,
     /// Leave what changes, as if it did not.
-    DiscardChange,
-    /// List a change beside the board.
-    ListChange(What),
+    Discard,
     /// Take a listed change back, by its place in the list.
     TakeBack(usize),
     /// The methods to try.
@@ -134,10 +189,11 @@ pub enum Action {
     Preview(usize),
     /// Adopt the plan of a method, by its place.
     Adopt(usize),
+}
 
-    /// Lead an agent by hand, in a plan of one's own.
-    Steer(Lead),
-
+/// The plan plays.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum PlayAction {
     /// Play from the time shown, or from the start where it is the end.
     Play,
     /// Stop at the next step.
@@ -152,21 +208,35 @@ pub enum Action {
     Reach(u32),
     /// How fast to play.
     SetSpeed(Speed),
+}
 
+/// What is shown and how; and what a person set for all scenes.
+#[derive(Clone, Debug, PartialEq)]
+pub enum ViewAction {
+    /// The notice was read.
+    DismissNotice,
     /// Shows or hides ways behind and ahead.
     ShowTrails(bool),
     /// Shades cells by how much they are used, or not.
     ShowHeat(bool),
     /// Lets the camera go with the agent selected, or not.
     Follow(bool),
-    /// Gives an agent, by its index in the scene, one of the colours.
-    Recolour(usize, usize),
     /// Shows or hides the plan table.
     ShowTable(bool),
     /// What a phone shows below the board.
     ShowTab(Tab),
     /// Whether there is room for two boards side by side.
     SetWide(bool),
-    /// The colours.
+    /// Light or dark.
     SetTheme(Theme),
+    /// The time limit in seconds.
+    SetSeconds(u32),
+    /// Whether every edit is solved at once.
+    SetSolveOnChange(bool),
+    /// Whether all plans of the Pareto front are sought.
+    SetFront(bool),
+    /// What is strewn by chance next time.
+    SetFill(Fill),
+    /// Whether single letters are keys.
+    SetLetterKeys(bool),
 }

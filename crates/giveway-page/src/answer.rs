@@ -25,6 +25,8 @@ pub struct Answer {
     pub arrivals: Vec<Option<u32>>,
     /// What changed while the plan ran, where something did.
     pub course: Option<Rc<Course>>,
+    /// Whether the plan came from elsewhere and nothing was proved of it here.
+    pub is_shared: bool,
 }
 
 impl Answer {
@@ -47,6 +49,7 @@ impl Answer {
             levels,
             arrivals,
             course: None,
+            is_shared: false,
         }
     }
 
@@ -81,6 +84,7 @@ impl Answer {
             levels,
             arrivals,
             course: Some(Rc::new(course)),
+            is_shared: false,
         })
     }
 
@@ -115,17 +119,44 @@ impl Answer {
         self.solved.plan.as_ref()
     }
 
-    /// The index, in the draft that was solved, of an agent of another draft:
-    /// of the same name and from the same start. Else the plan is not of it.
+    /// The index, in the draft that was solved, of an agent of another draft.
+    /// `None` where the plan is no plan of it: it has another name or another task
+    /// there, or its path leads through what is no way there.
     pub fn agent(&self, draft: &Draft, agent: usize) -> Option<usize> {
-        let who = draft.agents().get(agent)?;
-        let is = |other: &Agent| other.name == who.name && other.start == who.start;
-        let mine = self.agents();
-        // Nearly always it has kept its place.
-        match mine.get(agent) {
-            Some(other) if is(other) => Some(agent),
-            _ => mine.iter().position(is),
+        if std::ptr::eq(Rc::as_ptr(&self.draft), draft) {
+            return (agent < draft.agents().len()).then_some(agent);
         }
+        let who = draft.agents().get(agent)?;
+        if self.course.is_some() || draft.is_only_shown() {
+            // Goals and waypoints of a world that changes are those of a time.
+            let is = |other: &Agent| other.name == who.name && other.start == who.start;
+            return self.agents().iter().position(is);
+        }
+        self.same(who).filter(|_| self.is_walkable(draft, who))
+    }
+
+    /// The index of an agent of the same name with the same task.
+    fn same(&self, who: &Agent) -> Option<usize> {
+        self.draft.agents().iter().position(|other| other == who)
+    }
+
+    /// Whether the path of an agent is a way on the map of another draft, of as
+    /// many steps.
+    fn is_walkable(&self, draft: &Draft, who: &Agent) -> bool {
+        let path = self.plan().map_or(&[][..], |plan| plan.path(&who.name));
+        let (mine, other) = (self.draft.grid(), draft.grid());
+        let mut cells = path.iter().copied().flatten();
+        cells.all(|cell| {
+            other.is_vertex(cell)
+                && other.is_slow(cell) == mine.is_slow(cell)
+                && other.is_charger(cell) == mine.is_charger(cell)
+        })
+    }
+
+    /// The indices of [`Answer::agent`], for all agents of a draft.
+    pub(crate) fn agents_of(&self, draft: &Draft) -> Vec<Option<usize>> {
+        let agents = 0..draft.agents().len();
+        agents.map(|agent| self.agent(draft, agent)).collect()
     }
 
     /// The last time of the plan, in steps; 0 without one.

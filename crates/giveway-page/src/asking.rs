@@ -6,9 +6,10 @@ use giveway_model::check::Violation;
 use giveway_model::{Cost, Question};
 use giveway_proof::Report;
 use giveway_solve::explain::{ExplainAnswer, ExplainRequest};
-use giveway_solve::{SolveAnswer, Stats, Status};
+use giveway_solve::{Limits, SolveAnswer, Stats, Status};
 
 use crate::Answer;
+use crate::changing::Changing;
 
 /// A question with its answer so far.
 #[derive(Clone, Debug, PartialEq)]
@@ -27,8 +28,6 @@ pub struct Asking {
     pub lit: Option<Lit>,
     /// What came of checking its proof.
     pub report: Option<Rc<Report>>,
-    /// Whether nothing more will come.
-    pub is_done: bool,
 }
 
 /// What is lit up on the map.
@@ -41,8 +40,31 @@ pub enum Lit {
 }
 
 impl Asking {
+    /// Why there is no way to go on where the world changes.
+    pub(crate) fn stuck(changing: &Changing, limits: Limits) -> Self {
+        let mut asking = Self::about(&changing.about, Question::Unsolvable, limits);
+        let request = Rc::make_mut(&mut asking.request);
+        request.changes = Some(changing.changes());
+        asking
+    }
+
+    /// A question about an answer that was just asked.
+    pub(crate) fn about(answer: &Rc<Answer>, question: Question, limits: Limits) -> Self {
+        let request = Rc::new(ExplainRequest {
+            scene: answer.draft.scene().clone(),
+            plan: answer.plan().cloned(),
+            changes: answer.course.as_ref().map(|course| course.changes.clone()),
+            at: None,
+            question,
+            objective: answer.request.objective.clone(),
+            within: answer.request.within,
+            limits,
+        });
+        Self::new(request, Rc::clone(answer))
+    }
+
     /// A question that was just asked.
-    pub(crate) const fn new(request: Rc<ExplainRequest>, about: Rc<Answer>) -> Self {
+    const fn new(request: Rc<ExplainRequest>, about: Rc<Answer>) -> Self {
         Self {
             request,
             about,
@@ -51,8 +73,19 @@ impl Asking {
             shows_other: false,
             lit: None,
             report: None,
-            is_done: false,
         }
+    }
+
+    /// The other plan, where it takes the place of this one.
+    pub(crate) fn in_place(&self, is_alone: bool) -> Option<&Rc<Answer>> {
+        let shows = self.shows_other && is_alone;
+        self.other.as_ref().filter(|_| shows)
+    }
+
+    /// Whether its repairs can be made: those of a world that has changed are for
+    /// that world, not for the scene.
+    pub(crate) fn can_be_repaired(&self) -> bool {
+        self.about.course.is_none()
     }
 
     /// The question.
@@ -102,6 +135,13 @@ impl Asking {
             ..solved.clone()
         };
         let (draft, request) = (Rc::clone(&self.about.draft), Rc::clone(&self.about.request));
-        Some(Rc::new(Answer::new(draft, request, answer)))
+        let answer = match self.about.course.as_deref() {
+            None => Answer::new(draft, request, answer),
+            Some(course) => {
+                let (changes, steps) = (course.changes.clone(), course.steps.clone());
+                Answer::over_time(draft, request, answer, changes, steps).ok()?
+            }
+        };
+        Some(Rc::new(answer))
     }
 }

@@ -16,6 +16,7 @@ pub struct Draft {
     grid: Grid,
     instance: Result<Instance, Vec<Fault>>,
     problems: Vec<Problem>,
+    is_only_shown: bool,
 }
 
 impl Default for Draft {
@@ -31,6 +32,7 @@ impl Default for Draft {
             scene,
             grid,
             problems: Vec::new(),
+            is_only_shown: false,
         }
     }
 }
@@ -71,6 +73,7 @@ impl Draft {
             scene,
             grid,
             instance,
+            is_only_shown: false,
         })
     }
 
@@ -83,7 +86,14 @@ impl Draft {
             grid,
             instance: Err(Vec::new()),
             problems: Vec::new(),
+            is_only_shown: true,
         }
+    }
+
+    /// Whether it is part of a world that changes, or of an edit that is not
+    /// finished.
+    pub(crate) const fn is_only_shown(&self) -> bool {
+        self.is_only_shown
     }
 
     /// The scene as plain data.

@@ -7,7 +7,7 @@ use std::rc::Rc;
 use giveway_model::{Cost, Objective, Version};
 use giveway_solve::{FrontAnswer, SolveAnswer, SolveRequest, Stats, Status};
 
-use crate::{Answer, Draft, State, words};
+use crate::{Answer, Draft, words};
 
 /// The numbers of costs that have a front.
 const COSTS: std::ops::RangeInclusive<usize> = 2..=3;
@@ -24,6 +24,7 @@ pub struct Front {
     /// The makespan up to which it is whole; `None` for whatever the horizon.
     pub within: Option<u32>,
     costs: Vec<Cost>,
+    told: FrontAnswer,
 }
 
 /// Where the points are on a plot, whole units from its upper left.
@@ -58,7 +59,7 @@ impl Front {
     pub(crate) fn new(draft: Rc<Draft>, request: &Rc<SolveRequest>, front: FrontAnswer) -> Self {
         let objective = request.objective.as_ref();
         let objective = objective.unwrap_or(&request.scene.objective);
-        let points = front.front.into_iter().map(|point| {
+        let points = front.front.iter().cloned().map(|point| {
             let plan = SolveAnswer {
                 status: Status::Feasible,
                 bounds: BTreeMap::new(),
@@ -71,6 +72,7 @@ impl Front {
             status: front.status,
             within: front.within.filter(|_| !front.complete),
             costs: objective.costs().to_vec(),
+            told: front,
             draft,
         }
     }
@@ -97,6 +99,11 @@ impl Front {
             Rc::clone(request),
             none,
         ))
+    }
+
+    /// What was told of it.
+    pub(crate) const fn told(&self) -> &FrontAnswer {
+        &self.told
     }
 
     /// Whether it is proved that these are all.
@@ -173,24 +180,9 @@ fn get(costs: giveway_model::Costs, cost: Cost) -> u32 {
     costs.get(cost)
 }
 
-impl State {
-    /// The front of the draft on the board, if one was found; not while the
-    /// world changes, which is about one plan.
-    pub fn front(&self) -> Option<&Front> {
-        let front = self.front.as_deref().filter(|_| self.changing.is_none());
-        front.filter(|front| Rc::ptr_eq(&front.draft, &self.draft) || front.draft == self.draft)
-    }
-
-    /// The front that the plan is a point of.
-    pub(crate) fn own_front(&self) -> Option<&Front> {
-        let answer = self.answer.as_ref()?;
-        self.front()
-            .filter(|front| front.place_of(answer).is_some())
-    }
-}
-
 #[cfg(test)]
 mod tests {
+    use crate::{BoardAction, SolveAction, State, ViewAction};
     use giveway_model::Costs;
     use giveway_solve::Response;
 
@@ -211,7 +203,10 @@ mod tests {
     }
 
     fn solved(status: Status, costs: &[(u32, u32)]) -> State {
-        let actions = [Action::SetFront(true), Action::Solve];
+        let actions = [
+            Action::View(ViewAction::SetFront(true)),
+            Action::Solve(SolveAction::Solve),
+        ];
         let state = actions
             .into_iter()
             .fold(State::new(draft()), |state, action| reduce(&state, action));
@@ -223,15 +218,21 @@ mod tests {
             front: costs.iter().copied().map(point).collect(),
         };
         let response = Box::new(Response::Front(front));
-        reduce(&state, Action::Respond { run: 1, response })
+        reduce(
+            &state,
+            Action::Solve(SolveAction::Respond { job: 1, response }),
+        )
     }
 
     #[test]
     fn every_point_is_a_plan_to_show() {
         let state = solved(Status::Optimal, &[(18, 35), (20, 34), (22, 32)]);
-        let front = state.front().unwrap();
+        let front = state.document.front().unwrap();
         assert_eq!(front.name(1), "makespan 20, sum of costs 34, 3 charges");
-        assert_eq!(front.place_of(state.answer.as_ref().unwrap()), Some(0));
+        assert_eq!(
+            front.place_of(state.document.answer.as_ref().unwrap()),
+            Some(0)
+        );
         assert_eq!(state.phase(), Phase::Planned);
         let standing = words::standing(&state);
         assert!(
@@ -241,20 +242,23 @@ mod tests {
             "{standing:?}"
         );
 
-        let state = reduce(&state, Action::ShowPoint(2));
+        let state = reduce(&state, Action::Solve(SolveAction::ShowPoint(2)));
         assert_eq!(state.last_time(), 22);
         assert!(words::standing(&state).sentence.contains("makespan 22"));
-        assert_eq!(reduce(&state, Action::ShowPoint(9)), state);
+        assert_eq!(
+            reduce(&state, Action::Solve(SolveAction::ShowPoint(9))),
+            state
+        );
     }
 
     #[test]
     fn a_point_claims_nothing_of_its_own() {
         let state = solved(Status::Optimal, &[(18, 35), (20, 34)]);
-        let solved = &state.answer.as_ref().unwrap().solved;
+        let solved = &state.document.answer.as_ref().unwrap().solved;
         assert_eq!((solved.status, solved.bounds.len()), (Status::Feasible, 0));
         let part = self::solved(Status::Feasible, &[(18, 35)]);
         assert_eq!(part.phase(), Phase::Stopped);
-        assert!(part.front().unwrap().claim().contains("so far"));
+        assert!(part.document.front().unwrap().claim().contains("so far"));
         let none = self::solved(Status::Impossible, &[]);
         assert_eq!(none.phase(), Phase::None);
     }
@@ -262,26 +266,31 @@ mod tests {
     #[test]
     fn a_plot_goes_from_the_least_to_the_greatest() {
         let state = solved(Status::Optimal, &[(18, 35), (20, 34), (22, 32)]);
-        let plot = state.front().unwrap().plot();
+        let plot = state.document.front().unwrap().plot();
         assert_eq!(plot.points, [(0, 0), (130, 40), (260, 120)]);
         assert_eq!((plot.across, plot.up), ([18, 22], [32, 35]));
         let one = solved(Status::Optimal, &[(18, 35)]);
-        assert_eq!(one.front().unwrap().plot().points, [(130, 60)]);
+        assert_eq!(one.document.front().unwrap().plot().points, [(130, 60)]);
     }
 
     #[test]
     fn a_front_is_of_its_scene() {
         let state = solved(Status::Optimal, &[(18, 35)]);
         let edited = [
-            Action::PickTool(crate::Tool::Charger),
-            Action::Press(giveway_model::Cell::new(1, 0)),
-            Action::Release,
+            Action::Board(BoardAction::PickTool(crate::Tool::Charger)),
+            Action::Board(BoardAction::Press(giveway_model::Cell::new(1, 0))),
+            Action::Board(BoardAction::Release),
         ]
         .into_iter()
         .fold(state.clone(), |state, action| reduce(&state, action));
-        assert!(edited.front().is_none());
+        assert!(edited.document.front().is_none());
         let back = reduce(&edited, Action::Undo);
-        assert!(back.front().is_some());
-        assert_eq!(reduce(&back, Action::SetFront(false)).front(), back.front());
+        assert!(back.document.front().is_some());
+        assert_eq!(
+            reduce(&back, Action::View(ViewAction::SetFront(false)))
+                .document
+                .front(),
+            back.document.front()
+        );
     }
 }

@@ -1,26 +1,19 @@
-//! Undo and redo.
+//! Undo and redo: whole documents, each with where it was looked at.
 
-use std::rc::Rc;
-
-use crate::changing::Changing;
-use crate::steering::Steering;
-use crate::{Answer, Draft};
+use crate::{Document, Selection};
 
 /// The most steps that are kept.
-const DEPTH: usize = 200;
+pub(crate) const DEPTH: usize = 200;
 
-/// What a step of undo brings back.
+/// A document as it was, and where it was looked at.
 #[derive(Clone, Debug, PartialEq)]
-pub(crate) enum Moment {
-    /// A scene; the answer stays, and may be stale.
-    Scene(Rc<Draft>),
-    /// A plan of the scene as it is, with what was changing around it, or the plan
-    /// of one's own that was made of it.
-    Course {
-        answer: Option<Rc<Answer>>,
-        changing: Option<Rc<Changing>>,
-        steering: Option<Rc<Steering>>,
-    },
+pub struct Moment {
+    /// The document.
+    pub document: Document,
+    /// The time shown, in steps.
+    pub time: u32,
+    /// What the inspector told of.
+    pub selection: Selection,
 }
 
 /// What was before and after the present.
@@ -28,21 +21,43 @@ pub(crate) enum Moment {
 pub struct History {
     past: Vec<Moment>,
     future: Vec<Moment>,
+    touched: bool,
 }
 
 impl History {
+    /// A history of which only the end of the past is known, the oldest moment
+    /// first.
+    pub(crate) const fn of(past: Vec<Moment>) -> Self {
+        Self {
+            past,
+            future: Vec::new(),
+            touched: true,
+        }
+    }
+
+    /// Whether anything was ever done: else there is nothing to miss.
+    pub const fn is_touched(&self) -> bool {
+        self.touched
+    }
+
+    /// What was before, the oldest moment first.
+    pub(crate) fn past(&self) -> &[Moment] {
+        &self.past
+    }
+
     /// Whether there is something to undo.
-    pub fn can_undo(&self) -> bool {
+    pub const fn can_undo(&self) -> bool {
         !self.past.is_empty()
     }
 
     /// Whether there is something to redo.
-    pub fn can_redo(&self) -> bool {
+    pub const fn can_redo(&self) -> bool {
         !self.future.is_empty()
     }
 
     /// Takes in what was replaced; what was undone is lost.
     pub(crate) fn record(&mut self, before: Moment) {
+        self.touched = true;
         self.future.clear();
         self.past.push(before);
         if self.past.len() > DEPTH {
@@ -50,17 +65,17 @@ impl History {
         }
     }
 
-    /// What was before; `present` gives the same kind of what is now.
-    pub(crate) fn undo(&mut self, present: impl FnOnce(&Moment) -> Moment) -> Option<Moment> {
+    /// What was before, in the place of the present.
+    pub(crate) fn undo(&mut self, present: Moment) -> Option<Moment> {
         let before = self.past.pop()?;
-        self.future.push(present(&before));
+        self.future.push(present);
         Some(before)
     }
 
-    /// What was undone last.
-    pub(crate) fn redo(&mut self, present: impl FnOnce(&Moment) -> Moment) -> Option<Moment> {
+    /// What was undone last, in the place of the present.
+    pub(crate) fn redo(&mut self, present: Moment) -> Option<Moment> {
         let after = self.future.pop()?;
-        self.past.push(present(&after));
+        self.past.push(present);
         Some(after)
     }
 }

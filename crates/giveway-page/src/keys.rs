@@ -1,7 +1,11 @@
 //! The keys that work wherever the focus is.
 
+use crate::reduce::only_looks;
 use crate::steering::Lead;
-use crate::{Action, Phase, Selection, State, Tool};
+use crate::{
+    Action, AskAction, BoardAction, ChangeAction, Phase, PlayAction, Selection, SolveAction, State,
+    Tool, ViewAction,
+};
 
 /// A key as it was pressed.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -28,45 +32,61 @@ pub enum Command {
 /// What a key does; `None` where it does nothing, so that the browser keeps it.
 ///
 /// ```
-/// use giveway_page::{Action, Draft, State, Tool, keys::{Command, Key, command}};
+/// use giveway_page::{Action, BoardAction, Draft, State, Tool, keys::{Command, Key, command}};
 /// let state = State::new(Draft::default());
 /// let key = Key { name: "o", ..Key::default() };
-/// assert_eq!(command(key, &state), Some(Command::Act(Action::PickTool(Tool::Obstacle))));
+/// assert_eq!(command(key, &state), Some(Command::Act(Action::Board(BoardAction::PickTool(Tool::Obstacle)))));
 /// ```
 pub fn command(key: Key<'_>, state: &State) -> Option<Command> {
-    if key.alt {
+    let is_letter = key.name.chars().count() == 1 && key.name != " ";
+    if key.alt || (is_letter && !key.ctrl && !state.settings.letter_keys) {
         return None;
     }
+    let found = meant(key, state)?;
+    let fits = match &found {
+        Command::Act(action) => only_looks(action),
+        Command::Help => false,
+    };
+    (fits || !state.is_embedded()).then_some(found)
+}
+
+fn meant(key: Key<'_>, state: &State) -> Option<Command> {
     if key.ctrl {
         return with_ctrl(key).map(Command::Act);
     }
     if let Some(lead) = leads(key.name, state) {
         return Some(Command::Act(Action::Steer(lead)));
     }
-    let playing = state.playback.playing;
+    let playing = state.view.playback.playing;
     let has_plan = state.last_time() > 0;
     let on_plan = |action| has_plan.then_some(action);
     let action = match key.name {
         "?" => return Some(Command::Help),
         "Escape" => escape(state),
-        " " => on_plan(if playing { Action::Pause } else { Action::Play }),
-        "," => on_plan(Action::StepBack),
-        "." => on_plan(Action::StepForward),
-        "Home" => on_plan(Action::Seek(0)),
-        "End" => on_plan(Action::Seek(state.last_time())),
+        " " => on_plan(if playing {
+            Action::Play(PlayAction::Pause)
+        } else {
+            Action::Play(PlayAction::Play)
+        }),
+        "," => on_plan(Action::Play(PlayAction::StepBack)),
+        "." => on_plan(Action::Play(PlayAction::StepForward)),
+        "Home" => on_plan(Action::Play(PlayAction::Seek(0))),
+        "End" => on_plan(Action::Play(PlayAction::Seek(state.last_time()))),
         "f" | "F" => {
-            let follow = Action::Follow(!state.view.follow);
+            let follow = Action::View(ViewAction::Follow(!state.view.follow));
             state.selected_agent().and_then(|_| on_plan(follow))
         }
-        "x" | "X" => state.can_change().then_some(Action::BeginChange),
-        name => tool(name).map(Action::PickTool),
+        "x" | "X" => state
+            .can_change()
+            .then_some(Action::Change(ChangeAction::Begin)),
+        name => tool(name).map(|tool| Action::Board(BoardAction::PickTool(tool))),
     };
     action.map(Command::Act)
 }
 
 /// While an agent is led, keys lead it; else one begins that.
 fn leads(name: &str, state: &State) -> Option<Lead> {
-    let own = state.steering.as_deref();
+    let own = state.document.mode.steering();
     let lead = match name {
         "l" | "L" => return state.can_steer().map(|_| Lead::Begin),
         "ArrowLeft" => Lead::Step((-1, 0)),
@@ -83,7 +103,7 @@ fn leads(name: &str, state: &State) -> Option<Lead> {
 
 fn with_ctrl(key: Key<'_>) -> Option<Action> {
     match (key.name, key.shift) {
-        ("Enter", _) => Some(Action::Solve),
+        ("Enter", _) => Some(Action::Solve(SolveAction::Solve)),
         ("z" | "Z", false) => Some(Action::Undo),
         ("z" | "Z", true) | ("y" | "Y", false) => Some(Action::Redo),
         _ => None,
@@ -93,33 +113,29 @@ fn with_ctrl(key: Key<'_>) -> Option<Action> {
 /// One thing after the other: what is being placed, the solver, the notice, the
 /// selection.
 fn escape(state: &State) -> Option<Action> {
-    let stroke = state
-        .changing
-        .as_deref()
-        .and_then(|changing| changing.stroke.as_ref());
-    if state.placing.is_some() || state.stroke.is_some() || stroke.is_some() {
-        Some(Action::Abandon)
+    if state.has_gesture() {
+        Some(Action::Board(BoardAction::Abandon))
     } else if matches!(
         state.phase(),
         Phase::Solving | Phase::Asking | Phase::Checking | Phase::Adapting
     ) {
-        Some(Action::Cancel)
-    } else if state.notice.is_some() {
-        Some(Action::DismissNotice)
-    } else if state.asking.is_some() {
-        Some(Action::CloseQuestion)
-    } else if let Some(own) = state.steering.as_deref() {
+        Some(Action::Solve(SolveAction::Cancel))
+    } else if state.view.notice.is_some() {
+        Some(Action::View(ViewAction::DismissNotice))
+    } else if state.document.mode.asking().is_some() {
+        Some(Action::Ask(AskAction::Close))
+    } else if let Some(own) = state.document.mode.steering() {
         // Another agent or a cell is looked at in between.
         let led = Selection::Agent(own.agent);
-        Some(match state.selection {
+        Some(match state.view.selection {
             Selection::Nothing => Action::Steer(Lead::Discard),
             selection if selection == led => Action::Steer(Lead::Discard),
-            _ => Action::Select(led),
+            _ => Action::Board(BoardAction::Select(led)),
         })
-    } else if state.selection != Selection::Nothing {
-        Some(Action::Select(Selection::Nothing))
-    } else if state.changing.is_some() {
-        Some(Action::DiscardChange)
+    } else if state.view.selection != Selection::Nothing {
+        Some(Action::Board(BoardAction::Select(Selection::Nothing)))
+    } else if state.document.mode.changing().is_some() {
+        Some(Action::Change(ChangeAction::Discard))
     } else {
         None
     }
@@ -175,7 +191,7 @@ pub const HELP: [(&str, &[Row]); 5] = [
             row(&["C"], "Charger"),
             row(&["S"], "Slow zone"),
             row(&["E"], "Erase"),
-            row(&["A"], "Agent"),
+            row(&["A"], "Robot"),
             row(&["G"], "Goal"),
             row(&["W"], "Waypoint"),
         ],
@@ -198,14 +214,14 @@ pub const HELP: [(&str, &[Row]); 5] = [
                 "Move what is on the cell (Select)",
             ),
             row(&["+", "\u{2212}", "0"], "Zoom in, zoom out, fit"),
-            row(&["F"], "Follow the agent selected"),
+            row(&["F"], "Follow the robot selected"),
             row(&["?"], "This list"),
         ],
     ),
     (
-        "An agent by hand",
+        "A robot by hand",
         &[
-            row(&["L"], "Lead the agent that is selected"),
+            row(&["L"], "Lead the robot that is selected"),
             row(
                 &["\u{2190}", "\u{2191}", "\u{2192}", "\u{2193}"],
                 "Lead it a step",
@@ -251,7 +267,10 @@ mod tests {
         let rows: Vec<_> = rows.collect();
         for tool in Tool::ALL {
             let name = tool.key().to_string();
-            assert_eq!(act(key(&name), &state()), Some(Action::PickTool(tool)));
+            assert_eq!(
+                act(key(&name), &state()),
+                Some(Action::Board(BoardAction::PickTool(tool)))
+            );
             let upper = name.to_uppercase();
             let told = rows.iter().find(|row| row.keys == [upper.as_str()]);
             assert_eq!(told.map(|row| row.what), Some(tool.name()));
@@ -266,7 +285,10 @@ mod tests {
             shift,
             alt: false,
         };
-        assert_eq!(act(ctrl("Enter", false), &state()), Some(Action::Solve));
+        assert_eq!(
+            act(ctrl("Enter", false), &state()),
+            Some(Action::Solve(SolveAction::Solve))
+        );
         assert_eq!(act(ctrl("z", false), &state()), Some(Action::Undo));
         assert_eq!(act(ctrl("Z", true), &state()), Some(Action::Redo));
         assert_eq!(act(ctrl("c", false), &state()), None, "copying stays");
@@ -282,16 +304,16 @@ mod tests {
 
     #[test]
     fn escape_takes_one_thing_after_the_other() {
-        let mut state = reduce(&state(), Action::Solve);
-        state.notice = Some(Notice {
+        let mut state = reduce(&state(), Action::Solve(SolveAction::Solve));
+        state.view.notice = Some(Notice {
             sentence: String::new(),
             details: Vec::new(),
         });
-        state.selection = Selection::Agent(0);
+        state.view.selection = Selection::Agent(0);
         for expect in [
-            Action::Cancel,
-            Action::DismissNotice,
-            Action::Select(Selection::Nothing),
+            Action::Solve(SolveAction::Cancel),
+            Action::View(ViewAction::DismissNotice),
+            Action::Board(BoardAction::Select(Selection::Nothing)),
         ] {
             let action = act(key("Escape"), &state);
             assert_eq!(action, Some(expect.clone()));

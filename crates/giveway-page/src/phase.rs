@@ -3,7 +3,7 @@
 use giveway_solve::Status;
 
 use crate::front::Front;
-use crate::{State, Work};
+use crate::{Mode, State, Task};
 
 /// The states of the page's specification, as far as they are built.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -35,26 +35,27 @@ pub enum Phase {
 impl State {
     /// Where the page stands.
     pub fn phase(&self) -> Phase {
-        match self.work {
-            Work::Solving(_) => return Phase::Solving,
-            Work::Asking(_) => return Phase::Asking,
-            Work::Certifying(_) => return Phase::Checking,
-            Work::Adapting(_) => return Phase::Adapting,
-            Work::Idle => {}
+        match self.work.task() {
+            Some(Task::Solve(_)) => return Phase::Solving,
+            Some(Task::Explain(_)) => return Phase::Asking,
+            Some(Task::Certify(_)) => return Phase::Checking,
+            Some(Task::Change(_)) => return Phase::Adapting,
+            None => {}
         }
-        if let Some(changing) = &self.changing {
-            return match changing.compared {
-                None => Phase::Changing,
-                Some(_) => Phase::Comparing,
-            };
+        match self.document.mode {
+            Mode::Changing(_) => return Phase::Changing,
+            Mode::Comparing(_) | Mode::Stuck(..) => return Phase::Comparing,
+            Mode::Steering(_) | Mode::Judging(..) => return Phase::Steering,
+            Mode::Editing | Mode::Asking(_) => {}
         }
-        if self.steering.is_some() {
-            return Phase::Steering;
-        }
-        if self.own_front().is_some_and(Front::is_whole) {
+        if self.document.own_front().is_some_and(Front::is_whole) {
             return Phase::Planned;
         }
-        match self.fresh_answer().map(|answer| answer.solved.status) {
+        match self
+            .document
+            .fresh_answer()
+            .map(|answer| answer.solved.status)
+        {
             None => Phase::Editing,
             Some(Status::Optimal) => Phase::Planned,
             Some(Status::Impossible) => Phase::None,

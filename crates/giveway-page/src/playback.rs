@@ -55,6 +55,15 @@ pub struct Playback {
     pub speed: Speed,
 }
 
+impl Playback {
+    /// Stands still at a time that was asked for.
+    pub(crate) const fn stop_at(&mut self, time: u32) {
+        self.time = time;
+        self.playing = false;
+        self.sought = true;
+    }
+}
+
 /// A point of the map: the middle of the cell `[x, y]` is at `(x, y)`, `y` down.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Point {

@@ -1,13 +1,15 @@
 //! The check of a proof as the inspector shows it: offered, on its way, done.
 
+use std::rc::Rc;
+
 use giveway_proof::bundle::Method;
 use giveway_proof::{Checked, Report};
 use giveway_solve::CertifyRequest;
 use giveway_solve::explain::Verdict;
 
 use crate::ask::Badge;
-use crate::words::{cells, count, grouped};
-use crate::{Certifying, State, Work};
+use crate::words::{count, grouped};
+use crate::{Certified, Certifying, State, Task};
 
 /// The check of a proof.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -44,13 +46,15 @@ pub struct Line {
 
 /// What there is to show; nothing where nothing was proved.
 pub fn proof(state: &State) -> Option<Proof> {
-    if let Work::Certifying(run) = &state.work {
-        let is_here = run.of_question == state.asking.is_some();
-        return is_here.then(|| Proof::Running(doing(run)));
+    if let Some(Task::Certify(run)) = state.work.task() {
+        return Some(Proof::Running(doing(run)));
     }
-    let report = match &state.asking {
+    let report = match state.document.mode.asking() {
         Some(asking) => asking.report.as_deref(),
-        None => state.report().filter(|_| !state.is_stale()),
+        None => state
+            .document
+            .report()
+            .filter(|_| !state.document.is_stale()),
     };
     match report {
         Some(report) => Some(Proof::Done(outcome(report))),
@@ -60,24 +64,28 @@ pub fn proof(state: &State) -> Option<Proof> {
 
 /// What is to be certified: the answer to the question, where one was asked,
 /// else the plan, or that there is none.
-pub(crate) fn request(state: &State) -> Option<CertifyRequest> {
-    if state.work != Work::Idle {
+pub(crate) fn request(state: &State) -> Option<(Certified, CertifyRequest)> {
+    if !state.work.is_idle() {
         return None;
     }
-    let Some(asking) = state.asking.as_deref() else {
+    let Some(asking) = state.document.mode.asking() else {
         // Certificates are of plans in one world.
-        let answer = state
-            .fresh_answer()
-            .filter(|answer| answer.course.is_none())?;
-        if state.changing.is_some() {
+        let answer = state.document.fresh_answer();
+        let answer = answer.filter(|answer| answer.course.is_none())?;
+        if state.document.mode.changing().is_some() {
             return None;
         }
         let (scene, objective) = (&answer.request.scene, &answer.request.objective);
         let request = CertifyRequest::of_solved(scene.clone(), objective.clone(), &answer.solved);
-        return claims_something(&request).then_some(request);
+        let about = Certified::Answer(Rc::clone(answer));
+        return claims_something(&request).then_some((about, request));
     };
+    // Certificates are of plans in one world.
+    if asking.request.changes.is_some() {
+        return None;
+    }
     let told = asking.told.as_deref()?;
-    if !asking.is_done || told.verdict == Verdict::Unknown || told.valid == Some(false) {
+    if told.verdict == Verdict::Unknown || told.valid == Some(false) {
         return None;
     }
     let mut instance = asking.about.draft.instance().ok()?.clone();
@@ -85,7 +93,8 @@ pub(crate) fn request(state: &State) -> Option<CertifyRequest> {
         instance = instance.with_objective(objective.clone());
     }
     let request = CertifyRequest::of_explained(&instance, asking.request.plan.as_ref(), told);
-    claims_something(&request).then_some(request)
+    let about = Certified::Question(Rc::clone(&asking.request));
+    claims_something(&request).then_some((about, request))
 }
 
 /// Whether anything is claimed not to be: a bound of 0 says nothing.
@@ -97,8 +106,8 @@ fn claims_something(request: &CertifyRequest) -> bool {
 pub(crate) fn doing(run: &Certifying) -> String {
     match &run.at {
         None => "Checking the proof.".to_owned(),
-        Some((claim, false)) => format!("Proving again: {}", cells(claim)),
-        Some((claim, true)) => format!("Checking the proof: {}", cells(claim)),
+        Some((claim, false)) => format!("Proving again: {claim}"),
+        Some((claim, true)) => format!("Checking the proof: {claim}"),
     }
 }
 
@@ -116,11 +125,10 @@ fn outcome(report: &Report) -> Outcome {
     let reason = report.reason.as_deref().unwrap_or_default();
     let sentence = match (report.accepted, report.stopped) {
         (true, _) => sums(report),
-        (false, true) => format!("The check ended too early. {}", cells(reason)),
-        (false, false) => format!(
-            "The certificate does not hold, which is a fault of this program. {}",
-            cells(reason)
-        ),
+        (false, true) => format!("The check ended too early. {reason}"),
+        (false, false) => {
+            format!("The certificate does not hold, which is a fault of this program. {reason}")
+        }
     };
     Outcome {
         badge: Badge { word, icon, class },
@@ -192,8 +200,8 @@ fn line(claim: &Checked) -> Line {
         }
         Checked::Search { text, method, .. } => {
             let what = match method {
-                Method::Alone => "A search of each agent alone, repeated.",
-                Method::Joint => "A search of all states of all agents, repeated.",
+                Method::Alone => "A search of each robot alone, repeated.",
+                Method::Joint => "A search of all states of all robots, repeated.",
             };
             ("search", text, what.to_owned())
         }
@@ -201,7 +209,7 @@ fn line(claim: &Checked) -> Line {
     };
     Line {
         icon,
-        text: cells(text),
-        rests_on: cells(&rests_on),
+        text: text.clone(),
+        rests_on,
     }
 }

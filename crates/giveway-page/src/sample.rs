@@ -6,7 +6,7 @@ use giveway_model::format::native;
 use giveway_model::{Cell, Costs, Objective, Plan, Version};
 use giveway_solve::{Response, SolveAnswer, Stats, Status};
 
-use crate::{Action, Answer, Draft, State, reduce};
+use crate::{Action, Answer, BoardAction, Draft, SolveAction, State, reduce};
 
 /// The warehouse.
 pub(crate) fn draft() -> Draft {
@@ -64,7 +64,7 @@ pub(crate) fn proved(objective: &Objective, costs: Costs, plan: Plan) -> SolveAn
 
 /// The page after the warehouse was solved, playing.
 pub(crate) fn solved() -> State {
-    let state = reduce(&State::new(draft()), Action::Solve);
+    let state = reduce(&State::new(draft()), Action::Solve(SolveAction::Begin));
     let costs = Costs {
         makespan: 18,
         sum_of_costs: 35,
@@ -72,22 +72,25 @@ pub(crate) fn solved() -> State {
         moves: 30,
         waits: 0,
     };
-    let objective = state.draft.scene().objective.clone();
+    let objective = state.document.draft.scene().objective.clone();
     let response = Box::new(Response::Solved(proved(&objective, costs, plan())));
-    reduce(&state, Action::Respond { run: 1, response })
+    reduce(
+        &state,
+        Action::Solve(SolveAction::Respond { job: 1, response }),
+    )
 }
 
 /// Its answer.
 pub(crate) fn warehouse() -> Rc<Answer> {
-    solved().answer.unwrap()
+    solved().document.answer.unwrap()
 }
 
 /// The page after an edit that its plan does not know.
 pub(crate) fn stale() -> State {
     let paint = [
-        Action::PickTool(crate::Tool::Charger),
-        Action::Press(Cell::new(1, 0)),
-        Action::Release,
+        Action::Board(BoardAction::PickTool(crate::Tool::Charger)),
+        Action::Board(BoardAction::Press(Cell::new(1, 0))),
+        Action::Board(BoardAction::Release),
     ];
     let state = solved();
     paint

@@ -1,15 +1,12 @@
-//! What a person sets for the solver and for the page.
+//! What a person sets, for all scenes.
 
-use crate::Colours;
 use crate::changing::Choice;
+use crate::edit::Fill;
 
-/// What the solver is told beside the scene; the objective and the rules are
-/// part of the scene itself.
+/// What a person sets, for all scenes; the objective, the rules and the horizon
+/// belong to a scene.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Settings {
-    /// The horizon in time steps: only plans of at most this makespan count;
-    /// `None` leaves it to the solver.
-    pub within: Option<u32>,
     /// The time limit in seconds.
     pub seconds: u32,
     /// Whether every edit is solved at once.
@@ -19,16 +16,22 @@ pub struct Settings {
     /// Whether all plans of the Pareto front are sought, where the objective has
     /// one.
     pub front: bool,
+    /// What is strewn by chance next time.
+    pub fill: Fill,
+    /// Whether single letters are keys: speech input and shaky hands press them
+    /// by accident (WCAG 2.1.4).
+    pub letter_keys: bool,
 }
 
 impl Default for Settings {
     fn default() -> Self {
         Self {
-            within: None,
             seconds: 30,
             solve_on_change: false,
             methods: Choice::default(),
             front: false,
+            fill: Fill::default(),
+            letter_keys: true,
         }
     }
 }
@@ -69,70 +72,6 @@ impl Theme {
             Self::System => "as the system has it",
             Self::Light => "light",
             Self::Dark => "dark",
-        }
-    }
-}
-
-/// What a phone shows below the board.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub enum Tab {
-    /// The agent or cell selected.
-    Inspector,
-    /// The lanes.
-    #[default]
-    Timeline,
-    /// The plan table.
-    Plan,
-}
-
-/// What is drawn over the map.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub struct Layers {
-    /// Ways behind and ahead.
-    pub trails: bool,
-    /// Cells shaded by how much they are used.
-    pub heat: bool,
-}
-
-impl Default for Layers {
-    fn default() -> Self {
-        Self {
-            trails: true,
-            heat: false,
-        }
-    }
-}
-
-/// What is shown and how.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub struct View {
-    /// What is drawn over the map.
-    pub layers: Layers,
-    /// Whether the camera goes with the agent selected.
-    pub follow: bool,
-    /// Whether the plan table is open.
-    pub table: bool,
-    /// Light or dark.
-    pub theme: Theme,
-    /// The colours of agents.
-    pub colours: Colours,
-    /// What a phone shows below the board.
-    pub tab: Tab,
-    /// Whether there is room for two boards side by side: else the other plan of
-    /// an answer takes the place of this one.
-    pub is_wide: bool,
-}
-
-impl Default for View {
-    fn default() -> Self {
-        Self {
-            layers: Layers::default(),
-            follow: false,
-            table: true,
-            theme: Theme::System,
-            colours: Colours::default(),
-            tab: Tab::Timeline,
-            is_wide: false,
         }
     }
 }

@@ -1,105 +1,51 @@
-//! The state of the page.
+//! The state of the page: a document, what runs in the worker, what is shown.
 
 use std::rc::Rc;
 
-use giveway_model::{Agent, Cell, Plan, Question};
-use giveway_proof::Report;
+use giveway_model::{Agent, Cell, Plan};
 
-use crate::changing::Changing;
 use crate::course::World;
-use crate::front::Front;
-use crate::link::Linked;
+use crate::edit::fresh_name;
+use crate::gesture::{Canvas, Gesture, Placing, Stroke, Thing};
+use crate::history::Moment;
 use crate::steering::Steering;
-use crate::things::{Hold, Thing, fresh_name};
-use crate::{Answer, Asking, Draft, Fill, History, Playback, Settings, Tool, View, Work};
+use crate::{Answer, Document, Draft, History, Mode, Place, Selection, Settings, Task, View, Work};
 
 /// All that the page shows. Plain data: two equal states look the same.
 #[derive(Clone, Debug, PartialEq)]
 pub struct State {
-    /// The scene on the board.
-    pub draft: Rc<Draft>,
-    /// The last answer; it may be of another draft, see [`State::is_stale`].
-    pub answer: Option<Rc<Answer>>,
-    /// The Pareto front that was found last; it may be of another draft, see
-    /// [`State::front()`].
-    pub(crate) front: Option<Rc<Front>>,
-    /// The question that was asked last, until it is left.
-    pub asking: Option<Rc<Asking>>,
-    /// A question that came without a plan, and the run that may find one.
-    pub(crate) wanted: Option<(u64, Question)>,
-    /// What changes in the world while the plan runs, until that is adopted or
-    /// left.
-    pub changing: Option<Rc<Changing>>,
-    /// The plan of one's own in which agents are led by hand, until it is left.
-    pub steering: Option<Rc<Steering>>,
-    /// What came of checking the proof of an answer; it may be of another answer,
-    /// see [`State::report`].
-    pub(crate) checked: Option<(Rc<Answer>, Rc<Report>)>,
-    /// What the solver does.
+    /// All that a person made or got and would miss, with what is being done
+    /// with it.
+    pub document: Document,
+    /// What runs in the worker.
     pub work: Work,
+    /// What is shown of the document, and how.
+    pub view: View,
+    /// What a person set, for all scenes.
+    pub settings: Settings,
     /// Undo and redo.
     pub history: History,
-    /// The stroke that is not finished.
-    pub(crate) stroke: Option<Stroke>,
-    /// The agent that is being placed.
-    pub placing: Option<Placing>,
-    /// What the pointer does on the board.
-    pub tool: Tool,
-    /// The cell of the keyboard on the board.
-    pub cursor: Cell,
-    /// What the inspector tells of.
-    pub selection: Selection,
-    /// The time shown.
-    pub playback: Playback,
-    /// What the solver is told.
-    pub settings: Settings,
-    /// What is strewn by chance next time.
-    pub fill: Fill,
-    /// What is shown and how.
-    pub view: View,
-    /// What a person must be told once.
-    pub notice: Option<Notice>,
-    /// The runs of the solver so far: no two have the same number.
-    pub(crate) runs: u64,
+    /// The document that another one was opened in the place of, until it is
+    /// edited: one press brings it back.
+    pub displaced: Option<Displaced>,
 }
 
-/// A stroke on its way over the board.
+/// A document that another one was opened in the place of.
 #[derive(Clone, Debug, PartialEq)]
-pub(crate) struct Stroke {
-    pub(crate) hold: Hold,
-    /// The cell that it began on.
-    pub(crate) from: Cell,
-    /// The cell that it came to last.
-    pub(crate) at: Cell,
-    /// Whether it ever left its first cell.
-    pub(crate) has_left: bool,
-    /// The draft before it: one stroke is one step of undo.
-    pub(crate) before: Rc<Draft>,
+pub struct Displaced {
+    /// That document.
+    pub moment: Rc<Moment>,
+    /// What took its place: a link, or what a person went back to.
+    pub by: By,
 }
 
-/// An agent on its way onto the board: its start is chosen, its goal not yet.
+/// What took the place of a document.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub struct Placing {
-    /// Where it will start.
-    pub start: Cell,
-    /// Where the pointer or the keyboard is: its goal, as far as known.
-    pub goal: Cell,
-    /// Whether the pointer is down.
-    pub is_held: bool,
-    /// Whether the goal was pressed by itself: then it may be the start, too.
-    pub(crate) is_second: bool,
-}
-
-/// What the inspector tells of.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub enum Selection {
-    /// The plan as a whole.
-    #[default]
-    Nothing,
-    /// An agent, by its index in the scene.
-    Agent(usize),
-    /// A cell.
-    Cell(Cell),
+pub enum By {
+    /// The document of a link.
+    Link,
+    /// A person's own one, after they went back to it from that of a link.
+    Own,
 }
 
 /// What a person must be told: something was refused, or failed and was mended.
@@ -109,6 +55,16 @@ pub struct Notice {
     pub sentence: String,
     /// More lines: places and reasons.
     pub details: Vec<String>,
+}
+
+impl Notice {
+    /// One sentence, and nothing more.
+    pub(crate) fn new(sentence: impl Into<String>) -> Self {
+        Self {
+            sentence: sentence.into(),
+            details: Vec::new(),
+        }
+    }
 }
 
 impl State {
@@ -122,96 +78,62 @@ impl State {
     /// assert_eq!(state.phase(), Phase::Editing);
     /// ```
     pub fn new(draft: Draft) -> Self {
+        Self::of(Document::new(draft))
+    }
+
+    /// A page that shows a document.
+    pub fn of(document: Document) -> Self {
         Self {
-            draft: Rc::new(draft),
-            answer: None,
-            front: None,
-            asking: None,
-            wanted: None,
-            changing: None,
-            steering: None,
-            checked: None,
-            work: Work::Idle,
-            history: History::default(),
-            stroke: None,
-            placing: None,
-            tool: Tool::Select,
-            cursor: Cell::new(0, 0),
-            selection: Selection::Nothing,
-            playback: Playback::default(),
-            settings: Settings::default(),
-            fill: Fill::default(),
+            document,
+            work: Work::default(),
             view: View::default(),
-            notice: None,
-            runs: 0,
+            settings: Settings::default(),
+            history: History::default(),
+            displaced: None,
         }
     }
 
-    /// The page as the browser kept it.
-    pub fn restored(linked: Linked) -> Self {
-        let draft = Draft::clone(&linked.draft);
-        let mut state = Self {
-            answer: linked.answer,
-            ..Self::new(draft)
-        };
-        state.draft = linked.draft;
-        state.changing = linked.changing;
-        state.steering = linked.steering;
-        state.playback.time = match (&state.changing, &state.steering) {
-            (Some(changing), _) => changing.at,
-            (None, Some(steering)) => steering.time(),
-            (None, None) => linked.time,
-        };
-        if let Some(steering) = &state.steering {
-            state.selection = Selection::Agent(steering.agent);
-        }
+    /// The page as it was left.
+    pub(crate) fn resumed(moment: Moment, history: History) -> Self {
+        let mut state = Self::of(moment.document);
+        state.view.selection = moment.selection;
+        state.view.playback.stop_at(moment.time);
+        state.history = history;
+        crate::reduce::settle(&mut state);
         state
     }
 
-    /// Whether the answer is of another draft than the one on the board.
-    pub fn is_stale(&self) -> bool {
-        self.answer
-            .as_ref()
-            .is_some_and(|answer| !same(&answer.draft, &self.draft))
+    /// The document, and where it is looked at.
+    pub fn moment(&self) -> Moment {
+        Moment {
+            document: self.document.clone(),
+            time: self.view.playback.time,
+            selection: self.view.selection,
+        }
     }
 
-    /// The answer, where it is of the draft on the board.
-    pub fn fresh_answer(&self) -> Option<&Answer> {
-        self.answer.as_deref().filter(|_| !self.is_stale())
+    /// Whether the page is inside another one.
+    pub fn is_embedded(&self) -> bool {
+        self.view.place == Place::Embedded
     }
 
-    /// What came of checking the proof of the answer, if that was done.
-    pub fn report(&self) -> Option<&Report> {
-        let (answer, report) = self.checked.as_ref()?;
-        let is_of = self.answer.as_ref().is_some_and(|a| Rc::ptr_eq(a, answer));
-        is_of.then_some(report)
+    /// Whether more of an answer to the question is being looked for.
+    pub fn is_looking(&self) -> bool {
+        matches!(self.work.task(), Some(Task::Explain(_)))
     }
 
     /// The answer that is shown: the last one, or a plan of one's own; the other
     /// plan of a question where that takes its place; the one that is previewed
     /// where the world changes.
     pub fn shown(&self) -> Option<&Rc<Answer>> {
-        if let Some(changing) = &self.changing {
-            return Some(changing.shown());
-        }
-        let asking = self.asking.as_deref().filter(|asking| asking.shows_other);
-        let asking = asking.filter(|_| !self.view.is_wide);
-        let other = asking.and_then(|asking| asking.other.as_ref());
-        other.or(self.own_answer())
-    }
-
-    /// The plan of one's own, where there is one; else the last answer.
-    fn own_answer(&self) -> Option<&Rc<Answer>> {
-        let own = self.steering.as_deref().map(|steering| &steering.answer);
-        own.or(self.answer.as_ref())
+        self.document.shown(!self.view.is_wide)
     }
 
     /// The answer that is shown beside that one: the other plan of a question,
     /// where there is room for it.
     pub fn beside(&self) -> Option<&Rc<Answer>> {
-        let has_room = self.view.is_wide && self.changing.is_none();
-        let asking = self.asking.as_deref().filter(|_| has_room);
-        asking.and_then(|asking| asking.other.as_ref())
+        let asking = self.document.mode.asking()?;
+        asking.other.as_ref().filter(|_| self.view.is_wide)
     }
 
     /// The plan that is shown, stale or not.
@@ -219,13 +141,32 @@ impl State {
         self.shown()?.plan()
     }
 
+    /// The plan that plays: the one that is shown, where anybody who is on the board
+    /// has a part in it.
+    pub fn playing(&self) -> Option<&Rc<Answer>> {
+        let answer = self.shown()?;
+        answer.plan()?;
+        let draft = &self.document.draft;
+        let mut agents = 0..draft.agents().len();
+        let has_part = answer.course.is_some()
+            || answer.agents().is_empty()
+            || agents.any(|agent| answer.agent(draft, agent).is_some());
+        has_part.then_some(answer)
+    }
+
     /// The last time that can be shown, in steps.
     pub fn last_time(&self) -> u32 {
-        if let Some(changing) = &self.changing {
-            return changing.last_time();
+        let mode = &self.document.mode;
+        match mode {
+            Mode::Changing(changing) => return changing.at,
+            Mode::Comparing(comparing) | Mode::Stuck(comparing, _) => {
+                let preview = comparing.preview();
+                return preview.map_or(comparing.changing.at, |answer| answer.makespan());
+            }
+            _ => {}
         }
-        let both = self.shown().into_iter().chain(self.beside());
-        let led = self.steering.as_deref().map(Steering::time);
+        let both = self.playing().into_iter().chain(self.beside());
+        let led = mode.steering().map(|own| Steering::time(own));
         let ends = both.map(|answer| answer.makespan()).chain(led);
         ends.max().unwrap_or(0)
     }
@@ -245,7 +186,7 @@ impl State {
             let plan = plan.and_then(|answer| answer.plan());
             let path = plan.map_or(&[][..], |plan| plan.path(name));
             let from = plan.and_then(|plan| plan.from.get(name)).copied();
-            let time = self.playback.time.saturating_sub(from.unwrap_or(0)) as usize;
+            let time = self.view.playback.time.saturating_sub(from.unwrap_or(0)) as usize;
             match path.get(time) {
                 None => path.last().copied().flatten().unwrap_or(start) == cell,
                 Some(Some(at)) => *at == cell,
@@ -258,56 +199,97 @@ impl State {
         agents.position(is_on)
     }
 
-    /// The scene as the world has it at the time shown: the draft, but where the
-    /// world changes or has changed. Its agents are all that there ever are.
+    /// The scene as the board shows it: with the stroke that is not finished,
+    /// and as the world has it at the time shown. Its agents are all that there
+    /// ever are.
     pub fn world(&self) -> &Rc<Draft> {
-        self.changed().map_or(&self.draft, |world| &world.draft)
+        match self.stroke().map(|stroke| &stroke.canvas) {
+            Some(Canvas::Scene { shown, .. }) => shown,
+            Some(Canvas::World { after, .. }) => after.draft(),
+            None => self
+                .changed()
+                .map_or(&self.document.draft, |world| &world.draft),
+        }
     }
 
     /// Whether an agent of [`State::world`] is there at the time shown.
     pub fn is_there(&self, agent: usize) -> bool {
-        match self.changed() {
+        let world = match self.stroke().map(|stroke| &stroke.canvas) {
+            Some(Canvas::World { after, .. }) => Some(&after.world),
+            Some(Canvas::Scene { .. }) => None,
+            None => self.changed(),
+        };
+        match world {
             Some(world) => world.is_there.get(agent).copied().unwrap_or(false),
-            None => agent < self.draft.agents().len(),
+            None => agent < self.world().agents().len(),
         }
     }
 
     /// The world at the time shown, where it is another than the draft.
     fn changed(&self) -> Option<&World> {
-        let time = self.playback.time;
-        match &self.changing {
-            Some(changing) => changing.world_at(time),
-            None => self.fresh_answer()?.world(time),
+        self.document.changed(self.view.playback.time)
+    }
+
+    /// The stroke that is not finished.
+    pub(crate) fn stroke(&self) -> Option<&Stroke> {
+        match &self.view.gesture {
+            Gesture::Stroke(stroke) => Some(stroke),
+            Gesture::None | Gesture::Placing(_) => None,
         }
+    }
+
+    /// The agent that is being placed.
+    pub const fn placing(&self) -> Option<Placing> {
+        match &self.view.gesture {
+            Gesture::Placing(placing) => Some(*placing),
+            Gesture::None | Gesture::Stroke(_) => None,
+        }
+    }
+
+    /// Whether a stroke is being made: the board shows what it does so far, and
+    /// nothing else has changed.
+    pub fn has_stroke(&self) -> bool {
+        self.stroke().is_some()
+    }
+
+    /// Whether the hand is doing something on the board.
+    pub fn has_gesture(&self) -> bool {
+        self.view.gesture != Gesture::None
     }
 
     /// Whether the world could change at the time shown: there is a plan, and
     /// nothing has changed then or later yet.
     pub fn can_change(&self) -> bool {
-        let answer = self.fresh_answer().filter(|answer| answer.plan().is_some());
-        let is_later = |answer: &Answer| {
+        let document = &self.document;
+        let answer = document
+            .fresh_answer()
+            .filter(|answer| answer.plan().is_some());
+        let is_later = |answer: &Rc<Answer>| {
             let last = answer.changed_last();
-            last.is_none_or(|last| self.playback.time > last)
+            last.is_none_or(|last| self.view.playback.time > last)
         };
-        self.changing.is_none() && self.steering.is_none() && answer.is_some_and(is_later)
+        matches!(document.mode, Mode::Editing | Mode::Asking(_)) && answer.is_some_and(is_later)
     }
 
     /// The agent that could be led by hand from the time shown: the one that is
     /// selected, where there is a plan of the scene in one world.
     pub fn can_steer(&self) -> Option<usize> {
-        let agent = self.selected_agent().filter(|_| self.changing.is_none())?;
-        let time = self.playback.time;
-        let can = match (&self.steering, &self.answer) {
-            (Some(own), _) => own.agent != agent || time < own.time(),
-            (None, Some(answer)) => !self.is_stale() && Steering::can_begin(answer, agent, time),
-            (None, None) => false,
+        let agent = self.selected_agent()?;
+        let time = self.view.playback.time;
+        let can = match &self.document.mode {
+            Mode::Steering(own) | Mode::Judging(own, _) => own.agent != agent || time < own.time(),
+            Mode::Editing | Mode::Asking(_) => {
+                let answer = self.document.fresh_answer();
+                answer.is_some_and(|answer| Steering::can_begin(answer, agent, time))
+            }
+            Mode::Changing(_) | Mode::Comparing(_) | Mode::Stuck(..) => false,
         };
         can.then_some(agent)
     }
 
     /// The agent that is selected, by its index in the scene.
     pub const fn selected_agent(&self) -> Option<usize> {
-        match self.selection {
+        match self.view.selection {
             Selection::Agent(agent) => Some(agent),
             Selection::Nothing | Selection::Cell(_) => None,
         }
@@ -320,40 +302,47 @@ impl State {
 
     /// The name that the next agent gets.
     pub fn next_name(&self) -> String {
-        match &self.changing {
+        match self.document.mode.changing() {
             Some(changing) => changing.fresh_name(),
-            None => fresh_name(self.draft.scene()),
+            None => fresh_name(self.document.draft.scene()),
         }
     }
 
     /// Whether there is something on a cell that the tool `Select` moves.
     pub fn can_move(&self, cell: Cell) -> bool {
-        if self.steering.is_some() {
-            return false;
-        }
-        match self.changing.as_deref() {
-            Some(changing) => crate::reduce::can_hold(self, changing, cell),
-            None => self.thing_at(cell).is_some(),
-        }
+        self.thing_at(cell).is_some()
     }
 
     /// What the tool `Select` takes hold of on a cell.
     pub(crate) fn thing_at(&self, cell: Cell) -> Option<Thing> {
+        match &self.document.mode {
+            Mode::Steering(_) | Mode::Judging(..) => return None,
+            Mode::Changing(changing) => return self.thing_in(changing.draft(), cell),
+            Mode::Comparing(comparing) | Mode::Stuck(comparing, _) => {
+                return self.thing_in(comparing.changing.draft(), cell);
+            }
+            Mode::Editing | Mode::Asking(_) => {}
+        }
+        let draft = &self.document.draft;
         // What the scene is made of can only be moved where it is shown.
-        let is_it = |world: &Rc<Draft>| world.scene().map == self.draft.scene().map;
-        if !is_it(self.world()) {
+        if self.world().grid() != draft.grid() {
             return None;
         }
-        let scene = self.draft.scene();
         let standing = self.agent_at(cell);
-        let is_start = |agent: &Agent| agent.start == cell;
-        let starts = standing.filter(|&agent| scene.agents.get(agent).is_some_and(is_start));
-        let start = starts.map(Thing::Start);
-        start.or_else(|| Thing::lying(scene, cell, self.selected_agent()))
+        let starts = |agent: usize| draft.agents().get(agent).is_some_and(|a| a.start == cell);
+        let start = standing.filter(|&agent| starts(agent)).map(Thing::Start);
+        start.or_else(|| Thing::lying(draft, cell, self.selected_agent()))
     }
-}
 
-/// Whether two drafts are equal; the usual case, one draft twice, takes no time.
-fn same(a: &Rc<Draft>, b: &Rc<Draft>) -> bool {
-    Rc::ptr_eq(a, b) || a == b
+    /// The same in the world that changes: where agents are is settled, and what
+    /// waypoints they had, too.
+    fn thing_in(&self, world: &Draft, cell: Cell) -> Option<Thing> {
+        if self.agent_at(cell).is_some() {
+            return None;
+        }
+        let mut agents = world.agents().iter().enumerate();
+        let goal = agents.position(|(index, agent)| self.is_there(index) && agent.goal == cell);
+        goal.map(Thing::Goal)
+            .or_else(|| Thing::painted(world, cell))
+    }
 }

@@ -5,7 +5,7 @@ use std::fmt::Write as _;
 use giveway_model::Cell;
 
 use crate::timeline::Lane;
-use crate::{Answer, Reserve};
+use crate::{Answer, Draft, Reserve};
 
 /// Where an agent is.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -69,7 +69,7 @@ pub fn level(lane: &Lane, time: u32) -> Option<Level> {
 pub fn text(answer: &Answer) -> String {
     let last = answer.makespan();
     let mut rows = vec![row("time", 0..=last, |time| time.to_string() + " ")];
-    for lane in lanes(answer) {
+    for lane in lanes(answer, &answer.draft) {
         rows.push(row(&lane.name, 0..=last, |time| match place(&lane, time) {
             Place::Half => ".. ".to_owned(),
             place => place.text() + " ",
@@ -85,9 +85,20 @@ pub fn text(answer: &Answer) -> String {
     aligned(&rows)
 }
 
-/// The plans of all agents.
-pub fn lanes(answer: &Answer) -> impl Iterator<Item = Lane> {
-    (0..answer.agents().len()).filter_map(|agent| Lane::of(answer, agent))
+/// The plans of the agents of a draft, as far as an answer has one of each; a lane
+/// has the agent's index in that draft. An answer whose world changed has lanes for
+/// all agents that there ever are.
+pub fn lanes(answer: &Answer, draft: &Draft) -> Vec<Lane> {
+    if answer.course.is_some() {
+        let agents = 0..answer.agents().len();
+        return agents.filter_map(|agent| Lane::of(answer, agent)).collect();
+    }
+    let agents = 0..draft.agents().len();
+    let lane = |agent: usize| {
+        let lane = Lane::of(answer, answer.agent(draft, agent)?)?;
+        Some(Lane { agent, ..lane })
+    };
+    agents.filter_map(lane).collect()
 }
 
 /// The least width of a column that holds its entries, in pixels: up to 7.4 a

@@ -1,5 +1,7 @@
 //! The tools: what the pointer does on the board.
 
+use crate::edit::Paint;
+
 /// What the pointer does on the board.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum Tool {
@@ -43,7 +45,7 @@ impl Tool {
             Self::Charger => "Charger",
             Self::SlowZone => "Slow zone",
             Self::Erase => "Erase",
-            Self::Agent => "Agent",
+            Self::Agent => "Robot",
             Self::Goal => "Goal",
             Self::Waypoint => "Waypoint",
         }
@@ -74,6 +76,16 @@ impl Tool {
             Self::Agent => "agent",
             Self::Goal => "goal",
             Self::Waypoint => "waypoint",
+        }
+    }
+
+    /// What it paints, if it does.
+    pub(crate) const fn paint(self) -> Option<Paint> {
+        match self {
+            Self::Obstacle => Some(Paint::Obstacle),
+            Self::Charger => Some(Paint::Charger),
+            Self::SlowZone => Some(Paint::Slow),
+            _ => None,
         }
     }
 

@@ -1,72 +1,83 @@
-//! What the solver is to do, and how far it has come.
+//! What the worker is to do, and how far it has come.
 
 use std::collections::BTreeMap;
 use std::rc::Rc;
 
-use giveway_model::{Cost, Costs};
+use giveway_model::{Cost, Costs, Plan, Question};
 use giveway_solve::change::ChangeRequest;
 use giveway_solve::explain::ExplainRequest;
 use giveway_solve::{CertifyRequest, Request, SolveRequest};
 
-use crate::Draft;
+use crate::changing::Changing;
+use crate::{Answer, Document, Draft, Mode};
 
-/// What the solver does.
+/// What runs in the worker: at most one job. No two jobs ever have the same
+/// number, so what a job still tells when it is over is known by its number.
 #[derive(Clone, Debug, Default, PartialEq)]
-pub enum Work {
-    /// Nothing.
-    #[default]
-    Idle,
-    /// A request is being solved.
-    Solving(Run),
-    /// A question is being answered.
-    Asking(Inquiry),
-    /// What was answered is proved again and checked.
-    Certifying(Certifying),
-    /// Ways to go on where the world changes are looked for.
-    Adapting(Adapting),
+pub struct Work {
+    job: Option<Job>,
+    started: u64,
 }
 
-impl Work {
-    /// What the solver is to do, with the number of the run.
-    pub fn request(&self) -> Option<(u64, Request)> {
-        match self {
-            Self::Idle => None,
-            Self::Solving(run) => Some((run.id, Request::Solve((*run.request).clone()))),
-            Self::Asking(inquiry) => {
-                Some((inquiry.id, Request::Explain((*inquiry.request).clone())))
-            }
-            Self::Certifying(run) => Some((run.id, Request::Certify((*run.request).clone()))),
-            Self::Adapting(run) => Some((run.id, Request::Change((*run.request).clone()))),
-        }
-    }
-
-    /// The number of the run, if there is one.
-    pub const fn id(&self) -> Option<u64> {
-        match self {
-            Self::Idle => None,
-            Self::Solving(run) => Some(run.id),
-            Self::Asking(inquiry) => Some(inquiry.id),
-            Self::Certifying(run) => Some(run.id),
-            Self::Adapting(run) => Some(run.id),
-        }
-    }
-}
-
-/// A question on its way to an answer; what is known stands in
-/// [`State::asking`](crate::State::asking).
+/// One thing that runs in the worker.
 #[derive(Clone, Debug, PartialEq)]
-pub struct Inquiry {
-    /// The number of the run, from 1.
+pub struct Job {
+    /// Its number, from 1.
     pub id: u64,
+    /// What is to be done, and how far it has come.
+    pub task: Task,
+}
+
+/// What is to be done.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Task {
+    /// The scene is solved.
+    Solve(Solving),
+    /// A question is answered; what is known stands in the document.
+    Explain(Rc<ExplainRequest>),
+    /// What was answered is proved again and checked.
+    Certify(Certifying),
+    /// Ways to go on are looked for where the world changes.
+    Change(Adapting),
+}
+
+/// A scene on its way to an answer, and what is known so far.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Solving {
+    /// The draft that is solved.
+    pub draft: Rc<Draft>,
     /// The request.
-    pub request: Rc<ExplainRequest>,
+    pub request: Rc<SolveRequest>,
+    /// What was known when it began, if it goes on from there.
+    pub from: Option<Rc<Answer>>,
+    /// The proved lower bound of each cost reached so far.
+    pub bounds: BTreeMap<Cost, u32>,
+    /// The costs of the best plan so far.
+    pub best: Option<Costs>,
+    /// That plan.
+    pub plan: Option<Rc<Plan>>,
+    /// How large the formula is.
+    pub size: Size,
+    /// The question to ask about the plan once there is one.
+    pub then: Option<Question>,
+    /// How the answer comes into the document.
+    pub arrival: Arrival,
+}
+
+/// How an answer comes into the document.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Arrival {
+    /// A person asked for it: undo takes it back.
+    Step,
+    /// It belongs to the step before: to an edit, to a scene that was opened.
+    Quiet,
 }
 
 /// A search for ways to go on.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Adapting {
-    /// The number of the run, from 1.
-    pub id: u64,
+    /// What changes.
+    pub changing: Rc<Changing>,
     /// The request.
     pub request: Rc<ChangeRequest>,
     /// How large the formula is that is worked on.
@@ -76,31 +87,21 @@ pub struct Adapting {
 /// The check of a proof on its way.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Certifying {
-    /// The number of the run, from 1.
-    pub id: u64,
     /// The request.
     pub request: Rc<CertifyRequest>,
-    /// Whether it is about the answer to the question, not about the plan.
-    pub of_question: bool,
+    /// What is certified.
+    pub about: Certified,
     /// The claim that it has come to, and whether its proof is being checked.
     pub at: Option<(String, bool)>,
 }
 
-/// A request on its way to an answer, and what is known so far.
+/// What is certified.
 #[derive(Clone, Debug, PartialEq)]
-pub struct Run {
-    /// Its number, from 1.
-    pub id: u64,
-    /// The draft that is solved.
-    pub draft: Rc<Draft>,
-    /// The request.
-    pub request: Rc<SolveRequest>,
-    /// The proved lower bound of each cost reached so far.
-    pub bounds: BTreeMap<Cost, u32>,
-    /// The costs of the best plan so far.
-    pub best: Option<Costs>,
-    /// How large the formula is.
-    pub size: Size,
+pub enum Certified {
+    /// The plan, or that there is none.
+    Answer(Rc<Answer>),
+    /// The answer to a question.
+    Question(Rc<ExplainRequest>),
 }
 
 /// How large a formula is, and how far its solution.
@@ -112,4 +113,100 @@ pub struct Size {
     pub clauses: u64,
     /// Conflicts met.
     pub conflicts: u64,
+}
+
+impl Work {
+    /// What is to be done, if there is anything.
+    pub fn task(&self) -> Option<&Task> {
+        self.job.as_ref().map(|job| &job.task)
+    }
+
+    /// What is to be done, if the job of this number is not over.
+    pub(crate) fn task_mut(&mut self, id: u64) -> Option<&mut Task> {
+        let job = self.job.as_mut().filter(|job| job.id == id)?;
+        Some(&mut job.task)
+    }
+
+    /// The number of the job, if there is one.
+    pub fn id(&self) -> Option<u64> {
+        self.job.as_ref().map(|job| job.id)
+    }
+
+    /// Whether nothing runs.
+    pub const fn is_idle(&self) -> bool {
+        self.job.is_none()
+    }
+
+    /// What the worker is to be asked, with the number of the job.
+    pub fn request(&self) -> Option<(u64, Request)> {
+        let job = self.job.as_ref()?;
+        Some((job.id, job.task.request()))
+    }
+
+    /// The solve that runs, if one does.
+    pub fn solving(&self) -> Option<&Solving> {
+        match self.task()? {
+            Task::Solve(solving) => Some(solving),
+            _ => None,
+        }
+    }
+
+    /// Starts a task in the place of what ran.
+    pub(crate) fn start(&mut self, task: Task) {
+        self.started += 1;
+        self.job = Some(Job {
+            id: self.started,
+            task,
+        });
+    }
+
+    /// Ends what runs: what it still tells is not heard.
+    pub(crate) fn end(&mut self) -> Option<Task> {
+        self.job.take().map(|job| job.task)
+    }
+
+    /// Ends what is about something that the document no longer holds.
+    pub(crate) fn keep_to(&mut self, document: &Document) {
+        let is_about = |job: &Job| job.task.is_about(document);
+        self.job = self.job.take().filter(is_about);
+    }
+}
+
+impl Task {
+    fn request(&self) -> Request {
+        match self {
+            Self::Solve(solving) => Request::Solve((*solving.request).clone()),
+            Self::Explain(request) => Request::Explain((**request).clone()),
+            Self::Certify(run) => Request::Certify((*run.request).clone()),
+            Self::Change(run) => Request::Change((*run.request).clone()),
+        }
+    }
+
+    /// Whether a document still holds what the task is about.
+    fn is_about(&self, document: &Document) -> bool {
+        let asks = |request: &Rc<ExplainRequest>| {
+            let asking = document.mode.asking();
+            asking.is_some_and(|asking| Rc::ptr_eq(&asking.request, request))
+        };
+        match self {
+            Self::Solve(solving) => {
+                Rc::ptr_eq(&solving.draft, &document.draft)
+                    && solving.request.within == document.within
+                    && document.mode == Mode::Editing
+            }
+            Self::Explain(request) => asks(request),
+            Self::Certify(run) => match &run.about {
+                Certified::Question(request) => asks(request),
+                Certified::Answer(about) => {
+                    let answer = document.answer.as_ref();
+                    answer.is_some_and(|answer| Rc::ptr_eq(answer, about))
+                        && document.mode == Mode::Editing
+                }
+            },
+            Self::Change(run) => {
+                let changing = document.mode.changing();
+                changing.is_some_and(|changing| Rc::ptr_eq(changing, &run.changing))
+            }
+        }
+    }
 }

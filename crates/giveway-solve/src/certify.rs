@@ -65,8 +65,15 @@ impl CertifyRequest {
 
     /// What was answered about a plan: that there is no other plan of the kind,
     /// or that the best of them costs no less than the one that is shown. The
-    /// instance has the objective of the answer.
+    /// instance has the objective of the answer. Nothing is claimed of an answer
+    /// about a world that changed: certificates are about one world.
     pub fn of_explained(instance: &Instance, plan: Option<&Plan>, answer: &ExplainAnswer) -> Self {
+        if answer.since.is_some() {
+            return Self {
+                scene: instance.to_scene(),
+                ..Self::default()
+            };
+        }
         let question = &answer.question;
         let plan = plan.or(answer.plan.as_ref());
         let contrast = plan.and_then(|plan| Claim::contrast(question, instance, plan));

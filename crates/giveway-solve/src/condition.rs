@@ -14,6 +14,7 @@ use giveway_model::{
 };
 
 use crate::{
+    explain::past::Past,
     meter::Meter,
     problem::{Problem, Setback},
     single::{Demand, Place, Task},
@@ -30,6 +31,8 @@ pub(crate) struct Condition {
     plan: Plan,
     /// What a number must be below, where the question is about one.
     below: u32,
+    /// What is past already, which costs count.
+    past: Past,
 }
 
 /// One agent is at a vertex before another has been there.
@@ -60,9 +63,15 @@ impl Condition {
     /// What must hold in the other plan, one way or another: there are several
     /// where a question is about whichever agent, and none where it has no
     /// contrast. The question fits the plan.
-    pub(crate) fn of(question: &Question, instance: &Instance, plan: &Plan) -> Vec<Self> {
+    pub(crate) fn of(
+        question: &Question,
+        instance: &Instance,
+        plan: &Plan,
+        past: &Past,
+    ) -> Vec<Self> {
         let whole = |agent: &Option<String>| agent.is_none();
-        let total = |cost: Cost| costs(instance, plan).map_or(0, |costs| costs.get(cost));
+        let costs = past.costs(instance, plan).unwrap_or_default();
+        let total = |cost: Cost| costs.get(cost);
         let below = match question {
             Question::Makespan => total(Cost::Makespan),
             Question::SumOfCosts => total(Cost::SumOfCosts),
@@ -85,6 +94,7 @@ impl Condition {
             question,
             plan: plan.clone(),
             below,
+            past: past.clone(),
         };
         match question {
             Question::Unsolvable | Question::Plan => Vec::new(),
@@ -138,7 +148,8 @@ impl Condition {
     /// judge of questions says so, which knows nothing of the search.
     pub(crate) fn is_met_by(&self, instance: &Instance, other: &Plan) -> bool {
         if let Some((cost, below)) = self.limit() {
-            return costs(instance, other).is_some_and(|costs| costs.get(cost) < below);
+            let costs = self.past.costs(instance, other);
+            return costs.is_some_and(|costs| costs.get(cost) < below);
         }
         let question = match &self.question {
             // Whoever is not there has not been there before.

@@ -14,8 +14,8 @@ use crate::{
     FrontAnswer, SolveAnswer, Status,
     judged::told,
     problem::Problem,
-    search::{self, Bounded, Reach},
-    solve::{Solved, Task, answer, without_search},
+    search::{Bounded, Reach},
+    solve::{Solved, Task, answer, best, without_search},
 };
 
 /// Upper limits, both included, by cost.
@@ -41,7 +41,7 @@ pub(crate) fn front(task: &Task) -> FrontAnswer {
             continue;
         }
         let bounded = Bounded { horizon, limits };
-        let verdict = search::solve(&problem, &task.objective, &bounded, &task.meter);
+        let verdict = best(task, &problem, &bounded);
         let Solved { answer, reach: own } = answer(task, &problem, verdict);
         // Each box was settled as far as all others.
         let both = reach.map_or(own, |reach| own.map(|own| reach.and(own)));

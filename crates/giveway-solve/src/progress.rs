@@ -1,7 +1,7 @@
 //! What becomes known while a request is served.
 
 use borsh::{BorshDeserialize, BorshSerialize};
-use giveway_model::{Cost, Costs};
+use giveway_model::{Cost, Costs, Plan};
 use serde::{Deserialize, Serialize};
 
 use crate::explain::ExplainAnswer;
@@ -18,10 +18,19 @@ pub enum Progress {
         /// Its proved lower bound.
         at_least: u32,
     },
-    /// A better plan was found.
+    /// A better plan was found, and the judge passed it. A front that ends the
+    /// work early keeps it, and may hand it in again as
+    /// [`SolveRequest::start`](crate::SolveRequest::start).
+    ///
+    /// Told of the search for the best plan alone: not of plans that a question
+    /// contrasts with it. Of a Pareto front it is better than those before it
+    /// within its own limits; of a change it is the whole plan from time 0 by
+    /// the method that is under way.
     Plan {
         /// Its costs.
         costs: Costs,
+        /// The plan.
+        plan: Plan,
     },
     /// The size of the work so far.
     Size {

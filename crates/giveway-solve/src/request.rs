@@ -42,6 +42,13 @@ pub struct SolveRequest {
     /// By default the largest single-agent optimum + 4 (width + height) + 10.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub within: Option<u32>,
+    /// A plan that is known already, such as the best one of a search that was
+    /// cancelled: the search begins with it instead of looking for a first plan.
+    /// It is ignored where the judge does not pass it for this scene, or its
+    /// makespan is beyond the horizon. It changes no claim; where several plans
+    /// are optimal, it may decide which of them is found.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub start: Option<Plan>,
     /// The budget.
     #[serde(default, deserialize_with = "from_object")]
     pub limits: Limits,

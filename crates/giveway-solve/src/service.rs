@@ -110,7 +110,8 @@ fn serve_solve(request: &SolveRequest, host: &dyn Host) -> Response {
         Err(faults) => return Response::Refused(Refusal::Scene { faults }),
     };
     let objective = request.objective.clone();
-    let task = Task::new(instance, objective, request.within, request.limits, host);
+    let mut task = Task::new(instance, objective, request.within, request.limits, host);
+    task.start.clone_from(&request.start);
     if !request.pareto {
         return Response::Solved(solve::solve(&task).answer);
     }

@@ -3,15 +3,15 @@
 use std::collections::BTreeMap;
 use std::rc::Rc;
 
-use giveway_model::{Instance, Objective, Version, check::check};
+use giveway_model::{Costs, Instance, Objective, Plan, Version, check::check};
 
 use crate::{
-    Host, Limits, SolveAnswer, Status,
+    Host, Limits, Progress, SolveAnswer, Status,
     judged::{Judged, told},
     meter::Meter,
     problem::{Problem, Setback},
-    search::{self, Aim, Bounded, ForEver, Horizon, Reach, Verdict},
-    walk::to_plan,
+    search::{self, Aim, Bounded, Contact, ForEver, Horizon, Reach, Verdict},
+    walk::{Walk, of_plan, to_plan},
 };
 
 /// The parts of a request that have been checked.
@@ -20,6 +20,8 @@ pub(crate) struct Task<'h> {
     pub(crate) objective: Objective,
     /// The horizon, where a person set one.
     pub(crate) within: Option<u32>,
+    /// A plan that is known already, as it was handed in.
+    pub(crate) start: Option<Plan>,
     pub(crate) meter: Rc<Meter<'h>>,
 }
 
@@ -35,6 +37,7 @@ impl<'h> Task<'h> {
             objective: objective.unwrap_or_else(|| instance.objective().clone()),
             instance,
             within,
+            start: None,
             meter: Rc::new(Meter::new(host, limits)),
         }
     }
@@ -53,10 +56,21 @@ pub(crate) fn solve(task: &Task) -> Solved {
                 horizon: task.horizon(&problem),
                 limits: BTreeMap::new(),
             };
-            let verdict = search::solve(&problem, &task.objective, &bounded, &task.meter);
+            let verdict = best(task, &problem, &bounded);
             answer(task, &problem, verdict)
         }
-        Err(setback) => without_search(task, &setback),
+        Err(setback) => {
+            let mut solved = without_search(task, &setback);
+            let answer = &mut solved.answer;
+            if answer.status == Status::Unknown
+                && let Some((plan, costs)) = start(task)
+                && task.within.is_none_or(|within| costs.makespan <= within)
+            {
+                answer.status = Status::Feasible;
+                (answer.plan, answer.costs) = (Some(plan), Some(costs));
+            }
+            solved
+        }
     }
 }
 
@@ -64,6 +78,40 @@ pub(crate) fn solve(task: &Task) -> Solved {
 pub(crate) struct Solved {
     pub(crate) answer: SolveAnswer,
     pub(crate) reach: Option<Reach>,
+}
+
+/// The search for the best plan: it begins with the plan that is known, and
+/// tells the host of each better one.
+pub(crate) fn best(task: &Task, problem: &Problem, bounded: &Bounded) -> Verdict {
+    let names = names(task);
+    let start = start(task).and_then(|(plan, _)| of_plan(problem, &names, &plan));
+    let on_better = |walks: &[Walk]| {
+        let plan = to_plan(problem, &names, walks);
+        let report = check(&task.instance, &plan);
+        if let (true, Some(costs)) = (report.is_valid(), report.costs) {
+            task.meter.report(&Progress::Plan { costs, plan });
+        }
+    };
+    let contact = Contact {
+        start: start.as_deref(),
+        on_better: &on_better,
+    };
+    search::solve(problem, &task.objective, bounded, &contact, &task.meter)
+}
+
+/// The plan that is known already, where the judge passes it.
+fn start(task: &Task) -> Option<(Plan, Costs)> {
+    let mut plan = task.start.clone()?;
+    plan.cut_trailing_goals(&task.instance);
+    let report = check(&task.instance, &plan);
+    let costs = report.costs.filter(|_| report.violations.is_empty())?;
+    Some((plan, costs))
+}
+
+/// The agents' names, in the order of the instance.
+fn names(task: &Task) -> Vec<String> {
+    let agents = task.instance.agents().iter();
+    agents.map(|agent| agent.name.clone()).collect()
 }
 
 /// The answer where an agent alone decides it.
@@ -104,12 +152,7 @@ pub(crate) fn without_search(task: &Task, setback: &Setback) -> Solved {
 
 /// A verdict as an answer; its plan is judged before it is given away.
 pub(crate) fn answer(task: &Task, problem: &Problem, verdict: Verdict) -> Solved {
-    let names: Vec<String> = task
-        .instance
-        .agents()
-        .iter()
-        .map(|a| a.name.clone())
-        .collect();
+    let names = names(task);
     let claim = (verdict.reach, verdict.stop);
     let judged = Judged::new(verdict.best, &Aim::Best, claim, |(walks, costs)| {
         let plan = to_plan(problem, &names, &walks);

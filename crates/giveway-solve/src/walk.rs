@@ -1,6 +1,6 @@
 //! A walk: where one agent is at each time, as the search sees it.
 
-use giveway_model::{Costs, Plan, Version};
+use giveway_model::{Cell, Costs, Plan, Version};
 
 use crate::{
     problem::Problem,
@@ -144,6 +144,28 @@ pub(crate) fn costs(problem: &Problem, walks: &[Walk]) -> Costs {
         costs.waits += own.waits;
     }
     costs
+}
+
+/// The walks of a plan that the judge passes, in the order of the names; `None`
+/// where it is not one over this problem.
+pub(crate) fn of_plan(problem: &Problem, names: &[String], plan: &Plan) -> Option<Vec<Walk>> {
+    let paths = names.iter().map(|name| plan.path(name));
+    paths.map(|path| of_path(&problem.terrain, path)).collect()
+}
+
+fn of_path(terrain: &Terrain, path: &[Option<Cell>]) -> Option<Walk> {
+    let mut walk = Walk::with_capacity(path.len());
+    for (time, entry) in path.iter().enumerate() {
+        walk.push(if let Some(cell) = entry {
+            Place::At(terrain.vertex(*cell)?)
+        } else {
+            let from = terrain.vertex((*path.get(time.checked_sub(1)?)?)?)?;
+            let to = terrain.vertex((*path.get(time + 1)?)?)?;
+            let arc = terrain.arcs(from).iter().find(|arc| arc.to == to)?;
+            Place::Along(arc.id)
+        });
+    }
+    Some(walk)
 }
 
 /// Walks as a plan.

@@ -51,6 +51,8 @@ export interface SolveRequest {
   pareto?: boolean;
   /** Only plans of at most this makespan count. */
   within?: number;
+  /** A plan known already, to begin with; ignored where it breaks a rule or is beyond `within`. */
+  start?: Plan;
   limits?: Limits;
 }
 
@@ -74,7 +76,8 @@ export interface CheckRequest {
 /** Something became known on the way. */
 export type Progress =
   | { event: "bound"; cost: Cost; at_least: number }
-  | { event: "plan"; costs: Record<Cost, number> }
+  /** The best plan so far; it may be handed in again as `start`. */
+  | { event: "plan"; costs: Record<Cost, number>; plan: Plan }
   | { event: "size"; variables: number; clauses: number; conflicts: number }
   | { event: "explained"; answer: ExplainAnswer }
   | { event: "certifying"; claim: string; checking: boolean };
@@ -167,6 +170,13 @@ export interface ExplainRequest {
   scene: Scene;
   /** The plan that is asked about; without one the scene is solved first. */
   plan?: Plan;
+  /**
+   * What changed while the plan ran: the question is about what comes from the last change on, in
+   * times of the whole plan. Of `unsolvable` the plan is the one that ran until then.
+   */
+  changes?: Changes;
+  /** The time that is looked at: later changes do not count. */
+  at?: number;
   question: Question;
   /** Where it is not the scene's own. */
   objective?: Cost[];
@@ -214,6 +224,8 @@ export interface Repair {
 export interface ExplainAnswer {
   giveway: 1;
   question: Question;
+  /** The time from which it is answered, where the world changed before. */
+  since?: number;
   /** The plan that is asked about, where the request had none. */
   plan?: Plan;
   verdict: Verdict;

@@ -89,6 +89,8 @@ pub(crate) fn table() -> Result<String, Box<dyn Error>> {
                 scene: instance.to_scene(),
                 plan: Some(plan.clone()),
                 question,
+                changes: None,
+                at: None,
                 objective: None,
                 within: None,
                 limits: giveway_solve::Limits::default(),

@@ -29,7 +29,7 @@ use giveway_model::{Cell, Cost, Instance, Plan};
 
 use crate::recount;
 
-pub use changed::{Changed, Held, Known};
+pub use changed::{Changed, Held, Known, map_after};
 pub use contrast::Contrast;
 use joint::Joint;
 pub use leniency::Leniency;

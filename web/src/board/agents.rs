@@ -1,6 +1,5 @@
 //! The agents, moving evenly from cell to cell.
 
-use std::cell::RefCell;
 use std::rc::Rc;
 
 use giveway_model::Cell;
@@ -9,8 +8,9 @@ use giveway_page::form;
 use web_sys::Element;
 use yew::prelude::*;
 
-use super::motion::{Attribute, children, use_motion};
+use super::motion::{Attribute, children, children_of, use_motion};
 use super::units;
+use crate::held::Held;
 
 /// The circumference of a battery ring, in units.
 const RING: f64 = 226.2;
@@ -33,7 +33,9 @@ pub(super) fn Agents(props: &AgentsProps) -> Html {
         let (props, transits, agents) = (props.clone(), transits.clone(), agents.clone());
         use_motion(move || {
             let transits = children(&transits).into_iter().map(Transit::new);
-            let parts = children(&agents).into_iter().map(Parts::new);
+            let is_dot = props.detail == Detail::Dots;
+            let parts = children(&agents).into_iter();
+            let parts = parts.map(|agent| Parts::new(agent, is_dot));
             let moving: Vec<(Transit, Parts)> = transits.zip(parts).collect();
             move |time| {
                 for (agent, (transit, parts)) in moving.iter().enumerate() {
@@ -57,7 +59,8 @@ pub(super) fn Agents(props: &AgentsProps) -> Html {
     html! {
         <g aria-hidden="true">
             <g ref={transits}>{ for (0..count).map(transit) }</g>
-            <g ref={agents}>{ for (0..count).map(|agent| agent_shape(props, agent)) }</g>
+            // Dots are moved in another way than what is larger.
+            <g key={if props.detail == Detail::Dots { "dots" } else { "agents" }} ref={agents}>{ for (0..count).map(|agent| agent_shape(props, agent)) }</g>
         </g>
     }
 }
@@ -117,9 +120,33 @@ pub(super) fn name(name: &str) -> Html {
     }
 }
 
+/// Where an agent is.
+enum Place {
+    /// Of all of it.
+    Shift(Attribute),
+    /// Of each circle: without a transform the browser paints all dots as one
+    /// piece, which takes it much less time where they are many.
+    Middles(Vec<(Attribute, Attribute)>),
+}
+
+impl Place {
+    fn set(&self, x: f64, y: f64) {
+        match self {
+            Self::Shift(shift) => shift.set(&format!("translate({x:.1} {y:.1})")),
+            Self::Middles(middles) => {
+                let (x, y) = (format!("{x:.1}"), format!("{y:.1}"));
+                for (across, down) in middles {
+                    across.set(&x);
+                    down.set(&y);
+                }
+            }
+        }
+    }
+}
+
 /// What moves of an agent.
 struct Parts {
-    place: Attribute,
+    place: Place,
     gone: Attribute,
     differs: Attribute,
     turn: Option<Attribute>,
@@ -132,8 +159,18 @@ struct Parts {
 }
 
 impl Parts {
-    fn new(agent: Element) -> Self {
+    fn new(agent: Element, is_dot: bool) -> Self {
         let part = |class, name| Attribute::of_part(&agent, class, name);
+        let place = if is_dot {
+            let circles = children_of(&agent).into_iter();
+            let middles = circles.map(|circle| {
+                let across = Attribute::new(circle.clone(), "cx");
+                (across, Attribute::new(circle, "cy"))
+            });
+            Place::Middles(middles.collect())
+        } else {
+            Place::Shift(Attribute::new(agent.clone(), "transform"))
+        };
         Self {
             turn: part("beak", "transform"),
             turns: part("beak", "visibility"),
@@ -143,14 +180,14 @@ impl Parts {
             waits: part("wbadge", "data-on"),
             badge: part("badge-at", "transform"),
             gone: Attribute::new(agent.clone(), "data-gone"),
-            differs: Attribute::new(agent.clone(), "data-differs"),
-            place: Attribute::new(agent, "transform"),
+            differs: Attribute::new(agent, "data-differs"),
+            place,
         }
     }
 
     fn show(&self, pose: &Pose, cast: &Cast) {
         let (x, y) = (units(pose.at.x), units(pose.at.y));
-        self.place.set(&format!("translate({x:.1} {y:.1})"));
+        self.place.set(x, y);
         self.gone.toggle(pose.is_gone);
         if let (Some(turn), Some(turns)) = (&self.turn, &self.turns) {
             if let Some(heading) = pose.heading {
@@ -185,7 +222,7 @@ impl Parts {
 struct Transit {
     element: Element,
     off: Attribute,
-    over: RefCell<Option<(Cell, Cell)>>,
+    over: Held<Option<(Cell, Cell)>>,
 }
 
 impl Transit {
@@ -194,16 +231,17 @@ impl Transit {
         Self {
             element,
             off,
-            over: RefCell::new(None),
+            over: Held::new(None),
         }
     }
 
     fn show(&self, over: Option<(Cell, Cell)>) {
         self.off.toggle(over.is_none());
         let Some((from, to)) = over else { return };
-        if self.over.replace(Some((from, to))) == Some((from, to)) {
+        if self.over.get() == over {
             return;
         }
+        self.over.set(over);
         let (left, top) = (from.x.min(to.x), from.y.min(to.y));
         let (across, down) = (from.x.abs_diff(to.x), from.y.abs_diff(to.y));
         let sides = [

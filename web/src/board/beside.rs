@@ -46,7 +46,7 @@ pub(crate) fn Beside(props: &BesideProps) -> Html {
     let board = (state.world().grid().width(), state.world().grid().height());
     let viewport = use_viewport(&area, board);
     let frame = viewport.frame_of(camera, board);
-    let cursor = state.cursor;
+    let cursor = state.view.cursor;
     let onkeydown = {
         let onkeydown = onkeydown.clone();
         move |event: KeyboardEvent| {
@@ -68,9 +68,9 @@ pub(crate) fn Beside(props: &BesideProps) -> Html {
                     of={*name}
                     draft={Rc::clone(state.world())}
                     cast={Rc::clone(cast)}
-                    time={state.playback.time}
+                    time={state.view.playback.time}
                     window={Window::around(cursor, &frame, board)}
-                    selection={state.selection} />
+                    selection={state.view.selection} />
                 <g aria-hidden="true">{ square("cursor", cursor, 2) }</g>
             </svg>
         </div>

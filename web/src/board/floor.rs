@@ -3,23 +3,31 @@
 use std::rc::Rc;
 
 use giveway_page::Draft;
-use giveway_page::board::{Cast, Detail, floor, heat};
+use giveway_page::board::{Band, Cast, Floor, FloorLook, Layer, heat, lines};
 use yew::prelude::*;
 
-/// Which map, and whether its cells are large enough for more than their colour.
+/// Which map, and how it is drawn.
 #[derive(Clone, Properties)]
 pub(super) struct FloorProps {
     pub(super) draft: Rc<Draft>,
-    pub(super) is_fine: bool,
+    pub(super) look: FloorLook,
     /// Whose use of the cells is shown, if anyone's.
     pub(super) used_by: Option<Rc<Cast>>,
 }
 
 impl PartialEq for FloorProps {
     fn eq(&self, other: &Self) -> bool {
-        self.is_fine == other.is_fine
-            && self.used_by == other.used_by
-            && (Rc::ptr_eq(&self.draft, &other.draft) || self.draft.grid() == other.draft.grid())
+        self.look == other.look
+            && same(self.used_by.as_ref(), other.used_by.as_ref())
+            && Rc::ptr_eq(&self.draft, &other.draft)
+    }
+}
+
+fn same(one: Option<&Rc<Cast>>, other: Option<&Rc<Cast>>) -> bool {
+    match (one, other) {
+        (None, None) => true,
+        (Some(one), Some(other)) => Rc::ptr_eq(one, other),
+        _ => false,
     }
 }
 
@@ -37,37 +45,100 @@ pub(super) fn hatch() -> Html {
 /// Floor, slow zone, lines, obstacles, chargers, edge: from below to above.
 #[component]
 pub(super) fn FloorShapes(props: &FloorProps) -> Html {
-    let grid = props.draft.grid();
-    let detail = if props.is_fine {
-        Detail::All
-    } else {
-        Detail::Dots
+    let FloorProps {
+        draft,
+        look,
+        used_by,
+    } = props;
+    let kept = use_mut_ref(|| None::<Floor>);
+    let floor = match kept.take() {
+        Some(floor) => floor.renewed(draft, *look),
+        None => Floor::new(draft, *look),
     };
-    let floor = floor(grid, detail);
-    let (width, height) = (100 * grid.width(), 100 * grid.height());
-    let shape = |class: &'static str| move |d: String| html! { <path {class} {d} /> };
-    let sheet = |class: &'static str| {
-        html! { <rect {class} width={width.to_string()} height={height.to_string()} rx="12" /> }
+    let layer = |layer: Layer| {
+        let band = |(row, band): (usize, &Rc<Band>)| {
+            html! { <BandShapes key={row} band={Rc::clone(band)} {layer} /> }
+        };
+        html! { <g>{ for floor.bands().iter().enumerate().map(band) }</g> }
     };
-    html! {
+    let (width, height) = (draft.grid().width(), draft.grid().height());
+    let shown = html! {
         <g aria-hidden="true">
-            { sheet("floor") }
-            <g>{ for floor.slow_tint.into_iter().map(shape("slow-t")) }</g>
-            <path class="grid" d={floor.lines} />
-            <g>{ for floor.slow.into_iter().map(shape("slow")) }</g>
-            { props.used_by.as_deref().map(shades) }
-            <g>{ for floor.obstacles.into_iter().map(shape("obst")) }</g>
-            <path class="chg" d={floor.chargers} />
-            <path class="bolt" d={floor.bolts} />
-            { sheet("edge") }
+            { sheet("floor", width, height) }
+            { layer(Layer::SlowTint) }
+            if look.has_lines() {
+                <Lines {width} {height} />
+            }
+            { layer(Layer::Slow) }
+            { layer(Layer::SlowEdge) }
+            if let Some(cast) = used_by {
+                <Heat cast={Rc::clone(cast)} />
+            }
+            { layer(Layer::Obstacle) }
+            { layer(Layer::ObstacleEdge) }
+            { layer(Layer::Charger) }
+            { layer(Layer::Bolt) }
+            { sheet("edge", width, height) }
         </g>
+    };
+    kept.replace(Some(floor));
+    shown
+}
+
+fn sheet(class: &'static str, width: u32, height: u32) -> Html {
+    html! { <rect {class} width={(100 * width).to_string()} height={(100 * height).to_string()} rx="12" /> }
+}
+
+/// A layer of a row of tiles.
+#[derive(Clone, Properties)]
+struct BandProps {
+    band: Rc<Band>,
+    layer: Layer,
+}
+
+impl PartialEq for BandProps {
+    fn eq(&self, other: &Self) -> bool {
+        Rc::ptr_eq(&self.band, &other.band) && self.layer == other.layer
+    }
+}
+
+#[component]
+fn BandShapes(props: &BandProps) -> Html {
+    let BandProps { band, layer } = props;
+    let shape = |(tile, d): (usize, &Rc<str>)| {
+        html! { <path key={tile} class={layer.class()} d={AttrValue::from(Rc::clone(d))} /> }
+    };
+    html! { { for band.shapes(*layer).map(shape) } }
+}
+
+#[derive(Clone, PartialEq, Properties)]
+struct LinesProps {
+    width: u32,
+    height: u32,
+}
+
+/// The lines between cells.
+#[component]
+fn Lines(props: &LinesProps) -> Html {
+    html! { <path class="grid" d={lines(props.width, props.height)} /> }
+}
+
+#[derive(Clone, Properties)]
+struct HeatProps {
+    cast: Rc<Cast>,
+}
+
+impl PartialEq for HeatProps {
+    fn eq(&self, other: &Self) -> bool {
+        Rc::ptr_eq(&self.cast, &other.cast)
     }
 }
 
 /// A shade for every cell that is used, below what stands there.
-fn shades(cast: &Cast) -> Html {
+#[component]
+fn Heat(props: &HeatProps) -> Html {
     let shade = |(index, d): (usize, String)| {
         html! { <path class={format!("heat-{}", index + 1)} {d} /> }
     };
-    html! { <g class="heat">{ for heat(cast).into_iter().enumerate().map(shade) }</g> }
+    html! { <g class="heat">{ for heat(&props.cast).into_iter().enumerate().map(shade) }</g> }
 }

@@ -1,17 +1,17 @@
 //! Pointers on the board: to paint, to select, to move the map, to pinch it.
 
-use std::cell::RefCell;
 use std::rc::Rc;
 
 use giveway_model::Cell;
 use giveway_page::board::{Cast, Frame};
 use giveway_page::steering::Lead;
-use giveway_page::{Action, Point, Selection, Tool};
-use wasm_bindgen::JsCast;
+use giveway_page::{Action, BoardAction, Point, Selection, Tool};
 use web_sys::{Element, PointerEvent, WheelEvent};
 use yew::prelude::*;
 
+use super::coalesced::places;
 use super::viewport::Look;
+use crate::held::use_held;
 use crate::{Clock, Shown};
 
 /// How far a pointer goes before that is a drag, in pixels.
@@ -73,14 +73,17 @@ struct Hand {
 /// The gestures on a surface.
 #[hook]
 pub(super) fn use_gestures(surface: Surface) -> Gestures {
-    let hand: Rc<RefCell<Hand>> = use_mut_ref(Hand::default);
+    let hand = use_held(Hand::default);
     let clock = use_context::<Clock>();
     let surface = Rc::new((surface, clock));
     let listen = |act: fn(&Surface, &mut Hand, &PointerEvent, f64)| {
         let (hand, surface) = (Rc::clone(&hand), Rc::clone(&surface));
         Callback::from(move |event: PointerEvent| {
             let time = surface.1.as_ref().map_or(0.0, Clock::now);
-            act(&surface.0, &mut hand.borrow_mut(), &event, time);
+            // Where the browser ends this with an exception, the hand is empty.
+            let mut now = hand.take();
+            act(&surface.0, &mut now, &event, time);
+            hand.set(now);
         })
     };
     let wheel = {
@@ -107,7 +110,7 @@ impl Surface {
         hand.fingers.push((event.pointer_id(), at));
         if hand.fingers.len() > 1 {
             if let Act::Paint(_) = hand.act {
-                self.send.emit(Action::Release);
+                self.send.emit(Action::Board(BoardAction::Release));
             }
             hand.act = Act::Pinch;
             self.hide_hover();
@@ -159,10 +162,10 @@ impl Surface {
         hand.fingers.retain(|f| f.0 != event.pointer_id());
         let act = std::mem::take(&mut hand.act);
         match act {
-            Act::Paint(_) => self.send.emit(Action::Release),
+            Act::Paint(_) => self.send.emit(Action::Board(BoardAction::Release)),
             Act::Pressed(at) if self.paints() => {
                 if let Act::Paint(_) = self.begin_stroke(at) {
-                    self.send.emit(Action::Release);
+                    self.send.emit(Action::Board(BoardAction::Release));
                 }
             }
             Act::Pressed(at) => self.select(at, time),
@@ -176,7 +179,7 @@ impl Surface {
     fn cancel(&self, hand: &mut Hand, event: &PointerEvent) {
         hand.fingers.retain(|f| f.0 != event.pointer_id());
         if let Act::Paint(_) = std::mem::replace(&mut hand.act, Act::Spent) {
-            self.send.emit(Action::Release);
+            self.send.emit(Action::Board(BoardAction::Release));
         }
     }
 
@@ -212,7 +215,7 @@ impl Surface {
     fn begin_stroke(&self, at: Px) -> Act {
         match self.cell(self.frame.point(at)) {
             Some(cell) => {
-                self.send.emit(Action::Press(cell));
+                self.send.emit(Action::Board(BoardAction::Press(cell)));
                 Act::Paint(cell)
             }
             None => Act::Spent,
@@ -222,18 +225,16 @@ impl Surface {
     /// Takes a stroke on through all the places that the pointer came to since
     /// the last frame.
     fn stroke(&self, mut last: Cell, event: &PointerEvent) -> Cell {
-        let places = event.get_coalesced_events();
-        let places = places.iter().filter_map(|place| place.dyn_into().ok());
-        let mut places: Vec<PointerEvent> = places.collect();
-        if places.is_empty() {
-            places.push(event.clone());
-        }
-        for place in places {
+        let mut cells = Vec::new();
+        for place in places(event) {
             let cell = self.nearest_cell(self.frame.point(self.px(&place)));
             if cell != last {
-                self.send.emit(Action::Drag(cell));
+                cells.push(cell);
                 last = cell;
             }
+        }
+        if !cells.is_empty() {
+            self.send.emit(Action::DragOver(cells));
         }
         last
     }
@@ -252,21 +253,22 @@ impl Surface {
 
     fn select(&self, at: Px, time: f64) {
         let cell = self.cell(self.frame.point(at));
-        if self.state.steering.is_some() {
+        if self.state.document.mode.steering().is_some() {
             if let Some(cell) = cell {
                 self.send.emit(Action::Steer(Lead::To(cell)));
             }
             return;
         }
         if let Some(cell) = cell {
-            self.send.emit(Action::MoveCursor(cell));
+            self.send.emit(Action::Board(BoardAction::MoveCursor(cell)));
         }
         let selection = match (self.agent_at(at, time), cell) {
             (Some(agent), _) => Selection::Agent(agent),
             (None, Some(cell)) => Selection::Cell(cell),
             (None, None) => Selection::Nothing,
         };
-        self.send.emit(Action::Select(selection));
+        self.send
+            .emit(Action::Board(BoardAction::Select(selection)));
     }
 
     /// A frame around the cell that a brush would paint.
@@ -295,12 +297,12 @@ impl Surface {
 
     /// An agent that waits for its goal looks where the pointer is.
     fn look_for_goal(&self, hand: &Hand, at: Px) {
-        if self.state.placing.is_none() || !hand.fingers.is_empty() {
+        if self.state.placing().is_none() || !hand.fingers.is_empty() {
             return;
         }
         let cell = self.cell(self.frame.point(at));
-        if let Some(cell) = cell.filter(|&cell| cell != self.state.cursor) {
-            self.send.emit(Action::MoveCursor(cell));
+        if let Some(cell) = cell.filter(|&cell| cell != self.state.view.cursor) {
+            self.send.emit(Action::Board(BoardAction::MoveCursor(cell)));
         }
     }
 
@@ -311,7 +313,7 @@ impl Surface {
         let Some(cell) = self.cell(self.frame.point(at)) else {
             return false;
         };
-        let is_selected = match self.state.selection {
+        let is_selected = match self.state.view.selection {
             Selection::Cell(selected) => selected == cell,
             Selection::Agent(agent) => self.state.agent_at(cell) == Some(agent),
             Selection::Nothing => false,
@@ -321,7 +323,7 @@ impl Surface {
     }
 
     fn paints(&self) -> bool {
-        self.state.tool != Tool::Select
+        self.state.view.tool != Tool::Select
     }
 
     fn agent_at(&self, at: Px, time: f64) -> Option<usize> {
@@ -330,14 +332,14 @@ impl Surface {
 
     /// The cell at a point; `None` off the map.
     fn cell(&self, point: Point) -> Option<Cell> {
-        let grid = self.state.draft.grid();
+        let grid = self.state.document.draft.grid();
         let is_on = |at: f64, side: u32| at >= -0.5 && at < f64::from(side) - 0.5;
         let is_on = is_on(point.x, grid.width()) && is_on(point.y, grid.height());
         is_on.then(|| self.nearest_cell(point))
     }
 
     fn nearest_cell(&self, point: Point) -> Cell {
-        self.state.draft.clamp(point.nearest_cell())
+        self.state.document.draft.clamp(point.nearest_cell())
     }
 
     /// Where an event is, from the upper left of the board.

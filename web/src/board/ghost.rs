@@ -8,7 +8,7 @@ use super::{agents, units};
 
 /// What is seen of it, if there is one.
 pub(super) fn show(state: &State) -> Html {
-    let Some(Placing { start, goal, .. }) = state.placing else {
+    let Some(Placing { start, goal, .. }) = state.placing() else {
         return Html::default();
     };
     let agent = state.world().agents().len();

@@ -1,7 +1,7 @@
 //! The keys of the board.
 
 use giveway_model::Cell;
-use giveway_page::Action;
+use giveway_page::{Action, BoardAction};
 use gloo::events::EventListener;
 use wasm_bindgen::JsCast;
 use web_sys::KeyboardEvent;
@@ -9,6 +9,7 @@ use yew::prelude::*;
 
 use super::legend::ZOOM;
 use super::viewport::Look;
+use crate::held::use_held;
 use crate::keys::{FIELDS, dialog_is_open, is_in};
 
 /// How many rows a page key goes at least.
@@ -24,7 +25,7 @@ pub(super) fn use_cursor_keys(
     rows: u32,
 ) -> Callback<KeyboardEvent> {
     // The camera follows the keyboard, and leaves the pointer where it is.
-    let follows = use_mut_ref(|| false);
+    let follows = use_held(|| false);
     {
         let (follows, look) = (follows.clone(), look.clone());
         use_effect_with(cursor, move |&cursor| {
@@ -40,11 +41,11 @@ pub(super) fn use_cursor_keys(
         }
         let (key, ctrl) = (event.key(), event.ctrl_key());
         let action = if !ctrl && matches!(key.as_str(), "Enter" | " ") {
-            (!event.repeat()).then_some(Action::UseTool)
+            (!event.repeat()).then_some(Action::Board(BoardAction::UseTool))
         } else if let Some(by) = goes_by(&key, ctrl, rows.max(PAGE)) {
-            follows.replace(true);
+            follows.set(true);
             let carries = event.shift_key();
-            Some(Action::StepCursor { by, carries })
+            Some(Action::Board(BoardAction::StepCursor { by, carries }))
         } else {
             return;
         };

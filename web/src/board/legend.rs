@@ -1,11 +1,12 @@
-//! What stands below the board: the legend, and how near the map is.
+//! What stands below the board: the legend, or what the page has to say in its place,
+//! and how near the map is.
 
-use giveway_page::Action;
 use giveway_page::board::Kind;
+use giveway_page::{Action, State, ViewAction};
 use yew::prelude::*;
 
 use super::viewport::Look;
-use crate::icon;
+use crate::{icon, slot};
 
 /// By how much a button or key enlarges.
 pub(super) const ZOOM: f64 = 1.5;
@@ -19,6 +20,7 @@ pub(super) struct Under<'a> {
     /// The agent that the camera can go with, and whether it does.
     pub(super) follow: Option<(AttrValue, bool)>,
     pub(super) send: &'a Callback<Action>,
+    pub(super) state: &'a State,
 }
 
 /// The legend and the buttons of the view.
@@ -33,9 +35,11 @@ pub(super) fn under(props: &Under<'_>) -> Html {
             </button>
         }
     };
+    let said = slot::said(props.state);
     html! {
         <div class="under">
-            <ul class="legend" aria-label="Legend">{ for props.kinds.iter().map(kind) }</ul>
+            { slot::show(props.state, said.as_ref(), props.send) }
+            <ul class="legend" aria-label="Legend" hidden={said.is_some()}>{ for props.kinds.iter().map(kind) }</ul>
             <div class="zoom" role="group" aria-label="View">
                 { follow(props) }
                 { button("Zoom out", "minus", '-', props.is_fit, Look::Zoom(1.0 / ZOOM, None)) }
@@ -51,7 +55,9 @@ fn follow(props: &Under<'_>) -> Html {
     let Some((name, on)) = props.follow.clone() else {
         return html! {};
     };
-    let onclick = props.send.reform(move |_| Action::Follow(!on));
+    let onclick = props
+        .send
+        .reform(move |_| Action::View(ViewAction::Follow(!on)));
     html! {
         <button class="btn ghost round" title={format!("Follow {name} (f)")} aria-label={format!("Follow {name}")}
             aria-pressed={on.to_string()} {onclick}>

@@ -1,6 +1,5 @@
 //! Goals and waypoints. Where an agent stands on them they shrink into corners.
 
-use std::cell::RefCell;
 use std::rc::Rc;
 
 use giveway_model::Cell;
@@ -9,6 +8,7 @@ use giveway_page::form;
 use yew::prelude::*;
 
 use super::motion::{Attribute, children, use_motion};
+use crate::held::Held;
 
 pub(super) const FLAG_POLE: &str = "M66 46V14";
 pub(super) const FLAG_CLOTH: &str = "M66 14h24l-7 9 7 9H66Z";
@@ -34,14 +34,15 @@ pub(super) fn Marks(props: &MarksProps) -> Html {
                 (occupied, Attribute::new(mark, "data-visited"))
             });
             let marks: Vec<_> = marks.collect();
-            let occupied = RefCell::new(Occupied::default());
+            let occupied = Held::new(Occupied::default());
             move |time| {
-                let mut occupied = occupied.borrow_mut();
-                occupied.see(&cast, time);
+                let mut now = occupied.take();
+                now.see(&cast, time);
                 for ((is_occupied, is_visited), mark) in marks.iter().zip(&cast.marks) {
-                    is_occupied.toggle(occupied.has(mark.cell));
+                    is_occupied.toggle(now.has(mark.cell));
                     is_visited.toggle(mark.visited.is_some_and(|at| f64::from(at) <= time));
                 }
+                occupied.set(now);
             }
         });
     }
@@ -88,10 +89,16 @@ fn star(mark: &Mark, detail: Detail) -> Html {
 /// Where nothing else has room: goals as rings; waypoints are left out.
 fn dot(mark: &Mark) -> Html {
     let class = classes!("goal-dot", form::class(mark.agent));
+    let (x, y) = (50.0 + mark.shift.0, 50.0 + mark.shift.1);
+    let (x, y) = (
+        f64::from(100 * mark.cell.x) + x,
+        f64::from(100 * mark.cell.y) + y,
+    );
     html! {
-        <g transform={place(mark, (50.0, 50.0))}>
+        // No transform: it would be a piece to itself.
+        <g>
             if mark.kind == MarkKind::Goal {
-                <circle {class} r="28" />
+                <circle {class} cx={x.to_string()} cy={y.to_string()} r="28" />
             }
         </g>
     }

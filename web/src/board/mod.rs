@@ -8,6 +8,7 @@ mod agents;
 mod axis;
 mod beside;
 mod cells;
+mod coalesced;
 mod floor;
 mod follow;
 mod gestures;
@@ -17,7 +18,9 @@ mod legend;
 mod marks;
 mod motion;
 mod picture;
+mod preview;
 mod reasons;
+mod small;
 mod still;
 mod viewport;
 mod ways;
@@ -25,11 +28,12 @@ mod ways;
 use std::rc::Rc;
 
 use giveway_model::{Cell, sorting};
-use giveway_page::board::{CELL, Cast, Detail, Frame, Kind, Window, legend};
+use giveway_page::board::{CELL, Cast, Detail, FloorLook, Frame, Kind, Window, legend};
 use giveway_page::{Action, Answer, Selection, State, Tool, ask, words};
 use yew::prelude::*;
 
-use crate::Shown;
+use crate::held::use_held;
+use crate::{Shown, icon};
 use agents::Agents;
 use axis::Axis;
 use beside::Beside;
@@ -38,7 +42,9 @@ use floor::FloorShapes;
 use legend::{Under, under};
 use marks::Marks;
 pub(crate) use picture::picture;
+pub(crate) use preview::Preview;
 use reasons::ReasonMarks;
+pub(crate) use small::Small;
 pub(crate) use still::Still;
 use viewport::use_viewport;
 use ways::Ways;
@@ -85,20 +91,20 @@ pub fn Board(props: &BoardProps) -> Html {
     });
     let (_, rows) = frame.cells(board);
     let page = rows.1 - rows.0;
-    let onkeydown = keys::use_cursor_keys(state.cursor, &props.send, &viewport.look, page);
+    let onkeydown = keys::use_cursor_keys(state.view.cursor, &props.send, &viewport.look, page);
 
     let reasons = giveway_page::board::reasons(state);
     let kinds: Vec<Kind> = legend(state, &cast);
-    let is_stale = state.is_stale() && cast.has_plan();
+    let is_stale = state.document.is_stale() && cast.has_plan();
     let class = classes!(
         "map",
         detail.class(),
         is_stale.then_some("stale"),
-        (state.playback.time > 0).then_some("later"),
-        (state.tool != Tool::Select).then_some("brush-on"),
+        (state.view.playback.time > 0).then_some("later"),
+        (state.view.tool != Tool::Select).then_some("brush-on"),
         (!viewport.camera.is_fit()).then_some("near"),
     );
-    let cursor = state.cursor;
+    let cursor = state.view.cursor;
     let board_now = html! {
         <div class="bd" ref={area}>
             <svg {class} ref={svg}
@@ -116,7 +122,7 @@ pub fn Board(props: &BoardProps) -> Html {
                 { problems(state) }
                 { ghost::show(state) }
                 <g aria-hidden="true">
-                    if let Selection::Cell(cell) = state.selection {
+                    if let Selection::Cell(cell) = state.view.selection {
                         { square("selcell", cell, 3) }
                     }
                     <rect class="hover" ref={hover} width="94" height="94" rx="15" visibility="hidden" />
@@ -125,9 +131,9 @@ pub fn Board(props: &BoardProps) -> Html {
                     of={BOARD}
                     draft={Rc::clone(state.world())}
                     cast={Rc::clone(&cast)}
-                    time={state.playback.time}
+                    time={state.view.playback.time}
                     window={Window::around(cursor, &frame, board)}
-                    selection={state.selection} />
+                    selection={state.view.selection} />
                 <g aria-hidden="true">{ square("cursor", cursor, 2) }</g>
             </svg>
         </div>
@@ -139,15 +145,19 @@ pub fn Board(props: &BoardProps) -> Html {
         is_nearest: viewport.is_nearest(board),
         follow: follow(state, &cast),
         send: &props.send,
+        state,
     };
     html! {
         <>
             <div class={classes!("boards", other.is_some().then_some("pair"))}>
                 <figure class="pl">
                     if other.is_some() {
-                        { caption(if state.steering.is_some() { "Your plan" } else { "This plan" }, state.shown(), None) }
+                        { caption(if state.document.mode.steering().is_some() { "Your plan" } else { "This plan" }, state.shown(), None) }
                     }
                     { board_now }
+                    if !viewport.camera.is_fit() {
+                        { fit(&viewport.look) }
+                    }
                 </figure>
                 if let Some(other) = other {
                     <figure class="pl other">
@@ -167,6 +177,15 @@ fn follow(state: &Shown, cast: &Cast) -> Option<(AttrValue, bool)> {
     let agent = cast.agents.get(state.selected_agent()?)?;
     let name = cast.has_plan().then(|| agent.name.clone())?;
     Some((name.into(), state.view.follow))
+}
+
+/// The way back to all of the map for a finger, where there is no row of such buttons.
+fn fit(look: &Callback<viewport::Look>) -> Html {
+    html! {
+        <button type="button" class="btn outline fit" onclick={look.reform(|_: MouseEvent| viewport::Look::Fit)}>
+            { icon::show("fit") }{ "Fit" }
+        </button>
+    }
 }
 
 /// What stands above one of two plans: which it is, what is claimed of it, and
@@ -189,7 +208,7 @@ fn layers(state: &Shown, cast: &Rc<Cast>, versus: Option<&Rc<Cast>>, frame: Fram
     let board = (state.world().grid().width(), state.world().grid().height());
     html! {
         <>
-            <FloorShapes draft={Rc::clone(state.world())} is_fine={detail > Detail::Dots}
+            <FloorShapes draft={Rc::clone(state.world())} look={FloorLook::of(frame.cell_px)}
                 used_by={state.view.layers.heat.then(|| Rc::clone(cast))} />
             if state.view.layers.trails {
                 <Ways cast={Rc::clone(cast)} {selected} />
@@ -206,6 +225,7 @@ fn layers(state: &Shown, cast: &Rc<Cast>, versus: Option<&Rc<Cast>>, frame: Fram
 /// A frame and a triangle on every cell where something is wrong.
 fn problems(state: &Shown) -> Html {
     let cells = state
+        .document
         .draft
         .problems()
         .iter()
@@ -252,14 +272,16 @@ fn units(cells: f64) -> f64 {
 /// ones as long as they fit.
 #[hook]
 fn use_casts(state: &Shown) -> (Rc<Cast>, Option<Rc<Cast>>) {
-    let kept = use_mut_ref(<[Option<Rc<Cast>>; 2]>::default);
-    let [this, other] = &mut *kept.borrow_mut();
-    (
-        renewed(this, state, state.shown()),
+    let kept = use_held(<[Option<Rc<Cast>>; 2]>::default);
+    let [mut this, mut other] = kept.take();
+    let casts = (
+        renewed(&mut this, state, state.shown()),
         state
             .beside()
-            .map(|answer| renewed(other, state, Some(answer))),
-    )
+            .map(|answer| renewed(&mut other, state, Some(answer))),
+    );
+    kept.set([this, other]);
+    casts
 }
 
 fn renewed(kept: &mut Option<Rc<Cast>>, state: &State, answer: Option<&Rc<Answer>>) -> Rc<Cast> {

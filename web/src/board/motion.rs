@@ -1,24 +1,23 @@
 //! Moving by hand: attributes set in every frame, past the page's rendering.
 
-use std::cell::RefCell;
-
 use web_sys::Element;
 use yew::prelude::*;
 
 use crate::Clock;
+use crate::held::Held;
 
 /// An attribute of an element that is set only where it changes.
 pub(super) struct Attribute {
     element: Element,
     name: &'static str,
-    value: RefCell<Option<String>>,
+    value: Held<Option<String>>,
 }
 
 impl Attribute {
     /// An attribute, as the element has it: it may be one that showed another
     /// agent before.
     pub(super) fn new(element: Element, name: &'static str) -> Self {
-        let value = RefCell::new(element.get_attribute(name));
+        let value = Held::new(element.get_attribute(name));
         Self {
             element,
             name,
@@ -34,28 +33,29 @@ impl Attribute {
 
     /// Sets it.
     pub(super) fn set(&self, value: &str) {
-        let mut old = self.value.borrow_mut();
+        let old = self.value.take();
         if old.as_deref() == Some(value) {
+            self.value.set(old);
             return;
         }
+        self.value.set(Some(value.to_owned()));
         // The names are valid, so that it cannot fail.
         let _ = self.element.set_attribute(self.name, value);
-        *old = Some(value.to_owned());
     }
 
     /// Sets it to something, or takes it away.
     pub(super) fn toggle(&self, on: bool) {
-        let mut old = self.value.borrow_mut();
+        let old = self.value.take();
         if old.is_some() == on {
+            self.value.set(old);
             return;
         }
-        if on {
-            let _ = self.element.set_attribute(self.name, "");
-            *old = Some(String::new());
+        self.value.set(on.then(String::new));
+        let _ = if on {
+            self.element.set_attribute(self.name, "")
         } else {
-            let _ = self.element.remove_attribute(self.name);
-            *old = None;
-        }
+            self.element.remove_attribute(self.name)
+        };
     }
 }
 
@@ -64,7 +64,12 @@ pub(super) fn children(layer: &NodeRef) -> Vec<Element> {
     let Some(layer) = layer.cast::<Element>() else {
         return Vec::new();
     };
-    std::iter::successors(layer.first_element_child(), Element::next_element_sibling).collect()
+    children_of(&layer)
+}
+
+/// The children of an element, in order.
+pub(super) fn children_of(element: &Element) -> Vec<Element> {
+    std::iter::successors(element.first_element_child(), Element::next_element_sibling).collect()
 }
 
 /// After each rendering of the component, makes a function of what it rendered

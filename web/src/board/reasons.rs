@@ -1,7 +1,7 @@
 //! The reasons of an answer, drawn over the map; what is against the rules of a
 //! plan of one's own.
 
-use giveway_page::board::{Place, Reasons, Spot};
+use giveway_page::board::{Place, Reasons, Spot, Try};
 use yew::prelude::*;
 
 use super::square;
@@ -36,8 +36,18 @@ pub(super) fn ReasonMarks(props: &ReasonsProps) -> Html {
             </g>
         }
     };
+    let end = |end: &Try| {
+        let (x, y) = end.at;
+        html! {
+            <g class="burst" transform={format!("translate({x} {y})")}>
+                <path d={STAR} /><path class="ex" d="M0-11V3M0 11v.1" />
+                <text class="at-time" y="46" text-anchor="middle">{ format!("time {}", end.time) }</text>
+            </g>
+        }
+    };
     html! {
         <g class="reasons-on" aria-hidden="true">
+            { for props.reasons.tries.iter().map(end) }
             { for props.reasons.places.iter().map(place) }
             { for props.reasons.spots.iter().map(spot) }
             { for props.reasons.bursts.iter().map(burst) }

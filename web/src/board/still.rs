@@ -14,7 +14,7 @@ pub(crate) fn Still(props: &BoardProps) -> Html {
     let BoardProps { state, send } = props;
     let (cast, _) = use_casts(state);
     let rows = state.world().grid().height();
-    let onkeydown = keys::use_cursor_keys(state.cursor, send, &Callback::noop(), rows);
+    let onkeydown = keys::use_cursor_keys(state.view.cursor, send, &Callback::noop(), rows);
     html! {
         <main class="stage">
             <svg class="vh" aria-hidden="true">{ floor::hatch() }</svg>

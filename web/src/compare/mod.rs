@@ -1,34 +1,81 @@
 //! Ways to go on where the world changed, side by side: a column each, one of
 //! which the board and the timeline preview.
 
-use giveway_page::changing::{Column, CostChange, Group, columns};
-use giveway_page::{Action, State};
+use giveway_page::changing::{Column, CostChange, Fix, Group, columns, fixes};
+use giveway_page::{Action, ChangeAction, State, ViewAction};
 use yew::prelude::*;
 
-use crate::{glyph, icon};
+use crate::board::Preview;
+use crate::{Shown, glyph, icon};
 
 /// The columns; nothing while nothing is compared.
-pub(crate) fn show(state: &State, send: &Callback<Action>) -> Html {
+pub(crate) fn show(state: &Shown, send: &Callback<Action>) -> Html {
     let Some(columns) = columns(state) else {
         return Html::default();
     };
-    let column = |(index, facts): (usize, &Column)| column(index, facts, send);
+    let column = |(index, facts): (usize, &Column)| column(index, facts, state, send);
     html! {
         <section class="cmp" aria-label="Ways to go on">
+            { help(state, send) }
             <div class="cols" tabindex="0">{ for columns.iter().enumerate().map(column) }</div>
-            <button type="button" class="btn ghost only-ph" onclick={send.reform(|_| Action::DiscardChange)}>
+            <button type="button" class="btn ghost only-ph" onclick={send.reform(|_| Action::Change(ChangeAction::Discard))}>
                 { icon::show("undo") }{ "Discard" }
             </button>
         </section>
     }
 }
 
-fn column(index: usize, facts: &Column, send: &Callback<Action>) -> Html {
-    let title = facts.title.clone();
-    let preview = send.reform(move |_: MouseEvent| Action::Preview(index));
-    let adopt = send.reform(move |_: MouseEvent| Action::Adopt(index));
+/// What would help where no method has a plan.
+fn help(state: &State, send: &Callback<Action>) -> Html {
+    let fixes = fixes(state);
+    if fixes.is_empty() {
+        return Html::default();
+    }
+    // Why there is no plan was asked: the answer offers the next step.
+    let leads = state.document.mode.asking().is_none();
+    let one = |(index, fix): (usize, &Fix)| {
+        let (icon, text) = match fix {
+            Fix::TakeBack(_, what) => ("undo", format!("Take back: {what}")),
+            Fix::Try(_, text) => ("compare", text.clone()),
+            Fix::Longer(seconds) => ("clock", format!("Search for up to {seconds} s")),
+        };
+        let press = {
+            let (fix, send) = (fix.clone(), send.clone());
+            move |_: MouseEvent| match fix {
+                Fix::TakeBack(index, _) => send.emit(Action::Change(ChangeAction::TakeBack(index))),
+                Fix::Try(methods, _) => {
+                    send.emit(Action::Change(ChangeAction::ChooseMethods(methods)));
+                    send.emit(Action::Change(ChangeAction::Adapt));
+                }
+                Fix::Longer(seconds) => {
+                    send.emit(Action::View(ViewAction::SetSeconds(seconds)));
+                    send.emit(Action::Change(ChangeAction::Adapt));
+                }
+            }
+        };
+        html! {
+            <li><button type="button" class={classes!("repair", (leads && index == 0).then_some("lead"))} onclick={press}>
+                { icon::show(icon) }<span>{ text }</span>
+            </button></li>
+        }
+    };
     html! {
-        <article key={index} class={classes!("col", facts.is_chosen.then_some("best"))} aria-label={title.clone()}>
+        <section class="fixes" aria-label="What would help">
+            <h3>{ "No method has a plan. What would help" }</h3>
+            <ul class="repairs">{ for fixes.iter().enumerate().map(one) }</ul>
+        </section>
+    }
+}
+
+fn column(index: usize, facts: &Column, state: &Shown, send: &Callback<Action>) -> Html {
+    let changing = state.document.mode.changing();
+    let before = changing.map(|changing| changing.about.clone());
+    let has_plan = facts.has_plan();
+    let title = facts.title.clone();
+    let preview = send.reform(move |_: MouseEvent| Action::Change(ChangeAction::Preview(index)));
+    let adopt = send.reform(move |_: MouseEvent| Action::Change(ChangeAction::Adopt(index)));
+    html! {
+        <article key={index} class={classes!("col", facts.is_chosen.then_some("best"), (!has_plan).then_some("none"))} aria-label={title.clone()}>
             <header>
                 <h2>{ title.clone() }</h2>
                 if facts.is_least {
@@ -36,17 +83,26 @@ fn column(index: usize, facts: &Column, send: &Callback<Action>) -> Html {
                 }
                 <p>{ facts.promise.clone() }</p>
             </header>
+            if !has_plan {
+                <p class="no-plan">{ icon::show("cancel") }{ "No plan" }</p>
+                { for facts.notes.iter().map(|note| html! { <p class="why">{ note.clone() }</p> }) }
+            }
+            if let Some(before) = before {
+                <Preview name={facts.board} state={state.clone()} answer={facts.answer.clone()} {before} />
+            }
             if !facts.costs.is_empty() {
                 <dl class="big">{ for facts.costs.iter().take(2).map(cost) }</dl>
             }
             if !facts.groups.is_empty() {
                 <dl class="grp">{ for facts.groups.iter().map(group) }</dl>
             }
-            { for facts.notes.iter().map(|note| html! { <p class="note">{ note.clone() }</p> }) }
+            if has_plan {
+                { for facts.notes.iter().map(|note| html! { <p class="note">{ note.clone() }</p> }) }
+            }
             <footer>
-                if facts.has_plan {
+                if has_plan {
                     <button type="button" class={classes!("btn", if facts.is_chosen { "primary" } else { "outline" })} onclick={adopt}>
-                        { icon::show("check") }{ "Adopt" }<span class="vh">{ format!(" {title}") }</span>
+                        { icon::show("check") }{ "Use this plan" }<span class="vh">{ format!(" {title}") }</span>
                     </button>
                     <button type="button" class="btn ghost" aria-pressed={facts.is_chosen.to_string()} onclick={preview}>
                         { "Preview" }<span class="vh">{ format!(" {title}") }</span>

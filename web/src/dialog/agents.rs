@@ -2,7 +2,7 @@
 
 use std::rc::Rc;
 
-use giveway_page::{Action, files::Choice, words};
+use giveway_page::{Action, FileAction, files::Choice, words};
 use web_sys::HtmlInputElement;
 use yew::prelude::*;
 
@@ -43,8 +43,8 @@ pub(crate) fn Agents(props: &AgentsProps) -> Html {
             let agents = agents.clamp(1, choice.most());
             on_close.emit(());
             send.emit(match choice.scene(agents) {
-                Ok(scene) => Action::Open(Box::new(scene)),
-                Err(notice) => Action::Refuse(notice),
+                Ok(scene) => Action::File(FileAction::Open(Box::new(scene))),
+                Err(notice) => Action::File(FileAction::Refuse(notice)),
             });
         })
     };
@@ -59,10 +59,10 @@ pub(crate) fn Agents(props: &AgentsProps) -> Html {
     };
     let there_are = words::count(choice.most(), "agent");
     html! {
-        <Frame title="How many agents?" narrow=true on_close={on_close.clone()}>
+        <Frame title="How many robots?" narrow=true on_close={on_close.clone()}>
             <p>{ format!("{} has {there_are}. The first of them are taken.", choice.file()) }</p>
             <div class="ask-number">
-                <label for="agents">{ "Agents" }</label>
+                <label for="agents">{ "Robots" }</label>
                 <input id="agents" class="field" type="number" inputmode="numeric"
                     min="1" max={choice.most().to_string()} value={(*typed).clone()}
                     oninput={input} onkeydown={enter} autofocus=true />

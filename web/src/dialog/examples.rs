@@ -1,7 +1,7 @@
 //! The examples that come with the page.
 
 use giveway_page::examples::{Example, read};
-use giveway_page::{Action, Notice};
+use giveway_page::{Action, FileAction, Notice, SolveAction};
 use yew::platform::spawn_local;
 use yew::prelude::*;
 
@@ -70,12 +70,12 @@ fn pick(example: &Example, choose: &Callback<String>) -> Html {
 async fn open(file: &str, send: &Callback<Action>) {
     match files::example(file).await {
         Ok(scene) => {
-            send.emit(Action::Open(Box::new(scene)));
-            send.emit(Action::Solve);
+            send.emit(Action::File(FileAction::Open(Box::new(scene))));
+            send.emit(Action::Solve(SolveAction::Begin));
         }
-        Err(error) => send.emit(Action::Refuse(Notice {
+        Err(error) => send.emit(Action::File(FileAction::Refuse(Notice {
             sentence: "The example did not arrive; the scene stays as it is.".to_owned(),
             details: vec![error],
-        })),
+        }))),
     }
 }

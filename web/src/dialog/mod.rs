@@ -4,6 +4,7 @@ mod agents;
 mod examples;
 mod frame;
 mod help;
+mod new_scene;
 mod popover;
 mod scenes;
 mod share;
@@ -15,6 +16,7 @@ use giveway_page::files::Choice;
 pub(crate) use agents::Agents;
 pub(crate) use examples::Examples;
 pub(crate) use help::help;
+pub(crate) use new_scene::NewScene;
 pub(crate) use popover::use_dismiss;
 pub(crate) use scenes::Scenes;
 pub(crate) use share::Share;
@@ -37,6 +39,8 @@ pub(crate) enum Panel {
     Examples,
     /// How many agents of a scenario are wanted.
     Agents(Rc<Choice>),
+    /// The size and name of a new scene.
+    New,
     /// The scenes that are kept.
     Scenes,
     /// The link, to be copied.

@@ -1,6 +1,6 @@
 //! The scenes that this browser keeps.
 
-use giveway_page::{Action, Notice};
+use giveway_page::{Action, FileAction, Notice, link};
 use yew::prelude::*;
 
 use super::frame::Frame;
@@ -25,6 +25,10 @@ pub(crate) fn Scenes(props: &ScenesProps) -> Html {
         on_close,
     } = props;
     let names = use_state_eq(keep::scenes);
+    let others = {
+        let state = state.clone();
+        use_memo((), move |()| keep::others(&link::keep(&state)))
+    };
     let open = |action: fn(&str) -> Action, name: &str| {
         let (send, on_close, name) = (send.clone(), on_close.clone(), name.to_owned());
         Callback::from(move |_: MouseEvent| {
@@ -51,27 +55,40 @@ pub(crate) fn Scenes(props: &ScenesProps) -> Html {
             </li>
         }
     };
+    let elsewhere = |(number, name): &(String, String)| {
+        html! {
+            <li key={number.clone()}>
+                <button class="pick" onclick={open(keep::other, number)}>
+                    <b>{ title(name) }</b>{ icon::show("chevron") }
+                </button>
+            </li>
+        }
+    };
     let keep = {
         let (state, send, names) = (state.clone(), send.clone(), names.clone());
         Callback::from(move |_: MouseEvent| {
             if keep::keep_scene(&state) {
                 names.set(keep::scenes());
             } else {
-                send.emit(Action::Refuse(Notice {
+                send.emit(Action::File(FileAction::Refuse(Notice {
                     sentence: "This browser has no room for the scene: save it as a file."
                         .to_owned(),
                     details: Vec::new(),
-                }));
+                })));
             }
         })
     };
-    let own = title(&state.draft.scene().name);
+    let own = title(&state.document.draft.scene().name);
     html! {
         <Frame title="Scenes" on_close={on_close.clone()}>
             if names.is_empty() {
                 <p>{ "Scenes that you keep in this browser are listed here." }</p>
             }
             <ul class="picks">{ for names.iter().map(one) }</ul>
+            if !others.is_empty() {
+                <h3>{ "Left in other tabs" }</h3>
+                <ul class="picks">{ for others.iter().map(elsewhere) }</ul>
+            }
             <div class="dialog-foot">
                 <button class="btn outline" onclick={open(|_| app::example(), "")}>{ "Restore the example" }</button>
                 <button class="btn primary" onclick={keep}>{ format!("Keep \u{201c}{own}\u{201d}") }</button>

@@ -1,6 +1,6 @@
 //! The link that holds the scene with its plan and its question.
 
-use giveway_page::{Action, link::embed};
+use giveway_page::{Action, FileAction, link::embed};
 use yew::prelude::*;
 
 use super::frame::Frame;
@@ -31,7 +31,7 @@ pub(crate) fn Share(props: &ShareProps) -> Html {
             let (send, told) = (send.clone(), told.clone());
             copy::text(what, &text, move |done| match done {
                 Ok(()) => told.set(done_so),
-                Err(notice) => send.emit(Action::Refuse(notice)),
+                Err(notice) => send.emit(Action::File(FileAction::Refuse(notice))),
             });
         })
     };

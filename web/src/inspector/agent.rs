@@ -1,8 +1,8 @@
 //! An agent at the time shown.
 
-use giveway_page::Action;
 use giveway_page::inspect::{AgentFacts, BatteryFacts};
 use giveway_page::timeline::{Lane, Way};
+use giveway_page::{Action, PlayAction};
 use yew::prelude::*;
 
 use super::back;
@@ -61,7 +61,7 @@ fn show_plan(lane: &Lane, send: &Callback<Action>) -> Html {
 /// A time that can be shown by pressing it.
 fn time(at: u32, send: &Callback<Action>) -> Html {
     html! {
-        <button type="button" class="link time" title={format!("Show time {at}")} onclick={send.reform(move |_| Action::Seek(at))}>{ at }</button>
+        <button type="button" class="link time" title={format!("Show time {at}")} onclick={send.reform(move |_| Action::Play(PlayAction::Seek(at)))}>{ at }</button>
     }
 }
 

@@ -1,18 +1,24 @@
 //! The answer to a question: verdict, costs side by side, what would happen,
 //! what excludes it, what would help.
 
-use giveway_page::ask::{Card, CostRow, Facts, Happening, Offered, Other};
-use giveway_page::{Action, Lit};
+use giveway_page::ask::{Card, CostRow, FactRow, Facts, Happening, Offered, Other};
+use giveway_page::{Action, AskAction, Lit, PlayAction};
 use yew::prelude::*;
 
 use crate::{glyph, icon};
 
 /// What scrolls of the card.
 pub(super) fn show(card: &Card, send: &Callback<Action>) -> Html {
+    // The facts have the numbers: they come first.
+    let is_numbered = card
+        .core
+        .iter()
+        .flat_map(|core| &core.facts)
+        .any(|fact| fact.number.is_some());
     html! {
         <>
             <header class="qh">
-                <button type="button" class="crumb" onclick={send.reform(|_| Action::CloseQuestion)}>
+                <button type="button" class="crumb" onclick={send.reform(|_| Action::Ask(AskAction::Close))}>
                     { icon::show("back") }{ "Back" }
                 </button>
                 <h2>{ card.question.clone() }</h2>
@@ -25,17 +31,24 @@ pub(super) fn show(card: &Card, send: &Callback<Action>) -> Html {
                     </div>
                 }
             </div>
+            // Without a plan to show, what would help is the next step.
+            if card.other.is_none() && !card.repairs.is_empty() {
+                { repairs(&card.repairs, true, send) }
+            }
             if !card.rows.is_empty() {
                 { costs(&card.rows, "Both plans", ["This", "Other"]) }
             }
-            if let Some((title, happenings)) = &card.witness {
+            if let Some((title, happenings)) = &card.witness && !is_numbered {
                 { witness(title, happenings, send) }
             }
             if let Some(facts) = &card.core {
                 { core(facts, send) }
             }
-            if !card.repairs.is_empty() {
-                { repairs(&card.repairs, card.other.is_none(), send) }
+            if let Some((title, happenings)) = &card.witness && is_numbered {
+                { witness(title, happenings, send) }
+            }
+            if card.other.is_some() && !card.repairs.is_empty() {
+                { repairs(&card.repairs, false, send) }
             }
             if !card.pending.is_empty() {
                 <ul class="pending">{ for card.pending.iter().map(|line| html! { <li>{ *line }</li> }) }</ul>
@@ -60,21 +73,21 @@ pub(super) fn foot(card: &Card, send: &Callback<Action>) -> Html {
     let second = if is_beside {
         // Both are there to be seen: what is left is to decide.
         html! {
-            <button type="button" class="btn outline" onclick={send.reform(|_| Action::CloseQuestion)}>
+            <button type="button" class="btn outline" onclick={send.reform(|_| Action::Ask(AskAction::Close))}>
                 { icon::show("cancel") }{ "Keep this" }
             </button>
         }
     } else {
         html! {
             <button type="button" class="btn outline" aria-pressed={is_shown.to_string()}
-                onclick={send.reform(move |_| Action::ShowOther(!is_shown))}>
+                onclick={send.reform(move |_| Action::Ask(AskAction::ShowOther(!is_shown)))}>
                 { icon::show("compare") }{ if is_shown { "Show this" } else { "Show other" } }
             </button>
         }
     };
     html! {
         <footer class="foot">
-            <button type="button" class="btn primary" onclick={send.reform(|_| Action::TakeOther)}>
+            <button type="button" class="btn primary" onclick={send.reform(|_| Action::Ask(AskAction::TakeOther))}>
                 { icon::show("check") }{ "Take the other plan" }
             </button>
             { second }
@@ -118,8 +131,8 @@ pub(super) fn costs(
 
 /// Lights up while it is pointed at or has the focus.
 fn lit(lit: Lit, send: &Callback<Action>) -> [Callback<()>; 2] {
-    let on = send.reform(move |()| Action::Light(Some(lit)));
-    let off = send.reform(|()| Action::Light(None));
+    let on = send.reform(move |()| Action::Ask(AskAction::Light(Some(lit))));
+    let off = send.reform(|()| Action::Ask(AskAction::Light(None)));
     [on, off]
 }
 
@@ -129,10 +142,15 @@ fn witness(title: &str, happenings: &[Happening], send: &Callback<Action>) -> Ht
         let time = happening.time;
         html! {
             <li><button type="button" class={classes!("reason", happening.is_lit.then_some("lit"))}
-                title={format!("Show time {time}")} onclick={send.reform(move |_| Action::Seek(time))}
+                title={format!("Show time {time}")} onclick={send.reform(move |_| Action::Play(PlayAction::Seek(time)))}
                 onpointerenter={on.reform(|_| ())} onpointerleave={off.reform(|_| ())}
                 onfocus={on.reform(|_| ())} onblur={off.reform(|_| ())}>
-                <span class="no">{ happening.number }</span><span>{ happening.text.clone() }</span>
+                if let Some(number) = happening.number {
+                    <span class="no">{ number }</span>
+                } else {
+                    { icon::show("collision") }
+                }
+                <span>{ happening.text.clone() }</span>
             </button></li>
         }
     };
@@ -145,14 +163,20 @@ fn witness(title: &str, happenings: &[Happening], send: &Callback<Action>) -> Ht
 }
 
 fn core(facts: &Facts, send: &Callback<Action>) -> Html {
-    let one = |(index, (icon, text, is_lit)): (usize, &(&'static str, String, bool))| {
+    let one = |(index, fact): (usize, &FactRow)| {
+        let is_lit = fact.is_lit;
         let [on, off] = lit(Lit::Fact(index), send);
         html! {
             <li><button type="button" class={classes!("fact", is_lit.then_some("lit"))} aria-pressed={is_lit.to_string()}
                 onclick={on.reform(|_: MouseEvent| ())}
                 onpointerenter={on.reform(|_| ())} onpointerleave={off.reform(|_| ())}
                 onfocus={on.reform(|_| ())} onblur={off.reform(|_| ())}>
-                { icon::show(icon) }<span>{ text.clone() }</span>
+                if let Some(number) = fact.number {
+                    <span class="no">{ number }</span>
+                } else {
+                    { icon::show(fact.icon) }
+                }
+                <span>{ fact.text.clone() }</span>
             </button></li>
         }
     };
@@ -169,7 +193,7 @@ fn repairs(offered: &[Offered], leads: bool, send: &Callback<Action>) -> Html {
     let one = |(index, repair): (usize, &Offered)| {
         html! {
             <li><button type="button" class={classes!("repair", (leads && index == 0).then_some("lead"))}
-                onclick={send.reform(move |_| Action::TakeRepair(index))}>
+                onclick={send.reform(move |_| Action::Ask(AskAction::TakeRepair(index)))}>
                 { icon::show(repair.icon) }
                 <span>{ repair.text.clone() }<small>{ repair.costs.clone() }</small></span>
             </button></li>

@@ -1,7 +1,7 @@
 //! A cell: what it is and who passes when.
 
 use giveway_page::inspect::{CellFacts, Pass};
-use giveway_page::{Action, Selection};
+use giveway_page::{Action, BoardAction, PlayAction, Selection};
 use yew::prelude::*;
 
 use super::{back, in_draft};
@@ -43,7 +43,7 @@ pub(super) fn show(state: &Shown, facts: &CellFacts, send: &Callback<Action>) ->
 }
 
 fn show_role(agent: usize, role: &str, send: &Callback<Action>) -> Html {
-    let onclick = send.reform(move |_| Action::Select(Selection::Agent(agent)));
+    let onclick = send.reform(move |_| Action::Board(BoardAction::Select(Selection::Agent(agent))));
     html! {
         <li><button type="button" class="choice" {onclick}>
             { glyph::show(agent, "choice-glyph") }<span>{ role.to_owned() }</span>{ icon::at_end("chevron") }
@@ -54,12 +54,12 @@ fn show_role(agent: usize, role: &str, send: &Callback<Action>) -> Html {
 /// Pressing it shows the time at which the agent comes.
 fn show_pass(state: &Shown, pass: &Pass, send: &Callback<Action>) -> Html {
     let from = pass.from;
-    let time = state.playback.time;
+    let time = state.view.playback.time;
     let is_past = time > from;
     let agent = in_draft(state, &pass.name).unwrap_or(pass.agent);
     html! {
         <li><button type="button" class={classes!("choice", is_past.then_some("past"))} title={format!("Show time {from}")}
-            onclick={send.reform(move |_| Action::Seek(from))}>
+            onclick={send.reform(move |_| Action::Play(PlayAction::Seek(from)))}>
             { glyph::show(agent, "choice-glyph") }<span><b>{ pass.name.clone() }</b>{ format!(" {}", pass.when) }</span>
         </button></li>
     }

@@ -1,9 +1,8 @@
 //! What changes in the world: the list, the methods, the history; what can be
 //! changed of an agent.
 
-use giveway_model::change::What;
 use giveway_page::changing::{self, Choice, Facts, Listed, Past, WIDEST};
-use giveway_page::{Action, State};
+use giveway_page::{Action, BoardAction, ChangeAction, Edit, State, Tool};
 use yew::prelude::*;
 
 use crate::field::number;
@@ -17,10 +16,10 @@ pub(super) fn begin(state: &State, send: &Callback<Action>) -> Html {
     if !state.can_change() {
         return html! {};
     }
-    let time = state.playback.time;
+    let time = state.view.playback.time;
     html! {
         <button type="button" class="btn outline more" title="Change the world here (x)"
-            onclick={send.reform(|_| Action::BeginChange)}>
+            onclick={send.reform(|_| Action::Change(ChangeAction::Begin))}>
             { icon::show("change") }{ "Change the world here" }<span class="vh">{ format!(", at time {time}") }</span>
         </button>
     }
@@ -43,6 +42,11 @@ pub(super) fn show(facts: &Facts, methods: Choice, send: &Callback<Action>) -> H
                 } else {
                     <ul class="changes">{ for facts.list.iter().enumerate().map(one) }</ul>
                 }
+                if facts.is_compared {
+                    <button type="button" class="btn ghost add-change" onclick={send.reform(|_| Action::Board(BoardAction::PickTool(Tool::Obstacle)))}>
+                        { icon::show("plus") }{ "Add a change on the board" }
+                    </button>
+                }
             </section>
             { choose(methods, send) }
             { history(&facts.history, true) }
@@ -51,7 +55,7 @@ pub(super) fn show(facts: &Facts, methods: Choice, send: &Callback<Action>) -> H
 }
 
 fn listed_change(index: usize, listed: &Listed, send: &Callback<Action>) -> Html {
-    let take_back = send.reform(move |_: MouseEvent| Action::TakeBack(index));
+    let take_back = send.reform(move |_: MouseEvent| Action::Change(ChangeAction::TakeBack(index)));
     let name = format!("Take back: {}", listed.text);
     html! {
         <li key={index}>
@@ -72,7 +76,8 @@ fn listed_change(index: usize, listed: &Listed, send: &Callback<Action>) -> Html
 
 fn choose(methods: Choice, send: &Callback<Action>) -> Html {
     let check = |name: &'static str, what: &'static str, on: bool, with: fn(Choice) -> Choice| {
-        let toggle = send.reform(move |_: Event| Action::ChooseMethods(with(methods)));
+        let toggle =
+            send.reform(move |_: Event| Action::Change(ChangeAction::ChooseMethods(with(methods))));
         html! {
             <label>
                 <input type="checkbox" checked={on} onchange={toggle} />
@@ -81,10 +86,10 @@ fn choose(methods: Choice, send: &Callback<Action>) -> Html {
         }
     };
     let width = send.reform(move |n: Option<u32>| {
-        Action::ChooseMethods(Choice {
+        Action::Change(ChangeAction::ChooseMethods(Choice {
             width: n.unwrap_or(1),
             ..methods
-        })
+        }))
     });
     html! {
         <section>
@@ -130,32 +135,20 @@ pub(super) fn agent(state: &Shown, index: usize, send: &Callback<Action>) -> Htm
     let Some(offers) = changing::offers(state, index) else {
         return html! {};
     };
-    let name = offers.name.clone();
-    let list = |make: fn(String, u32) -> What| {
-        let name = name.clone();
+    let list = |make: fn(usize, u32) -> Edit| {
         let send = send.clone();
         Callback::from(move |n: Option<u32>| {
             if let Some(n) = n {
-                send.emit(Action::ListChange(make(name.clone(), n)));
+                send.emit(Action::Edit(make(index, n)));
             }
         })
     };
-    let level = list(|agent, level| What::SetBattery { agent, level });
-    let delay = list(|agent, steps| What::DelayAgent { agent, steps });
-    let remove = {
-        let name = name.clone();
-        send.reform(move |_: MouseEvent| {
-            let agent = name.clone();
-            Action::ListChange(What::RemoveAgent { agent })
-        })
-    };
+    let level = list(Edit::SetLevel);
+    let delay = list(Edit::Delay);
+    let remove = send.reform(move |_: MouseEvent| Action::Edit(Edit::RemoveAgent(index)));
     let waypoint = |&cell: &giveway_model::Cell| {
-        let place = format!("({},{})", cell.x, cell.y);
-        let agent = name.clone();
-        let press = send.reform(move |_: MouseEvent| {
-            let agent = agent.clone();
-            Action::ListChange(What::DropWaypoint { agent, cell })
-        });
+        let place = format!("({}, {})", cell.x, cell.y);
+        let press = send.reform(move |_: MouseEvent| Action::Edit(Edit::DropWaypoint(index, cell)));
         html! {
             <li>{ &place }<button type="button" class="btn ghost round" onclick={press}
                 aria-label={format!("Drop waypoint {place}")} title="Drop">
@@ -164,7 +157,7 @@ pub(super) fn agent(state: &Shown, index: usize, send: &Callback<Action>) -> Htm
         }
     };
     html! {
-        <section aria-label="Change this agent">
+        <section aria-label="Change this robot">
             <h3>{ format!("Change {} at time {}", offers.name, offers.at) }</h3>
             <div class="edit-body">
                 <div class="fields">
@@ -186,7 +179,7 @@ pub(super) fn agent(state: &Shown, index: usize, send: &Callback<Action>) -> Htm
 pub(super) fn foot(send: &Callback<Action>) -> Html {
     html! {
         <footer class="foot">
-            <button type="button" class="btn ghost" onclick={send.reform(|_| Action::DiscardChange)}>
+            <button type="button" class="btn ghost" onclick={send.reform(|_| Action::Change(ChangeAction::Discard))}>
                 { icon::show("undo") }{ "Discard" }
             </button>
         </footer>

@@ -2,7 +2,8 @@
 
 use giveway_model::{Agent, Battery};
 use giveway_page::{
-    Action, COLOURS, DENSEST, Edit, Fill, MAX_AGENTS, MAX_SIDE, Phase, Problem, Selection,
+    Action, BoardAction, COLOURS, DENSEST, Edit, Fill, MAX_AGENTS, MAX_SIDE, Phase, Problem,
+    Selection, ViewAction,
 };
 use yew::prelude::*;
 
@@ -19,16 +20,15 @@ const BATTERY: Battery = Battery {
 
 /// What can be edited of an agent.
 pub(super) fn agent(state: &Shown, index: usize, send: &Callback<Action>) -> Html {
-    let Some(agent) = state.draft.agents().get(index) else {
+    let Some(agent) = state.document.draft.agents().get(index) else {
         return Html::default();
     };
     let edit = |make: fn(usize, String) -> Edit| {
         send.reform(move |text: String| Action::Edit(make(index, text)))
     };
     let waypoint = |&cell: &giveway_model::Cell| {
-        let name = format!("({},{})", cell.x, cell.y);
-        let press =
-            send.reform(move |_: MouseEvent| Action::Edit(Edit::RemoveWaypoint(index, cell)));
+        let name = format!("({}, {})", cell.x, cell.y);
+        let press = send.reform(move |_: MouseEvent| Action::Edit(Edit::DropWaypoint(index, cell)));
         html! {
             <li>{ &name }<button type="button" class="btn ghost round" onclick={press}
                 aria-label={format!("Remove waypoint {name}")} title="Remove">
@@ -47,17 +47,17 @@ pub(super) fn agent(state: &Shown, index: usize, send: &Callback<Action>) -> Htm
                     { for agent.waypoints.iter().map(waypoint) }
                 </ul>
             }
-            <button type="button" class="btn outline" onclick={remove}>{ "Delete agent" }</button>
+            <button type="button" class="btn outline" onclick={remove}>{ "Delete robot" }</button>
         </>
     };
-    section(state, "Edit agent", body)
+    section(state, "Edit robot", body)
 }
 
 /// The colours to choose from; the form stays, so that no two look the same.
 fn colour(state: &Shown, index: usize, send: &Callback<Action>) -> Html {
-    let chosen = state.view.colours.of(index);
+    let chosen = state.document.colours.of(index);
     let swatch = |(colour, name): (usize, &&'static str)| {
-        let choose = send.reform(move |_: Event| Action::Recolour(index, colour));
+        let choose = send.reform(move |_: Event| Action::Edit(Edit::Recolour(index, colour)));
         html! {
             <label key={colour} title={*name}>
                 <input type="radio" name="colour" aria-label={*name} checked={colour == chosen} onchange={choose} /><i></i>
@@ -74,7 +74,7 @@ fn colour(state: &Shown, index: usize, send: &Callback<Action>) -> Html {
 fn battery(agent: &Agent, index: usize, send: &Callback<Action>) -> Html {
     let set = {
         let send = send.clone();
-        move |battery| send.emit(Action::Edit(Edit::Battery(index, battery)))
+        move |battery| send.emit(Action::Edit(Edit::SetBattery(index, battery)))
     };
     let kind = |name: &'static str, battery: Option<Battery>| {
         let set = set.clone();
@@ -114,14 +114,16 @@ fn battery(agent: &Agent, index: usize, send: &Callback<Action>) -> Html {
 
 /// What can be edited of the scene as a whole.
 pub(super) fn whole(state: &Shown, send: &Callback<Action>) -> Html {
-    let grid = state.draft.grid();
+    let grid = state.document.draft.grid();
     let (width, height) = (grid.width(), grid.height());
     let side = |make: fn(u32, u32, u32) -> Edit| {
         send.reform(move |n: Option<u32>| Action::Edit(make(n.unwrap_or(1), width, height)))
     };
-    let fill = state.fill;
+    let fill = state.settings.fill;
     let set = |make: fn(u32, Fill) -> Fill| {
-        send.reform(move |n: Option<u32>| Action::SetFill(make(n.unwrap_or(0), fill)))
+        send.reform(move |n: Option<u32>| {
+            Action::View(ViewAction::SetFill(make(n.unwrap_or(0), fill)))
+        })
     };
     let rename = send.reform(|name| Action::Edit(Edit::Name(name)));
     let strew = send.reform(move |_: MouseEvent| Action::Edit(Edit::Fill(fill)));
@@ -130,19 +132,19 @@ pub(super) fn whole(state: &Shown, send: &Callback<Action>) -> Html {
     let most = MAX_AGENTS as u32;
     let body = html! {
         <>
-            <Field label="Name" value={state.draft.scene().name.clone()} on_change={rename} />
+            <Field label="Name" value={state.document.draft.scene().name.clone()} on_change={rename} />
             <div class="fields">
                 { number("Width, cells", Some(width), sides, None, &side(|n, _, height| Edit::Resize(n, height))) }
                 { number("Height, cells", Some(height), sides, None, &side(|n, width, _| Edit::Resize(width, n))) }
             </div>
-            <h4>{ "By chance" }</h4>
+            <h4>{ "Random scene" }</h4>
             <div class="fields">
                 { number("Obstacles, %", Some(fill.obstacles), (0, DENSEST), None, &set(|obstacles, fill| Fill { obstacles, ..fill })) }
-                { number("Agents", Some(fill.agents), (0, most), None, &set(|agents, fill| Fill { agents, ..fill })) }
+                { number("Robots", Some(fill.agents), (0, most), None, &set(|agents, fill| Fill { agents, ..fill })) }
                 { number("Seed", Some(fill.seed), (0, u32::MAX), None, &set(|seed, fill| Fill { seed, ..fill })) }
             </div>
             <div class="pair">
-                <button type="button" class="btn outline" onclick={strew}>{ "Fill by chance" }</button>
+                <button type="button" class="btn outline" onclick={strew}>{ "Random scene" }</button>
                 <button type="button" class="btn outline" onclick={clear}>{ "Clear" }</button>
             </div>
         </>
@@ -167,7 +169,13 @@ pub(super) fn problems(
     send: &Callback<Action>,
     takes: impl Fn(&Problem) -> bool,
 ) -> Html {
-    let problems: Vec<&Problem> = state.draft.problems().iter().filter(|p| takes(p)).collect();
+    let problems: Vec<&Problem> = state
+        .document
+        .draft
+        .problems()
+        .iter()
+        .filter(|p| takes(p))
+        .collect();
     if problems.is_empty() {
         return Html::default();
     }
@@ -176,7 +184,9 @@ pub(super) fn problems(
             html! { <>{ icon::show("warning") }<span>{ problem.sentence.clone() }</span></> };
         match problem.cell {
             Some(cell) => {
-                let show = send.reform(move |_: MouseEvent| Action::Select(Selection::Cell(cell)));
+                let show = send.reform(move |_: MouseEvent| {
+                    Action::Board(BoardAction::Select(Selection::Cell(cell)))
+                });
                 html! { <li><button type="button" class="problem" onclick={show}>{ text }</button></li> }
             }
             None => html! { <li class="problem">{ text }</li> },

@@ -1,7 +1,7 @@
 //! The Pareto front: a plot whose points are plans, and each of them as a button.
 
 use giveway_page::front::Plot;
-use giveway_page::{Action, State};
+use giveway_page::{Action, SolveAction, State};
 use yew::prelude::*;
 
 /// Left of the points and above them: room for their halves and the numbers.
@@ -10,16 +10,20 @@ const TOP: u32 = 34;
 
 /// The front of the scene on the board, where one was found.
 pub(super) fn show(state: &State, send: &Callback<Action>) -> Html {
-    let Some(front) = state.front().filter(|front| !front.points.is_empty()) else {
+    let Some(front) = state
+        .document
+        .front()
+        .filter(|front| !front.points.is_empty())
+    else {
         return Html::default();
     };
-    let chosen = state.answer.as_ref();
+    let chosen = state.document.answer.as_ref();
     let chosen = chosen.and_then(|answer| front.place_of(answer));
     let one = |point: usize| {
         let is_chosen = chosen == Some(point);
         html! {
             <li><button type="button" class="choice" aria-pressed={is_chosen.to_string()}
-                onclick={send.reform(move |_| Action::ShowPoint(point))}>
+                onclick={send.reform(move |_| Action::Solve(SolveAction::ShowPoint(point)))}>
                 <span>{ front.name(point) }</span>
             </button></li>
         }
@@ -42,7 +46,7 @@ fn plot(plot: &Plot, chosen: Option<usize>, send: &Callback<Action>) -> Html {
         let class = classes!("pt", (chosen == Some(at)).then_some("on"));
         html! {
             <circle {class} cx={(LEFT + x).to_string()} cy={(TOP + y).to_string()} r="7"
-                onclick={send.reform(move |_| Action::ShowPoint(at))} />
+                onclick={send.reform(move |_| Action::Solve(SolveAction::ShowPoint(at)))} />
         }
     };
     let text = |x: u32, y: u32, anchor: &'static str, text: String| {

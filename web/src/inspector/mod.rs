@@ -12,7 +12,7 @@ mod questions;
 mod steer;
 mod whole;
 
-use giveway_page::{Action, Selection, State, ask, changing, inspect};
+use giveway_page::{Action, BoardAction, Selection, State, ask, changing, inspect};
 use yew::prelude::*;
 
 use crate::{Shown, icon};
@@ -31,7 +31,11 @@ pub struct InspectorProps {
 pub fn Inspector(props: &InspectorProps) -> Html {
     let InspectorProps { state, send } = props;
     // Whoever is led is told of from the top, wherever the button was that began it.
-    let led = state.steering.as_deref().map_or(0, |own| own.agent + 1);
+    let led = state
+        .document
+        .mode
+        .steering()
+        .map_or(0, |own| own.agent + 1);
     // Without a plan a phone has no tabs: this place is all there is.
     let alone = state.plan().is_none().then_some("alone");
     html! {
@@ -49,8 +53,8 @@ pub fn Inspector(props: &InspectorProps) -> Html {
                         <p class="remark">{ why }</p>
                     }
                 </div>
-                if state.changing.is_some() { { change::foot(send) } }
-                if state.steering.is_some() { { steer::foot(send) } }
+                if state.document.mode.changing().is_some() { { change::foot(send) } }
+                if state.document.mode.steering().is_some() { { steer::foot(send) } }
             }
         </aside>
     }
@@ -63,7 +67,7 @@ fn content(state: &Shown, send: &Callback<Action>) -> Html {
     if let Some(led) = steer::show(state, send) {
         return led;
     }
-    match state.selection {
+    match state.view.selection {
         Selection::Agent(index) => match inspect::agent(state, index) {
             Some(facts) => html! {
                 <>
@@ -90,7 +94,7 @@ fn content(state: &Shown, send: &Callback<Action>) -> Html {
 /// While the world changes nothing of the scene itself is edited.
 fn while_changing(state: &Shown, facts: &changing::Facts, send: &Callback<Action>) -> Html {
     let all = || change::show(facts, state.settings.methods, send);
-    match state.selection {
+    match state.view.selection {
         Selection::Agent(index) => match inspect::agent(state, index) {
             Some(about) => html! {
                 <>
@@ -111,7 +115,7 @@ fn while_changing(state: &Shown, facts: &changing::Facts, send: &Callback<Action
 /// The way back to the plan as a whole.
 fn back(send: &Callback<Action>) -> Html {
     html! {
-        <button type="button" class="crumb" onclick={send.reform(|_| Action::Select(Selection::Nothing))}>
+        <button type="button" class="crumb" onclick={send.reform(|_| Action::Board(BoardAction::Select(Selection::Nothing)))}>
             { icon::show("back") }{ "Whole plan" }
         </button>
     }

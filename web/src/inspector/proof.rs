@@ -1,7 +1,7 @@
 //! The check of a proof: its button, what it is at, what came of it.
 
 use giveway_page::proof::{Line, Outcome, Proof, proof};
-use giveway_page::{Action, State};
+use giveway_page::{Action, SolveAction, State};
 use yew::prelude::*;
 
 use crate::icon;
@@ -10,7 +10,7 @@ pub(super) fn show(state: &State, send: &Callback<Action>) -> Html {
     match proof(state) {
         None => html! {},
         Some(Proof::Offered) => html! {
-            <button type="button" class="btn outline more" onclick={send.reform(|_| Action::CheckProof)}>
+            <button type="button" class="btn outline more" onclick={send.reform(|_| Action::Solve(SolveAction::CheckProof))}>
                 { icon::show("proved") }{ "Check the proof" }
             </button>
         },

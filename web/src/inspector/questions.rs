@@ -1,7 +1,7 @@
 //! The questions that can be asked here, one press each.
 
-use giveway_page::Action;
 use giveway_page::ask::{Group, Offer};
+use giveway_page::{Action, AskAction};
 use yew::prelude::*;
 
 use crate::icon;
@@ -9,7 +9,7 @@ use crate::icon;
 pub(super) fn show(groups: &[Group], send: &Callback<Action>) -> Html {
     let offer = |offer: &Offer| {
         let question = offer.question.clone();
-        let onclick = send.reform(move |_| Action::Ask(question.clone()));
+        let onclick = send.reform(move |_| Action::Ask(AskAction::Ask(question.clone())));
         html! {
             <li><button type="button" class="ask" {onclick}>
                 { icon::show(offer.icon) }

@@ -3,7 +3,7 @@
 
 use giveway_page::ask::Happening;
 use giveway_page::steering::{Facts, Lead, facts};
-use giveway_page::{Action, Selection, State};
+use giveway_page::{Action, PlayAction, Selection, State};
 use yew::prelude::*;
 
 use super::{agent, answer, cell};
@@ -15,11 +15,11 @@ pub(super) fn begin(state: &State, send: &Callback<Action>) -> Html {
     let Some(agent) = state.can_steer() else {
         return html! {};
     };
-    let agents = state.draft.agents();
+    let agents = state.document.draft.agents();
     let name = agents.get(agent).map_or("", |agent| agent.name.as_str());
-    let led = state.steering.as_deref().map(|own| own.agent);
+    let led = state.document.mode.steering().map(|own| own.agent);
     let text = if led == Some(agent) {
-        format!("Lead {name} anew from time {}", state.playback.time)
+        format!("Lead {name} anew from time {}", state.view.playback.time)
     } else {
         format!("Lead {name} by hand")
     };
@@ -34,7 +34,7 @@ pub(super) fn begin(state: &State, send: &Callback<Action>) -> Html {
 /// What there is to tell while an agent is led; nothing otherwise.
 pub(super) fn show(state: &Shown, send: &Callback<Action>) -> Option<Html> {
     let facts = facts(state)?;
-    let other = match state.selection {
+    let other = match state.view.selection {
         Selection::Agent(index) if index != facts.agent => {
             giveway_page::inspect::agent(state, index).map(|about| agent::show(&about, send))
         }
@@ -145,7 +145,7 @@ fn violation(violation: &Happening, send: &Callback<Action>) -> Html {
     let time = violation.time;
     html! {
         <li><button type="button" class="problem" title={format!("Show time {time}")}
-            aria-current={violation.is_lit.then_some("time")} onclick={send.reform(move |_| Action::Seek(time))}>
+            aria-current={violation.is_lit.then_some("time")} onclick={send.reform(move |_| Action::Play(PlayAction::Seek(time)))}>
             { icon::show("collision") }<span>{ violation.text.clone() }</span>
         </button></li>
     }

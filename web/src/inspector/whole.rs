@@ -4,7 +4,7 @@ use std::rc::Rc;
 
 use giveway_page::changing::history;
 use giveway_page::inspect::{CostFacts, whole};
-use giveway_page::{Action, Answer, Draft, Selection, Work};
+use giveway_page::{Action, Answer, BoardAction, Draft, Selection};
 use yew::prelude::*;
 
 use super::{change, edit, front, proof};
@@ -15,10 +15,14 @@ const AGENTS: usize = 50;
 
 pub(super) fn show(state: &Shown, send: &Callback<Action>) -> Html {
     let facts = whole(state);
-    let past = state.fresh_answer().map(history).unwrap_or_default();
+    let past = state
+        .document
+        .fresh_answer()
+        .map(|answer| history(answer))
+        .unwrap_or_default();
     let is_there = 0..state.world().agents().len();
     let is_there: Vec<bool> = is_there.map(|agent| state.is_there(agent)).collect();
-    let is_solving = matches!(state.work, Work::Solving(_));
+    let is_solving = state.work.solving().is_some();
     html! {
         <>
             <header class="ih"><div><h2>{ facts.title.clone() }</h2><p>{ facts.contents.clone() }</p></div></header>
@@ -37,7 +41,7 @@ pub(super) fn show(state: &Shown, send: &Callback<Action>) -> Html {
             { change::history(&past, false) }
             { front::show(state, send) }
             { edit::whole(state, send) }
-            <Agents draft={Rc::clone(state.world())} {is_there} answer={state.answer.clone()} send={send.clone()} />
+            <Agents draft={Rc::clone(state.world())} {is_there} answer={state.document.answer.clone()} send={send.clone()} />
         </>
     }
 }
@@ -102,23 +106,20 @@ fn Agents(props: &AgentsProps) -> Html {
     } = props;
     let shown = use_state_eq(|| AGENTS);
     let agents = draft.agents();
-    let arrival = |name: &str| {
+    let arrival = |agent: usize| {
         let answer = answer.as_deref()?;
-        let index = answer
-            .agents()
-            .iter()
-            .position(|agent| agent.name == name)?;
-        *answer.arrivals.get(index)?
+        *answer.arrivals.get(answer.agent(draft, agent)?)?
     };
     let one = |(agent, who): (usize, &giveway_model::Agent)| {
-        let onclick = send.reform(move |_| Action::Select(Selection::Agent(agent)));
+        let onclick =
+            send.reform(move |_| Action::Board(BoardAction::Select(Selection::Agent(agent))));
         html! {
             <li key={agent}><button type="button" class="choice" {onclick}>
                 { glyph::show(agent, "choice-glyph") }
                 <span>
                     <b>{ who.name.clone() }</b>
-                    <small>{ format!("({},{}) to ({},{})", who.start.x, who.start.y, who.goal.x, who.goal.y) }
-                        if let Some(time) = arrival(&who.name) { { format!(", arrives at {time}") } }
+                    <small>{ format!("{} to {}", who.start, who.goal) }
+                        if let Some(time) = arrival(agent) { { format!(", arrives at {time}") } }
                     </small>
                 </span>
                 { icon::at_end("chevron") }
@@ -134,10 +135,10 @@ fn Agents(props: &AgentsProps) -> Html {
     };
     html! {
         if agents.is_empty() {
-            <p class="remark">{ "No agents." }</p>
+            <p class="remark">{ "No robots." }</p>
         } else {
             <section>
-                <h3>{ "Agents" }</h3>
+                <h3>{ "Robots" }</h3>
                 <ul class="choices">{ for there.take(*shown).map(one) }</ul>
                 if agents.len() > *shown {
                     <button type="button" class="btn outline more" onclick={more}>{ format!("Show more of {}", agents.len()) }</button>

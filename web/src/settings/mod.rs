@@ -3,7 +3,7 @@
 mod order;
 
 use giveway_model::AtGoal;
-use giveway_page::{Action, Settings, State};
+use giveway_page::{Action, Edit, Settings, State, ViewAction};
 use web_sys::HtmlInputElement;
 use yew::prelude::*;
 
@@ -20,7 +20,7 @@ const HIGHEST_FLOOR: u32 = 100_000;
 /// The card with all settings; each takes effect at once.
 pub(crate) fn show(state: &State, send: &Callback<Action>, on_close: &Callback<()>) -> Html {
     let settings = state.settings;
-    let scene = state.draft.scene();
+    let scene = state.document.draft.scene();
     let close = on_close.reform(|_: MouseEvent| ());
     html! {
         <div class="settings" role="group" aria-labelledby="settings-title">
@@ -33,47 +33,50 @@ pub(crate) fn show(state: &State, send: &Callback<Action>, on_close: &Callback<(
             <fieldset>
                 <legend>{ "Objective" }</legend>
                 { order::show(&scene.objective, send) }
-                { switch("Pareto front of two or three costs", settings.front, send, Action::SetFront) }
+                { switch("Pareto front of two or three costs", settings.front, send, ViewAction::SetFront) }
             </fieldset>
             <fieldset>
-                <legend>{ "At its goal an agent" }</legend>
+                <legend>{ "At its goal a robot" }</legend>
                 { arrival(scene.rules.at_goal, send) }
             </fieldset>
             <fieldset>
                 <legend>{ "Limits" }</legend>
                 <div class="fields">
                     { number("Battery floor", Some(scene.rules.battery_floor), (0, HIGHEST_FLOOR), None,
-                        &send.reform(|n: Option<u32>| Action::SetBatteryFloor(n.unwrap_or(0)))) }
-                    { number("Horizon, steps", settings.within, (0, LONGEST), Some("auto"),
-                        &send.reform(Action::SetWithin)) }
+                        &send.reform(|n: Option<u32>| Action::Edit(Edit::BatteryFloor(n.unwrap_or(0))))) }
+                    { number("Horizon, steps", state.document.within, (0, LONGEST), Some("auto"),
+                        &send.reform(|within| Action::Edit(Edit::Within(within)))) }
                     { number("Time limit, s", Some(settings.seconds), (1, PATIENCE), None,
                         &send.reform(|n: Option<u32>| {
-                            Action::SetSeconds(n.unwrap_or(Settings::default().seconds))
+                            Action::View(ViewAction::SetSeconds(n.unwrap_or(Settings::default().seconds)))
                         })) }
                 </div>
                 <p class="hint">
-                    { "No battery falls below the floor before its agent arrives. \
+                    { "No battery falls below the floor before its robot arrives. \
                        Only plans within the horizon count; empty leaves it to the solver." }
                 </p>
             </fieldset>
             { on_the_board(state, send) }
-            <fieldset>{ switch("Solve on every change", settings.solve_on_change, send, Action::SetSolveOnChange) }</fieldset>
+            <fieldset>
+                { switch("Solve on every change", settings.solve_on_change, send, ViewAction::SetSolveOnChange) }
+                { switch("Single letters are keys", settings.letter_keys, send, ViewAction::SetLetterKeys) }
+            </fieldset>
         </div>
     }
 }
 
 /// What is drawn on the board, for a phone, which has no room for it elsewhere.
 fn on_the_board(state: &State, send: &Callback<Action>) -> Html {
-    let view = state.view;
+    let view = &state.view;
     let agents = state.world().agents();
     let agent = state.selected_agent().and_then(|agent| agents.get(agent));
     html! {
         <fieldset class="phone">
             <legend>{ "On the board" }</legend>
-            { switch("Trails", view.layers.trails, send, Action::ShowTrails) }
-            { switch("Use of cells", view.layers.heat, send, Action::ShowHeat) }
+            { switch("Trails", view.layers.trails, send, ViewAction::ShowTrails) }
+            { switch("Heat map", view.layers.heat, send, ViewAction::ShowHeat) }
             if let Some(agent) = agent {
-                { switch(&format!("Follow {}", agent.name), view.follow, send, Action::Follow) }
+                { switch(&format!("Follow {}", agent.name), view.follow, send, ViewAction::Follow) }
             }
         </fieldset>
     }
@@ -82,7 +85,7 @@ fn on_the_board(state: &State, send: &Callback<Action>) -> Html {
 /// Whether agents stay at their goals or leave.
 fn arrival(at_goal: AtGoal, send: &Callback<Action>) -> Html {
     let option = |own: AtGoal, name: &'static str| {
-        let press = send.reform(move |_| Action::SetAtGoal(own));
+        let press = send.reform(move |_| Action::Edit(Edit::AtGoal(own)));
         let pressed = (own == at_goal).to_string();
         html! { <button aria-pressed={pressed} onclick={press}>{ name }</button> }
     };
@@ -94,10 +97,10 @@ fn arrival(at_goal: AtGoal, send: &Callback<Action>) -> Html {
     }
 }
 
-fn switch(name: &str, on: bool, send: &Callback<Action>, action: fn(bool) -> Action) -> Html {
+fn switch(name: &str, on: bool, send: &Callback<Action>, action: fn(bool) -> ViewAction) -> Html {
     let change = send.reform(move |event: Event| {
         let input: HtmlInputElement = event.target_unchecked_into();
-        action(input.checked())
+        Action::View(action(input.checked()))
     });
     html! {
         <label class="switch">

@@ -1,7 +1,7 @@
 //! The costs of the objective, in their order.
 
 use giveway_model::{Cost, Objective};
-use giveway_page::{Action, objective, words};
+use giveway_page::{Action, Edit, objective, words};
 use yew::prelude::*;
 
 use crate::icon;
@@ -35,7 +35,7 @@ fn press(given: Given<'_>, cost: Cost, step: Step) -> Callback<MouseEvent> {
     let objective = given.objective.clone();
     given
         .send
-        .reform(move |_| Action::SetObjective(step(&objective, cost)))
+        .reform(move |_| Action::Edit(Edit::Objective(step(&objective, cost))))
 }
 
 fn row(given: Given<'_>, at: usize, cost: Cost) -> Html {

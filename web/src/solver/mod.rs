@@ -4,18 +4,21 @@
 //! ended together with its worker, and another is started at once, to be warm
 //! for the next run. An idle worker is kept.
 
+mod program;
 mod worker;
 
-use std::cell::RefCell;
+use std::cell::Cell;
 use std::rc::Rc;
 
-use giveway_page::{Action, Work};
+use giveway_page::{Action, SolveAction, Work};
 use giveway_solve::Progress;
 use giveway_wasm::protocol::{Ask, Message};
 use gloo::render::{AnimationFrame, request_animation_frame};
 use yew::prelude::*;
 
 use crate::Shown;
+use crate::held::Held;
+use program::Program;
 use worker::{Event, Hired};
 
 /// Runs what [`Work`] says, and sends what the solver tells.
@@ -35,16 +38,13 @@ struct Solver(Rc<Inner>);
 
 struct Inner {
     send: Callback<Action>,
-    worker: RefCell<Option<Hired>>,
-    job: RefCell<Option<Job>>,
-    news: RefCell<News>,
-}
-
-/// What the worker is to do, or does.
-struct Job {
-    run: u64,
-    /// The message, until it is posted.
-    waiting: Option<Vec<u8>>,
+    program: Rc<Program>,
+    worker: Held<Option<Rc<Hired>>>,
+    /// The run that the worker is to do, or does.
+    run: Cell<Option<u64>>,
+    /// The message that asks for it, until it is posted.
+    waiting: Held<Option<Vec<u8>>>,
+    news: Held<News>,
 }
 
 /// What was heard since the last frame: it is shown in one go.
@@ -59,9 +59,11 @@ impl Solver {
     fn new(send: Callback<Action>) -> Self {
         let solver = Self(Rc::new(Inner {
             send,
-            worker: RefCell::new(None),
-            job: RefCell::new(None),
-            news: RefCell::default(),
+            program: Rc::default(),
+            worker: Held::default(),
+            run: Cell::default(),
+            waiting: Held::default(),
+            news: Held::default(),
         }));
         solver.hire();
         solver
@@ -70,12 +72,12 @@ impl Solver {
     /// Sees to it that this run runs, and no other.
     fn want(&self, work: &Work) {
         let inner = &self.0;
-        let at = inner.job.borrow().as_ref().map(|job| job.run);
-        if at == work.id() {
+        if inner.run.get() == work.id() {
             return;
         }
-        inner.news.take();
-        let busy = inner.job.take().is_some_and(|job| job.waiting.is_none());
+        drop(inner.news.take());
+        let was_waiting = inner.waiting.take().is_some();
+        let busy = inner.run.take().is_some() && !was_waiting;
         let wanted = work.request();
         let is_wanted = wanted.is_some();
         if let Some((run, request)) = wanted {
@@ -83,12 +85,10 @@ impl Solver {
                 id: message_id(run),
                 request,
             };
-            inner.job.replace(Some(Job {
-                run,
-                waiting: Some(ask.to_bytes()),
-            }));
+            inner.run.set(Some(run));
+            inner.waiting.set(Some(ask.to_bytes()));
         }
-        let absent = inner.worker.borrow().is_none();
+        let absent = inner.worker.get().is_none();
         if busy || (absent && is_wanted) {
             self.hire();
         }
@@ -97,25 +97,21 @@ impl Solver {
 
     /// Starts a worker; the one before it is ended, whatever it was at.
     fn hire(&self) {
-        self.0.worker.take();
+        drop(self.0.worker.take());
         let solver = self.clone();
-        match Hired::start(move |event| solver.hear(event)) {
-            Ok(hired) => {
-                self.0.worker.replace(Some(hired));
-            }
+        match Hired::start(Rc::clone(&self.0.program), move |event| solver.hear(event)) {
+            Ok(hired) => self.0.worker.set(Some(Rc::new(hired))),
             Err(sentence) => self.fail(sentence, false),
         }
     }
 
     /// Posts what waits, if there is somebody who listens.
     fn post(&self) {
-        let worker = self.0.worker.borrow();
-        let Some(worker) = worker.as_ref().filter(|worker| worker.is_ready()) else {
+        let worker = self.0.worker.get();
+        let Some(worker) = worker.filter(|worker| worker.is_ready()) else {
             return;
         };
-        if let Some(job) = self.0.job.borrow_mut().as_mut()
-            && let Some(bytes) = job.waiting.take()
-        {
+        if let Some(bytes) = self.0.waiting.take() {
             worker.post(&bytes);
         }
     }
@@ -130,7 +126,7 @@ impl Solver {
     fn read(&self, message: Message) {
         match message {
             Message::Ready => {
-                if let Some(worker) = self.0.worker.borrow_mut().as_mut() {
+                if let Some(worker) = self.0.worker.get() {
                     worker.set_ready();
                 }
                 self.post();
@@ -142,11 +138,13 @@ impl Solver {
             }
             Message::Answer { id, response } => {
                 if self.is_at(id)
-                    && let Some(Job { run, .. }) = self.0.job.take()
+                    && let Some(run) = self.0.run.take()
                 {
-                    self.0.news.take();
+                    drop(self.0.news.take());
                     let response = Box::new(response);
-                    self.0.send.emit(Action::Respond { run, response });
+                    self.0
+                        .send
+                        .emit(Action::Solve(SolveAction::Respond { job: run, response }));
                 }
             }
             Message::Failed { sentence, .. } => self.broken(sentence),
@@ -161,28 +159,28 @@ impl Solver {
     /// Tells of a worker that is no more. One that had worked is replaced at
     /// once; for one that never started, another is tried at the next run.
     fn fail(&self, sentence: String, had_started: bool) {
-        self.0.news.take();
-        let job = self.0.job.take();
+        drop(self.0.news.take());
+        drop(self.0.waiting.take());
+        let run = self.0.run.take();
         if had_started {
             self.hire();
         }
-        if let Some(Job { run, .. }) = job {
-            self.0.send.emit(Action::Crash {
-                run,
+        if let Some(run) = run {
+            self.0.send.emit(Action::Solve(SolveAction::Crash {
+                job: run,
                 sentence,
                 had_started,
-            });
+            }));
         }
     }
 
     fn is_at(&self, id: u32) -> bool {
-        let job = self.0.job.borrow();
-        job.as_ref().is_some_and(|job| message_id(job.run) == id)
+        self.0.run.get().is_some_and(|run| message_id(run) == id)
     }
 
     /// Keeps progress for the next frame.
     fn learn(&self, event: Progress) {
-        let mut news = self.0.news.borrow_mut();
+        let mut news = self.0.news.take();
         let is_size = |event: &Progress| matches!(event, Progress::Size { .. });
         if is_size(&event) {
             news.events.retain(|event| !is_size(event));
@@ -192,15 +190,18 @@ impl Solver {
             let solver = self.clone();
             news.frame = Some(request_animation_frame(move |_| solver.tell()));
         }
+        self.0.news.set(news);
     }
 
     fn tell(&self) {
         let News { events, .. } = self.0.news.take();
-        let Some(run) = self.0.job.borrow().as_ref().map(|job| job.run) else {
+        let Some(run) = self.0.run.get() else {
             return;
         };
         for event in events {
-            self.0.send.emit(Action::Progress { run, event });
+            self.0
+                .send
+                .emit(Action::Solve(SolveAction::Progress { job: run, event }));
         }
     }
 }

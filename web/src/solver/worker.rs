@@ -1,13 +1,19 @@
 //! One worker: started, listened to, ended.
 
+use std::cell::Cell;
 use std::rc::Rc;
 
 use giveway_wasm::protocol::Message;
 use gloo::events::EventListener;
 use gloo::timers::callback::Timeout;
-use js_sys::{Object, Reflect, Uint8Array};
+use js_sys::Uint8Array;
 use wasm_bindgen::{JsCast as _, JsValue};
-use web_sys::{ErrorEvent, MessageEvent, Url, Worker, WorkerOptions, WorkerType};
+use web_sys::{ErrorEvent, MessageEvent, Worker, WorkerOptions, WorkerType};
+use yew::platform::spawn_local;
+
+use super::program::Program;
+
+use crate::held::Held;
 
 /// How long a worker may take to load, in milliseconds: as long as a slow
 /// network may need.
@@ -24,7 +30,10 @@ pub(super) enum Event {
 /// A worker; it is ended when this is dropped.
 pub(super) struct Hired {
     worker: Worker,
-    patience: Option<Timeout>,
+    is_ready: Cell<bool>,
+    patience: Held<Option<Timeout>>,
+    /// Gone when this is dropped: what has not begun by then need not.
+    _here: Rc<()>,
     _listening: [EventListener; 3],
 }
 
@@ -35,16 +44,18 @@ impl Drop for Hired {
 }
 
 impl Hired {
-    /// Starts a worker. It does not listen before it has said
-    /// [`Message::Ready`].
+    /// Starts a worker, which runs the program as soon as that is there. It
+    /// does not listen before it has said [`Message::Ready`].
     ///
     /// # Errors
     /// Why the browser starts none, as a sentence.
-    pub(super) fn start(hear: impl Fn(Event) + 'static) -> Result<Self, String> {
+    pub(super) fn start(
+        program: Rc<Program>,
+        hear: impl Fn(Event) + 'static,
+    ) -> Result<Self, String> {
         let hear = Rc::new(hear);
-        let address = written("meta[name='giveway-worker']", "content")?;
-        let script = written("#application", "href")?;
-        let worker = begin(&address, &script).map_err(|error| {
+        let address = written("giveway-worker")?;
+        let worker = begin(&address).map_err(|error| {
             let error = js_sys::Error::from(error).message();
             format!("The browser allows no worker: {error}")
         })?;
@@ -59,25 +70,46 @@ impl Hired {
                 Event::Broke("A message could not be read.".to_owned())
             }),
         ];
+        let here = Rc::new(());
+        spawn_local({
+            let (worker, hear) = (worker.clone(), Rc::clone(&hear));
+            let here = Rc::downgrade(&here);
+            async move {
+                let module = program.module().await;
+                if here.upgrade().is_none() {
+                    return;
+                }
+                let posted = module.and_then(|module| {
+                    let refused = |_| "The browser hands no program to a worker.".to_owned();
+                    worker.post_message(&module).map_err(refused)
+                });
+                if let Err(sentence) = posted {
+                    hear(Event::Broke(sentence));
+                }
+            }
+        });
         let patience = Timeout::new(PATIENCE_MS, move || {
             let sentence = "The solver's file did not arrive within a minute.";
             hear(Event::Broke(sentence.to_owned()));
         });
         Ok(Self {
             worker,
-            patience: Some(patience),
+            is_ready: Cell::new(false),
+            patience: Held::new(Some(patience)),
+            _here: here,
             _listening: listening,
         })
     }
 
     /// Whether it listens.
-    pub(super) const fn is_ready(&self) -> bool {
-        self.patience.is_none()
+    pub(super) fn is_ready(&self) -> bool {
+        self.is_ready.get()
     }
 
     /// It said that it listens.
-    pub(super) fn set_ready(&mut self) {
-        self.patience = None;
+    pub(super) fn set_ready(&self) {
+        self.is_ready.set(true);
+        self.patience.set(None);
     }
 
     /// Posts bytes, which cannot fail.
@@ -105,28 +137,19 @@ fn broke(event: &web_sys::Event) -> Event {
     })
 }
 
-/// Starts the worker's script, and hands it what the page itself runs: nothing is
-/// fetched or compiled twice.
-fn begin(address: &str, script: &str) -> Result<Worker, JsValue> {
+fn begin(address: &str) -> Result<Worker, JsValue> {
     let options = WorkerOptions::new();
     options.set_type(WorkerType::Module);
-    let worker = Worker::new_with_options(address, &options)?;
-    let program = Object::new();
-    // The worker may stand elsewhere than the page.
-    let base = gloo::utils::document().base_uri()?.unwrap_or_default();
-    let script = Url::new_with_base(script, &base)?.href();
-    Reflect::set(&program, &"script".into(), &script.into())?;
-    Reflect::set(&program, &"module".into(), &wasm_bindgen::module())?;
-    worker.post_message(&program)?;
-    Ok(worker)
+    Worker::new_with_options(address, &options)
 }
 
-/// What the page's HTML says; a build puts the names of files there.
-fn written(selector: &str, attribute: &str) -> Result<String, String> {
-    let element = gloo::utils::document().query_selector(selector);
+/// What the page's HTML says under a name; a build puts the names of files there.
+pub(super) fn written(name: &str) -> Result<String, String> {
+    let selector = format!("meta[name='{name}']");
+    let element = gloo::utils::document().query_selector(&selector);
     let value = element
         .ok()
         .flatten()
-        .and_then(|it| it.get_attribute(attribute));
+        .and_then(|it| it.get_attribute("content"));
     value.ok_or_else(|| "The page does not say where the solver is.".to_owned())
 }

@@ -5,6 +5,8 @@ use giveway_page::words::{Badge, Standing};
 use gloo::timers::callback::Timeout;
 use yew::prelude::*;
 
+use crate::held::use_held;
+
 /// Milliseconds between two sentences of one solve.
 const CALM_MS: u32 = 1000;
 
@@ -27,14 +29,15 @@ struct Pace {
 #[component]
 pub(super) fn Live(props: &LiveProps) -> Html {
     let said = use_state_eq(|| props.standing.sentence.clone());
-    let pace = use_mut_ref(Pace::default);
+    let pace = use_held(Pace::default);
     {
         let said = said.clone();
         use_effect_with(props.standing.clone(), move |standing| {
-            let mut now = pace.borrow_mut();
+            let mut now = pace.take();
             now.next.clone_from(&standing.sentence);
             let is_news = now.badge.replace(standing.badge) != Some(standing.badge);
             if !is_news && now.calm.is_some() {
+                pace.set(now);
                 return;
             }
             said.set(standing.sentence.clone());
@@ -42,11 +45,12 @@ pub(super) fn Live(props: &LiveProps) -> Html {
             now.calm = (!is_news).then(|| {
                 let pace = pace.clone();
                 Timeout::new(CALM_MS, move || {
-                    let mut pace = pace.borrow_mut();
-                    pace.calm = None;
-                    said.set(pace.next.clone());
+                    let now = pace.take();
+                    said.set(now.next.clone());
+                    pace.set(Pace { calm: None, ..now });
                 })
             });
+            pace.set(now);
         });
     }
     html! { <p class="vh" role="status">{ (*said).clone() }</p> }

@@ -2,7 +2,7 @@
 
 mod live;
 
-use giveway_page::{Action, Phase, State, words};
+use giveway_page::{Action, ChangeAction, Phase, SolveAction, State, ask, words};
 use yew::prelude::*;
 
 use crate::dialog::{Panel, use_dismiss};
@@ -42,7 +42,7 @@ pub(crate) fn StatusBar(props: &StatusBarProps) -> Html {
             Panel::Settings
         }
     });
-    let costs = words::objective(&state.draft.scene().objective);
+    let costs = words::objective(&state.document.draft.scene().objective);
     html! {
         <section class="status" aria-label="Status">
             { sentence(state) }
@@ -119,27 +119,61 @@ fn objective_words(costs: &[&'static str]) -> String {
 fn solve_button(state: &Shown, send: &Callback<Action>) -> Html {
     let phase = state.phase();
     let (class, title, action) = match phase {
-        Phase::Solving | Phase::Asking | Phase::Checking | Phase::Adapting => {
-            ("primary", "Cancel (Escape)", Action::Cancel)
-        }
-        Phase::Changing => ("primary", "Adapt (Ctrl Enter)", Action::Adapt),
-        Phase::Comparing => ("outline", "Adapt again (Ctrl Enter)", Action::Adapt),
+        // What is found already is the next step, and the rest may come.
+        Phase::Asking if ask::offers_next_step(state) => (
+            "outline",
+            "Cancel (Escape)",
+            Action::Solve(SolveAction::Cancel),
+        ),
+        Phase::Solving | Phase::Asking | Phase::Checking | Phase::Adapting => (
+            "primary",
+            "Cancel (Escape)",
+            Action::Solve(SolveAction::Cancel),
+        ),
+        Phase::Changing => (
+            "primary",
+            "Find new plans (Ctrl Enter)",
+            Action::Change(ChangeAction::Adapt),
+        ),
+        Phase::Comparing => (
+            "outline",
+            "Find new plans again (Ctrl Enter)",
+            Action::Change(ChangeAction::Adapt),
+        ),
         Phase::Steering => {
-            let class = if state.asking.is_some() {
+            let class = if state.document.mode.asking().is_some() {
                 "outline"
             } else {
                 "primary"
             };
-            (class, "Check my plan (Ctrl Enter)", Action::Solve)
+            (
+                class,
+                "Check my plan (Ctrl Enter)",
+                Action::Solve(SolveAction::Solve),
+            )
         }
-        Phase::Editing => ("primary", "Solve (Ctrl Enter)", Action::Solve),
-        _ => ("outline", "Solve (Ctrl Enter)", Action::Solve),
+        Phase::Stopped => (
+            "outline",
+            "Go on from here (Ctrl Enter)",
+            Action::Solve(SolveAction::Solve),
+        ),
+        Phase::Editing => (
+            "primary",
+            "Solve (Ctrl Enter)",
+            Action::Solve(SolveAction::Solve),
+        ),
+        _ => (
+            "outline",
+            "Solve (Ctrl Enter)",
+            Action::Solve(SolveAction::Solve),
+        ),
     };
     let word = match phase {
         Phase::Solving | Phase::Asking | Phase::Checking | Phase::Adapting => "Cancel",
-        Phase::Changing => "Adapt",
-        Phase::Comparing => "Adapt again",
+        Phase::Changing => "Find new plans",
+        Phase::Comparing => "Find again",
         Phase::Steering => "Check my plan",
+        Phase::Stopped => "Go on",
         _ => "Solve",
     };
     let press = send.reform(move |_| action.clone());

@@ -12,7 +12,7 @@ pub(super) fn show(state: &State, axis: Axis) -> Html {
     let course = state.shown().and_then(|answer| answer.course.as_deref());
     let mut times = course.map_or_else(Vec::new, Course::times);
     // Up to now all is settled.
-    let frozen = state.changing.as_deref().map(|changing| changing.at);
+    let frozen = state.document.mode.changing().map(|changing| changing.at);
     times.extend(frozen.filter(|at| !times.contains(at)));
     if times.is_empty() {
         return Html::default();

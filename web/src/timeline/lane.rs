@@ -53,16 +53,20 @@ pub(super) fn LaneRow(props: &LaneRowProps) -> Html {
             </div>
         }
     };
+    let title = match &props.fate {
+        Some(fate) => format!("{}, {fate}", lane.name),
+        None => lane.name.clone(),
+    };
     html! {
         <div class={classes!("row", "lane", form::class(lane.agent), props.selected.then_some("sel"))}
             onclick={props.pick.reform(move |_| index)}>
             <button type="button" class="lab" aria-pressed={props.selected.to_string()}
-                tabindex={if props.tab_stop { "0" } else { "-1" }} data-lane={index.to_string()} title={lane.name.clone()}>
+                tabindex={if props.tab_stop { "0" } else { "-1" }} data-lane={index.to_string()} title={title}>
                 { glyph::show(lane.agent, "lane-glyph") }
                 <span class="lane-name">
                     <b>{ lane.name.clone() }</b>
                     if let Some(fate) = &props.fate {
-                        <small>{ fate.clone() }</small>
+                        <small class="fate">{ fate.clone() }</small>
                     } else if let Some((level, capacity)) = level {
                         <small>{ format!("{level} of {capacity}") }</small>
                     }

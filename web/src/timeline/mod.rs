@@ -13,7 +13,8 @@ mod tabs;
 mod transport;
 mod wait;
 
-use giveway_page::{Action, Phase, Work};
+use giveway_model::Question;
+use giveway_page::{Action, AskAction, Phase, ViewAction, ask};
 use yew::prelude::*;
 
 use crate::{Shown, icon};
@@ -47,24 +48,24 @@ pub fn Dock(props: &DockProps) -> Html {
         let send = send.clone();
         use_effect_with((), move |()| {
             if is_low_window() {
-                send.emit(Action::ShowTable(false));
+                send.emit(Action::View(ViewAction::ShowTable(false)));
             }
         });
     }
-    let planned = state.shown().cloned();
-    let planned = planned.filter(|answer| answer.plan().is_some());
-    if let Some(answer) = planned {
+    if let Some(answer) = state.playing().cloned() {
         // The one dark button is elsewhere while the plan is not the answer.
         let calm = matches!(
             state.phase(),
             Phase::Editing
                 | Phase::Solving
+                | Phase::Asking
+                | Phase::Checking
                 | Phase::Changing
                 | Phase::Adapting
                 | Phase::Comparing
                 | Phase::Steering
-        );
-        let stale = state.is_stale();
+        ) || ask::offers_next_step(state);
+        let stale = state.document.is_stale();
         return html! {
             <section class={classes!("dock", calm.then_some("calm"), stale.then_some("stale"))} aria-label="Timeline">
                 { transport(props) }
@@ -73,25 +74,24 @@ pub fn Dock(props: &DockProps) -> Html {
             </section>
         };
     }
-    if let Work::Solving(run) = &state.work {
+    if let Some(run) = state.work.solving() {
         return html! {
             <section class="dock wait" aria-label="Timeline">
-                <Wait run={run.clone()} table={state.view.table} />
+                <Wait id={state.work.id().unwrap_or(0)} run={run.clone()} table={state.view.table} />
             </section>
         };
     }
+    // Nothing else is the next step, until it is asked.
+    let asks_why = state.phase() == Phase::None && state.document.mode.asking().is_none();
     let (head, text) = match state.phase() {
-        Phase::None => (
-            "Nothing to play",
-            "Change the scene and solve it again: the lanes appear here.",
-        ),
+        Phase::None => ("Nothing to play", "Change the scene and solve it again."),
         Phase::Stopped => (
             "No plan within the limits",
             "Raise the time limit, or change the scene, and solve again.",
         ),
         _ => (
             "Nothing to play yet",
-            "Solve the scene: a lane for each agent appears here.",
+            "Solve the scene: each robot gets a lane here.",
         ),
     };
     html! {
@@ -99,6 +99,11 @@ pub fn Dock(props: &DockProps) -> Html {
             <div class="nil">
                 { icon::show("clock") }
                 <p><b>{ head }</b>{ text }</p>
+                if asks_why {
+                    <button type="button" class="btn primary" onclick={send.reform(|_| Action::Ask(AskAction::Ask(Question::Unsolvable)))}>
+                        { "Why is there no plan?" }
+                    </button>
+                }
             </div>
         </section>
     }

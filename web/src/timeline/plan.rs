@@ -4,7 +4,7 @@ use std::rc::Rc;
 
 use giveway_page::steering::Steering;
 use giveway_page::timeline::{Lane, Row};
-use giveway_page::{Action, Answer, Selection, State, Tab, changing, table};
+use giveway_page::{Action, Answer, BoardAction, Selection, State, Tab, changing, table};
 use wasm_bindgen::JsCast;
 use wasm_bindgen::closure::Closure;
 use web_sys::{Element, HtmlElement, ResizeObserver};
@@ -18,6 +18,7 @@ use super::ruler::Ruler;
 use super::same::Same;
 use super::seen::{Extent, Seen};
 use crate::Shown;
+use crate::held::{Held, use_held};
 
 #[derive(Clone, PartialEq, Properties)]
 pub(super) struct PlanProps {
@@ -37,14 +38,15 @@ pub(super) fn Plan(props: &PlanProps) -> Html {
         state,
         send,
     } = props;
-    let lanes = use_memo(answer.clone(), |answer| {
-        table::lanes(answer).collect::<Vec<Lane>>()
+    let draft = Same::new(Rc::clone(&state.document.draft));
+    let lanes = use_memo((answer.clone(), draft.clone()), |(answer, draft)| {
+        table::lanes(answer, draft)
     });
     let lanes = Same::new(lanes);
     let batteries = lanes.iter().filter(|lane| lane.capacity.is_some()).count();
-    let others = use_memo(beside.clone(), |beside| match beside {
-        Some(beside) => table::lanes(beside).collect::<Vec<Lane>>(),
-        None => Vec::new(),
+    let others = use_memo((beside.clone(), draft), |(beside, draft)| match beside {
+        Some(beside) => table::lanes(beside, draft),
+        None => Vec::<Lane>::new(),
     });
     let others = Same::new(others);
     let row = if beside.is_some() {
@@ -56,7 +58,11 @@ pub(super) fn Plan(props: &PlanProps) -> Html {
     let height = plans * row.height;
     let last = beside.as_ref().map_or(0, |beside| beside.makespan());
     // Waits at a goal, until it is left again.
-    let led = state.steering.as_deref().map_or(0, Steering::time);
+    let led = state
+        .document
+        .mode
+        .steering()
+        .map_or(0, |own| Steering::time(own));
     let extent = Extent {
         last: answer.makespan().max(last).max(led),
         lanes: lanes.len(),
@@ -72,26 +78,28 @@ pub(super) fn Plan(props: &PlanProps) -> Html {
         state.view.tab,
         state.view.table,
     );
+    // What was seen was seen of the plan before this one.
+    let seen = seen.within(extent);
     let axis = seen.axis(extent);
     let moved = Moved {
         head: use_node_ref(),
         thumb: use_node_ref(),
         places: [lanes_ref.clone(), table_ref.clone()],
     };
-    use_head(&moved, axis, &seen, state.playback.playing);
+    use_head(&moved, axis, &seen, state.view.playback.playing);
 
     let selected = selected_lane(state, &lanes);
-    let focus = use_mut_ref(|| None::<usize>);
+    let focus = use_held(|| None::<usize>);
     use_selected_in_view(selected, extent, &lanes_ref, &focus);
     let pick = {
         let (state, lanes) = (state.clone(), lanes.clone());
         send.reform(move |index: usize| {
             let again = selected_lane(&state, &lanes) == Some(index);
-            Action::Select(if again {
+            Action::Board(BoardAction::Select(if again {
                 Selection::Nothing
             } else {
                 selection(&state, &lanes, index)
-            })
+            }))
         })
     };
     let onkeydown = {
@@ -106,8 +114,10 @@ pub(super) fn Plan(props: &PlanProps) -> Html {
             if to < lanes.len() {
                 event.prevent_default();
                 event.stop_propagation();
-                *focus.borrow_mut() = Some(to);
-                send.emit(Action::Select(selection(&state, &lanes, to)));
+                focus.set(Some(to));
+                send.emit(Action::Board(BoardAction::Select(selection(
+                    &state, &lanes, to,
+                ))));
             }
         }
     };
@@ -123,14 +133,15 @@ pub(super) fn Plan(props: &PlanProps) -> Html {
         }
     };
 
-    let time = state.playback.time;
+    let time = state.view.playback.time;
     let (above, below) = Seen::beyond(&seen.lanes, lanes.len(), height);
     let tab_stop = selected.filter(|index| seen.lanes.contains(index));
     let tab_stop = tab_stop.unwrap_or(seen.lanes.start);
     let lane_row = |index: usize| {
         html! {
             <LaneRow key={index} lanes={lanes.clone()} others={others.clone()} {index} {axis} {row} columns={seen.columns.clone()}
-                level={lanes[index].level_at(time)} fate={changing::fate(state, &lanes[index].name)} selected={selected == Some(index)}
+                level={lanes.get(index).and_then(|lane| lane.level_at(time))}
+                fate={lanes.get(index).and_then(|lane| changing::fate(state, &lane.name))} selected={selected == Some(index)}
                 tab_stop={index == tab_stop} pick={pick.clone()} />
         }
     };
@@ -176,13 +187,13 @@ fn use_seen(
 ) -> (Seen, Rc<dyn Fn()>) {
     let seen = use_state_eq(Seen::default);
     // The function stays the same, so that the observer need not change.
-    let latest = use_mut_ref(|| extent);
-    *latest.borrow_mut() = extent;
+    let latest = use_held(|| extent);
+    latest.set(extent);
     let look = {
         let (lanes, table, setter) = (lanes.clone(), table.clone(), seen.setter());
         use_memo((), move |()| {
             let look: Rc<dyn Fn()> = Rc::new(move || {
-                setter.set(Seen::look(*latest.borrow(), &lanes, &table));
+                setter.set(Seen::look(latest.get(), &lanes, &table));
             });
             look
         })
@@ -220,7 +231,7 @@ fn use_selected_in_view(
     selected: Option<usize>,
     extent: Extent,
     lanes: &NodeRef,
-    focus: &Rc<std::cell::RefCell<Option<usize>>>,
+    focus: &Rc<Held<Option<usize>>>,
 ) {
     const RULER: f64 = 24.0;
     {
@@ -245,14 +256,14 @@ fn use_selected_in_view(
     // After every render: the lane may have been drawn only now.
     let (lanes, focus) = (lanes.clone(), Rc::clone(focus));
     use_effect(move || {
-        let wanted = *focus.borrow();
+        let wanted = focus.get();
         let button = wanted.and_then(|index| {
             let selector = format!("[data-lane=\"{index}\"]");
             lanes.cast::<Element>()?.query_selector(&selector).ok()?
         });
         if let Some(button) = button.and_then(|button| button.dyn_into::<HtmlElement>().ok()) {
             let _ = button.focus();
-            *focus.borrow_mut() = None;
+            focus.set(None);
         }
     });
 }
@@ -266,7 +277,7 @@ fn lane_of(event: &KeyboardEvent) -> Option<usize> {
 /// The lane of the agent that is selected. The answer may be of an older draft:
 /// agents are the same if their names are.
 fn selected_lane(state: &State, lanes: &[Lane]) -> Option<usize> {
-    let Selection::Agent(agent) = state.selection else {
+    let Selection::Agent(agent) = state.view.selection else {
         return None;
     };
     let name = &state.world().agents().get(agent)?.name;

@@ -2,10 +2,12 @@
 
 use std::ops::Range;
 
-use giveway_page::Action;
 use giveway_page::timeline::Axis;
+use giveway_page::{Action, PlayAction};
 use web_sys::Element;
 use yew::prelude::*;
+
+use crate::held::use_held;
 
 /// Half the width of the thumb and a little more, in pixels.
 const THUMB: f64 = 17.0;
@@ -33,7 +35,7 @@ pub(super) fn Ruler(props: &RulerProps) -> Html {
         send,
     } = props;
     let track = use_node_ref();
-    let dragging = use_mut_ref(|| false);
+    let dragging = use_held(|| false);
     let last = axis.times - 1;
     let seek = {
         let (track, send, axis) = (track.clone(), send.clone(), *axis);
@@ -41,7 +43,7 @@ pub(super) fn Ruler(props: &RulerProps) -> Html {
             if let Some(track) = track.cast::<Element>() {
                 let left = track.get_bounding_client_rect().left();
                 let x = f64::from(event.client_x()) - left;
-                send.emit(Action::Seek(axis.time_at(x)));
+                send.emit(Action::Play(PlayAction::Seek(axis.time_at(x))));
             }
         }
     };
@@ -54,19 +56,19 @@ pub(super) fn Ruler(props: &RulerProps) -> Html {
             if let Some(track) = track.cast::<Element>() {
                 let _ = track.set_pointer_capture(event.pointer_id());
             }
-            *dragging.borrow_mut() = true;
+            dragging.set(true);
             seek(&event);
         }
     };
     let onpointermove = {
         let dragging = dragging.clone();
         move |event: PointerEvent| {
-            if *dragging.borrow() {
+            if dragging.get() {
                 seek(&event);
             }
         }
     };
-    let release = move |_: PointerEvent| *dragging.borrow_mut() = false;
+    let release = move |_: PointerEvent| dragging.set(false);
     let onkeydown = {
         let (send, time) = (send.clone(), *time);
         move |event: KeyboardEvent| {
@@ -75,12 +77,12 @@ pub(super) fn Ruler(props: &RulerProps) -> Html {
             }
             let page = (last / 10).max(5);
             let action = match event.key().as_str() {
-                "ArrowRight" | "ArrowUp" => Action::StepForward,
-                "ArrowLeft" | "ArrowDown" => Action::StepBack,
-                "PageUp" => Action::Seek(time.saturating_add(page).min(last)),
-                "PageDown" => Action::Seek(time.saturating_sub(page)),
-                "Home" => Action::Seek(0),
-                "End" => Action::Seek(last),
+                "ArrowRight" | "ArrowUp" => Action::Play(PlayAction::StepForward),
+                "ArrowLeft" | "ArrowDown" => Action::Play(PlayAction::StepBack),
+                "PageUp" => Action::Play(PlayAction::Seek(time.saturating_add(page).min(last))),
+                "PageDown" => Action::Play(PlayAction::Seek(time.saturating_sub(page))),
+                "Home" => Action::Play(PlayAction::Seek(0)),
+                "End" => Action::Play(PlayAction::Seek(last)),
                 _ => return,
             };
             event.prevent_default();

@@ -79,6 +79,20 @@ impl Seen {
         seen
     }
 
+    /// The same of another plan, as far as that goes: it can be shorter and have
+    /// fewer lanes than the one that was looked at.
+    #[must_use]
+    pub(super) fn within(&self, extent: Extent) -> Self {
+        let cut = |range: &Range<usize>, count: usize| range.start.min(count)..range.end.min(count);
+        let columns = extent.last.saturating_add(1);
+        Self {
+            columns: self.columns.start.min(columns)..self.columns.end.min(columns),
+            lanes: cut(&self.lanes, extent.lanes),
+            rows: cut(&self.rows, extent.rows),
+            ..self.clone()
+        }
+    }
+
     /// The columns that lanes and table share.
     pub(super) fn axis(&self, extent: Extent) -> Axis {
         let least = if self.table { extent.least } else { MIN_COLUMN };

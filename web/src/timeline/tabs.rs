@@ -1,6 +1,6 @@
 //! What a phone shows below the board.
 
-use giveway_page::{Action, Tab};
+use giveway_page::{Action, Tab, ViewAction};
 use web_sys::HtmlElement;
 use yew::prelude::*;
 
@@ -37,7 +37,7 @@ pub(super) fn Tabs(props: &TabsProps) -> Html {
             };
             event.prevent_default();
             event.stop_propagation();
-            send.emit(Action::ShowTab(TABS[to].0));
+            send.emit(Action::View(ViewAction::ShowTab(TABS[to].0)));
             let list = list.cast::<HtmlElement>();
             let button = list.and_then(|list| list.children().item(to as u32));
             if let Some(button) =
@@ -52,7 +52,7 @@ pub(super) fn Tabs(props: &TabsProps) -> Html {
         html! {
             <button type="button" role="tab" aria-selected={is_shown.to_string()} aria-controls={place}
                 tabindex={if is_shown { "0" } else { "-1" }}
-                onclick={send.reform(move |_| Action::ShowTab(choice))}>{ name }</button>
+                onclick={send.reform(move |_| Action::View(ViewAction::ShowTab(choice)))}>{ name }</button>
         }
     };
     html! {

@@ -1,7 +1,7 @@
 //! The transport: time shown, playing, speed, and what is shown of the plan.
 
 use giveway_page::changing::columns;
-use giveway_page::{Action, Speed, State, table};
+use giveway_page::{Action, ChangeAction, FileAction, PlayAction, Speed, State, ViewAction, table};
 use gloo::timers::callback::Timeout;
 use yew::prelude::*;
 
@@ -14,12 +14,12 @@ const COPIED_MS: u32 = 1600;
 /// The buttons above the lanes.
 pub(super) fn transport(props: &DockProps) -> Html {
     let DockProps { state, send } = props;
-    let (playback, last) = (state.playback, state.last_time());
+    let (playback, last) = (state.view.playback, state.last_time());
     html! {
         <div class="transport">
             { play_keys(state, send) }
             // No live region: nobody wants every step read aloud.
-            <p class="clock"><b>{ playback.time }</b><span>{ format!(" of {last}") }</span></p>
+            <p class="clock" title={format!("Time {} of {last}", playback.time)}><b>{ playback.time }</b><span>{ format!(" of {last}") }</span></p>
             { speed(playback.speed, send) }
             { change(props) }
             <span class="grow"></span>
@@ -30,7 +30,7 @@ pub(super) fn transport(props: &DockProps) -> Html {
 
 /// The buttons that play and step.
 pub(crate) fn play_keys(state: &State, send: &Callback<Action>) -> Html {
-    let playback = state.playback;
+    let playback = state.view.playback;
     let last = state.last_time();
     let button = |icon: &'static str, name: &'static str, key: &str, action: Action, off: bool| {
         let send = send.clone();
@@ -43,20 +43,20 @@ pub(crate) fn play_keys(state: &State, send: &Callback<Action>) -> Html {
     };
     let (at_start, at_end) = (playback.time == 0, playback.time >= last);
     let (icon, name, action) = if playback.playing {
-        ("pause", "Pause", Action::Pause)
+        ("pause", "Pause", Action::Play(PlayAction::Pause))
     } else {
-        ("play", "Play", Action::Play)
+        ("play", "Play", Action::Play(PlayAction::Play))
     };
     html! {
         <div class="keys">
-            { button("start", "To start", "Home", Action::Seek(0), at_start && !playback.playing) }
-            { button("step-back", "Step back", ",", Action::StepBack, at_start) }
+            { button("start", "To start", "Home", Action::Play(PlayAction::Seek(0)), at_start && !playback.playing) }
+            { button("step-back", "Step back", ",", Action::Play(PlayAction::StepBack), at_start) }
             <button type="button" class="btn playb" title={format!("{name} (Space)")} disabled={last == 0}
                 onclick={send.reform(move |_| action.clone())}>
                 { icon::show(icon) }<span class="vh">{ name }</span>
             </button>
-            { button("step", "Step forward", ".", Action::StepForward, at_end) }
-            { button("end", "To end", "End", Action::Seek(last), at_end) }
+            { button("step", "Step forward", ".", Action::Play(PlayAction::StepForward), at_end) }
+            { button("end", "To end", "End", Action::Play(PlayAction::Seek(last)), at_end) }
         </div>
     }
 }
@@ -73,7 +73,7 @@ fn change(props: &DockProps) -> Html {
     }
     html! {
         <button type="button" class="btn chip change-here" title="Change the world here (x)"
-            onclick={send.reform(|_| Action::BeginChange)}>
+            onclick={send.reform(|_| Action::Change(ChangeAction::Begin))}>
             { icon::show("change") }<span>{ "Change here" }</span>
         </button>
     }
@@ -81,21 +81,25 @@ fn change(props: &DockProps) -> Html {
 
 fn views(props: &DockProps) -> Html {
     let DockProps { state, send } = props;
-    let chip = |icon: &'static str, name: &'static str, on: bool, action: Action| {
+    let chip = |class: &'static str,
+                icon: &'static str,
+                name: &'static str,
+                on: bool,
+                action: Action| {
         let send = send.clone();
         html! {
-            <button type="button" class={classes!("btn", "chip", on.then_some("on"))} title={name}
+            <button type="button" class={classes!("btn", "chip", class, on.then_some("on"))} title={name}
                 aria-pressed={on.to_string()} onclick={move |_| send.emit(action.clone())}>
                 { icon::show(icon) }<span>{ name }</span>
             </button>
         }
     };
-    let view = state.view;
+    let view = &state.view;
     html! {
         <div class="views">
-            { chip("trail", "Trails", view.layers.trails, Action::ShowTrails(!view.layers.trails)) }
-            { chip("heat", "Use", view.layers.heat, Action::ShowHeat(!view.layers.heat)) }
-            { chip("down", "Plan table", view.table, Action::ShowTable(!view.table)) }
+            { chip("view", "trail", "Trails", view.layers.trails, Action::View(ViewAction::ShowTrails(!view.layers.trails))) }
+            { chip("view", "heat", "Heat map", view.layers.heat, Action::View(ViewAction::ShowHeat(!view.layers.heat))) }
+            { chip("", "down", "Plan table", view.table, Action::View(ViewAction::ShowTable(!view.table))) }
             <CopyButton ..props.clone() />
         </div>
     }
@@ -121,7 +125,7 @@ fn CopyButton(props: &DockProps) -> Html {
             let send = send.clone();
             copy::text("plan table", &table::text(answer), move |done| match done {
                 Ok(()) => copied.set(true),
-                Err(notice) => send.emit(Action::Refuse(notice)),
+                Err(notice) => send.emit(Action::File(FileAction::Refuse(notice))),
             });
         }
     };
@@ -138,7 +142,7 @@ fn CopyButton(props: &DockProps) -> Html {
 /// The speeds side by side; on a phone one button that goes on to the next.
 fn speed(speed: Speed, send: &Callback<Action>) -> Html {
     let one = |&choice: &Speed| {
-        let onclick = send.reform(move |_| Action::SetSpeed(choice));
+        let onclick = send.reform(move |_| Action::Play(PlayAction::SetSpeed(choice)));
         html! {
             <button type="button" aria-pressed={(choice == speed).to_string()} {onclick}>{ choice.name() }</button>
         }
@@ -149,7 +153,7 @@ fn speed(speed: Speed, send: &Callback<Action>) -> Html {
         <>
             <div class="seg speed" role="group" aria-label="Speed">{ for Speed::ALL.iter().map(one) }</div>
             <button type="button" class="btn outline speed-next" title="Speed"
-                onclick={send.reform(move |_| Action::SetSpeed(next))}>
+                onclick={send.reform(move |_| Action::Play(PlayAction::SetSpeed(next)))}>
                 <span class="vh">{ "Speed " }</span>{ speed.name() }
             </button>
         </>

@@ -1,16 +1,20 @@
 //! While no plan is there: what is proved, what is found, and the gap between.
 
 use giveway_page::timeline::{Gauge, Row, gauge, whole, work_done};
-use giveway_page::{Draft, Run, words};
+use giveway_page::{Draft, Solving, words};
 use gloo::timers::callback::Interval;
 use yew::prelude::*;
+
+use crate::held::use_held;
 
 /// The width of the bar on a phone, in pixels.
 const NARROWEST: f64 = 290.0;
 
 #[derive(Clone, PartialEq, Properties)]
 pub(super) struct WaitProps {
-    pub run: Run,
+    /// The number of the job.
+    pub id: u64,
+    pub run: Solving,
     /// Whether the plan table will be open.
     pub table: bool,
 }
@@ -18,11 +22,11 @@ pub(super) struct WaitProps {
 /// How far the solve has come, in the room that the lanes will take.
 #[component]
 pub(super) fn Wait(props: &WaitProps) -> Html {
-    let WaitProps { run, table } = props;
+    let WaitProps { id, run, table } = props;
     let seconds = use_state_eq(|| 0_u32);
     {
         let seconds = seconds.clone();
-        use_effect_with(run.id, move |_| {
+        use_effect_with(*id, move |_| {
             seconds.set(0);
             let begin = js_sys::Date::now();
             let ticking = Interval::new(1000, move || {
@@ -34,16 +38,15 @@ pub(super) fn Wait(props: &WaitProps) -> Html {
     let gauge = gauge(run);
     // The bar grows from the left and shrinks from the right, and nothing else:
     // its scale never becomes smaller within a cost.
-    let widest = use_mut_ref(|| ((0, gauge.cost), 0));
+    let widest = use_held(|| ((0, gauge.cost), 0));
     let scale = {
-        let mut widest = widest.borrow_mut();
-        let is_same = widest.0 == (run.id, gauge.cost);
-        let scale = if is_same {
-            widest.1.max(gauge.scale())
+        let (of, before) = widest.get();
+        let scale = if of == (*id, gauge.cost) {
+            before.max(gauge.scale())
         } else {
             gauge.scale()
         };
-        *widest = ((run.id, gauge.cost), scale);
+        widest.set(((*id, gauge.cost), scale));
         scale
     };
     let mut work = vec![work_done(run.size)];

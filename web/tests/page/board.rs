@@ -1,7 +1,7 @@
 //! The board: roles, names, keys, motion.
 
 use giveway_model::Cell;
-use giveway_page::{Action, Tool, reduce};
+use giveway_page::{Action, BoardAction, PlayAction, Tool, reduce};
 use wasm_bindgen_test::wasm_bindgen_test;
 
 use crate::stage::{Stage, drafted, press, solved, until};
@@ -27,16 +27,23 @@ async fn a_grid_of_named_cells() {
 
 #[wasm_bindgen_test]
 async fn keys_go_to_a_cell_and_apply_the_tool() {
-    let state = reduce(&solved(), Action::PickTool(Tool::Obstacle));
-    let stage = Stage::of(reduce(&state, Action::MoveCursor(Cell::new(3, 1)))).await;
+    let state = reduce(
+        &solved(),
+        Action::Board(BoardAction::PickTool(Tool::Obstacle)),
+    );
+    let stage = Stage::of(reduce(
+        &state,
+        Action::Board(BoardAction::MoveCursor(Cell::new(3, 1))),
+    ))
+    .await;
     let board = stage.find("[role=grid]").await;
     press(&board, "ArrowRight");
     press(&board, "Enter");
-    let step = Action::StepCursor {
+    let step = Action::Board(BoardAction::StepCursor {
         by: (1, 0),
         carries: false,
-    };
-    assert_eq!(stage.sent(), [step, Action::UseTool]);
+    });
+    assert_eq!(stage.sent(), [step, Action::Board(BoardAction::UseTool)]);
 }
 
 #[wasm_bindgen_test]
@@ -46,7 +53,7 @@ async fn agents_move_evenly_with_the_clock() {
     let places = || stage.all(".agent", "transform");
     until("the agents", || places().len() == 2).await;
     let at_start = places();
-    stage.clock.follow(state.playback, state.last_time());
+    stage.clock.follow(state.view.playback, state.last_time());
     // Between two cells, which are 100 units apart.
     until("an agent between two cells", || {
         let now = places();
@@ -57,11 +64,11 @@ async fn agents_move_evenly_with_the_clock() {
 
 #[wasm_bindgen_test]
 async fn an_agent_that_charged_does_so_no_longer_in_another_scene() {
-    let mut state = reduce(&solved(), Action::Pause);
+    let mut state = reduce(&solved(), Action::Play(PlayAction::Pause));
     let time = state.plan().map_or(0, |plan| plan.charges("A2")[0]);
-    state = reduce(&state, Action::Seek(time));
+    state = reduce(&state, Action::Play(PlayAction::Seek(time)));
     let mut stage = Stage::of(state.clone()).await;
-    stage.clock.follow(state.playback, state.last_time());
+    stage.clock.follow(state.view.playback, state.last_time());
     stage.find(".chbadge[data-on]").await;
     let other = r#"{"giveway": 1, "map": ["..."], "agents":
         [{"name": "A1", "start": [0, 0], "goal": [1, 0]}, {"name": "A2", "start": [2, 0], "goal": [2, 0]}]}"#;

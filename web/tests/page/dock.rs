@@ -1,13 +1,16 @@
 //! The timeline: slider, transport, lanes, plan table.
 
-use giveway_page::{Action, reduce};
+use giveway_page::{Action, PlayAction, reduce};
 use wasm_bindgen_test::wasm_bindgen_test;
 
 use crate::stage::{Stage, click, drafted, press, solved};
 
 #[wasm_bindgen_test]
 async fn the_slider_tells_the_time_and_takes_keys() {
-    let state = reduce(&reduce(&solved(), Action::Pause), Action::Seek(7));
+    let state = reduce(
+        &reduce(&solved(), Action::Play(PlayAction::Pause)),
+        Action::Play(PlayAction::Seek(7)),
+    );
     let stage = Stage::of(state).await;
     let slider = stage.find("[role=slider][aria-label=Time]").await;
     let value = |name| slider.get_attribute(name);
@@ -15,10 +18,10 @@ async fn the_slider_tells_the_time_and_takes_keys() {
     assert_eq!(value("aria-valuemax").as_deref(), Some("18"));
     assert_eq!(value("aria-valuetext").as_deref(), Some("7 of 18"));
     for (key, action) in [
-        ("ArrowRight", Action::StepForward),
-        ("ArrowLeft", Action::StepBack),
-        ("Home", Action::Seek(0)),
-        ("End", Action::Seek(18)),
+        ("ArrowRight", Action::Play(PlayAction::StepForward)),
+        ("ArrowLeft", Action::Play(PlayAction::StepBack)),
+        ("Home", Action::Play(PlayAction::Seek(0))),
+        ("End", Action::Play(PlayAction::Seek(18))),
     ] {
         press(&slider, key);
         assert_eq!(stage.sent(), [action], "{key}");
@@ -27,11 +30,11 @@ async fn the_slider_tells_the_time_and_takes_keys() {
 
 #[wasm_bindgen_test]
 async fn the_transport_says_what_its_buttons_do() {
-    let stage = Stage::of(reduce(&solved(), Action::Pause)).await;
+    let stage = Stage::of(reduce(&solved(), Action::Play(PlayAction::Pause))).await;
     for (title, action) in [
-        ("Play (Space)", Action::Play),
-        ("Step forward (.)", Action::StepForward),
-        ("To end (End)", Action::Seek(18)),
+        ("Play (Space)", Action::Play(PlayAction::Play)),
+        ("Step forward (.)", Action::Play(PlayAction::StepForward)),
+        ("To end (End)", Action::Play(PlayAction::Seek(18))),
     ] {
         click(&stage.find(&format!("button[title='{title}']")).await);
         assert_eq!(stage.sent(), [action], "{title}");

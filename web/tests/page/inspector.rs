@@ -1,6 +1,6 @@
 //! Inspector and tools.
 
-use giveway_page::{Action, Selection, Tool, reduce};
+use giveway_page::{Action, BoardAction, Selection, Tool, reduce};
 use wasm_bindgen_test::wasm_bindgen_test;
 
 use crate::stage::{Stage, click, solved};
@@ -20,12 +20,18 @@ async fn the_plan_as_a_whole_and_its_agents_to_pick() {
             .find("[aria-label=Inspector] li:nth-child(2) button")
             .await,
     );
-    assert_eq!(stage.sent(), [Action::Select(Selection::Agent(1))]);
+    assert_eq!(
+        stage.sent(),
+        [Action::Board(BoardAction::Select(Selection::Agent(1)))]
+    );
 }
 
 #[wasm_bindgen_test]
 async fn the_agent_that_is_selected() {
-    let state = reduce(&solved(), Action::Select(Selection::Agent(1)));
+    let state = reduce(
+        &solved(),
+        Action::Board(BoardAction::Select(Selection::Agent(1))),
+    );
     let stage = Stage::of(state).await;
     let title = stage.find("[aria-label=Inspector] h2").await;
     assert_eq!(title.text_content().as_deref(), Some("A2"));
@@ -33,9 +39,16 @@ async fn the_agent_that_is_selected() {
 
 #[wasm_bindgen_test]
 async fn one_tool_is_pressed() {
-    let stage = Stage::of(reduce(&solved(), Action::PickTool(Tool::Charger))).await;
+    let stage = Stage::of(reduce(
+        &solved(),
+        Action::Board(BoardAction::PickTool(Tool::Charger)),
+    ))
+    .await;
     let pressed = stage.all("[role=toolbar] [aria-pressed=true]", "aria-label");
     assert_eq!(pressed, ["Charger"]);
     click(&stage.find("[role=toolbar] [aria-label='Slow zone']").await);
-    assert_eq!(stage.sent(), [Action::PickTool(Tool::SlowZone)]);
+    assert_eq!(
+        stage.sent(),
+        [Action::Board(BoardAction::PickTool(Tool::SlowZone))]
+    );
 }

@@ -5,6 +5,10 @@
     clippy::panic,
     reason = "a test that cannot go on fails"
 )]
+#![allow(
+    clippy::disallowed_methods,
+    reason = "what a test notes is borrowed for no longer than a line"
+)]
 
 mod app;
 mod board;

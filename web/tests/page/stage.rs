@@ -4,7 +4,7 @@ use std::cell::RefCell;
 use std::rc::Rc;
 
 use giveway_model::format::native;
-use giveway_page::{Action, Draft, State, reduce};
+use giveway_page::{Action, Draft, SolveAction, State, ViewAction, reduce};
 use giveway_solve::{Request, SilentHost, SolveRequest, serve};
 use giveway_web::{Board, Clock, Dock, Inspector, Shown, Tools};
 use gloo::timers::future::TimeoutFuture;
@@ -26,13 +26,16 @@ pub(crate) fn drafted(scene: &str) -> State {
 pub(crate) fn solved() -> State {
     let state = drafted(include_str!("../../../static/examples/warehouse.json"));
     let request = SolveRequest {
-        scene: state.draft.scene().clone(),
+        scene: state.document.draft.scene().clone(),
         ..SolveRequest::default()
     };
     let response = serve(&Request::Solve(request), &SilentHost);
-    let state = reduce(&state, Action::Solve);
+    let state = reduce(&state, Action::Solve(SolveAction::Solve));
     let response = Box::new(response);
-    reduce(&state, Action::Respond { run: 1, response })
+    reduce(
+        &state,
+        Action::Solve(SolveAction::Respond { job: 1, response }),
+    )
 }
 
 #[derive(Clone, PartialEq, Properties)]
@@ -48,7 +51,7 @@ fn Places(props: &StageProps) -> Html {
     let StageProps { state, send, clock } = props.clone();
     html! {
         <ContextProvider<Clock> context={clock}>
-            <Tools tool={state.tool} send={send.clone()} />
+            <Tools tool={state.view.tool} send={send.clone()} />
             <Board state={state.clone()} send={send.clone()} />
             <Inspector state={state.clone()} send={send.clone()} />
             <Dock {state} {send} />
@@ -113,7 +116,7 @@ impl Stage {
     /// the table by the room that there is.
     pub(crate) fn sent(&self) -> Vec<Action> {
         let mut sent = self.sent.take();
-        sent.retain(|action| !matches!(action, Action::ShowTable(_)));
+        sent.retain(|action| !matches!(action, Action::View(ViewAction::ShowTable(_))));
         sent
     }
 

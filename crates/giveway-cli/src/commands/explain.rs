@@ -1,16 +1,16 @@
 //! `giveway explain`: why a plan is as it is.
 
-use giveway_model::question::Asked;
+use giveway_model::{Instance, Plan, change::History, question::Asked};
 use giveway_solve::explain::{ExplainRequest, Verdict};
-use giveway_solve::{Limits, Request, Response, serve};
+use giveway_solve::{Limits, Refusal, Request, Response, serve};
 
-use super::{proof, refused, unexpected};
+use super::{one_standard_input, proof, refused, unexpected};
 use crate::{
     args::{Common, Explain},
     clock::Clock,
     exit::Exit,
     failure::Failure,
-    input::{self, is_standard_input},
+    input::{self, ChangesFile, is_standard_input},
     output::{self, text},
     progress::CommandHost,
 };
@@ -26,6 +26,8 @@ pub(crate) fn run(args: &Explain, common: &Common, clock: Clock) -> Result<Exit,
             "found - for both INSTANCE and --plan, expected it for one of them".to_owned(),
         ));
     }
+    let inputs = [&args.source.instance].into_iter().chain(&args.plan);
+    one_standard_input(inputs.chain(&args.changes))?;
     if let Some(folder) = &args.proof {
         proof::check_folder(folder)?;
     }
@@ -34,9 +36,12 @@ pub(crate) fn run(args: &Explain, common: &Common, clock: Clock) -> Result<Exit,
         instance = instance.with_objective(objective.clone());
     }
     let plan = args.plan.as_deref().map(input::plan).transpose()?;
+    let changes = args.changes.as_deref().map(input::changes).transpose()?;
     let request = Request::Explain(ExplainRequest {
         scene: instance.to_scene(),
         plan: plan.clone(),
+        changes: changes.as_ref().map(|file| file.changes.clone()),
+        at: args.at_time,
         question,
         objective: None,
         within: args.within,
@@ -55,7 +60,12 @@ pub(crate) fn run(args: &Explain, common: &Common, clock: Clock) -> Result<Exit,
         Response::Explained(answer) => {
             let plan = plan.as_ref().or(answer.plan.as_ref());
             output::answer(common.format, &answer, |columns| {
-                text::explain(&instance, plan, &answer, columns)
+                match history(args, &instance, changes.as_ref(), plan) {
+                    None => text::explain(&instance, plan, &answer, columns),
+                    Some((history, plan)) => {
+                        text::explain_over_time(&instance, &history, plan, &answer, columns)
+                    }
+                }
             })?;
             if let Some(folder) = &args.proof {
                 let asker = proof::Asker {
@@ -71,9 +81,26 @@ pub(crate) fn run(args: &Explain, common: &Common, clock: Clock) -> Result<Exit,
                 _ => Exit::Answered,
             })
         }
-        Response::Refused(refusal) => Err(refused(refusal, &args.source.instance)),
+        Response::Refused(refusal) => Err(match (refusal, &changes) {
+            (Refusal::Changes { faults }, Some(file)) => file.refused(faults),
+            (refusal, _) => refused(refusal, &args.source.instance),
+        }),
         _ => Err(unexpected(&args.source.instance)),
     }
+}
+
+/// The world over time with the changes that count, where there are any.
+fn history<'a>(
+    args: &Explain,
+    instance: &Instance,
+    changes: Option<&ChangesFile>,
+    plan: Option<&'a Plan>,
+) -> Option<(History, &'a Plan)> {
+    let mut changes = changes?.changes.clone();
+    let counts = |at: u32| args.at_time.is_none_or(|shown| at <= shown);
+    changes.changes.retain(|change| counts(change.at));
+    // It was made for the answer, so it can be made again.
+    Some((History::of(instance, &changes, plan?).ok()?, plan?))
 }
 
 /// The question, in the parts in which it was typed.

@@ -35,6 +35,7 @@ pub(crate) fn run(args: &Solve, common: &Common, clock: Clock) -> Result<Exit, F
         objective: Some(objective.clone()),
         pareto: args.pareto,
         within: args.within,
+        start: None,
         limits: Limits {
             // The limit is for the whole command: reading has taken its part.
             seconds: args

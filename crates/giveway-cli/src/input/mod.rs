@@ -7,7 +7,7 @@ mod plan;
 mod scenario;
 mod source;
 
-pub(crate) use changes::changes;
+pub(crate) use changes::{ChangesFile, changes};
 pub(crate) use instance::{instance, native};
 pub(crate) use kind::Kind;
 pub(crate) use plan::{plan, plan_in};

@@ -9,7 +9,7 @@ mod verify;
 
 pub(crate) use change::change;
 pub(crate) use check::{check, check_over_time};
-pub(crate) use explain::explain;
+pub(crate) use explain::{explain, explain_over_time};
 pub(crate) use front::front;
 pub(crate) use solve::solve;
 pub(crate) use verify::verify;

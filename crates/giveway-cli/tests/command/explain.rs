@@ -10,6 +10,19 @@ const PLAN_1: &str = r#"{ "giveway": 1, "paths": {
     "A1": [[2, 2], [2, 1], [1, 1], [0, 1]],
     "A2": [[3, 1], [3, 1], [2, 1], [1, 1], [1, 0]] } }"#;
 
+/// A robot that goes around an obstacle which appears at time 1, and waits once
+/// more than it need.
+const ALONE: &str = r#"{ "giveway": 1, "map": ["....", "...."],
+    "agents": [{ "name": "A1", "start": [0, 0], "goal": [3, 0] }] }"#;
+const ALONE_PLAN: &str = r#"{ "giveway": 1, "paths": { "A1":
+    [[0, 0], [1, 0], [1, 0], [1, 1], [2, 1], [3, 1], [3, 0]] } }"#;
+const ALONE_CHANGES: &str = r#"{ "giveway": 1, "changes": [
+    { "at": 1, "change": "add-obstacle", "cell": [2, 0] }] }"#;
+/// The same, and another change once it has arrived.
+const ALONE_LATER: &str = r#"{ "giveway": 1, "changes": [
+    { "at": 1, "change": "add-obstacle", "cell": [2, 0] },
+    { "at": 9, "change": "remove-agent", "agent": "A1" }] }"#;
+
 fn scenario_1() -> Folder {
     Folder::with(&[("scene.json", SCENARIO_1), ("plan.json", PLAN_1)])
 }
@@ -107,6 +120,9 @@ fn answers_keep_to_the_schema() {
         ("scenario-6.json", SCENARIO_6),
         ("scenario-1.json", SCENARIO_1),
         ("plan.json", PLAN_1),
+        ("around.json", ALONE),
+        ("around.plan.json", ALONE_PLAN),
+        ("around.changes.json", ALONE_CHANGES),
     ]);
     for line in [
         "warehouse.json --plan warehouse.plan.json arrival A1",
@@ -116,6 +132,7 @@ fn answers_keep_to_the_schema() {
         "scenario-1.json --plan plan.json wait A2 --from 0 --to 1",
         "scenario-1.json --plan plan.json plan",
         "scenario-6.json unsolvable",
+        "around.json --plan around.plan.json --changes around.changes.json plan",
     ] {
         let run = folder.run(&format!("explain {line} --format json"));
         // Which of two equal plans is found first decides whether A2 waits.
@@ -230,4 +247,57 @@ fn why_there_is_no_plan() {
             There is no plan to ask about. You can ask: unsolvable
         "#]],
     );
+}
+
+fn around() -> Folder {
+    Folder::with(&[
+        ("scene.json", ALONE),
+        ("plan.json", ALONE_PLAN),
+        ("changes.json", ALONE_LATER),
+    ])
+}
+
+#[test]
+fn a_plan_around_which_the_world_changed() {
+    let line = "explain scene.json --plan plan.json --changes changes.json --at-time 4 wait A1";
+    let folder = around();
+    let answer = folder.run(&format!("{line} --format json")).json();
+    assert_eq!(answer["since"], 1);
+    assert_eq!(answer["verdict"], "improvable");
+    assert_eq!(answer["costs"]["makespan"], 5);
+    let cells = json!([[0, 0], [1, 0], [1, 1], [2, 1], [3, 1], [3, 0]]);
+    assert_eq!(answer["alternative"]["paths"]["A1"], cells);
+    let run = folder.run(line);
+    let text = run.answer();
+    let told = "Improvable, whatever the horizon: This is about what comes from time 1 on. There \
+                is even a better plan in which A1 does not wait: a makespan of 5 instead of 6 \
+                and a sum of costs of 5 instead of 6.";
+    assert!(text.contains(told), "{text}");
+    assert!(
+        text.contains("makespan               6           5          -1"),
+        "{text}"
+    );
+    assert!(text.contains("The other plan:"), "{text}");
+}
+
+#[test]
+fn a_question_about_what_is_past_is_refused() {
+    let run = around().run(
+        "explain scene.json --plan plan.json --changes changes.json --at-time 4 \
+         visit A1 --at 0,0 --time 0",
+    );
+    assert_eq!(run.exit, Some(1), "{}", run.err);
+    let told = "Time 0 is before time 1, from which on the world is as it is asked about";
+    assert!(run.err.contains(told), "{}", run.err);
+}
+
+#[test]
+fn changes_need_a_plan_and_have_no_certificate() {
+    for line in ["--changes changes.json", "--plan plan.json --at-time 3"] {
+        let run = around().run(&format!("explain scene.json {line} wait A1"));
+        assert_eq!(run.exit, Some(2), "{line}: {}", run.err);
+    }
+    let line = "--plan plan.json --changes changes.json --proof new wait A1";
+    let run = around().run(&format!("explain scene.json {line}"));
+    assert_eq!(run.exit, Some(2), "{}", run.err);
 }

@@ -52,6 +52,16 @@ impl History {
         }
     }
 
+    /// The history of an instance whose agents all appear at a time, and in which
+    /// nothing changes: what is left of a course, in the times of the whole.
+    pub fn beginning(instance: &Instance, at: u32) -> Self {
+        let mut history = Self::new(instance);
+        for career in &mut history.careers {
+            career.from = at;
+        }
+        history
+    }
+
     /// The history of all changes around one plan.
     ///
     /// # Errors

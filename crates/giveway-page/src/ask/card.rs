@@ -1,8 +1,9 @@
 //! The answer to a question, as the inspector shows it.
 
 use giveway_model::{Cost, Question};
-use giveway_solve::explain::{Edit, Fact, FactKind, Part, Verdict};
+use giveway_solve::explain::edits_in_words;
 
+use super::signs::{badge, edit_icon, fact_icon, pending, verdict_words, would};
 use crate::timeline::Lane;
 use crate::{Answer, Asking, Lit, State, words};
 
@@ -87,8 +88,8 @@ pub struct Other {
 /// Something that would go wrong.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Happening {
-    /// Its number on the map, from 1.
-    pub number: usize,
+    /// Its number on the map, from 1; `None` where the facts have the numbers.
+    pub number: Option<usize>,
     /// What.
     pub text: String,
     /// When.
@@ -104,8 +105,21 @@ pub struct Facts {
     pub title: &'static str,
     /// What is claimed of it.
     pub claim: &'static str,
-    /// The facts: icon, text, whether it is lit up.
-    pub facts: Vec<(&'static str, String, bool)>,
+    /// The facts.
+    pub facts: Vec<FactRow>,
+}
+
+/// A fact of the minimal set.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct FactRow {
+    /// Its number on the map, from 1; `None` where what would happen has the numbers.
+    pub number: Option<usize>,
+    /// The icon of its kind.
+    pub icon: &'static str,
+    /// What.
+    pub text: String,
+    /// Whether it is lit up.
+    pub is_lit: bool,
 }
 
 /// A repair.
@@ -121,7 +135,7 @@ pub struct Offered {
 
 /// What the card shows; nothing where nothing was asked.
 pub fn card(state: &State) -> Option<Card> {
-    let asking = state.asking.as_deref()?;
+    let asking = state.document.mode.asking()?;
     let mut card = Card {
         question: words::question(asking.question()),
         verdict: None,
@@ -141,7 +155,7 @@ pub fn card(state: &State) -> Option<Card> {
         Some(false) => BROKEN,
         _ => badge(asking, told.verdict),
     };
-    card.verdict = Some((badge, words::cells(&told.words)));
+    card.verdict = Some((badge, verdict_words(state, asking, told).to_owned()));
     if let Some(other) = &asking.other {
         card.rows = rows(asking, other);
         card.other = Some(Other {
@@ -152,70 +166,73 @@ pub fn card(state: &State) -> Option<Card> {
     }
     let happenings = asking.violations().enumerate().take(HAPPENINGS);
     let happenings = happenings.map(|(index, violation)| Happening {
-        number: index + 1,
-        text: words::cells(&violation.message),
+        number: (!numbers_facts(asking)).then_some(index + 1),
+        text: violation.message.clone(),
         time: violation.time,
         is_lit: asking.lit == Some(Lit::Witness(index)),
     });
     let happenings: Vec<Happening> = happenings.collect();
     card.witness = (!happenings.is_empty()).then(|| (would(asking), happenings));
     card.core = told.core.as_ref().map(|core| Facts {
-        title: "What excludes it together",
+        title: "These facts together rule it out",
         claim: if core.minimal {
-            "Without any one of these it can be done."
+            "Drop any one of them and it becomes possible."
         } else {
-            "Not shown to be minimal."
+            "Some of these may not be needed."
         },
         facts: core
             .facts
             .iter()
             .enumerate()
-            .map(|(index, fact)| {
-                let is_lit = asking.lit == Some(Lit::Fact(index));
-                (fact_icon(fact), words::cells(&fact.text), is_lit)
+            .map(|(index, fact)| FactRow {
+                number: numbers_facts(asking).then_some(index + 1),
+                icon: fact_icon(fact),
+                text: fact.text.clone(),
+                is_lit: asking.lit == Some(Lit::Fact(index)),
             })
             .collect(),
     });
     let objective = asking.about.draft.scene().objective.clone();
     let objective = asking.request.objective.as_ref().unwrap_or(&objective);
-    card.repairs = told
-        .repairs
-        .iter()
+    let repairs = told.repairs.iter();
+    card.repairs = repairs
+        .filter(|_| asking.can_be_repaired())
         .map(|repair| Offered {
             icon: repair.edits.first().map_or("check", edit_icon),
             // Its costs stand below it.
-            text: words::cells(repair.text.split(": ").next().unwrap_or_default()),
+            text: edits_in_words(&repair.edits),
             costs: words::values(objective, &repair.costs),
         })
         .collect();
-    if !asking.is_done {
+    if state.is_looking() {
         card.pending = told.pending.iter().map(|&part| pending(part)).collect();
     } else if told.complete {
-        card.standing = Some("This holds whatever the horizon.".to_owned());
+        card.standing = Some("This holds no matter how many steps you allow.".to_owned());
     } else if let Some(within) = told.within {
         card.standing = Some(format!("This holds up to makespan {within}."));
     }
     Some(card)
 }
 
+/// Whether the answer itself offers the next step: another plan, or a repair.
+pub fn offers_next_step(state: &State) -> bool {
+    state.document.mode.asking().is_some_and(|asking| {
+        let told = asking.told.as_deref();
+        asking.other.is_some() || told.is_some_and(|told| !told.repairs.is_empty())
+    })
+}
+
+/// Whether the numbers on the map are those of the facts: where there is no plan at
+/// all. Else they are those of what would happen.
+pub(crate) fn numbers_facts(asking: &Asking) -> bool {
+    matches!(asking.question(), Question::Unsolvable)
+}
+
 /// What is claimed of the other plan: that none as good is closer to this one,
 /// where that is proved.
 pub fn closeness(state: &State) -> Option<&'static str> {
-    let told = state.asking.as_deref()?.told.as_deref()?;
+    let told = state.document.mode.asking()?.told.as_deref()?;
     told.closest.then_some("closest to this plan")
-}
-
-fn badge(asking: &Asking, verdict: Verdict) -> Badge {
-    let (word, icon, class) = match (asking.question(), verdict) {
-        (Question::Unsolvable, Verdict::Necessary) => ("Impossible", "cancel", "necessary"),
-        (Question::Plan, Verdict::Needless) => ("Optimal", "proved", "needless"),
-        (_, Verdict::Needless) => ("Needless", "compare", "needless"),
-        (_, Verdict::Improvable) => ("Improvable", "compare", "needless"),
-        (_, Verdict::Costly) => ("Costly", "warning", "costly"),
-        (_, Verdict::Necessary) => ("Necessary", "proved", "necessary"),
-        (_, Verdict::Unknown) => ("Not known", "clock", "unknown"),
-    };
-    Badge { word, icon, class }
 }
 
 /// The costs of the objective, then the arrivals that differ.
@@ -256,48 +273,4 @@ fn rows(asking: &Asking, other: &Answer) -> Vec<CostRow> {
         }
     }
     rows
-}
-
-fn would(asking: &Asking) -> String {
-    match asking.question() {
-        Question::Wait { agent, .. } => format!("If {agent} did not wait"),
-        Question::Unsolvable => "At the least, this would go wrong".to_owned(),
-        Question::Plan => "What is against the rules".to_owned(),
-        _ => "Otherwise, all else as it is".to_owned(),
-    }
-}
-
-fn pending(part: Part) -> &'static str {
-    match part {
-        Part::Verdict => "Looking for the verdict",
-        Part::Closest => "Looking for a plan closer to this one",
-        Part::Witness => "Looking for what would happen",
-        Part::Core => "Looking for the reasons",
-        Part::Repairs => "Looking for what would help",
-    }
-}
-
-fn fact_icon(fact: &Fact) -> &'static str {
-    match fact.kind {
-        FactKind::Task => "agent",
-        FactKind::Waypoint => "waypoint",
-        FactKind::Battery => "charger",
-        FactKind::Obstacle => "obstacle",
-        FactKind::Slow => "slow",
-        FactKind::Collision => "collision",
-        FactKind::Stay => "goal",
-        FactKind::Deadline => "clock",
-    }
-}
-
-fn edit_icon(edit: &Edit) -> &'static str {
-    match edit {
-        Edit::RemoveObstacle { .. } => "erase",
-        Edit::AddCharger { .. } | Edit::Battery { .. } => "charger",
-        Edit::Deadline { .. } => "clock",
-        Edit::MakeNormal { .. } => "slow",
-        Edit::DropWaypoint { .. } => "waypoint",
-        Edit::Vanish => "goal",
-        Edit::LeaveOut { .. } => "agent",
-    }
 }

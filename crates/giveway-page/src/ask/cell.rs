@@ -4,8 +4,8 @@ use giveway_model::{Cell, Ground, Question};
 
 use super::{Group, Offer};
 use crate::Answer;
-use crate::inspect::at;
 use crate::timeline::Lane;
+use crate::words::at;
 
 /// The most agents whose visits are asked about.
 const AGENTS: usize = 3;

@@ -6,9 +6,15 @@
 mod agent;
 mod card;
 mod cell;
+mod later;
 mod plan;
+mod signs;
 
-pub use card::{Badge, Card, CostRow, Facts, Happening, Offered, Other, card, closeness};
+pub(crate) use card::numbers_facts;
+pub use card::{
+    Badge, Card, CostRow, FactRow, Facts, Happening, Offered, Other, card, closeness,
+    offers_next_step,
+};
 use giveway_model::{Question, question::fits};
 
 use crate::{Answer, Selection, State, words};
@@ -52,49 +58,63 @@ pub struct Group {
     pub offers: Vec<Offer>,
 }
 
-/// Why nothing can be asked of a plan that went on where the world changed.
-pub const NO_QUESTIONS: &str = "Questions are answered of a plan in one world: of one that went \
-     on where the world changed they are not answered yet.";
-
 /// Why nothing is offered, where a person would look for questions.
-pub fn no_offers(state: &State) -> Option<&'static str> {
-    let is_course = state.fresh_answer().is_some_and(|a| a.course.is_some());
-    (is_course && state.changing.is_none()).then_some(NO_QUESTIONS)
+pub fn no_offers(state: &State) -> Option<String> {
+    let answer = state.document.fresh_answer()?;
+    let changed = answer.changed_last()?;
+    let is_past = state.view.playback.time < changed;
+    let is_asked = state.document.mode.changing().is_none();
+    (is_past && is_asked).then(|| {
+        format!(
+            "What came before time {changed} is settled. Show a later time to ask about the plan."
+        )
+    })
 }
 
 /// The questions to offer, by heading. None while the plan is not that of the
 /// scene as it stands.
 pub fn offers(state: &State) -> Vec<Group> {
-    let Some(answer) = state.answer.as_deref() else {
+    let document = &state.document;
+    let Some(answer) = document.fresh_answer() else {
         return Vec::new();
     };
-    let is_busy = state.changing.is_some() || state.steering.is_some();
-    if state.is_stale() || is_busy || answer.course.is_some() {
+    if document.mode.changing().is_some() || document.mode.steering().is_some() {
         return Vec::new();
     }
     if answer.plan().is_none() {
         return plan::without(answer);
     }
-    let groups = match state.selection {
+    let time = state.view.playback.time;
+    if answer.changed_last().is_some_and(|changed| time < changed) {
+        return Vec::new();
+    }
+    let groups = match state.view.selection {
         Selection::Agent(index) => {
-            let mut groups = agent::groups(answer, index, state.playback.time);
+            let mut groups = agent::groups(answer, index, time);
             groups.extend(plan::groups(answer));
             groups
         }
         Selection::Cell(cell) => cell::groups(answer, cell),
         Selection::Nothing => plan::groups(answer),
     };
-    keep_fitting(answer, groups)
+    match answer.changed_last() {
+        None => keep_fitting(answer, groups),
+        Some(changed) => keep(groups, |question| later::is_later(question, changed)),
+    }
 }
 
-/// Leaves out what is not so, and headings with nothing below them.
-fn keep_fitting(answer: &Answer, mut groups: Vec<Group>) -> Vec<Group> {
+/// Leaves out what is not so.
+fn keep_fitting(answer: &Answer, groups: Vec<Group>) -> Vec<Group> {
     let (Ok(instance), Some(plan)) = (answer.draft.instance(), answer.plan()) else {
         return Vec::new();
     };
+    keep(groups, |question| fits(question, instance, plan).is_ok())
+}
+
+/// Leaves out all other questions, and headings with nothing below them.
+fn keep(mut groups: Vec<Group>, is_kept: impl Fn(&Question) -> bool) -> Vec<Group> {
     for group in &mut groups {
-        let fitting = |offer: &Offer| fits(&offer.question, instance, plan).is_ok();
-        group.offers.retain(fitting);
+        group.offers.retain(|offer| is_kept(&offer.question));
     }
     groups.retain(|group| !group.offers.is_empty());
     groups

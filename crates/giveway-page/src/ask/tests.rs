@@ -3,7 +3,7 @@
 use giveway_model::Cell;
 
 use super::*;
-use crate::{Action, reduce, sample};
+use crate::{Action, BoardAction, PlayAction, reduce, sample};
 
 fn texts(state: &State) -> Vec<(String, Vec<String>)> {
     let text = |offer: Offer| match offer.detail {
@@ -15,8 +15,8 @@ fn texts(state: &State) -> Vec<(String, Vec<String>)> {
 }
 
 fn selected(selection: Selection, time: u32) -> State {
-    let state = reduce(&sample::solved(), Action::Seek(time));
-    reduce(&state, Action::Select(selection))
+    let state = reduce(&sample::solved(), Action::Play(PlayAction::Seek(time)));
+    reduce(&state, Action::Board(BoardAction::Select(selection)))
 }
 
 #[track_caller]
@@ -48,8 +48,8 @@ fn an_agent_that_charges() {
             (
                 "Ask about this moment",
                 &[
-                    "Why does A1 charge at (6,2) at time 9? [with 1 left]",
-                    "Why does A1 go from (6,2) to (6,1) at time 9?",
+                    "Why does A1 charge at (6, 2) at time 9? [with 1 left]",
+                    "Why does A1 go from (6, 2) to (6, 1) at time 9?",
                 ],
             ),
             (
@@ -57,8 +57,8 @@ fn an_agent_that_charges() {
                 &[
                     "Why does A1 not arrive sooner? [it arrives at 17]",
                     "Why are there not fewer charges of A1? [it charges at 9]",
-                    "Why does A1 visit (2,0) before (4,2)?",
-                    "Why does A1 visit (4,2) before (7,0)?",
+                    "Why does A1 visit (2, 0) before (4, 2)?",
+                    "Why does A1 visit (4, 2) before (7, 0)?",
                     "Why does A1 take the slow way?",
                     "Why is the path of A1 this long? [it makes 15 moves]",
                 ],
@@ -77,27 +77,27 @@ fn after_its_arrival_an_agent_does_nothing_to_ask_about() {
 #[test]
 fn cells() {
     let state = |x, y| selected(Selection::Cell(Cell::new(x, y)), 0);
-    let title = "Ask about (6,0)";
+    let title = "Ask about (6, 0)";
     check(
         &state(6, 0),
         &[(
             title,
-            &["Why does A1 pass (6,0)?", "Why does A2 pass (6,0)?"],
+            &["Why does A1 pass (6, 0)?", "Why does A2 pass (6, 0)?"],
         )],
     );
     check(
         &state(5, 2),
-        &[("Ask about (5,2)", &["Why does A1 pass (5,2)?"])],
+        &[("Ask about (5, 2)", &["Why does A1 pass (5, 2)?"])],
     );
     check(&state(1, 1), &[]);
     check(
         &state(3, 2),
         &[(
-            "Ask about (3,2)",
+            "Ask about (3, 2)",
             &[
-                "Why does A1 pass (3,2)?",
-                "Why does A2 pass (3,2)?",
-                "Why does A1 not charge at (3,2)?",
+                "Why does A1 pass (3, 2)?",
+                "Why does A2 pass (3, 2)?",
+                "Why does A1 not charge at (3, 2)?",
             ],
         )],
     );
@@ -107,10 +107,13 @@ fn cells() {
 fn nothing_is_asked_of_a_stale_plan() {
     let state = selected(Selection::Nothing, 0);
     check(&state, &[PLAN]);
-    let stale = reduce(&state, Action::PickTool(crate::Tool::Obstacle));
-    let stale = reduce(&stale, Action::Press(Cell::new(8, 2)));
-    let stale = reduce(&stale, Action::Release);
-    assert!(stale.is_stale());
+    let stale = reduce(
+        &state,
+        Action::Board(BoardAction::PickTool(crate::Tool::Obstacle)),
+    );
+    let stale = reduce(&stale, Action::Board(BoardAction::Press(Cell::new(8, 2))));
+    let stale = reduce(&stale, Action::Board(BoardAction::Release));
+    assert!(stale.document.is_stale());
     check(&stale, &[]);
 }
 

@@ -24,6 +24,8 @@ pub struct Cast {
     pub is_there: Vec<bool>,
     /// The answer that holds the plan.
     answer: Option<Rc<Answer>>,
+    /// Where each agent stands in that plan; `None` for one of which it has none.
+    planned: Vec<Option<usize>>,
 }
 
 impl PartialEq for Cast {
@@ -31,6 +33,7 @@ impl PartialEq for Cast {
     fn eq(&self, other: &Self) -> bool {
         self.agents == other.agents
             && self.is_there == other.is_there
+            && self.planned == other.planned
             && same(self.answer.as_ref(), other.answer.as_ref())
     }
 }
@@ -55,10 +58,11 @@ impl Cast {
         let draft = state.world();
         let answer = answer.filter(|answer| is_drawn(answer, draft));
         let agents = draft.agents().to_vec();
+        let planned = answer.map_or_else(Vec::new, |answer| answer.agents_of(draft));
         let is_there = there(state);
-        let at_goal = state.draft.scene().rules.at_goal;
+        let at_goal = state.document.draft.scene().rules.at_goal;
         let track = |(index, agent): (usize, &Agent)| {
-            let solved = answer.and_then(|answer| answer.agent(draft, index));
+            let solved = planned.get(index).copied().flatten();
             let plan = answer.filter(|_| solved.is_some());
             let plan = plan.and_then(|answer| answer.plan());
             let mut path = plan.map_or_else(Vec::new, |plan| plan.path(&agent.name).to_vec());
@@ -89,6 +93,7 @@ impl Cast {
             agents,
             is_there,
             answer: answer.cloned(),
+            planned,
         }
     }
 
@@ -99,6 +104,7 @@ impl Cast {
         self.agents == draft.agents()
             && self.is_there == there(state)
             && same(self.answer.as_ref(), answer)
+            && answer.is_none_or(|answer| answer.agents_of(draft) == self.planned)
     }
 
     /// An agent at a time that need not be whole.
@@ -119,7 +125,7 @@ fn there(state: &State) -> Vec<bool> {
 
 /// When an agent joins that no plan knows yet.
 fn joins(state: &State, agent: usize) -> u32 {
-    let changing = state.changing.as_deref();
+    let changing = state.document.mode.changing();
     let changing = changing.filter(|changing| agent >= changing.about.agents().len());
     changing.map_or(0, |changing| changing.at)
 }

@@ -1,133 +1,211 @@
-//! What lies on the floor, as few shapes.
+//! What lies on the floor, in tiles: where a cell changes, only the tiles around it
+//! are drawn anew.
 
-use std::fmt::Write;
+use std::collections::BTreeSet;
+use std::rc::Rc;
 
-use giveway_model::{Grid, Ground};
+use giveway_model::{Cell, Grid};
 
 use super::Detail;
-use super::outline::{Pen, Region};
+use super::outline::Area;
+use super::tile::Tile;
+use crate::Draft;
 
-/// The `d` of the paths of the floor.
-#[derive(Clone, Debug, Default, PartialEq, Eq)]
-pub struct Floor {
-    /// The cells of the slow zone, for its tint.
-    pub slow_tint: Vec<String>,
-    /// Each connected part of the slow zone, for hatch and outline.
-    pub slow: Vec<String>,
-    /// The lines between cells.
-    pub lines: String,
-    /// Each shelf of obstacles.
-    pub obstacles: Vec<String>,
-    /// The plates of chargers.
-    pub chargers: String,
-    /// The bolts on them.
-    pub bolts: String,
+/// The side of a tile, in cells. It is small enough to be drawn anew in every frame
+/// of a stroke, and large enough that a map has few of them.
+pub const TILE: u32 = 16;
+
+/// How the floor is drawn, by the size of a cell on the screen.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct FloorLook {
+    /// Whether cells are large enough for more than their colour.
+    pub(super) is_fine: bool,
+    /// How far shapes that are cut reach into the next tile, in units: at least a
+    /// pixel, and less than two.
+    pub(super) overlap: u8,
 }
 
-/// The shapes of a map at a level of detail: from forms down they are plain.
-pub fn floor(grid: &Grid, detail: Detail) -> Floor {
-    let is_fine = detail > Detail::Dots;
-    let pen = |inset: i32, radius: i32| {
-        if is_fine {
-            Pen { inset, radius }
-        } else {
-            Pen {
-                inset: 0,
-                radius: 0,
+impl FloorLook {
+    /// The look for cells of this many pixels.
+    pub fn of(cell_px: f64) -> Self {
+        // Powers of two, so that zooming seldom changes it.
+        let reaches = |&overlap: &u8| f64::from(overlap) * cell_px >= super::CELL;
+        let overlaps = [1, 2, 4, 8, 16, 32, 64];
+        Self {
+            is_fine: Detail::of(cell_px) > Detail::Dots,
+            overlap: overlaps.into_iter().find(reaches).unwrap_or(100),
+        }
+    }
+
+    /// Whether lines part the cells.
+    pub const fn has_lines(self) -> bool {
+        self.is_fine
+    }
+}
+
+/// What is drawn of the floor, each over all that stand before it.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+pub enum Layer {
+    /// The tint of the slow zone.
+    SlowTint,
+    /// Its hatch.
+    Slow,
+    /// The line around it.
+    SlowEdge,
+    /// Shelves of obstacles.
+    Obstacle,
+    /// The lines around them.
+    ObstacleEdge,
+    /// The plates of chargers.
+    Charger,
+    /// The bolts on them.
+    Bolt,
+}
+
+impl Layer {
+    /// How many there are.
+    pub(super) const COUNT: usize = 7;
+
+    /// Its class in the style sheet.
+    pub const fn class(self) -> &'static str {
+        match self {
+            Self::SlowTint => "slow-t",
+            Self::Slow => "slow",
+            Self::SlowEdge => "slow-edge",
+            Self::Obstacle => "obst",
+            Self::ObstacleEdge => "obst-edge",
+            Self::Charger => "chg",
+            Self::Bolt => "bolt",
+        }
+    }
+}
+
+/// The floor of a map.
+#[derive(Clone, Debug)]
+pub struct Floor {
+    draft: Rc<Draft>,
+    /// The chargers that a waypoint lies on.
+    starred: BTreeSet<Cell>,
+    look: FloorLook,
+    /// Rows of tiles, from the top.
+    bands: Vec<Rc<Band>>,
+}
+
+/// A row of tiles, from the left.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Band(Vec<Rc<Tile>>);
+
+impl Band {
+    /// The `d` of the paths of a layer, by the number of the tile; those without a
+    /// shape are left out.
+    pub fn shapes(&self, layer: Layer) -> impl Iterator<Item = (usize, &Rc<str>)> {
+        let shapes = self.0.iter().map(move |tile| tile.shape(layer));
+        shapes.enumerate().filter(|(_, shape)| !shape.is_empty())
+    }
+}
+
+impl Floor {
+    /// The floor of a draft.
+    pub fn new(draft: &Rc<Draft>, look: FloorLook) -> Self {
+        let (grid, starred) = (draft.grid(), starred(draft));
+        let columns = grid.width().div_ceil(TILE);
+        let band = |y| {
+            let tile = |x| Rc::new(Tile::new(grid, &starred, area(grid, x, y), look));
+            Rc::new(Band((0..columns).map(tile).collect()))
+        };
+        Self {
+            bands: (0..grid.height().div_ceil(TILE)).map(band).collect(),
+            draft: Rc::clone(draft),
+            starred,
+            look,
+        }
+    }
+
+    /// The floor of another draft, with the tiles of this one wherever they are the
+    /// same.
+    #[must_use]
+    pub fn renewed(&self, draft: &Rc<Draft>, look: FloorLook) -> Self {
+        let (old, new) = (self.draft.grid(), draft.grid());
+        if look != self.look || (old.width(), old.height()) != (new.width(), new.height()) {
+            return Self::new(draft, look);
+        }
+        if Rc::ptr_eq(&self.draft, draft) {
+            return self.clone();
+        }
+        let starred = starred(draft);
+        let stars: Vec<Cell> = self
+            .starred
+            .symmetric_difference(&starred)
+            .copied()
+            .collect();
+        let is_same =
+            |area: Area| !stars.iter().any(|&star| area.contains(star)) && is_same(old, new, area);
+        let mut bands = self.bands.clone();
+        for (y, band) in (0..).zip(&mut bands) {
+            let row = Area {
+                size: (new.width(), area(new, 0, y).size.1),
+                ..area(new, 0, y)
+            };
+            if is_same(row) {
+                continue;
+            }
+            for (x, tile) in (0..).zip(&mut Rc::make_mut(band).0) {
+                let area = area(new, x, y);
+                if !is_same(area) {
+                    *tile = Rc::new(Tile::new(new, &starred, area, look));
+                }
             }
         }
-    };
-    let region = |is_part: fn(Ground) -> bool, pen: Pen| {
-        let contains = |cell| grid.ground(cell).is_some_and(is_part);
-        let region = Region {
-            width: grid.width(),
-            height: grid.height(),
-            contains: &contains,
-        };
-        region.paths(pen)
-    };
-    let is_obstacle = |ground| ground == Ground::Obstacle;
-    let (chargers, bolts) = chargers(grid, is_fine);
-    Floor {
-        slow_tint: region(
-            Ground::is_slow,
-            Pen {
-                inset: 0,
-                radius: 0,
-            },
+        Self {
+            draft: Rc::clone(draft),
+            starred,
+            look,
+            bands,
+        }
+    }
+
+    /// Rows of tiles, from the top.
+    pub fn bands(&self) -> &[Rc<Band>] {
+        &self.bands
+    }
+}
+
+/// The cells of a tile, by its column and row.
+fn area(grid: &Grid, x: u32, y: u32) -> Area {
+    let first = Cell::new(TILE * x, TILE * y);
+    Area {
+        first,
+        size: (
+            TILE.min(grid.width().saturating_sub(first.x)),
+            TILE.min(grid.height().saturating_sub(first.y)),
         ),
-        slow: region(Ground::is_slow, pen(4, 14)),
-        lines: if is_fine { lines(grid) } else { String::new() },
-        obstacles: region(is_obstacle, pen(6, 16)),
-        chargers,
-        bolts,
     }
 }
 
-fn lines(grid: &Grid) -> String {
-    let (right, bottom) = (100 * grid.width(), 100 * grid.height());
-    let mut path = String::new();
-    // Writing to a string cannot fail.
-    for x in 1..grid.width() {
-        let _ = write!(path, "M{} 0V{bottom}", 100 * x);
-    }
-    for y in 1..grid.height() {
-        let _ = write!(path, "M0 {}H{right}", 100 * y);
-    }
-    path
+/// Whether all is the same of two maps that an area is drawn by: its cells and
+/// those around it.
+fn is_same(old: &Grid, new: &Grid, area: Area) -> bool {
+    let around = |first: u32, size: u32| first.saturating_sub(1)..first + size + 1;
+    let columns = around(area.first.x, area.size.0);
+    let part = columns.start as usize..columns.end.min(new.width()) as usize;
+    let mut rows = around(area.first.y, area.size.1);
+    rows.all(|y| old.row(y).get(part.clone()) == new.row(y).get(part.clone()))
 }
 
-fn chargers(grid: &Grid, is_fine: bool) -> (String, String) {
-    let (mut plates, mut bolts) = (String::new(), String::new());
-    for (cell, ground) in grid.cells() {
-        if !ground.is_charger() {
-            continue;
-        }
-        let (x, y) = (100 * cell.x, 100 * cell.y);
-        if is_fine {
-            let _ = write!(
-                plates,
-                "M{} {}h54a16 16 0 0 1 16 16v54a16 16 0 0 1-16 16h-54a16 16 0 0 1-16-16v-54a16 16 0 0 1 16-16Z",
-                x + 23,
-                y + 7,
-            );
-            let _ = write!(bolts, "M{} {}l-25 35h17l-5 26 27-38h-17Z", x + 55, y + 20);
-        } else {
-            let _ = write!(plates, "M{x} {y}h100v100h-100Z");
-        }
-    }
-    (plates, bolts)
+/// The chargers that a waypoint lies on.
+fn starred(draft: &Draft) -> BTreeSet<Cell> {
+    let waypoints = draft.agents().iter().flat_map(|agent| &agent.waypoints);
+    let on_charger = waypoints.filter(|&&cell| draft.grid().is_charger(cell));
+    on_charger.copied().collect()
+}
+
+/// The `d` of the lines between cells.
+pub fn lines(width: u32, height: u32) -> String {
+    let (right, bottom) = (100 * width, 100 * height);
+    let across = (1..width).map(|x| format!("M{} 0V{bottom}", 100 * x));
+    let down = (1..height).map(|y| format!("M0 {}H{right}", 100 * y));
+    across.chain(down).collect()
 }
 
 #[cfg(test)]
-mod tests {
-    use super::*;
-
-    fn of(rows: &[&str], detail: Detail) -> Floor {
-        floor(&Grid::from_rows(rows).unwrap(), detail)
-    }
-
-    #[test]
-    fn a_charger_in_the_slow_zone_is_part_of_both() {
-        let floor = of(&["~*~"], Detail::All);
-        assert_eq!(floor.slow_tint, ["M0 0H300V100H0V0Z"]);
-        assert_eq!(floor.slow.len(), 1);
-        assert!(floor.chargers.starts_with("M123 7h54"));
-        assert!(floor.bolts.starts_with("M155 20"));
-        assert!(floor.obstacles.is_empty());
-    }
-
-    #[test]
-    fn lines_part_cells() {
-        assert_eq!(of(&["..", ".."], Detail::All).lines, "M100 0V200M0 100H200");
-        assert_eq!(of(&["."], Detail::All).lines, "");
-    }
-
-    #[test]
-    fn small_cells_are_plain() {
-        let floor = of(&["#+."], Detail::Dots);
-        assert_eq!(floor.obstacles, ["M0 0H100V100H0V0Z"]);
-        assert_eq!(floor.chargers, "M100 0h100v100h-100Z");
-        assert_eq!((floor.bolts, floor.lines), (String::new(), String::new()));
-    }
-}
+mod tests;

@@ -66,7 +66,7 @@ mod tests {
     #[test]
     fn without_a_plan_nothing_is_used() {
         let mut state = planned();
-        state.answer = None;
+        state.document.answer = None;
         assert!(heat(&Cast::of(&state)).iter().all(String::is_empty));
     }
 }

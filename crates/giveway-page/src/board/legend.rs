@@ -12,6 +12,10 @@ pub enum Kind {
     Problem,
     /// Something is against the rules at the time shown.
     Burst,
+    /// A fact that, with others, rules every plan out.
+    Reason,
+    /// The best try at a plan ends there.
+    Try,
     /// Two plans are shown, and an agent is elsewhere in the other one.
     Differs,
     /// The plan is of another scene.
@@ -38,6 +42,8 @@ impl Kind {
         match self {
             Self::Problem => "Problem: press to see it",
             Self::Burst => "Against a rule at this time",
+            Self::Reason => "Part of the reason",
+            Self::Try => "The best try ends here",
             Self::Differs => "Elsewhere in the other plan",
             Self::Stale => "Stale plan, faded",
             Self::Charger => "Charger",
@@ -46,7 +52,7 @@ impl Kind {
             Self::Waypoint => "Waypoint, filled once visited",
             Self::Ahead => "Way ahead",
             Self::Wait => "Waits",
-            Self::Used => "Used more, the darker",
+            Self::Used => "Darker: used more often",
         }
     }
 
@@ -54,7 +60,8 @@ impl Kind {
     pub const fn class(self) -> &'static str {
         match self {
             Self::Problem => "k-problem",
-            Self::Burst => "k-burst",
+            Self::Reason => "k-core",
+            Self::Burst | Self::Try => "k-burst",
             Self::Differs => "k-diff",
             Self::Stale => "k-stale",
             Self::Charger => "k-chg",
@@ -70,17 +77,22 @@ impl Kind {
 
 /// The signs on the board of a state, with its cast.
 pub fn legend(state: &State, cast: &Cast) -> Vec<Kind> {
-    let has_ground = |is: fn(Ground) -> bool| state.world().grid().cells().any(|(_, g)| is(g));
+    let grid = state.world().grid();
+    let rows = || (0..grid.height()).map(|y| grid.row(y));
+    let has_ground = |is: fn(Ground) -> bool| rows().any(|row| row.iter().any(|&g| is(g)));
     let has_mark = |kind| cast.marks.iter().any(|mark| mark.kind == kind);
-    let is_stale = state.is_stale() && cast.has_plan();
+    let is_stale = state.document.is_stale() && cast.has_plan();
     let moves = cast.tracks.iter().any(|track| track.arrival() > 0);
-    let problems = state.draft.problems();
+    let problems = state.document.draft.problems();
+    let reasons = super::reasons(state);
     let signs = [
         (
             Kind::Problem,
             problems.iter().any(|problem| problem.cell.is_some()),
         ),
-        (Kind::Burst, !super::reasons(state).bursts.is_empty()),
+        (Kind::Burst, !reasons.bursts.is_empty()),
+        (Kind::Reason, !reasons.places.is_empty()),
+        (Kind::Try, !reasons.tries.is_empty()),
         (Kind::Differs, state.beside().is_some()),
         (Kind::Stale, is_stale),
         (Kind::Charger, has_ground(Ground::is_charger)),

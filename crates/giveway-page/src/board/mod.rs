@@ -15,19 +15,20 @@ mod outline;
 mod reasons;
 #[cfg(test)]
 mod tests;
+mod tile;
 mod track;
 mod way;
 
 pub use camera::{Camera, Frame, MAX_CELL_PX};
 pub use cast::Cast;
 pub use detail::Detail;
-pub use floor::{Floor, floor};
+pub use floor::{Band, Floor, FloorLook, Layer, TILE, lines};
 pub use heat::{SHADES, heat};
 pub use legend::{Kind, legend};
 pub use marks::{Mark, MarkKind, marks};
 pub use names::{CellNames, Window};
 pub use occupied::Occupied;
-pub use reasons::{Place, Reasons, Spot, reasons};
+pub use reasons::{Place, Reasons, Spot, Try, reasons};
 pub use track::{Badge, Charge, Pose, Track};
 pub use way::{Way, WayEnds};
 

@@ -2,13 +2,14 @@
 
 use giveway_model::Cell;
 use giveway_model::check::Violation;
-use giveway_solve::explain::FactKind;
+use giveway_solve::explain::{Fact, FactKind};
 
 use super::CELL;
+use crate::ask::numbers_facts;
 use crate::steering::Steering;
 use crate::{Asking, Lit, State};
 
-/// A number on the map: the same as in the list of what would happen.
+/// A number on the map: the same as in the list beside it.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Spot {
     /// The number, from 1.
@@ -28,11 +29,23 @@ pub struct Place {
     pub is_lit: bool,
 }
 
+/// Where a try at a plan goes wrong.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Try {
+    /// The middle of it, in units.
+    pub at: (f64, f64),
+    /// When, in steps.
+    pub time: u32,
+}
+
 /// What is drawn of an answer.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Reasons {
-    /// What would go wrong, where it would.
+    /// What would go wrong, where it would; where there is no plan, the facts that
+    /// rule it out.
     pub spots: Vec<Spot>,
+    /// Where the best tries end, where there is no plan.
+    pub tries: Vec<Try>,
     /// The cells of the minimal set.
     pub places: Vec<Place>,
     /// The agents of the fact that is lit up, by their indices.
@@ -45,26 +58,36 @@ pub struct Reasons {
 /// The numbers that are drawn: more would cover the map.
 const SPOTS: usize = 12;
 
+/// From the middle of a cell to a number in its corner, across and down, in units.
+const CORNER: f64 = 34.0;
+
 /// What to draw; nothing where nothing was asked, or while the other plan is
 /// shown in the place of this one: in it nothing goes wrong.
 pub fn reasons(state: &State) -> Reasons {
     let mut reasons = Reasons::default();
-    let Some(asking) = state.asking.as_deref() else {
+    let Some(asking) = state.document.mode.asking() else {
         reasons.bursts = bursts(state);
         return reasons;
     };
     let Some(told) = asking.told.as_deref().filter(|_| is_this(asking, state)) else {
         return reasons;
     };
+    let is_numbered = numbers_facts(asking);
     for (index, violation) in asking.violations().enumerate().take(SPOTS) {
-        let Some(at) = place(violation) else {
-            continue;
-        };
-        reasons.spots.push(Spot {
-            number: index + 1,
-            at: apart(&reasons.spots, at),
-            is_lit: asking.lit == Some(Lit::Witness(index)),
-        });
+        match place(violation) {
+            None => {}
+            // What is in an obstacle is part of a fact, which has its mark there.
+            Some(_) if is_numbered && violation.agents.len() < 2 => {}
+            Some(at) if is_numbered => reasons.tries.push(Try {
+                at,
+                time: violation.time,
+            }),
+            Some(at) => reasons.spots.push(Spot {
+                number: index + 1,
+                at: apart(&reasons.spots, in_corner(violation, at)),
+                is_lit: asking.lit == Some(Lit::Witness(index)),
+            }),
+        }
     }
     let facts = told.core.iter().flat_map(|core| &core.facts);
     for (index, fact) in facts.enumerate() {
@@ -72,8 +95,15 @@ pub fn reasons(state: &State) -> Reasons {
         if let Some(cell) = fact.cell {
             reasons.places.push(Place { cell, is_lit });
         }
+        if let Some(at) = fact_place(fact, state, &reasons.tries).filter(|_| is_numbered) {
+            reasons.spots.push(Spot {
+                number: index + 1,
+                at: apart(&reasons.spots, at),
+                is_lit,
+            });
+        }
         if is_lit && fact.kind != FactKind::Obstacle {
-            let named = state.draft.agents().iter().enumerate();
+            let named = state.document.draft.agents().iter().enumerate();
             let named = named.filter(|(_, agent)| fact.agents.contains(&agent.name));
             reasons.agents = named.map(|(index, _)| index).collect();
         }
@@ -81,12 +111,45 @@ pub fn reasons(state: &State) -> Reasons {
     reasons
 }
 
+/// The middle of a cell, in units.
+fn middle(cell: Cell) -> (f64, f64) {
+    let middle = |n: u32| (f64::from(n) + 0.5) * CELL;
+    (middle(cell.x), middle(cell.y))
+}
+
+/// A number beside what stands in the middle of a cell: in the upper left corner,
+/// which flags, stars and badges leave free.
+const fn corner((x, y): (f64, f64)) -> (f64, f64) {
+    (x - CORNER, y - CORNER)
+}
+
+/// The number of what happens on a cell leaves the name of who stands there free;
+/// between two cells there is no name.
+fn in_corner(violation: &Violation, at: (f64, f64)) -> (f64, f64) {
+    if violation.cell.is_some() {
+        corner(at)
+    } else {
+        at
+    }
+}
+
+/// Where the number of a fact stands: on its obstacle, beside the agent whose task it
+/// is, or beside the place where the best try ends.
+fn fact_place(fact: &Fact, state: &State, tries: &[Try]) -> Option<(f64, f64)> {
+    let agents = state.document.agents();
+    let agent = |name: &String| agents.iter().find(|agent| agent.name == *name);
+    match (fact.kind, fact.cell, fact.agents.as_slice()) {
+        (FactKind::Obstacle, Some(cell), _) => Some(middle(cell)),
+        (_, Some(cell), _) => Some(corner(middle(cell))),
+        (FactKind::Collision, None, _) => tries.first().map(|end| corner(end.at)),
+        (FactKind::Stay, None, [name]) => Some(corner(middle(agent(name)?.goal))),
+        (_, None, [name]) => Some(corner(middle(agent(name)?.start))),
+        _ => None,
+    }
+}
+
 /// Where a violation is, in units.
 fn place(violation: &Violation) -> Option<(f64, f64)> {
-    let middle = |cell: Cell| {
-        let middle = |n: u32| (f64::from(n) + 0.5) * CELL;
-        (middle(cell.x), middle(cell.y))
-    };
     match (violation.cell, violation.edge) {
         (Some(cell), _) => Some(middle(cell)),
         (None, Some([from, to])) => {
@@ -100,10 +163,11 @@ fn place(violation: &Violation) -> Option<(f64, f64)> {
 /// What is against the rules at the time shown, each place once.
 fn bursts(state: &State) -> Vec<(f64, f64)> {
     let mut bursts: Vec<(f64, f64)> = Vec::new();
-    let violations = state.steering.iter().flat_map(|own| &own.violations);
+    let own = state.document.mode.steering().into_iter();
+    let violations = own.flat_map(|own| &own.violations);
     for violation in violations {
         if let Some(at) = place(violation)
-            && Steering::is_now(violation, state.playback.time)
+            && Steering::is_now(violation, state.view.playback.time)
             && !bursts.contains(&at)
         {
             bursts.push(at);

@@ -7,7 +7,7 @@ use giveway_solve::SolveRequest;
 
 use super::*;
 use crate::sample::proved;
-use crate::{Action, Answer, Draft, Point, State, Tool, reduce};
+use crate::{Action, Answer, BoardAction, Draft, Point, State, Tool, reduce};
 
 const SCENE: &str = r#"{
     "giveway": 1,
@@ -42,24 +42,24 @@ pub(super) fn planned() -> State {
         waits: 1,
         ..Costs::default()
     };
-    let solved = proved(&state.draft.scene().objective, costs, plan);
+    let solved = proved(&state.document.draft.scene().objective, costs, plan);
     let request = Rc::new(SolveRequest::default());
-    let draft = Rc::clone(&state.draft);
-    state.answer = Some(Rc::new(Answer::new(draft, request, solved)));
+    let draft = Rc::clone(&state.document.draft);
+    state.document.answer = Some(Rc::new(Answer::new(draft, request, solved)));
     state
 }
 
 fn names(state: &State) -> CellNames {
     CellNames::new(
         &Cast::of(state),
-        state.playback.time,
-        state.draft.problems(),
+        state.view.playback.time,
+        state.document.draft.problems(),
     )
 }
 
 #[track_caller]
 fn check_name(state: &State, (x, y): (u32, u32), expect: &str) {
-    let name = names(state).name(state.draft.grid(), Cell::new(x, y));
+    let name = names(state).name(state.document.draft.grid(), Cell::new(x, y));
     assert_eq!(name, expect);
 }
 
@@ -78,10 +78,10 @@ fn a_cell_tells_what_is_on_it() {
 fn a_cell_tells_who_is_there_now() {
     let mut state = planned();
     check_name(&state, (1, 0), "1, 0: waypoint of A");
-    state.playback.time = 1;
+    state.view.playback.time = 1;
     check_name(&state, (1, 0), "1, 0: waypoint of A, visited, A is here");
     check_name(&state, (3, 1), "3, 1: start of B, B is here");
-    state.playback.time = 3;
+    state.view.playback.time = 3;
     check_name(&state, (2, 0), "2, 0: slow zone, A leaves");
     check_name(&state, (3, 0), "3, 0: slow zone, goal of A, A comes");
 }
@@ -110,12 +110,12 @@ fn without_a_plan_agents_stand_at_their_starts() {
 fn an_edit_of_the_ground_keeps_the_cast() {
     let state = planned();
     let cast = Cast::of(&state);
-    let state = reduce(&state, Action::PickTool(Tool::Obstacle));
+    let state = reduce(&state, Action::Board(BoardAction::PickTool(Tool::Obstacle)));
     let edited = reduce(
-        &reduce(&state, Action::Press(Cell::new(0, 1))),
-        Action::Release,
+        &reduce(&state, Action::Board(BoardAction::Press(Cell::new(0, 1)))),
+        Action::Board(BoardAction::Release),
     );
-    assert!(edited.is_stale() && cast.is_by(&edited, edited.shown()));
+    assert!(edited.document.is_stale() && cast.is_by(&edited, edited.shown()));
     assert!(legend(&edited, &cast).contains(&Kind::Stale));
 }
 
@@ -124,7 +124,7 @@ fn a_plan_of_another_map_is_not_drawn() {
     let mut state = planned();
     let mut other: Scene = serde_json::from_str(SCENE).unwrap();
     other.map = vec!["....".to_owned(); 9];
-    state.draft = Rc::new(Draft::new(other).unwrap());
+    state.document.draft = Rc::new(Draft::new(other).unwrap());
     assert!(!Cast::of(&state).has_plan());
 }
 

@@ -1,12 +1,14 @@
 //! The methods compared: a column each, in words and numbers.
 
+use std::rc::Rc;
+
 use giveway_model::{Cost, Costs};
 use giveway_solve::change::MethodAnswer;
 use giveway_solve::{Status, change::Method};
 
-use super::{Changing, Tried};
-use crate::State;
+use super::{Changing, Choice, Tried, WIDEST};
 use crate::words::{change, title};
+use crate::{Answer, State};
 
 /// What one method makes of the change.
 #[derive(Clone, Debug, PartialEq)]
@@ -19,8 +21,10 @@ pub struct Column {
     pub is_least: bool,
     /// Whether it is previewed.
     pub is_chosen: bool,
-    /// Whether it has a plan to preview and to adopt.
-    pub has_plan: bool,
+    /// Its plan, to preview and to adopt.
+    pub answer: Option<Rc<Answer>>,
+    /// The name of its board.
+    pub board: &'static str,
     /// The costs, those of the objective; empty without a plan.
     pub costs: Vec<CostChange>,
     /// What became of the agents; empty without a plan.
@@ -29,6 +33,24 @@ pub struct Column {
     pub notes: Vec<String>,
     /// How long it took.
     pub time: String,
+}
+
+impl Column {
+    /// Whether it has a plan to preview and to adopt.
+    pub const fn has_plan(&self) -> bool {
+        self.answer.is_some()
+    }
+}
+
+/// What would help where no method has a plan.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub enum Fix {
+    /// Takes a listed change back, by its index: what it is, in words.
+    TakeBack(usize, String),
+    /// Tries other methods.
+    Try(Choice, String),
+    /// Searches for so many seconds.
+    Longer(u32),
 }
 
 /// A cost before and after.
@@ -64,8 +86,8 @@ pub struct Group {
 
 /// The methods side by side; `None` while nothing is compared.
 pub fn columns(state: &State) -> Option<Vec<Column>> {
-    let changing = state.changing.as_deref()?;
-    let compared = changing.compared.as_deref()?;
+    let compared = state.document.mode.comparing()?;
+    let changing = &compared.changing;
     let column = |(index, tried): (usize, &Tried)| {
         let told = &tried.told;
         let has_plan = tried.answer.is_some();
@@ -74,7 +96,8 @@ pub fn columns(state: &State) -> Option<Vec<Column>> {
             promise: promise(tried.method),
             is_least: tried.is_least,
             is_chosen: compared.chosen == Some(index),
-            has_plan,
+            answer: tried.answer.clone(),
+            board: board(tried.method),
             costs: told
                 .result
                 .costs
@@ -92,6 +115,48 @@ pub fn columns(state: &State) -> Option<Vec<Column>> {
         }
     };
     Some(compared.tried.iter().enumerate().map(column).collect())
+}
+
+/// No two boards on the page have the same name, and each method is tried once.
+const fn board(method: Method) -> &'static str {
+    match method {
+        Method::Revise => "Plan by revise",
+        Method::Tunnel(_) => "Plan by tunnel",
+        Method::Replan => "Plan by replan",
+    }
+}
+
+/// What would help, the likeliest first; nothing where a method has a plan, or
+/// nothing is compared.
+pub fn fixes(state: &State) -> Vec<Fix> {
+    let Some(comparing) = state.document.mode.comparing() else {
+        return Vec::new();
+    };
+    let (changing, tried) = (&comparing.changing, &comparing.tried);
+    if tried.iter().any(|tried| tried.answer.is_some()) {
+        return Vec::new();
+    }
+    let mut fixes = Vec::new();
+    let choice = state.settings.methods;
+    let is_open = |tried: &Tried| tried.told.result.status != Status::Impossible;
+    if tried.iter().any(is_open) {
+        fixes.push(Fix::Longer(state.settings.seconds.saturating_mul(4)));
+    }
+    if !choice.replan {
+        let all = Choice {
+            replan: true,
+            ..choice
+        };
+        fixes.push(Fix::Try(all, "Let everyone plan anew (Replan)".to_owned()));
+        if choice.tunnel && choice.width < WIDEST {
+            let width = choice.width + 1;
+            let wider = Choice { width, ..choice };
+            fixes.push(Fix::Try(wider, format!("Widen the tunnel to {width}")));
+        }
+    }
+    let listed = changing.list.iter().enumerate();
+    fixes.extend(listed.map(|(index, what)| Fix::TakeBack(index, change::sentence(what).0)));
+    fixes
 }
 
 fn promise(method: Method) -> String {
@@ -152,10 +217,9 @@ fn notes(tried: &Tried) -> Vec<String> {
         (_, Some(_)) if tried.answer.is_none() => {
             notes.push("Its plan does not fit what is listed.".to_owned());
         }
-        (Status::Optimal, Some(_)) => {}
+        // Where it has none, its column says so first.
+        (Status::Optimal, Some(_)) | (_, None) => {}
         (_, Some(_)) => notes.push("The best so far: the limits ended the search.".to_owned()),
-        (Status::Impossible, None) => notes.push("It has no plan.".to_owned()),
-        (_, None) => notes.push("No plan was found within the limits.".to_owned()),
     }
     match (&told.cause, &told.result.reason) {
         (Some(cause), _) => {

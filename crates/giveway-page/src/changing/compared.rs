@@ -8,11 +8,15 @@ use giveway_solve::change::{ChangeAnswer, Method, MethodAnswer};
 
 use super::Changing;
 use crate::Answer;
-use crate::course::Adopted;
+use crate::course::{Adopted, World};
 
-/// What each method made of it, side by side.
+/// What changes, with what each method made of it, side by side.
 #[derive(Clone, Debug, PartialEq)]
-pub struct Compared {
+pub struct Comparing {
+    /// What changes.
+    pub changing: Rc<Changing>,
+    /// What was told of it.
+    pub(crate) told: Rc<ChangeAnswer>,
     /// The costs of the plan before.
     pub before: Option<Costs>,
     /// The methods, in the order in which they were asked.
@@ -34,9 +38,9 @@ pub struct Tried {
     pub is_least: bool,
 }
 
-impl Compared {
+impl Comparing {
     /// Takes an answer in; `None` where it is not about these changes.
-    pub(crate) fn new(changing: &Changing, told: ChangeAnswer) -> Option<Self> {
+    pub(crate) fn new(changing: &Rc<Changing>, told: ChangeAnswer) -> Option<Self> {
         if told.at != Some(changing.at) || !told.history.is_empty() {
             return None;
         }
@@ -55,10 +59,13 @@ impl Compared {
             method,
             told,
         };
-        let tried: Vec<Tried> = told.methods.0.into_iter().map(tried).collect();
+        let all = told.methods.0.iter().cloned();
+        let tried: Vec<Tried> = all.map(tried).collect();
         // Of equally good plans the one that keeps closest to the old plan.
         let chosen = tried.iter().position(|tried| tried.is_least);
         Some(Self {
+            changing: Rc::clone(changing),
+            told: Rc::new(told),
             before,
             tried,
             chosen,
@@ -68,6 +75,14 @@ impl Compared {
     /// The answer that is previewed.
     pub fn preview(&self) -> Option<&Rc<Answer>> {
         self.tried.get(self.chosen?)?.answer.as_ref()
+    }
+
+    /// The world at a time, where it is another than the draft.
+    pub(crate) fn world_at(&self, time: u32) -> Option<&World> {
+        match self.preview() {
+            Some(preview) => preview.world(time),
+            None => self.changing.world_at(time),
+        }
     }
 }
 

@@ -30,7 +30,7 @@ pub struct Listed {
     pub agent: Option<usize>,
     /// The icon of what is no agent's.
     pub icon: &'static str,
-    /// What changes: `A4 joins at (0,2)`.
+    /// What changes: `A4 joins at (0, 2)`.
     pub text: String,
     /// What else there is to know.
     pub detail: Option<String>,
@@ -41,7 +41,7 @@ pub struct Listed {
 pub struct Past {
     /// The time.
     pub at: u32,
-    /// What was: `A3 joins at (2,2)`.
+    /// What was: `A3 joins at (2, 2)`.
     pub text: String,
     /// What was made of it: `revise: makespan 4, sum of costs 12`.
     pub detail: Option<String>,
@@ -49,7 +49,8 @@ pub struct Past {
 
 /// What there is to tell while the world changes; `None` while it does not.
 pub fn facts(state: &State) -> Option<Facts> {
-    let changing = state.changing.as_deref()?;
+    let changing = state.document.mode.changing()?;
+    let compared = state.document.mode.comparing();
     let mut past = history(&changing.about);
     past.push(Past {
         at: changing.at,
@@ -57,7 +58,7 @@ pub fn facts(state: &State) -> Option<Facts> {
             [] => "Nothing is listed yet".to_owned(),
             list => texts(list.iter()),
         },
-        detail: Some(match &changing.compared {
+        detail: Some(match compared {
             None => "no answers yet".to_owned(),
             Some(compared) => {
                 let answers = words::count(compared.tried.len(), "answer");
@@ -72,7 +73,7 @@ pub fn facts(state: &State) -> Option<Facts> {
             .iter()
             .map(|what| listed(changing, what))
             .collect(),
-        is_compared: changing.compared.is_some(),
+        is_compared: compared.is_some(),
         history: past,
     })
 }
@@ -155,8 +156,8 @@ pub(crate) fn contradiction(fault: &Fault) -> String {
 /// What becomes of an agent in the plan that is previewed: `re-timed`, `joins at
 /// 2`; `None` while none is, and for one that is removed.
 pub fn fate(state: &State, name: &str) -> Option<String> {
-    let changing = state.changing.as_deref()?;
-    let compared = changing.compared.as_deref()?;
+    let compared = state.document.mode.comparing()?;
+    let changing = &compared.changing;
     let told = &compared.tried.get(compared.chosen?)?.told;
     let is_in = |names: &[String]| names.iter().any(|other| other == name);
     if is_in(&told.added) {
@@ -189,7 +190,7 @@ pub struct Offers {
 /// What can be changed of an agent; `None` while the world does not change, and
 /// for one that is not there.
 pub fn offers(state: &State, agent: usize) -> Option<Offers> {
-    let changing = state.changing.as_deref()?;
+    let changing = state.document.mode.changing()?;
     let who = changing.draft().agents().get(agent)?;
     if !*changing.world.is_there.get(agent)? {
         return None;

@@ -68,8 +68,43 @@ pub(super) fn add(list: &mut Vec<What>, what: What) {
             take(list, is_delay);
             list.push(What::DelayAgent { agent, steps });
         }
+        What::SetSlow { cells } => set_slow(list, cells, true),
+        What::SetNormal { cells } => set_slow(list, cells, false),
         what => list.push(what),
     }
+}
+
+/// Cells that join or leave the slow zone: one change holds all that join, one
+/// all that leave, and a cell that does both does neither.
+fn set_slow(list: &mut Vec<What>, cells: Vec<Cell>, joins: bool) {
+    for cell in cells {
+        let undone = list.iter_mut().find_map(|what| match what {
+            What::SetNormal { cells } if joins => take_cell(cells, cell),
+            What::SetSlow { cells } if !joins => take_cell(cells, cell),
+            _ => None,
+        });
+        if undone.is_some() {
+            continue;
+        }
+        let like = list.iter_mut().find_map(|what| match what {
+            What::SetSlow { cells } if joins => Some(cells),
+            What::SetNormal { cells } if !joins => Some(cells),
+            _ => None,
+        });
+        match like {
+            Some(cells) if cells.contains(&cell) => {}
+            Some(cells) => cells.push(cell),
+            None if joins => list.push(What::SetSlow { cells: vec![cell] }),
+            None => list.push(What::SetNormal { cells: vec![cell] }),
+        }
+    }
+    list.retain(|what| !matches!(what, What::SetSlow { cells } | What::SetNormal { cells } if cells.is_empty()));
+}
+
+fn take_cell(cells: &mut Vec<Cell>, cell: Cell) -> Option<()> {
+    let at = cells.iter().position(|other| *other == cell)?;
+    cells.remove(at);
+    Some(())
 }
 
 /// Takes the last change of a kind out; whether there was one.

@@ -7,8 +7,8 @@
 mod columns;
 mod compared;
 mod facts;
+mod list;
 mod listed;
-mod touch;
 
 use std::rc::Rc;
 
@@ -20,10 +20,9 @@ use giveway_solve::change::{ChangeRequest, Method};
 use crate::course::World;
 use crate::{Answer, Draft, Settings};
 
-pub use columns::{Column, CostChange, Group, columns};
-pub use compared::{Compared, Tried};
+pub use columns::{Column, CostChange, Fix, Group, columns, fixes};
+pub use compared::{Comparing, Tried};
 pub use facts::{Facts, Listed, Offers, Past, facts, fate, history, offers};
-pub(crate) use touch::{Stroke, Touch};
 
 /// The world changes at a time, and this is how.
 #[derive(Clone, Debug, PartialEq)]
@@ -34,15 +33,10 @@ pub struct Changing {
     pub about: Rc<Answer>,
     /// What changes, in the order in which it was listed.
     pub list: Vec<What>,
-    /// What the methods made of it; `None` before that, and when the list has
-    /// changed since.
-    pub compared: Option<Rc<Compared>>,
     /// The world from that time on.
     pub world: World,
     /// The world before, over time.
     history: Rc<History>,
-    /// The stroke on the board that is not finished.
-    pub(crate) stroke: Option<Rc<Stroke>>,
 }
 
 /// The methods to try.
@@ -108,10 +102,8 @@ impl Changing {
             at,
             about: Rc::clone(about),
             list: Vec::new(),
-            compared: None,
             world: World::of(&history, about.draft.scene(), at),
             history: Rc::new(history),
-            stroke: None,
         })
     }
 
@@ -128,7 +120,6 @@ impl Changing {
         }
         Ok(Self {
             list,
-            compared: None,
             world: World::of(&after, self.about.draft.scene(), self.at),
             ..self.clone()
         })
@@ -153,7 +144,11 @@ impl Changing {
     }
 
     /// What the solver is asked.
-    pub(crate) fn request(&self, settings: &Settings) -> Option<ChangeRequest> {
+    pub(crate) fn request(
+        &self,
+        settings: &Settings,
+        within: Option<u32>,
+    ) -> Option<ChangeRequest> {
         Some(ChangeRequest {
             scene: self.about.draft.scene().clone(),
             plan: self.about.plan()?.clone(),
@@ -161,7 +156,7 @@ impl Changing {
             since: Some(self.at),
             methods: settings.methods.methods(),
             objective: self.about.request.objective.clone(),
-            within: settings.within,
+            within,
             limits: Limits {
                 seconds: Some(f64::from(settings.seconds)),
                 ..Limits::default()
@@ -169,27 +164,9 @@ impl Changing {
         })
     }
 
-    /// The answer that is previewed; the plan that runs where none is.
-    pub fn shown(&self) -> &Rc<Answer> {
-        let compared = self.compared.as_deref();
-        let preview = compared.and_then(Compared::preview);
-        preview.unwrap_or(&self.about)
-    }
-
-    /// The last time that can be shown: what comes later is not known before a
-    /// method has answered with a plan.
-    pub fn last_time(&self) -> u32 {
-        match self.compared.as_deref().and_then(Compared::preview) {
-            Some(preview) => preview.makespan(),
-            None => self.at,
-        }
-    }
-
-    /// The world at a time, where it is another than the draft.
-    pub fn world_at(&self, time: u32) -> Option<&World> {
-        if let Some(preview) = self.compared.as_deref().and_then(Compared::preview) {
-            return preview.world(time);
-        }
+    /// The world at a time, where it is another than the draft: what comes later
+    /// than the change is not known before a method has answered.
+    pub(crate) fn world_at(&self, time: u32) -> Option<&World> {
         if time < self.at {
             return self.about.world(time);
         }
@@ -203,6 +180,6 @@ impl Changing {
 
     /// The agent of a name that was used by nobody yet.
     pub(crate) fn fresh_name(&self) -> String {
-        crate::things::fresh_name(self.world.draft.scene())
+        crate::edit::fresh_name(self.world.draft.scene())
     }
 }

@@ -9,6 +9,8 @@ pub(super) enum Kind {
     Map,
     /// A MovingAI scenario.
     Scenario,
+    /// What the browser kept, downloaded.
+    Kept,
 }
 
 impl Kind {
@@ -19,6 +21,7 @@ impl Kind {
             Some("json") => Self::Json,
             Some("map") => Self::Map,
             Some("scen") => Self::Scenario,
+            Some("giveway") => Self::Kept,
             _ if text.trim_start().starts_with("type ") => Self::Map,
             _ if text.trim_start().starts_with("version ") => Self::Scenario,
             _ => Self::Json,

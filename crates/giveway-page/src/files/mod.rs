@@ -1,6 +1,8 @@
 //! Files that a person opens, and those that are saved.
 
+mod blank;
 mod course;
+mod dropped;
 mod kind;
 mod save;
 mod scenario;
@@ -15,7 +17,9 @@ use crate::link::{self, Linked};
 use crate::{Notice, State, words::count};
 use kind::Kind;
 
-pub use save::{Saved, changes_file, picture_name, plan_file, scene_file};
+pub use blank::blank;
+pub use dropped::read_beside;
+pub use save::{Saved, changes_file, kept_file, picture_name, plan_file, scene_file};
 pub use scenario::Choice;
 
 /// The largest file that is read, in bytes.
@@ -74,6 +78,9 @@ pub fn read(files: &[Opened]) -> Result<Reading, Notice> {
     };
     let (scenes, maps): (Vec<_>, Vec<_>) = (of(Kind::Json).collect(), of(Kind::Map).collect());
     let scenarios: Vec<_> = of(Kind::Scenario).collect();
+    if let (&[(file, text)], Some(_)) = (&*files, of(Kind::Kept).next()) {
+        return kept(file, text);
+    }
     if let (true, Some(read)) = (
         maps.is_empty() && scenarios.is_empty(),
         course::read(&scenes),
@@ -90,7 +97,7 @@ pub fn read(files: &[Opened]) -> Result<Reading, Notice> {
         ([], [], &[(file, text)]) => Err(map_missing(file, text)),
         ([], [map], [scenario]) => scenario::read(*map, *scenario),
         _ => Err(Notice {
-            sentence: "These files are no single scene.".to_owned(),
+            sentence: "Open one scene at a time.".to_owned(),
             details: vec![
                 format!(
                     "found {}, {}, {}",
@@ -126,17 +133,11 @@ pub fn pasted(state: &State, text: &str) -> Result<Reading, Notice> {
         let linked = link::read(link, link::From::Anywhere)?;
         return Ok(Reading::Linked(Box::new(linked)));
     }
-    let opened = |name: &str, text: &str| Opened {
-        name: name.to_owned(),
+    let pasted = Opened {
+        name: PASTED.to_owned(),
         bytes: text.as_bytes().to_vec(),
     };
-    let pasted = opened(PASTED, text);
-    if text.len() as u64 <= MAX_BYTES && course::is_plan(text) {
-        // Two things cannot be pasted together.
-        let scene = scene_file(state);
-        return read(&[opened(&scene.name, &scene.text), pasted]);
-    }
-    read(&[pasted])
+    read_beside(state, &[pasted])
 }
 
 fn text(file: &Opened) -> Result<&str, Notice> {
@@ -150,6 +151,14 @@ fn scene(file: &Opened, text: &str) -> Result<Reading, Notice> {
     native::read_instance(text)
         .map(|instance| Reading::Scene(Box::new(named(instance.to_scene(), &file.name))))
         .map_err(|faults| faulty(&file.name, &faults))
+}
+
+fn kept(file: &Opened, text: &str) -> Result<Reading, Notice> {
+    let linked = link::kept_elsewhere(text).map_err(|notice| Notice {
+        details: notice.details,
+        ..refusal(&file.name, "")
+    })?;
+    Ok(Reading::Linked(Box::new(linked)))
 }
 
 fn map(file: &Opened, text: &str) -> Result<Reading, Notice> {

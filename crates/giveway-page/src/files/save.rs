@@ -1,8 +1,10 @@
 //! What is saved: texts, and names for their files.
 
+use std::rc::Rc;
+
 use giveway_model::format::native;
 
-use crate::State;
+use crate::{State, link};
 
 /// A file to be saved.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -21,7 +23,7 @@ pub struct Saved {
 /// assert_eq!(saved.name, "scene.json");
 /// ```
 pub fn scene_file(state: &State) -> Saved {
-    let scene = state.draft.scene();
+    let scene = state.document.draft.scene();
     Saved {
         name: format!("{}.json", file_stem(&scene.name, "scene")),
         text: native::write_scene(scene),
@@ -31,9 +33,11 @@ pub fn scene_file(state: &State) -> Saved {
 /// The plan of the scene, or that of one's own where one is led; `None` without one, and where it is stale, since it
 /// would not fit the scene that is saved.
 pub fn plan_file(state: &State) -> Option<Saved> {
-    let own = state.steering.as_deref().map(|own| &*own.answer);
-    let plan = own.or(state.fresh_answer())?.plan()?;
-    let stem = file_stem(&state.draft.scene().name, "scene");
+    let own = state.document.mode.steering().map(|own| &*own.answer);
+    let plan = own
+        .or(state.document.fresh_answer().map(Rc::as_ref))?
+        .plan()?;
+    let stem = file_stem(&state.document.draft.scene().name, "scene");
     Some(Saved {
         name: format!("{stem}-plan.json"),
         text: native::write_plan(plan),
@@ -43,12 +47,27 @@ pub fn plan_file(state: &State) -> Option<Saved> {
 /// What changed while the plan ran; `None` where nothing did, and where the plan
 /// is stale.
 pub fn changes_file(state: &State) -> Option<Saved> {
-    let course = state.fresh_answer()?.course.as_deref()?;
-    let stem = file_stem(&state.draft.scene().name, "scene");
+    let course = state.document.fresh_answer()?.course.as_deref()?;
+    let stem = file_stem(&state.document.draft.scene().name, "scene");
     Some(Saved {
         name: format!("{stem}-changes.json"),
         text: native::write_changes(&course.changes),
     })
+}
+
+/// All that the browser keeps of the page, to be kept elsewhere.
+///
+/// ```
+/// use giveway_page::{Draft, State, files};
+/// let saved = files::kept_file(&State::new(Draft::default()));
+/// assert_eq!(saved.name, "scene.giveway");
+/// ```
+pub fn kept_file(state: &State) -> Saved {
+    let stem = file_stem(&state.document.draft.scene().name, "scene");
+    Saved {
+        name: format!("{stem}.giveway"),
+        text: link::keep(state),
+    }
 }
 
 /// The name of a picture of the board at the time shown, with its ending.
@@ -59,8 +78,8 @@ pub fn changes_file(state: &State) -> Option<Saved> {
 /// assert_eq!(files::picture_name(&state, "svg"), "scene-0.svg");
 /// ```
 pub fn picture_name(state: &State, ending: &str) -> String {
-    let stem = file_stem(&state.draft.scene().name, "scene");
-    format!("{stem}-{}.{ending}", state.playback.time)
+    let stem = file_stem(&state.document.draft.scene().name, "scene");
+    format!("{stem}-{}.{ending}", state.view.playback.time)
 }
 
 /// The longest name that is made, in characters.

@@ -19,6 +19,11 @@ pub struct Choice {
 
 pub(super) fn read(map: (&Opened, &str), scenario: (&Opened, &str)) -> Result<Reading, Notice> {
     let grid = movingai::read_map(map.1).map_err(|fault| faulty(&map.0.name, &[fault]))?;
+    on(grid, scenario)
+}
+
+/// A scenario on a map that is there already.
+pub(super) fn on(grid: Grid, scenario: (&Opened, &str)) -> Result<Reading, Notice> {
     let file = scenario.0.name.clone();
     let scenario = movingai::read_scenario(scenario.1).map_err(|fault| faulty(&file, &[fault]))?;
     if scenario.routes.is_empty() {

@@ -1,5 +1,6 @@
 //! Files as a person may open them.
 
+use crate::FileAction;
 use giveway_model::{Cell, Fault};
 
 use super::*;
@@ -157,8 +158,17 @@ fn a_scene_with_its_plan_and_what_changed() {
     let Ok(Reading::Linked(linked)) = read(&all) else {
         panic!("they belong together");
     };
-    let opened = crate::reduce(&state, crate::Action::OpenLink(linked));
-    let course = |state: &crate::State| state.answer.as_ref().unwrap().course.clone().unwrap();
+    let opened = crate::reduce(&state, crate::Action::File(FileAction::OpenLink(linked)));
+    let course = |state: &crate::State| {
+        state
+            .document
+            .answer
+            .as_ref()
+            .unwrap()
+            .course
+            .clone()
+            .unwrap()
+    };
     assert_eq!(course(&opened).changes, course(&state).changes);
     assert_eq!(opened.plan(), state.plan());
     // Without its changes the plan breaks rules.
@@ -184,7 +194,7 @@ fn a_pasted_plan_is_for_the_scene_on_the_board() {
     let Ok(Reading::Linked(linked)) = pasted(&state, &plan) else {
         panic!("no plan");
     };
-    assert_eq!(linked.answer.unwrap().plan(), state.plan());
+    assert_eq!(linked.document.answer.unwrap().plan(), state.plan());
     let other = crate::State::new(crate::Draft::default());
     let refused = pasted(&other, &plan).unwrap_err();
     assert!(refused.sentence.contains("Pasted text"), "{refused:?}");

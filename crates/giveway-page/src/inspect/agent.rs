@@ -4,8 +4,8 @@ use std::collections::BTreeSet;
 
 use giveway_model::Cell;
 
-use super::at;
 use crate::timeline::{Lane, Way};
+use crate::words::at;
 use crate::{Reserve, State};
 use giveway_model::sorting::set;
 
@@ -16,7 +16,7 @@ pub struct AgentFacts {
     pub agent: usize,
     /// Its name.
     pub name: String,
-    /// What it does: `Charging at (6,2), then to (6,1)`.
+    /// What it does: `Charging at (6, 2), then to (6, 1)`.
     pub doing: String,
     /// Its battery, if it has one.
     pub battery: Option<BatteryFacts>,
@@ -65,7 +65,7 @@ pub fn planned(state: &State, agent: usize) -> Option<Lane> {
 /// What there is to tell of an agent of the draft; `None` if there is none.
 pub fn agent(state: &State, agent: usize) -> Option<AgentFacts> {
     let who = state.world().agents().get(agent)?;
-    let time = state.playback.time;
+    let time = state.view.playback.time;
     let lane = planned(state, agent);
     let battery = who.battery.map(|battery| {
         let level = lane.as_ref().and_then(|lane| lane.level_at(time));
@@ -82,7 +82,7 @@ pub fn agent(state: &State, agent: usize) -> Option<AgentFacts> {
     });
     let doing = match &lane {
         Some(lane) => doing(lane, time),
-        None if state.changing.is_some() => format!("Joins at {}", at(who.start)),
+        None if state.document.mode.changing().is_some() => format!("Joins at {}", at(who.start)),
         None => format!("From {} to {}", at(who.start), at(who.goal)),
     };
     let visited = lane.as_ref().map(|lane| visited(lane, time));
@@ -154,17 +154,18 @@ fn doing(lane: &Lane, time: u32) -> String {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::PlayAction;
     use crate::{Action, reduce, sample};
 
     fn facts(agent: usize, time: u32) -> AgentFacts {
-        let state = reduce(&sample::solved(), Action::Seek(time));
+        let state = reduce(&sample::solved(), Action::Play(PlayAction::Seek(time)));
         super::agent(&state, agent).unwrap()
     }
 
     #[test]
     fn a_charge() {
         let facts = facts(0, 9);
-        assert_eq!(facts.doing, "Charging at (6,2), then to (6,1)");
+        assert_eq!(facts.doing, "Charging at (6, 2), then to (6, 1)");
         assert_eq!(facts.waypoints, (2, 3));
         let battery = facts.battery.unwrap();
         assert_eq!((battery.level, battery.charges), (1, true));
@@ -174,14 +175,14 @@ mod tests {
 
     #[test]
     fn a_slow_move_and_half_of_it() {
-        assert_eq!(facts(1, 9).doing, "Going slowly from (4,0) to (3,0)");
-        assert_eq!(facts(1, 10).doing, "Half way from (4,0) to (3,0)");
+        assert_eq!(facts(1, 9).doing, "Going slowly from (4, 0) to (3, 0)");
+        assert_eq!(facts(1, 10).doing, "Half way from (4, 0) to (3, 0)");
     }
 
     #[test]
     fn the_end() {
         let facts = facts(0, 18);
-        assert_eq!(facts.doing, "Arrived at (9,2)");
+        assert_eq!(facts.doing, "Arrived at (9, 2)");
         assert_eq!(facts.waypoints, (3, 3));
         assert_eq!(facts.battery.unwrap().level, 3);
     }
@@ -190,7 +191,7 @@ mod tests {
     fn without_a_plan() {
         let state = State::new(sample::draft());
         let facts = super::agent(&state, 1).unwrap();
-        assert_eq!(facts.doing, "From (9,2) to (0,0)");
+        assert_eq!(facts.doing, "From (9, 2) to (0, 0)");
         assert_eq!(facts.waypoints.0, 0);
         assert_eq!(facts.battery.unwrap().level, 8);
         assert_eq!(super::agent(&state, 2), None);
@@ -220,13 +221,13 @@ mod tests {
             capacity: None,
             levels: Vec::new(),
         };
-        assert_eq!(doing(&lane(vec![]), 0), "Waiting at (0,0) until 2");
+        assert_eq!(doing(&lane(vec![]), 0), "Waiting at (0, 0) until 2");
         assert_eq!(
             doing(&lane(vec![1]), 1),
-            "Charging at (0,0), and waiting there"
+            "Charging at (0, 0), and waiting there"
         );
-        assert_eq!(doing(&lane(vec![]), 3), "Arrived at (1,0)");
-        assert_eq!(doing(&lane(vec![]), 4), "Arrived at (1,0), and gone");
+        assert_eq!(doing(&lane(vec![]), 3), "Arrived at (1, 0)");
+        assert_eq!(doing(&lane(vec![]), 4), "Arrived at (1, 0), and gone");
     }
 
     #[test]

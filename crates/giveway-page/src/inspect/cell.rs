@@ -59,10 +59,11 @@ pub fn cell(state: &State, cell: Cell) -> Option<CellFacts> {
             }
         }
     }
-    let answer = state.shown().filter(|answer| answer.plan().is_some());
+    let answer = state.playing();
     let passes = answer.map(|answer| {
-        let mut passes: Vec<Pass> = table::lanes(answer)
-            .flat_map(|lane| stays(&lane, cell))
+        let mut passes: Vec<Pass> = table::lanes(answer, &state.document.draft)
+            .iter()
+            .flat_map(|lane| stays(lane, cell))
             .collect();
         sort_by_key(&mut passes, |pass| (pass.from, pass.agent));
         passes

@@ -5,14 +5,14 @@ use giveway_solve::Status;
 
 use crate::timeline::work_done;
 use crate::words::{count, title};
-use crate::{Answer, Draft, Size, State, Work};
+use crate::{Answer, Draft, Size, State};
 
 /// What the inspector tells where nothing is selected.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Whole {
     /// The name of the scene.
     pub title: String,
-    /// What the scene contains: `2 agents, 2 chargers, 6 slow cells, 6 obstacles`.
+    /// What the scene contains: `2 robots, 2 chargers, 6 slow cells, 6 obstacles`.
     pub contents: String,
     /// What is claimed of the plan, and why nothing more; none before a solve.
     pub claims: Vec<String>,
@@ -46,7 +46,7 @@ impl CostFacts {
 
 /// What there is to tell of the scene and its plan.
 pub fn whole(state: &State) -> Whole {
-    let scene = state.draft.scene();
+    let scene = state.document.draft.scene();
     let mut whole = Whole {
         title: if scene.name.is_empty() {
             "Scene without a name".to_owned()
@@ -58,7 +58,7 @@ pub fn whole(state: &State) -> Whole {
         costs: Vec::new(),
         work: None,
     };
-    if let Work::Solving(run) = &state.work {
+    if let Some(run) = state.work.solving() {
         let asked = run.request.objective.as_ref();
         let objective = asked.unwrap_or(&run.request.scene.objective);
         whole.costs = costs(objective.costs(), |cost| {
@@ -68,13 +68,17 @@ pub fn whole(state: &State) -> Whole {
             )
         });
         whole.work = Some(work_done(run.size)).filter(|text| !text.is_empty());
-    } else if let Some(answer) = &state.answer {
+    } else if let Some(answer) = &state.document.answer {
         tell(&mut whole, answer);
-        if state.own_front().is_some() {
+        if state.document.own_front().is_some() {
             // What is claimed is claimed of the front, and said with it.
             whole.claims.clear();
         }
-        if state.is_stale() {
+        if state.document.is_stale() {
+            // What was proved was proved of another scene.
+            for cost in &mut whole.costs {
+                cost.at_least = None;
+            }
             whole
                 .claims
                 .insert(0, "This is of the scene before the last edit.".to_owned());
@@ -102,7 +106,7 @@ fn tell(whole: &mut Whole, answer: &Answer) {
     };
     let mut work = work_done(size);
     if work.is_empty() {
-        "No formula was needed".clone_into(&mut work);
+        "Proved without SAT".clone_into(&mut work);
     }
     let seconds = match solved.stats.cpu_seconds {
         little if little < 0.05 => "less than 0.1 s".to_owned(),
@@ -144,7 +148,7 @@ fn claim(answer: &Answer) -> String {
     }
     let reach = match solved.within {
         Some(within) if !solved.complete => format!("up to makespan {within}"),
-        _ => "whatever the horizon".to_owned(),
+        _ => "no matter how many steps you allow".to_owned(),
     };
     match solved.status {
         Status::Optimal => format!("No plan is better, {reach}."),
@@ -156,12 +160,13 @@ fn claim(answer: &Answer) -> String {
 
 /// What a scene contains.
 fn contents(draft: &Draft, is_there: impl Fn(usize) -> bool) -> String {
+    let grid = draft.grid();
     let grounds = |is: fn(Ground) -> bool| {
-        let cells = draft.grid().cells();
-        cells.filter(|&(_, ground)| is(ground)).count()
+        let rows = (0..grid.height()).map(|y| grid.row(y));
+        rows.flatten().filter(|&&ground| is(ground)).count()
     };
     let agents = (0..draft.agents().len()).filter(|&agent| is_there(agent));
-    let mut parts = vec![count(agents.count(), "agent")];
+    let mut parts = vec![count(agents.count(), "robot")];
     for (n, thing) in [
         (grounds(Ground::is_charger), "charger"),
         (grounds(Ground::is_slow), "slow cell"),
@@ -176,6 +181,7 @@ fn contents(draft: &Draft, is_there: impl Fn(usize) -> bool) -> String {
 
 #[cfg(test)]
 mod tests {
+    use crate::{BoardAction, SolveAction};
     use giveway_solve::Progress;
 
     use super::*;
@@ -187,27 +193,36 @@ mod tests {
         assert_eq!(whole.title, "warehouse");
         assert_eq!(
             whole.contents,
-            "2 agents, 2 chargers, 6 slow cells, 6 obstacles"
+            "2 robots, 2 chargers, 6 slow cells, 6 obstacles"
         );
-        assert_eq!(whole.claims, ["No plan is better, whatever the horizon."]);
+        assert_eq!(
+            whole.claims,
+            ["No plan is better, no matter how many steps you allow."]
+        );
         let proved: Vec<_> = whole.costs.iter().map(CostFacts::is_proved).collect();
         assert_eq!(proved, [true, true, true, false, false]);
         assert_eq!(whole.costs[1].title, "Sum of costs");
         assert_eq!(
             whole.work.as_deref(),
-            Some("No formula was needed, less than 0.1 s")
+            Some("Proved without SAT, less than 0.1 s")
         );
     }
 
     #[test]
     fn a_solve_under_way() {
-        let state = reduce(&State::new(sample::draft()), Action::Solve);
+        let state = reduce(
+            &State::new(sample::draft()),
+            Action::Solve(SolveAction::Solve),
+        );
         assert_eq!(whole(&state).costs, []);
         let event = Progress::Bound {
             cost: Cost::Makespan,
             at_least: 17,
         };
-        let state = reduce(&state, Action::Progress { run: 1, event });
+        let state = reduce(
+            &state,
+            Action::Solve(SolveAction::Progress { job: 1, event }),
+        );
         let costs = whole(&state).costs;
         assert_eq!(costs.len(), 1);
         assert_eq!((costs[0].value, costs[0].at_least), (None, Some(17)));
@@ -217,11 +232,20 @@ mod tests {
     #[test]
     fn a_stale_plan_is_called_one() {
         let state = sample::solved();
-        let state = reduce(&state, Action::PickTool(crate::Tool::Obstacle));
-        let state = reduce(&state, Action::Press(giveway_model::Cell::new(8, 1)));
-        let state = reduce(&state, Action::Press(giveway_model::Cell::new(4, 2)));
-        let state = reduce(&state, Action::Release);
-        assert!(state.is_stale());
+        let state = reduce(
+            &state,
+            Action::Board(BoardAction::PickTool(crate::Tool::Obstacle)),
+        );
+        let state = reduce(
+            &state,
+            Action::Board(BoardAction::Press(giveway_model::Cell::new(8, 1))),
+        );
+        let state = reduce(
+            &state,
+            Action::Board(BoardAction::Press(giveway_model::Cell::new(4, 2))),
+        );
+        let state = reduce(&state, Action::Board(BoardAction::Release));
+        assert!(state.document.is_stale());
         assert!(whole(&state).claims[0].contains("before the last edit"));
     }
 }

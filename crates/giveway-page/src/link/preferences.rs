@@ -1,7 +1,10 @@
 //! What a person set, as the browser keeps it: numbers joined by points.
 
 use super::text::numbers;
-use crate::{Colours, Fill, State, Theme};
+use crate::{Fill, State, Theme};
+
+/// The version of what is written here.
+const VERSION: u32 = 4;
 
 const THEMES: [Theme; 3] = [Theme::System, Theme::Light, Theme::Dark];
 
@@ -11,16 +14,16 @@ const THEMES: [Theme; 3] = [Theme::System, Theme::Light, Theme::Dark];
 /// use giveway_page::{Draft, State, link};
 /// assert_eq!(
 ///     link::preferences(&State::new(Draft::default())),
-///     "3.30.0.0.1.1.0.20.4.1.0.0.0.1.2.3.4.5.6.7.8.9.10.11"
+///     "4.30.0.1.1.0.20.4.1.0.0.1"
 /// );
 /// ```
 pub fn preferences(state: &State) -> String {
-    let (settings, view, fill) = (&state.settings, &state.view, &state.fill);
+    let (settings, view) = (&state.settings, &state.view);
+    let fill = &settings.fill;
     let theme = THEMES.iter().position(|theme| *theme == view.theme);
     let numbers = [
-        3,
+        VERSION,
         settings.seconds,
-        settings.within.map_or(0, |within| within.saturating_add(1)),
         u32::from(settings.solve_on_change),
         u32::from(view.layers.trails),
         u32::from(view.table),
@@ -30,34 +33,35 @@ pub fn preferences(state: &State) -> String {
         fill.seed,
         u32::from(view.layers.heat),
         u32::from(settings.front),
+        u32::from(settings.letter_keys),
     ];
-    let all = numbers.into_iter().chain(view.colours.numbers());
-    let all: Vec<String> = all.map(|n| n.to_string()).collect();
-    all.join(".")
+    numbers.map(|n| n.to_string()).join(".")
 }
 
-/// Takes in what [`preferences`] wrote; what cannot be read changes nothing.
+/// Whether a text holds preferences of a newer version than this page: it must not
+/// be overwritten.
+pub fn are_newer(text: &str) -> bool {
+    let version = text.split('.').next().and_then(|n| n.parse::<u32>().ok());
+    version.is_some_and(|version| version > VERSION)
+}
+
+/// Takes in what [`preferences`] wrote, in this version or an earlier one; what
+/// cannot be read changes nothing.
 pub fn prefer(state: &mut State, text: &str) {
     let numbers = numbers(text).unwrap_or_default();
-    // The first version knew no heat and kept no front, the second no colours.
-    let (set, later) = numbers.split_at(numbers.len().min(10));
-    let (version, set) = match set {
-        [version, set @ ..] => (*version, set),
-        [] => return,
-    };
-    let own = Colours::default();
-    let (heat, front, colours) = match (version, later) {
-        (1, []) => (0, 0, own),
-        (2, &[heat, front]) => (heat, front, own),
-        (3, &[heat, front, ref colours @ ..]) => match colours.try_into() {
-            Ok(numbers) => (heat, front, Colours::from_numbers(numbers)),
-            Err(_) => return,
-        },
+    // Up to the third version the horizon stood among them, at the third place; the
+    // first knew no heat and no front, and none knew whether letters are keys.
+    let (set, later): (Vec<u32>, Vec<u32>) = match numbers[..] {
+        [VERSION, ref set @ ..] if set.len() == 11 => (set[..8].to_vec(), set[8..].to_vec()),
+        [1..=3, seconds, _, ref rest @ ..] if rest.len() >= 7 => {
+            let set = [&[seconds], &rest[..7]].concat();
+            let later = rest[7..].iter().copied().take(2);
+            (set, later.chain([1]).collect())
+        }
         _ => return,
     };
     let &[
         seconds,
-        within,
         on_change,
         trails,
         table,
@@ -65,20 +69,25 @@ pub fn prefer(state: &mut State, text: &str) {
         obstacles,
         agents,
         seed,
-    ] = set
+    ] = &set[..]
     else {
         return;
     };
-    state.settings.seconds = seconds.max(1);
-    state.settings.within = within.checked_sub(1);
-    state.settings.solve_on_change = on_change == 1;
-    state.view.layers.trails = trails == 1;
-    state.view.table = table == 1;
-    state.view.theme = THEMES.get(theme as usize).copied().unwrap_or_default();
-    state.view.layers.heat = heat == 1;
-    state.settings.front = front == 1;
-    state.view.colours = colours;
-    state.fill = Fill {
+    let (heat, front, letters) = match later[..] {
+        [heat, front, letters] => (heat, front, letters),
+        [letters] if numbers.first() == Some(&1) => (0, 0, letters),
+        _ => return,
+    };
+    let (settings, view) = (&mut state.settings, &mut state.view);
+    settings.seconds = seconds.max(1);
+    settings.solve_on_change = on_change == 1;
+    view.layers.trails = trails == 1;
+    view.table = table == 1;
+    view.theme = THEMES.get(theme as usize).copied().unwrap_or_default();
+    view.layers.heat = heat == 1;
+    settings.front = front == 1;
+    settings.letter_keys = letters == 1;
+    settings.fill = Fill {
         obstacles,
         agents,
         seed,
@@ -88,56 +97,53 @@ pub fn prefer(state: &mut State, text: &str) {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::{Action, Draft, reduce};
+    use crate::{Action, Draft, ViewAction, reduce};
 
     #[test]
     fn what_was_set_comes_back() {
         let fresh = State::new(Draft::default());
         let actions = [
-            Action::SetSeconds(7),
-            Action::SetWithin(Some(0)),
-            Action::SetSolveOnChange(true),
-            Action::ShowTrails(false),
-            Action::ShowHeat(true),
-            Action::SetFront(true),
-            Action::ShowTable(false),
-            Action::SetTheme(Theme::Dark),
-            Action::Recolour(0, 11),
-            Action::Recolour(13, 0),
-            Action::SetFill(Fill {
+            ViewAction::SetSeconds(7),
+            ViewAction::SetSolveOnChange(true),
+            ViewAction::ShowTrails(false),
+            ViewAction::ShowHeat(true),
+            ViewAction::SetFront(true),
+            ViewAction::ShowTable(false),
+            ViewAction::SetTheme(Theme::Dark),
+            ViewAction::SetFill(Fill {
                 obstacles: 5,
                 agents: 6,
                 seed: u32::MAX,
             }),
         ];
-        let mut set = actions
-            .into_iter()
-            .fold(fresh.clone(), |state, action| reduce(&state, action));
-        let mut again = fresh.clone();
-        prefer(&mut again, &preferences(&set));
-        assert_eq!(again, set);
-        let mut old = fresh.clone();
-        prefer(&mut old, "1.7.1.1.0.0.2.5.6.4294967295");
-        set.view.colours = Colours::default();
-        let mut second = fresh.clone();
-        prefer(&mut second, "2.7.1.1.0.0.2.5.6.4294967295.1.1");
-        assert_eq!(second, set, "what was kept by the second version");
+        let mut set = actions.into_iter().fold(fresh.clone(), |state, action| {
+            reduce(&state, Action::View(action))
+        });
+        let preferred = |text: &str| {
+            let mut state = fresh.clone();
+            prefer(&mut state, text);
+            state
+        };
+        let third = "3.7.1.1.0.0.2.5.6.4294967295.1.1.0.1.2.3.4.5.6.7.8.9.10.11";
+        assert_eq!(preferred(third), set, "as the third version kept it");
+        assert_eq!(preferred("2.7.1.1.0.0.2.5.6.4294967295.1.1"), set);
+        set.settings.letter_keys = false;
+        assert_eq!(preferred(&preferences(&set)), set);
+        set.settings.letter_keys = true;
         set.view.layers.heat = false;
         set.settings.front = false;
-        assert_eq!(old, set, "what was kept by the first version");
+        assert_eq!(preferred("1.7.1.1.0.0.2.5.6.4294967295"), set);
         for text in [
             "",
             "2.1.1",
             "2.30.0.0.1.1.0.20.4.1",
-            "4.30.0.0.1.1.0.20.4.1.0.0.0.1.2.3.4.5.6.7.8.9.10.11",
-            "3.30.0.0.1.1.0.20.4.1.0.0.0.1.2.3.4.5.6.7.8.9.10",
+            "5.30.0.1.1.0.20.4.1.0.0.1",
+            "4.30.0.1.1.0.20.4.1.0.0",
             "1.x",
             "1.30.0.0.1.1.0.20.4",
             "1.-3.0.0.1.1.0.20.4.1",
         ] {
-            let mut state = fresh.clone();
-            prefer(&mut state, text);
-            assert_eq!(state, fresh, "{text}");
+            assert_eq!(preferred(text), fresh, "{text}");
         }
     }
 }

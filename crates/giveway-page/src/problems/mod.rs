@@ -10,7 +10,7 @@ use std::collections::BTreeMap;
 
 use giveway_model::{Agent, AtGoal, Cell, Fault, Grid, Scene};
 
-use crate::inspect::at;
+use crate::words::at;
 pub(crate) use parts::Parts;
 use reach::{Reach, reach};
 
@@ -39,7 +39,7 @@ pub(crate) fn problems(scene: &Scene, grid: &Grid, faults: &[Fault]) -> Vec<Prob
     for (index, agent) in scene.agents.iter().enumerate() {
         let name = &agent.name;
         if let Some(other) = names.insert(name, index) {
-            told.say(agent.start, other, format!("Two agents are called {name}."));
+            told.say(agent.start, other, format!("Two robots are called {name}."));
         }
         if let Some(other) = starts.insert(agent.start, name) {
             let both = format!("{other} and {name} both start at {}.", at(agent.start));

@@ -47,15 +47,15 @@ fn cells_that_cannot_be_stood_on() {
         [
             (
                 Some(Cell::new(0, 0)),
-                "The start of A1 is on an obstacle, at (0,0).".to_owned()
+                "The start of A1 is on an obstacle, at (0, 0).".to_owned()
             ),
             (
                 Some(Cell::new(1, 1)),
-                "The goal of A1 is on an obstacle, at (1,1).".to_owned()
+                "The goal of A1 is on an obstacle, at (1, 1).".to_owned()
             ),
             (
                 Some(Cell::new(5, 0)),
-                "The waypoint of A1 is off the map, at (5,0).".to_owned()
+                "The waypoint of A1 is off the map, at (5, 0).".to_owned()
             ),
         ]
     );
@@ -67,25 +67,25 @@ fn what_two_agents_share() {
     assert_eq!(
         sentences(shared.clone()),
         [
-            "A1 and A2 both start at (0,0).",
-            "A1 and A2 both end at (2,0), where only one can stay."
+            "A1 and A2 both start at (0, 0).",
+            "A1 and A2 both end at (2, 0), where only one can stay."
         ]
     );
     shared.rules.at_goal = AtGoal::Vanish;
     shared.agents[1].start = Cell::new(1, 0);
     assert_eq!(told(shared.clone()), []);
     shared.agents[1].name = "A1".to_owned();
-    assert_eq!(sentences(shared), ["Two agents are called A1."]);
+    assert_eq!(sentences(shared), ["Two robots are called A1."]);
 }
 
 #[test]
 fn the_smaller_part_is_walled_in() {
     let map = [".#..", "##..", "...."];
     let walled = scene(&map, &[&[(0, 0), (3, 2)]]);
-    let expect = "A1 is walled in at (0,0): no way leads to its goal (3,2).";
+    let expect = "A1 is walled in at (0, 0): no way leads to its goal (3, 2).";
     assert_eq!(told(walled), [(Some(Cell::new(0, 0)), expect.to_owned())]);
     let far = scene(&map, &[&[(3, 2), (2, 2), (0, 0)]]);
-    let expect = "A1 cannot reach its waypoint (0,0): every way is closed.";
+    let expect = "A1 cannot reach its waypoint (0, 0): every way is closed.";
     assert_eq!(told(far), [(Some(Cell::new(0, 0)), expect.to_owned())]);
 }
 
@@ -98,7 +98,7 @@ fn with_battery(mut scene: Scene, capacity: u32, initial: u32) -> Vec<String> {
 fn a_battery_that_does_not_last() {
     let straight = || scene(&["....."], &[&[(0, 0), (4, 0)]]);
     assert_eq!(with_battery(straight(), 4, 4), [""; 0]);
-    let short = "The battery of A1 does not last to its goal (4,0).";
+    let short = "The battery of A1 does not last to its goal (4, 0).";
     assert_eq!(with_battery(straight(), 4, 3), [short]);
     let mut floor = straight();
     floor.rules.battery_floor = 1;
@@ -129,9 +129,9 @@ fn slow_moves_take_two() {
 fn a_waypoint_from_which_there_is_no_way_on() {
     let detour = || scene(&["...", "#.#", "#.#"], &[&[(0, 0), (2, 0), (1, 2)]]);
     assert_eq!(with_battery(detour(), 6, 6), [""; 0]);
-    let expect = "The battery of A1 lasts to its waypoint (1,2), but not on to its goal.";
+    let expect = "The battery of A1 lasts to its waypoint (1, 2), but not on to its goal.";
     assert_eq!(with_battery(detour(), 6, 5), [expect]);
-    let dead = "The battery of A1 does not last to its waypoint (1,2).";
+    let dead = "The battery of A1 does not last to its waypoint (1, 2).";
     assert_eq!(with_battery(detour(), 6, 2), [dead]);
 }
 

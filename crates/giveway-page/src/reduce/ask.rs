@@ -4,174 +4,176 @@ use std::collections::BTreeMap;
 use std::rc::Rc;
 
 use giveway_model::{Question, Version, question::fits};
-use giveway_solve::explain::{Edit, ExplainAnswer, ExplainRequest, Repair, edited_scene};
+use giveway_solve::explain::{ExplainAnswer, Repair};
 use giveway_solve::{Limits, SolveAnswer, Stats, Status};
 
-use super::{edit, solve, stroke};
+use super::document::{amend, edit_scene, put};
+use super::{solve, stroke};
 use crate::asking::{Asking, Lit};
-use crate::{Answer, Inquiry, Notice, State, Tab, Work};
+use crate::edit::repair;
+use crate::{Answer, AskAction, Document, Mode, Notice, State, Tab, Task};
+
+pub(super) fn questions(state: &mut State, action: AskAction) {
+    match action {
+        AskAction::Ask(question) => ask(state, &question),
+        AskAction::Again => {
+            let asking = state.document.mode.asking();
+            if let Some(question) = asking.map(|asking| asking.question().clone()) {
+                ask(state, &question);
+            }
+        }
+        AskAction::Close => close(state),
+        AskAction::ShowOther(on) => show_other(state, on),
+        AskAction::Light(lit) => light(state, lit),
+        AskAction::TakeOther => take_other(state),
+        AskAction::TakeRepair(index) => take_repair(state, index),
+    }
+}
+
+/// The mode in which a question is asked; where it cannot be asked, a notice says
+/// why.
+fn mode(state: &mut State, question: &Question) -> Option<Mode> {
+    let limits = Limits {
+        seconds: Some(f64::from(state.settings.seconds)),
+        ..Limits::default()
+    };
+    let asked = |answer: &Rc<Answer>| Rc::new(Asking::about(answer, question.clone(), limits));
+    match &state.document.mode {
+        // A plan of one's own may break any rule: that is what is asked.
+        Mode::Steering(own) | Mode::Judging(own, _) if *question == Question::Plan => {
+            Some(Mode::Judging(Rc::clone(own), asked(&own.answer)))
+        }
+        Mode::Steering(_) | Mode::Judging(..) => {
+            super::steer::is_in_the_way(state);
+            None
+        }
+        Mode::Comparing(comparing) | Mode::Stuck(comparing, _)
+            if *question == Question::Unsolvable && comparing.preview().is_none() =>
+        {
+            let asking = Rc::new(Asking::stuck(&comparing.changing, limits));
+            Some(Mode::Stuck(Rc::clone(comparing), asking))
+        }
+        Mode::Changing(_) | Mode::Comparing(_) | Mode::Stuck(..) => {
+            refuse(state, "Use a new plan first, or discard the changes.");
+            None
+        }
+        Mode::Editing | Mode::Asking(_) => {
+            let Some(answer) = state.document.fresh_answer() else {
+                refuse(state, "Solve first: questions are about a plan.");
+                return None;
+            };
+            if answer.course.is_none()
+                && let (Ok(instance), Some(plan)) = (answer.draft.instance(), answer.plan())
+                && let Err(misfit) = fits(question, instance, plan)
+            {
+                refuse(state, &misfit.to_string());
+                return None;
+            }
+            Some(Mode::Asking(asked(answer)))
+        }
+    }
+}
 
 /// Asks about the plan that is shown; about the scene where there is none.
-pub(super) fn ask(state: &mut State, question: Question) {
+pub(super) fn ask(state: &mut State, question: &Question) {
     stroke::release(state);
-    let own = state.steering.as_deref().map(|own| Rc::clone(&own.answer));
-    let own = own.filter(|_| question == Question::Plan);
-    if own.is_none() && super::steer::is_in_the_way(state) {
-        return;
-    }
-    let fresh = || state.answer.clone().filter(|_| !state.is_stale());
-    let Some(answer) = own.or_else(fresh) else {
-        refuse(
-            state,
-            "Solve the scene first: questions are about its plan.",
-        );
+    let Some(mode) = mode(state, question) else {
         return;
     };
-    if answer.course.is_some() || state.changing.is_some() {
-        return refuse(state, crate::ask::NO_QUESTIONS);
-    }
-    // A plan of one's own may break any rule: that is what is asked.
-    if question != Question::Plan
-        && let (Ok(instance), Some(plan)) = (answer.draft.instance(), answer.plan())
-        && let Err(misfit) = fits(&question, instance, plan)
-    {
-        refuse(state, &misfit.to_string());
+    let Some(request) = mode.asking().map(|asking| Rc::clone(&asking.request)) else {
         return;
-    }
-    state.notice = None;
-    state.playback.playing = false;
+    };
+    state.view.notice = None;
+    state.view.playback.playing = false;
     state.view.tab = Tab::Inspector;
-    state.runs += 1;
-    let request = Rc::new(ExplainRequest {
-        scene: answer.draft.scene().clone(),
-        plan: answer.plan().cloned(),
-        question,
-        objective: answer.request.objective.clone(),
-        within: answer.request.within,
-        limits: Limits {
-            seconds: Some(f64::from(state.settings.seconds)),
-            ..Limits::default()
-        },
-    });
-    state.work = Work::Asking(Inquiry {
-        id: state.runs,
-        request: Rc::clone(&request),
-    });
-    state.asking = Some(Rc::new(Asking::new(request, answer)));
+    set_mode(state, mode);
+    state.work.start(Task::Explain(request));
 }
 
 pub(super) fn refuse(state: &mut State, sentence: &str) {
-    state.notice = Some(Notice {
-        sentence: sentence.to_owned(),
-        details: Vec::new(),
-    });
+    state.view.notice = Some(Notice::new(sentence));
 }
 
-/// Leaves the question; what is still looked for is given up.
-pub(super) fn close(state: &mut State) {
-    let is_about_it = match &state.work {
-        Work::Asking(_) => true,
-        Work::Certifying(run) => run.of_question,
-        Work::Idle | Work::Solving(_) | Work::Adapting(_) => false,
+/// Another mode, as part of the last step: what was asked is no step of its own.
+fn set_mode(state: &mut State, mode: Mode) {
+    let document = Document {
+        mode,
+        ..state.document.clone()
     };
-    if is_about_it {
-        solve::cancel(state);
-    }
-    state.asking = None;
-    state.playback.time = state.playback.time.min(state.last_time());
+    amend(state, document);
 }
 
-/// Ends the search for the rest of an answer, and keeps what is known.
-pub(super) fn give_up(state: &mut State) {
-    change(state, |asking| asking.is_done = true);
-    if state.asking.as_ref().is_some_and(|a| a.told.is_none()) {
-        state.asking = None;
+/// Leaves the question.
+pub(super) fn close(state: &mut State) {
+    if state.document.mode.asking().is_some() {
+        let mode = state.document.mode.unasked();
+        set_mode(state, mode);
     }
 }
 
-pub(super) fn change(state: &mut State, by: impl FnOnce(&mut Asking)) {
-    if let Some(asking) = &mut state.asking {
-        by(Rc::make_mut(asking));
+fn change(state: &mut State, by: impl FnOnce(&mut Asking)) {
+    if let Some(asking) = state.document.mode.asking_mut() {
+        by(asking);
+        super::document::settle(state);
     }
-}
-
-pub(super) fn is_current(state: &State, id: u64) -> bool {
-    matches!(&state.work, Work::Asking(inquiry) if inquiry.id == id)
 }
 
 /// More became known.
-pub(super) fn learn(state: &mut State, id: u64, answer: ExplainAnswer) {
-    if is_current(state, id) {
-        change(state, |asking| asking.learn(answer));
-        state.playback.time = state.playback.time.min(state.last_time());
-    }
-}
-
-/// All there is became known.
-pub(super) fn answered(state: &mut State, id: u64, answer: ExplainAnswer) {
-    if is_current(state, id) {
-        learn(state, id, answer);
-        change(state, |asking| asking.is_done = true);
-        state.work = Work::Idle;
-    }
+pub(super) fn learn(state: &mut State, answer: ExplainAnswer) {
+    change(state, |asking| asking.learn(answer));
 }
 
 /// Shows the other plan or this one, at the same time.
-pub(super) fn show_other(state: &mut State, on: bool) {
+fn show_other(state: &mut State, on: bool) {
     change(state, |asking| {
         asking.shows_other = on && asking.other.is_some();
     });
-    state.playback.time = state.playback.time.min(state.last_time());
 }
 
-pub(super) fn light(state: &mut State, lit: Option<Lit>) {
+fn light(state: &mut State, lit: Option<Lit>) {
     change(state, |asking| asking.lit = lit);
 }
 
 /// The other plan becomes the plan.
-pub(super) fn take_other(state: &mut State) {
-    let other = state
-        .asking
-        .as_ref()
-        .and_then(|asking| asking.other.clone());
-    if let Some(other) = other {
-        close(state);
-        if state.steering.is_some() {
-            // The plan of one's own is not lost.
-            let before = super::change::moment(state);
-            state.history.record(before);
-            state.steering = None;
-        }
-        state.answer = Some(other);
-        state.playback.time = state.playback.time.min(state.last_time());
+fn take_other(state: &mut State) {
+    let asking = state.document.mode.asking();
+    if let Some(other) = asking.and_then(|asking| asking.other.clone()) {
+        let document = Document {
+            answer: Some(other),
+            mode: Mode::Editing,
+            ..state.document.clone()
+        };
+        put(state, document);
     }
 }
 
 /// Makes the edits of a repair, as one step of undo, and shows its plan while
-/// the scene is solved anew.
-pub(super) fn take_repair(state: &mut State, index: usize) {
-    let repair = state.asking.as_ref().and_then(|asking| {
+/// the scene is solved again.
+fn take_repair(state: &mut State, index: usize) {
+    let asking = state.document.mode.asking();
+    let asking = asking.filter(|asking| asking.can_be_repaired());
+    let found = asking.and_then(|asking| {
         let told = asking.told.as_ref()?;
         told.repairs.get(index).cloned()
     });
-    let Some(repair) = repair else { return };
+    let Some(found) = found else { return };
+    if let Mode::Stuck(comparing, _) = &state.document.mode {
+        let changing = Rc::clone(&comparing.changing);
+        return super::change::repaired(state, &changing, &found);
+    }
+    let edits = repair(&found.edits, state.document.draft.agents());
+    if let Err(notice) = edit_scene(state, &edits) {
+        state.view.notice = Some(notice);
+        return;
+    }
     close(state);
-    for edit in &repair.edits {
-        if let Edit::Deadline { within } = edit {
-            state.settings.within = Some(*within);
-        }
-    }
-    if let Ok(instance) = state.draft.instance() {
-        let edited = edited_scene(instance, &repair.edits);
-        edit::change(state, |scene| *scene = edited);
-    }
-    solve::start(state);
-    show(state, repair);
+    solve::start(state, solve::Start::quiet());
+    show(state, found);
 }
 
 /// The repair's plan is shown until there is a proved one.
 fn show(state: &mut State, repair: Repair) {
-    let Work::Solving(run) = &state.work else {
+    let Some(run) = state.work.solving() else {
         return;
     };
     let solved = SolveAnswer {
@@ -186,6 +188,10 @@ fn show(state: &mut State, repair: Repair) {
         stats: Stats::default(),
     };
     let answer = Answer::new(Rc::clone(&run.draft), Rc::clone(&run.request), solved);
-    state.answer = Some(Rc::new(answer));
-    state.playback.time = 0;
+    let document = Document {
+        answer: Some(Rc::new(answer)),
+        ..state.document.clone()
+    };
+    amend(state, document);
+    state.view.playback.stop_at(0);
 }

@@ -2,19 +2,20 @@
 
 use std::rc::Rc;
 
-use super::{ask, change, solve, stroke};
+use super::document::{drop_gesture, enter, settle};
+use super::{ask, stroke};
 use crate::steering::{Lead, Steering};
-use crate::{Notice, Selection, State, Tab, Tool};
+use crate::{Mode, Notice, Selection, State, Tab, Tool};
 
 /// Whether a plan of one's own keeps something from being done; then a notice says
 /// so.
 pub(super) fn is_in_the_way(state: &mut State) -> bool {
-    let Some(steering) = state.steering.as_deref() else {
+    let Some(own) = state.document.mode.steering() else {
         return false;
     };
-    let name = steering.name().to_owned();
-    state.notice = Some(Notice {
-        sentence: format!("You lead {name} by hand: discard your plan before you do this."),
+    let name = own.name();
+    state.view.notice = Some(Notice {
+        sentence: format!("You lead {name} by hand. Discard your plan before you do this."),
         details: vec!["Undo brings it back.".to_owned()],
     });
     true
@@ -22,7 +23,7 @@ pub(super) fn is_in_the_way(state: &mut State) -> bool {
 
 /// What a person does while leading an agent.
 pub(super) fn steer(state: &mut State, lead: Lead) {
-    let Some(own) = state.steering.clone() else {
+    let Some(own) = state.document.mode.steering().cloned() else {
         if lead == Lead::Begin {
             begin(state);
         }
@@ -31,8 +32,8 @@ pub(super) fn steer(state: &mut State, lead: Lead) {
     match lead {
         Lead::Begin => {
             let agent = state.can_steer();
-            let led = agent.and_then(|agent| own.lead(agent, state.playback.time));
-            if led.is_some() {
+            let led = agent.and_then(|agent| own.lead(agent, state.view.playback.time));
+            if let Some(led) = led {
                 put(state, led);
             }
         }
@@ -42,18 +43,15 @@ pub(super) fn steer(state: &mut State, lead: Lead) {
         Lead::To(cell) => {
             let from = own.cell();
             if let Some(agent) = state.agent_at(cell).filter(|_| !cell.touches(from)) {
-                return super::select(state, Selection::Agent(agent));
+                return super::board::select(state, Selection::Agent(agent));
             }
             let by = |to: u32, from: u32| to.cast_signed().wrapping_sub(from.cast_signed());
             if cell != from {
-                made(
-                    state,
-                    &own,
-                    own.step((by(cell.x, from.x), by(cell.y, from.y))),
-                );
+                let by = (by(cell.x, from.x), by(cell.y, from.y));
+                made(state, &own, own.step(by));
             }
         }
-        Lead::Discard => put(state, None),
+        Lead::Discard => enter(state, Mode::Editing),
     }
 }
 
@@ -61,40 +59,35 @@ pub(super) fn steer(state: &mut State, lead: Lead) {
 fn begin(state: &mut State) {
     stroke::release(state);
     let agent = state.can_steer();
-    let answer = state.answer.as_ref().filter(|_| !state.is_stale());
+    let answer = state.document.fresh_answer();
     let own = agent
         .zip(answer)
-        .and_then(|(agent, answer)| Steering::begin(answer, agent, state.playback.time));
+        .and_then(|(agent, answer)| Steering::begin(answer, agent, state.view.playback.time));
     let Some(own) = own else {
         return ask::refuse(
             state,
-            "Solve the scene and select an agent first: then it can be led by hand.",
+            "Solve first and select a robot: then you can lead it by hand.",
         );
     };
-    state.placing = None;
-    state.tool = Tool::Select;
-    put(state, Some(own));
+    drop_gesture(state);
+    state.view.tool = Tool::Select;
+    put(state, own);
 }
 
 /// A step was made, or why it was not.
 fn made(state: &mut State, own: &Steering, step: Result<Steering, String>) {
     match step {
-        Ok(after) => put(state, Some(after)),
+        Ok(after) => put(state, after),
         Err(told) => {
-            state.steering = Some(Rc::new(own.refusing(told)));
-            change::settle(state);
+            state.document.mode = Mode::Steering(Rc::new(own.refusing(told)));
+            settle(state);
         }
     }
 }
 
 /// Puts a plan of one's own in the place of what was, as one step of undo.
-fn put(state: &mut State, own: Option<Steering>) {
-    ask::close(state);
-    solve::cancel(state);
-    let before = change::moment(state);
-    state.history.record(before);
-    state.notice = None;
+fn put(state: &mut State, own: Steering) {
+    state.view.notice = None;
     state.view.tab = Tab::Inspector;
-    state.steering = own.map(Rc::new);
-    change::settle(state);
+    enter(state, Mode::Steering(Rc::new(own)));
 }

@@ -6,7 +6,7 @@ use giveway_model::Cost;
 
 use super::Steering;
 use crate::ask::{CostRow, Happening};
-use crate::inspect::at;
+use crate::words::at;
 use crate::{State, words};
 
 /// The most violations that are told one by one.
@@ -19,7 +19,7 @@ pub struct Facts {
     pub agent: usize,
     /// Its name.
     pub name: String,
-    /// Where it has been led to: `A1 is at (3,1) at time 5, battery 4 of 10`.
+    /// Where it has been led to: `A1 is at (3, 1) at time 5, battery 4 of 10`.
     pub place: String,
     /// Whether there is a step to take back.
     pub can_go_back: bool,
@@ -39,7 +39,7 @@ pub struct Facts {
 
 /// What there is to tell; nothing unless an agent is led.
 pub fn facts(state: &State) -> Option<Facts> {
-    let steering = state.steering.as_deref()?;
+    let steering = state.document.mode.steering()?;
     let (agent, time) = (steering.agent, steering.time());
     let battery = steering.about.draft.agents().get(agent)?.battery;
     let name = steering.name();
@@ -53,10 +53,10 @@ pub fn facts(state: &State) -> Option<Facts> {
     }
     let violations = steering.violations.iter().enumerate();
     let violations = violations.map(|(index, violation)| Happening {
-        number: index + 1,
-        text: words::cells(&violation.message),
+        number: Some(index + 1),
+        text: violation.message.clone(),
         time: violation.time,
-        is_lit: Steering::is_now(violation, state.playback.time),
+        is_lit: Steering::is_now(violation, state.view.playback.time),
     });
     let to_do = steering.to_do.iter();
     Some(Facts {
@@ -68,7 +68,7 @@ pub fn facts(state: &State) -> Option<Facts> {
         has_battery: battery.is_some(),
         violations: violations.take(MOST).collect(),
         more: steering.violations.len().saturating_sub(MOST),
-        to_do: to_do.map(|open| words::cells(&open.message)).collect(),
+        to_do: to_do.map(|open| open.message.clone()).collect(),
         rows: rows(steering),
     })
 }

@@ -7,7 +7,7 @@ use giveway_model::{Agent, Instance, Plan};
 use giveway_solve::{SolveAnswer, Stats, Status};
 
 use super::Steering;
-use crate::{Answer, words};
+use crate::Answer;
 
 impl Steering {
     /// The plan with what the judge says of it.
@@ -43,7 +43,7 @@ impl Steering {
         let news = news.filter(|violation| !self.violations.contains(violation));
         let news: Vec<String> = news
             .take(2)
-            .map(|violation| words::cells(&violation.message))
+            .map(|violation| violation.message.clone())
             .collect();
         after.told = news.join(" ");
         after

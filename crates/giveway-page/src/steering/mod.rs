@@ -13,7 +13,7 @@ use giveway_model::check::Violation;
 use giveway_model::{Agent, AtGoal, Cell, Grid, Plan, Scene};
 
 use crate::Answer;
-use crate::inspect::at;
+use crate::words::at;
 
 pub use facts::{Facts, facts};
 

@@ -3,4 +3,4 @@
 mod change;
 mod steer;
 
-pub(crate) use change::adopted;
+pub(crate) use change::{adopted, compared};

@@ -3,7 +3,7 @@
 use crate::words::grouped;
 use giveway_model::{Cost, Objective};
 
-use crate::{Run, Size, words};
+use crate::{Size, Solving, words};
 
 /// The cost that is worked on: what is proved of it and what is found.
 #[derive(Clone, Debug, PartialEq)]
@@ -20,7 +20,7 @@ pub struct Gauge {
 
 /// How far a run has come: of the costs that it minimises in turn, the last one
 /// that it knows a bound of.
-pub fn gauge(run: &Run) -> Gauge {
+pub fn gauge(run: &Solving) -> Gauge {
     let costs = objective(run).costs();
     let known = |cost: &&Cost| run.bounds.contains_key(cost);
     let reached = costs.iter().rev().find(known).or(costs.first());
@@ -52,13 +52,13 @@ impl Gauge {
     }
 }
 
-fn objective(run: &Run) -> &Objective {
+fn objective(run: &Solving) -> &Objective {
     let asked = run.request.objective.as_ref();
     asked.unwrap_or(&run.request.scene.objective)
 }
 
 /// The costs before the one that is worked on: `With makespan 18: `.
-fn settled(run: &Run, cost: Cost) -> String {
+fn settled(run: &Solving, cost: Cost) -> String {
     let before = objective(run).costs().iter();
     let values: Vec<String> = before
         .take_while(|&&before| before != cost)
@@ -109,37 +109,43 @@ pub fn work_done(size: Size) -> String {
 
 #[cfg(test)]
 mod tests {
-    use giveway_model::Costs;
+    use giveway_model::{Costs, Plan};
     use giveway_solve::Progress;
 
     use super::*;
-    use crate::{Action, State, Work, reduce, sample};
+    use crate::{Action, SolveAction, State, reduce, sample};
 
     fn after(events: &[Progress]) -> Gauge {
-        let mut state = reduce(&State::new(sample::draft()), Action::Solve);
+        let mut state = reduce(
+            &State::new(sample::draft()),
+            Action::Solve(SolveAction::Solve),
+        );
         for event in events {
             let event = event.clone();
-            state = reduce(&state, Action::Progress { run: 1, event });
+            state = reduce(
+                &state,
+                Action::Solve(SolveAction::Progress { job: 1, event }),
+            );
         }
-        let Work::Solving(run) = &state.work else {
-            panic!("it solves");
-        };
-        gauge(run)
+        gauge(state.work.solving().unwrap())
     }
 
     const fn bound(cost: Cost, at_least: u32) -> Progress {
         Progress::Bound { cost, at_least }
     }
 
-    const PLAN: Progress = Progress::Plan {
-        costs: Costs {
-            makespan: 20,
-            sum_of_costs: 37,
-            charges: 3,
-            moves: 30,
-            waits: 0,
-        },
-    };
+    fn plan() -> Progress {
+        Progress::Plan {
+            costs: Costs {
+                makespan: 20,
+                sum_of_costs: 37,
+                charges: 3,
+                moves: 30,
+                waits: 0,
+            },
+            plan: Plan::default(),
+        }
+    }
 
     #[test]
     fn nothing_known() {
@@ -162,7 +168,7 @@ mod tests {
             gauge.sentence,
             "Below 17 there is no plan. None is found yet."
         );
-        let gauge = after(&[makespan, PLAN]);
+        let gauge = after(&[makespan, plan()]);
         assert_eq!(
             gauge.sentence,
             "Below 17 there is no plan. A plan of 20 exists. The answer lies between."
@@ -171,7 +177,11 @@ mod tests {
 
     #[test]
     fn the_next_cost_says_what_is_settled() {
-        let gauge = after(&[bound(Cost::Makespan, 20), PLAN, bound(Cost::SumOfCosts, 37)]);
+        let gauge = after(&[
+            bound(Cost::Makespan, 20),
+            plan(),
+            bound(Cost::SumOfCosts, 37),
+        ]);
         assert_eq!(gauge.cost, Cost::SumOfCosts);
         assert_eq!(
             gauge.sentence,

@@ -6,10 +6,10 @@ use giveway_solve::change::Method;
 
 use super::costs::values;
 use super::count;
-use crate::changing::{Changing, Compared, Tried};
-use crate::inspect::at;
+use crate::changing::{Changing, Comparing, Tried};
 use crate::timeline::work_done;
-use crate::{Adapting, Answer, State};
+use crate::words::at;
+use crate::{Adapting, Answer};
 
 /// A change as a sentence without its stop, and what else there is to know.
 ///
@@ -41,13 +41,13 @@ pub fn sentence(what: &What) -> (String, Option<String>) {
         What::SetSlow { cells } => format!("{} becomes slow", self::cells(cells)),
         What::SetNormal { cells } => format!("{} is slow no more", self::cells(cells)),
         What::RemoveAgent { agent } => format!("{agent} is removed"),
-        What::AddObstacle { cell } => format!("An obstacle appears at {}", at(*cell)),
+        What::AddObstacle { cell } => format!("New obstacle at {}", at(*cell)),
         What::RemoveObstacle { cell } => format!("The obstacle at {} goes", at(*cell)),
         What::MoveObstacle { from, to } => {
             format!("The obstacle at {} moves to {}", at(*from), at(*to))
         }
-        What::AddCharger { cell } => format!("A charger appears at {}", at(*cell)),
-        What::RemoveCharger { cell } => format!("The charger at {} goes", at(*cell)),
+        What::AddCharger { cell } => format!("New charger at {}", at(*cell)),
+        What::RemoveCharger { cell } => format!("Charger at {} removed", at(*cell)),
         What::SetGoal { agent, cell } => format!("The goal of {agent} is {} now", at(*cell)),
         What::AddWaypoint { agent, cell } => format!("{agent} has to visit {}, too", at(*cell)),
         What::DropWaypoint { agent, cell } => {
@@ -90,7 +90,9 @@ pub fn method_in_words(method: Method) -> String {
 pub(super) fn changing(changing: &Changing) -> String {
     let at = changing.at;
     match changing.list.as_slice() {
-        [] => format!("The world changes at time {at}: change it with the tools, then adapt."),
+        [] => format!(
+            "The world changes at time {at}: change it with the tools, then find new plans."
+        ),
         list => {
             let listed = count(list.len(), "change");
             format!("The world changes at time {at}: {listed} listed.")
@@ -99,18 +101,18 @@ pub(super) fn changing(changing: &Changing) -> String {
 }
 
 /// While ways to go on are looked for.
-pub(super) fn adapting(state: &State, run: &Adapting) -> String {
-    let at = state.changing.as_deref().map_or(0, |changing| changing.at);
+pub(super) fn adapting(run: &Adapting) -> String {
+    let at = run.changing.at;
     match work_done(run.size).as_str() {
-        "" => format!("Adapting: looking for ways to go on from time {at}."),
-        work => format!("Adapting: looking for ways to go on from time {at}; {work}."),
+        "" => format!("Looking for ways to go on from time {at}."),
+        work => format!("Looking for ways to go on from time {at}; {work}."),
     }
 }
 
 /// `At time 2: revise has makespan 5; tunnel 1 and replan have makespan 4.`
-pub(super) fn compared(changing: &Changing, compared: &Compared) -> String {
+pub(super) fn compared(comparing: &Comparing) -> String {
     let mut parts: Vec<(Option<u32>, Vec<String>)> = Vec::new();
-    for Tried { method, told, .. } in &compared.tried {
+    for Tried { method, told, .. } in &comparing.tried {
         let makespan = told.result.costs.map(|costs| costs.makespan);
         let name = method_in_words(*method);
         match parts.iter_mut().find(|(other, _)| *other == makespan) {
@@ -127,7 +129,7 @@ pub(super) fn compared(changing: &Changing, compared: &Compared) -> String {
         }
     });
     let parts: Vec<String> = parts.collect();
-    format!("At time {}: {}.", changing.at, parts.join("; "))
+    format!("At time {}: {}.", comparing.changing.at, parts.join("; "))
 }
 
 /// Of a plan that went on where the world changed.

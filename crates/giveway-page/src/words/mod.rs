@@ -7,5 +7,11 @@ mod status;
 mod steering;
 
 pub use costs::{count, grouped, name, objective, title, value, values};
-pub use question::{cells, question};
+pub use question::question;
+
 pub use status::{Badge, Standing, standing};
+
+/// A cell in a sentence: `(3, 1)`.
+pub(crate) fn at(cell: giveway_model::Cell) -> String {
+    cell.to_string()
+}

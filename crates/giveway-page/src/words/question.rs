@@ -2,37 +2,7 @@
 
 use giveway_model::{Cell, Question};
 
-use crate::inspect::at;
-
-/// A text of the solver with its cells written as the page writes them.
-///
-/// ```
-/// use giveway_page::words::cells;
-/// assert_eq!(cells("A1, A2 meet at (3, 1), late"), "A1, A2 meet at (3,1), late");
-/// ```
-pub fn cells(text: &str) -> String {
-    let is_number = |text: &str| !text.is_empty() && text.bytes().all(|b| b.is_ascii_digit());
-    let mut out = String::with_capacity(text.len());
-    let mut rest = text;
-    while let Some(open) = rest.find('(') {
-        let (before, inside) = rest.split_at(open + 1);
-        out.push_str(before);
-        rest = inside;
-        if let Some((cell, after)) = inside.split_once(')')
-            && let Some((x, y)) = cell.split_once(", ")
-            && is_number(x)
-            && is_number(y)
-        {
-            out.push_str(x);
-            out.push(',');
-            out.push_str(y);
-            out.push(')');
-            rest = after;
-        }
-    }
-    out.push_str(rest);
-    out
-}
+use super::at;
 
 /// The question as a sentence with the names that the person knows.
 ///
@@ -40,7 +10,7 @@ pub fn cells(text: &str) -> String {
 /// use giveway_model::{Cell, Question};
 /// use giveway_page::words::question;
 /// let ask = Question::NoVisit { agent: None, at: Cell::new(3, 1) };
-/// assert_eq!(question(&ask), "Why does nobody pass (3,1)?");
+/// assert_eq!(question(&ask), "Why does nobody pass (3, 1)?");
 /// ```
 #[expect(
     clippy::too_many_lines,
@@ -189,39 +159,42 @@ mod tests {
             to: Some(4),
             at_least,
         };
-        check(&wait(None), "Why does A1 wait at (6,2)?");
-        check(&wait(Some(3)), "Why does A1 wait so long at (6,2)?");
+        check(&wait(None), "Why does A1 wait at (6, 2)?");
+        check(&wait(Some(3)), "Why does A1 wait so long at (6, 2)?");
         let charge = Question::Charge {
             agent: agent(),
             at: Some(u),
             time: Some(9),
         };
-        check(&charge, "Why does A1 charge at (6,2) at time 9?");
+        check(&charge, "Why does A1 charge at (6, 2) at time 9?");
         let go = Question::Move {
             agent: agent(),
             from_cell: u,
             to_cell: v,
             time: None,
         };
-        check(&go, "Why does A1 go from (6,2) to (6,1)?");
+        check(&go, "Why does A1 go from (6, 2) to (6, 1)?");
         let slow = Question::Slow {
             agent: agent(),
             from_cell: Some(u),
             to_cell: Some(v),
         };
-        check(&slow, "Why does A1 take the slow way over (6,2) and (6,1)?");
+        check(
+            &slow,
+            "Why does A1 take the slow way over (6, 2) and (6, 1)?",
+        );
         let order = Question::Order {
             agent: agent(),
             first: u,
             second: v,
         };
-        check(&order, "Why does A1 visit (6,2) before (6,1)?");
+        check(&order, "Why does A1 visit (6, 2) before (6, 1)?");
         let give_way = Question::Yield {
             agent: agent(),
             to: "A2".to_owned(),
             at: u,
         };
-        check(&give_way, "Why does A1 give way to A2 at (6,2)?");
+        check(&give_way, "Why does A1 give way to A2 at (6, 2)?");
         let charges = |agent| Question::Charges { agent };
         check(&charges(None), "Why are there not fewer charges?");
         check(

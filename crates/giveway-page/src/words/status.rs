@@ -8,7 +8,7 @@ use giveway_solve::{SolveAnswer, Status};
 
 use super::costs::{name, value, values};
 use crate::front::Front;
-use crate::{Answer, Asking, Run, State, Work, proof};
+use crate::{Answer, Asking, Mode, Solving, State, Task, proof};
 
 /// What stands before the sentence: an icon and one word, never a colour alone.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -41,6 +41,8 @@ pub enum Badge {
     Stopped,
     /// An answer to what the scene was before.
     Stale,
+    /// A plan from elsewhere of which nothing was proved here.
+    Shared,
 }
 
 impl Badge {
@@ -53,7 +55,7 @@ impl Badge {
             Self::Asking => "Asking",
             Self::Checking => "Checking",
             Self::Changing => "Changing",
-            Self::Adapting => "Adapting",
+            Self::Adapting => "Looking",
             Self::Compared(1) => "1 answer",
             Self::Compared(2) => "2 answers",
             Self::Compared(_) => "3 answers",
@@ -63,6 +65,7 @@ impl Badge {
             Self::Impossible => "Impossible",
             Self::Stopped => "Stopped",
             Self::Stale => "Stale",
+            Self::Shared => "Shared",
         }
     }
 
@@ -70,6 +73,7 @@ impl Badge {
     pub const fn icon(self) -> &'static str {
         match self {
             Self::Draft | Self::Changing => "change",
+            Self::Shared => "share",
             Self::Compared(_) => "compare",
             Self::Steering => "steer",
             Self::Adopted => "check",
@@ -85,7 +89,7 @@ impl Badge {
     /// Its class in the style sheet.
     pub const fn class(self) -> &'static str {
         match self {
-            Self::Draft | Self::Adopted => "plain",
+            Self::Draft | Self::Adopted | Self::Shared => "plain",
             Self::Solving
             | Self::Asking
             | Self::Checking
@@ -118,50 +122,62 @@ pub struct Standing {
 /// ```
 pub fn standing(state: &State) -> Standing {
     let say = |badge, sentence| Standing { badge, sentence };
-    if let Work::Solving(run) = &state.work {
-        return say(Badge::Solving, solving(run));
+    if let Some(task) = state.work.task() {
+        return working(state, task);
     }
-    if let (Work::Asking(_), Some(asking)) = (&state.work, state.asking.as_deref()) {
-        return say(Badge::Asking, asked(asking));
-    }
-    if let Work::Certifying(run) = &state.work {
-        return say(Badge::Checking, proof::doing(run));
-    }
-    if let Work::Adapting(run) = &state.work {
-        return say(Badge::Adapting, super::change::adapting(state, run));
-    }
-    if let (Some(changing), None) = (state.changing.as_deref(), state.placing) {
-        return match &changing.compared {
-            None => say(Badge::Changing, super::change::changing(changing)),
-            Some(compared) => {
-                let count = u8::try_from(compared.tried.len()).unwrap_or(u8::MAX);
-                let sentence = super::change::compared(changing, compared);
-                say(Badge::Compared(count), sentence)
-            }
-        };
-    }
-    if let Some(own) = state.steering.as_deref() {
-        return say(Badge::Steering, super::steering::steering(own));
-    }
-    if let Some(placing) = state.placing {
-        let at = crate::inspect::at(placing.start);
+    if let Some(placing) = state.placing() {
+        let at = crate::words::at(placing.start);
         let name = state.next_name();
-        let sentence = format!("{name} starts at {at}: now choose its goal.");
+        let sentence = format!("{name} starts at {at}. Now choose its goal.");
         return say(Badge::Draft, sentence);
     }
-    if let Some(problem) = state.draft.problems().first()
-        && state.fresh_answer().is_none()
+    match &state.document.mode {
+        Mode::Changing(changing) => say(Badge::Changing, super::change::changing(changing)),
+        Mode::Comparing(comparing) | Mode::Stuck(comparing, _) if comparing.preview().is_none() => {
+            say(Badge::Impossible, super::change::compared(comparing))
+        }
+        Mode::Comparing(comparing) | Mode::Stuck(comparing, _) => {
+            let count = u8::try_from(comparing.tried.len()).unwrap_or(u8::MAX);
+            say(Badge::Compared(count), super::change::compared(comparing))
+        }
+        Mode::Steering(own) | Mode::Judging(own, _) => {
+            say(Badge::Steering, super::steering::steering(own))
+        }
+        Mode::Editing | Mode::Asking(_) => resting(state),
+    }
+}
+
+/// Where the page stands while something runs.
+fn working(state: &State, task: &Task) -> Standing {
+    let say = |badge, sentence| Standing { badge, sentence };
+    match task {
+        Task::Solve(run) => say(Badge::Solving, solving(run)),
+        Task::Explain(_) => {
+            let asking = state.document.mode.asking();
+            let sentence = asking.map_or_else(String::new, |asking| asked(asking));
+            say(Badge::Asking, sentence)
+        }
+        Task::Certify(run) => say(Badge::Checking, proof::doing(run)),
+        Task::Change(run) => say(Badge::Adapting, super::change::adapting(run)),
+    }
+}
+
+/// Where the page stands with a scene and its plan, if it has one.
+fn resting(state: &State) -> Standing {
+    let say = |badge, sentence| Standing { badge, sentence };
+    if let Some(problem) = state.document.draft.problems().first()
+        && state.document.fresh_answer().is_none()
     {
         let fault = format!("This cannot be solved: {}", problem.sentence);
         return say(Badge::Faulty, fault);
     }
-    let Some(answer) = &state.answer else {
+    let Some(answer) = &state.document.answer else {
         return say(Badge::Draft, "No plan yet.".to_owned());
     };
-    if state.is_stale() {
+    if state.document.is_stale() {
         let what = match answer.plan() {
-            Some(_) => "The plan is for the scene before the edit: solve it anew.",
-            None => "The scene has changed: solve it anew.",
+            Some(_) => "The scene has changed since this plan. Solve again.",
+            None => "The scene has changed. Solve again.",
         };
         return say(Badge::Stale, what.to_owned());
     }
@@ -172,8 +188,11 @@ pub fn standing(state: &State) -> Standing {
         };
         return say(badge, super::change::adopted(answer));
     }
-    if let Some(front) = state.own_front() {
+    if let Some(front) = state.document.own_front() {
         return on_front(front, answer);
+    }
+    if answer.is_shared {
+        return say(Badge::Shared, shared(answer));
     }
     let badge = match answer.solved.status {
         Status::Optimal => Badge::Proved,
@@ -204,7 +223,15 @@ fn on_front(front: &Front, answer: &Rc<Answer>) -> Standing {
     }
 }
 
-/// `Asking: why does A1 wait at (3,1)?`, and how far the answer is.
+/// `Not checked yet whether it is the best: makespan 18.`
+fn shared(answer: &Answer) -> String {
+    let objective = &answer.draft.scene().objective;
+    let costs = answer.solved.costs;
+    let costs = costs.map_or_else(String::new, |costs| values(objective, &costs));
+    format!("This plan was shared: {costs}. Nobody has checked here whether it is the best.")
+}
+
+/// `Asking: why does A1 wait at (3, 1)?`, and how far the answer is.
 fn asked(asking: &Asking) -> String {
     let question = super::question(asking.question());
     if asking.told.is_none() {
@@ -214,7 +241,7 @@ fn asked(asking: &Asking) -> String {
 }
 
 /// `Solving: makespan is at least 17, the best plan so far has 20.`
-fn solving(run: &Run) -> String {
+fn solving(run: &Solving) -> String {
     let known = known(objective(run), &run.bounds, run.best.as_ref());
     if known.is_empty() {
         return match &run.best {
@@ -225,7 +252,7 @@ fn solving(run: &Run) -> String {
     format!("Solving: {known}.")
 }
 
-fn objective(run: &Run) -> &Objective {
+fn objective(run: &Solving) -> &Objective {
     let asked = run.request.objective.as_ref();
     asked.unwrap_or(&run.request.scene.objective)
 }
@@ -270,13 +297,17 @@ fn answered(answer: &Answer) -> String {
         }
         (Status::Feasible, Some(costs)) => {
             let costs = with_bounds(objective, costs, bounds);
-            format!("Best plan so far: {costs}. {reason}")
+            format!("Best so far: {costs}. {reason}")
+                .trim_end()
+                .to_owned()
         }
         (Status::Impossible, _) => match horizon {
             Some(within) if reason.is_empty() => format!("No plan within makespan {within}."),
             Some(within) => format!("No plan within makespan {within}: {reason}"),
-            None if reason.is_empty() => "No plan, whatever the horizon.".to_owned(),
-            None => format!("No plan, whatever the horizon: {reason}"),
+            None if reason.is_empty() => {
+                "No plan exists, no matter how many steps you allow.".to_owned()
+            }
+            None => format!("No plan exists, no matter how many steps you allow: {reason}"),
         },
         _ => {
             let known = known(objective, bounds, None);
@@ -284,7 +315,11 @@ fn answered(answer: &Answer) -> String {
                 "" => String::new(),
                 known => format!(" Proved so far: {known}."),
             };
-            format!("Undecided: no plan found, and none ruled out. {reason}{said}")
+            let reason = match reason.as_str() {
+                "" => "Time ran out.",
+                reason => reason,
+            };
+            format!("{reason} There may be a plan; none was found yet.{said}")
         }
     }
 }
@@ -297,7 +332,7 @@ fn with_bounds(objective: &Objective, costs: &Costs, bounds: &BTreeMap<Cost, u32
         match bounds.get(&cost) {
             None => said,
             Some(&bound) if bound >= n => format!("{said}, proved"),
-            Some(&bound) => format!("{said}, proved at least {bound}"),
+            Some(&bound) => format!("{said}, at least {bound}"),
         }
     });
     parts.collect::<Vec<_>>().join("; ")

@@ -1,7 +1,7 @@
 //! A plan of one's own in words.
 
-use crate::inspect::at;
 use crate::steering::Steering;
+use crate::words::at;
 
 /// Where the agent is that is led, and what its last step brought.
 pub(super) fn steering(own: &Steering) -> String {
@@ -11,7 +11,7 @@ pub(super) fn steering(own: &Steering) -> String {
         return format!("{here} {}", own.told);
     }
     if own.is_whole() {
-        return format!("{here} All agents do their tasks: check your plan.");
+        return format!("{here} All robots do their tasks. Check your plan.");
     }
     if own.can_go_back() {
         return here;

@@ -169,7 +169,10 @@ pub struct ChangeAnswer {
     pub before: Option<Costs>,
     /// What the methods make of it.
     pub methods: Methods,
-    /// The method whose plan is followed.
+    /// The method whose plan is followed; `null` where none has one. What would
+    /// help then tells the question `unsolvable` with the same plan and changes
+    /// ([`ExplainRequest`](crate::explain::ExplainRequest)); why it is so, the
+    /// cause of each method, too.
     pub adopted: Option<Method>,
     /// The earlier times.
     pub history: Vec<Step>,

@@ -17,11 +17,11 @@ use super::{
     words,
 };
 use crate::{
-    SolveAnswer, Status,
+    Progress, SolveAnswer, Status,
     judged::{Judged, told},
     meter::Stop,
     problem::Problem,
-    search::{Aim, Before, Bounded, Extent, ForEver, Reach, Verdict, closest, solve},
+    search::{Aim, Before, Bounded, Contact, Extent, ForEver, Reach, Verdict, closest, solve},
     walk::Walk,
 };
 
@@ -46,7 +46,7 @@ pub(super) fn run(case: &Case<'_, '_>) -> MethodAnswer {
         Err(trouble) => return without_search(case, trouble),
     };
     let bounded = case.bounded(&problem);
-    let verdict = solve(&problem, case.objective, &bounded, &case.meter);
+    let verdict = search(case, &problem, &bounded, &freed);
     let found = Found {
         problem,
         bounded,
@@ -68,6 +68,26 @@ pub(super) fn run(case: &Case<'_, '_>) -> MethodAnswer {
         Ok(None) => answer(case, &found),
         Err(stop) => answer(case, &stopped(found, stop)),
     }
+}
+
+/// The search for the best plan with these agents freed; it tells the host of
+/// each better one, behind the past.
+fn search(
+    case: &Case<'_, '_>,
+    problem: &Problem,
+    bounded: &Bounded,
+    freed: &BTreeSet<usize>,
+) -> Verdict {
+    let on_better = |walks: &[Walk]| {
+        if let Some((plan, costs)) = judged(case, problem, freed, walks, &[]) {
+            case.meter.report(&Progress::Plan { costs, plan });
+        }
+    };
+    let contact = Contact {
+        start: None,
+        on_better: &on_better,
+    };
+    solve(problem, case.objective, bounded, &contact, &case.meter)
 }
 
 /// The same, ended by the budget.
@@ -132,7 +152,7 @@ fn free_fewest(case: &Case<'_, '_>, before: &Found, fewest: Fewest) -> Result<Fo
             Err(_) => continue,
         };
         let bounded = case.bounded(&problem);
-        let verdict = solve(&problem, case.objective, &bounded, &case.meter);
+        let verdict = search(case, &problem, &bounded, &freed);
         // The best of all sets is shown as far as each was looked at.
         stop = stop.or(verdict.stop);
         reach = match (reach, verdict.reach) {
@@ -233,9 +253,11 @@ fn answer(case: &Case<'_, '_>, found: &Found) -> MethodAnswer {
         let near = near
             .as_ref()
             .map(|(walks, same, _)| (walks.as_slice(), same.as_slice()));
-        let judged = near.and_then(|(walks, same)| judged(case, found, walks, same));
+        let judge =
+            |walks: &[Walk], same: &[bool]| judged(case, &found.problem, &found.freed, walks, same);
+        let judged = near.and_then(|(walks, same)| judge(walks, same));
         closest &= judged.is_some();
-        judged.or_else(|| self::judged(case, found, walks, &[]))
+        judged.or_else(|| judge(walks, &[]))
     });
     let Judged {
         plan, status, stop, ..
@@ -310,15 +332,16 @@ fn disturb_few(
 /// agent that is held to the method keeps to it.
 fn judged(
     case: &Case<'_, '_>,
-    found: &Found,
+    problem: &Problem,
+    freed: &BTreeSet<usize>,
     walks: &[Walk],
     same: &[bool],
 ) -> Option<(Plan, Costs)> {
-    let plan = splice(case.world, &found.problem, walks, same);
+    let plan = splice(case.world, problem, walks, same);
     let report = check_history(case.world.after, &plan);
     let costs = report.costs.filter(|_| report.is_valid())?;
     if case.method == Method::Revise {
-        let held = case.held(&found.freed);
+        let held = case.held(freed);
         let rerouted = compare(case.world, &plan).rerouted;
         let strays = |agent: usize| {
             let member = case.member(agent);

@@ -155,7 +155,8 @@ pub enum Edit {
         agent: String,
         /// Its new capacity.
         capacity: u32,
-        /// Its new level at time 0.
+        /// Its new level at time 0, or at the time from which a question is
+        /// answered where the world changed before.
         initial: u32,
     },
     /// Allow a later makespan.

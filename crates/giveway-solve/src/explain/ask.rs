@@ -12,6 +12,7 @@ use giveway_model::{
     check::{Rule, Violation, arrivals, check},
 };
 
+use super::past::Past;
 use crate::{
     Status,
     condition::Condition,
@@ -40,6 +41,8 @@ pub(crate) struct Ask<'a> {
     /// The least horizon, where none is set: what holds up to a horizon for the
     /// instance as it is should not be asked up to a lesser one.
     pub(crate) at_least_within: u32,
+    /// What is past already, which costs count.
+    pub(crate) past: &'a Past,
 }
 
 /// What the search knows at the end.
@@ -87,7 +90,7 @@ fn run(ask: &Ask, aim: &Aim, meter: &Rc<Meter>) -> Found {
     let Ok(instance) = Instance::new(ask.scene.clone()) else {
         return nothing;
     };
-    let problem = match Problem::relaxed(&instance, ask.relaxed.clone(), ask.condition, meter) {
+    let mut problem = match Problem::relaxed(&instance, ask.relaxed.clone(), ask.condition, meter) {
         Ok(problem) => problem,
         Err(Setback::Alone(agent)) => {
             let agent = instance.agents().get(agent);
@@ -100,6 +103,7 @@ fn run(ask: &Ask, aim: &Aim, meter: &Rc<Meter>) -> Found {
         }
         Err(_) => return nothing,
     };
+    ask.past.wake(&instance, &mut problem);
     let grid = instance.grid();
     let horizon = Horizon::of(&problem, grid, ask.within, ask.at_least_within);
     let mut limits = ask.caps.clone();
@@ -114,21 +118,14 @@ fn run(ask: &Ask, aim: &Aim, meter: &Rc<Meter>) -> Found {
     }
     let bounded = Bounded { horizon, limits };
     let verdict = find(&problem, ask.objective, &bounded, aim, meter);
-    judged(
-        &instance,
-        &problem,
-        ask.condition,
-        aim,
-        horizon.latest(),
-        verdict,
-    )
+    judged(&instance, &problem, ask, aim, horizon.latest(), verdict)
 }
 
 /// A verdict with its plan judged.
 fn judged(
     instance: &Instance,
     problem: &Problem,
-    condition: Option<&Condition>,
+    ask: &Ask,
     aim: &Aim,
     horizon: u32,
     verdict: Verdict,
@@ -138,8 +135,8 @@ fn judged(
     let judged = Judged::new(verdict.best, aim, claim, |(walks, costs)| {
         let plan = to_plan(problem, &names, &walks);
         let broken = violations(instance, &problem.relaxed, &plan);
-        let met = condition.is_none_or(|it| it.is_met_by(instance, &plan));
-        let same = giveway_model::check::costs(instance, &plan) == Some(costs);
+        let met = ask.condition.is_none_or(|it| it.is_met_by(instance, &plan));
+        let same = ask.past.costs(instance, &plan) == Some(costs);
         (met && broken.is_empty() && same).then_some((plan, costs))
     });
     let clash = verdict.clash.iter().filter_map(|&a| names.get(a));

@@ -61,12 +61,14 @@ enum Tried {
 
 fn with(case: &Case, condition: &Condition, costs: Costs, meter: &Rc<Meter>) -> Tried {
     let instance = case.instance;
-    let Ok(problem) = Problem::relaxed(instance, Relaxed::default(), Some(condition), meter) else {
+    let problem = Problem::relaxed(instance, Relaxed::default(), Some(condition), meter);
+    let Ok(mut problem) = problem else {
         return match meter.check() {
             Ok(()) => Tried::None, // the agent alone cannot
             Err(_) => Tried::Unknown,
         };
     };
+    case.past.wake(instance, &mut problem);
     let grid = instance.grid();
     // Where a horizon is far away, closer plans beyond the default are not worth
     // the search; then that none is closer is not claimed.
@@ -101,8 +103,9 @@ fn with(case: &Case, condition: &Condition, costs: Costs, meter: &Rc<Meter>) -> 
                 }
             }
             let report = check(instance, &plan);
-            let as_good = report
-                .costs
+            let as_good = case
+                .past
+                .costs(instance, &plan)
                 .is_some_and(|own| own.vector(case.objective()) == costs.vector(case.objective()));
             if report.is_valid() && as_good && condition.is_met_by(instance, &plan) {
                 let far = |proved: Reach| case.shown.is_some_and(|shown| proved.covers(shown));

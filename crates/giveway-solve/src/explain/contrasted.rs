@@ -4,7 +4,7 @@
 use std::collections::BTreeMap;
 use std::rc::Rc;
 
-use giveway_model::{Costs, Instance, Plan, check::costs};
+use giveway_model::{Costs, Instance, Plan};
 
 use super::{
     ask::{Ask, Found, any, at_most, best, violations},
@@ -65,6 +65,7 @@ impl Contrasted<'_, '_> {
             caps: &BTreeMap::new(),
             within: variant.within,
             at_least_within: self.horizon,
+            past: self.case.past,
         };
         let result = run(&ask, &part);
         self.meter.absorb(&part);
@@ -86,7 +87,8 @@ impl Contrasted<'_, '_> {
         let instance = Instance::new(variant.scene.clone()).ok()?;
         let relaxed = variant.relaxed.clone();
         let meter = &self.meter;
-        let problem = Problem::relaxed(&instance, relaxed, Some(condition), meter).ok()?;
+        let mut problem = Problem::relaxed(&instance, relaxed, Some(condition), meter).ok()?;
+        self.case.past.wake(&instance, &mut problem);
         let agents = instance.agents().iter();
         let walks: Option<Vec<Walk>> = agents
             .map(|agent| walk_of(&problem.terrain, near.path(&agent.name), agent.goal))
@@ -147,7 +149,7 @@ impl Inquiry for Contrasted<'_, '_> {
         let Ok(instance) = Instance::new(variant.scene.clone()) else {
             return false;
         };
-        let Some(costs) = costs(&instance, plan) else {
+        let Some(costs) = self.case.past.costs(&instance, plan) else {
             return false;
         };
         let mut conditions = self.conditions(variant);

@@ -5,8 +5,8 @@ use std::collections::BTreeMap;
 use std::rc::Rc;
 
 use giveway_model::{
-    Instance, Question, Version,
-    check::check,
+    Costs, Fault, Instance, Objective, Question, Version,
+    check::{Report, check_history},
     question::{Misfit, fits, names_exist},
 };
 
@@ -14,8 +14,12 @@ use super::{
     ExplainAnswer, ExplainRequest, Part, Verdict,
     ask::{Ask, any},
     closest::closest,
+    own_plan::Judged,
+    past::Past,
     reasons,
+    rest::{Asked, World, counting, rest_of, up_to},
     verdict::{Case, compare},
+    words,
 };
 use crate::{
     Host, Progress, Refusal, Status,
@@ -28,31 +32,88 @@ use crate::{
 /// Answers a question, and tells the host of every part.
 ///
 /// # Errors
-/// Where the scene, the plan or the question is wrong.
+/// Where the scene, the plan, the changes or the question is wrong.
 pub(crate) fn explain(request: &ExplainRequest, host: &dyn Host) -> Result<ExplainAnswer, Refusal> {
     let mut instance =
         Instance::new(request.scene.clone()).map_err(|faults| Refusal::Scene { faults })?;
     if let Some(objective) = &request.objective {
         instance = instance.with_objective(objective.clone());
     }
-    let question = &request.question;
-    names_exist(question, &instance).map_err(|misfit| Refusal::Question { misfit })?;
     let meter = Rc::new(Meter::new(host, request.limits));
-    let mut answer = empty(question);
-    let telling = Telling {
-        meter: &meter,
-        host,
+    let Some(changes) = counting(request) else {
+        let asked = Asked {
+            instance,
+            plan: request.plan.clone(),
+            question: request.question.clone(),
+            within: request.within,
+            past: Past::default(),
+        };
+        return answered(&asked, &meter, host);
     };
-    if matches!(question, Question::Unsolvable) {
-        no_plan(&instance, request.within, &mut answer, &telling)?;
-        return Ok(answer);
+    let Some(plan) = &request.plan else {
+        let fault = Fault::at("plan", "none", "the plan that ran while the world changed");
+        return Err(Refusal::Request { fault });
+    };
+    let plan = &up_to(&changes, plan);
+    let world = World::new(&instance, &changes, plan)?;
+    if !matches!(request.question, Question::Unsolvable) {
+        let report = check_history(&world.history, plan);
+        if !report.is_valid() && matches!(request.question, Question::Plan) {
+            return Ok(broken(report, instance.objective(), &meter));
+        }
+        if !report.is_valid() {
+            let violations = report.violations;
+            return Err(Refusal::Plan { violations });
+        }
     }
-    let solved = match &request.plan {
+    let asked = rest_of(&instance, world, plan, request)?;
+    answered(&asked, &meter, host)
+}
+
+/// What there is to say of a plan that breaks rules while the world changes.
+fn broken(report: Report, objective: &Objective, meter: &Rc<Meter>) -> ExplainAnswer {
+    let costs = report.costs.unwrap_or_default();
+    let judged = Judged::new(report.violations, report.costs);
+    ExplainAnswer {
+        costs: report.costs,
+        valid: Some(false),
+        words: words::own_plan(&judged, objective, &costs, None),
+        violations: Some(judged.violations),
+        stats: meter.stats(),
+        ..empty(&Question::Plan)
+    }
+}
+
+/// The answer to what is asked.
+fn answered(asked: &Asked, meter: &Rc<Meter>, host: &dyn Host) -> Result<ExplainAnswer, Refusal> {
+    let Asked {
+        instance,
+        plan,
+        question,
+        within,
+        past,
+    } = asked;
+    let (within, costs) = (*within, plan.as_ref());
+    let costs = costs.and_then(|plan| past.told_costs(instance, plan));
+    let telling = Telling {
+        meter,
+        host,
+        past,
+        costs,
+    };
+    let refused = |misfit| Refusal::Question { misfit };
+    names_exist(question, instance).map_err(refused)?;
+    let mut answer = empty(question);
+    if matches!(question, Question::Unsolvable) {
+        no_plan(instance, within, &mut answer, &telling)?;
+        return Ok(past.told(answer, costs));
+    }
+    let solved = match plan {
         Some(_) => None,
-        None => Some(solved(&instance, request, &meter)?),
+        None => Some(solved(instance, within, meter)?),
     };
     let best = solved.as_ref().and_then(|it| it.answer.plan.clone());
-    let Some(plan) = request.plan.clone().or_else(|| best.clone()) else {
+    let Some(plan) = plan.clone().or_else(|| best.clone()) else {
         answer
             .words
             .push_str("No plan to ask about was found in time.");
@@ -60,19 +121,22 @@ pub(crate) fn explain(request: &ExplainRequest, host: &dyn Host) -> Result<Expla
         return Ok(answer);
     };
     if matches!(question, Question::Plan) {
-        reasons::of_own_plan(&instance, &plan, request.within, &mut answer, &meter);
+        reasons::of_own_plan(instance, &plan, within, past, &mut answer, meter);
         answer.plan = best;
         answer.stats = meter.stats();
-        return Ok(answer);
+        return Ok(past.told(answer, costs));
     }
-    let report = check(&instance, &plan);
-    let Some(costs) = report.costs.filter(|_| report.violations.is_empty()) else {
-        let violations = report.violations;
+    let violations = past.check(instance, &plan);
+    let Some(costs) = past
+        .costs(instance, &plan)
+        .filter(|_| violations.is_empty())
+    else {
         return Err(Refusal::Plan { violations });
     };
-    fits(question, &instance, &plan).map_err(|misfit| Refusal::Question { misfit })?;
+    fits(question, instance, &plan)
+        .map_err(|misfit| refused(past.misfit(question, instance, &plan, misfit)))?;
     answer.plan = best;
-    let mut case = Case::new(&instance, question, &plan, costs, request.within);
+    let mut case = Case::new(instance, question, &plan, costs, within, past);
     case.optimal = solved.and_then(|solved| solved.reach);
     answer.pending = vec![
         Part::Verdict,
@@ -82,10 +146,10 @@ pub(crate) fn explain(request: &ExplainRequest, host: &dyn Host) -> Result<Expla
         Part::Repairs,
     ];
     tell_verdict(&mut case, &mut answer, &telling);
-    reasons::of_case(&case, &mut answer, &meter, &mut |answer, part| {
+    reasons::of_case(&case, &mut answer, meter, &mut |answer, part| {
         telling.tell(answer, part);
     });
-    Ok(answer)
+    Ok(past.told(answer, telling.costs))
 }
 
 /// The verdict with an other plan: the first part.
@@ -109,7 +173,7 @@ fn tell_verdict(case: &mut Case, answer: &mut ExplainAnswer, telling: &Telling) 
 fn tell_closest(case: &Case, answer: &mut ExplainAnswer, telling: &Telling) {
     if let (Some(other), Some(costs)) = (&answer.alternative, answer.costs) {
         let (plan, proved) = closest(case, (other, costs), telling.meter);
-        answer.costs = giveway_model::check::costs(case.instance, &plan);
+        answer.costs = case.past.costs(case.instance, &plan);
         answer.alternative = Some(plan);
         answer.closest = proved;
         reasons::word(case, "", answer);
@@ -119,7 +183,10 @@ fn tell_closest(case: &Case, answer: &mut ExplainAnswer, telling: &Telling) {
 /// Whom to tell of what becomes known.
 struct Telling<'a, 'h> {
     meter: &'a Rc<Meter<'h>>,
-    host: &'h dyn Host,
+    host: &'a dyn Host,
+    past: &'a Past,
+    /// The costs of the whole plan that is asked about.
+    costs: Option<Costs>,
 }
 
 impl Telling<'_, '_> {
@@ -128,7 +195,8 @@ impl Telling<'_, '_> {
         answer.pending.retain(|&pending| pending != part);
         answer.stats = self.meter.stats();
         if !answer.pending.is_empty() {
-            let answer = Box::new(answer.clone());
+            let answer = self.past.told(answer.clone(), self.costs);
+            let answer = Box::new(answer);
             self.host.progress(&Progress::Explained { answer });
         }
     }
@@ -150,10 +218,12 @@ fn no_plan(
             caps: &BTreeMap::new(),
             within,
             at_least_within: 0,
+            past: telling.past,
         },
         telling.meter,
     );
-    if let Some(costs) = found.costs {
+    if let (Some(costs), Some(plan)) = (found.costs, &found.plan) {
+        let costs = telling.past.whole_costs(costs, plan);
         let misfit = Misfit::NotSo {
             is_so: format!("There is a plan; one has a makespan of {}.", costs.makespan),
             ask: Some(Question::Makespan),
@@ -169,20 +239,18 @@ fn no_plan(
     }
     answer.pending = vec![Part::Verdict, Part::Witness, Part::Core, Part::Repairs];
     let tell = &mut |answer: &mut ExplainAnswer, part| telling.tell(answer, part);
-    reasons::of_no_plan(instance, within, &found, answer, telling.meter, tell);
+    let (past, meter) = (telling.past, telling.meter);
+    reasons::of_no_plan(instance, within, &found, past, answer, meter, tell);
     Ok(())
 }
 
 /// The plan that is asked about, where none was given: the best one.
-fn solved(
-    instance: &Instance,
-    request: &ExplainRequest,
-    meter: &Rc<Meter>,
-) -> Result<Solved, Refusal> {
+fn solved(instance: &Instance, within: Option<u32>, meter: &Rc<Meter>) -> Result<Solved, Refusal> {
     let task = Task {
         instance: instance.clone(),
         objective: instance.objective().clone(),
-        within: request.within,
+        within,
+        start: None,
         meter: Rc::clone(meter),
     };
     let solved = solve::solve(&task);
@@ -201,6 +269,7 @@ fn empty(question: &Question) -> ExplainAnswer {
     ExplainAnswer {
         giveway: Version,
         question: question.clone(),
+        since: None,
         plan: None,
         verdict: Verdict::Unknown,
         costs: None,

@@ -4,8 +4,8 @@ use std::collections::BTreeMap;
 
 use borsh::{BorshDeserialize, BorshSerialize};
 use giveway_model::{
-    Cost, Costs, Objective, Plan, Question, Scene, Version, check::Violation, format::from_object,
-    message::read_map,
+    Cost, Costs, Objective, Plan, Question, Scene, Version, change::Changes, check::Violation,
+    format::from_object, message::read_map,
 };
 use serde::{Deserialize, Serialize};
 
@@ -22,6 +22,16 @@ pub struct ExplainRequest {
     /// solved first.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub plan: Option<Plan>,
+    /// What changed while the plan ran: the question is then about what comes
+    /// from the last of these changes on, what is past taken as it is. Times in
+    /// the question are those of the whole plan. To ask why there is no way to go
+    /// on (`unsolvable`), the plan is the one that ran until then.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub changes: Option<Changes>,
+    /// The time that is looked at: later changes do not count, and the plan must
+    /// be right without them. All changes count where it is left out.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub at: Option<u32>,
     /// The question.
     pub question: Question,
     /// The objective, where it is not the scene's own.
@@ -98,6 +108,12 @@ pub struct ExplainAnswer {
     pub giveway: Version,
     /// The question.
     pub question: Question,
+    /// The time from which it is answered, where the world changed before: no
+    /// other plan differs before it. It is the time of the last change, or the
+    /// first later one at which no agent is half way along a slow move or held by
+    /// a breakdown. All times, costs and plans are those of the whole.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub since: Option<u32>,
     /// The plan asked about, where the request had none; `null` where there is
     /// none.
     #[serde(default, skip_serializing_if = "Option::is_none")]

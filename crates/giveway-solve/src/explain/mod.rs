@@ -5,6 +5,8 @@
 //! - [`engine`]: the order of the parts;
 //! - [`verdict`]: the best other plan beside the one asked about;
 //! - [`closest`]: of these, one that is close to it;
+//! - [`rest`]: what is left of a plan once the world has changed (`going_on`: by whom); [`past`] and
+//!   `told` make an answer about it one about the whole;
 //! - [`relax`], [`edits`]: facts left out, edits made;
 //! - [`reasons`]: the parts that say why, in their order;
 //! - [`contrasted`]: the search for what a question asks for, with facts left out;
@@ -25,14 +27,18 @@ pub(crate) mod core;
 pub(crate) mod edits;
 pub(crate) mod engine;
 mod explanation;
+mod going_on;
 pub(crate) mod own_plan;
 pub(crate) mod own_way;
+pub(crate) mod past;
 pub(crate) mod reasons;
 pub(crate) mod relax;
 pub(crate) mod repairs;
+pub(crate) mod rest;
 pub(crate) mod soft;
 #[cfg(test)]
 mod tests;
+mod told;
 pub(crate) mod unsolvable;
 pub(crate) mod verdict;
 pub(crate) mod waits;
@@ -41,3 +47,4 @@ pub(crate) mod words;
 pub use answer::{Class, Core, Edit, Excess, Fact, FactKind, Repair, WitnessEntry};
 pub use edits::edited_scene;
 pub use explanation::{ExplainAnswer, ExplainRequest, Part, Verdict};
+pub use words::edits_in_words;

@@ -3,14 +3,12 @@
 use std::collections::BTreeMap;
 use std::rc::Rc;
 
-use giveway_model::{
-    Cost, Costs, Instance, Objective, Plan, Scene,
-    check::{Violation, check},
-};
+use giveway_model::{Cost, Costs, Instance, Objective, Plan, Scene, check::Violation};
 
 use super::{
     answer::Excess,
     ask::{Ask, Found, best},
+    past::Past,
 };
 use crate::{Status, meter::Meter, problem::Relaxed};
 
@@ -30,23 +28,31 @@ pub(crate) struct Judged {
     pub(crate) found: Option<Found>,
 }
 
+impl Judged {
+    /// What the judge says, and nothing of other plans yet.
+    pub(crate) const fn new(violations: Vec<Violation>, costs: Option<Costs>) -> Self {
+        Self {
+            violations,
+            costs,
+            optimal: None,
+            better: None,
+            excess: Vec::new(),
+            found: None,
+        }
+    }
+}
+
 /// Judges a plan.
 pub(crate) fn judge(
     instance: &Instance,
     plan: &Plan,
     objective: &Objective,
     within: Option<u32>,
+    past: &Past,
     meter: &Rc<Meter>,
 ) -> Judged {
-    let report = check(instance, plan);
-    let mut judged = Judged {
-        violations: report.violations,
-        costs: report.costs,
-        optimal: None,
-        better: None,
-        excess: Vec::new(),
-        found: None,
-    };
+    let violations = past.check(instance, plan);
+    let mut judged = Judged::new(violations, past.costs(instance, plan));
     let Some(costs) = judged.costs.filter(|_| judged.violations.is_empty()) else {
         return judged;
     };
@@ -60,6 +66,7 @@ pub(crate) fn judge(
             // A plan that is at hand is never beyond what is looked at.
             within: within.map(|within| within.max(costs.makespan)),
             at_least_within: costs.makespan,
+            past,
         },
         meter,
     );
@@ -67,7 +74,7 @@ pub(crate) fn judge(
     if let (Some(other), Some(least)) = (&found.plan, &found.costs) {
         if vector(least) < vector(&costs) {
             judged.optimal = Some(false);
-            judged.excess = excess(instance, plan, other);
+            judged.excess = excess(instance, plan, other, past);
             judged.better = Some((other.clone(), *least));
         } else if found.status == Status::Optimal && vector(least) == vector(&costs) {
             judged.optimal = Some(true);
@@ -78,10 +85,13 @@ pub(crate) fn judge(
 }
 
 /// What each agent has more of in one plan than in another.
-fn excess(instance: &Instance, plan: &Plan, other: &Plan) -> Vec<Excess> {
+fn excess(instance: &Instance, plan: &Plan, other: &Plan, past: &Past) -> Vec<Excess> {
     let mut excess = Vec::new();
     for agent in instance.agents() {
-        let costs = [plan, other].map(|plan| own_costs(instance, &agent.name, plan));
+        let Some(alone) = alone(instance, &agent.name) else {
+            continue;
+        };
+        let costs = [plan, other].map(|plan| past.costs(&alone, plan));
         let [Some(costs), Some(less)] = costs else {
             continue;
         };
@@ -98,12 +108,16 @@ fn excess(instance: &Instance, plan: &Plan, other: &Plan) -> Vec<Excess> {
 
 /// The costs of one agent in a plan.
 pub(crate) fn own_costs(instance: &Instance, name: &str, plan: &Plan) -> Option<Costs> {
+    giveway_model::check::costs(&alone(instance, name)?, plan)
+}
+
+/// The instance with one agent only.
+fn alone(instance: &Instance, name: &str) -> Option<Instance> {
     let scene = instance.to_scene();
     let agents = scene.agents.into_iter().filter(|a| a.name == name);
     let alone = Scene {
         agents: agents.collect(),
         ..scene
     };
-    let alone = Instance::new(alone).ok()?;
-    giveway_model::check::costs(&alone, plan)
+    Instance::new(alone).ok()
 }

@@ -6,7 +6,7 @@ use std::rc::Rc;
 
 use giveway_model::{
     Cell, Cost, Objective, Path, Plan, Question, Scene,
-    check::{Violation, arrivals, check},
+    check::{Violation, arrivals},
 };
 
 use super::{ask::Ask, ask::best, own_plan::own_costs, verdict::Case, waits};
@@ -24,11 +24,11 @@ use crate::{
 /// is asked for, or nobody is asked about.
 pub(crate) fn witness(case: &Case, meter: &Rc<Meter>) -> Option<(String, Vec<Violation>)> {
     if let Question::Wait { agent, .. } = case.question {
-        let violations = waits::witness(case.instance, case.question, case.plan);
+        let violations = waits::witness(case.instance, case.question, case.plan, case.past);
         return Some((agent.clone(), violations));
     }
     let conditions = match about_agent(case) {
-        Some(question) => Condition::of(&question, case.instance, case.plan),
+        Some(question) => Condition::of(&question, case.instance, case.plan, case.past),
         None => case.conditions.clone(),
     };
     let mut found: Option<(usize, String, Vec<Violation>)> = None;
@@ -39,7 +39,7 @@ pub(crate) fn witness(case: &Case, meter: &Rc<Meter>) -> Option<(String, Vec<Vio
         let Some(other) = moved(case, condition, agent, meter) else {
             continue;
         };
-        let violations = check(case.instance, &other).violations;
+        let violations = case.past.check(case.instance, &other);
         let count = violations.len();
         if found.as_ref().is_none_or(|(fewest, ..)| count < *fewest) {
             found = Some((count, agent.to_owned(), violations));
@@ -142,6 +142,7 @@ fn alone(case: &Case, condition: &Condition, agent: &str, meter: &Rc<Meter>) -> 
             caps: &BTreeMap::new(),
             within: case.within,
             at_least_within: case.costs.makespan,
+            past: case.past,
         },
         meter,
     );

@@ -3,7 +3,7 @@
 
 use std::rc::Rc;
 
-use giveway_model::{Cost, Costs, Instance, Plan, check::costs, sorting};
+use giveway_model::{Cost, Costs, Instance, Plan, sorting};
 
 use super::{
     ExplainAnswer, Part, Verdict, WitnessEntry,
@@ -12,6 +12,7 @@ use super::{
     core::{CoreFound, Tried, minimal_set},
     own_plan::{Judged, judge},
     own_way,
+    past::Past,
     relax::Part as FactPart,
     repairs::repairs,
     unsolvable::{self, AnyPlan},
@@ -64,7 +65,8 @@ pub(crate) fn of_case(case: &Case, answer: &mut ExplainAnswer, meter: &Rc<Meter>
     if refuted {
         let core = core_of_case(case, answer, meter);
         let facts = core.as_ref().map_or(Vec::new(), |core| core.parts.clone());
-        answer.core = core.map(|core| core.core(case.instance, case.within));
+        answer.core =
+            core.map(|core| core.core(case.instance, case.within.map(|time| case.past.time(time))));
         word(case, &about, answer);
         tell(answer, Part::Core);
         help_case(case, &facts, answer, meter);
@@ -84,10 +86,11 @@ pub(crate) fn word(case: &Case, about: &str, answer: &mut ExplainAnswer) {
         plan: case.plan,
         verdict: answer.verdict,
         alternative: answer.alternative.as_ref(),
-        within: answer.within,
+        within: answer.within.map(|time| case.past.time(time)),
+        past: case.past,
         witness: (about, &answer.witness),
         core: answer.core.as_ref(),
-        repairs: &answer.repairs,
+        repairs: &case.past.told_repairs(&answer.repairs),
     });
 }
 
@@ -155,43 +158,45 @@ pub(crate) fn of_no_plan(
     instance: &Instance,
     within: Option<u32>,
     found: &Found,
+    past: &Past,
     answer: &mut ExplainAnswer,
     meter: &Rc<Meter>,
     tell: Tell,
 ) {
     answer.verdict = Verdict::Necessary;
     (answer.complete, answer.within) = told(found.reach);
-    tell_no_plan(answer, Part::Verdict, tell);
+    tell_no_plan(answer, past, Part::Verdict, tell);
     let searching = || AnyPlan {
         objective: instance.objective(),
         horizon: found.horizon,
         meter: part(meter),
+        past,
     };
     let mut any_plan = searching();
     (answer.witness, _) = unsolvable::witness(instance, within, &mut any_plan);
     meter.absorb(&any_plan.meter);
-    tell_no_plan(answer, Part::Witness, tell);
+    tell_no_plan(answer, past, Part::Witness, tell);
 
     let mut any_plan = searching();
     let core = unsolvable::core(instance, within, found, &mut any_plan);
     meter.absorb(&any_plan.meter);
     let facts = core.as_ref().map_or(Vec::new(), |core| core.parts.clone());
-    answer.core = core.map(|core| core.core(instance, within));
-    tell_no_plan(answer, Part::Core, tell);
+    answer.core = core.map(|core| core.core(instance, within.map(|time| past.time(time))));
+    tell_no_plan(answer, past, Part::Core, tell);
 
     let mut any_plan = searching();
     let helps = unsolvable::helps(instance, within, &facts, &mut any_plan);
     meter.absorb(&any_plan.meter);
     (answer.repairs, answer.exhaustive) = (helps.repairs, helps.exhaustive);
-    tell_no_plan(answer, Part::Repairs, tell);
+    tell_no_plan(answer, past, Part::Repairs, tell);
 }
 
-fn tell_no_plan(answer: &mut ExplainAnswer, part: Part, tell: Tell) {
+fn tell_no_plan(answer: &mut ExplainAnswer, past: &Past, part: Part, tell: Tell) {
     answer.words = words::unsolvable(
-        answer.within,
+        answer.within.map(|time| past.time(time)),
         &answer.witness,
         answer.core.as_ref(),
-        &answer.repairs,
+        &past.told_repairs(&answer.repairs),
     );
     tell(answer, part);
 }
@@ -201,12 +206,15 @@ pub(crate) fn of_own_plan(
     instance: &Instance,
     plan: &Plan,
     within: Option<u32>,
+    past: &Past,
     answer: &mut ExplainAnswer,
     meter: &Rc<Meter>,
 ) {
     let objective = instance.objective();
-    let judged: Judged = judge(instance, plan, objective, within, meter);
-    answer.words = words::own_plan(&judged, objective);
+    let judged: Judged = judge(instance, plan, objective, within, past, meter);
+    let whole = |plan: &Plan| past.told_costs(instance, plan).unwrap_or_default();
+    let better = judged.better.as_ref().map(|(better, _)| whole(better));
+    answer.words = words::own_plan(&judged, objective, &whole(plan), better.as_ref());
     answer.valid = Some(judged.violations.is_empty());
     answer.optimal = judged.optimal;
     answer.violations = Some(judged.violations);
@@ -220,7 +228,9 @@ pub(crate) fn of_own_plan(
         let proved = found.status == Status::Optimal;
         (answer.complete, answer.within) = told(found.reach.filter(|_| proved));
     }
-    let own = costs(instance, plan).filter(|_| answer.valid == Some(true));
+    let own = past
+        .costs(instance, plan)
+        .filter(|_| answer.valid == Some(true));
     let least: Option<Costs> = judged.better.as_ref().map(|(_, costs)| *costs).or(own);
     if let (Some(least), Some(own)) = (least, own) {
         let more = |cost: Cost| i64::from(least.get(cost)) - i64::from(own.get(cost));

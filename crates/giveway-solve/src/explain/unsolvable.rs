@@ -6,13 +6,14 @@ use std::rc::Rc;
 
 use giveway_model::{
     Instance, Objective, Plan,
-    check::{Rule, Violation, check},
+    check::{Rule, Violation},
 };
 
 use super::{
     answer::{Class, WitnessEntry},
     ask::{Ask, Found, any, best, violations},
     core::{CoreFound, Inquiry, Tried, minimal_set},
+    past::Past,
     relax::{Part, Variant, parts, without},
     repairs::{Best, Repairs, Solver, repairs},
     soft::{self, Broken},
@@ -46,6 +47,8 @@ pub(crate) struct AnyPlan<'a, 'h> {
     /// The horizon of the instance as it is.
     pub(crate) horizon: u32,
     pub(crate) meter: Rc<Meter<'h>>,
+    /// What is past already.
+    pub(crate) past: &'a Past,
 }
 
 impl AnyPlan<'_, '_> {
@@ -59,6 +62,7 @@ impl AnyPlan<'_, '_> {
             caps: &BTreeMap::new(),
             within: variant.within,
             at_least_within: self.horizon,
+            past: self.past,
         };
         let result = run(&ask, &part);
         self.meter.absorb(&part);
@@ -161,7 +165,7 @@ pub(crate) fn witness(
         settled &= part.check().is_ok();
         if let Some(broken) = broken {
             settled &= broken.fewest;
-            let mut found = told(instance, class, &broken.plan);
+            let mut found = told(instance, class, &broken.plan, any_plan.past);
             // What was counted and what the judge says must be the same.
             if found.len() != broken.count {
                 found.clear();
@@ -177,8 +181,8 @@ pub(crate) fn witness(
 
 /// The violations of a plan that breaks rules of one class, batteries once an
 /// agent; none where it breaks others, too.
-fn told(instance: &Instance, class: Class, plan: &Plan) -> Vec<Violation> {
-    let mut violations = check(instance, plan).violations;
+fn told(instance: &Instance, class: Class, plan: &Plan, past: &Past) -> Vec<Violation> {
+    let mut violations = past.check(instance, plan);
     let of_class = |rule: Rule| match class {
         Class::Collision => matches!(rule, Rule::Vertex | Rule::Swap | Rule::SlowSwap),
         Class::Obstacle => rule == Rule::Obstacle,

@@ -9,6 +9,7 @@ use giveway_model::{Cost, Costs, Instance, Objective, Plan, Question};
 use super::{
     Verdict,
     ask::{Ask, Found, at_most, best},
+    past::Past,
 };
 use crate::{
     Status,
@@ -35,6 +36,8 @@ pub(crate) struct Case<'a> {
     pub(crate) conditions: Vec<Condition>,
     /// The horizon, where a person set one.
     pub(crate) within: Option<u32>,
+    /// What is past already.
+    pub(crate) past: &'a Past,
 }
 
 impl<'a> Case<'a> {
@@ -44,6 +47,7 @@ impl<'a> Case<'a> {
         plan: &'a Plan,
         costs: Costs,
         within: Option<u32>,
+        past: &'a Past,
     ) -> Self {
         Self {
             instance,
@@ -52,7 +56,8 @@ impl<'a> Case<'a> {
             costs,
             optimal: None,
             shown: None,
-            conditions: Condition::of(question, instance, plan),
+            conditions: Condition::of(question, instance, plan, past),
+            past,
             // What is at hand is never beyond what is looked at.
             within: within.map(|within| within.max(costs.makespan)),
         }
@@ -74,6 +79,7 @@ impl<'a> Case<'a> {
                 caps: &BTreeMap::new(),
                 within: self.within,
                 at_least_within: self.costs.makespan,
+                past: self.past,
             });
         }
     }

@@ -1,13 +1,17 @@
 //! What would happen without a wait: the asked wait steps taken out of the
 //! plan, everything later of the agent earlier, all others as they are.
 
-use giveway_model::{
-    Cell, Instance, Path, Plan, Question,
-    check::{Violation, check},
-};
+use giveway_model::{Cell, Instance, Path, Plan, Question, check::Violation};
+
+use super::past::Past;
 
 /// The violations that would follow; none where the question is about no wait.
-pub(crate) fn witness(instance: &Instance, question: &Question, plan: &Plan) -> Vec<Violation> {
+pub(crate) fn witness(
+    instance: &Instance,
+    question: &Question,
+    plan: &Plan,
+    past: &Past,
+) -> Vec<Violation> {
     let Question::Wait {
         agent,
         at,
@@ -39,7 +43,7 @@ pub(crate) fn witness(instance: &Instance, question: &Question, plan: &Plan) -> 
         now.dedup();
         *charges = now;
     }
-    check(instance, &other).violations
+    past.check(instance, &other)
 }
 
 /// The wait steps that are asked about.

@@ -71,7 +71,7 @@ pub(crate) fn closest(
 ) -> Result<Option<Close>, Stop> {
     let objective = giveway_model::Objective::default();
     let latest = bounded.horizon.latest();
-    let mut incumbent = Incumbent::new(objective, latest, bounded.limits.clone());
+    let mut incumbent = Incumbent::new(objective, latest, bounded.limits.clone(), &|_| {});
     let walks: Vec<Walk> = before.iter().map(|it| it.walk.clone()).collect();
     let search = Search::new(
         problem,
@@ -116,7 +116,7 @@ struct Trace {
 struct Near<'p, 'h> {
     problem: &'p Problem,
     before: &'p [Before],
-    search: Search<'p, 'h>,
+    search: Search<'p, 'h, 'p>,
     traces: Vec<Option<Trace>>,
     written: Vec<Written>,
     /// "Its entry at this time differs", of inside agents, once they count.

@@ -47,7 +47,7 @@ pub(crate) struct Core {
     pub(crate) agents: Vec<AgentId>,
 }
 
-impl Search<'_, '_> {
+impl Search<'_, '_, '_> {
     /// The guards of the diagrams, as far as arrivals up to `until` matter:
     /// under these literals the clauses are as they would be if nothing were
     /// left out.

@@ -6,32 +6,40 @@ use giveway_model::{Cost, Costs, Objective};
 
 use crate::{
     local::Reservations,
-    meter::Meter,
     problem::Problem,
-    progress::Progress,
     walk::{Walk, arrival, costs},
 };
 
+/// Is told of each better plan.
+pub(crate) type OnBetter<'a> = dyn Fn(&[Walk]) + 'a;
+
 /// The best plan so far of those that keep within the limits.
-pub(crate) struct Incumbent {
+pub(crate) struct Incumbent<'a> {
     objective: Objective,
     horizon: u32,
     limits: BTreeMap<Cost, u32>,
     best: Option<(Vec<Walk>, Costs)>,
+    on_better: &'a OnBetter<'a>,
 }
 
-impl Incumbent {
-    pub(crate) fn new(objective: Objective, horizon: u32, limits: BTreeMap<Cost, u32>) -> Self {
+impl<'a> Incumbent<'a> {
+    pub(crate) fn new(
+        objective: Objective,
+        horizon: u32,
+        limits: BTreeMap<Cost, u32>,
+        on_better: &'a OnBetter<'a>,
+    ) -> Self {
         Self {
             objective,
             horizon,
             limits,
             best: None,
+            on_better,
         }
     }
 
     /// Keeps a plan if it is better than the best; true if it was.
-    pub(crate) fn offer(&mut self, problem: &Problem, walks: &[Walk], meter: &Meter) -> bool {
+    pub(crate) fn offer(&mut self, problem: &Problem, walks: &[Walk]) -> bool {
         let costs = costs(problem, walks);
         let kept = self
             .limits
@@ -46,7 +54,7 @@ impl Incumbent {
             return false;
         }
         self.best = Some((walks.to_vec(), costs));
-        meter.report(&Progress::Plan { costs });
+        (self.on_better)(walks);
         true
     }
 

@@ -10,7 +10,7 @@ use super::{
     feasible,
     for_ever::{self, ForEver, Known, Reach},
     horizon::Horizon,
-    incumbent::{Incumbent, free_of_collisions},
+    incumbent::{Incumbent, OnBetter, free_of_collisions},
     makespan,
     stage::{End, Search},
     sum::SumStage,
@@ -90,14 +90,23 @@ pub(crate) struct Verdict {
     pub(crate) clash: Vec<usize>,
 }
 
+/// What a search for the best plan begins with, and whom it tells.
+pub(crate) struct Contact<'a> {
+    /// The walks of a plan that is known already.
+    pub(crate) start: Option<&'a [Walk]>,
+    /// Is told of each better plan.
+    pub(crate) on_better: &'a OnBetter<'a>,
+}
+
 /// Finds and proves the lexicographic optimum.
 pub(crate) fn solve(
     problem: &Problem,
     objective: &Objective,
     bounded: &Bounded,
+    contact: &Contact,
     meter: &Rc<Meter>,
 ) -> Verdict {
-    find(problem, objective, bounded, &Aim::Best, meter)
+    find_from(problem, objective, bounded, &Aim::Best, contact, meter)
 }
 
 /// Finds what is looked for, or proves that there is nothing like it.
@@ -108,6 +117,21 @@ pub(crate) fn find(
     aim: &Aim,
     meter: &Rc<Meter>,
 ) -> Verdict {
+    let contact = Contact {
+        start: None,
+        on_better: &|_| {},
+    };
+    find_from(problem, objective, bounded, aim, &contact, meter)
+}
+
+fn find_from(
+    problem: &Problem,
+    objective: &Objective,
+    bounded: &Bounded,
+    aim: &Aim,
+    contact: &Contact,
+    meter: &Rc<Meter>,
+) -> Verdict {
     let mut bounded = bounded.clone();
     if let Aim::AtMost(most) = aim
         && let (Some(&cost), Some(&most)) = (objective.costs().first(), most.first())
@@ -116,8 +140,15 @@ pub(crate) fn find(
         *limit = most.min(*limit);
     }
     let bounded = &bounded;
-    let latest = bounded.horizon.latest();
-    let mut incumbent = Incumbent::new(objective.clone(), latest, bounded.limits.clone());
+    let mut incumbent = Incumbent::new(
+        objective.clone(),
+        bounded.horizon.latest(),
+        bounded.limits.clone(),
+        contact.on_better,
+    );
+    if let Some(walks) = contact.start {
+        incumbent.offer(problem, walks);
+    }
     let mut verdict = Verdict {
         best: None,
         bounds: BTreeMap::new(),
@@ -174,12 +205,13 @@ fn run(
     }
     let walks = apart(problem, meter)?;
     if free_of_collisions(problem, &walks) {
-        incumbent.offer(problem, &walks, meter);
+        incumbent.offer(problem, &walks);
     } else if *aim == Aim::Best
+        && incumbent.costs().is_none()
         // (Where any will do, SAT finds one as soon, and else refutes it.)
         && let Some(plan) = first_plan(problem, walks.clone(), horizon, meter)?
     {
-        incumbent.offer(problem, &plan, meter);
+        incumbent.offer(problem, &plan);
     }
     if incumbent.costs().is_none() {
         // Where few agents find no plan there is mostly none, which is quickly

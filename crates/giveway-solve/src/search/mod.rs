@@ -29,5 +29,5 @@ mod team;
 pub(crate) use closest::{Before, Extent, closest};
 pub(crate) use for_ever::{ForEver, Reach};
 pub(crate) use horizon::Horizon;
-pub(crate) use lexicographic::{Aim, Bounded, Verdict, find, solve};
+pub(crate) use lexicographic::{Aim, Bounded, Contact, Verdict, find, solve};
 pub(crate) use team::Team;

@@ -44,11 +44,11 @@ pub(crate) enum End {
 }
 
 /// A lexicographic search under way.
-pub(crate) struct Search<'p, 'h> {
+pub(crate) struct Search<'p, 'h, 'b> {
     pub(crate) problem: &'p Problem,
     pub(crate) meter: Rc<Meter<'h>>,
     pub(crate) team: Team<'p, 'h>,
-    pub(crate) incumbent: &'p mut Incumbent,
+    pub(crate) incumbent: &'p mut Incumbent<'b>,
     /// The latest arrivals that are still of interest.
     pub(super) deadlines: Deadlines,
     limits: BTreeMap<Cost, SumLimit>,
@@ -65,13 +65,13 @@ pub(crate) struct Search<'p, 'h> {
     begun: Vec<Cost>,
 }
 
-impl<'p, 'h> Search<'p, 'h> {
+impl<'p, 'h, 'b> Search<'p, 'h, 'b> {
     pub(crate) fn new(
         problem: &'p Problem,
         walks: Vec<Walk>,
         bounded: &Bounded,
         keeping: Keeping,
-        incumbent: &'p mut Incumbent,
+        incumbent: &'p mut Incumbent<'b>,
         meter: Rc<Meter<'h>>,
     ) -> Self {
         let makespan = bounded.limits.get(&Cost::Makespan).copied();
@@ -127,7 +127,7 @@ impl<'p, 'h> Search<'p, 'h> {
             POLISH_ROUNDS,
             &self.meter,
         );
-        self.incumbent.offer(self.problem, &walks, &self.meter);
+        self.incumbent.offer(self.problem, &walks);
         improved
     }
 
@@ -232,7 +232,7 @@ impl<'p, 'h> Search<'p, 'h> {
         }
         if entering.is_empty() {
             let walks = self.team.walks.clone();
-            self.incumbent.offer(self.problem, &walks, &self.meter);
+            self.incumbent.offer(self.problem, &walks);
         }
         Ok(entering)
     }

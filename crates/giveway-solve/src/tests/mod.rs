@@ -4,6 +4,7 @@
 mod lone;
 mod picture;
 mod random;
+mod start;
 
 pub(crate) use lone::{Lone, Spot, State};
 pub(crate) use picture::instance;

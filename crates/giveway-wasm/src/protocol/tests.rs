@@ -1,6 +1,6 @@
 //! Every message is read as it was written.
 
-use giveway_model::{Cost, Costs, Fault, Plan, Scene, Version, format::native};
+use giveway_model::{Cell, Cost, Costs, Fault, Plan, Scene, Version, format::native};
 use giveway_proof::{Checked, Claim, Report};
 use giveway_solve::change::{ChangeRequest, Method};
 use giveway_solve::{
@@ -34,12 +34,20 @@ fn check_response(response: Response) {
     check_message(&Message::Answer { id: 7, response });
 }
 
+fn some_plan() -> Plan {
+    Plan {
+        paths: [("A1".to_owned(), vec![Some(Cell::new(0, 1)), None])].into(),
+        ..Plan::default()
+    }
+}
+
 fn solve_request() -> SolveRequest {
     SolveRequest {
         scene: scene(),
         objective: Some("moves,waits".parse().unwrap()),
         pareto: true,
         within: Some(30),
+        start: Some(some_plan()),
         limits: Limits {
             seconds: Some(0.5),
             conflicts: Some(u64::MAX),
@@ -179,6 +187,7 @@ fn what_is_told_on_the_way_comes_back() {
     });
     progress(Progress::Plan {
         costs: Costs::default(),
+        plan: some_plan(),
     });
     progress(Progress::Certifying {
         claim: "There is no plan.".to_owned(),

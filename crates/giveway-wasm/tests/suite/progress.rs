@@ -22,6 +22,7 @@ fn bounds_and_plans_are_told_on_the_way_and_agree_with_the_answer() {
             .collect()
     };
     assert_eq!(of("plan").last().unwrap()["costs"], answer["costs"]);
+    assert_eq!(of("plan").last().unwrap()["plan"], answer["plan"]);
     let bounds = of("bound");
     let makespans = bounds.iter().filter(|event| event["cost"] == "makespan");
     let makespans: Vec<u64> = makespans

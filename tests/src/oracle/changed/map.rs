@@ -8,7 +8,7 @@ use giveway_model::change::{Change, What};
 use super::super::world::World;
 
 /// The rows of the map after the changes.
-pub(super) fn edited(rows: &[String], changes: &[Change]) -> Vec<String> {
+pub fn edited(rows: &[String], changes: &[Change]) -> Vec<String> {
     let mut rows: Vec<Vec<char>> = rows.iter().map(|row| row.chars().collect()).collect();
     let mut set = |cell: &Cell, to: &dyn Fn(char) -> char| {
         let c = &mut rows[cell.y as usize][cell.x as usize];

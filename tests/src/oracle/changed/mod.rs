@@ -16,6 +16,7 @@ use std::collections::{BTreeMap, BTreeSet};
 use giveway_model::change::{Change, What};
 use giveway_model::{Agent, Cell, Cost, Instance, Plan};
 
+pub use self::map::edited as map_after;
 use self::map::{around, edited};
 use self::robot::{Place, Robot, UNLIMITED};
 use super::world::World;

@@ -3,7 +3,12 @@
 use std::fmt::Write as _;
 
 use anstyle::AnsiColor;
-use giveway_model::{Cost, Costs, Instance, Plan, check::costs, question::to_words};
+use giveway_model::{
+    Cost, Costs, Instance, Plan,
+    change::History,
+    check::{costs, costs_over_time},
+    question::to_words,
+};
 use giveway_solve::explain::{ExplainAnswer, Verdict};
 
 use super::{bold, paint, solve::work, title};
@@ -20,16 +25,43 @@ pub(crate) fn explain(
     answer: &ExplainAnswer,
     columns: usize,
 ) -> String {
-    let mut parts = vec![title(instance), verdict(answer)];
     let before = plan.and_then(|plan| costs(instance, plan));
+    let map = map::draw(instance, columns);
+    let plans = plan.map(|plan| plans(instance, plan, answer, columns));
+    whole(instance, before, answer, map, plans.unwrap_or_default())
+}
+
+/// The same where the world changed while the plan ran; the map is the last.
+pub(crate) fn explain_over_time(
+    instance: &Instance,
+    history: &History,
+    plan: &Plan,
+    answer: &ExplainAnswer,
+    columns: usize,
+) -> String {
+    let before = costs_over_time(history, plan);
+    let map = map::draw_over_time(instance, history, columns);
+    let mut plans = table::draw_over_time(history, plan, columns);
+    if let Some(other) = &answer.alternative {
+        let other = table::draw_over_time(history, other, columns);
+        let _ = write!(plans, "\n{}:\n{other}", bold("The other plan"));
+    }
+    whole(instance, before, answer, map, plans)
+}
+
+fn whole(
+    instance: &Instance,
+    before: Option<Costs>,
+    answer: &ExplainAnswer,
+    map: String,
+    plans: String,
+) -> String {
+    let mut parts = vec![title(instance), verdict(answer)];
     let after = answer.costs.filter(|_| answer.alternative.is_some());
     if let (Some(before), Some(after)) = (before, after) {
         parts.push(cost_table(instance, &before, &after));
     }
-    parts.push(map::draw(instance, columns));
-    if let Some(plan) = plan {
-        parts.push(plans(instance, plan, answer, columns));
-    }
+    parts.extend([map, plans]);
     let violations = answer.violations.iter().flatten();
     let broken: Vec<&str> = violations.map(|v| v.message.as_str()).collect();
     parts.push(listed("What it breaks", &broken));

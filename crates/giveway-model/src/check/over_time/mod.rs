@@ -83,6 +83,30 @@ pub fn costs_over_time(history: &History, plan: &Plan) -> Option<Costs> {
     costs(history, plan)
 }
 
+/// The charges, moves and waits of an agent that begin before a time; nothing
+/// else of its costs is known by then.
+pub fn costs_until(history: &History, life: &Life<'_>, until: u32) -> Costs {
+    let asleep = asleep(history, life);
+    let slept = |time: u32| asleep.iter().any(|&(a, b)| a <= time && time < b);
+    let mut costs = Costs {
+        charges: life.charges.iter().filter(|&&time| time < until).count() as u32,
+        ..Costs::default()
+    };
+    for (begin, step) in steps(history.grid(0), life.path) {
+        let time = begin as u32 + life.career.from;
+        match step {
+            _ if time >= until => {}
+            Step::Wait => costs.waits += u32::from(!slept(time)),
+            _ => costs.moves += 1,
+        }
+    }
+    let listed = life.path.len() as u32 + life.career.from;
+    for time in listed.saturating_sub(1)..life.end().min(until) {
+        costs.waits += u32::from(!slept(time));
+    }
+    costs
+}
+
 fn costs(history: &History, plan: &Plan) -> Option<Costs> {
     let mut costs = Costs::default();
     for career in history.careers() {

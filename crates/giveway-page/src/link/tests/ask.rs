@@ -3,8 +3,8 @@
 use giveway_model::{Cell, Question};
 
 use super::why;
-use crate::link::{ask, keep, open, write};
-use crate::{Action, Draft, Phase, State, reduce, sample};
+use crate::link::{ask, keep, kept, open, write};
+use crate::{Action, AskAction, Draft, Phase, SolveAction, State, reduce, sample};
 
 #[test]
 fn a_question_is_asked_again() {
@@ -13,15 +13,23 @@ fn a_question_is_asked_again() {
         at: Some(Cell::new(6, 2)),
         time: None,
     };
-    let state = reduce(&sample::solved(), Action::Ask(question.clone()));
+    let state = reduce(
+        &sample::solved(),
+        Action::Ask(AskAction::Ask(question.clone())),
+    );
     let text = write(&state);
     assert!(text.contains("&ask="), "{text}");
-    assert!(!keep(&state).contains("&ask="), "a reload asks nothing");
+    let resumed = kept(&keep(&state)).unwrap();
+    assert_eq!(
+        resumed.document.mode.asking().unwrap().question(),
+        &question
+    );
+    assert!(resumed.work.is_idle(), "a reload asks nothing by itself");
     let opened = reduce(&State::new(Draft::default()), open(&text));
     assert_eq!(opened.phase(), Phase::Asking);
-    assert_eq!(opened.asking.unwrap().question(), &question);
-    assert_eq!(opened.answer.unwrap().plan(), state.plan());
-    let closed = reduce(&state, Action::CloseQuestion);
+    assert_eq!(opened.document.mode.asking().unwrap().question(), &question);
+    assert_eq!(opened.document.answer.unwrap().plan(), state.plan());
+    let closed = reduce(&state, Action::Ask(AskAction::Close));
     assert!(!write(&closed).contains("&ask="));
 }
 
@@ -35,12 +43,18 @@ fn a_question_without_a_plan_waits_for_the_answer() {
     let opened = reduce(&State::new(Draft::default()), open(&text));
     assert_eq!(opened.phase(), Phase::Solving);
     let run = opened.work.id().unwrap();
-    let solved = sample::solved().answer.unwrap().solved.clone();
+    let solved = sample::solved().document.answer.unwrap().solved.clone();
     let response = Box::new(giveway_solve::Response::Solved(solved));
-    let answered = reduce(&opened, Action::Respond { run, response });
+    let answered = reduce(
+        &opened,
+        Action::Solve(SolveAction::Respond { job: run, response }),
+    );
     assert_eq!(answered.phase(), Phase::Asking);
-    assert_eq!(answered.asking.unwrap().question(), &Question::Makespan);
-    let cancelled = reduce(&opened, Action::Cancel);
+    assert_eq!(
+        answered.document.mode.asking().unwrap().question(),
+        &Question::Makespan
+    );
+    let cancelled = reduce(&opened, Action::Solve(SolveAction::Cancel));
     assert_eq!(cancelled.phase(), Phase::Editing);
 }
 
@@ -106,6 +120,9 @@ fn hostile_questions_are_refused() {
     // It can be read, and does not fit: the plan is shown all the same.
     let text = format!("{good}&ask=wait;nobody");
     let state = reduce(&State::new(Draft::default()), open(&text));
-    assert_eq!((state.phase(), state.asking), (Phase::Stopped, None));
-    assert!(state.notice.unwrap().sentence.contains("nobody"));
+    assert_eq!(
+        (state.phase(), state.document.mode.asking()),
+        (Phase::Stopped, None)
+    );
+    assert!(state.view.notice.unwrap().sentence.contains("nobody"));
 }

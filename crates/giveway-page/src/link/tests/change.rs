@@ -1,21 +1,25 @@
 //! Links with changes of the world.
 
-use giveway_model::Cell;
+use giveway_model::{Cell, format::native};
 use giveway_solve::Status;
 
 use super::{read_noise, why};
-use crate::link::{From, change, keep, read, write};
-use crate::{Action, Phase, State, reduce};
+use crate::link::{From, change, keep, kept, read, write};
+use crate::{Action, BoardAction, ChangeAction, Draft, Phase, PlayAction, State, reduce};
 
 /// A3 joined at time 1 and a charger appears at time 2; something else is listed.
 fn changed() -> State {
     let stroke = |tool, x, y| {
         let cell = Cell::new(x, y);
-        [Action::PickTool(tool), Action::Press(cell), Action::Release]
+        [
+            Action::Board(BoardAction::PickTool(tool)),
+            Action::Board(BoardAction::Press(cell)),
+            Action::Board(BoardAction::Release),
+        ]
     };
     let state = crate::tests::adopted();
-    let state = reduce(&state, Action::Seek(2));
-    let actions = [Action::BeginChange].into_iter();
+    let state = reduce(&state, Action::Play(PlayAction::Seek(2)));
+    let actions = [Action::Change(ChangeAction::Begin)].into_iter();
     let actions = actions.chain(stroke(crate::Tool::Charger, 0, 0));
     actions.fold(state, |state, action| reduce(&state, action))
 }
@@ -26,10 +30,10 @@ fn a_course_comes_back_judged_with_its_changes() {
     let text = write(&state);
     assert!(text.contains("&changes=1aA3.2.2.1.0&plan="), "{text}");
     let linked = read(&text, From::Anywhere).unwrap();
-    let answer = linked.answer.unwrap();
+    let answer = linked.document.answer.unwrap();
     assert_eq!(answer.plan(), state.plan());
     let course = answer.course.as_deref().unwrap();
-    let before = state.answer.as_ref().unwrap();
+    let before = state.document.answer.as_ref().unwrap();
     assert_eq!(course.changes, before.course.as_deref().unwrap().changes);
     assert_eq!(course.steps[0].method, None, "a link is not believed");
     assert_eq!(answer.solved.status, Status::Feasible);
@@ -39,14 +43,23 @@ fn a_course_comes_back_judged_with_its_changes() {
 #[test]
 fn what_the_browser_kept_of_a_course_is_as_it_was() {
     let state = changed();
-    let restored = State::restored(read(&keep(&state), From::Here).unwrap());
+    let restored = kept(&keep(&state)).unwrap();
     assert_eq!(restored.phase(), Phase::Changing);
-    assert_eq!(restored.playback.time, 2);
-    let list = |state: &State| state.changing.as_ref().unwrap().list.clone();
+    assert_eq!(restored.view.playback.time, 2);
+    let list = |state: &State| {
+        state
+            .document
+            .mode
+            .changing()
+            .as_ref()
+            .unwrap()
+            .list
+            .clone()
+    };
     assert_eq!(list(&restored), list(&state));
-    let course = |state: &State| state.answer.as_ref().unwrap().course.clone();
+    let course = |state: &State| state.document.answer.as_ref().unwrap().course.clone();
     assert_eq!(course(&restored), course(&state));
-    let left = State::restored(read(&keep(&crate::tests::adopted()), From::Here).unwrap());
+    let left = kept(&keep(&crate::tests::adopted())).unwrap();
     assert_eq!(left.phase(), Phase::Planned);
 }
 
@@ -87,4 +100,63 @@ fn hostile_changes_are_refused() {
 #[test]
 fn noise_about_changes_is_never_a_panic() {
     read_noise(&keep(&changed()), 8, 3000);
+}
+
+/// `A1` arrives at time 1, sleeps there, and at time 3 gets another goal.
+fn woken() -> crate::Document {
+    let instance = native::read_instance(
+        r#"{ "giveway": 1, "map": ["..."], "agents": [
+            { "name": "A1", "start": [0, 0], "goal": [1, 0] }] }"#,
+    );
+    let plan = native::read_plan(
+        r#"{ "giveway": 1, "knows": 3, "slept": { "A1": [[1, 3]] },
+            "paths": { "A1": [[0, 0], [1, 0], [1, 0], [1, 0], [2, 0]] } }"#,
+    );
+    let changes = native::read_changes(
+        r#"{ "giveway": 1, "changes": [
+            { "at": 3, "change": "set-goal", "agent": "A1", "cell": [2, 0] }] }"#,
+    );
+    let draft = Draft::new(instance.unwrap().to_scene()).unwrap();
+    let judged = super::super::judged(draft, plan.unwrap(), changes.ok());
+    judged.unwrap().document
+}
+
+#[test]
+fn who_slept_has_slept_after_a_reload_too() {
+    let document = woken();
+    let plan = document.answer.as_ref().unwrap().plan().unwrap().clone();
+    let costs = document.answer.as_ref().unwrap().solved.costs;
+    assert_eq!(costs.map(|costs| costs.waits), Some(0));
+    for whom in [From::Anywhere, From::Here] {
+        let text = super::super::document::write(&document, whom);
+        assert!(text.contains("&knows=3&slept=1.3"), "{text}");
+        let answer = read(&text, whom).unwrap().document.answer.unwrap();
+        assert_eq!(answer.plan(), Some(&plan));
+        assert_eq!(answer.solved.costs, costs);
+    }
+}
+
+#[test]
+fn what_a_plan_knows_is_read_with_distrust() {
+    let text = super::super::document::write(&woken(), From::Anywhere);
+    for (part, broken) in [
+        ("knows=3", "knows=x"),
+        ("knows=3", "knows=100001"),
+        ("slept=1.3", "slept="),
+        ("slept=1.3", "slept=1"),
+        ("slept=1.3", "slept=3.1"),
+        ("slept=1.3", "slept=0.3"),
+        ("slept=1.3", "slept=1.100001"),
+        ("slept=1.3", "slept=1.3;1.3"),
+    ] {
+        let text = text.replacen(part, broken, 1);
+        let read = read(&text, From::Anywhere);
+        let told = read.map(|linked| linked.document.answer.unwrap().solved.costs);
+        if broken == "slept=" {
+            // It is no lie that nobody slept: then it waited.
+            assert_eq!(told.unwrap().map(|costs| costs.waits), Some(2));
+        } else {
+            assert!(told.is_err(), "{broken}");
+        }
+    }
 }

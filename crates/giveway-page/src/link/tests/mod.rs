@@ -2,15 +2,19 @@
 
 mod ask;
 mod change;
+mod kept;
+
+use std::rc::Rc;
 
 use giveway_model::{AtGoal, Cell, Scene};
 use giveway_solve::Status;
 
 use super::*;
-use crate::{Action, Phase, Selection, reduce, sample};
+use crate::{Action, Draft, FileAction, Phase, PlayAction, Selection, reduce, sample};
 
 fn scene(text: &str) -> Scene {
-    read(text, From::Anywhere).unwrap().draft.scene().clone()
+    let linked = read(text, From::Anywhere).unwrap();
+    linked.document.draft.scene().clone()
 }
 
 fn why(text: &str) -> String {
@@ -38,15 +42,15 @@ fn a_scene_comes_back_as_it_was() {
 
 #[test]
 fn a_plan_comes_back_judged_and_not_believed() {
-    let state = reduce(&sample::solved(), Action::Seek(7));
+    let state = reduce(&sample::solved(), Action::Play(PlayAction::Seek(7)));
     let text = write(&state);
     assert!(text.len() < 300, "{} letters", text.len());
     let linked = read(&text, From::Anywhere).unwrap();
-    let answer = linked.answer.clone().unwrap();
+    let answer = linked.document.answer.clone().unwrap();
     assert_eq!(answer.plan(), state.plan());
     assert_eq!(
         answer.solved.costs,
-        state.answer.as_ref().unwrap().solved.costs
+        state.document.answer.as_ref().unwrap().solved.costs
     );
     assert_eq!(
         answer.solved.status,
@@ -55,39 +59,8 @@ fn a_plan_comes_back_judged_and_not_believed() {
     );
     assert!(answer.solved.bounds.is_empty());
     assert_eq!(linked.time, 7);
-    let claimed = keep(&state);
+    let claimed = document::write(&state.document, From::Here);
     assert!(why(&claimed).contains("claim"), "a link has no claims");
-}
-
-#[test]
-fn what_the_browser_kept_is_as_it_was() {
-    let state = reduce(&sample::solved(), Action::Seek(7));
-    let linked = read(&keep(&state), From::Here).unwrap();
-    let restored = State::restored(linked);
-    assert_eq!(restored.phase(), Phase::Planned);
-    assert_eq!(restored.playback.time, 7);
-    let before = state.answer.as_ref().unwrap();
-    assert_eq!(restored.answer.as_ref().unwrap().solved, before.solved);
-    assert!(!restored.history.can_undo());
-
-    let stale = sample::stale();
-    let restored = State::restored(read(&keep(&stale), From::Here).unwrap());
-    assert_eq!(restored.draft, stale.draft);
-    assert_eq!(restored.answer, None, "a plan of another scene is not kept");
-
-    let mut impossible = sample::solved();
-    let mut answer = (**impossible.answer.as_ref().unwrap()).clone();
-    answer.solved.status = Status::Impossible;
-    answer.solved.plan = None;
-    answer.solved.costs = None;
-    answer.solved.reason = Some("A1 is in the way; so is A2".to_owned());
-    impossible.answer = Some(Rc::new(answer));
-    let restored = State::restored(read(&keep(&impossible), From::Here).unwrap());
-    assert_eq!(restored.phase(), Phase::None);
-    assert_eq!(
-        restored.answer.unwrap().solved.reason.as_deref(),
-        Some("A1 is in the way; so is A2")
-    );
 }
 
 #[test]
@@ -97,28 +70,31 @@ fn a_scene_with_problems_can_be_kept_and_sent() {
     let state = State::new(Draft::new(scene_before.clone()).unwrap());
     assert_eq!(scene(&write(&state)), scene_before);
     let text = format!("{}&plan=;", write(&state));
-    assert!(why(&text).contains("has none"), "{}", why(&text));
+    assert!(why(&text).contains("not valid"), "{}", why(&text));
 }
 
 #[test]
 fn opening_a_link_is_one_step_of_undo() {
     let before = sample::solved();
     let mut other = before.clone();
-    other.draft = Rc::new(Draft::default());
+    other.document.draft = Rc::new(Draft::default());
     let text = write(&other);
     let state = reduce(&before, open(&text));
-    assert_eq!(state.draft, other.draft);
-    assert_eq!(state.answer, None);
+    assert_eq!(state.document.draft, other.document.draft);
+    assert_eq!(state.document.answer, None);
     let undone = reduce(&state, Action::Undo);
-    assert_eq!(undone.draft, before.draft);
+    assert_eq!(undone.document.draft, before.document.draft);
     assert!(!undone.history.can_undo());
 
-    let planned = reduce(&state, open(&write(&reduce(&before, Action::Seek(7)))));
-    assert_eq!(
-        (planned.phase(), planned.playback.time),
-        (Phase::Stopped, 7)
+    let planned = reduce(
+        &state,
+        open(&write(&reduce(&before, Action::Play(PlayAction::Seek(7))))),
     );
-    assert_eq!(planned.selection, Selection::Nothing);
+    assert_eq!(
+        (planned.phase(), planned.view.playback.time),
+        (Phase::Solving, 7)
+    );
+    assert_eq!(planned.view.selection, Selection::Nothing);
 }
 
 #[test]
@@ -136,9 +112,9 @@ fn a_hostile_link_is_refused_and_the_scene_stays() {
         assert!(told.contains(expect), "{told:?} for {text:.80}");
         let before = sample::solved();
         let state = reduce(&before, open(&text));
-        assert_eq!(state.draft, before.draft);
-        assert_eq!(state.answer, before.answer);
-        assert!(state.notice.is_some());
+        assert_eq!(state.document.draft, before.document.draft);
+        assert_eq!(state.document.answer, before.document.answer);
+        assert!(state.view.notice.is_some());
     };
     broken(String::new(), "no scene");
     broken("<script>alert(1)</script>".to_owned(), "no scene");
@@ -200,6 +176,7 @@ fn read_noise(good: &str, seed: u64, times: u32) {
             }
         }
         let text = String::from_utf8_lossy(&bytes);
+        let _ = kept(&text);
         let _ = read(&text, From::Here);
         let _ = read(&text, From::Anywhere);
     }
@@ -224,11 +201,11 @@ fn links_of_old_can_be_opened() {
     ] {
         let linked = read(text, From::Anywhere);
         let linked = linked.unwrap_or_else(|notice| panic!("{text}: {notice:?}"));
-        assert_eq!(linked.answer.is_some(), text.contains("&plan="));
+        assert_eq!(linked.document.answer.is_some(), text.contains("&plan="));
         // They are written so still.
         let state = reduce(
             &State::new(Draft::default()),
-            Action::OpenLink(Box::new(linked)),
+            Action::File(FileAction::OpenLink(Box::new(linked))),
         );
         assert_eq!(write(&state), text);
     }

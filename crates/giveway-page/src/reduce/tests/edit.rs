@@ -4,10 +4,12 @@ use giveway_model::{Agent, Cell, Scene};
 
 use super::{after, edit, fresh, stroke};
 use crate::sample::solved;
-use crate::{Action, Phase, Selection, State, Tool, Work};
+use crate::{
+    Action, BoardAction, Edit, FileAction, Phase, Selection, SolveAction, State, Tool, ViewAction,
+};
 
 fn row(state: &State, y: usize) -> &str {
-    &state.draft.scene().map[y]
+    &state.document.draft.scene().map[y]
 }
 
 #[test]
@@ -15,27 +17,26 @@ fn a_stroke_is_one_step_of_undo() {
     let painted = after(&fresh(), stroke(Tool::Obstacle, &[(5, 2), (6, 2), (8, 2)]));
     assert_eq!(row(&painted, 2), "...+.####.", "without gaps");
     let undone = after(&painted, [Action::Undo]);
-    assert_eq!(undone.draft, fresh().draft);
+    assert_eq!(undone.document.draft, fresh().document.draft);
     assert!(!undone.history.can_undo());
     let redone = after(&undone, [Action::Redo]);
-    assert_eq!(redone.draft, painted.draft);
+    assert_eq!(redone.document.draft, painted.document.draft);
     assert!(!redone.history.can_redo());
 }
 
 #[test]
 fn a_stroke_shows_before_it_ends() {
     let actions = [
-        Action::PickTool(Tool::Charger),
-        Action::Press(Cell::new(0, 1)),
-        Action::Drag(Cell::new(0, 2)),
+        Action::Board(BoardAction::PickTool(Tool::Charger)),
+        Action::Board(BoardAction::Press(Cell::new(0, 1))),
+        Action::Board(BoardAction::Drag(Cell::new(0, 2))),
     ];
     let state = after(&fresh(), actions);
-    assert_eq!(
-        (row(&state, 1), row(&state, 2)),
-        ("+##.##.##.", "+..+..+...")
-    );
+    let map = &state.world().scene().map;
+    assert_eq!(map[1..], ["+##.##.##.", "+..+..+..."]);
+    assert_eq!(state.document, fresh().document, "the document comes last");
     assert!(!state.history.can_undo(), "not yet");
-    let state = after(&state, [Action::PickTool(Tool::Select)]);
+    let state = after(&state, [Action::Board(BoardAction::PickTool(Tool::Select))]);
     assert!(state.history.can_undo(), "another tool ends it");
 }
 
@@ -64,36 +65,37 @@ fn an_edit_makes_the_plan_stale_and_undo_fresh_again() {
     let planned = solved();
     assert_eq!(planned.phase(), Phase::Planned);
     let stale = after(&planned, edit());
-    assert!(stale.is_stale() && !stale.playback.playing);
+    assert!(stale.document.is_stale() && !stale.view.playback.playing);
     assert_eq!(stale.phase(), Phase::Editing);
     assert!(stale.plan().is_some(), "shown faded");
-    assert!(stale.fresh_answer().is_none());
+    assert!(stale.document.fresh_answer().is_none());
     let undone = after(&stale, [Action::Undo]);
-    assert!(!undone.is_stale());
+    assert!(!undone.document.is_stale());
     assert_eq!(undone.phase(), Phase::Planned);
     assert_eq!(after(&undone, [Action::Redo]).phase(), Phase::Editing);
 }
 
 #[test]
 fn edits_cancel_a_solve() {
-    let solving = after(&fresh(), [Action::Solve]);
-    assert_eq!(after(&solving, edit()).work, Work::Idle);
+    let solving = after(&fresh(), [Action::Solve(SolveAction::Solve)]);
+    assert!(after(&solving, edit()).work.is_idle());
     let undone = after(&fresh(), edit());
-    let undone = after(&undone, [Action::Solve, Action::Undo]);
-    assert_eq!(undone.work, Work::Idle);
-    let redone = after(&undone, [Action::Solve, Action::Redo]);
-    assert_eq!(redone.work, Work::Idle);
+    let undone = after(&undone, [Action::Solve(SolveAction::Solve), Action::Undo]);
+    assert!(undone.work.is_idle());
+    let redone = after(&undone, [Action::Solve(SolveAction::Solve), Action::Redo]);
+    assert!(redone.work.is_idle());
 }
 
 #[test]
 fn every_edit_may_be_solved_at_once() {
-    let state = after(&solved(), [Action::SetSolveOnChange(true)]);
+    let state = after(
+        &solved(),
+        [Action::View(ViewAction::SetSolveOnChange(true))],
+    );
     let state = after(&state, edit());
     assert_eq!(state.phase(), Phase::Solving);
-    let Work::Solving(run) = &state.work else {
-        panic!("not solving");
-    };
-    assert_eq!(run.draft, state.draft);
+    let run = state.work.solving().unwrap();
+    assert_eq!(run.draft, state.document.draft);
     let undone = after(&state, [Action::Undo]);
     assert_eq!(undone.phase(), Phase::Planned, "answered already");
 }
@@ -105,11 +107,11 @@ fn undo_of_nothing_does_nothing() {
 }
 
 fn open(rows: &[&str]) -> Action {
-    Action::Open(Box::new(Scene {
+    Action::File(FileAction::Open(Box::new(Scene {
         name: "other".to_owned(),
         map: rows.iter().map(|&row| row.to_owned()).collect(),
         ..Scene::default()
-    }))
+    })))
 }
 
 #[test]
@@ -122,11 +124,11 @@ fn a_crowd_opens_without_the_plan_table() {
         battery: None,
     };
     let crowd = |agents| {
-        Action::Open(Box::new(Scene {
+        Action::File(FileAction::Open(Box::new(Scene {
             map: vec![".".repeat(9); 2],
             agents: (0..agents).map(agent).collect(),
             ..Scene::default()
-        }))
+        })))
     };
     let before = solved();
     assert!(before.view.table);
@@ -137,30 +139,36 @@ fn a_crowd_opens_without_the_plan_table() {
 #[test]
 fn opening_replaces_the_scene_and_can_be_undone() {
     let actions = [
-        Action::Select(Selection::Agent(1)),
-        Action::SetWithin(Some(20)),
-        Action::SetSeconds(7),
+        Action::Board(BoardAction::Select(Selection::Agent(1))),
+        Action::Edit(Edit::Within(Some(20))),
+        Action::View(ViewAction::SetSeconds(7)),
     ];
     let state = after(&solved(), actions);
     let state = after(
         &state,
-        [Action::MoveCursor(Cell::new(9, 2)), open(&["..", ".."])],
+        [
+            Action::Board(BoardAction::MoveCursor(Cell::new(9, 2))),
+            open(&["..", ".."]),
+        ],
     );
-    assert_eq!(state.draft.scene().name, "other");
-    assert_eq!(state.answer, None);
-    let settings = state.settings;
-    assert_eq!((settings.within, settings.seconds), (None, 7));
-    assert_eq!(state.selection, Selection::Nothing);
-    assert_eq!((state.playback.time, state.playback.playing), (0, false));
-    assert_eq!(state.cursor, Cell::new(1, 1));
+    assert_eq!(state.document.draft.scene().name, "other");
+    assert_eq!(state.document.answer, None);
+    let (within, seconds) = (state.document.within, state.settings.seconds);
+    assert_eq!((within, seconds), (None, 7));
+    assert_eq!(state.view.selection, Selection::Nothing);
+    assert_eq!(
+        (state.view.playback.time, state.view.playback.playing),
+        (0, false)
+    );
+    assert_eq!(state.view.cursor, Cell::new(1, 1));
     let undone = after(&state, [Action::Undo]);
-    assert_eq!(undone.draft, solved().draft);
+    assert_eq!(undone.document.draft, solved().document.draft);
 }
 
 #[test]
 fn opening_cancels_a_solve() {
-    let state = after(&fresh(), [Action::Solve, open(&[".."])]);
-    assert_eq!(state.work, Work::Idle);
+    let state = after(&fresh(), [Action::Solve(SolveAction::Solve), open(&[".."])]);
+    assert!(state.work.is_idle());
 }
 
 #[test]
@@ -169,9 +177,9 @@ fn what_cannot_be_drawn_or_solved_is_refused_and_the_old_scene_stays() {
     let wide = ".".repeat(300);
     for rows in [&["..", "."][..], &[], &[wide.as_str()], &["x"]] {
         let state = after(&before, [open(rows)]);
-        let notice = state.notice.clone().unwrap();
+        let notice = state.view.notice.clone().unwrap();
         assert!(!notice.details.is_empty(), "{rows:?}");
-        let dismissed = after(&state, [Action::DismissNotice]);
+        let dismissed = after(&state, [Action::View(ViewAction::DismissNotice)]);
         assert_eq!(dismissed, before, "{rows:?}");
     }
 }

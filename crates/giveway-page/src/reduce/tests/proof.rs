@@ -8,10 +8,10 @@ use giveway_solve::{Progress, Request, Response};
 use super::{after, stroke};
 use crate::proof::{Outcome, Proof, proof};
 use crate::sample::solved;
-use crate::{Action, Phase, Selection, State, Tool, Work, words};
+use crate::{Action, BoardAction, Phase, Selection, SolveAction, State, Tool, words};
 
 fn checking() -> State {
-    after(&solved(), [Action::CheckProof])
+    after(&solved(), [Action::Solve(SolveAction::CheckProof)])
 }
 
 fn claims() -> Vec<Checked> {
@@ -55,7 +55,10 @@ fn report(claims: Vec<Checked>) -> Report {
 fn respond(state: &State, report: Report) -> State {
     let run = state.work.id().unwrap();
     let response = Box::new(Response::Certified(Box::new(report)));
-    after(state, [Action::Respond { run, response }])
+    after(
+        state,
+        [Action::Solve(SolveAction::Respond { job: run, response })],
+    )
 }
 
 #[track_caller]
@@ -83,12 +86,14 @@ fn what_was_proved_is_asked_for_in_a_request() {
 fn each_claim_is_told_as_it_is_come_to() {
     let state = checking();
     let run = state.work.id().unwrap();
-    let tell = |checking| Action::Progress {
-        run,
-        event: Progress::Certifying {
-            claim: "There is no plan.".to_owned(),
-            checking,
-        },
+    let tell = |checking| {
+        Action::Solve(SolveAction::Progress {
+            job: run,
+            event: Progress::Certifying {
+                claim: "There is no plan.".to_owned(),
+                checking,
+            },
+        })
     };
     let proving = after(&state, [tell(false)]);
     let said = "Proving again: There is no plan.";
@@ -102,7 +107,7 @@ fn each_claim_is_told_as_it_is_come_to() {
 #[test]
 fn what_each_claim_rests_on_is_told() {
     let state = respond(&checking(), report(claims()));
-    assert_eq!(state.work, Work::Idle);
+    assert!(state.work.is_idle());
     let outcome = outcome(&state);
     assert_eq!(outcome.badge.word, "Partly checked");
     assert_eq!(
@@ -115,7 +120,7 @@ fn what_each_claim_rests_on_is_told() {
         lines,
         [
             "A checked proof: 900 variables, 23\u{202f}456 clauses, 3214 steps.",
-            "A search of each agent alone, repeated.",
+            "A search of each robot alone, repeated.",
             "Not checked. Its formula would be too large.",
         ]
     );
@@ -150,41 +155,41 @@ fn a_report_is_of_one_answer_only() {
     let undone = after(&edited, [Action::Undo]);
     assert!(matches!(proof(&undone), Some(Proof::Done(_))));
     let solved_again = solved();
-    let again = State {
-        checked: state.checked.clone(),
-        ..solved_again
-    };
+    let mut again = solved_again;
+    again.document.checked = state.document.checked.clone();
     assert_eq!(proof(&again), Some(Proof::Offered));
 }
 
 #[test]
 fn it_is_cancelled_at_once_and_what_comes_late_is_ignored() {
     let state = checking();
-    let cancelled = after(&state, [Action::Cancel]);
-    assert_eq!(cancelled.work, Work::Idle);
+    let cancelled = after(&state, [Action::Solve(SolveAction::Cancel)]);
+    assert!(cancelled.work.is_idle());
     assert_eq!(proof(&cancelled), Some(Proof::Offered));
     let run = state.work.id().unwrap();
     let response = Box::new(Response::Certified(Box::new(report(claims()))));
-    let late = after(&cancelled, [Action::Respond { run, response }]);
+    let late = after(
+        &cancelled,
+        [Action::Solve(SolveAction::Respond { job: run, response })],
+    );
     assert_eq!(proof(&late), Some(Proof::Offered));
-    let selected = after(&state, [Action::Select(Selection::Agent(1))]);
+    let selected = after(
+        &state,
+        [Action::Board(BoardAction::Select(Selection::Agent(1)))],
+    );
     assert_eq!(selected.work, state.work, "it goes on beside a selection");
 }
 
 #[test]
 fn where_nothing_was_proved_nothing_is_offered() {
     let mut state = solved();
-    assert_eq!(
-        proof(&State {
-            answer: None,
-            ..state.clone()
-        }),
-        None
-    );
-    let answer = std::rc::Rc::make_mut(state.answer.as_mut().unwrap());
+    let mut nothing = state.clone();
+    nothing.document.answer = None;
+    assert_eq!(proof(&nothing), None);
+    let answer = std::rc::Rc::make_mut(state.document.answer.as_mut().unwrap());
     answer.solved.bounds.clear();
     assert_eq!(proof(&state), None);
-    let refused = after(&state, [Action::CheckProof]);
-    assert_eq!(refused.work, Work::Idle);
-    assert!(refused.notice.is_some());
+    let refused = after(&state, [Action::Solve(SolveAction::CheckProof)]);
+    assert!(refused.work.is_idle());
+    assert!(refused.view.notice.is_some());
 }

@@ -1,31 +1,28 @@
 //! Runs of the solver, and what comes late.
 
-use giveway_model::{Cost, Costs, Fault, Version};
+use giveway_model::{Cost, Costs, Fault, Plan, Version};
 use giveway_solve::{Progress, Refusal, Response, SolveAnswer, Stats, Status};
 
 use super::{after, edit, fresh};
 use crate::sample::solved;
-use crate::{Action, Phase, Run, Size, State, Work};
+use crate::{Action, Edit, Phase, Size, SolveAction, Solving, State, ViewAction};
 
-fn run(state: &State) -> &Run {
-    match &state.work {
-        Work::Solving(run) => run,
-        other => panic!("not solving: {other:?}"),
-    }
+fn run(state: &State) -> &Solving {
+    state.work.solving().unwrap()
 }
 
 fn solving() -> State {
-    after(&fresh(), [Action::Solve])
+    after(&fresh(), [Action::Solve(SolveAction::Solve)])
 }
 
 fn bound(run: u64, at_least: u32) -> Action {
-    Action::Progress {
-        run,
+    Action::Solve(SolveAction::Progress {
+        job: run,
         event: Progress::Bound {
             cost: Cost::Makespan,
             at_least,
         },
-    }
+    })
 }
 
 pub(super) fn respond(run: u64, status: Status) -> Action {
@@ -40,31 +37,31 @@ pub(super) fn respond(run: u64, status: Status) -> Action {
         plan: None,
         stats: Stats::default(),
     };
-    Action::Respond {
-        run,
+    Action::Solve(SolveAction::Respond {
+        job: run,
         response: Box::new(Response::Solved(solved)),
-    }
+    })
 }
 
 fn crash(run: u64, had_started: bool) -> Action {
-    Action::Crash {
-        run,
+    Action::Solve(SolveAction::Crash {
+        job: run,
         sentence: "It broke.".to_owned(),
         had_started,
-    }
+    })
 }
 
 #[test]
 fn a_run_is_of_the_scene_with_the_limits_set() {
     let actions = [
-        Action::SetWithin(Some(40)),
-        Action::SetSeconds(7),
-        Action::Solve,
+        Action::Edit(Edit::Within(Some(40))),
+        Action::View(ViewAction::SetSeconds(7)),
+        Action::Solve(SolveAction::Solve),
     ];
     let state = after(&fresh(), actions);
     let run = run(&state);
-    assert_eq!(run.id, 1);
-    assert_eq!(run.request.scene, *state.draft.scene());
+    assert_eq!(state.work.id(), Some(1));
+    assert_eq!(run.request.scene, *state.document.draft.scene());
     assert_eq!(run.request.within, Some(40));
     assert_eq!(run.request.limits.seconds, Some(7.0));
     assert_eq!(run.request.limits.memory_bytes, None, "the worker's own");
@@ -73,10 +70,16 @@ fn a_run_is_of_the_scene_with_the_limits_set() {
 
 #[test]
 fn each_run_has_its_own_number() {
-    let state = after(&solving(), [Action::Solve]);
-    assert_eq!(run(&state).id, 2);
-    let state = after(&state, [Action::Cancel, Action::Solve]);
-    assert_eq!(run(&state).id, 3);
+    let state = after(&solving(), [Action::Solve(SolveAction::Solve)]);
+    assert_eq!(state.work.id().unwrap(), 2);
+    let state = after(
+        &state,
+        [
+            Action::Solve(SolveAction::Cancel),
+            Action::Solve(SolveAction::Solve),
+        ],
+    );
+    assert_eq!(state.work.id().unwrap(), 3);
 }
 
 #[test]
@@ -90,11 +93,14 @@ fn progress_only_improves() {
         clauses: 3000,
         conflicts: 5,
     };
-    let tell = |event| Action::Progress { run: 1, event };
+    let tell = |event| Action::Solve(SolveAction::Progress { job: 1, event });
     let actions = [
         bound(1, 17),
         bound(1, 15),
-        tell(Progress::Plan { costs }),
+        tell(Progress::Plan {
+            costs,
+            plan: Plan::default(),
+        }),
         tell(Progress::Size {
             variables: 900,
             clauses: 3000,
@@ -117,31 +123,46 @@ fn each_answer_has_its_phase() {
     ];
     for (status, phase) in cases {
         let state = after(&solving(), [respond(1, status)]);
-        assert_eq!((state.phase(), &state.work), (phase, &Work::Idle));
-        assert!(!state.playback.playing, "nothing to play");
+        assert_eq!((state.phase(), state.work.is_idle()), (phase, true));
+        assert!(!state.view.playback.playing, "nothing to play");
     }
 }
 
 #[test]
 fn a_plan_plays_from_the_start() {
     let state = solved();
-    assert_eq!((state.playback.time, state.playback.playing), (0, true));
+    assert_eq!(
+        (state.view.playback.time, state.view.playback.playing),
+        (0, true)
+    );
     assert_eq!(state.last_time(), 18);
 }
 
 #[test]
 fn cancel_keeps_what_was_there() {
     let before = solved();
-    let state = after(&before, [Action::Solve, Action::Cancel]);
-    assert_eq!(state.work, Work::Idle);
-    assert_eq!(state.answer, before.answer);
+    let state = after(
+        &before,
+        [
+            Action::Solve(SolveAction::Solve),
+            Action::Solve(SolveAction::Cancel),
+        ],
+    );
+    assert!(state.work.is_idle());
+    assert_eq!(state.document.answer, before.document.answer);
     assert_eq!(state.phase(), Phase::Planned);
 }
 
 #[test]
 fn what_an_old_run_still_says_is_ignored() {
-    let solving_anew = after(&solving(), [Action::Cancel, Action::Solve]);
-    let idle = after(&solving(), [Action::Cancel]);
+    let solving_anew = after(
+        &solving(),
+        [
+            Action::Solve(SolveAction::Cancel),
+            Action::Solve(SolveAction::Solve),
+        ],
+    );
+    let idle = after(&solving(), [Action::Solve(SolveAction::Cancel)]);
     let edited = after(&solving(), edit());
     for state in [solving_anew, idle, edited] {
         for late in [
@@ -161,14 +182,14 @@ fn a_crash_is_told_and_the_scene_stays() {
     let broke = after(&before, [crash(1, true)]);
     let absent = after(&before, [crash(1, false)]);
     for state in [&broke, &absent] {
-        assert_eq!(state.work, Work::Idle);
-        assert_eq!(state.draft, before.draft);
-        let notice = state.notice.as_ref().unwrap();
+        assert!(state.work.is_idle());
+        assert_eq!(state.document.draft, before.document.draft);
+        let notice = state.view.notice.as_ref().unwrap();
         assert_eq!(notice.details, ["It broke."]);
     }
-    assert_ne!(broke.notice, absent.notice);
-    let again = after(&broke, [Action::Solve]);
-    assert_eq!((again.phase(), &again.notice), (Phase::Solving, &None));
+    assert_ne!(broke.view.notice, absent.view.notice);
+    let again = after(&broke, [Action::Solve(SolveAction::Solve)]);
+    assert_eq!((again.phase(), &again.view.notice), (Phase::Solving, &None));
 }
 
 #[test]
@@ -182,10 +203,13 @@ fn a_refusal_is_told() {
     ];
     for refusal in refusals {
         let response = Box::new(Response::Refused(refusal));
-        let state = after(&solving(), [Action::Respond { run: 1, response }]);
-        let notice = state.notice.unwrap();
+        let state = after(
+            &solving(),
+            [Action::Solve(SolveAction::Respond { job: 1, response })],
+        );
+        let notice = state.view.notice.unwrap();
         let detail = "agents[0].goal: found the obstacle (1, 1), expected a free cell";
         assert_eq!(notice.details, [detail]);
-        assert_eq!(state.work, Work::Idle);
+        assert!(state.work.is_idle());
     }
 }

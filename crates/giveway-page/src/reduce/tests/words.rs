@@ -1,13 +1,13 @@
 //! What the page says in each state.
 
-use giveway_model::{Cell, Cost, Costs, Scene};
+use giveway_model::{Cell, Cost, Costs, Plan, Scene};
 use giveway_solve::{Progress, Response, SolveAnswer, Status};
 
 use super::solve::respond;
 use super::{after, edit, fresh};
 use crate::sample::solved;
 use crate::words::{Badge, standing};
-use crate::{Action, Draft, State};
+use crate::{Action, Draft, SolveAction, State};
 
 #[track_caller]
 fn check(state: &State, badge: Badge, sentence: &str) {
@@ -20,7 +20,8 @@ fn check(state: &State, badge: Badge, sentence: &str) {
 
 /// The answer to the warehouse, changed.
 fn answered(change: impl FnOnce(&mut SolveAnswer)) -> State {
-    let Action::Respond { mut response, .. } = respond(1, Status::Unknown) else {
+    let Action::Solve(SolveAction::Respond { mut response, .. }) = respond(1, Status::Unknown)
+    else {
         panic!("no response");
     };
     if let Response::Solved(solved) = &mut *response {
@@ -28,7 +29,10 @@ fn answered(change: impl FnOnce(&mut SolveAnswer)) -> State {
     }
     after(
         &fresh(),
-        [Action::Solve, Action::Respond { run: 1, response }],
+        [
+            Action::Solve(SolveAction::Solve),
+            Action::Solve(SolveAction::Respond { job: 1, response }),
+        ],
     )
 }
 
@@ -50,7 +54,7 @@ fn with_a_plan() {
     let planned = solved();
     let sentence = "Optimal: makespan 18, sum of costs 35, 3 charges.";
     check(&planned, Badge::Proved, sentence);
-    let stale = "The plan is for the scene before the edit: solve it anew.";
+    let stale = "The scene has changed since this plan. Solve again.";
     check(&after(&planned, edit()), Badge::Stale, stale);
     let bounded = answered(|answer| {
         answer.status = Status::Optimal;
@@ -61,11 +65,19 @@ fn with_a_plan() {
     check(&bounded, Badge::Proved, sentence);
 }
 
+/// A plan found on the way.
+fn plan() -> Progress {
+    Progress::Plan {
+        costs: COSTS,
+        plan: Plan::default(),
+    }
+}
+
 #[test]
 fn while_it_solves() {
-    let tell = |event| Action::Progress { run: 1, event };
+    let tell = |event| Action::Solve(SolveAction::Progress { job: 1, event });
     let bound = |cost, at_least| tell(Progress::Bound { cost, at_least });
-    let mut state = after(&fresh(), [Action::Solve]);
+    let mut state = after(&fresh(), [Action::Solve(SolveAction::Solve)]);
     check(&state, Badge::Solving, "Solving: no bound yet.");
     let steps = [
         (
@@ -73,7 +85,7 @@ fn while_it_solves() {
             "Solving: makespan is at least 17.",
         ),
         (
-            tell(Progress::Plan { costs: COSTS }),
+            tell(plan()),
             "Solving: makespan is at least 17, the best plan so far has 20.",
         ),
         (bound(Cost::Makespan, 20), "Solving: makespan is 20."),
@@ -90,10 +102,13 @@ fn while_it_solves() {
 
 #[test]
 fn a_plan_before_any_bound() {
-    let event = Progress::Plan { costs: COSTS };
+    let event = plan();
     let state = after(
         &fresh(),
-        [Action::Solve, Action::Progress { run: 1, event }],
+        [
+            Action::Solve(SolveAction::Solve),
+            Action::Solve(SolveAction::Progress { job: 1, event }),
+        ],
     );
     let sentence = "Solving: a plan with makespan 20, sum of costs 40, 1 charge.";
     check(&state, Badge::Solving, sentence);
@@ -111,9 +126,13 @@ fn without_a_plan() {
     };
     let check = |state: &State, sentence| check(state, Badge::Impossible, sentence);
     check(&none(Some(40), None), "No plan within makespan 40.");
-    check(&none(None, None), "No plan, whatever the horizon.");
+    check(
+        &none(None, None),
+        "No plan exists, no matter how many steps you allow.",
+    );
     let reason = Some("A1 and A2 cannot both arrive.");
-    let sentence = "No plan, whatever the horizon: A1 and A2 cannot both arrive.";
+    let sentence =
+        "No plan exists, no matter how many steps you allow: A1 and A2 cannot both arrive.";
     check(&none(None, reason), sentence);
     let sentence = "No plan within makespan 40: A1 and A2 cannot both arrive.";
     check(&none(Some(40), reason), sentence);
@@ -122,7 +141,7 @@ fn without_a_plan() {
 #[test]
 fn a_stale_answer_without_a_plan() {
     let state = answered(|answer| answer.status = Status::Impossible);
-    let sentence = "The scene has changed: solve it anew.";
+    let sentence = "The scene has changed. Solve again.";
     check(&after(&state, edit()), Badge::Stale, sentence);
 }
 
@@ -130,7 +149,7 @@ fn a_stale_answer_without_a_plan() {
 fn out_of_budget() {
     let reason = Some("The time limit was reached.".to_owned());
     let unknown = answered(|answer| answer.reason = reason.clone());
-    let sentence = "Undecided: no plan found, and none ruled out. The time limit was reached. \
+    let sentence = "The time limit was reached. There may be a plan; none was found yet. \
                     Proved so far: makespan is at least 17.";
     check(&unknown, Badge::Stopped, sentence);
     let feasible = answered(|answer| {
@@ -139,27 +158,27 @@ fn out_of_budget() {
         answer.bounds = [(Cost::Makespan, 20), (Cost::SumOfCosts, 38)].into();
         answer.reason = reason;
     });
-    let sentence = "Best plan so far: makespan 20, proved; sum of costs 40, proved at least 38; \
+    let sentence = "Best so far: makespan 20, proved; sum of costs 40, at least 38; \
                     1 charge. The time limit was reached.";
     check(&feasible, Badge::Stopped, sentence);
 }
 
 #[test]
 fn a_scene_that_cannot_be_solved() {
-    let mut scene: Scene = fresh().draft.scene().clone();
+    let mut scene: Scene = fresh().document.draft.scene().clone();
     scene.agents[0].goal = Cell::new(1, 1);
     let state = State::new(Draft::new(scene).unwrap());
     let standing = standing(&state);
     assert_eq!(standing.badge, Badge::Faulty);
     assert_eq!(
         standing.sentence,
-        "This cannot be solved: The goal of A1 is on an obstacle, at (1,1)."
+        "This cannot be solved: The goal of A1 is on an obstacle, at (1, 1)."
     );
-    let state = after(&state, [Action::Solve]);
-    let notice = state.notice.unwrap();
+    let state = after(&state, [Action::Solve(SolveAction::Solve)]);
+    let notice = state.view.notice.unwrap();
     assert_eq!(
         notice.details,
-        ["The goal of A1 is on an obstacle, at (1,1)."],
+        ["The goal of A1 is on an obstacle, at (1, 1)."],
         "told when it is tried"
     );
 }

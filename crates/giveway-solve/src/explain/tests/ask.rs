@@ -8,7 +8,10 @@ use giveway_model::{Cost, Instance, Objective};
 
 use crate::{
     Limits, SilentHost, Status,
-    explain::ask::{Ask, Found, any, at_most, best},
+    explain::{
+        ask::{Ask, Found, any, at_most, best},
+        past::Past,
+    },
     joint,
     meter::Meter,
     problem::{Problem, Relaxed},
@@ -34,6 +37,7 @@ fn ask<T>(
         caps: &BTreeMap::new(),
         within: None,
         at_least_within: 0,
+        past: &Past::default(),
     })
 }
 

@@ -18,6 +18,7 @@ use crate::{
         contrasted::Contrasted,
         core::{Inquiry, Tried, minimal_set},
         edits::edited,
+        past::Past,
         relax::{parts, without},
         verdict::{Case, compare},
     },
@@ -41,6 +42,8 @@ fn explain(instance: &Instance, plan: &Plan, words: &str) -> ExplainAnswer {
         scene: instance.to_scene(),
         plan: Some(plan.clone()),
         question: asked(words),
+        changes: None,
+        at: None,
         objective: None,
         within: None,
         limits: Limits::default(),
@@ -150,6 +153,7 @@ fn of_what_excludes_a_contrast_no_fact_can_be_left_out() {
                 caps: &BTreeMap::new(),
                 within: None,
                 at_least_within: 0,
+                past: &Past::default(),
             },
             &meter(),
         );
@@ -159,7 +163,8 @@ fn of_what_excludes_a_contrast_no_fact_can_be_left_out() {
         let all = questions(&instance, &plan);
         // A few of them, other kinds with every seed.
         for question in all.iter().skip(seed as usize % 5).step_by(5) {
-            let case = Case::new(&instance, question, &plan, costs, None);
+            let past = Past::default();
+            let case = Case::new(&instance, question, &plan, costs, None, &past);
             let compared = compare(&case, &meter());
             let verdict = compared.verdict;
             if !matches!(verdict, Verdict::Necessary | Verdict::Costly) {

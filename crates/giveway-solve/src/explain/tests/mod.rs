@@ -5,6 +5,7 @@ mod contrast;
 mod fewest;
 mod own_plan;
 mod repairs;
+mod rest;
 mod unsolvable;
 mod waits;
 mod words;

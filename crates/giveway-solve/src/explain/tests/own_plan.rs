@@ -10,6 +10,7 @@ use crate::{
     explain::{
         answer::Excess,
         own_plan::{Judged, judge},
+        past::Past,
         words::own_plan,
     },
     meter::Meter,
@@ -17,8 +18,11 @@ use crate::{
 
 fn judged(instance: &Instance, plan: &Plan) -> (Judged, String) {
     let meter = Rc::new(Meter::new(&SilentHost, Limits::default()));
-    let judged = judge(instance, plan, instance.objective(), None, &meter);
-    let words = own_plan(&judged, instance.objective());
+    let past = Past::default();
+    let judged = judge(instance, plan, instance.objective(), None, &past, &meter);
+    let costs = judged.costs.unwrap_or_default();
+    let better = judged.better.as_ref().map(|(_, costs)| costs);
+    let words = own_plan(&judged, instance.objective(), &costs, better);
     (judged, words)
 }
 

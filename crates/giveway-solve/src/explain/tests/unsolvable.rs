@@ -15,6 +15,7 @@ use crate::{
         answer::{Class, Edit, FactKind},
         ask::{Ask, Found, any},
         edits::edited,
+        past::Past,
         relax::{parts, without},
         unsolvable::{AnyPlan, core, of_class},
     },
@@ -37,6 +38,7 @@ fn find(instance: &Instance, within: Option<u32>) -> Found {
         caps: &BTreeMap::new(),
         within,
         at_least_within: 0,
+        past: &Past::default(),
     };
     any(&ask, &meter())
 }
@@ -47,6 +49,8 @@ fn why(instance: &Instance, within: Option<u32>) -> ExplainAnswer {
         scene: instance.to_scene(),
         plan: None,
         question: Question::Unsolvable,
+        changes: None,
+        at: None,
         objective: None,
         within,
         limits: Limits::default(),
@@ -177,6 +181,7 @@ fn of_a_minimal_set_no_fact_can_be_left_out() {
             objective: instance.objective(),
             horizon: found.horizon,
             meter: meter(),
+            past: &Past::default(),
         };
         let core = core(&instance, None, &found, &mut any_plan).unwrap();
         assert!(core.minimal, "{seed}");
@@ -196,6 +201,7 @@ fn of_a_minimal_set_no_fact_can_be_left_out() {
                 caps: &BTreeMap::new(),
                 within: None,
                 at_least_within: 0,
+                past: &Past::default(),
             };
             any(&ask, &meter()).status
         };

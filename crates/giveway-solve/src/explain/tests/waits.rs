@@ -3,7 +3,7 @@
 use giveway_model::{Plan, Question, check::Rule, question::from_words};
 
 use super::{read, scenario_1};
-use crate::explain::waits::witness;
+use crate::explain::{past::Past, waits::witness};
 
 fn asked(words: &str) -> Question {
     let words: Vec<&str> = words.split_whitespace().collect();
@@ -13,10 +13,20 @@ fn asked(words: &str) -> Question {
 #[test]
 fn in_scenario_1_they_would_meet() {
     let (instance, plan, _) = scenario_1();
-    let found = witness(&instance, &asked("wait A2 --at 3,1"), &plan);
+    let found = witness(
+        &instance,
+        &asked("wait A2 --at 3,1"),
+        &plan,
+        &Past::default(),
+    );
     let found: Vec<_> = found.iter().map(|v| (v.rule, v.time)).collect();
     assert_eq!(found, [(Rule::Vertex, 1), (Rule::Vertex, 2)]);
-    let elsewhere = witness(&instance, &asked("wait A2 --at 2,1"), &plan);
+    let elsewhere = witness(
+        &instance,
+        &asked("wait A2 --at 2,1"),
+        &plan,
+        &Past::default(),
+    );
     assert!(elsewhere.is_empty(), "no wait step is taken out");
 }
 
@@ -42,7 +52,7 @@ fn a_charge_of_a_wait_is_made_by_the_step_after_it() {
     );
     assert!(giveway_model::check::check(&instance, &plan).is_valid());
     // All waits gone, a charge is left at time 0: nothing is broken.
-    assert!(witness(&instance, &asked("wait a"), &plan).is_empty());
+    assert!(witness(&instance, &asked("wait a"), &plan, &Past::default()).is_empty());
 }
 
 #[test]
@@ -53,7 +63,10 @@ fn of_a_long_wait_only_what_is_too_long_is_taken_out() {
     );
     let short = |words: &str| {
         let (_, other) = waiting("[0, 0], [0, 0], [1, 0], [2, 0], [3, 0], [4, 0]", "0, 1");
-        (witness(&instance, &asked(words), &plan), other)
+        (
+            witness(&instance, &asked(words), &plan, &Past::default()),
+            other,
+        )
     };
     let (found, other) = short("wait a --at-least 2");
     assert_eq!(

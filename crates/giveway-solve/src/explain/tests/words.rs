@@ -5,6 +5,7 @@ use giveway_model::{Instance, Plan, Question, question::from_words};
 use super::{read, scenario_1};
 use crate::explain::{
     Core, Repair, Verdict, WitnessEntry,
+    past::Past,
     relax::parts,
     waits,
     words::{Telling, verdict},
@@ -24,6 +25,7 @@ fn plain(
     alternative: Option<&Plan>,
 ) -> String {
     verdict(&Telling {
+        past: &Past::default(),
         instance,
         question: &asked(words),
         objective: instance.objective(),
@@ -41,7 +43,7 @@ fn plain(
 fn scenario_1_is_told_as_a_person_would() {
     let (instance, plan, other) = scenario_1();
     let question = asked("wait A2 --at 3,1");
-    let entries: Vec<WitnessEntry> = waits::witness(&instance, &question, &plan)
+    let entries: Vec<WitnessEntry> = waits::witness(&instance, &question, &plan, &Past::default())
         .into_iter()
         .map(|violation| WitnessEntry {
             violation,
@@ -49,6 +51,7 @@ fn scenario_1_is_told_as_a_person_would() {
         })
         .collect();
     let words = verdict(&Telling {
+        past: &Past::default(),
         instance: &instance,
         question: &question,
         objective: instance.objective(),
@@ -196,6 +199,7 @@ fn what_a_set_excludes_and_what_helps_is_told_at_the_end() {
         text: "Remove the obstacle at (2, 0): makespan 3, sum of costs 6.".to_owned(),
     };
     let words = verdict(&Telling {
+        past: &Past::default(),
         instance: &instance,
         question: &asked("makespan"),
         objective: instance.objective(),

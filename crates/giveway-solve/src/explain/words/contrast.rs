@@ -1,20 +1,28 @@
 //! What a question contrasts the plan with, as clauses.
 
 use giveway_model::question::{self, Contrast};
-use giveway_model::{Cost, Instance, Plan, Question, check::costs};
+use giveway_model::{Cost, Question};
 
-use super::costs::name;
+use super::{costs::name, verdict::Telling};
 use crate::explain::own_plan::own_costs;
 
 /// The contrast of a question about a plan; `None` where it has none.
-pub(crate) fn contrast(question: &Question, instance: &Instance, plan: &Plan) -> Option<Contrast> {
-    question::contrast(question).or_else(|| of_cost(question, instance, plan))
+pub(crate) fn contrast(telling: &Telling) -> Option<Contrast> {
+    let question = telling.past.told_question(telling.question);
+    question::contrast(&question).or_else(|| of_cost(telling))
 }
 
 /// The contrast of a question about a number.
-fn of_cost(question: &Question, instance: &Instance, plan: &Plan) -> Option<Contrast> {
+fn of_cost(telling: &Telling) -> Option<Contrast> {
+    let Telling {
+        question,
+        instance,
+        plan,
+        past,
+        ..
+    } = *telling;
     let whole = |cost: Cost| {
-        let below = costs(instance, plan)?.get(cost);
+        let below = past.told_costs(instance, plan)?.get(cost);
         let name = name(cost);
         Some(Contrast {
             would: format!("the {name} were below {below}"),
@@ -30,7 +38,7 @@ fn of_cost(question: &Question, instance: &Instance, plan: &Plan) -> Option<Cont
     let own = |agent: &str, cost: Cost| Some(own_costs(instance, agent, plan)?.get(cost));
     match question {
         Question::Arrival { agent } => {
-            let time = own(agent, Cost::Makespan)?;
+            let time = past.time(own(agent, Cost::Makespan)?);
             Some(Contrast {
                 would: format!("{agent} arrived before time {time}"),
                 does: format!("{agent} arrives before time {time}"),

@@ -16,6 +16,7 @@ mod violations;
 
 pub(crate) use facts::fact;
 pub(crate) use own_plan::own_plan;
+pub use repairs::edits_in_words;
 pub(crate) use repairs::repair;
 pub(crate) use unsolvable::unsolvable;
 pub(crate) use verdict::{Telling, verdict};

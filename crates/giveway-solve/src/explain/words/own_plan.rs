@@ -12,13 +12,19 @@ use crate::explain::{answer::Excess, own_plan::Judged};
 const MOST: usize = 3;
 
 /// A judgement in words.
-pub(crate) fn own_plan(judged: &Judged, objective: &Objective) -> String {
+///
+/// The costs of the plan and of the better one are those of the whole.
+pub(crate) fn own_plan(
+    judged: &Judged,
+    objective: &Objective,
+    costs: &Costs,
+    least: Option<&Costs>,
+) -> String {
     if let Some(broken) = broken(judged) {
         return broken;
     }
-    let costs = judged.costs.unwrap_or_default();
-    match (&judged.better, judged.optimal) {
-        (Some((_, least)), _) => better(judged, objective, least, &costs),
+    match (least, judged.optimal) {
+        (Some(least), _) => better(judged, objective, least, costs),
         (None, Some(true)) => "The plan keeps all rules, and no plan is better.".to_owned(),
         (None, _) => "The plan keeps all rules; whether there is a better one was not found \
                       out in time."

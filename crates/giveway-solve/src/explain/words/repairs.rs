@@ -7,13 +7,25 @@ use crate::explain::answer::Edit;
 
 /// A repair with what it leads to.
 pub(crate) fn repair(edits: &[Edit], costs: &Costs) -> String {
-    let phrases: Vec<String> = edits.iter().map(phrase).collect();
     format!(
         "{}: makespan {}, sum of costs {}.",
-        capital(&and(&phrases)),
+        edits_in_words(edits),
         costs.makespan,
         costs.sum_of_costs
     )
+}
+
+/// Edits as a sentence without its full stop: `Remove the obstacle at (3, 1)`.
+///
+/// ```
+/// use giveway_model::Cell;
+/// use giveway_solve::explain::{Edit, edits_in_words};
+/// let edit = Edit::RemoveObstacle { cell: Cell::new(3, 1) };
+/// assert_eq!(edits_in_words(&[edit]), "Remove the obstacle at (3, 1)");
+/// ```
+pub fn edits_in_words(edits: &[Edit]) -> String {
+    let phrases: Vec<String> = edits.iter().map(phrase).collect();
+    capital(&and(&phrases))
 }
 
 fn phrase(edit: &Edit) -> String {
@@ -28,7 +40,7 @@ fn phrase(edit: &Edit) -> String {
         Edit::Deadline { within } => format!("allow until time {within}"),
         Edit::MakeNormal { cell } => format!("make {cell} normal ground"),
         Edit::DropWaypoint { agent, cell } => format!("let {agent} leave {cell} out"),
-        Edit::Vanish => "let agents vanish at their goals".to_owned(),
+        Edit::Vanish => "let robots leave the map at their goals".to_owned(),
         Edit::LeaveOut { agent } => format!("leave {agent} out"),
     }
 }

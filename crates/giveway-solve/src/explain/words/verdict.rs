@@ -1,11 +1,11 @@
 //! The answer to a question about a plan.
 
-use giveway_model::{Costs, Instance, Objective, Plan, Question, check::costs};
+use giveway_model::{Costs, Instance, Objective, Plan, Question};
 
 use super::{
     contrast::contrast, costs::instead as in_costs, differences::instead, violations::would,
 };
-use crate::explain::{Core, Repair, Verdict, WitnessEntry};
+use crate::explain::{Core, Repair, Verdict, WitnessEntry, past::Past};
 
 /// All that is known, as far as it is known.
 pub(crate) struct Telling<'a> {
@@ -14,6 +14,8 @@ pub(crate) struct Telling<'a> {
     pub(crate) objective: &'a Objective,
     /// The plan that is asked about.
     pub(crate) plan: &'a Plan,
+    /// What is past already; all times and costs are told as those of the whole.
+    pub(crate) past: &'a Past,
     pub(crate) verdict: Verdict,
     /// The other plan.
     pub(crate) alternative: Option<&'a Plan>,
@@ -27,10 +29,11 @@ pub(crate) struct Telling<'a> {
 
 /// The answer in words.
 pub(crate) fn verdict(telling: &Telling) -> String {
-    let Some(contrast) = contrast(telling.question, telling.instance, telling.plan) else {
+    let Some(contrast) = contrast(telling) else {
         return String::new();
     };
-    let before = costs(telling.instance, telling.plan).unwrap_or_default();
+    let costs = |plan: &Plan| telling.past.told_costs(telling.instance, plan);
+    let before = costs(telling.plan).unwrap_or_default();
     let mut sentences = Vec::new();
     let (agent, entries) = telling.witness;
     let violations: Vec<_> = entries.iter().map(|entry| &entry.violation).collect();
@@ -42,10 +45,7 @@ pub(crate) fn verdict(telling: &Telling) -> String {
         sentences.push(format!("If {}, {who} would {what}.", contrast.would));
     }
     let plan_with = format!("a plan in which {}", contrast.does);
-    let now = telling
-        .alternative
-        .and_then(|plan| costs(telling.instance, plan))
-        .unwrap_or(before);
+    let now = telling.alternative.and_then(costs).unwrap_or(before);
     let within = telling
         .within
         .map_or_else(String::new, |n| format!(" with a makespan of at most {n}"));

@@ -1,0 +1,74 @@
+//! The list of changes with one more, or one less: as far as the world allows it.
+
+use giveway_model::change::What;
+
+use super::{Changing, facts, listed};
+use crate::edit::{Edit, world};
+
+impl Changing {
+    /// The list with what edits ask for, as far as the world allows it; with why
+    /// a part of it was refused.
+    pub(crate) fn with_edits(&self, edits: &[Edit]) -> (Self, Option<String>) {
+        let mut refused = None;
+        let mut parts = Vec::new();
+        for edit in edits {
+            match world::changes(edit, self.draft()) {
+                Ok(part) => parts.push(part),
+                Err(sentence) => refused = refused.or(Some(sentence)),
+            }
+        }
+        let mut all = self.list.clone();
+        for what in parts.iter().flatten() {
+            listed::add(&mut all, what.clone());
+        }
+        if all == self.list {
+            return (self.clone(), refused);
+        }
+        if let Ok(after) = self.with(all) {
+            return (after, refused);
+        }
+        // Not all of it can be: then what can.
+        let mut after = self.clone();
+        for part in parts {
+            let mut list = after.list.clone();
+            for what in part {
+                listed::add(&mut list, what);
+            }
+            match after.with(list) {
+                Ok(next) => after = next,
+                Err(faults) => {
+                    refused = refused.or(faults.first().map(facts::contradiction));
+                }
+            }
+        }
+        (after, refused)
+    }
+
+    /// The list without one change, and without those that then contradict the
+    /// world; with the number of these.
+    pub(crate) fn without(&self, index: usize) -> (Self, usize) {
+        let mut after = match self.with(Vec::new()) {
+            Ok(after) => after,
+            Err(_) => self.clone(),
+        };
+        let mut lost = 0;
+        let taken = self.list.get(index);
+        let joins = match taken {
+            Some(What::AddAgent { agent }) => Some(agent.name.as_str()),
+            _ => None,
+        };
+        for (other, what) in self.list.iter().enumerate() {
+            let goes = joins.is_some() && listed::whose(what) == joins;
+            if other == index || goes {
+                continue;
+            }
+            let mut list = after.list.clone();
+            list.push(what.clone());
+            match after.with(list) {
+                Ok(next) => after = next,
+                Err(_) => lost += 1,
+            }
+        }
+        (after, lost)
+    }
+}

@@ -1,0 +1,133 @@
+//! All that a person made or got and would miss.
+
+use std::rc::Rc;
+
+use giveway_model::{Agent, Plan};
+use giveway_proof::Report;
+
+use crate::course::World;
+use crate::front::Front;
+use crate::{Answer, Colours, Draft, Mode};
+
+/// All that a person made or got and would miss. Undo, what the browser keeps,
+/// and links hold whole documents. Its parts are never changed, only replaced, so
+/// that a copy of it costs next to nothing.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Document {
+    /// The scene on the board.
+    pub draft: Rc<Draft>,
+    /// The horizon in time steps: only plans of at most this makespan count;
+    /// `None` leaves it to the solver.
+    pub within: Option<u32>,
+    /// The last answer; it may be of an older draft, see
+    /// [`Document::is_stale`].
+    pub answer: Option<Rc<Answer>>,
+    /// The Pareto front that was found last; it may be of an older draft, see
+    /// [`Document::front`].
+    pub(crate) found_front: Option<Rc<Front>>,
+    /// What came of checking the proof of an answer; it may be of an older
+    /// answer, see [`Document::report`].
+    pub(crate) checked: Option<(Rc<Answer>, Rc<Report>)>,
+    /// What is being done with the plan.
+    pub mode: Mode,
+    /// The colours of agents.
+    pub colours: Colours,
+}
+
+impl Document {
+    /// A scene and nothing else yet.
+    pub fn new(draft: impl Into<Rc<Draft>>) -> Self {
+        Self {
+            draft: draft.into(),
+            within: None,
+            answer: None,
+            found_front: None,
+            checked: None,
+            mode: Mode::Editing,
+            colours: Colours::default(),
+        }
+    }
+
+    /// A scene with an answer to it.
+    pub(crate) fn answered(draft: Rc<Draft>, answer: Option<Rc<Answer>>) -> Self {
+        Self {
+            answer,
+            ..Self::new(draft)
+        }
+    }
+
+    /// Whether the answer is of another draft than the one on the board.
+    pub fn is_stale(&self) -> bool {
+        self.answer
+            .as_ref()
+            .is_some_and(|answer| !same(&answer.draft, &self.draft))
+    }
+
+    /// The answer, where it is of the draft on the board.
+    pub fn fresh_answer(&self) -> Option<&Rc<Answer>> {
+        self.answer.as_ref().filter(|_| !self.is_stale())
+    }
+
+    /// The front of the draft on the board, if one was found; not while the
+    /// world changes, which is about one plan.
+    pub fn front(&self) -> Option<&Front> {
+        let front = self.found_front.as_deref();
+        let front = front.filter(|_| self.mode.changing().is_none());
+        front.filter(|front| same(&front.draft, &self.draft))
+    }
+
+    /// The front that the plan is a point of.
+    pub(crate) fn own_front(&self) -> Option<&Front> {
+        let answer = self.answer.as_ref()?;
+        let front = self.front();
+        front.filter(|front| front.place_of(answer).is_some())
+    }
+
+    /// What came of checking the proof of the answer, if that was done.
+    pub fn report(&self) -> Option<&Report> {
+        let (answer, report) = self.checked.as_ref()?;
+        let is_of = self.answer.as_ref().is_some_and(|a| Rc::ptr_eq(a, answer));
+        is_of.then_some(report)
+    }
+
+    /// The answer that is shown: the last one, or a plan of one's own; the other
+    /// plan of a question where that takes its place (`is_alone`: there is no
+    /// room for two); the one that is previewed where the world changes.
+    pub(crate) fn shown(&self, is_alone: bool) -> Option<&Rc<Answer>> {
+        match &self.mode {
+            Mode::Editing => self.answer.as_ref(),
+            Mode::Asking(asking) => asking.in_place(is_alone).or(self.answer.as_ref()),
+            Mode::Changing(changing) => Some(&changing.about),
+            Mode::Comparing(comparing) | Mode::Stuck(comparing, _) => {
+                Some(comparing.preview().unwrap_or(&comparing.changing.about))
+            }
+            Mode::Steering(own) => Some(&own.answer),
+            Mode::Judging(own, asking) => Some(asking.in_place(is_alone).unwrap_or(&own.answer)),
+        }
+    }
+
+    /// The world at a time, where it is another than the draft: the world changes
+    /// or has changed.
+    pub(crate) fn changed(&self, time: u32) -> Option<&World> {
+        match &self.mode {
+            Mode::Changing(changing) => changing.world_at(time),
+            Mode::Comparing(comparing) | Mode::Stuck(comparing, _) => comparing.world_at(time),
+            _ => self.fresh_answer()?.world(time),
+        }
+    }
+
+    /// The agents of the scene.
+    pub fn agents(&self) -> &[Agent] {
+        self.draft.agents()
+    }
+
+    /// The plan of the draft on the board.
+    pub fn plan(&self) -> Option<&Plan> {
+        self.fresh_answer()?.plan()
+    }
+}
+
+/// Whether two drafts are equal; the usual case, one draft twice, takes no time.
+fn same(a: &Rc<Draft>, b: &Rc<Draft>) -> bool {
+    Rc::ptr_eq(a, b) || a == b
+}

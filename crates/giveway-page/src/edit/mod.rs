@@ -1,0 +1,91 @@
+//! Edits: one vocabulary for the brush, the inspector, repairs, things dragged by
+//! hand, and changes of the world.
+//!
+//! An edit is plain data with two interpreters: [`Sketch`] makes it of the scene
+//! as it is now, [`world`] of the world from a time on.
+
+mod fill;
+mod repair;
+mod scene;
+mod sketch;
+pub(crate) mod world;
+
+use giveway_model::{Agent, AtGoal, Battery, Cell, Objective};
+
+pub use fill::{DENSEST, Fill};
+pub(crate) use repair::repair;
+pub(crate) use scene::fresh_name;
+pub(crate) use sketch::Sketch;
+
+/// What a brush paints on a cell, and takes away again.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Paint {
+    /// An obstacle.
+    Obstacle,
+    /// A charger; it stays in a slow zone.
+    Charger,
+    /// A part of the slow zone; a charger stays in it.
+    Slow,
+}
+
+/// One change that a person makes. Agents are told by their index: in the scene,
+/// or among all that there ever are in a world that changes.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Edit {
+    /// Paints a cell (`true`), or takes away what was painted.
+    Paint(Paint, Cell, bool),
+    /// Takes away what is on a cell.
+    Erase(Cell),
+    /// Moves an obstacle or a charger from a cell to another one.
+    MovePaint(Paint, Cell, Cell),
+
+    /// An agent comes onto the board.
+    AddAgent(Agent),
+    /// Takes an agent away.
+    RemoveAgent(usize),
+    /// Where an agent begins.
+    SetStart(usize, Cell),
+    /// Where an agent has to arrive.
+    SetGoal(usize, Cell),
+    /// A further cell that an agent has to visit.
+    AddWaypoint(usize, Cell),
+    /// Takes a waypoint of an agent away.
+    DropWaypoint(usize, Cell),
+    /// Moves a waypoint of an agent from a cell to another one.
+    MoveWaypoint(usize, Cell, Cell),
+    /// The battery of an agent; `None` is unlimited. It begins at most full.
+    SetBattery(usize, Option<Battery>),
+    /// The level of an agent's battery from now on.
+    SetLevel(usize, u32),
+    /// An agent stands still for so many steps.
+    Delay(usize, u32),
+    /// What an agent is called; an empty name leaves it as it is.
+    Rename(usize, String),
+
+    /// What the scene is called.
+    Name(String),
+    /// Columns and rows; what no longer is on the map is taken away.
+    Resize(u32, u32),
+    /// A free map of the same size, and nobody on it.
+    Clear,
+    /// Obstacles and agents by chance.
+    Fill(Fill),
+    /// The costs to minimise.
+    Objective(Objective),
+    /// What happens to arrived agents.
+    AtGoal(AtGoal),
+    /// The least battery level.
+    BatteryFloor(u32),
+    /// The horizon in time steps.
+    Within(Option<u32>),
+    /// Gives an agent, by its index, one of the colours.
+    Recolour(usize, usize),
+}
+
+impl Edit {
+    /// Whether it puts another scene in the place of the one that there is: a
+    /// plan of that is then nothing to go on with.
+    pub(crate) const fn is_afresh(&self) -> bool {
+        matches!(self, Self::Clear | Self::Fill(_))
+    }
+}

@@ -1,0 +1,242 @@
+//! Edits made of the scene as it is now.
+
+use giveway_model::{Agent, Battery, Cell, Grid, Ground, Scene};
+
+use super::{Edit, Paint, Sketch};
+use crate::MAX_SIDE;
+use crate::words::at as place;
+
+/// The longest name that can be given, in characters.
+const LONGEST_NAME: usize = 60;
+
+impl Sketch {
+    /// Makes an edit. What the whole document knows and the scene does not (the
+    /// horizon, colours) changes nothing here.
+    ///
+    /// # Errors
+    /// Why it cannot be, as a sentence; the sketch is then as it was.
+    pub(crate) fn make(&mut self, edit: &Edit) -> Result<(), String> {
+        match edit {
+            Edit::Paint(paint, cell, on) => return self.paint(*paint, *cell, *on),
+            Edit::Erase(cell) => self.erase(*cell),
+            Edit::MovePaint(paint, from, to) => return self.move_paint(*paint, *from, *to),
+
+            Edit::AddAgent(agent) => {
+                self.stand(&agent.name, agent.start, "start")?;
+                self.stand(&agent.name, agent.goal, "end")?;
+                self.scene.agents.push(agent.clone());
+            }
+            Edit::RemoveAgent(agent) => {
+                if *agent < self.scene.agents.len() {
+                    self.scene.agents.remove(*agent);
+                }
+            }
+            Edit::SetStart(agent, to) => return self.moved(*agent, *to, "start", |a| &mut a.start),
+            Edit::SetGoal(agent, to) => return self.moved(*agent, *to, "end", |a| &mut a.goal),
+            Edit::AddWaypoint(agent, cell) => {
+                let name = self.name(*agent);
+                self.stand(&name, *cell, "have a waypoint")?;
+                self.agent(*agent, |a| {
+                    if !a.waypoints.contains(cell) {
+                        a.waypoints.push(*cell);
+                    }
+                });
+            }
+            Edit::DropWaypoint(agent, cell) => self.agent(*agent, |a| {
+                a.waypoints.retain(|waypoint| waypoint != cell);
+            }),
+            Edit::MoveWaypoint(agent, from, to) => {
+                let name = self.name(*agent);
+                self.stand(&name, *to, "have a waypoint")?;
+                self.agent(*agent, |a| {
+                    if !a.waypoints.contains(to) {
+                        let moved = a.waypoints.iter_mut().filter(|w| *w == from);
+                        moved.for_each(|waypoint| *waypoint = *to);
+                    }
+                });
+            }
+            Edit::SetBattery(agent, battery) => self.agent(*agent, |a| {
+                a.battery = battery.map(|battery| Battery {
+                    initial: battery.initial.min(battery.capacity),
+                    ..battery
+                });
+            }),
+            Edit::SetLevel(agent, level) => self.agent(*agent, |a| {
+                if let Some(battery) = &mut a.battery {
+                    battery.initial = (*level).min(battery.capacity);
+                }
+            }),
+            Edit::Delay(..) => return Err("A delay needs a plan that runs.".to_owned()),
+            Edit::Rename(agent, name) => {
+                let name = short(name);
+                if !name.is_empty() {
+                    self.agent(*agent, |a| a.name = name);
+                }
+            }
+
+            Edit::Name(name) => self.scene.name = short(name),
+            Edit::Resize(width, height) => self.resize(*width, *height),
+            Edit::Clear => {
+                let (width, height) = (self.grid.width(), self.grid.height());
+                self.grid = free(width, height);
+                self.scene.agents.clear();
+            }
+            Edit::Fill(fill) => fill.strew(self),
+            Edit::Objective(objective) => self.scene.objective = objective.clone(),
+            Edit::AtGoal(at_goal) => self.scene.rules.at_goal = *at_goal,
+            Edit::BatteryFloor(floor) => self.scene.rules.battery_floor = *floor,
+            Edit::Within(_) | Edit::Recolour(..) => {}
+        }
+        Ok(())
+    }
+
+    fn agent(&mut self, agent: usize, change: impl FnOnce(&mut Agent)) {
+        if let Some(agent) = self.scene.agents.get_mut(agent) {
+            change(agent);
+        }
+    }
+
+    fn name(&self, agent: usize) -> String {
+        let agent = self.scene.agents.get(agent);
+        agent.map_or_else(String::new, |agent| agent.name.clone())
+    }
+
+    /// Whether an agent can have something on a cell: none where there is an
+    /// obstacle.
+    fn stand(&self, name: &str, at: Cell, what: &str) -> Result<(), String> {
+        match self.ground(at) {
+            Some(Ground::Obstacle) => Err(format!(
+                "{name} cannot {what} at {}: there is an obstacle.",
+                place(at)
+            )),
+            Some(_) => Ok(()),
+            None => Err(format!("{} is not on the map.", place(at))),
+        }
+    }
+
+    fn moved(
+        &mut self,
+        agent: usize,
+        to: Cell,
+        what: &str,
+        place: fn(&mut Agent) -> &mut Cell,
+    ) -> Result<(), String> {
+        let name = self.name(agent);
+        self.stand(&name, to, what)?;
+        self.agent(agent, |a| *place(a) = to);
+        Ok(())
+    }
+
+    /// Paints a cell. What an agent needs is kept free of obstacles.
+    fn paint(&mut self, paint: Paint, at: Cell, on: bool) -> Result<(), String> {
+        let Some(old) = self.ground(at) else {
+            return Ok(());
+        };
+        let new = paint.painted(old, on);
+        if new == Ground::Obstacle
+            && old != new
+            && let Some((name, why)) = self.needed_by(at)
+        {
+            return Err(format!(
+                "{name} {why} at {}: no obstacle fits there.",
+                place(at)
+            ));
+        }
+        self.grid.set_ground(at, new);
+        Ok(())
+    }
+
+    fn move_paint(&mut self, paint: Paint, from: Cell, to: Cell) -> Result<(), String> {
+        let (Some(old), Some(new)) = (self.ground(from), self.ground(to)) else {
+            return Ok(());
+        };
+        if from == to || !paint.is_on(old) {
+            return Ok(());
+        }
+        if new == Ground::Obstacle && paint != Paint::Obstacle {
+            return Err(format!("There is an obstacle at {}.", place(to)));
+        }
+        self.paint(paint, to, true)?;
+        self.grid.set_ground(from, paint.painted(old, false));
+        Ok(())
+    }
+
+    /// Takes away what is on a cell: an agent that starts there, waypoints, the
+    /// ground; an agent whose goal was there stays where it starts.
+    fn erase(&mut self, at: Cell) {
+        self.scene.agents.retain(|agent| agent.start != at);
+        for agent in &mut self.scene.agents {
+            agent.waypoints.retain(|&waypoint| waypoint != at);
+            if agent.goal == at {
+                agent.goal = agent.start;
+            }
+        }
+        self.grid.set_ground(at, Ground::Free);
+    }
+
+    fn resize(&mut self, width: u32, height: u32) {
+        let (width, height) = (width.clamp(1, MAX_SIDE), height.clamp(1, MAX_SIDE));
+        let mut grid = free(width, height);
+        for (cell, ground) in self.grid.cells() {
+            grid.set_ground(cell, ground);
+        }
+        self.grid = grid;
+        let is_on = |cell: &Cell| cell.x < width && cell.y < height;
+        let agents = &mut self.scene.agents;
+        agents.retain(|agent| is_on(&agent.start) && is_on(&agent.goal));
+        for agent in agents {
+            agent.waypoints.retain(is_on);
+        }
+    }
+}
+
+impl Paint {
+    /// Whether the ground has it.
+    pub(crate) const fn is_on(self, ground: Ground) -> bool {
+        match self {
+            Self::Obstacle => matches!(ground, Ground::Obstacle),
+            Self::Charger => ground.is_charger(),
+            Self::Slow => ground.is_slow(),
+        }
+    }
+
+    /// The ground with it, or without it.
+    const fn painted(self, ground: Ground, on: bool) -> Ground {
+        match (self, on) {
+            (Self::Obstacle, true) => Ground::Obstacle,
+            (Self::Obstacle, false) => match ground {
+                Ground::Obstacle => Ground::Free,
+                other => other,
+            },
+            (Self::Charger, on) => both(on, ground.is_slow()),
+            (Self::Slow, on) => both(ground.is_charger(), on),
+        }
+    }
+}
+
+const fn both(charger: bool, slow: bool) -> Ground {
+    match (charger, slow) {
+        (true, true) => Ground::SlowCharger,
+        (true, false) => Ground::Charger,
+        (false, true) => Ground::Slow,
+        (false, false) => Ground::Free,
+    }
+}
+
+/// A free map.
+fn free(width: u32, height: u32) -> Grid {
+    let row = ".".repeat(width as usize);
+    Grid::from_rows(&vec![row; height as usize]).unwrap_or_default()
+}
+
+/// A name without blanks around it, and not too long.
+fn short(name: &str) -> String {
+    name.trim().chars().take(LONGEST_NAME).collect()
+}
+
+/// A name that no agent has: `A7`, of the least free number.
+pub(crate) fn fresh_name(scene: &Scene) -> String {
+    let is_free = |name: &String| scene.agents.iter().all(|agent| agent.name != *name);
+    let names = (1..=scene.agents.len() + 1).map(|number| format!("A{number}"));
+    names.into_iter().find(is_free).unwrap_or_default()
+}

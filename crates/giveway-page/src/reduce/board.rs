@@ -1,0 +1,86 @@
+//! On the board: the keyboard's cursor, the tools, the selection.
+
+use giveway_model::Cell;
+
+use super::{ask, press, steer, stroke};
+use crate::gesture::Gesture;
+use crate::steering::Lead;
+use crate::{BoardAction, Selection, State, Tool};
+
+pub(super) fn board(state: &mut State, action: BoardAction) {
+    match action {
+        BoardAction::PickTool(tool) => pick(state, tool),
+        BoardAction::MoveCursor(cell) => move_cursor(state, cell),
+        BoardAction::StepCursor { by, carries } => step_cursor(state, by, carries),
+        BoardAction::UseTool => {
+            press::press(state, state.view.cursor);
+            stroke::release(state);
+        }
+        BoardAction::Press(cell) => press::press(state, cell),
+        BoardAction::Drag(cell) => stroke::drag(state, cell),
+        BoardAction::Release => stroke::release(state),
+        BoardAction::Abandon => stroke::abandon(state),
+        BoardAction::Select(selection) => select(state, selection),
+    }
+}
+
+/// Picks a tool; what another was doing is over.
+fn pick(state: &mut State, tool: Tool) {
+    stroke::release(state);
+    if tool != Tool::Select && steer::is_in_the_way(state) {
+        return;
+    }
+    stroke::abandon(state);
+    state.view.tool = tool;
+    if let Some(changing) = state.document.mode.changing() {
+        let at = changing.at;
+        return super::play::seek(state, at);
+    }
+    let answer = state.document.fresh_answer();
+    let is_other_world = answer.is_some_and(|answer| answer.course.is_some());
+    if tool.is_of_agents() || tool == Tool::Erase || (tool != Tool::Select && is_other_world) {
+        // Agents are placed where they begin: that is shown, not where they are.
+        super::play::seek(state, 0);
+    }
+}
+
+/// What is selected has the inspector: a question makes way for it.
+pub(super) fn select(state: &mut State, selection: Selection) {
+    ask::close(state);
+    let count = state.world().agents().len();
+    state.view.selection = match selection {
+        // Of a scene before this one.
+        Selection::Agent(agent) if agent >= count => Selection::Nothing,
+        Selection::Cell(cell) => Selection::Cell(state.document.draft.clamp(cell)),
+        selection => selection,
+    };
+}
+
+/// A step of the keyboard; with the tool that selects, a thing can go along. The
+/// agent that is led takes the step itself.
+fn step_cursor(state: &mut State, (right, down): (i32, i32), carries: bool) {
+    let is_one = right.unsigned_abs().saturating_add(down.unsigned_abs()) == 1;
+    let is_led = state.document.mode.steering().is_some();
+    if is_led && is_one && !carries {
+        return steer::steer(state, Lead::Step((right, down)));
+    }
+    let Cell { x, y } = state.view.cursor;
+    let to = Cell::new(
+        x.saturating_add_signed(right),
+        y.saturating_add_signed(down),
+    );
+    if carries && !is_led && state.view.tool == Tool::Select {
+        press::press(state, state.view.cursor);
+        stroke::drag(state, to);
+        stroke::release(state);
+    }
+    move_cursor(state, to);
+}
+
+/// An agent that waits for its goal looks where the keyboard is.
+fn move_cursor(state: &mut State, cell: Cell) {
+    state.view.cursor = state.document.draft.clamp(cell);
+    if let Gesture::Placing(placing) = &mut state.view.gesture {
+        placing.goal = state.view.cursor;
+    }
+}

@@ -1,0 +1,199 @@
+//! Steps from document to document: each is recorded whole, and undo brings it
+//! back as it was.
+
+use std::rc::Rc;
+
+use super::{solve, stroke};
+use crate::edit::{Edit, Sketch};
+use crate::gesture::Gesture;
+use crate::history::Moment;
+use crate::{Document, Draft, Mode, Notice, Selection, State};
+
+/// Puts a document in the place of the one that there is, as one step of undo.
+pub(super) fn put(state: &mut State, document: Document) {
+    state.view.waiting.go_on();
+    state.history.record(state.moment());
+    state.view.playback.playing = false;
+    amend(state, document);
+}
+
+/// Puts a document in the place of the one that there is, as part of the last
+/// step.
+pub(super) fn amend(state: &mut State, document: Document) {
+    let before = std::mem::replace(&mut state.document, document);
+    reselect(state, &before);
+    settle(state);
+}
+
+/// Changes the mode, as one step of undo.
+pub(super) fn enter(state: &mut State, mode: Mode) {
+    let document = Document {
+        mode,
+        ..state.document.clone()
+    };
+    put(state, document);
+}
+
+/// Time, cursor and selection as what is shown now allows them.
+pub(crate) fn settle(state: &mut State) {
+    let view = &mut state.view;
+    match &state.document.mode {
+        Mode::Changing(changing) => {
+            view.playback.stop_at(changing.at);
+        }
+        Mode::Steering(own) => {
+            view.playback.stop_at(own.time());
+            view.cursor = own.cell();
+            view.selection = Selection::Agent(own.agent);
+        }
+        Mode::Editing
+        | Mode::Asking(_)
+        | Mode::Comparing(_)
+        | Mode::Stuck(..)
+        | Mode::Judging(..) => {}
+    }
+    let last = state.last_time();
+    if state.view.playback.time > last {
+        state.view.playback.stop_at(last);
+    }
+    state.view.cursor = state.document.draft.clamp(state.view.cursor);
+    match state.view.selection {
+        Selection::Agent(agent) if !state.is_there(agent) => {
+            state.view.selection = Selection::Nothing;
+        }
+        Selection::Cell(cell) => {
+            state.view.selection = Selection::Cell(state.document.draft.clamp(cell));
+        }
+        Selection::Agent(_) | Selection::Nothing => {}
+    }
+}
+
+/// The agent that is selected may have got another place, another name or none.
+fn reselect(state: &mut State, before: &Document) {
+    let Selection::Agent(agent) = state.view.selection else {
+        return;
+    };
+    let (old, new) = (before.draft.agents(), state.document.draft.agents());
+    if old.len() == new.len() || agent >= old.len() {
+        return;
+    }
+    let name = old.get(agent).map(|agent| agent.name.as_str());
+    let mut names = new.iter().map(|agent| agent.name.as_str());
+    let found = names.position(|other| Some(other) == name);
+    state.view.selection = found.map_or(Selection::Nothing, Selection::Agent);
+}
+
+pub(super) fn undo(state: &mut State) {
+    if state.has_gesture() {
+        return stroke::abandon(state);
+    }
+    let present = state.moment();
+    let before = state.history.undo(present);
+    travel(state, before);
+}
+
+pub(super) fn redo(state: &mut State) {
+    stroke::abandon(state);
+    let present = state.moment();
+    let after = state.history.redo(present);
+    travel(state, after);
+}
+
+/// Goes to a moment.
+pub(super) fn travel(state: &mut State, moment: Option<Moment>) {
+    let Some(moment) = moment else { return };
+    state.view.notice = None;
+    state.view.waiting.go_on();
+    state.document = moment.document;
+    state.view.selection = moment.selection;
+    state.view.playback.stop_at(moment.time);
+    settle(state);
+}
+
+/// An edit that is made beside the board: of the world where that changes, else
+/// of the scene.
+pub(super) fn edit(state: &mut State, edit: Edit) {
+    stroke::release(state);
+    let told = match &edit {
+        Edit::Recolour(..) | Edit::Name(_) => edit_scene(state, &[edit]),
+        _ => match state.document.mode.changing().cloned() {
+            Some(changing) => super::change::list(state, &changing, &edit),
+            None => edit_scene(state, &[edit]),
+        },
+    };
+    match told {
+        Ok(()) => solve_on_change(state),
+        Err(notice) => state.view.notice = Some(notice),
+    }
+}
+
+/// Makes edits of the scene, as one step of undo; nothing happens where they
+/// change nothing.
+///
+/// # Errors
+/// Why they cannot be made; nothing has changed then.
+pub(super) fn edit_scene(state: &mut State, edits: &[Edit]) -> Result<(), Notice> {
+    if super::steer::is_in_the_way(state) {
+        return Ok(());
+    }
+    if let Some(after) = edited(&state.document, edits)? {
+        state.view.notice = None;
+        state.displaced = None;
+        put(state, after);
+    }
+    Ok(())
+}
+
+/// A document after edits of its scene; `None` where they change nothing.
+///
+/// # Errors
+/// Why they cannot be made.
+fn edited(document: &Document, edits: &[Edit]) -> Result<Option<Document>, Notice> {
+    let mut after = document.clone();
+    let mut sketch = Sketch::of(&document.draft);
+    for edit in edits {
+        sketch.make(edit).map_err(Notice::new)?;
+        match edit {
+            Edit::Within(within) => after.within = *within,
+            Edit::Recolour(agent, colour) => after.colours.set(*agent, *colour),
+            edit if edit.is_afresh() => {
+                after.answer = None;
+                after.found_front = None;
+            }
+            _ => {}
+        }
+    }
+    let scene = sketch.into_scene();
+    if scene != *document.draft.scene() {
+        let draft = Draft::new(scene).map_err(|faults| Notice {
+            sentence: "This edit cannot be made.".to_owned(),
+            details: faults.iter().map(ToString::to_string).collect(),
+        })?;
+        after.set_draft(draft);
+    }
+    Ok((after != *document).then_some(after))
+}
+
+impl Document {
+    /// Puts another draft of the scene on the board. A question about the plan
+    /// ends where that is no longer the plan of the scene.
+    pub(super) fn set_draft(&mut self, draft: Draft) {
+        self.draft = Rc::new(draft);
+        if self.is_stale() || self.answer.is_none() {
+            self.mode = self.mode.unasked();
+        }
+    }
+}
+
+/// After an edit as a whole.
+pub(super) fn solve_on_change(state: &mut State) {
+    let is_wanted = state.settings.solve_on_change && state.document.mode == Mode::Editing;
+    if is_wanted && state.document.is_stale() && state.document.draft.instance().is_ok() {
+        solve::start(state, solve::Start::quiet());
+    }
+}
+
+/// What the hand was doing is over, and the document is another one.
+pub(super) fn drop_gesture(state: &mut State) {
+    state.view.gesture = Gesture::None;
+}

@@ -1,0 +1,118 @@
+//! Documents come and go: scenes, links, what was displaced.
+
+use std::rc::Rc;
+
+use giveway_model::{Fault, Scene};
+
+use super::document::{drop_gesture, put, settle, travel};
+use super::{ask, solve, stroke};
+use crate::link::{Linked, Source};
+use crate::state::{By, Displaced};
+use crate::{Document, Draft, FileAction, Moment, Notice, Selection, State, Tool};
+
+/// A scene of more agents opens without the plan table.
+const MANY: usize = 6;
+
+pub(super) fn file(state: &mut State, action: FileAction) {
+    match action {
+        FileAction::Open(scene) => open(state, *scene),
+        FileAction::OpenLink(linked) => open_link(state, *linked),
+        FileAction::Back => back(state),
+        FileAction::Keep => state.displaced = None,
+        FileAction::Resume(moment) => resume(state, *moment),
+        FileAction::Refuse(notice) => state.view.notice = Some(notice),
+    }
+}
+
+/// Replaces the scene, if it can be drawn and solved.
+fn open(state: &mut State, scene: Scene) {
+    let refused = |faults: &[Fault]| Notice {
+        sentence: "The scene cannot be opened.".to_owned(),
+        details: faults.iter().map(ToString::to_string).collect(),
+    };
+    let draft = match Draft::new(scene) {
+        Ok(draft) => draft,
+        Err(faults) => {
+            state.view.notice = Some(refused(&faults));
+            return;
+        }
+    };
+    if let Err(faults) = draft.instance() {
+        state.view.notice = Some(refused(faults));
+        return;
+    }
+    replace(state, Document::new(draft));
+}
+
+/// Replaces the document by that of a link, and asks its question: without a
+/// plan, once the scene is solved. What was there is kept at hand.
+fn open_link(state: &mut State, linked: Linked) {
+    stroke::release(state);
+    let is_work = linked.source == Source::Link && state.history.is_touched();
+    let displaced = (is_work && !state.is_embedded()).then(|| Displaced {
+        moment: Rc::new(state.moment()),
+        by: By::Link,
+    });
+    replace(state, linked.document);
+    state.displaced = displaced;
+    state
+        .view
+        .playback
+        .stop_at(linked.time.min(state.last_time()));
+    let has_plan = state.document.plan().is_some();
+    match linked.question {
+        Some(question) if has_plan || state.document.answer.is_some() => ask::ask(state, &question),
+        question => {
+            if question.is_some() || (has_plan && solve::is_small(&state.document)) {
+                solve::start(state, solve::Start::of_link(question));
+            }
+        }
+    }
+}
+
+/// The document that was displaced and the one that displaced it change places.
+fn back(state: &mut State) {
+    stroke::release(state);
+    if let Some(Displaced { moment, by }) = state.displaced.take() {
+        let present = Rc::new(state.moment());
+        state.history.record(state.moment());
+        travel(state, Some(Rc::unwrap_or_clone(moment)));
+        state.displaced = Some(Displaced {
+            moment: present,
+            by: match by {
+                By::Link => By::Own,
+                By::Own => By::Link,
+            },
+        });
+    }
+}
+
+/// Puts a document that was kept onto the board, where it was looked at.
+pub(super) fn resume(state: &mut State, moment: Moment) {
+    let Moment {
+        document,
+        time,
+        selection,
+    } = moment;
+    replace(state, document);
+    state.view.selection = selection;
+    state.view.playback.stop_at(time);
+    settle(state);
+}
+
+/// Puts another document onto the board, as one step of undo.
+fn replace(state: &mut State, document: Document) {
+    stroke::release(state);
+    drop_gesture(state);
+    state.displaced = None;
+    // Of many agents a table is long: the board keeps its room.
+    state.view.table &= document.draft.agents().len() <= MANY;
+    // First, so that undo knows where the one before was looked at.
+    put(state, document);
+    let view = &mut state.view;
+    view.notice = None;
+    view.selection = Selection::Nothing;
+    view.tool = Tool::Select;
+    // What moved goes no further: it is of another scene.
+    view.playback.stop_at(0);
+}

@@ -1,0 +1,101 @@
+//! What the worker tells, heard in one place: only the job that is not over is
+//! heard, and each kind of answer goes to the part that asked for it.
+
+use giveway_solve::{Progress, Refusal, Response};
+
+use super::{ask, change, proof, solve};
+use crate::{Mode, Notice, Size, State, Task};
+
+/// Something became known on the way.
+pub(super) fn progress(state: &mut State, id: u64, event: Progress) {
+    let Some(task) = state.work.task_mut(id) else {
+        return;
+    };
+    match (task, event) {
+        (
+            Task::Solve(run),
+            Progress::Size {
+                variables,
+                clauses,
+                conflicts,
+            },
+        ) => run.size = size(variables, clauses, conflicts),
+        (
+            Task::Change(run),
+            Progress::Size {
+                variables,
+                clauses,
+                conflicts,
+            },
+        ) => run.size = size(variables, clauses, conflicts),
+        (Task::Solve(run), event) => run.learn(event),
+        (Task::Certify(run), Progress::Certifying { claim, checking }) => {
+            run.at = Some((claim, checking));
+        }
+        (Task::Explain(_), Progress::Explained { answer }) => ask::learn(state, *answer),
+        _ => {}
+    }
+}
+
+const fn size(variables: u64, clauses: u64, conflicts: u64) -> Size {
+    Size {
+        variables,
+        clauses,
+        conflicts,
+    }
+}
+
+/// The worker answered.
+pub(super) fn respond(state: &mut State, id: u64, response: Response) {
+    if state.work.id() != Some(id) {
+        return;
+    }
+    let Some(task) = state.work.end() else { return };
+    match (task, response) {
+        (Task::Solve(run), Response::Solved(answer)) => solve::answered(state, run, answer),
+        (Task::Solve(run), Response::Front(front)) => solve::front(state, &run, front),
+        (Task::Explain(_), Response::Explained(answer)) => ask::learn(state, *answer),
+        (Task::Certify(run), Response::Certified(report)) => proof::checked(state, &run, *report),
+        (Task::Change(run), Response::Changed(told)) => change::answered(state, &run, *told),
+        (task, Response::Refused(refusal)) => refused(state, &task, &refusal),
+        _ => {}
+    }
+}
+
+fn refused(state: &mut State, task: &Task, refusal: &Refusal) {
+    let sentence = match task {
+        Task::Solve(_) => "The solver refused the scene.",
+        Task::Explain(_) => "The question cannot be answered.",
+        Task::Certify(_) => "The proof cannot be checked.",
+        Task::Change(_) => "The changes were refused.",
+    };
+    if let Task::Explain(_) = task {
+        let is_stuck = matches!(state.document.mode, Mode::Stuck(..));
+        ask::close(state);
+        if is_stuck {
+            // Nobody asked: what the methods answered tells the cause.
+            return;
+        }
+    }
+    state.view.notice = Some(Notice {
+        sentence: sentence.to_owned(),
+        details: refusal.sentences(),
+    });
+}
+
+/// The worker broke off, or did not even start.
+pub(super) fn crash(state: &mut State, id: u64, sentence: String, had_started: bool) {
+    if state.work.id() != Some(id) {
+        return;
+    }
+    solve::cancel(state);
+    let what = if had_started {
+        "The solver broke off and was started again. Your scene is as it was."
+    } else {
+        "The solver could not be started. Press Solve to try again."
+    };
+    state.view.notice = Some(Notice {
+        sentence: what.to_owned(),
+        details: vec![sentence],
+    });
+}

@@ -1,0 +1,175 @@
+//! What is known when a search ends before its answer.
+
+use giveway_model::{Cost, Plan};
+use giveway_solve::{Progress, Response, SolveAnswer, Stats, Status};
+
+use super::{after, fresh};
+use crate::sample::solved;
+use crate::{Action, BoardAction, Phase, SolveAction, State, ViewAction, words};
+
+/// The warehouse while it is solved: the plan is found, and half of its proof.
+fn half_way() -> State {
+    let whole = solved().document.answer.unwrap().solved.clone();
+    let state = after(&fresh(), [Action::Solve(SolveAction::Solve)]);
+    let bound = Progress::Bound {
+        cost: Cost::Makespan,
+        at_least: 17,
+    };
+    let plan = Progress::Plan {
+        costs: whole.costs.unwrap(),
+        plan: whole.plan.unwrap(),
+    };
+    let job = state.work.id().unwrap();
+    let tell = |event| Action::Solve(SolveAction::Progress { job, event });
+    after(&state, [bound, plan].map(tell))
+}
+
+fn told(state: &State) -> SolveAnswer {
+    state.document.answer.as_ref().unwrap().solved.clone()
+}
+
+#[test]
+fn cancelling_keeps_the_best_plan_and_all_bounds() {
+    let state = after(&half_way(), [Action::Solve(SolveAction::Cancel)]);
+    assert_eq!(state.phase(), Phase::Stopped);
+    assert!(state.work.is_idle() && state.plan().is_some());
+    let standing = words::standing(&state).sentence;
+    let expect = "Best so far: makespan 18, at least 17; sum of costs 35; 3 charges. \
+                  You stopped the search.";
+    assert_eq!(standing, expect);
+    let undone = after(&state, [Action::Undo]);
+    assert_eq!(undone.document.answer, None, "it was a step");
+}
+
+#[test]
+fn a_worker_that_breaks_down_takes_nothing_along() {
+    let state = half_way();
+    let crash = Action::Solve(SolveAction::Crash {
+        job: state.work.id().unwrap(),
+        sentence: "Out of memory.".to_owned(),
+        had_started: true,
+    });
+    let state = after(&state, [crash]);
+    assert!(state.plan().is_some() && state.view.notice.is_some());
+}
+
+#[test]
+fn a_plan_that_breaks_a_rule_is_never_shown() {
+    let state = half_way();
+    let job = state.work.id().unwrap();
+    let costs = told(&solved()).costs.unwrap();
+    let event = Progress::Plan {
+        costs,
+        plan: Plan::default(),
+    };
+    let actions = [
+        Action::Solve(SolveAction::Progress { job, event }),
+        Action::Solve(SolveAction::Cancel),
+    ];
+    let state = after(&state, actions);
+    assert_eq!(state.plan(), None);
+    assert_eq!(
+        told(&state).bounds[&Cost::Makespan],
+        17,
+        "a bound is a bound"
+    );
+}
+
+#[test]
+fn solving_again_goes_on_from_what_is_known() {
+    let stopped = after(&half_way(), [Action::Solve(SolveAction::Cancel)]);
+    let state = after(&stopped, [Action::Solve(SolveAction::Solve)]);
+    let solving = state.work.solving().unwrap();
+    assert_eq!(solving.request.start.as_ref(), stopped.plan());
+    assert_eq!(solving.bounds[&Cost::Makespan], 17);
+    // The second search knows less when its time runs out.
+    let nothing = SolveAnswer {
+        status: Status::Unknown,
+        costs: None,
+        plan: None,
+        bounds: [(Cost::Makespan, 12)].into(),
+        complete: false,
+        stats: Stats::default(),
+        ..told(&stopped)
+    };
+    let response = Box::new(Response::Solved(nothing));
+    let job = state.work.id().unwrap();
+    let ended = after(
+        &state,
+        [Action::Solve(SolveAction::Respond { job, response })],
+    );
+    assert_eq!(told(&ended).bounds[&Cost::Makespan], 17);
+    assert_eq!(ended.plan(), stopped.plan());
+    assert_eq!(ended.phase(), Phase::Stopped);
+}
+
+#[test]
+fn cancelling_knows_nothing_where_nothing_was_known() {
+    let state = after(
+        &fresh(),
+        [
+            Action::Solve(SolveAction::Solve),
+            Action::Solve(SolveAction::Cancel),
+        ],
+    );
+    assert_eq!(state.document, fresh().document);
+    assert_eq!(state.phase(), Phase::Editing);
+}
+
+#[test]
+fn an_edit_forgets_a_search_and_nothing_else_does() {
+    let state = half_way();
+    let looked = [
+        Action::View(ViewAction::ShowTrails(false)),
+        Action::Board(BoardAction::Select(crate::Selection::Agent(1))),
+    ];
+    assert_eq!(after(&state, looked).phase(), Phase::Solving);
+    let painted = after(&state, super::edit());
+    assert!(painted.work.is_idle() && painted.document.answer.is_none());
+}
+
+/// The warehouse's plan from a link, while it is proved.
+fn shared() -> State {
+    let text = crate::link::write(&solved());
+    let state = after(&fresh(), [crate::link::open(&text)]);
+    assert_eq!(state.phase(), Phase::Solving);
+    state
+}
+
+#[test]
+fn a_shared_plan_is_proved_where_it_stands() {
+    let state = after(&shared(), [Action::Play(crate::PlayAction::Seek(4))]);
+    let best = told(&solved());
+    let job = state.work.id().unwrap();
+    let answer = |solved| {
+        let response = Box::new(Response::Solved(solved));
+        after(
+            &state,
+            [Action::Solve(SolveAction::Respond { job, response })],
+        )
+    };
+    let proved = answer(best.clone());
+    assert_eq!(proved.phase(), Phase::Planned);
+    assert_eq!(proved.view.playback.time, 4, "nothing jumps");
+    assert!(!proved.view.playback.playing);
+    let mut better = best;
+    better.costs.as_mut().unwrap().makespan -= 1;
+    better.bounds.insert(Cost::Makespan, 17);
+    let judged = answer(better);
+    assert_eq!(
+        judged.plan(),
+        solved().plan(),
+        "it stays the plan that was shared"
+    );
+    assert_eq!(judged.phase(), Phase::Stopped);
+    let said = words::standing(&judged).sentence;
+    assert!(said.ends_with("There is a better plan."), "{said}");
+}
+
+#[test]
+fn a_shared_plan_of_many_is_told_as_one() {
+    let state = after(&shared(), [Action::Solve(SolveAction::Cancel)]);
+    let standing = words::standing(&state);
+    assert_eq!(standing.badge.word(), "Shared");
+    assert!(standing.sentence.contains("makespan 18"), "{standing:?}");
+}

@@ -1,0 +1,23 @@
+//! What is shown and how; and what a person set for all scenes.
+
+use super::play;
+use crate::{State, ViewAction};
+
+pub(super) fn view(state: &mut State, action: &ViewAction) {
+    let (view, settings) = (&mut state.view, &mut state.settings);
+    match *action {
+        ViewAction::DismissNotice => view.notice = None,
+        ViewAction::ShowTrails(on) => view.layers.trails = on,
+        ViewAction::ShowHeat(on) => view.layers.heat = on,
+        ViewAction::Follow(on) => view.follow = on,
+        ViewAction::ShowTable(on) => view.table = on,
+        ViewAction::ShowTab(tab) => view.tab = tab,
+        ViewAction::SetWide(on) => play::widen(state, on),
+        ViewAction::SetTheme(theme) => view.theme = theme,
+        ViewAction::SetSeconds(seconds) => settings.seconds = seconds.max(1),
+        ViewAction::SetSolveOnChange(on) => settings.solve_on_change = on,
+        ViewAction::SetFront(on) => settings.front = on,
+        ViewAction::SetFill(fill) => settings.fill = fill,
+        ViewAction::SetLetterKeys(on) => settings.letter_keys = on,
+    }
+}

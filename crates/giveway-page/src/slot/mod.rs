@@ -1,0 +1,295 @@
+//! What the page says without being asked, one thing at a time, in the row under
+//! the board: that something was kept, could not be kept, or was changed elsewhere.
+
+mod differ;
+
+use std::collections::BTreeSet;
+use std::rc::Rc;
+
+use crate::{Action, By, Draft, FileAction, Moment, SlotAction, State};
+
+pub(crate) use differ::difference;
+
+/// What the page has to say, until its turn comes.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Waiting {
+    /// What the browser kept could not be opened.
+    pub lost: Option<Lost>,
+    /// The browser does not keep the document.
+    pub unkept: Option<Unkept>,
+    /// What another tab did.
+    pub other: Option<Other>,
+    /// The tabs that a person does not want to hear of.
+    pub(crate) declined: BTreeSet<String>,
+}
+
+impl Waiting {
+    /// The document is another one now: what another tab did to the one before is
+    /// no news any longer.
+    pub(crate) fn go_on(&mut self) {
+        if let Some(Other::Taken { .. }) = self.other {
+            self.other = None;
+        }
+    }
+}
+
+/// Why kept data was not opened.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Lost {
+    /// A newer version of the page wrote it.
+    Newer,
+    /// It is damaged.
+    Damaged,
+    /// The page broke down as it opened it.
+    Breaks,
+}
+
+/// Why the browser does not keep the document.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Unkept {
+    /// There is no room.
+    Full,
+    /// It keeps nothing at all.
+    Refused,
+}
+
+/// What another tab keeps.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Elsewhere {
+    /// Which tab.
+    pub tab: String,
+    /// Its document.
+    pub moment: Moment,
+    /// Whether it goes on from what is here.
+    pub is_ahead: bool,
+}
+
+/// What another tab did.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Other {
+    /// It changed the scene, and so did this one.
+    Apart {
+        /// Which tab.
+        tab: String,
+        /// What it has.
+        moment: Rc<Moment>,
+    },
+    /// It changed the scene, and this one has taken that.
+    Taken {
+        /// What it changed, as a sentence.
+        change: String,
+    },
+}
+
+/// What is said.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Message {
+    /// Of what kind it is.
+    pub kind: Kind,
+    /// The heading.
+    pub title: &'static str,
+    /// One or two sentences.
+    pub text: String,
+    /// The scene here and the one elsewhere, to be seen side by side.
+    pub boards: Option<[Rc<Draft>; 2]>,
+    /// What can be done.
+    pub buttons: Vec<Button>,
+    /// What closes it; `None` where one of the buttons has to be pressed.
+    pub close: Option<Action>,
+}
+
+/// Of what kind a message is.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Kind {
+    /// Something may be lost: it is read aloud at once.
+    Alert,
+    /// Something is kept.
+    Kept,
+    /// Something was changed.
+    Changed,
+}
+
+impl Kind {
+    /// The icon beside it.
+    pub const fn icon(self) -> &'static str {
+        match self {
+            Self::Alert => "warning",
+            Self::Kept | Self::Changed => "kept",
+        }
+    }
+}
+
+/// A button of a message.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Button {
+    /// What it is called.
+    pub name: &'static str,
+    /// The icon on it.
+    pub icon: Option<&'static str>,
+    /// Whether it is the one next step.
+    pub is_filled: bool,
+    /// What it does.
+    pub press: Press,
+}
+
+/// What a button does.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Press {
+    /// Downloads what could not be opened, as it is.
+    Download,
+    /// Leaves what could not be opened where it is.
+    StartAfresh,
+    /// Downloads the document.
+    Save,
+    /// An action of the page.
+    Act(Box<Action>),
+}
+
+/// What is to be said now, if there is anything: kept data first, then a link, then
+/// another tab.
+pub fn message(state: &State) -> Option<Message> {
+    let waiting = &state.view.waiting;
+    if state.is_embedded() {
+        return None;
+    }
+    let lost = waiting.lost.map(lost);
+    let unkept = || waiting.unkept.map(unkept);
+    let other = || waiting.other.as_ref().map(|other| elsewhere(state, other));
+    lost.or_else(unkept)
+        .or_else(|| displaced(state))
+        .or_else(other)
+}
+
+fn lost(why: Lost) -> Message {
+    let (title, text) = match why {
+        Lost::Newer => (
+            "We could not read what was kept",
+            "A newer version of this page has written it. Nothing was deleted: that version can \
+             still read it. What you see now is an example.",
+        ),
+        Lost::Damaged => (
+            "We could not read what was kept",
+            "Nothing was deleted. Download it, and a later version may read it. What you see now \
+             is an example.",
+        ),
+        Lost::Breaks => (
+            "The page broke down when it opened what was kept",
+            "Nothing was deleted. Download it, and a later version may open it. What you see now \
+             is an example.",
+        ),
+    };
+    Message {
+        kind: Kind::Alert,
+        title,
+        text: text.to_owned(),
+        boards: None,
+        buttons: vec![
+            Button {
+                is_filled: true,
+                ..button("Download it", Some("save"), Press::Download)
+            },
+            button("Start afresh", None, Press::StartAfresh),
+        ],
+        close: None,
+    }
+}
+
+fn unkept(why: Unkept) -> Message {
+    let text = match why {
+        Unkept::Full => {
+            "This browser has no room left for it. Download it, or forget scenes that you no \
+             longer need."
+        }
+        Unkept::Refused => {
+            "This browser does not let the page keep anything. Download it before you leave."
+        }
+    };
+    Message {
+        kind: Kind::Alert,
+        title: "Your work is not being kept",
+        text: text.to_owned(),
+        boards: None,
+        buttons: vec![Button {
+            is_filled: true,
+            ..button("Download it", Some("save"), Press::Save)
+        }],
+        close: Some(Action::Slot(SlotAction::Close)),
+    }
+}
+
+fn displaced(state: &State) -> Option<Message> {
+    let displaced = state.displaced.as_ref()?;
+    let name = quoted(&displaced.moment.document.draft);
+    let (title, text) = match displaced.by {
+        By::Link => (
+            "Your own scene is kept",
+            format!("This one came with the link. Yours, {name}, is where you left it."),
+        ),
+        By::Own => (
+            "The scene of the link is kept",
+            format!("You are back at your own scene. The one of the link is {name}."),
+        ),
+    };
+    let back = Press::Act(Box::new(Action::File(FileAction::Back)));
+    Some(Message {
+        kind: Kind::Kept,
+        title,
+        text,
+        boards: None,
+        buttons: vec![button("Back to it", Some("back"), back)],
+        close: Some(Action::File(FileAction::Keep)),
+    })
+}
+
+fn elsewhere(state: &State, other: &Other) -> Message {
+    let act = |name, action| button(name, None, Press::Act(Box::new(action)));
+    let close = Action::Slot(SlotAction::Close);
+    let (text, boards, buttons, close) = match other {
+        Other::Apart { moment, .. } => (
+            format!(
+                "{} Undo brings back the one you do not take.",
+                difference(&state.document, &moment.document)
+            ),
+            Some([
+                Rc::clone(&state.document.draft),
+                Rc::clone(&moment.document.draft),
+            ]),
+            vec![
+                act("Take theirs", Action::Slot(SlotAction::TakeTheirs)),
+                act("Keep mine", Action::Slot(SlotAction::KeepMine)),
+            ],
+            None,
+        ),
+        Other::Taken { change } => (
+            format!("{change} It is shown here, too. Undo brings back what was here."),
+            None,
+            vec![act("Undo it here", Action::Undo)],
+            Some(close),
+        ),
+    };
+    Message {
+        kind: Kind::Changed,
+        title: "Another tab changed this scene",
+        text,
+        boards,
+        buttons,
+        close,
+    }
+}
+
+fn button(name: &'static str, icon: Option<&'static str>, press: Press) -> Button {
+    Button {
+        name,
+        icon,
+        is_filled: false,
+        press,
+    }
+}
+
+/// The name of a scene in a sentence.
+fn quoted(draft: &Draft) -> String {
+    match draft.scene().name.as_str() {
+        "" => "which has no name yet".to_owned(),
+        name => format!("\u{201c}{name}\u{201d}"),
+    }
+}

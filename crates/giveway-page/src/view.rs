@@ -1,0 +1,115 @@
+//! What is shown of a document, and what a person's hand is doing: nothing that
+//! anyone would miss.
+
+use giveway_model::Cell;
+
+use crate::gesture::Gesture;
+use crate::slot::Waiting;
+use crate::{Notice, Playback, Theme, Tool};
+
+/// What the inspector tells of.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum Selection {
+    /// The plan as a whole.
+    #[default]
+    Nothing,
+    /// An agent, by its index in the scene.
+    Agent(usize),
+    /// A cell.
+    Cell(Cell),
+}
+
+/// What a phone shows below the board.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum Tab {
+    /// The agent or cell selected.
+    Inspector,
+    /// The lanes.
+    #[default]
+    Timeline,
+    /// The plan table.
+    Plan,
+}
+
+/// What is drawn over the map.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Layers {
+    /// Ways behind and ahead.
+    pub trails: bool,
+    /// Cells shaded by how much they are used.
+    pub heat: bool,
+}
+
+impl Default for Layers {
+    fn default() -> Self {
+        Self {
+            trails: true,
+            heat: false,
+        }
+    }
+}
+
+/// Where the page is shown.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum Place {
+    /// In a window of its own.
+    #[default]
+    Own,
+    /// Inside another page: a plan is watched, nothing is edited or kept.
+    Embedded,
+}
+
+/// What is shown and how.
+#[derive(Clone, Debug, PartialEq)]
+pub struct View {
+    /// Where the page is shown.
+    pub place: Place,
+    /// The time shown, and the speed.
+    pub playback: Playback,
+    /// What the inspector tells of.
+    pub selection: Selection,
+    /// What the pointer does on the board.
+    pub tool: Tool,
+    /// What the hand is doing on the board.
+    pub(crate) gesture: Gesture,
+    /// The cell of the keyboard on the board.
+    pub cursor: Cell,
+    /// What is drawn over the map.
+    pub layers: Layers,
+    /// Whether the camera goes with the agent selected.
+    pub follow: bool,
+    /// Whether the plan table is open.
+    pub table: bool,
+    /// Light or dark.
+    pub theme: Theme,
+    /// What a phone shows below the board.
+    pub tab: Tab,
+    /// Whether there is room for two boards side by side: else the other plan of
+    /// an answer takes the place of this one.
+    pub is_wide: bool,
+    /// What a person must be told once.
+    pub notice: Option<Notice>,
+    /// What the page has to say by itself, until its turn comes.
+    pub waiting: Waiting,
+}
+
+impl Default for View {
+    fn default() -> Self {
+        Self {
+            place: Place::Own,
+            playback: Playback::default(),
+            selection: Selection::Nothing,
+            tool: Tool::Select,
+            gesture: Gesture::None,
+            cursor: Cell::new(0, 0),
+            layers: Layers::default(),
+            follow: false,
+            table: true,
+            theme: Theme::System,
+            tab: Tab::Timeline,
+            is_wide: false,
+            notice: None,
+            waiting: Waiting::default(),
+        }
+    }
+}

@@ -1,0 +1,338 @@
+//! The rest of a plan around which the world has changed, as an instance and a
+//! plan of their own: agents begin where they are, on the map of that time.
+//!
+//! It begins at the last change that counts. An instance has no agent half way
+//! along a slow move and none that a breakdown holds; where there is one, the
+//! rest begins at the first later time without. What an arrived agent adds to
+//! the costs when it is woken, no instance can say either: [`Past`] does.
+
+use giveway_model::{
+    Costs, Instance, Objective, Plan, Question, Scene, Version,
+    change::{Changes, History, Life, MAX_TIME, Whereabouts},
+    check::{Rule, check_history, costs_over_time, costs_until},
+    question::Misfit,
+    sorting,
+};
+
+use super::{
+    ExplainRequest,
+    going_on::{Member, Resting},
+    past::{Course, Past, shifted},
+};
+use crate::Refusal;
+
+/// What is asked, about an instance and its plan.
+pub(crate) struct Asked {
+    pub(crate) instance: Instance,
+    /// The plan that is asked about; `None` where none was given, or the
+    /// question is why there is none.
+    pub(crate) plan: Option<Plan>,
+    pub(crate) question: Question,
+    /// The horizon, where a person set one.
+    pub(crate) within: Option<u32>,
+    pub(crate) past: Past,
+}
+
+/// The changes that count: those up to the time shown.
+pub(crate) fn counting(request: &ExplainRequest) -> Option<Changes> {
+    let mut changes = request.changes.clone()?;
+    changes
+        .changes
+        .retain(|change| request.at.is_none_or(|at| change.at <= at));
+    (!changes.changes.is_empty()).then_some(changes)
+}
+
+/// A plan as one that knows of no more than these changes.
+pub(crate) fn up_to(changes: &Changes, plan: &Plan) -> Plan {
+    let times = changes.changes.iter().map(|change| change.at);
+    let last = times.max().unwrap_or(0);
+    let mut plan = plan.clone();
+    plan.knows = plan.knows.map(|knows| knows.min(last));
+    for slept in plan.slept.values_mut() {
+        slept.retain(|&[_, to]| to <= last);
+    }
+    plan.slept.retain(|_, slept| !slept.is_empty());
+    plan
+}
+
+/// The world over time, and the time of its last change.
+pub(crate) struct World {
+    pub(crate) changed: u32,
+    pub(crate) history: History,
+}
+
+impl World {
+    /// The world of the changes that count, around the plan.
+    ///
+    /// # Errors
+    /// Where a change contradicts the plan, or the plan breaks a rule before
+    /// the last change.
+    pub(crate) fn new(
+        instance: &Instance,
+        changes: &Changes,
+        plan: &Plan,
+    ) -> Result<Self, Refusal> {
+        let mut history = History::new(instance);
+        let times = changes.by_time();
+        let mut changed = 0;
+        for (i, (at, list)) in times.iter().enumerate() {
+            if i + 1 == times.len() {
+                past_is_right(&history, plan, *at)?;
+            }
+            let applied = history.apply(*at, list, plan);
+            applied.map_err(|faults| Refusal::Changes { faults })?;
+            changed = *at;
+        }
+        Ok(Self { changed, history })
+    }
+}
+
+/// A plan must be right up to the last change, whatever is to come.
+fn past_is_right(history: &History, plan: &Plan, at: u32) -> Result<(), Refusal> {
+    let mut violations = check_history(history, plan).violations;
+    // What it lists from then on is for the world to come.
+    violations.retain(|violation| {
+        let of_its_time = !matches!(
+            violation.rule,
+            Rule::Shape | Rule::Goal | Rule::Waypoint | Rule::Charge
+        );
+        of_its_time && violation.time < at
+    });
+    if violations.is_empty() {
+        return Ok(());
+    }
+    Err(Refusal::Plan { violations })
+}
+
+/// The rest of a course, with what is asked about it.
+///
+/// # Errors
+/// Where the question cannot be answered of the rest, with the reason.
+pub(crate) fn rest_of(
+    instance: &Instance,
+    world: World,
+    plan: &Plan,
+    request: &ExplainRequest,
+) -> Result<Asked, Refusal> {
+    let World { changed, history } = world;
+    let question = &request.question;
+    let solvable = !matches!(question, Question::Unsolvable);
+    let since = first_standing(&history, changed, plan, solvable)?;
+    let resting = Resting {
+        history: &history,
+        changed,
+        since,
+        plan,
+    };
+    let members = resting.members()?;
+    let question_now = resting.question(question, &members)?;
+    if let Some(within) = request.within.filter(|within| *within < since) {
+        return Err(refused(format!(
+            "Everyone by time {within} cannot be asked for: the world changes at time {since} \
+             only."
+        )));
+    }
+    let objective = instance.objective();
+    let rest = resting.instance(instance, objective, &members)?;
+    let rest_plan = resting.plan(&members);
+    let shares = members.iter().map(|m| (m.agent.name.clone(), m.share));
+    let past = Past::new(Course {
+        since,
+        question: question.clone(),
+        shares: sorting::map(shares),
+        gone: resting.gone(&members),
+        plan: plan.clone(),
+        history: history.clone(),
+    });
+    if solvable {
+        let told = past.told_costs(&rest, &rest_plan);
+        if told != costs_over_time(&history, plan) || !past.check(&rest, &rest_plan).is_empty() {
+            return Err(refused(format!(
+                "What comes from time {since} on cannot be told apart from what is past."
+            )));
+        }
+        let idle = members.iter().any(|member| member.share.idle > 0);
+        let counts = objective.costs().contains(&giveway_model::Cost::Waits)
+            || matches!(question, Question::Waits { .. });
+        if idle && counts {
+            return Err(refused(format!(
+                "Waits cannot be compared from time {since} on: a robot has been at its goal \
+                 since time {changed}, and whether that is waiting depends on what it does later."
+            )));
+        }
+    }
+    Ok(Asked {
+        instance: rest,
+        plan: solvable.then_some(rest_plan),
+        question: question_now,
+        within: request.within.map(|within| within - since),
+        past,
+    })
+}
+
+/// A refusal that is one plain sentence.
+pub(super) fn refused(is_so: String) -> Refusal {
+    Refusal::Question {
+        misfit: Misfit::NotSo { is_so, ask: None },
+    }
+}
+
+/// The first time from the last change on at which every agent stands on a
+/// cell and none is held. Where there is no plan from the change on, only its
+/// own time will do.
+fn first_standing(
+    history: &History,
+    changed: u32,
+    plan: &Plan,
+    solvable: bool,
+) -> Result<u32, Refusal> {
+    let mut why = String::new();
+    let mut time = changed;
+    let lives: Vec<Life<'_>> = history.lives(plan, changed);
+    let last = lives.iter().map(Life::end).max().unwrap_or(changed);
+    let held = history.careers().iter().flat_map(|career| &career.held);
+    let last = held
+        .map(|&(_, to)| to)
+        .max()
+        .unwrap_or(0)
+        .max(last)
+        .max(changed);
+    while time <= last.min(MAX_TIME) {
+        let away = history.lives(plan, time).into_iter().find_map(|life| {
+            let name = life.career.name();
+            if !matches!(life.place(time), Whereabouts::At(_)) {
+                return Some(format!("{name} is half way along a slow move"));
+            }
+            let held = life.career.is_held(time);
+            held.then(|| format!("{name} is held by a breakdown"))
+        });
+        let Some(away) = away else { return Ok(time) };
+        why = away;
+        if !solvable {
+            break;
+        }
+        time += 1;
+    }
+    Err(refused(format!(
+        "At time {time} {why}, and from then on questions cannot be answered."
+    )))
+}
+
+impl Resting<'_> {
+    fn instance(
+        &self,
+        whole: &Instance,
+        objective: &Objective,
+        members: &[Member<'_>],
+    ) -> Result<Instance, Refusal> {
+        let grid = self.history.grid(self.since);
+        for Member { agent, .. } in members {
+            let mut cells = agent.waypoints.iter().chain([&agent.goal]);
+            if let Some(cell) = cells.find(|&&cell| !grid.is_vertex(cell)) {
+                return Err(refused(format!(
+                    "There is no plan from time {} on, since {} has to go to {cell}, where an \
+                     obstacle is.",
+                    self.changed, agent.name
+                )));
+            }
+        }
+        let scene = Scene {
+            giveway: Version,
+            name: whole.name().to_owned(),
+            map: grid.rows(),
+            rules: self.history.rules(),
+            objective: objective.clone(),
+            agents: members.iter().map(|member| member.agent.clone()).collect(),
+        };
+        Instance::new(scene).map_err(|faults| Refusal::Changes { faults })
+    }
+
+    fn plan(&self, members: &[Member<'_>]) -> Plan {
+        let mut plan = Plan::default();
+        for member in members {
+            let Some(life) = &member.life else { continue };
+            let name = member.agent.name.clone();
+            let times = self.since..=life.end().max(self.since);
+            plan.paths
+                .insert(name.clone(), times.map(|time| life.at(time)).collect());
+            let later = life.charges.iter().filter(|&&time| time >= self.since);
+            let charges: Vec<u32> = later.map(|time| time - self.since).collect();
+            if !charges.is_empty() {
+                plan.charges.insert(name, charges);
+            }
+        }
+        plan
+    }
+
+    /// What those that have vanished add to all costs.
+    fn gone(&self, members: &[Member<'_>]) -> Costs {
+        let mut gone = Costs::default();
+        for career in self.history.careers() {
+            let goes_on = members.iter().any(|m| m.agent.name == career.name());
+            let life = Life::of(self.history, career, self.plan);
+            let Some(life) = life.filter(|_| !goes_on && career.until.is_none()) else {
+                continue;
+            };
+            let spent = costs_until(self.history, &life, life.end());
+            gone.makespan = gone.makespan.max(life.end());
+            gone.sum_of_costs += life.end();
+            gone.charges += spent.charges;
+            gone.moves += spent.moves;
+            gone.waits += spent.waits;
+        }
+        gone
+    }
+
+    /// The question in times of the rest.
+    fn question(&self, question: &Question, members: &[Member<'_>]) -> Result<Question, Refusal> {
+        let since = self.since;
+        for name in question.agents() {
+            let is_there = members.iter().any(|member| member.agent.name == name);
+            let mut careers = self.history.careers().iter();
+            if !is_there && careers.any(|career| career.name() == name) {
+                return Err(refused(format!(
+                    "{name} is not there any more at time {since}."
+                )));
+            }
+        }
+        let time = match question {
+            Question::Wait { to, .. } => to.map(|to| to.saturating_sub(1)),
+            Question::Charge { time, .. }
+            | Question::Visit { time, .. }
+            | Question::Move { time, .. }
+            | Question::NoMove { time, .. } => *time,
+            _ => None,
+        };
+        if let Some(time) = time.filter(|time| *time < since) {
+            return Err(refused(format!(
+                "Time {time} is before time {since}, from which on the world is as it is asked \
+                 about; what is past cannot be otherwise."
+            )));
+        }
+        if let Question::Wait {
+            agent,
+            from,
+            at_least: Some(steps),
+            ..
+        } = question
+            && from.unwrap_or(0) < since
+            && *steps > 1
+            && let Some(member) = members.iter().find(|member| member.agent.name == *agent)
+            && let (Some(life), Some(before)) = (&member.life, since.checked_sub(1))
+            && life.at(before) == life.at(since)
+        {
+            return Err(refused(format!(
+                "{agent} waits at time {since} already, since before the change; ask about its \
+                 wait from time {since} on."
+            )));
+        }
+        // Of an interval that began before, what is left.
+        let mut question = shifted(question, |time| time.saturating_sub(since));
+        if let Question::Wait { from, to, .. } = &mut question
+            && to.is_some()
+        {
+            from.get_or_insert(0);
+        }
+        Ok(question)
+    }
+}

@@ -1,0 +1,242 @@
+// Every state of the page on every kind of screen, light and dark, in a narrow and in a
+// wide font: nothing lies over anything else, nothing is cut off, nothing is too small.
+// Pictures of all of it are left in target/e2e/geometry, to be looked at.
+
+import assert from "node:assert/strict";
+import { mkdirSync } from "node:fs";
+import { join } from "node:path";
+import { describe } from "node:test";
+
+import { adapt, begin, join as joins, running } from "./change.mjs";
+import { root } from "./dist.mjs";
+import { flows } from "./flow.mjs";
+import { geometry } from "./geometry.mjs";
+import { lead, rows, steps } from "./steer.mjs";
+
+const PICTURES = join(root, "target/e2e/geometry");
+mkdirSync(PICTURES, { recursive: true });
+
+const OPENING = /^Optimal: makespan 18/;
+
+const SCREENS = [[390, 664], [390, 844], [844, 390], [768, 1024], [1280, 720], [1440, 900], [2560, 1440]];
+
+/** Narrower and wider than what any system has: of the same letters everywhere. */
+const FONTS = [
+  { name: "own", family: "", spacing: "" },
+  { name: "narrow", family: "", spacing: "-0.4px" },
+  { name: "wide", family: '"DejaVu Sans", system-ui, sans-serif', spacing: "0.6px" },
+];
+
+/** The form that is made for fingers: as in the style sheets. */
+const isTouch = ([width, height]) => width <= 720 || height <= 480;
+
+describe("the geometry", () => {
+  const flow = flows();
+
+  /** Prepares a state once, then looks at it on all screens. */
+  const state = (name, prepare, { tabs = ["Inspector"], screens = SCREENS } = {}) => {
+    flow(`of ${name}`, async (playground) => {
+      await playground.says(/^(Optimal|Solving)/);
+      await prepare(playground);
+      assert.deepEqual(await everywhere(playground, name, tabs, screens), []);
+    }, { screens: ["desktop"], reducedMotion: "reduce" });
+  };
+
+  state("a plan", opening, { tabs: ["Inspector", "Timeline", "Plan"] });
+  state("an agent selected", async (playground) => {
+    await opening(playground);
+    await playground.inspector.getByRole("button", { name: /^A1\b/ }).first().click();
+  }, { tabs: ["Inspector", "Timeline"] });
+  state("a cell selected", async (playground) => {
+    await opening(playground);
+    await playground.stroke([0, 1]);
+    await playground.inspector.getByRole("heading", { name: /0, 1/ }).first().waitFor();
+  });
+  state("editing", async (playground) => {
+    await opening(playground);
+    await playground.pick("Obstacle");
+    await playground.stroke([0, 1]);
+    await playground.says(/^The scene has changed since this plan/);
+  });
+  state("problems", async (playground) => {
+    await playground.open(scene("walled in", ["..#.", "..#.", "..#."], { goal: [3, 2], battery: { capacity: 2, initial: 1 } }));
+    await playground.shows("walled in");
+  });
+  state("solving", async (playground) => {
+    await playground.example("Thirty robots");
+    await playground.button("Cancel").waitFor();
+  });
+  state("no plan", none);
+  state("a stopped search", async (playground) => {
+    await playground.openSettings();
+    await playground.set("Time limit, s", 1);
+    await playground.closeSettings();
+    await playground.example("Thirty robots");
+    await playground.button("Solve").waitFor();
+  }, { tabs: ["Timeline"] });
+  state("an answer", answered, { tabs: ["Inspector", "Timeline"] });
+  state("why there is no plan", why);
+  state("a world that changes", async (playground) => {
+    await running(playground);
+    await begin(playground);
+    await joins(playground, [2, 2], [1, 0]);
+    await playground.key("Escape");
+  });
+  state("ways to go on", compared, { tabs: ["Inspector", "Timeline"] });
+  state("no way to go on", stuck);
+  state("an agent led by hand", async (playground) => {
+    await rows(playground);
+    await lead(playground, "A1", 0, 0);
+    await steps(playground, "Down", "Right");
+    await playground.says(/both at \(1, 1\)/);
+  });
+  state("settings", async (playground) => {
+    await opening(playground);
+    await playground.openSettings();
+  });
+  for (const [title, button] of [["Examples", "Examples"], ["Scenes", "warehouse"], ["Share", "Share"], ["Keys", "Help"]]) {
+    state(`the dialog ${title}`, async (playground) => {
+      await opening(playground);
+      await playground.press(button);
+      await playground.page.getByRole("dialog").waitFor();
+    });
+  }
+  state("the menu", async (playground) => {
+    await opening(playground);
+    await playground.page.setViewportSize({ width: 390, height: 664 });
+    await playground.press("More");
+  }, { screens: SCREENS.filter(isTouch) });
+  state("a notice", async (playground) => {
+    await opening(playground);
+    await playground.open({ name: "no.json", bytes: Buffer.from("{") });
+    await playground.notice.getByRole("button", { name: "Dismiss" }).waitFor();
+  });
+  state("the page inside another", async (playground) => {
+    await opening(playground);
+    const link = await share(playground);
+    await playground.page.goto("about:blank");
+    await playground.page.goto(link.replace("#", "?embed#"));
+    await playground.says(/^(Best|Optimal)/);
+  }, { screens: [[320, 480], [640, 480], ...SCREENS] });
+});
+
+async function opening(playground) {
+  await playground.says(OPENING);
+  await playground.pause();
+}
+
+async function none(playground) {
+  await playground.example("No way past");
+  await playground.says(/^No plan/);
+}
+
+async function why(playground) {
+  await none(playground);
+  await playground.inspector.getByRole("button", { name: /^Why is there no plan\?/ }).click();
+  await playground.inspector.getByRole("listitem").filter({ hasText: "makespan 6, sum of costs 8" }).first().waitFor();
+  await playground.button("Solve").waitFor();
+}
+
+async function answered(playground) {
+  await playground.example("Who waits?");
+  await playground.says(/^Optimal: makespan 4, sum of costs 7/);
+  await playground.press("To start");
+  await playground.reaches(0);
+  await playground.inspector.getByRole("button", { name: /^A2\b/ }).first().click();
+  await playground.inspector.getByRole("button", { name: /^Why does A2 wait at \(3, 1\)\?/ }).first().click();
+  await playground.button("Take the other plan").waitFor();
+  await playground.button("Solve").waitFor();
+  await playground.press("Step forward");
+  await playground.reaches(1);
+}
+
+async function compared(playground) {
+  await running(playground);
+  await begin(playground);
+  await joins(playground, [2, 2], [1, 0]);
+  await playground.key("Escape");
+  await adapt(playground);
+}
+
+async function stuck(playground) {
+  await playground.example("Siding");
+  await playground.says(/^Optimal/);
+  await playground.press("To start");
+  await playground.press("Step forward");
+  await playground.press("Step forward");
+  await playground.reaches(2);
+  await begin(playground);
+  await playground.pick("Obstacle");
+  await playground.stroke([4, 0]);
+  await adapt(playground);
+}
+
+/** The link that `Share` offers. */
+async function share(playground) {
+  await playground.press("Share");
+  return playground.page.getByRole("dialog").getByRole("textbox").first().inputValue();
+}
+
+function scene(name, map, agent) {
+  const text = JSON.stringify({ giveway: 1, name, map, agents: [{ name: "A1", start: [0, 0], ...agent }] });
+  return { name: `${name}.json`, bytes: Buffer.from(text) };
+}
+
+/** All that is wrong with a state, on whichever screens; pictures of it are left. */
+async function everywhere(playground, name, tabs, screens) {
+  const { page } = playground;
+  const found = new Map();
+  for (const screen of screens) {
+    const [width, height] = screen;
+    await page.setViewportSize({ width, height });
+    await settled(page);
+    const list = page.getByRole("tab");
+    const some = await list.count() > 0 ? tabs : [""];
+    for (const tab of some) {
+      if (tab) {
+        await page.getByRole("tab", { name: tab, exact: true }).evaluate((button) => button.click());
+      }
+      for (const font of FONTS) {
+        await put(page, font);
+        for (const theme of ["light", "dark"]) {
+          await page.emulateMedia({ colorScheme: theme });
+          const where = [`${width}x${height}`, tab, theme, font.name].filter(Boolean).join(" ");
+          for (const line of await geometry(page, { touch: isTouch(screen) })) {
+            found.set(line, [...found.get(line) ?? [], where]);
+          }
+          if (font.name === "own") {
+            const file = [name, tab, `${width}x${height}`, theme].filter(Boolean).join("-").replaceAll(" ", "-").toLowerCase();
+            await page.screenshot({ path: join(PICTURES, `${file}.jpg`), type: "jpeg", quality: 85 });
+          }
+        }
+      }
+      await put(page, FONTS[0]);
+    }
+  }
+  return [...found].map(([line, where]) => `${line} (${where.slice(0, 3).join("; ")}${where.length > 3 ? ` and ${where.length - 3} more` : ""})`);
+}
+
+async function put(page, { family, spacing }) {
+  await page.evaluate(([family, spacing]) => {
+    const { style } = document.documentElement;
+    style.setProperty("--font", family);
+    style.letterSpacing = spacing;
+  }, [family, spacing]);
+  await settled(page);
+}
+
+/** Waits until what was measured is drawn. */
+function settled(page) {
+  return page.evaluate(() => new Promise((resolve) => {
+    let frames = 3;
+    const next = () => {
+      frames -= 1;
+      if (frames > 0) {
+        requestAnimationFrame(next);
+      } else {
+        resolve();
+      }
+    };
+    next();
+  }));
+}

@@ -1,0 +1,59 @@
+//! The scene that the page opens on, with its plan.
+//!
+//! The plan comes with the page, so that its robots move before the solver has
+//! arrived; a test holds it to be what the solver answers
+//! (`tests/tests/opening.rs`).
+
+use giveway_model::Scene;
+use giveway_model::format::native;
+use giveway_page::{Action, PlayAction, SolveAction, State, reduce};
+use giveway_solve::{Request, Response, SolveAnswer, SolveRequest};
+
+const SCENE: &str = include_str!("../../static/examples/warehouse.json");
+const ANSWER: &str = include_str!("../../static/opening.json");
+
+/// The scene.
+pub(crate) fn scene() -> Scene {
+    native::read_scene(SCENE).unwrap_or_default()
+}
+
+/// A page with the scene on it, after the solver has answered: at the time that
+/// is shown already.
+pub(crate) fn solved(state: &State) -> State {
+    let asked = reduce(state, Action::Solve(SolveAction::Begin));
+    let (Some((job, Request::Solve(request))), Ok(answer)) = (
+        asked.work.request(),
+        serde_json::from_str::<SolveAnswer>(ANSWER),
+    ) else {
+        return asked;
+    };
+    // A person may have asked for more than what the answer answers.
+    let plain = SolveRequest {
+        scene: scene(),
+        limits: request.limits,
+        ..SolveRequest::default()
+    };
+    if request != plain {
+        return asked;
+    }
+    let response = Box::new(Response::Solved(answer));
+    let answered = reduce(
+        &asked,
+        Action::Solve(SolveAction::Respond { job, response }),
+    );
+    #[expect(
+        clippy::cast_sign_loss,
+        reason = "a conversion of floats saturates, and no time is below 0"
+    )]
+    let step = time() as u32;
+    reduce(&answered, Action::Play(PlayAction::Reach(step)))
+}
+
+/// The time that the picture of the scene shows, which moves before the
+/// application is there (`static/opening.js`); 0 where there is no such picture.
+pub(crate) fn time() -> f64 {
+    let page = gloo::utils::document().get_element_by_id("page");
+    let time = page.and_then(|page| page.get_attribute("data-time"));
+    let time = time.and_then(|time| time.parse().ok());
+    time.filter(|time: &f64| *time >= 0.0).unwrap_or(0.0)
+}

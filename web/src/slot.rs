@@ -1,0 +1,96 @@
+//! What the page says by itself: in the row under the board, on a phone a sheet from
+//! below. What it says is decided in [`giveway_page::slot`].
+
+use giveway_page::slot::{Button, Kind, Message, Press, message};
+use giveway_page::{Action, Draft, SlotAction, State, files};
+use yew::prelude::*;
+
+use crate::board::Small;
+use crate::{icon, keep};
+
+/// What is said now, if anything is.
+pub(crate) fn said(state: &State) -> Option<Message> {
+    message(state)
+}
+
+/// The place of what is said. It is there before anything is: some readers hear it
+/// only so.
+pub(crate) fn show(state: &State, said: Option<&Message>, send: &Callback<Action>) -> Html {
+    let of = |is_alert: bool| {
+        let said = said.filter(|said| (said.kind == Kind::Alert) == is_alert);
+        said.map(|said| card(state, said, send))
+    };
+    html! {
+        <>
+            <div class="slot-place" role="status">{ of(false) }</div>
+            <div class="slot-place" role="alert">{ of(true) }</div>
+        </>
+    }
+}
+
+fn card(state: &State, said: &Message, send: &Callback<Action>) -> Html {
+    let is_alert = said.kind == Kind::Alert;
+    let close = said.close.clone().map(|action| {
+        let press = send.reform(move |_: MouseEvent| action.clone());
+        html! {
+            <button type="button" class="btn ghost round slot-close" title="Close" onclick={press}>
+                { icon::show("cancel") }<span class="vh">{ "Close" }</span>
+            </button>
+        }
+    });
+    html! {
+        <section class="slot" aria-label={said.title}>
+            <span class={classes!("slot-icon", is_alert.then_some("warn"))}>{ icon::show(said.kind.icon()) }</span>
+            <div class="slot-words"><h2>{ said.title }</h2><p>{ said.text.clone() }</p></div>
+            if let Some([here, there]) = &said.boards {
+                <div class="slot-boards">
+                    { small(here, "Here") }
+                    { small(there, "Other tab") }
+                </div>
+            }
+            <div class="slot-acts">{ for said.buttons.iter().map(|it| button(state, it, send)) }</div>
+            { close }
+        </section>
+    }
+}
+
+fn small(draft: &std::rc::Rc<Draft>, name: &'static str) -> Html {
+    html! {
+        <figure><Small draft={draft.clone()} /><figcaption>{ name }</figcaption></figure>
+    }
+}
+
+fn button(state: &State, button: &Button, send: &Callback<Action>) -> Html {
+    let class = if button.is_filled {
+        "primary"
+    } else {
+        "outline"
+    };
+    let press: Callback<MouseEvent> = match &button.press {
+        Press::Act(action) => {
+            let action = action.clone();
+            send.reform(move |_| (*action).clone())
+        }
+        Press::Download => send.reform(|_| {
+            keep::download_lost();
+            keep::settle_lost();
+            Action::Slot(SlotAction::Settle)
+        }),
+        Press::StartAfresh => send.reform(|_| {
+            keep::settle_lost();
+            Action::Slot(SlotAction::Settle)
+        }),
+        Press::Save => {
+            let saved = files::kept_file(state);
+            send.reform(move |_| {
+                crate::files::save(&saved);
+                Action::Slot(SlotAction::Close)
+            })
+        }
+    };
+    html! {
+        <button type="button" class={classes!("btn", class)} onclick={press}>
+            { button.icon.map(icon::show) }<span>{ button.name }</span>
+        </button>
+    }
+}
