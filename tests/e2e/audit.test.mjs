@@ -37,7 +37,7 @@ describe("the audit finds nothing", () => {
       await audit(playground, "editing");
       await playground.pick("Robot");
       await playground.cell(0, 2).click();
-      await playground.says(/now choose its goal/);
+      await playground.says(/Now choose its goal/);
       await audit(playground, "placing an agent");
       await playground.key("Escape");
 

@@ -140,7 +140,7 @@ async function waits(playground) {
     return labels.map((label) => lane.exec(label)?.[1]).find(Boolean);
   });
   const start = starts[name];
-  return { name, start, question: new RegExp(`^Why does ${name} wait at \\(${start}\\)\\?`) };
+  return { name, start, question: new RegExp(`^Why does ${name} wait at \\(${start.join(", ")}\\)\\?`) };
 }
 
 async function tap(playground, column, row) {

@@ -61,7 +61,7 @@ describe("a scene by hand", () => {
     await playground.cellTells(0, 1, /^free$/);
     await playground.says(OPENING);
     await playground.key("a", "Enter");
-    await playground.says(/now choose its goal/);
+    await playground.says(/Now choose its goal/);
     await playground.key("Escape");
     await playground.says(OPENING);
   }, { screens: ["desktop"] });
