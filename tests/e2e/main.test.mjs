@@ -57,6 +57,11 @@ describe("the main flow", () => {
     await playground.says(/^Optimal: makespan 4, sum of costs 8/);
     assert.notEqual((await waits(playground)).name, waiting.name);
 
+    // Taking the other plan, solving, and the last robot: each is a step.
+    await playground.key("Control+z");
+    await playground.button("Take the other plan").waitFor();
+    await playground.key("Control+z");
+    await playground.button("Take the other plan").waitFor({ state: "detached" });
     await playground.key("Control+z");
     await playground.cellTells(0, 2, /^free$/);
     await playground.key("Control+z");
@@ -102,6 +107,11 @@ describe("the main flow", () => {
     await playground.says(/^Optimal: makespan 4, sum of costs 8/);
     assert.notEqual((await waits(playground)).name, waiting.name);
 
+    // Taking the other plan, solving, and the last robot: each is a step.
+    await playground.button("Undo").tap();
+    await playground.button("Take the other plan").waitFor();
+    await playground.button("Undo").tap();
+    await playground.button("Take the other plan").waitFor({ state: "detached" });
     await playground.button("Undo").tap();
     await playground.cellTells(0, 2, /^free$/);
     await playground.button("Undo").tap();
