@@ -31,10 +31,7 @@ async fn tells_that_it_has_no_solver_and_stays_usable() {
     })
     .await;
     click(&find(&place, ".notice button").await);
-    until("the notice to go", || {
-        text(&place, ".notice").is_empty()
-    })
-    .await;
+    until("the notice to go", || text(&place, ".notice").is_empty()).await;
 
     assert!(text(&place, "h1").starts_with("warehouse"));
     press(&find(&place, "[role=grid]").await, "o");
