@@ -37,7 +37,7 @@ describe("the audit finds nothing", () => {
       await audit(playground, "editing");
       await playground.pick("Robot");
       await playground.cell(0, 2).click();
-      await playground.says(/now choose its goal/);
+      await playground.says(/Now choose its goal/);
       await audit(playground, "placing an agent");
       await playground.key("Escape");
 
@@ -116,7 +116,8 @@ describe("the audit finds nothing", () => {
       await playground.openSettings();
       await playground.set("Time limit, s", 3);
       await playground.closeSettings();
-      await playground.press("Solve");
+      await playground.press("Go on");
+      await playground.button("Go on").waitFor({ timeout: 60_000 });
       await playground.says(/^Best so far/);
       await audit(playground, "stopped");
       await playground.openSettings();

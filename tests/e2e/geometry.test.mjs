@@ -72,7 +72,7 @@ describe("the geometry", () => {
     await playground.set("Time limit, s", 1);
     await playground.closeSettings();
     await playground.example("Thirty robots");
-    await playground.button("Solve").waitFor();
+    await playground.button("Go on").waitFor();
   }, { tabs: ["Timeline"] });
   state("an answer", answered, { tabs: ["Inspector", "Timeline"] });
   state("why there is no plan", why);

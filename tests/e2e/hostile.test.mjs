@@ -31,7 +31,7 @@ const FILES = [
   ["a version that is markup", "a.json", json({ giveway: MARKUP }), /a\.json, line 1/],
   ["half of a surrogate pair", "a.json", '{"giveway": 1, "name": "\\ud800", "map": [".."], "agents": []}', /a\.json, line 1/],
   ["bytes that are no UTF-8", "a.json", Uint8Array.of(0x7b, 0x22, 0xff, 0xfe, 0x22, 0x7d), /a\.json/],
-  ["a plan for nobody", "a.json", '{"giveway": 1, "paths": {"__proto__": [[0, 0]]}}', /it is a plan/],
+  ["a plan for nobody", "a.json", '{"giveway": 1, "paths": {"__proto__": [[0, 0]]}}', /Its plan breaks a rule/],
   ["something that was compressed", "a.json", Uint8Array.of(0x1f, 0x8b, 8, 0, 0, 0, 0, 0, 0, 3), /a\.json/],
 ];
 

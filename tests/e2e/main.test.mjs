@@ -57,6 +57,11 @@ describe("the main flow", () => {
     await playground.says(/^Optimal: makespan 4, sum of costs 8/);
     assert.notEqual((await waits(playground)).name, waiting.name);
 
+    // Taking the other plan, solving, and the last robot: each is a step.
+    await playground.key("Control+z");
+    await playground.button("Take the other plan").waitFor();
+    await playground.key("Control+z");
+    await playground.button("Take the other plan").waitFor({ state: "detached" });
     await playground.key("Control+z");
     await playground.cellTells(0, 2, /^free$/);
     await playground.key("Control+z");
@@ -102,6 +107,11 @@ describe("the main flow", () => {
     await playground.says(/^Optimal: makespan 4, sum of costs 8/);
     assert.notEqual((await waits(playground)).name, waiting.name);
 
+    // Taking the other plan, solving, and the last robot: each is a step.
+    await playground.button("Undo").tap();
+    await playground.button("Take the other plan").waitFor();
+    await playground.button("Undo").tap();
+    await playground.button("Take the other plan").waitFor({ state: "detached" });
     await playground.button("Undo").tap();
     await playground.cellTells(0, 2, /^free$/);
     await playground.button("Undo").tap();
@@ -140,7 +150,7 @@ async function waits(playground) {
     return labels.map((label) => lane.exec(label)?.[1]).find(Boolean);
   });
   const start = starts[name];
-  return { name, start, question: new RegExp(`^Why does ${name} wait at \\(${start}\\)\\?`) };
+  return { name, start, question: new RegExp(`^Why does ${name} wait at \\(${start.join(", ")}\\)\\?`) };
 }
 
 async function tap(playground, column, row) {

@@ -63,6 +63,11 @@ export class Playground {
     return keys.reduce((before, key) => before.then(() => this.page.keyboard.press(key)), Promise.resolve());
   }
 
+  /** What solves the scene: it goes on where a search was cut off. */
+  get solver() {
+    return this.page.getByRole("button", { name: /^(Solve|Go on)$/ });
+  }
+
   /** Waits for a sentence of the status, and gives it. */
   says(pattern) {
     return eventually(`the status to say ${pattern}`, () => this.status.textContent(), (text) => pattern.test(text));

@@ -49,7 +49,7 @@ describe("copying and pasting", () => {
 
     await write(page, plan);
     await playground.key("Control+v");
-    await playground.says(/^Best so far: makespan 18; sum of costs 35; 3 charges\. Whether/);
+    await playground.says(/^Optimal: makespan 18, sum of costs 35, 3 charges/);
     await write(page, readFileSync(sample("movingai/empty-8-8.map"), "utf8"));
     await playground.key("Control+v");
     await playground.shows("Pasted text");

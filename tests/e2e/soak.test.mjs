@@ -25,7 +25,9 @@ const SCENE = {
     { name: "A3", start: [0, 3], goal: [7, 3] },
   ],
 };
-const OVER = /^(Optimal|No plan, whatever|No plan within|Best plan|Stopped)/;
+const OVER = /^(Optimal|No plan exists|No plan within|Best so far|You stopped|The time limit)/;
+/** The most steps of undo that lie between two edits. */
+const MOST = 40;
 const KINDS = ["obstacle", "charger", "slow"];
 
 /** Numbers of chance (Park and Miller 1988). */
@@ -87,27 +89,31 @@ class Sitting {
     return this.#steps("Redo", this.undone, this.done, "after");
   }
 
+  /** Solving is a step of its own, and so is what came between: as many as it takes. */
   async #steps(button, from, to, side) {
     const edit = from.pop();
-    if (edit) {
-      await this.playground.act(button);
-      await this.tells(edit.cell, edit[side]);
-      this.painted.set(String(edit.cell), edit[side]);
-      to.push(edit);
+    if (!edit) {
+      return;
     }
+    for (let steps = 0; steps < MOST && (await this.kindOf(edit.cell)) !== edit[side]; steps += 1) {
+      await this.playground.act(button);
+    }
+    await this.tells(edit.cell, edit[side]);
+    this.painted.set(String(edit.cell), edit[side]);
+    to.push(edit);
   }
 
   async solves() {
-    await this.playground.press("Solve");
+    await this.playground.solver.click();
     await this.playground.says(OVER);
-    await this.playground.button("Solve").waitFor();
+    await this.playground.solver.waitFor();
   }
 
   async cancels() {
-    await this.playground.press("Solve");
+    await this.playground.solver.click();
     // It may be over before.
     await this.playground.button("Cancel").click({ timeout: 200 }).catch(() => undefined);
-    await this.playground.button("Solve").waitFor();
+    await this.playground.solver.waitFor();
   }
 
   /** Asks what can be asked, and waits for the answer or goes away from it. */

@@ -24,7 +24,7 @@ describe("solving", () => {
     await playground.button("Go on").waitFor();
     const seconds = (performance.now() - begin) / 1000;
     assert.ok(seconds < 3, `it took ${seconds} s to cancel`);
-    await playground.says(/^You stopped the search\. .*makespan is at least \d+/);
+    await playground.says(/You stopped the search\./);
     await isAlive(playground);
   });
 

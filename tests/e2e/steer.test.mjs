@@ -93,7 +93,8 @@ describe("an agent is led by hand", () => {
     await steps(playground, "Up", "Left");
     await playground.says(/^A2 is at \(1, 0\) at time 3/);
     await playground.cellTells(0, 1, /A1/);
-    await playground.pick("Obstacle");
+    // By its key: a phone folds the tools away.
+    await playground.key("o");
     await playground.warns(/You lead A2 by hand/);
     await playground.key("Escape");
     await playground.cellTells(1, 0, /A2/);

@@ -15,7 +15,7 @@ describe("the view", () => {
     const chip = playground.button("Heat map");
     await chip.click();
     const legend = page.getByRole("list", { name: "Legend" });
-    await legend.getByText("Used more, the darker").waitFor({ state: "attached" });
+    await legend.getByText("Darker: used more often").waitFor({ state: "attached" });
     const shades = () => page.locator(".heat path").evaluateAll((paths) => paths.map((path) => path.getAttribute("d").length));
     assert.ok((await shades()).at(-1) > 0, "the most used cell is shaded");
     await playground.picture("use");
@@ -66,7 +66,7 @@ describe("the view", () => {
     await choice("Heat map").tap();
     await choice("Trails").tap();
     const legend = page.getByRole("list", { name: "Legend", includeHidden: true });
-    await legend.getByText("Used more, the darker").waitFor({ state: "attached" });
+    await legend.getByText("Darker: used more often").waitFor({ state: "attached" });
     assert.equal(await choice("Trails").isChecked(), false);
     await playground.picture("view-settings");
     await playground.closeSettings();

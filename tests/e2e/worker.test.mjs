@@ -53,13 +53,13 @@ describe("a broken worker", () => {
     const broken = page.waitForEvent("worker");
     await playground.press("Cancel");
     await broken;
-    await playground.press("Solve");
+    await playground.solver.click();
     await playground.warns(/The solver broke off and was started again\. Your scene is as it was\..*out of order/s);
     await playground.shows("thirty robots");
     await context.unroute(LOADER);
-    await playground.press("Solve");
+    await playground.solver.click();
     // The worker that was started in place of it was broken, too.
-    await playground.says(/^No plan yet\.$|^Solving/);
+    await playground.says(/^No plan yet\.$|^Solving|You stopped the search/);
     await playground.example("Who waits?");
     await playground.says(/^Optimal: /);
   }, { screens, complains: true });
@@ -69,7 +69,7 @@ describe("a broken worker", () => {
       await playground.example("Thirty robots");
       await playground.button("Cancel").waitFor();
       await playground.press("Cancel");
-      await playground.button("Solve").waitFor();
+      await playground.solver.waitFor();
     }
     await playground.example("Who waits?");
     await playground.says(/^Optimal: /);

@@ -88,11 +88,13 @@ pub fn App() -> Html {
                     show={show.clone()} />
                 <StatusBar state={settled.clone()} panel={panel.clone()} send={send.clone()}
                     show={show.clone()} />
-                <main class="stage">
-                    <Tools tool={state.view.tool} send={send.clone()} />
-                    <Board state={state.clone()} send={send.clone()} />
+                <main class="middle">
+                    <div class="stage">
+                        <Tools tool={state.view.tool} send={send.clone()} />
+                        <Board state={state.clone()} send={send.clone()} />
+                    </div>
+                    { compare::show(&settled, &send) }
                 </main>
-                { compare::show(&settled, &send) }
                 <Inspector state={state.clone()} send={send.clone()} />
                 <Dock state={settled} send={send.clone()} />
                 { notice::show(state.view.notice.as_ref(), &send) }

@@ -66,7 +66,7 @@ impl Drop for Listening {
 }
 
 impl Clock {
-    /// A clock at 0 that sends [`Action::Play(PlayAction::Reach)`] at every step. With `jumps`,
+    /// A clock at 0 that sends [`PlayAction::Reach`] at every step. With `jumps`,
     /// for people who want less motion, it knows whole steps only.
     pub fn new(send: Callback<Action>, jumps: bool) -> Self {
         Self(Rc::new(Inner {

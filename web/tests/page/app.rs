@@ -23,18 +23,15 @@ async fn tells_that_it_has_no_solver_and_stays_usable() {
     .await;
     click(&find(&place, "[title^=Solve]").await);
     until("a notice", || {
-        text(&place, "[role=alert]").contains("The solver could not be started")
+        text(&place, ".notice").contains("The solver could not be started")
     })
     .await;
     until("the plan that there was", || {
         text(&place, "[role=status]").starts_with("Optimal: ")
     })
     .await;
-    click(&find(&place, "[role=alert] button").await);
-    until("the notice to go", || {
-        text(&place, "[role=alert]").is_empty()
-    })
-    .await;
+    click(&find(&place, ".notice button").await);
+    until("the notice to go", || text(&place, ".notice").is_empty()).await;
 
     assert!(text(&place, "h1").starts_with("warehouse"));
     press(&find(&place, "[role=grid]").await, "o");

@@ -79,9 +79,8 @@ pub fn whole(state: &State) -> Whole {
             for cost in &mut whole.costs {
                 cost.at_least = None;
             }
-            whole
-                .claims
-                .insert(0, "This is of the scene before the last edit.".to_owned());
+            whole.claims = vec!["This is of the scene before the last edit.".to_owned()];
+            whole.work = None;
         }
     }
     whole

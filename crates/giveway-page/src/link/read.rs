@@ -173,7 +173,9 @@ impl Reader {
             document.answer = self.read(&text, From::Here)?.document.answer;
         }
         let Some(about) = document.answer.clone() else {
-            return Ok(());
+            let of_an_answer = ["front", "report", "listed", "compared", "own", "asked"];
+            let found = of_an_answer.iter().find(|key| parts.contains_key(*key));
+            return found.map_or(Ok(()), |key| Err(broken(key)));
         };
         if let Some(text) = parts.get("front") {
             let told = extras::read(text).ok_or_else(|| broken("front"))?;

@@ -60,10 +60,13 @@ fn open_link(state: &mut State, linked: Linked) {
         .playback
         .stop_at(linked.time.min(state.last_time()));
     let has_plan = state.document.plan().is_some();
+    // What was adopted goes with its changes: the scene alone says nothing of it.
+    let answer = state.document.answer.as_deref();
+    let is_course = answer.is_some_and(|answer| answer.course.is_some());
     match linked.question {
         Some(question) if has_plan || state.document.answer.is_some() => ask::ask(state, &question),
         question => {
-            if question.is_some() || (has_plan && solve::is_small(&state.document)) {
+            if question.is_some() || (has_plan && solve::is_small(&state.document) && !is_course) {
                 solve::start(state, solve::Start::of_link(question));
             }
         }

@@ -4,7 +4,6 @@ mod ask;
 mod edit;
 mod play;
 mod proof;
-mod soak;
 mod solve;
 mod stale;
 mod stopped;
