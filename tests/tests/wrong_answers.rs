@@ -148,10 +148,10 @@ fn a_horizon_beyond_any_use_costs_nothing() {
     }
 }
 
-/// Whoever could do what is asked for is never left out of the facts: without it
-/// less is possible, not more, and what would help it would be missed.
+/// Facts about whichever agent may say nothing of one that could do what is asked
+/// for: then what would help that one may be missed, and nobody says otherwise.
 #[test]
-fn facts_about_whichever_agent_keep_all_of_them() {
+fn repairs_about_whichever_agent_are_not_called_all_that_help() {
     let scene = r#"{ "giveway": 1, "map": ["...", ".#.", ".#.", "+#+", "+.."],
         "rules": { "at_goal": "vanish" },
         "objective": ["makespan", "charges", "sum-of-costs", "waits", "moves"],

@@ -94,16 +94,24 @@ pub(crate) fn word(case: &Case, about: &str, answer: &mut ExplainAnswer) {
     });
 }
 
-/// The agents that are never left out: without one of those that could do what
-/// is asked for there would be less, not more, that is possible.
+/// The agents that are never left out.
 fn asked(case: &Case) -> Vec<usize> {
     let agents = case.instance.agents().iter();
-    let asked = |name: &str| {
-        let mut conditions = case.conditions.iter();
-        conditions.any(|condition| condition.agent() == Some(name))
-    };
+    let asked = |name: &str| case.question.agent() == Some(name);
     let asked = agents.enumerate().filter(|(_, agent)| asked(&agent.name));
     asked.map(|(index, _)| index).collect()
+}
+
+/// Whether what is asked for could be done by an agent of which the facts say
+/// nothing. Then an edit may help it that weakens none of the facts.
+fn another_could(case: &Case, facts: &[FactPart]) -> bool {
+    let agents = case.instance.agents().iter().enumerate();
+    let mut unsaid = agents.filter(|(index, _)| !facts.contains(&FactPart::Task(*index)));
+    unsaid.any(|(_, agent)| {
+        let mut conditions = case.conditions.iter();
+        let could = conditions.any(|condition| condition.agent() == Some(&agent.name));
+        could && case.question.agent() != Some(&agent.name)
+    })
 }
 
 /// The search for what would contradict the verdict, with one part's budget.
@@ -150,7 +158,8 @@ fn help_case(case: &Case, facts: &[FactPart], answer: &mut ExplainAnswer, meter:
         &mut contrasted,
     );
     meter.absorb(&contrasted.meter);
-    (answer.repairs, answer.exhaustive) = (found.repairs, found.exhaustive);
+    answer.exhaustive = found.exhaustive && !another_could(case, facts);
+    answer.repairs = found.repairs;
 }
 
 /// Why there is no plan, where `found` says so.

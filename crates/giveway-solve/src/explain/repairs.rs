@@ -2,7 +2,9 @@
 //!
 //! A minimal set of facts tells what is worth trying. Where an edit weakens no
 //! fact of the set, the set excludes a plan after the edit as before; so single
-//! edits outside of it cannot help.
+//! edits outside of it cannot help. One fact is an exception: a slow zone that
+//! becomes normal is no mere relaxation (see `core.rs`), so where a set holds
+//! without the slow zones, edits outside of it may still help.
 
 use std::collections::BTreeSet;
 
@@ -12,7 +14,7 @@ use super::{
     answer::{Edit, Repair},
     core::{Inquiry, Tried},
     edits::edited,
-    relax::{Part, Variant},
+    relax::{Part, Variant, has_slow_edge},
     words,
 };
 use giveway_model::sorting::sort_by_key;
@@ -57,7 +59,7 @@ pub(crate) fn repairs(
         instance,
         within,
         solver,
-        exhaustive: true,
+        exhaustive: facts.contains(&Part::Slow) || !has_slow_edge(instance.grid()),
         found: Vec::new(),
     };
     let singles = search.candidates(facts, asked);
