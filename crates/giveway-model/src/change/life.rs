@@ -60,8 +60,10 @@ impl<'a> Life<'a> {
         let last = path.len().checked_sub(1)?;
         let last = career.from.saturating_add(last as u32);
         life.end = last;
-        // What is past is listed as it was: it had not arrived before.
+        // An agent that vanishes at its goal and is still listed there has not
+        // arrived. One that stays has, as soon as it stays for good.
         let past = plan.knows.map_or(0, |knows| knows.min(last));
+        let past = if life.stays { 0 } else { past };
         life.end = life.arrival_in_path().max(past);
         let length = (life.end - career.from) as usize + 1;
         life.path = path.get(..length).unwrap_or(path);
