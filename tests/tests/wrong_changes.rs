@@ -321,3 +321,26 @@ fn who_stands_at_its_goal_has_waited_only_if_it_goes_on() {
         assert_eq!(plan.path("A").len() as u32, arrival + 1, "{plan:?}");
     }
 }
+
+/// A battery that is set while its agent sleeps counts when it wakes.
+#[test]
+fn a_battery_that_is_set_in_sleep_lasts() {
+    let scene = r#"{ "giveway": 1, "map": ["..."], "agents": [{ "name": "A",
+        "start": [0, 0], "goal": [1, 0], "battery": { "capacity": 6, "initial": 1 } }] }"#;
+    let changes = r#"{ "giveway": 1, "changes": [
+        { "at": 3, "change": "set-battery", "agent": "A", "level": 6 },
+        { "at": 5, "change": "add-waypoint", "agent": "A", "cell": [2, 0] }] }"#;
+    let plan = r#"{ "giveway": 1, "knows": 3, "paths": { "A": [[0, 0], [1, 0]] } }"#;
+    let request = ChangeRequest {
+        scene: native::read_instance(scene).unwrap().to_scene(),
+        plan: native::read_plan(plan).unwrap(),
+        changes: native::read_changes(changes).unwrap(),
+        since: None,
+        methods: vec![Method::Replan],
+        objective: None,
+        within: None,
+        limits: Limits::default(),
+    };
+    let answer = answer(request).unwrap();
+    assert_eq!(optimal(&answer, Method::Replan).makespan, 7);
+}

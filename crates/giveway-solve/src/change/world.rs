@@ -4,7 +4,7 @@
 use giveway_model::{
     Cell, Plan,
     change::{Career, Duty, History, Life, Whereabouts},
-    check::levels_over_time,
+    check::level_over_time,
     sorting,
 };
 
@@ -189,9 +189,7 @@ impl Member {
         sorting::sort(&mut waypoints);
         waypoints.dedup();
         let level = career.agent.battery.map(|battery| {
-            let levels = levels_over_time(before, life);
-            let now = at.min(life.end()).saturating_sub(career.from) as usize;
-            let level = levels.get(now).copied().unwrap_or(0);
+            let level = level_over_time(before, life, at).unwrap_or(0);
             let set = level_set(career, at);
             let level = set.unwrap_or(u32::try_from(level).unwrap_or(0));
             (level, battery.capacity)

@@ -14,7 +14,7 @@ use super::{Report, Step, steps};
 use crate::change::{Career, Changes, History, Life};
 use crate::{Costs, Fault, Instance, Plan};
 
-pub use battery::levels;
+pub use battery::{level_at, levels};
 
 /// Judges a plan with the changes of the world while it runs.
 ///
