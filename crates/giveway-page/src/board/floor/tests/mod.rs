@@ -1,12 +1,14 @@
 //! The floor in tiles: each shape as it was in one, and little drawn anew.
 
-use std::collections::BTreeSet;
+mod path;
+
 use std::rc::Rc;
 
 use giveway_model::{Agent, Cell, Ground, Scene};
 
 use super::*;
 use crate::board::outline::{Pen, Region};
+use path::{crossings, is_inside, points};
 
 const FINE: f64 = 60.0;
 const COARSE: f64 = 2.0;
@@ -209,104 +211,4 @@ fn samples() -> impl Iterator<Item = (f64, f64)> {
         (0..cells).flat_map(move |cell| within.map(|part| f64::from(100 * cell) + part))
     };
     places(19).flat_map(move |y| places(20).map(move |x| (x, y)))
-}
-
-/// The lines of a path, arcs in short pieces.
-fn pieces(path: &str) -> Vec<[(f64, f64); 2]> {
-    let mut pieces = Vec::new();
-    let (mut at, mut begin) = ((0.0, 0.0), (0.0, 0.0));
-    for part in path
-        .split_inclusive(|c: char| "MHVaZ".contains(c))
-        .scan('M', |kind, part| {
-            let numbers = part.trim_end_matches(|c: char| "MHVaZ".contains(c));
-            let this = (*kind, numbers.to_owned());
-            *kind = part.chars().last().unwrap();
-            Some(this)
-        })
-    {
-        let (kind, numbers) = part;
-        let numbers: Vec<f64> = numbers
-            .split_whitespace()
-            .map(|n| n.parse().unwrap())
-            .collect();
-        if numbers.is_empty() {
-            continue;
-        }
-        let from = at;
-        match kind {
-            'M' => (at, begin) = ((numbers[0], numbers[1]), (numbers[0], numbers[1])),
-            'H' => at.0 = numbers[0],
-            'V' => at.1 = numbers[0],
-            _ => {
-                at = (from.0 + numbers[5], from.1 + numbers[6]);
-                pieces.extend(arc(from, at, numbers[4] > 0.5));
-                continue;
-            }
-        }
-        if kind != 'M' {
-            pieces.push([from, at]);
-        }
-    }
-    assert!(begin.0.is_finite());
-    pieces
-}
-
-/// A quarter of a circle, clockwise or not.
-fn arc(from: (f64, f64), to: (f64, f64), is_clockwise: bool) -> Vec<[(f64, f64); 2]> {
-    let (dx, dy) = (to.0 - from.0, to.1 - from.1);
-    // Of the two other corners of the square around it one is its middle.
-    let is_first = (dx * dy > 0.0) == is_clockwise;
-    let middle = if is_first {
-        (from.0, to.1)
-    } else {
-        (to.0, from.1)
-    };
-    let point = |step: i32| {
-        let angle = std::f64::consts::FRAC_PI_2 * f64::from(step) / 8.0;
-        let (a, b) = (angle.cos(), angle.sin());
-        let (u, v) = (
-            (from.0 - middle.0, from.1 - middle.1),
-            (to.0 - middle.0, to.1 - middle.1),
-        );
-        (middle.0 + a * u.0 + b * v.0, middle.1 + a * u.1 + b * v.1)
-    };
-    (0..8).map(|step| [point(step), point(step + 1)]).collect()
-}
-
-/// The points of a path, to a unit: each line by the units that it goes over.
-fn points(path: &str) -> BTreeSet<(i32, i32)> {
-    let mut points = BTreeSet::new();
-    for [from, to] in pieces(path) {
-        let length = (to.0 - from.0).hypot(to.1 - from.1);
-        let count = length.ceil() as i32;
-        for step in 0..=count {
-            let part = f64::from(step) / f64::from(count.max(1));
-            let at = |a: f64, b: f64| (a + (b - a) * part).round() as i32;
-            points.insert((at(from.0, to.0), at(from.1, to.1)));
-        }
-    }
-    points
-}
-
-/// The lines of a path by which a horizontal line can tell what is inside of it.
-fn crossings(path: &str) -> Vec<[(f64, f64); 2]> {
-    let pieces = pieces(path).into_iter();
-    pieces
-        .filter(|[from, to]| (from.1 - to.1).abs() > 1e-9)
-        .collect()
-}
-
-/// Whether a path goes around a point: nonzero, as SVG fills.
-fn is_inside(crossings: &[[(f64, f64); 2]], (x, y): (f64, f64)) -> bool {
-    let crosses = |[from, to]: &[(f64, f64); 2]| {
-        let is_down = from.1 < y && y <= to.1;
-        let is_up = to.1 < y && y <= from.1;
-        let at = from.0 + (y - from.1) / (to.1 - from.1) * (to.0 - from.0);
-        match (at > x, is_down, is_up) {
-            (true, true, _) => 1,
-            (true, _, true) => -1,
-            _ => 0,
-        }
-    };
-    crossings.iter().map(crosses).sum::<i32>() != 0
 }
