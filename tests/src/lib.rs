@@ -20,3 +20,4 @@ pub mod random;
 pub mod recount;
 pub mod source;
 pub mod upheaval;
+pub mod wrong;

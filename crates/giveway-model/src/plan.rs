@@ -60,6 +60,19 @@ pub struct Plan {
     )]
     #[borsh(deserialize_with = "read_map")]
     pub until: BTreeMap<String, u32>,
+    /// The last time whose changes the plan takes into account; what it lists up
+    /// to then is past.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub knows: Option<u32>,
+    /// The times that an agent slept through at its goal, arrived, before a
+    /// change made it go on: each from its arrival up to that change.
+    #[serde(
+        default,
+        deserialize_with = "unique_names",
+        skip_serializing_if = "BTreeMap::is_empty"
+    )]
+    #[borsh(deserialize_with = "read_map")]
+    pub slept: BTreeMap<String, Vec<[u32; 2]>>,
 }
 
 object_only!(Plan);
@@ -73,6 +86,11 @@ impl Plan {
     /// The times at which an agent charges.
     pub fn charges(&self, agent: &str) -> &[u32] {
         self.charges.get(agent).map_or(&[], Vec::as_slice)
+    }
+
+    /// The times that an agent slept through before a change made it go on.
+    pub fn slept(&self, agent: &str) -> &[[u32; 2]] {
+        self.slept.get(agent).map_or(&[], Vec::as_slice)
     }
 
     /// Cuts repeats of the goal from the end of each path, so that every path

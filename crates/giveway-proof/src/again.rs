@@ -100,7 +100,7 @@ fn check_entry(
         Entry::None { why, .. } => Ok(Checked::None {
             text,
             claim,
-            why: why.clone(),
+            why: why.sentence().to_owned(),
         }),
     }
 }

@@ -7,7 +7,7 @@ use giveway_model::message::read_map;
 use giveway_model::{Cost, Instance, sorting};
 use serde::{Deserialize, Serialize};
 
-use crate::{condition::Condition, plain};
+use crate::{condition::Condition, escape, plain};
 
 /// The claim that no plan of an instance keeps all of these limits.
 ///
@@ -71,7 +71,7 @@ impl Claim {
             .condition
             .as_ref()
             .map_or(String::new(), |condition| format!(" {}", condition.words()));
-        format!("There is no plan{of}{with}{like}.")
+        escape::text(&format!("There is no plan{of}{with}{like}."))
     }
 
     /// The makespan beyond which no plan is of the kind, so that a formula up
@@ -88,7 +88,8 @@ impl Claim {
                 .map(|agent| plain::grid_distance(instance.grid(), agent.start, agent.goal))
                 .map(Option::unwrap_or_default)
                 .collect();
-            let others = least.iter().sum::<u32>() - least.iter().copied().max().unwrap_or(0);
+            let all = least.iter().fold(0u32, |sum, &own| sum.saturating_add(own));
+            let others = all - least.iter().copied().max().unwrap_or(0);
             sum.saturating_sub(others)
         });
         [makespan, by_sum, self.within].into_iter().flatten().min()

@@ -5,7 +5,7 @@ use borsh::{BorshDeserialize, BorshSerialize};
 use giveway_model::{Cost, Instance, Plan, Question, check, question};
 use serde::{Deserialize, Serialize};
 
-use crate::Claim;
+use crate::{Claim, escape};
 
 /// A condition on a plan.
 #[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize, BorshSerialize, BorshDeserialize)]
@@ -112,11 +112,44 @@ fn one(instance: &Instance, plan: &Plan, agent: &str) -> Option<giveway_model::C
 }
 
 impl Condition {
+    /// Whether it is about what agents of an instance do.
+    pub(crate) fn fits(&self, instance: &Instance) -> bool {
+        let exists = |name: &str| instance.agents().iter().any(|agent| agent.name == name);
+        match self {
+            Self::Arrival { agent, .. } => exists(agent),
+            Self::AtMost { agent, cost, .. } => {
+                let counted = matches!(cost, Cost::Charges | Cost::Moves | Cost::Waits);
+                counted && exists(agent)
+            }
+            Self::Contrast(asked) => {
+                question::contrast(asked).is_some() && asked.agents().all(exists)
+            }
+        }
+    }
+
+    /// Whether a plan that keeps the rules meets it.
+    pub(crate) fn is_met_by(&self, instance: &Instance, plan: &Plan) -> bool {
+        match self {
+            Self::Arrival { agent, before } => {
+                one(instance, plan, agent).is_some_and(|own| own.makespan < *before)
+            }
+            Self::AtMost { agent, cost, most } => {
+                one(instance, plan, agent).is_some_and(|own| own.get(*cost) <= *most)
+            }
+            // What an agent does in one plan needs no other to be judged.
+            Self::Contrast(asked) => question::holds(asked, instance, plan, plan) == Some(true),
+        }
+    }
+
     /// The condition as the end of a sentence: `in which a arrives before time 2`.
     pub(crate) fn words(&self) -> String {
         let what = match self {
-            Self::Arrival { agent, before } => format!("{agent} arrives before time {before}"),
-            Self::AtMost { agent, cost, most } => format!("{agent} has at most {most} {cost}"),
+            Self::Arrival { agent, before } => {
+                format!("{} arrives before time {before}", escape::name(agent))
+            }
+            Self::AtMost { agent, cost, most } => {
+                format!("{} has at most {most} {cost}", escape::name(agent))
+            }
             Self::Contrast(question) => contrast(question),
         };
         format!("in which {what}")

@@ -7,6 +7,7 @@ use giveway_model::{Instance, check};
 
 use crate::again::{Proof, check_claims, check_plan, check_proof, formula};
 use crate::bundle::proof_files;
+use crate::conclude::{Whole, check_together, conclude};
 use crate::report::Fault;
 use crate::{Budget, Report, Solved, show::show};
 
@@ -42,12 +43,20 @@ pub fn confirm(solved: &Solved<'_>, proving: &Budget<'_>, checking: &Budget<'_>)
         proofs.insert(name.to_owned(), proof);
     });
     Report::of(|claims| {
+        let costs = plan.and_then(|plan| check::costs(instance, plan));
         if let Some(plan) = plan {
-            check_plan(instance, plan, check::costs(instance, plan))?;
+            check_plan(instance, plan, costs)?;
         }
+        let objective = solved.objective;
+        check_together(&Whole {
+            instance,
+            plan,
+            entries: &entries,
+        })?;
         check_claims(instance, &entries, checking, claims, &|proof| {
             check_kept(&proofs, instance, proof, checking)
-        })
+        })?;
+        Ok(conclude(objective, costs, &entries))
     })
 }
 

@@ -12,9 +12,11 @@
 mod again;
 pub mod bundle;
 mod claim;
+mod conclude;
 mod condition;
 mod confirm;
 pub mod drat;
+mod escape;
 pub mod exhaust;
 pub mod plain;
 mod prove;
@@ -27,7 +29,7 @@ pub use claim::Claim;
 pub use condition::Condition;
 pub use confirm::confirm;
 pub use prove::{Outcome, prove};
-pub use report::{Checked, Report};
+pub use report::{Certified, Checked, Report};
 pub use show::Solved;
 pub use verify::verify;
 

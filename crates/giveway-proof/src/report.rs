@@ -4,7 +4,7 @@ use borsh::{BorshDeserialize, BorshSerialize};
 use giveway_model::Version;
 use serde::{Deserialize, Serialize};
 
-use crate::{Claim, bundle::Method};
+use crate::{Claim, bundle::Method, conclude::Conclusion};
 
 /// What came of checking a certificate.
 #[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize, BorshSerialize, BorshDeserialize)]
@@ -14,12 +14,53 @@ pub struct Report {
     /// Whether every file is as it was written and every claim was shown again,
     /// but for those that are said to have nothing to be shown by.
     pub accepted: bool,
+    /// What its claims were shown by, taken together.
+    pub certified: Certified,
+    /// What plan and claims say together: a sentence; `null` where it was not
+    /// accepted, or each claim stands for itself.
+    pub conclusion: Option<String>,
     /// Why it was not accepted: a sentence; `null` where it was.
     pub reason: Option<String>,
     /// Whether the check ended before it came to a result.
     pub stopped: bool,
     /// The claims that were checked, in their order.
     pub claims: Vec<Checked>,
+}
+
+/// What all claims of a certificate were shown by.
+#[derive(
+    Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize, BorshSerialize, BorshDeserialize,
+)]
+#[serde(rename_all = "kebab-case")]
+pub enum Certified {
+    /// Each by a proof that was checked.
+    Proved,
+    /// Each by a proof or a search, which was repeated.
+    ProvedAndSearched,
+    /// Not all of them, or the certificate was not accepted.
+    NotCertified,
+}
+
+impl Certified {
+    /// The same in words.
+    pub const fn words(self) -> &'static str {
+        match self {
+            Self::Proved => "proved",
+            Self::ProvedAndSearched => "proved and searched",
+            Self::NotCertified => "not certified",
+        }
+    }
+
+    fn of(claims: &[Checked]) -> Self {
+        let is = |test: fn(&Checked) -> bool| claims.iter().any(test);
+        if is(|claim| matches!(claim, Checked::None { .. })) {
+            Self::NotCertified
+        } else if is(|claim| matches!(claim, Checked::Search { .. })) {
+            Self::ProvedAndSearched
+        } else {
+            Self::Proved
+        }
+    }
 }
 
 /// A claim that was checked.
@@ -72,17 +113,25 @@ impl Fault {
 }
 
 impl Report {
-    /// What comes of checks that put on a list what they have checked.
-    pub(crate) fn of(check: impl FnOnce(&mut Vec<Checked>) -> Result<(), Fault>) -> Self {
+    /// What comes of checks that put on a list what they have checked, and tell
+    /// what it says together.
+    pub(crate) fn of(check: impl FnOnce(&mut Vec<Checked>) -> Result<Conclusion, Fault>) -> Self {
         let mut claims = Vec::new();
-        let (reason, stopped) = match check(&mut claims) {
-            Ok(()) => (None, false),
-            Err(Fault::Rejected(reason)) => (Some(reason), false),
-            Err(Fault::Stopped(reason)) => (Some(reason), true),
+        let (conclusion, reason, stopped) = match check(&mut claims) {
+            Ok(conclusion) => (conclusion.sentence(), None, false),
+            Err(Fault::Rejected(reason)) => (None, Some(reason), false),
+            Err(Fault::Stopped(reason)) => (None, Some(reason), true),
+        };
+        let certified = if reason.is_none() {
+            Certified::of(&claims)
+        } else {
+            Certified::NotCertified
         };
         Self {
             giveway: Version,
             accepted: reason.is_none(),
+            certified,
+            conclusion,
             reason,
             stopped,
             claims,

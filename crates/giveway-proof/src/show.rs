@@ -4,7 +4,8 @@ use std::collections::BTreeMap;
 
 use giveway_model::{Cost, Instance, Objective, Plan, check};
 
-use crate::bundle::{Entry, Method};
+use crate::bundle::manifest::NO_PLAN;
+use crate::bundle::{Entry, Method, Missing};
 use crate::exhaust::{Exhausted, alone_at_least, exhaust, least};
 use crate::plain::{Cnf, NoFormula};
 use crate::{Budget, Claim, Outcome, plain, prove};
@@ -37,7 +38,7 @@ pub struct Solved<'a> {
 /// What is to be certified, each with a name for its files.
 fn claims(solved: &Solved<'_>) -> Vec<(String, Claim)> {
     if solved.impossible {
-        return vec![("no-plan".to_owned(), solved.about.clone())];
+        return vec![(NO_PLAN.to_owned(), solved.about.clone())];
     }
     let costs = solved
         .plan
@@ -122,19 +123,19 @@ impl Showing<'_> {
             }
         }
         if let Some(claim) = missing {
-            let why = "The search for it was too large.".to_owned();
+            let why = Missing::SearchTooLarge;
             self.claims.push(Entry::None { claim, why });
         }
     }
 
     /// A proof, or why there is none.
-    fn proof(&mut self, name: &str, claim: &Claim) -> Result<Entry, String> {
+    fn proof(&mut self, name: &str, claim: &Claim) -> Result<Entry, Missing> {
         let instance = self.solved.instance;
         let formula = match plain::formula(instance, claim, self.budget) {
             Ok(formula) => formula,
-            Err(NoFormula::TooLarge) => return Err("Its formula would be too large.".to_owned()),
-            Err(NoFormula::NoHorizon) => return Err("It has no horizon.".to_owned()),
-            Err(NoFormula::NoAgent) => return Err("It is about no agent.".to_owned()),
+            Err(NoFormula::TooLarge) => return Err(Missing::FormulaTooLarge),
+            Err(NoFormula::NoHorizon) => return Err(Missing::NoHorizon),
+            Err(NoFormula::NoAgent) => return Err(Missing::NoAgent),
         };
         match prove(&formula, self.budget) {
             Outcome::Proof(proof) => {
@@ -146,14 +147,8 @@ impl Showing<'_> {
                     clauses: formula.clauses(),
                 })
             }
-            Outcome::Satisfiable => Err(
-                "It contradicts the formula of certificates, which can be satisfied: \
-                 the solver or the formula is wrong."
-                    .to_owned(),
-            ),
-            Outcome::Stopped => {
-                Err("The time or the size allowed for its proof ran out.".to_owned())
-            }
+            Outcome::Satisfiable => Err(Missing::Contradicted),
+            Outcome::Stopped => Err(Missing::ProofTooLarge),
         }
     }
 
@@ -182,7 +177,13 @@ impl Showing<'_> {
             }
         }
         let grid = instance.grid();
-        Some(longest + 4 * (grid.width() + grid.height()) + 10)
+        let default = longest.saturating_add(4 * (grid.width() + grid.height()) + 10);
+        // The plan at hand is never beyond it.
+        let plan = self
+            .solved
+            .plan
+            .and_then(|plan| check::costs(instance, plan));
+        Some(default.max(plan.map_or(0, |costs| costs.makespan)))
     }
 }
 
@@ -220,7 +221,11 @@ impl Method {
                 // One limit that the agents break each alone is enough.
                 let mut shown = Some(false);
                 for (&cost, &most) in &claim.most {
-                    match alone_at_least(instance, cost, most + 1, budget) {
+                    // More than the largest number nothing costs.
+                    let Some(more) = most.checked_add(1) else {
+                        continue;
+                    };
+                    match alone_at_least(instance, cost, more, budget) {
                         Some(true) => return Some(true),
                         Some(false) => {}
                         None => shown = None,

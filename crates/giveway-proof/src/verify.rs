@@ -1,14 +1,11 @@
 //! Accepts or rejects a certificate.
 
-use std::collections::BTreeSet;
-
 use giveway_model::{Instance, format::native};
 
 use crate::again::{Proof, check_claims, check_plan, check_proof, formula};
 use crate::bundle::manifest::fingerprint;
-use crate::bundle::{
-    Bundle, Entry, INSTANCE, MANIFEST, Manifest, PLAN, README, proof_files, readme,
-};
+use crate::bundle::{Bundle, INSTANCE, MANIFEST, Manifest, PLAN, README, proof_files, readme};
+use crate::conclude::{Conclusion, Whole, check_together, conclude};
 use crate::report::Fault;
 use crate::{Budget, Checked, Report};
 
@@ -18,22 +15,38 @@ pub fn verify(bundle: &Bundle, budget: &Budget<'_>) -> Report {
     Report::of(|claims| check_all(bundle, budget, claims))
 }
 
-fn check_all(bundle: &Bundle, budget: &Budget<'_>, claims: &mut Vec<Checked>) -> Result<(), Fault> {
+fn check_all(
+    bundle: &Bundle,
+    budget: &Budget<'_>,
+    claims: &mut Vec<Checked>,
+) -> Result<Conclusion, Fault> {
     let manifest = read_manifest(bundle)?;
     check_files(bundle, &manifest)?;
     let instance = native::read_instance(text(bundle, INSTANCE)?)
         .map_err(|_| Fault::of(INSTANCE, "it is no instance"))?;
+    let mut plan = None;
+    if manifest.costs.is_some() {
+        let read = native::read_plan(text(bundle, PLAN)?);
+        let read = read.map_err(|_| Fault::of(PLAN, "it is no plan"))?;
+        check_plan(&instance, &read, manifest.costs)?;
+        plan = Some(read);
+    }
+    check_together(&Whole {
+        instance: &instance,
+        plan: plan.as_ref(),
+        entries: &manifest.claims,
+    })?;
     if text(bundle, README)? != readme::text(&manifest, &instance) {
         return Err(Fault::of(README, "it does not say what the manifest says"));
     }
-    if manifest.costs.is_some() {
-        let plan =
-            native::read_plan(text(bundle, PLAN)?).map_err(|_| Fault::of(PLAN, "it is no plan"))?;
-        check_plan(&instance, &plan, manifest.costs)?;
-    }
     check_claims(&instance, &manifest.claims, budget, claims, &|proof| {
         check_files_of(bundle, &instance, proof, budget)
-    })
+    })?;
+    Ok(conclude(
+        &manifest.objective,
+        manifest.costs,
+        &manifest.claims,
+    ))
 }
 
 fn text<'a>(bundle: &'a Bundle, file: &str) -> Result<&'a str, Fault> {
@@ -60,19 +73,8 @@ fn read_manifest(bundle: &Bundle) -> Result<Manifest, Fault> {
 /// The files are those that the claims need, no more and no less, each as it
 /// was written.
 fn check_files(bundle: &Bundle, manifest: &Manifest) -> Result<(), Fault> {
-    let mut expected = BTreeSet::from([README.to_owned(), INSTANCE.to_owned()]);
-    if manifest.costs.is_some() {
-        expected.insert(PLAN.to_owned());
-    }
-    for entry in &manifest.claims {
-        if let Entry::Proof { name, .. } = entry {
-            for file in proof_files(name) {
-                if !expected.insert(file) {
-                    return Err(Fault::of(MANIFEST, "two proofs have one name"));
-                }
-            }
-        }
-    }
+    let expected = manifest.expected();
+    let expected = expected.ok_or_else(|| Fault::of(MANIFEST, "its proofs have other names"))?;
     if !manifest.files.keys().eq(&expected) {
         return Err(Fault::of(MANIFEST, "its files are not those of its claims"));
     }

@@ -124,6 +124,7 @@ fn a_bound_that_is_too_high_has_no_proof() {
     let [Entry::None { why, .. }] = claims.as_slice() else {
         panic!("there is a plan of makespan 18");
     };
+    let why = why.sentence();
     assert!(why.contains("can be satisfied"), "{why}");
     accept(&bundle);
     let readme = String::from_utf8(bundle["README.md"].clone()).unwrap();
@@ -333,7 +334,8 @@ fn what_is_confirmed_at_once_is_what_its_files_would_show() {
         bounds: &wrong,
         ..solved.clone()
     });
-    assert!(matches!(wrong.claims.as_slice(), [Checked::None { .. }]));
+    // The plan itself shows that it is wrong.
+    assert!(!wrong.accepted && wrong.claims.is_empty());
     let impossible = instance(SCENARIO_6);
     let none = compare(&Solved {
         instance: &impossible,

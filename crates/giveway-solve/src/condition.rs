@@ -243,7 +243,8 @@ impl Condition {
                     && problem.rests(agent)
                 {
                     // Resting there is being there.
-                    task.not_before = time.checked_add(1)?;
+                    // (Nothing is looked for at the end of time.)
+                    task.not_before = time.saturating_add(1);
                 }
                 v.map(|v| Demand::Avoid { v, time })
             }

@@ -20,7 +20,7 @@ use crate::{
 
 /// Joint steps to look at before giving up.
 const MOST_STEPS: usize = 1_500_000;
-/// Agents beyond which not even a small map is small enough.
+/// Agents beyond which only the smallest maps are small enough.
 const MOST_AGENTS: usize = 3;
 
 /// Joint states up to which they are exhausted before anything else is tried.
@@ -28,12 +28,25 @@ const FEW_STATES: usize = 50_000;
 
 /// Whether there are so few joint states that they are best exhausted at once.
 pub(crate) fn is_small(problem: &Problem) -> bool {
-    let states = problem.tasks.iter().map(|task| {
-        let battery = task.reserve.map_or(1, |reserve| reserve.full as usize + 1);
+    has_few_states(problem, 0..problem.agents())
+}
+
+/// Whether some agents have so few joint states among themselves.
+fn has_few_states(problem: &Problem, agents: impl Iterator<Item = AgentId>) -> bool {
+    let states = agents.map(|agent| {
+        let task = &problem.tasks[agent];
         let cells = problem.terrain.len();
-        cells.saturating_mul(task.masks()).saturating_mul(battery)
+        cells
+            .saturating_mul(task.masks())
+            .saturating_mul(task.levels())
     });
-    problem.agents() <= MOST_AGENTS && states.fold(1, usize::saturating_mul) <= FEW_STATES
+    states.fold(1, usize::saturating_mul) <= FEW_STATES
+}
+
+/// Whether it is worth the try to exhaust the joint states of some agents.
+fn may_be_exhausted(problem: &Problem, agents: &[AgentId]) -> bool {
+    let few = agents.len() <= MOST_AGENTS || has_few_states(problem, agents.iter().copied());
+    few && !agents.is_empty()
 }
 
 /// What exhausting the states has shown.
@@ -86,7 +99,7 @@ pub(crate) fn least(
     cost: Cost,
     meter: &Meter,
 ) -> Result<Found, Stop> {
-    if agents.len() > MOST_AGENTS || agents.is_empty() {
+    if !may_be_exhausted(problem, agents) {
         return Ok(Found::TooMany);
     }
     let search = Joint {

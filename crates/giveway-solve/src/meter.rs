@@ -6,7 +6,10 @@
 
 use std::cell::Cell;
 
-use crate::{Host, Limits, Progress, Stats};
+use crate::{
+    Host, Limits, Progress, Stats,
+    held::{Count, Held},
+};
 
 /// Bytes that a request may hold where its limits say nothing: a browser tab
 /// stands it, and so does a small machine.
@@ -29,6 +32,8 @@ pub(crate) enum Stop {
     Conflicts,
     /// The memory ran out.
     Memory,
+    /// There were more sets of agents to compare than are looked at.
+    Sets,
     /// The person asked to stop.
     Cancelled,
     /// A plan and a proved bound contradict each other: a fault of the program,
@@ -43,6 +48,7 @@ impl Stop {
             Self::Time => "The time limit was reached.",
             Self::Conflicts => "The limit of conflicts was reached.",
             Self::Memory => "The memory limit was reached.",
+            Self::Sets => "There were too many sets of robots to free to compare them all.",
             Self::Cancelled => "It was cancelled.",
             Self::Contradiction => {
                 "A plan and a bound contradicted each other, which is a fault of this program."
@@ -63,7 +69,7 @@ pub(crate) struct Meter<'h> {
     clauses: Cell<u64>,
     conflicts: Cell<u64>,
     derived: Cell<u64>,
-    held: Cell<u64>,
+    held: Count,
     until_clock: Cell<u32>,
     reported_at: Cell<u64>,
     stopped: Cell<Option<Stop>>,
@@ -92,7 +98,7 @@ impl<'h> Meter<'h> {
             clauses: Cell::new(0),
             conflicts: Cell::new(0),
             derived: Cell::new(0),
-            held: Cell::new(0),
+            held: Count::default(),
             until_clock: Cell::new(CLOCK_INTERVAL),
             reported_at: Cell::new(0),
             stopped: Cell::new(None),
@@ -222,14 +228,20 @@ impl<'h> Meter<'h> {
         self.check()
     }
 
-    /// Counts memory that is held from now on, in bytes.
-    pub(crate) fn hold(&self, bytes: usize) {
-        self.held.set(self.held.get() + bytes as u64);
+    /// Counts memory for as long as what is returned is there, in bytes.
+    pub(crate) fn hold(&self, bytes: usize) -> Held {
+        Held::new(&self.held, bytes)
     }
 
-    /// Counts memory that is free again, in bytes.
-    pub(crate) fn release(&self, bytes: u64) {
-        self.held.set(self.held.get().saturating_sub(bytes));
+    /// The bytes that are held now.
+    #[cfg(test)]
+    pub(crate) fn held(&self) -> u64 {
+        self.held.get()
+    }
+
+    /// Counts further memory of something, in bytes.
+    pub(crate) fn hold_more(&self, held: &mut Held, bytes: usize) {
+        held.more(&self.held, bytes);
     }
 
     pub(crate) fn count_call(&self) {

@@ -12,9 +12,10 @@ use giveway_model::{Cost, Version};
 
 use crate::{
     FrontAnswer, SolveAnswer, Status,
+    judged::told,
     problem::Problem,
-    search::Bounded,
-    solve::{Task, answer, best, without_search},
+    search::{Bounded, Reach},
+    solve::{Solved, Task, answer, best, without_search},
 };
 
 /// Upper limits, both included, by cost.
@@ -25,8 +26,8 @@ pub(crate) fn front(task: &Task) -> FrontAnswer {
     let problem = match Problem::new(&task.instance, &task.meter) {
         Ok(problem) => problem,
         Err(setback) => {
-            let answer = without_search(task, &setback);
-            return whole(answer.status, answer.complete, None, Vec::new());
+            let solved = without_search(task, &setback);
+            return whole(solved.answer.status, solved.reach, Vec::new());
         }
     };
     let horizon = task.horizon(&problem);
@@ -34,17 +35,19 @@ pub(crate) fn front(task: &Task) -> FrontAnswer {
     let mut points: BTreeMap<Vec<u32>, SolveAnswer> = BTreeMap::new();
     let mut empty: Vec<Limits> = Vec::new();
     let mut boxes = vec![Limits::new()];
-    let mut complete = true;
+    let mut reach: Option<Reach> = None;
     while let Some(limits) = boxes.pop() {
         if empty.iter().any(|other| contains(other, &limits)) {
             continue;
         }
         let bounded = Bounded { horizon, limits };
         let verdict = best(task, &problem, &bounded);
-        let answer = answer(task, &problem, horizon, verdict);
+        let Solved { answer, reach: own } = answer(task, &problem, verdict);
+        // Each box was settled as far as all others.
+        let both = reach.map_or(own, |reach| own.map(|own| reach.and(own)));
         match (answer.status, answer.costs) {
             (Status::Optimal, Some(found)) => {
-                complete &= answer.complete;
+                reach = both;
                 for &cost in costs.iter().skip(1) {
                     if let Some(less) = found.get(cost).checked_sub(1) {
                         let mut limits = bounded.limits.clone();
@@ -55,7 +58,7 @@ pub(crate) fn front(task: &Task) -> FrontAnswer {
                 points.insert(found.vector(&task.objective), answer);
             }
             (Status::Impossible, _) => {
-                complete &= answer.complete;
+                reach = both;
                 empty.push(bounded.limits);
             }
             _ => {
@@ -64,7 +67,7 @@ pub(crate) fn front(task: &Task) -> FrontAnswer {
                 } else {
                     Status::Feasible
                 };
-                return whole(status, false, None, points.into_values().collect());
+                return whole(status, None, points.into_values().collect());
             }
         }
     }
@@ -73,8 +76,7 @@ pub(crate) fn front(task: &Task) -> FrontAnswer {
     } else {
         Status::Optimal
     };
-    let within = (!complete).then_some(horizon);
-    whole(status, complete, within, points.into_values().collect())
+    whole(status, reach, points.into_values().collect())
 }
 
 /// Whether one box lies in another.
@@ -84,12 +86,8 @@ fn contains(outer: &Limits, inner: &Limits) -> bool {
         .all(|(cost, &most)| inner.get(cost).is_some_and(|&less| less <= most))
 }
 
-fn whole(
-    status: Status,
-    complete: bool,
-    within: Option<u32>,
-    front: Vec<SolveAnswer>,
-) -> FrontAnswer {
+fn whole(status: Status, reach: Option<Reach>, front: Vec<SolveAnswer>) -> FrontAnswer {
+    let (complete, within) = told(reach);
     FrontAnswer {
         giveway: Version,
         status,

@@ -216,6 +216,30 @@ impl Problem {
         }
     }
 
+    /// A number of steps that no plan needs to exceed: one with more comes to
+    /// the same joint state twice, and what lies between can be left out, which
+    /// makes no cost higher. `None` where the number is too large to be of use.
+    pub(crate) fn joint_states(&self) -> Option<u32> {
+        let slow = (0..self.terrain.len() as u32).flat_map(|v| self.terrain.arcs(v));
+        let places = self.terrain.len() + slow.filter(|arc| arc.slow).count();
+        let mut states: u32 = 1;
+        let mut timed = 0;
+        for task in &self.tasks {
+            // On the way; and at the end, one step or more.
+            let way = [places + 1, task.masks(), task.levels(), task.counted()]
+                .iter()
+                .try_fold(1u32, |product, &factor| {
+                    product.checked_mul(u32::try_from(factor).ok()?)
+                })?;
+            states = states.checked_mul(way.checked_add(2)?)?;
+            timed = timed
+                .max(task.not_before)
+                .max(task.last_time().unwrap_or(0));
+        }
+        // What is demanded of times is not the same at each of them.
+        states.checked_add(timed)?.checked_add(2)
+    }
+
     /// The makespan beyond which nothing is looked for, by default.
     pub(crate) fn default_horizon(&self, grid: &Grid) -> u32 {
         self.longest + 4 * (grid.width() + grid.height()) + 10

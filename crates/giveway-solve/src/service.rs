@@ -113,7 +113,7 @@ fn serve_solve(request: &SolveRequest, host: &dyn Host) -> Response {
     let mut task = Task::new(instance, objective, request.within, request.limits, host);
     task.start.clone_from(&request.start);
     if !request.pareto {
-        return Response::Solved(solve::solve(&task));
+        return Response::Solved(solve::solve(&task).answer);
     }
     let costs = task.objective.costs().len();
     if !(2..=3).contains(&costs) {

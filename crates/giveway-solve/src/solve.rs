@@ -7,9 +7,10 @@ use giveway_model::{Costs, Instance, Objective, Plan, Version, check::check};
 
 use crate::{
     Host, Limits, Progress, SolveAnswer, Status,
-    meter::{Meter, Stop},
+    judged::{Judged, told},
+    meter::Meter,
     problem::{Problem, Setback},
-    search::{self, Bounded, Contact, Verdict},
+    search::{self, Aim, Bounded, Contact, ForEver, Horizon, Reach, Verdict},
     walk::{Walk, of_plan, to_plan},
 };
 
@@ -42,14 +43,13 @@ impl<'h> Task<'h> {
     }
 
     /// The horizon: what the person set, or the default of the problem's rules.
-    pub(crate) fn horizon(&self, problem: &Problem) -> u32 {
-        let default = problem.default_horizon(self.instance.grid());
-        self.within.unwrap_or(default)
+    pub(crate) fn horizon(&self, problem: &Problem) -> Horizon {
+        Horizon::of(problem, self.instance.grid(), self.within, 0)
     }
 }
 
 /// The lexicographic optimum.
-pub(crate) fn solve(task: &Task) -> SolveAnswer {
+pub(crate) fn solve(task: &Task) -> Solved {
     match Problem::new(&task.instance, &task.meter) {
         Ok(problem) => {
             let bounded = Bounded {
@@ -57,10 +57,11 @@ pub(crate) fn solve(task: &Task) -> SolveAnswer {
                 limits: BTreeMap::new(),
             };
             let verdict = best(task, &problem, &bounded);
-            answer(task, &problem, bounded.horizon, verdict)
+            answer(task, &problem, verdict)
         }
         Err(setback) => {
-            let mut answer = without_search(task, &setback);
+            let mut solved = without_search(task, &setback);
+            let answer = &mut solved.answer;
             if answer.status == Status::Unknown
                 && let Some((plan, costs)) = start(task)
                 && task.within.is_none_or(|within| costs.makespan <= within)
@@ -68,9 +69,15 @@ pub(crate) fn solve(task: &Task) -> SolveAnswer {
                 answer.status = Status::Feasible;
                 (answer.plan, answer.costs) = (Some(plan), Some(costs));
             }
-            answer
+            solved
         }
     }
+}
+
+/// An answer, with how far its claim reaches.
+pub(crate) struct Solved {
+    pub(crate) answer: SolveAnswer,
+    pub(crate) reach: Option<Reach>,
 }
 
 /// The search for the best plan: it begins with the plan that is known, and
@@ -108,86 +115,78 @@ fn names(task: &Task) -> Vec<String> {
 }
 
 /// The answer where an agent alone decides it.
-pub(crate) fn without_search(task: &Task, setback: &Setback) -> SolveAnswer {
+pub(crate) fn without_search(task: &Task, setback: &Setback) -> Solved {
     let name = |i: usize| {
         task.instance
             .agents()
             .get(i)
             .map_or("", |a| a.name.as_str())
     };
-    let (status, reason) = match *setback {
+    let (status, reach, reason) = match *setback {
         Setback::Alone(i) => (
             Status::Impossible,
+            Some(Reach::ForEver(ForEver::alone())),
             format!("{} cannot do its task even alone.", name(i)),
         ),
         Setback::TooManyWaypoints(i) => (
             Status::Unknown,
+            None,
             format!("{} has more waypoints than can be planned for.", name(i)),
         ),
-        Setback::Stopped(stop) => (Status::Unknown, stop.sentence().to_owned()),
+        Setback::Stopped(stop) => (Status::Unknown, None, stop.sentence().to_owned()),
     };
-    SolveAnswer {
+    let (complete, within) = told(reach);
+    let answer = SolveAnswer {
         giveway: Version,
         status,
         costs: None,
         bounds: BTreeMap::new(),
-        within: None,
-        complete: status == Status::Impossible,
+        within,
+        complete,
         reason: Some(reason),
         plan: None,
         stats: task.meter.stats(),
-    }
+    };
+    Solved { answer, reach }
 }
 
 /// A verdict as an answer; its plan is judged before it is given away.
-pub(crate) fn answer(
-    task: &Task,
-    problem: &Problem,
-    horizon: u32,
-    verdict: Verdict,
-) -> SolveAnswer {
+pub(crate) fn answer(task: &Task, problem: &Problem, verdict: Verdict) -> Solved {
     let names = names(task);
-    let mut stop = verdict.stop;
-    let mut found = verdict
-        .best
-        .map(|(walks, costs)| (to_plan(problem, &names, &walks), costs));
-    if let Some((plan, costs)) = &found {
-        let report = check(&task.instance, plan);
-        if !report.violations.is_empty() || report.costs != Some(*costs) {
-            // Never trust the solver: a plan that the judge refuses is no plan.
-            found = None;
-            stop = Some(Stop::Contradiction);
-        }
-    }
-    let status = match (&found, stop) {
-        (Some(_), None) => Status::Optimal,
-        (Some(_), Some(_)) => Status::Feasible,
-        (None, None) => Status::Impossible,
-        (None, Some(_)) => Status::Unknown,
-    };
-    let settled = stop.is_none();
-    let complete = settled && verdict.complete;
-    let reason = stop.map(|stop| stop.sentence().to_owned()).or_else(|| {
-        let clash: Vec<&str> = verdict
-            .clash
-            .iter()
-            .filter_map(|&i| names.get(i))
-            .map(String::as_str)
-            .collect();
-        (status == Status::Impossible).then(|| clash_sentence(&clash))
+    let claim = (verdict.reach, verdict.stop);
+    let judged = Judged::new(verdict.best, &Aim::Best, claim, |(walks, costs)| {
+        let plan = to_plan(problem, &names, &walks);
+        let report = check(&task.instance, &plan);
+        let passes = report.violations.is_empty() && report.costs == Some(costs);
+        passes.then_some((plan, costs))
     });
-    let (plan, costs) = found.unzip();
-    SolveAnswer {
+    let (status, reach) = (judged.status, judged.reach);
+    let (complete, within) = told(reach);
+    let reason = judged
+        .stop
+        .map(|stop| stop.sentence().to_owned())
+        .or_else(|| {
+            let clash: Vec<&str> = verdict
+                .clash
+                .iter()
+                .filter_map(|&i| names.get(i))
+                .map(String::as_str)
+                .collect();
+            (status == Status::Impossible).then(|| clash_sentence(&clash))
+        });
+    let (plan, costs) = judged.plan.unzip();
+    let answer = SolveAnswer {
         giveway: Version,
         status,
         costs,
         bounds: verdict.bounds,
-        within: (settled && !complete).then_some(horizon),
+        within,
         complete,
         reason,
         plan,
         stats: task.meter.stats(),
-    }
+    };
+    Solved { answer, reach }
 }
 
 /// Whom it concerns; the claim itself says at which horizon it holds.

@@ -37,6 +37,10 @@ export interface Plan {
   from?: Record<string, number>;
   /** The time from which a removed agent is gone. */
   until?: Record<string, number>;
+  /** The last time whose changes the plan takes into account. */
+  knows?: number;
+  /** What agents slept through at their goals before a change made them go on. */
+  slept?: Record<string, [number, number][]>;
 }
 
 export interface SolveRequest {
@@ -359,6 +363,10 @@ export type Checked = { text: string; claim: Claim } & (
 export interface Report {
   giveway: 1;
   accepted: boolean;
+  /** What its claims were shown by, taken together. */
+  certified: "proved" | "proved-and-searched" | "not-certified";
+  /** What plan and claims say together. */
+  conclusion: string | null;
   /** Why it was not accepted. */
   reason: string | null;
   /** Whether the check ended before it came to a result. */

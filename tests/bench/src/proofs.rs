@@ -86,7 +86,7 @@ fn row(
                 format!("{variables} | {clauses} | {cnf:.2} | {drat:.2}")
             }
             Entry::Search { .. } => "by search | - | - | -".to_owned(),
-            Entry::None { why, .. } => format!("{why} | - | - | -"),
+            Entry::None { why, .. } => format!("{} | - | - | -", why.sentence()),
         };
         let _ = writeln!(text, "| {name} | {claim} | {rest} | {made} | {checked} |");
         eprintln!("{name} {claim} {rest} {made} {checked}");

@@ -60,6 +60,10 @@ pub(crate) struct Change {
     /// largest optimum of an agent alone from then on + 4 (width + height) + 10]
     #[arg(long, value_name = "N", value_parser = whole::<u32>, allow_negative_numbers = true)]
     pub(crate) within: Option<u32>,
+    /// The first time whose changes are new to the plan: all before were known when it was made
+    /// [default: what the plan says it knows; else as few as make it valid]
+    #[arg(long, value_name = "T", value_parser = whole::<u32>, allow_negative_numbers = true)]
+    pub(crate) since: Option<u32>,
     /// Wall seconds for each method at each time; 0.5 is legal
     #[arg(long, value_name = "SECONDS", value_parser = seconds, allow_negative_numbers = true)]
     pub(crate) time_limit: Option<f64>,

@@ -1,10 +1,12 @@
 //! `giveway verify`: checks an exported certificate again.
 
-use std::fs;
+use std::collections::BTreeSet;
+use std::fs::{self, File};
+use std::io::{self, Read};
 use std::path::Path;
 
 use giveway_model::Fault;
-use giveway_proof::{Budget, Bundle, verify};
+use giveway_proof::{Budget, Bundle, Certified, bundle::Manifest, verify};
 
 use crate::{
     args::{Common, Verify},
@@ -13,34 +15,68 @@ use crate::{
     output::{self, text},
 };
 
+/// The bytes of the manifest, and of any other file, beyond which a folder is no
+/// certificate: what is exported is far smaller.
+const MOST_MANIFEST: u64 = 4 << 20;
+const MOST: u64 = 512 << 20;
+
 pub(crate) fn run(args: &Verify, common: &Common) -> Result<Exit, Failure> {
     let bundle = read(&args.folder)?;
     let report = verify(&bundle, &Budget::default());
     output::answer(common.format, &report, |_| text::verify(&report))?;
-    Ok(match (report.accepted, report.stopped) {
-        (true, _) => Exit::Answered,
-        (false, false) => Exit::Wrong,
-        (false, true) => Exit::Unknown,
+    Ok(match (report.certified, report.stopped) {
+        (Certified::NotCertified, true) => Exit::Unknown,
+        (Certified::NotCertified, false) => Exit::Wrong,
+        (Certified::Proved | Certified::ProvedAndSearched, _) => Exit::Answered,
     })
 }
 
-/// All that lies in the folder. A folder in it has no bytes, and is refused as
-/// something that does not belong there.
+/// The manifest, and the files that it names: no others are read. Whatever else
+/// lies in the folder has no bytes, and is refused as something that does not
+/// belong there.
 fn read(folder: &Path) -> Result<Bundle, Failure> {
-    let failure = |path: &Path, error: &std::io::Error| {
+    let failure = |path: &Path, error: &io::Error| {
         let fault = Fault::at("", error.to_string(), "the folder of a certificate");
         Failure::input(path.to_string_lossy(), fault)
     };
-    let mut bundle = Bundle::new();
+    let mut names = BTreeSet::new();
     for entry in fs::read_dir(folder).map_err(|error| failure(folder, &error))? {
         let entry = entry.map_err(|error| failure(folder, &error))?;
-        let path = entry.path();
-        let bytes = if path.is_dir() {
-            Vec::new()
+        names.insert(entry.file_name().to_string_lossy().into_owned());
+    }
+    let mut bundle = Bundle::new();
+    let mut expected = BTreeSet::new();
+    if names.contains(MANIFEST) {
+        let path = folder.join(MANIFEST);
+        let bytes = bounded(&path, MOST_MANIFEST).map_err(|error| failure(&path, &error))?;
+        let manifest: Option<Manifest> = serde_json::from_slice(&bytes).ok();
+        expected = manifest.and_then(|m| m.expected()).unwrap_or_default();
+        bundle.insert(MANIFEST.to_owned(), bytes);
+    }
+    names.remove(MANIFEST);
+    for name in names {
+        let path = folder.join(&name);
+        let bytes = if expected.contains(&name) {
+            bounded(&path, MOST).map_err(|error| failure(&path, &error))?
         } else {
-            fs::read(&path).map_err(|error| failure(&path, &error))?
+            Vec::new()
         };
-        bundle.insert(entry.file_name().to_string_lossy().into_owned(), bytes);
+        bundle.insert(name, bytes);
     }
     Ok(bundle)
+}
+
+const MANIFEST: &str = "manifest.json";
+
+/// The bytes of a regular file that is not too large: no link, no pipe, no device.
+fn bounded(path: &Path, most: u64) -> io::Result<Vec<u8>> {
+    if !fs::symlink_metadata(path)?.is_file() {
+        return Err(io::Error::other("no regular file"));
+    }
+    let mut bytes = Vec::new();
+    File::open(path)?.take(most + 1).read_to_end(&mut bytes)?;
+    if bytes.len() as u64 > most {
+        return Err(io::Error::other("a file that is too large"));
+    }
+    Ok(bytes)
 }

@@ -103,7 +103,7 @@ fn a_fault_in_the_plan_of_a_result_has_its_line() {
     let run = folder().run_with("check warehouse.json -", result);
     expect![[r#"
         exit 1
-        standard input: line 2, column 27: found the unknown key "path", expected one of giveway, paths, charges, from, until
+        standard input: line 2, column 27: found the unknown key "path", expected one of giveway, paths, charges, from, until, knows, slept
     "#]].assert_eq(&run.refusal());
 }
 

@@ -56,3 +56,25 @@ fn a_name_that_steers_terminals_is_written_as_it_is_spelled() {
         run.out
     );
 }
+
+/// A name steers no terminal, whatever is asked about it.
+#[test]
+fn the_name_in_a_question_steers_no_terminal() {
+    let name = "A\u{1b}[31mX\u{7}\n\u{202e}B";
+    let scene = r#"{ "giveway": 1, "name": "n\u001b]0;t\u0007m", "map": ["..."], "agents": [
+        { "name": "A\u001b[31mX\u0007\n\u202eB", "start": [0, 0], "goal": [2, 0] }] }"#;
+    let folder = Folder::with(&[("scene.json", scene)]);
+    for question in ["arrival", "length", "moves"] {
+        let mut command = crate::run::command();
+        command.current_dir(folder.path("."));
+        let output = command
+            .args(["explain", "scene.json", question, name])
+            .output()
+            .unwrap();
+        let text = String::from_utf8(output.stdout).unwrap();
+        assert!(!text.is_empty());
+        let steers = |c: char| (c.is_control() && c != '\n') || c == '\u{202e}';
+        assert!(!text.chars().any(steers), "{text:?}");
+        assert!(!text.contains("\nB"), "{text:?}");
+    }
+}

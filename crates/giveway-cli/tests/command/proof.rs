@@ -34,7 +34,9 @@ fn an_optimum_is_certified_cost_by_cost() {
         Accepted: every file is as it was written.
           proof          There is no plan with makespan at most 17.
           proof          There is no plan with makespan at most 18 and sum of costs at most 34.
-          proof          There is no plan with makespan at most 18, sum of costs at most 35 and charges at most 2."#]]
+          proof          There is no plan with makespan at most 18, sum of costs at most 35 and charges at most 2.
+        Together: the plan is optimal, one cost of the objective after the other.
+        proved"#]]
     .assert_eq(&verified(&folder, "certificate"));
     let readme = folder.read("certificate/README.md");
     assert!(readme.contains("Together: the plan is optimal"), "{readme}");
@@ -52,7 +54,9 @@ fn that_there_is_no_plan_rests_on_search_and_on_a_proof_up_to_a_makespan() {
     expect![[r#"
         Accepted: every file is as it was written.
           search         There is no plan.
-          proof          There is no plan of makespan at most 40."#]]
+          proof          There is no plan of makespan at most 40.
+        Together: there is no plan.
+        proved and searched"#]]
     .assert_eq(&verified(&folder, "certificate"));
 }
 
@@ -70,6 +74,7 @@ fn what_was_changed_is_rejected() {
     assert_eq!((run.exit, run.err.as_str()), (Some(1), ""));
     expect![[r#"
         Rejected: makespan.drat: it was changed: its fingerprint differs.
+        not certified
     "#]]
     .assert_eq(&run.out);
 }
@@ -101,6 +106,7 @@ fn what_is_no_certificate() {
     assert_eq!(run.exit, Some(1));
     expect![[r#"
         Rejected: manifest.json: it is missing.
+        not certified
     "#]]
     .assert_eq(&run.out);
 }
@@ -121,14 +127,59 @@ fn answers_to_questions_are_certified() {
         .answer_but_for_notes();
     expect![[r#"
         Accepted: every file is as it was written.
-          proof          There is no plan with makespan at most 17."#]]
+          proof          There is no plan with makespan at most 17.
+        proved"#]]
     .assert_eq(&verified(&folder, "sooner"));
     folder
         .run("explain warehouse.json --plan plan.json arrival A2 --within 20 --proof arrival")
         .answer_but_for_notes();
-    let text = verified(&folder, "arrival");
+    // That it is so at any horizon takes a search that is too large: then the
+    // certificate does not certify all that is claimed, and says so.
+    let run = folder.run("verify arrival");
+    assert_eq!(run.exit, Some(1));
+    let text = run.out;
     assert!(
-        text.contains("in which A2 arrives before time 18"),
+        text.contains(
+            "Together: there is no plan of makespan at most 80 in which A2 arrives before time 18."
+        ),
         "{text}"
     );
+    assert_eq!(text.lines().last(), Some("not certified"));
+}
+
+/// A folder of somebody else holds anything: what no certificate has is not even
+/// read, and nothing in it is waited for.
+#[cfg(unix)]
+#[test]
+fn only_regular_files_that_belong_to_it_are_read() {
+    use std::os::unix::fs::symlink;
+    let folder = folder();
+    folder
+        .run("solve scenario-1.json --proof certificate")
+        .answer_but_for_notes();
+    // A stranger, however large, is refused unread.
+    symlink("/dev/zero", folder.path("certificate/more")).unwrap();
+    let run = folder.run("verify certificate");
+    assert_eq!(run.exit, Some(1));
+    assert!(run.out.contains("more: it does not belong"), "{}", run.out);
+    fs::remove_file(folder.path("certificate/more")).unwrap();
+    // In the place of a file of its own stands a device, or a pipe.
+    for name in ["plan.json", "makespan.cnf", "manifest.json"] {
+        let file = folder.path(format!("certificate/{name}"));
+        let bytes = fs::read(&file).unwrap();
+        fs::remove_file(&file).unwrap();
+        symlink("/dev/zero", &file).unwrap();
+        let run = folder.run("verify certificate");
+        assert_eq!((run.exit, run.out.as_str()), (Some(1), ""));
+        assert!(run.err.contains("found no regular file"), "{}", run.err);
+        fs::remove_file(&file).unwrap();
+        let made = std::process::Command::new("mkfifo").arg(&file).status();
+        if made.is_ok_and(|made| made.success()) {
+            let run = folder.run("verify certificate");
+            assert_eq!((run.exit, run.out.as_str()), (Some(1), ""));
+            fs::remove_file(&file).unwrap();
+        }
+        fs::write(&file, bytes).unwrap();
+    }
+    assert!(verified(&folder, "certificate").ends_with("proved"));
 }

@@ -2,7 +2,9 @@
 
 use std::collections::BTreeMap;
 
-use super::{Career, Change, Duty, Epoch, History, Life, MAX_TIME, What, Whereabouts, refuse};
+use super::{
+    Career, Change, Duty, Epoch, History, Life, MAX_DELAY, MAX_TIME, What, Whereabouts, refuse,
+};
 use crate::{Agent, Battery, Cell, Fault, Grid, Ground, MAX_AGENTS, MAX_CAPACITY, Plan, sorting};
 
 impl History {
@@ -281,7 +283,7 @@ impl World<'_> {
 
     fn delay(&mut self, name: &str, steps: u32) -> Result<(), Reason> {
         let at = self.at;
-        if steps > MAX_TIME {
+        if steps > MAX_DELAY {
             return Err(refuse::too_long(steps));
         }
         let life = self.lives.iter().find(|life| life.career.name() == name);

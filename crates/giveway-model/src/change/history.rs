@@ -68,6 +68,7 @@ impl History {
     /// The faults of the first time whose changes contradict the world, with
     /// their places in the list of changes.
     pub fn of(instance: &Instance, changes: &Changes, plan: &Plan) -> Result<Self, Vec<Fault>> {
+        changes.few()?;
         let mut history = Self::new(instance);
         for (at, list) in changes.by_time() {
             history.apply(at, &list, plan)?;

@@ -28,6 +28,8 @@ pub struct Life<'a> {
     pub path: &'a [Option<Cell>],
     /// The times at which the plan says that it charges, as listed.
     pub charges: &'a [u32],
+    /// What the plan says that it slept through, before a change woke it.
+    slept: &'a [[u32; 2]],
     stays: bool,
     end: u32,
 }
@@ -41,6 +43,7 @@ impl<'a> Life<'a> {
             career,
             path,
             charges,
+            slept: plan.slept(career.name()),
             stays: history.stays(),
             end: 0,
         };
@@ -55,8 +58,11 @@ impl<'a> Life<'a> {
         }
         life.path = path;
         let last = path.len().checked_sub(1)?;
-        life.end = last as u32 + career.from;
-        life.end = life.arrival_in_path();
+        let last = career.from.saturating_add(last as u32);
+        life.end = last;
+        // What is past is listed as it was: it had not arrived before.
+        let past = plan.knows.map_or(0, |knows| knows.min(last));
+        life.end = life.arrival_in_path().max(past);
         let length = (life.end - career.from) as usize + 1;
         life.path = path.get(..length).unwrap_or(path);
         Some(life)
@@ -103,17 +109,45 @@ impl<'a> Life<'a> {
         index.is_some_and(|index| (index as usize) < self.path.len())
     }
 
+    /// The times that it slept through, each from one up to, not including,
+    /// another at which something changed: arrived, it used no battery and made
+    /// no waits. That is so where the plan says it, where its path ended before,
+    /// and of one that was removed at its goal.
+    pub fn sleeps<'b>(&'b self, times: impl Iterator<Item = u32> + 'b) -> Vec<(u32, u32)> {
+        if !self.stays {
+            return Vec::new();
+        }
+        let said = self.slept.iter().map(|&[from, to]| (from, to));
+        let listed = self.career.from.saturating_add(self.path.len() as u32);
+        let removed = self.career.until;
+        let unlisted = times.filter(|&time| removed.is_none() && time >= listed);
+        let ends = unlisted.chain(removed);
+        let rests = ends.filter_map(|time| Some((self.rests_since(time)?, time)));
+        said.chain(rests).filter(|(from, to)| from < to).collect()
+    }
+
+    /// What the plan says that it slept through and did not.
+    pub fn sleepless(&self, times: &[u32]) -> Option<[u32; 2]> {
+        let rests = |&[from, to]: &[u32; 2]| {
+            let since = self.rests_since(to).filter(|_| self.stays);
+            from < to && times.contains(&to) && since.is_some_and(|since| since <= from)
+        };
+        self.slept.iter().find(|span| !rests(span)).copied()
+    }
+
     /// Since when it stands at its goal with every waypoint visited and without
     /// charging, before what changes at a time; `None` where it does not.
-    /// Whoever does so when something changes is taken to sleep up to then.
     pub fn rests_since(&self, time: u32) -> Option<u32> {
         let (goal, goal_since) = self.career.goal_before(time);
-        if self.at(time) != Some(goal) {
+        // Who is removed at that time is there no more.
+        let gone = self.career.until == Some(time);
+        let last = time.checked_sub(u32::from(gone))?;
+        if self.at(last) != Some(goal) {
             return None;
         }
         // Nothing happens after what the path lists.
         let listed = (self.path.len() as u32).saturating_sub(1) + self.career.from;
-        let mut since = time.min(listed);
+        let mut since = last.min(listed);
         while since > self.career.from
             && self.at(since - 1) == Some(goal)
             && !self.charges.contains(&(since - 1))

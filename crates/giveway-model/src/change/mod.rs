@@ -14,7 +14,7 @@ mod written;
 use serde::{Deserialize, Serialize};
 
 use crate::object::object_only;
-use crate::{Agent, Cell, Version, sorting};
+use crate::{Agent, Cell, Fault, Version, sorting};
 
 pub use career::{Career, Duty};
 pub use history::{Epoch, History};
@@ -22,6 +22,12 @@ pub use life::{Life, Whereabouts};
 
 /// The latest time at which something may change, in steps.
 pub const MAX_TIME: u32 = 1_000_000;
+
+/// The longest breakdown, in steps.
+pub const MAX_DELAY: u32 = 10_000;
+
+/// The most changes of one plan.
+pub const MAX_CHANGES: usize = 10_000;
 
 /// What changes while a plan runs, in any order of time.
 ///
@@ -54,6 +60,19 @@ pub struct Changes {
 object_only!(Changes);
 
 impl Changes {
+    /// What is wrong with the list as a whole, whatever the plan.
+    ///
+    /// # Errors
+    /// Where there are too many changes.
+    pub fn few(&self) -> Result<(), Vec<Fault>> {
+        let count = self.changes.len();
+        if count <= MAX_CHANGES {
+            return Ok(());
+        }
+        let (found, expected) = refuse::too_many_changes(count);
+        Err(vec![Fault::at("changes", found, expected)])
+    }
+
     /// The times at which something changes, ascending, each with the changes
     /// of that time and their places in the list.
     pub fn by_time(&self) -> Vec<(u32, Vec<(usize, &Change)>)> {

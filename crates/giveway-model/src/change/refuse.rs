@@ -1,7 +1,7 @@
 //! Why a change contradicts the world: what was found, what was expected.
 
-use super::MAX_TIME;
 use super::apply::Reason;
+use super::{MAX_CHANGES, MAX_DELAY, MAX_TIME};
 use crate::{Cell, Grid, MAX_AGENTS, MAX_CAPACITY};
 
 fn reason(found: impl Into<String>, expected: impl Into<String>) -> Reason {
@@ -15,8 +15,12 @@ pub(super) fn too_late(at: u32) -> Reason {
 pub(super) fn too_long(steps: u32) -> Reason {
     reason(
         format!("a delay of {steps} steps"),
-        format!("at most {MAX_TIME}"),
+        format!("at most {MAX_DELAY}"),
     )
+}
+
+pub(super) fn too_many_changes(count: usize) -> Reason {
+    reason(format!("{count} changes"), format!("at most {MAX_CHANGES}"))
 }
 
 pub(super) fn unknown(name: &str) -> Reason {

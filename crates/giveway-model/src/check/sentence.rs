@@ -57,6 +57,16 @@ pub(super) fn wrong_end(agent: &str, last: u32, until: u32) -> String {
     )
 }
 
+pub(super) fn sleepless(agent: &str, from: u32, to: u32) -> String {
+    format!(
+        "The plan has {agent} asleep from time {from} to {to}, but it does not rest at its goal up to a change then."
+    )
+}
+
+pub(super) fn no_slow_edge(agent: &str, from: Cell, time: u32) -> String {
+    format!("{agent} is in transit after time {time}, but no edge of {from} is slow.")
+}
+
 pub(super) fn held(agent: &str, from: Cell, time: u32) -> String {
     format!("{agent} leaves {from} at time {time}, when a breakdown keeps it there.")
 }

@@ -23,6 +23,10 @@ pub(super) fn find(instance: &Instance, plan: &Plan, findings: &mut Findings<'_>
             let message = sentence::needs_changes(&agent.name, "is removed");
             push(findings, index, 0, message);
         }
+        if plan.slept.contains_key(&agent.name) {
+            let message = sentence::needs_changes(&agent.name, "is woken by a change");
+            push(findings, index, 0, message);
+        }
     }
     let names = instance.agents().iter().map(|a| a.name.as_str()).collect();
     find_strangers(names, plan, findings);
@@ -103,6 +107,7 @@ pub(super) fn find_strangers(mut known: Vec<&str>, plan: &Plan, findings: &mut F
         ("charges", plan.charges.keys().collect()),
         ("a time in \"from\"", plan.from.keys().collect()),
         ("a time in \"until\"", plan.until.keys().collect()),
+        ("a time in \"slept\"", plan.slept.keys().collect()),
     ];
     for (what, names) in parts {
         for name in names {

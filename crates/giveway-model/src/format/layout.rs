@@ -53,6 +53,12 @@ pub fn write_plan(plan: &Plan) -> String {
     if !plan.until.is_empty() {
         fields.push(field("until", &by_name(plan.until.iter())));
     }
+    if let Some(knows) = plan.knows {
+        fields.push(field("knows", &knows.to_string()));
+    }
+    if !plan.slept.is_empty() {
+        fields.push(field("slept", &by_name(plan.slept.iter())));
+    }
     format!("{{\n{}\n}}\n", fields.join(",\n"))
 }
 

@@ -205,14 +205,30 @@ fn batteries_and_charges() {
         &map,
         "A 10 20 battery 2/2",
         woken,
-        "A 10 20 20 20 20 10",
+        "A~1-4 10 20 20 20 20 10",
         &[],
+    );
+    // One that was about to go on anyway was awake, and so is one of which the
+    // plan does not say that it slept.
+    breaks(
+        &map,
+        "A 10 20 battery 2/2",
+        woken,
+        "A 10 20 20 20 20 10",
+        &["3 battery A"],
+    );
+    breaks(
+        &map,
+        "A 10 20 battery 9/9",
+        woken,
+        "A~0-4 10 20 20 20 20 10",
+        &["4 shape A"],
     );
     breaks(
         &map,
         "A 10 20 battery 1/1",
         woken,
-        "A 10 20 20 20 20 10",
+        "A~1-4 10 20 20 20 20 10",
         &["5 battery A"],
     );
 }

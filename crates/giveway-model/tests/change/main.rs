@@ -62,12 +62,13 @@ fn cell(word: &str) -> String {
 }
 
 /// A plan of paths such as `A 00 10+ .. 20`, `B@2` for one that begins at time
-/// 2, and `B@2-5` for one that is gone from time 5.
+/// 2, and `B@2-5` for one that is gone from time 5; `A~1-4` slept from 1 to 4.
 fn plan(paths: &str) -> Plan {
     let mut plan = Plan::default();
     for line in paths.split(';').map(str::trim) {
         let mut words = line.split(' ');
         let head = words.next().unwrap();
+        let (head, slept) = head.split_once('~').unwrap_or((head, ""));
         let (name, times) = head.split_once('@').unwrap_or((head, "0"));
         let (from, until) = times.split_once('-').unwrap_or((times, ""));
         let from: u32 = from.parse().unwrap();
@@ -85,6 +86,10 @@ fn plan(paths: &str) -> Plan {
         plan.paths.insert(name.to_owned(), path);
         if !charges.is_empty() {
             plan.charges.insert(name.to_owned(), charges);
+        }
+        if let Some((since, until)) = slept.split_once('-') {
+            let span = [since.parse().unwrap(), until.parse().unwrap()];
+            plan.slept.insert(name.to_owned(), vec![span]);
         }
         if from > 0 {
             plan.from.insert(name.to_owned(), from);

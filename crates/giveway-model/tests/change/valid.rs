@@ -92,7 +92,7 @@ fn the_tail_of_a_slow_move_is_free() {
 
 #[test]
 fn who_sleeps_uses_no_battery_and_does_not_wait() {
-    let woken = "A 00 10 10 10 10 20 10";
+    let woken = "A~1-4 00 10 10 10 10 20 10";
     let added = "4 add-agent B 00 30";
     let slept = ["....", "...."];
     let paths = format!("{woken}; B@4 00 01 11 21 31 30");
@@ -107,9 +107,43 @@ fn who_sleeps_uses_no_battery_and_does_not_wait() {
 
 #[test]
 fn who_is_woken_at_rest_sleeps_on_until_the_last_change() {
-    let paths = "A 00 10 10 10 20 10; B@3 01 00";
+    let paths = "A~1-3 00 10 10 10 20 10; B@3 01 00";
     let changes = "2 add-obstacle 21; 3 add-agent B 01 00";
     costs(&["...", "..."], "A 00 10", changes, paths, [5, 9, 0, 4, 0]);
+}
+
+#[test]
+fn who_stands_at_its_goal_and_goes_on_anyway_is_awake() {
+    let paths = "A 00 10 10 10 20 10; B@3 01 00";
+    let changes = "2 add-obstacle 21; 3 add-agent B 01 00";
+    costs(&["...", "..."], "A 00 10", changes, paths, [5, 9, 0, 4, 2]);
+    // Its battery drains meanwhile.
+    let paths = "A 00 10 10 10 20 10; B@3 01 00";
+    let agents = "A 00 10 battery 4/4";
+    let report = judge(&["...", "..."], agents, changes, paths);
+    assert_eq!(report.violations.len(), 1, "{:?}", report.violations);
+}
+
+#[test]
+fn who_is_removed_at_its_goal_slept() {
+    for paths in ["A@0-3 20 10", "A@0-3 20 10 10"] {
+        let agents = "A 20 10 battery 1/6";
+        costs(&["..."], agents, "3 remove-agent A", paths, [0; 5]);
+    }
+}
+
+#[test]
+fn what_is_past_is_listed_as_it_was() {
+    let changes = "3 add-charger 00";
+    let agents = "A 00 10; vanish";
+    let mut plan = super::plan("A 00 10 10 10");
+    plan.knows = Some(3);
+    let instance = super::instance(&["..."], agents);
+    let report =
+        giveway_model::check::check_changes(&instance, &super::changes(changes), &plan).unwrap();
+    assert!(report.is_valid(), "{:?}", report.violations);
+    let costs = report.costs.unwrap();
+    assert_eq!((costs.makespan, costs.waits), (3, 2));
 }
 
 #[test]

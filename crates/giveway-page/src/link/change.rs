@@ -11,8 +11,8 @@ use crate::MAX_AGENTS;
 use crate::course::Adopted;
 
 /// The latest time of a change, the most times, and the most changes.
-const LATEST: u32 = 100_000;
-const TIMES: usize = 200;
+pub(super) const LATEST: u32 = 100_000;
+pub(super) const TIMES: usize = 200;
 const CHANGES: usize = 20_000;
 /// The most steps that all agents together are not there yet.
 const LATE: u32 = 1_000_000;

@@ -3,7 +3,7 @@
 use std::fmt::Write as _;
 
 use super::text::escape;
-use super::{From, ask, change, claim, extras, plan, scene, steering};
+use super::{From, ask, change, claim, extras, knowledge, plan, scene, steering};
 use crate::{Answer, Colours, Document};
 
 /// The document as parts joined by `&`. What is written for anywhere holds no
@@ -39,6 +39,9 @@ fn answered(answer: &Answer, whom: From) -> String {
         }
         text += "&plan=";
         text += written;
+        if let Some(plan) = answer.plan() {
+            text += &knowledge::write(answer.agents(), plan);
+        }
     }
     if whom == From::Here && (written.is_some() || answer.plan().is_none()) {
         text += "&claim=";

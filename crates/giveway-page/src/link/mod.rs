@@ -3,7 +3,7 @@
 //!
 //! ```text
 //! giveway=1&map=10.2f6s2f...&name=warehouse&rules=0.0&costs=012&agents=A1.0.0.9.2!10.10;...
-//! &plan=2rR...;...&time=7&ask=wait;A2!at.3.1
+//! &plan=2rR...;...&knows=4&slept=1.4;&time=7&ask=wait;A2!at.3.1
 //! ```
 
 mod ask;
@@ -13,6 +13,7 @@ mod claim;
 mod document;
 mod extras;
 mod kin;
+mod knowledge;
 mod plan;
 mod preferences;
 mod read;

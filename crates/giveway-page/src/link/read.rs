@@ -9,7 +9,9 @@ use giveway_model::{Agent, Plan, Scene, Version, check};
 use giveway_solve::{Limits, SolveAnswer, SolveRequest, Stats, Status};
 
 use super::text::{numbers, unescape};
-use super::{From, LONGEST, Linked, Source, ask, change, claim, extras, plan, scene, steering};
+use super::{
+    From, LONGEST, Linked, Source, ask, change, claim, extras, knowledge, plan, scene, steering,
+};
 use crate::asking::Asking;
 use crate::changing::{Changing, Comparing};
 use crate::front::Front;
@@ -28,7 +30,15 @@ type Parts<'a> = BTreeMap<&'a str, &'a str>;
 /// The parts that make a scene, those that make an answer, those that only
 /// this browser writes, and what else a link may hold.
 const SCENE: [&str; 5] = ["map", "name", "rules", "costs", "agents"];
-const ANSWER: [&str; 5] = ["changes", "plan", "claim", "steps", "asked-within"];
+const ANSWER: [&str; 7] = [
+    "changes",
+    "plan",
+    "knows",
+    "slept",
+    "claim",
+    "steps",
+    "asked-within",
+];
 const HERE: [&str; 14] = [
     "claim",
     "steps",
@@ -46,7 +56,9 @@ const HERE: [&str; 14] = [
     "ask",
 ];
 
-const PUBLIC: [&str; 6] = ["plan", "changes", "time", "ask", "within", "colours"];
+const PUBLIC: [&str; 8] = [
+    "plan", "knows", "slept", "changes", "time", "ask", "within", "colours",
+];
 
 /// Whether a part of a document is read from anywhere.
 pub(super) fn is_public(part: &str) -> bool {
@@ -135,6 +147,13 @@ impl Reader {
                 if let Some(changes) = &changes {
                     agents.extend(change::joined(changes));
                     change::put_times(&mut times, changes);
+                }
+                if let Some(text) = parts.get("knows") {
+                    times.knows = Some(knowledge::read(text).ok_or_else(|| broken("knows"))?);
+                }
+                if let Some(text) = parts.get("slept") {
+                    let slept = knowledge::read_slept(&agents, text);
+                    times.slept = slept.ok_or_else(|| broken("slept"))?;
                 }
                 let plan = plan::read(&agents, text, times);
                 Some(plan.ok_or("Its plan is broken.")?)

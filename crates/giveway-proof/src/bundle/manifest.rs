@@ -1,11 +1,12 @@
 //! `manifest.json`: what a certificate claims and holds.
 
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
 
-use giveway_model::{Costs, Objective};
+use giveway_model::{Cost, Costs, Objective};
 use serde::{Deserialize, Serialize};
 use sha2::{Digest as _, Sha256};
 
+use super::{INSTANCE, Missing, PLAN, README, proof_files};
 use crate::Claim;
 
 /// What a certificate claims and holds.
@@ -51,8 +52,8 @@ pub enum Entry {
     None {
         /// What is claimed.
         claim: Claim,
-        /// Why there is nothing: a sentence.
-        why: String,
+        /// Why there is nothing.
+        why: Missing,
     },
 }
 
@@ -67,7 +68,7 @@ struct Written {
     variables: Option<usize>,
     clauses: Option<usize>,
     method: Option<Method>,
-    why: Option<String>,
+    why: Option<Missing>,
 }
 
 #[derive(Deserialize)]
@@ -134,6 +135,29 @@ pub enum Method {
 }
 
 impl Manifest {
+    /// The files that belong to the certificate beside the manifest; nothing where
+    /// two proofs have one name, or one has a name that no proof has.
+    pub fn expected(&self) -> Option<BTreeSet<String>> {
+        let mut expected = BTreeSet::from([README.to_owned(), INSTANCE.to_owned()]);
+        if self.costs.is_some() {
+            expected.insert(PLAN.to_owned());
+        }
+        for entry in &self.claims {
+            if let Entry::Proof { name, .. } = entry {
+                let mut costs = Cost::ALL.iter().map(|cost| cost.name());
+                if name != NO_PLAN && !costs.any(|cost| cost == name) {
+                    return None;
+                }
+                for file in proof_files(name) {
+                    if !expected.insert(file) {
+                        return None;
+                    }
+                }
+            }
+        }
+        Some(expected)
+    }
+
     /// The one text that this manifest has: any other is not it.
     pub(crate) fn text(&self) -> String {
         let mut text = serde_json::to_string_pretty(self).unwrap_or_default();
@@ -141,6 +165,9 @@ impl Manifest {
         text
     }
 }
+
+/// The name of a proof that there is no plan; others are named by their costs.
+pub(crate) const NO_PLAN: &str = "no-plan";
 
 /// The SHA-256 fingerprint of a file, in hexadecimal digits.
 pub(crate) fn fingerprint(bytes: &[u8]) -> String {

@@ -11,12 +11,14 @@
 
 mod export;
 pub(crate) mod manifest;
+mod missing;
 pub(crate) mod readme;
 
 use std::collections::BTreeMap;
 
 pub use export::export;
 pub use manifest::{Entry, Manifest, Method};
+pub use missing::Missing;
 
 /// The files of a certificate by their names.
 pub type Bundle = BTreeMap<String, Vec<u8>>;

@@ -6,6 +6,7 @@ use giveway_model::{Cost, Instance};
 
 use super::manifest::{Entry, Manifest, Method};
 use super::proof_files;
+use crate::{conclude::conclude, escape};
 
 /// The text; it follows from the manifest and the instance.
 pub(crate) fn text(manifest: &Manifest, instance: &Instance) -> String {
@@ -16,10 +17,9 @@ pub(crate) fn text(manifest: &Manifest, instance: &Instance) -> String {
         instance.name()
     };
     // A name is a person's text: no line break or mark of it may look like this one's.
-    let name = name.replace(|c: char| c.is_control(), " ");
+    let name = escape::text(name).replace('`', "'");
     let mut text = format!(
-        "# Certificate\n\nAbout `{}`: {} x {} cells, {}, for plans that minimise {}.\n",
-        name.replace('`', "'"),
+        "# Certificate\n\nAbout `{name}`: {} x {} cells, {}, for plans that minimise {}.\n",
         grid.width(),
         grid.height(),
         count(instance.agents().len(), "agent"),
@@ -36,7 +36,7 @@ pub(crate) fn text(manifest: &Manifest, instance: &Instance) -> String {
     }
     for entry in &manifest.claims {
         let claim = entry.claim();
-        let _ = write!(text, "- **{}** ", claim.sentence());
+        let _ = write!(text, "- **{}** ", escape::markdown(&claim.sentence()));
         match entry {
             Entry::Proof {
                 name,
@@ -70,7 +70,7 @@ pub(crate) fn text(manifest: &Manifest, instance: &Instance) -> String {
                 );
             }
             Entry::None { why, .. } => {
-                let _ = write!(text, "*Not certified.* {why}");
+                let _ = write!(text, "*Not certified.* {}", why.sentence());
             }
         }
         text.push('\n');
@@ -78,7 +78,13 @@ pub(crate) fn text(manifest: &Manifest, instance: &Instance) -> String {
     if manifest.claims.is_empty() {
         text.push_str("- Nothing is claimed to be impossible: no cost can be below 0.\n");
     }
-    text.push_str(conclusion(manifest));
+    // Where there is no plan, the claims say it all.
+    let together = conclude(&manifest.objective, manifest.costs, &manifest.claims);
+    if manifest.costs.is_some()
+        && let Some(sentence) = together.sentence()
+    {
+        let _ = writeln!(text, "\n{sentence}");
+    }
     text.push_str(HOW);
     text
 }
@@ -95,48 +101,6 @@ fn horizon(entry: &Entry, instance: &Instance) -> String {
              each other agent needs at least as many steps as its goal is cells away."
         )
     })
-}
-
-/// What plan and claims say together.
-fn conclusion(manifest: &Manifest) -> &'static str {
-    let certified = !manifest
-        .claims
-        .iter()
-        .any(|entry| matches!(entry, Entry::None { .. }));
-    let Some(costs) = manifest.costs else {
-        return "";
-    };
-    // The claims stand in the order of the costs; each excludes one less than the plan has.
-    let met = manifest.objective.costs().iter().all(|&cost| {
-        costs.get(cost) == 0
-            || manifest.claims.iter().any(|entry| {
-                let most = &entry.claim().most;
-                most.get(&cost) == Some(&(costs.get(cost) - 1))
-                    && most
-                        .iter()
-                        .all(|(&other, &n)| other == cost || n == costs.get(other))
-            })
-    });
-    if manifest
-        .claims
-        .iter()
-        .any(|e| e.claim().condition.is_some())
-    {
-        return match (certified, met) {
-            (true, true) => "\nTogether: no plan of the kind costs less than this plan.\n",
-            _ => "",
-        };
-    }
-    match (certified, met) {
-        (true, true) => {
-            "\nTogether: the plan is optimal, one cost of the objective after the other.\n"
-        }
-        (_, true) => {
-            "\nTogether they would say that the plan is optimal; what is not certified has to be \
-             believed.\n"
-        }
-        _ => "\nTogether they are lower bounds; the plan is not shown to be optimal.\n",
-    }
 }
 
 fn count(n: usize, what: &str) -> String {

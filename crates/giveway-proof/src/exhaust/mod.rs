@@ -77,11 +77,11 @@ pub fn alone_at_least(
     bound: u32,
     budget: &Budget<'_>,
 ) -> Option<bool> {
-    let mut total = 0;
+    let mut total: u32 = 0;
     for agent in 0..instance.agents().len() {
         match least(instance, agent, cost, budget) {
             Exhausted::Plan(n) if cost == Cost::Makespan => total = n.max(total),
-            Exhausted::Plan(n) => total += n,
+            Exhausted::Plan(n) => total = total.saturating_add(n),
             Exhausted::NoPlan => return Some(true),
             Exhausted::Stopped => return None,
         }
@@ -148,8 +148,9 @@ impl Search<'_> {
                 return Exhausted::Stopped;
             }
             for (next, more) in self.next(&lones, &joint) {
-                if spent + more <= self.limit {
-                    open.entry(spent + more).or_default().push(next);
+                let spent = spent.saturating_add(more);
+                if spent <= self.limit {
+                    open.entry(spent).or_default().push(next);
                 }
             }
         }
@@ -174,7 +175,7 @@ impl Search<'_> {
             }
             let spent = self.limits.iter().zip(&joint.spent);
             let spent: Vec<u32> = spent
-                .map(|((cost, _), before)| before + taken[*cost as usize])
+                .map(|((cost, _), before)| before.saturating_add(taken[*cost as usize]))
                 .collect();
             let within = spent
                 .iter()

@@ -19,12 +19,12 @@ use super::{
 use crate::{
     meter::{Meter, Stop},
     problem::{Problem, Setback},
-    search::{Aim, Bounded, find},
+    search::{Aim, Bounded, Horizon, find},
     single::{Bounds, Task},
 };
 
 /// Equally small sets that are compared by their costs.
-const MOST_SETS: usize = 12;
+const MOST_SETS: usize = 1000;
 
 /// A method at the time of a change.
 pub(super) struct Case<'a, 'h> {
@@ -116,9 +116,9 @@ impl Case<'_, '_> {
 
     /// What is looked for in a problem.
     pub(super) fn bounded(&self, problem: &Problem) -> Bounded {
-        let default = problem.default_horizon(self.world.after.grid(self.world.at));
+        let grid = self.world.after.grid(self.world.at);
         Bounded {
-            horizon: self.within.unwrap_or(default),
+            horizon: Horizon::of(problem, grid, self.within, 0),
             limits: BTreeMap::new(),
         }
     }
@@ -177,7 +177,7 @@ impl Case<'_, '_> {
             Err(_) => return Ok(false),
         };
         let bounded = Bounded {
-            horizon: steps,
+            horizon: Horizon::at(steps),
             limits: BTreeMap::new(),
         };
         let verdict = find(&problem, self.objective, &bounded, &Aim::Any, &self.meter);
@@ -218,8 +218,9 @@ impl Case<'_, '_> {
         let mut cores: Vec<BTreeSet<usize>> = vec![self.core(given)?];
         let mut size = 1;
         loop {
-            let sets = hitting(&cores, size);
+            let sets = hitting(&cores, size, &self.meter)?;
             let (mut good, mut tried) = (Vec::new(), 0);
+            let mut left = (sets.len() > MOST_SETS).then_some(Stop::Sets);
             let known = cores.len();
             for set in sets {
                 if !cores.iter().all(|core| !core.is_disjoint(&set)) {
@@ -227,13 +228,18 @@ impl Case<'_, '_> {
                 }
                 let freed = sorting::set(given.union(&set).copied());
                 tried += 1;
-                if self.exists(&freed)? {
-                    good.push(freed);
-                    if good.len() >= MOST_SETS {
-                        break;
-                    }
-                } else {
-                    cores.push(self.core(&freed)?);
+                match self.exists(&freed) {
+                    Ok(true) => good.push(freed),
+                    Ok(false) => match self.core(&freed) {
+                        Ok(core) => cores.push(core),
+                        Err(stop) if good.is_empty() => return Err(stop),
+                        Err(stop) => left = Some(stop),
+                    },
+                    Err(stop) if good.is_empty() => return Err(stop),
+                    Err(stop) => left = Some(stop),
+                }
+                if left.is_some_and(|left| left != Stop::Sets) {
+                    break; // those at hand are told
                 }
             }
             if let Some(core) = cores.first()
@@ -242,6 +248,7 @@ impl Case<'_, '_> {
                 return Ok(Some(Fewest {
                     sets: good,
                     core: core.iter().copied().collect(),
+                    left,
                 }));
             }
             if tried == 0 || cores.len() == known {
@@ -260,13 +267,20 @@ pub(super) struct Fewest {
     pub(super) sets: Vec<BTreeSet<usize>>,
     /// Agents that block each other.
     pub(super) core: Vec<usize>,
+    /// Why some sets were not looked at, where some were not.
+    pub(super) left: Option<Stop>,
 }
 
-/// All sets of so many agents that meet every core, in order.
-fn hitting(cores: &[BTreeSet<usize>], size: usize) -> BTreeSet<BTreeSet<usize>> {
+/// All sets of so many agents that meet every core, in order; one too many where
+/// there are more than are looked at.
+fn hitting(
+    cores: &[BTreeSet<usize>],
+    size: usize,
+    meter: &Meter,
+) -> Result<BTreeSet<BTreeSet<usize>>, Stop> {
     let mut found = BTreeSet::new();
-    extend(cores, size, &BTreeSet::new(), &mut found);
-    found
+    extend(cores, size, &BTreeSet::new(), &mut found, meter)?;
+    Ok(found)
 }
 
 /// A core that a set does not meet yet needs one of its agents.
@@ -275,17 +289,23 @@ fn extend(
     size: usize,
     set: &BTreeSet<usize>,
     found: &mut BTreeSet<BTreeSet<usize>>,
-) {
+    meter: &Meter,
+) -> Result<(), Stop> {
+    meter.tick()?;
+    if found.len() > MOST_SETS {
+        return Ok(());
+    }
     let Some(missed) = cores.iter().find(|core| core.is_disjoint(set)) else {
         // A smaller set would have been found before.
         found.insert(set.clone());
-        return;
+        return Ok(());
     };
     if set.len() < size {
         for &agent in missed {
             let mut larger = set.clone();
             larger.insert(agent);
-            extend(cores, size, &larger, found);
+            extend(cores, size, &larger, found, meter)?;
         }
     }
+    Ok(())
 }

@@ -18,9 +18,10 @@ use super::{
 };
 use crate::{
     Progress, SolveAnswer, Status,
+    judged::{Judged, told},
     meter::Stop,
     problem::Problem,
-    search::{Before, Bounded, Contact, Extent, Verdict, closest, solve},
+    search::{Aim, Before, Bounded, Contact, Extent, ForEver, Reach, Verdict, closest, solve},
     walk::Walk,
 };
 
@@ -132,19 +133,32 @@ fn free_hopeless(
 
 /// The best plan of those with the fewest agents freed.
 fn free_fewest(case: &Case<'_, '_>, before: &Found, fewest: Fewest) -> Result<Found, Stop> {
-    let within = if before.verdict.complete || case.is_deadlocked(&before.freed)? {
-        None
-    } else {
-        Some(case.world.at + before.bounded.horizon)
+    let shown = before.verdict.reach.and_then(Reach::within);
+    let within = match shown {
+        Some(within) if !case.is_deadlocked(&before.freed)? => Some(case.world.at + within),
+        _ => None,
     };
     let cause = blocked(case, &fewest.core, within);
     let mut best: Option<Found> = None;
+    let mut stop = fewest.left;
+    let mut reach: Option<Reach> = None;
     for freed in fewest.sets {
-        let Ok(problem) = case.problem(&freed) else {
-            continue;
+        let problem = match case.problem(&freed) {
+            Ok(problem) => problem,
+            Err(Trouble::Stopped(why)) => {
+                stop = Some(why);
+                break;
+            }
+            Err(_) => continue,
         };
         let bounded = case.bounded(&problem);
         let verdict = search(case, &problem, &bounded, &freed);
+        // The best of all sets is shown as far as each was looked at.
+        stop = stop.or(verdict.stop);
+        reach = match (reach, verdict.reach) {
+            (Some(reach), Some(own)) => Some(reach.and(own)),
+            (one, other) => one.or(other),
+        };
         let vector = |found: &Verdict| {
             let costs = found.best.as_ref().map(|(_, costs)| *costs);
             costs.map(|costs| costs.vector(case.objective))
@@ -165,13 +179,16 @@ fn free_fewest(case: &Case<'_, '_>, before: &Found, fewest: Fewest) -> Result<Fo
             });
         }
     }
-    best.ok_or(Stop::Contradiction)
+    let mut best = best.ok_or(stop.unwrap_or(Stop::Contradiction))?;
+    best.verdict.reach = reach;
+    best.verdict.stop = stop;
+    Ok(best)
 }
 
 /// The answer where there is nothing to search in.
 fn without_search(case: &Case<'_, '_>, trouble: Trouble) -> MethodAnswer {
     let name = |agent| case.member(agent).map_or("", |member| member.name.as_str());
-    let (status, reason, cause) = match trouble {
+    let (status, reach, reason, cause) = match trouble {
         Trouble::Alone(agent, fault) => {
             // However it is bound, it cannot.
             let free = Method::Replan;
@@ -184,23 +201,25 @@ fn without_search(case: &Case<'_, '_>, trouble: Trouble) -> MethodAnswer {
                 within: None,
                 text: text.clone(),
             };
-            (Status::Impossible, text, Some(cause))
+            let reach = Reach::ForEver(ForEver::alone());
+            (Status::Impossible, Some(reach), text, Some(cause))
         }
         Trouble::TooManyWaypoints(agent) => {
             let name = name(agent);
             let reason = format!("{name} has more waypoints than can be planned for.");
-            (Status::Unknown, reason, None)
+            (Status::Unknown, None, reason, None)
         }
-        Trouble::Stopped(stop) => (Status::Unknown, stop.sentence().to_owned(), None),
+        Trouble::Stopped(stop) => (Status::Unknown, None, stop.sentence().to_owned(), None),
     };
+    let (complete, within) = told(reach);
     MethodAnswer {
         result: SolveAnswer {
             giveway: Version,
             status,
             costs: None,
             bounds: BTreeMap::new(),
-            within: None,
-            complete: status == Status::Impossible,
+            within,
+            complete,
             reason: Some(reason),
             plan: None,
             stats: case.meter.stats(),
@@ -223,10 +242,11 @@ fn answer(case: &Case<'_, '_>, found: &Found) -> MethodAnswer {
         let members = agents.filter_map(|agent| case.member(agent));
         members.map(|member| member.name.clone()).collect()
     };
-    let mut stop = found.verdict.stop;
+    let stop = found.verdict.stop;
     let mut closest = false;
-    let mut plan = None;
-    if let Some((walks, costs)) = &found.verdict.best {
+    let best = found.verdict.best.as_ref();
+    let claim = (found.verdict.reach, stop);
+    let judged = Judged::new(best, &Aim::Best, claim, |(walks, costs)| {
         let near = stop.is_none().then(|| disturb_few(case, found, *costs));
         let near = near.flatten();
         closest = near.as_ref().is_some_and(|near| near.2);
@@ -237,20 +257,13 @@ fn answer(case: &Case<'_, '_>, found: &Found) -> MethodAnswer {
             |walks: &[Walk], same: &[bool]| judged(case, &found.problem, &found.freed, walks, same);
         let judged = near.and_then(|(walks, same)| judge(walks, same));
         closest &= judged.is_some();
-        plan = judged.or_else(|| judge(walks, &[]));
-        if plan.is_none() {
-            stop = Some(Stop::Contradiction);
-        }
-    }
-    let status = match (&plan, stop) {
-        (Some(_), None) => Status::Optimal,
-        (Some(_), Some(_)) => Status::Feasible,
-        (None, None) => Status::Impossible,
-        (None, Some(_)) => Status::Unknown,
-    };
-    let settled = stop.is_none();
-    let complete = settled && found.verdict.complete;
-    let within = (settled && !complete).then_some(case.world.at + found.bounded.horizon);
+        judged.or_else(|| judge(walks, &[]))
+    });
+    let Judged {
+        plan, status, stop, ..
+    } = judged;
+    let (complete, within) = told(judged.reach);
+    let within = within.map(|within| case.world.at.saturating_add(within));
     let clash = &found.verdict.clash;
     let cause = match status {
         Status::Impossible => Some(blocked(case, clash, within)),
@@ -307,12 +320,12 @@ fn disturb_few(
         .collect();
     let objective = case.objective.costs().iter();
     let bounded = Bounded {
-        horizon: found.bounded.horizon.min(costs.makespan),
+        horizon: found.bounded.horizon.up_to(costs.makespan),
         limits: sorting::map(objective.map(|&cost| (cost, costs.get(cost)))),
     };
     let near = closest(problem, &before, &bounded, Extent::Agents, &case.meter);
     let near = near.ok().flatten()?;
-    Some((near.walks, near.same, near.proved))
+    Some((near.walks, near.same, near.proved.is_some()))
 }
 
 /// The plan behind the past with its costs, where the judge passes it and every

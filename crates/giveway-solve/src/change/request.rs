@@ -102,8 +102,9 @@ pub struct ChangeRequest {
     /// What changes.
     pub changes: Changes,
     /// The first time whose changes are new to the plan: it was adopted after
-    /// those before. Without it, as few times as make the plan valid are taken
-    /// as known to it.
+    /// those before. Without it the plan itself says what it knows
+    /// ([`Plan::knows`]); a plan that does not knows as few times as make it
+    /// valid.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub since: Option<u32>,
     /// The methods, tried and compared at each time; the first that has a plan

@@ -23,6 +23,10 @@ pub(crate) fn serve(request: &ChangeRequest, host: &dyn Host) -> Result<ChangeAn
     let instance = instance.map_err(|faults| Refusal::Scene { faults })?;
     let objective = request.objective.as_ref().unwrap_or(instance.objective());
     let objective = makespan_first(objective);
+    request
+        .changes
+        .few()
+        .map_err(|faults| Refusal::Changes { faults })?;
     let (mut history, known) = adopted_so_far(&instance, request)?;
     let mut plan = request.plan.clone();
     let mut steps: Vec<Step> = Vec::new();
@@ -87,7 +91,8 @@ fn makespan_first(objective: &Objective) -> Objective {
 }
 
 /// The history with the changes that the plan knows already: those before the
-/// time asked for, or as few times as make the plan valid.
+/// time that the request asks for, those that the plan says it knows, or else as
+/// few times as make the plan valid.
 fn adopted_so_far(
     instance: &Instance,
     request: &ChangeRequest,
@@ -96,7 +101,9 @@ fn adopted_so_far(
     let mut history = History::new(instance);
     let mut broken: Option<Vec<Violation>> = None;
     let times = request.changes.by_time();
-    let wanted = request.since.map(|since| {
+    // What the request says counts before what the plan says of itself.
+    let said = plan.knows.map(|knows| knows.saturating_add(1));
+    let wanted = request.since.or(said).map(|since| {
         let before = times.iter().take_while(|(at, _)| *at < since);
         before.count()
     });

@@ -24,6 +24,14 @@ pub(super) fn splice(world: &World<'_>, problem: &Problem, walks: &[Walk], same:
             Place::At(v) => Some(problem.terrain.cell(v)),
             Place::Along(_) => None,
         };
+        if let Some(arrived) = member.arrived {
+            if walk.len() < 2 && member.slept > 0 {
+                sleep_on(world, &member.name, &mut plan);
+                continue;
+            }
+            let spans = plan.slept.entry(member.name.clone()).or_default();
+            spans.push([arrived, world.at]);
+        }
         let path = plan.paths.entry(member.name.clone()).or_default();
         path.extend(walk.iter().map(cell));
         let own = if same.get(agent) == Some(&true) {
@@ -53,12 +61,25 @@ pub(super) fn splice(world: &World<'_>, problem: &Problem, walks: &[Walk], same:
     plan
 }
 
+/// An agent that has arrived and goes on sleeping: its path ended with its
+/// arrival.
+fn sleep_on(world: &World<'_>, name: &str, plan: &mut Plan) {
+    let mut careers = world.before.careers().iter();
+    let career = careers.find(|career| career.name() == name);
+    let life = career.and_then(|career| Life::of(world.before, career, world.plan));
+    if let Some(life) = life {
+        plan.paths.insert(name.to_owned(), life.path.to_vec());
+    }
+}
+
 /// The plan up to the change: all of those that are gone, and of the others
 /// what is before the change.
 fn past(world: &World<'_>) -> Plan {
     let mut plan = Plan {
         from: world.plan.from.clone(),
         until: world.plan.until.clone(),
+        slept: world.plan.slept.clone(),
+        knows: Some(world.at),
         ..Plan::default()
     };
     for career in world.after.careers() {
@@ -66,8 +87,9 @@ fn past(world: &World<'_>) -> Plan {
         let goes_on = world.members.iter().any(|member| member.name == name);
         let removed = career.until == Some(world.at);
         if !goes_on && !removed {
-            plan.paths
-                .insert(name.to_owned(), world.plan.path(name).to_vec());
+            let life = Life::of(world.after, career, world.plan);
+            let path = life.map_or(world.plan.path(name), |life| life.path);
+            plan.paths.insert(name.to_owned(), path.to_vec());
             plan.charges
                 .insert(name.to_owned(), world.plan.charges(name).to_vec());
             continue;

@@ -30,8 +30,10 @@ pub(super) struct Member {
     /// Its level now and its capacity.
     battery: Option<(u32, u32)>,
     held: u32,
-    /// How long it has slept at its goal.
-    slept: u32,
+    /// How long it has slept at its goal, where it may go on sleeping.
+    pub(super) slept: u32,
+    /// When it arrived, before the change; `None` where it was under way.
+    pub(super) arrived: Option<u32>,
     /// The cells of the rest of its old path, waits taken out.
     pub(super) rest: Vec<Cell>,
     /// The entries of the rest of its old path.
@@ -155,6 +157,7 @@ impl Member {
                 .map(|battery| (level.unwrap_or(battery.initial), battery.capacity)),
             held: held(career, at),
             slept: 0,
+            arrived: None,
             rest: Vec::new(),
             entries: Vec::new(),
             charges: Vec::new(),
@@ -185,10 +188,12 @@ impl Member {
             let level = set.unwrap_or(u32::try_from(level).unwrap_or(0));
             (level, battery.capacity)
         });
-        // A rest is only one where nothing new is to be done.
+        // Who goes on later has not arrived, even if it stands at its goal.
+        let arrived = (before.stays() && life.end() < at).then(|| life.end());
+        // It may sleep on where nothing new is to be done.
         let unchanged = career.goals.last().is_none_or(|(since, _)| *since < at)
             && career.duties().all(|duty| duty.since != Some(at));
-        let since = life.rests_since(at).filter(|_| unchanged && before.stays());
+        let since = arrived.filter(|_| unchanged);
         Some(Self {
             name: career.name().to_owned(),
             is_old: true,
@@ -199,6 +204,7 @@ impl Member {
             battery: level,
             held: held(career, at),
             slept: since.map_or(0, |since| at - since),
+            arrived,
             rest,
             entries,
             charges: {

@@ -16,9 +16,10 @@ use super::past::Past;
 use crate::{
     Status,
     condition::Condition,
-    meter::{Meter, Stop},
+    judged::Judged,
+    meter::Meter,
     problem::{Problem, Relaxed, Setback},
-    search::{Aim, Bounded, Verdict, find},
+    search::{Aim, Bounded, ForEver, Horizon, Reach, Verdict, find},
     walk::to_plan,
 };
 
@@ -53,8 +54,8 @@ pub(crate) struct Found {
     pub(crate) plan: Option<Plan>,
     /// Its costs.
     pub(crate) costs: Option<Costs>,
-    /// Whether the claim holds whatever the horizon.
-    pub(crate) complete: bool,
+    /// How far the claim reaches; `None` where nothing was settled.
+    pub(crate) reach: Option<Reach>,
     /// Agents that cannot all arrive, where there is no plan and some are known.
     pub(crate) clash: Vec<String>,
     /// The horizon of the search.
@@ -82,7 +83,7 @@ fn run(ask: &Ask, aim: &Aim, meter: &Rc<Meter>) -> Found {
         status: Status::Unknown,
         plan: None,
         costs: None,
-        complete: false,
+        reach: None,
         clash: Vec::new(),
         horizon: ask.within.unwrap_or(ask.at_least_within),
     };
@@ -95,7 +96,7 @@ fn run(ask: &Ask, aim: &Aim, meter: &Rc<Meter>) -> Found {
             let agent = instance.agents().get(agent);
             return Found {
                 status: Status::Impossible,
-                complete: true,
+                reach: Some(Reach::ForEver(ForEver::alone())),
                 clash: agent.map(|a| a.name.clone()).into_iter().collect(),
                 ..nothing
             };
@@ -103,24 +104,24 @@ fn run(ask: &Ask, aim: &Aim, meter: &Rc<Meter>) -> Found {
         Err(_) => return nothing,
     };
     ask.past.wake(&instance, &mut problem);
-    let default = problem.default_horizon(instance.grid());
-    let horizon = ask.within.unwrap_or(default.max(ask.at_least_within));
+    let grid = instance.grid();
+    let horizon = Horizon::of(&problem, grid, ask.within, ask.at_least_within);
     let mut limits = ask.caps.clone();
     if !ask.condition.is_none_or(|it| it.limit_costs(&mut limits)) {
         // Nothing costs less than nothing.
         return Found {
             status: Status::Impossible,
-            complete: true,
-            horizon,
+            reach: Some(Reach::ForEver(ForEver::less_than_nothing())),
+            horizon: horizon.latest(),
             ..nothing
         };
     }
     let bounded = Bounded { horizon, limits };
     let verdict = find(&problem, ask.objective, &bounded, aim, meter);
-    judged(&instance, &problem, ask, aim, horizon, verdict)
+    judged(&instance, &problem, ask, aim, horizon.latest(), verdict)
 }
 
-/// A verdict with its plan judged: a plan that the judge refuses is no plan.
+/// A verdict with its plan judged.
 fn judged(
     instance: &Instance,
     problem: &Problem,
@@ -130,31 +131,21 @@ fn judged(
     verdict: Verdict,
 ) -> Found {
     let names: Vec<String> = instance.agents().iter().map(|a| a.name.clone()).collect();
-    let mut stop = verdict.stop;
-    let mut found = verdict
-        .best
-        .map(|(walks, costs)| (to_plan(problem, &names, &walks), costs));
-    if let Some((plan, costs)) = &found {
-        let broken = violations(instance, &problem.relaxed, plan);
-        let met = ask.condition.is_none_or(|it| it.is_met_by(instance, plan));
-        if !met || !broken.is_empty() || ask.past.costs(instance, plan) != Some(*costs) {
-            found = None;
-            stop = Some(Stop::Contradiction);
-        }
-    }
-    let status = match (&found, stop) {
-        (Some(_), None) if *aim == Aim::Best => Status::Optimal,
-        (Some(_), _) => Status::Feasible,
-        (None, None) => Status::Impossible,
-        (None, Some(_)) => Status::Unknown,
-    };
+    let claim = (verdict.reach, verdict.stop);
+    let judged = Judged::new(verdict.best, aim, claim, |(walks, costs)| {
+        let plan = to_plan(problem, &names, &walks);
+        let broken = violations(instance, &problem.relaxed, &plan);
+        let met = ask.condition.is_none_or(|it| it.is_met_by(instance, &plan));
+        let same = ask.past.costs(instance, &plan) == Some(costs);
+        (met && broken.is_empty() && same).then_some((plan, costs))
+    });
     let clash = verdict.clash.iter().filter_map(|&a| names.get(a));
-    let (plan, costs) = found.unzip();
+    let (plan, costs) = judged.plan.unzip();
     Found {
-        status,
+        status: judged.status,
         plan,
         costs,
-        complete: stop.is_none() && verdict.complete,
+        reach: judged.reach,
         clash: clash.cloned().collect(),
         horizon,
     }

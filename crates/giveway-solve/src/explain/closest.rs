@@ -10,7 +10,7 @@ use crate::{
     condition::Condition,
     meter::Meter,
     problem::{Problem, Relaxed},
-    search::{Before, Bounded, Extent, closest as search_closest},
+    search::{Before, Bounded, Extent, Horizon, Reach, closest as search_closest},
     single::Place,
     walk::to_plan,
 };
@@ -69,8 +69,14 @@ fn with(case: &Case, condition: &Condition, costs: Costs, meter: &Rc<Meter>) -> 
         };
     };
     case.past.wake(instance, &mut problem);
-    let default = problem.default_horizon(instance.grid());
-    let horizon = case.within.unwrap_or(default.max(case.costs.makespan));
+    let grid = instance.grid();
+    // Where a horizon is far away, closer plans beyond the default are not worth
+    // the search; then that none is closer is not claimed.
+    let near = problem
+        .default_horizon(grid)
+        .max(case.costs.makespan)
+        .max(costs.makespan);
+    let horizon = Horizon::of(&problem, grid, case.within, case.costs.makespan).up_to(near);
     let objective = case.objective().costs().iter();
     let mut limits = map(objective.map(|&cost| (cost, costs.get(cost))));
     if !condition.limit_costs(&mut limits) {
@@ -80,7 +86,8 @@ fn with(case: &Case, condition: &Condition, costs: Costs, meter: &Rc<Meter>) -> 
         return Tried::Unknown;
     };
     let bounded = Bounded { horizon, limits };
-    if (0..problem.agents()).any(|a| problem.optima[a] > problem.not_after(a).min(horizon)) {
+    if (0..problem.agents()).any(|a| problem.optima[a] > problem.not_after(a).min(horizon.latest()))
+    {
         return Tried::None;
     }
     match search_closest(&problem, &before, &bounded, Extent::Entries, meter) {
@@ -101,7 +108,8 @@ fn with(case: &Case, condition: &Condition, costs: Costs, meter: &Rc<Meter>) -> 
                 .costs(instance, &plan)
                 .is_some_and(|own| own.vector(case.objective()) == costs.vector(case.objective()));
             if report.is_valid() && as_good && condition.is_met_by(instance, &plan) {
-                Tried::Plan(plan, close.proved)
+                let far = |proved: Reach| case.shown.is_some_and(|shown| proved.covers(shown));
+                Tried::Plan(plan, close.proved.is_some_and(far))
             } else {
                 Tried::Unknown
             }

@@ -11,7 +11,7 @@ use super::{
     core::{Inquiry, Tried},
     own_way::walk_of,
     relax::{Variant, fit},
-    repairs::Solver,
+    repairs::{Best, Solver},
     unsolvable::{one_search, tried},
     verdict::Case,
 };
@@ -20,6 +20,7 @@ use crate::{
     local::Improver,
     meter::Meter,
     problem::Problem,
+    search::Reach,
     walk::{Walk, to_plan},
 };
 
@@ -117,7 +118,7 @@ impl Contrasted<'_, '_> {
 
 impl Inquiry for Contrasted<'_, '_> {
     fn search(&mut self, variant: &Variant) -> Tried {
-        let mut horizon: Option<u32> = None;
+        let mut reach: Option<Reach> = None;
         let mut agents: Vec<String> = Vec::new();
         let mut unknown = false;
         let mut nearby = self.conditions(variant).filter(|_| self.near.is_some());
@@ -129,18 +130,18 @@ impl Inquiry for Contrasted<'_, '_> {
             match tried(self.find(variant, condition)) {
                 Tried::Plan(plan) => return Tried::Plan(plan),
                 Tried::Unknown => unknown = true,
-                Tried::None { within, clash } => {
-                    horizon = horizon.into_iter().chain(within).min();
+                Tried::None { reach: own, clash } => {
+                    reach = Some(reach.map_or(own, |reach| reach.and(own)));
                     agents.extend(clash);
                 }
             }
         }
-        if unknown {
-            return Tried::Unknown;
-        }
-        Tried::None {
-            within: horizon,
-            clash: agents,
+        match reach {
+            Some(reach) if !unknown => Tried::None {
+                reach,
+                clash: agents,
+            },
+            _ => Tried::Unknown,
         }
     }
 
@@ -160,13 +161,20 @@ impl Inquiry for Contrasted<'_, '_> {
 }
 
 impl Solver for Contrasted<'_, '_> {
-    fn best(&mut self, variant: &Variant) -> Option<(Plan, Costs)> {
+    fn best(&mut self, variant: &Variant) -> Option<Best> {
         let objective = self.case.objective();
+        let mut proved = true;
         let plans = self.conditions(variant).filter_map(|condition| {
             let found = self.with(variant, condition, best);
+            proved &= found.reach.is_some();
             found.plan.zip(found.costs)
         });
         let cheapest = plans.min_by_key(|(_, costs)| costs.vector(objective));
-        cheapest.filter(|(_, costs)| self.is_cheap(costs))
+        let (plan, costs) = cheapest.filter(|(_, costs)| self.is_cheap(costs))?;
+        Some(Best {
+            plan,
+            costs,
+            proved,
+        })
     }
 }

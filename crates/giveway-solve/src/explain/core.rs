@@ -14,6 +14,7 @@ use super::{
     answer::{Core, FactKind},
     relax::{Part, Variant, parts, without},
 };
+use crate::search::Reach;
 use giveway_model::sorting::sort_by_key;
 
 /// The latest plans of other variants that are tried before any search.
@@ -22,12 +23,8 @@ const KNOWN: usize = 12;
 /// What was found out about a variant.
 #[derive(Clone, Debug)]
 pub(crate) enum Tried {
-    /// There is no plan: of which agents that is known, at any horizon
-    /// (`None`) or up to one.
-    None {
-        within: Option<u32>,
-        clash: Vec<String>,
-    },
+    /// There is no plan: how far that reaches, and of which agents it is known.
+    None { reach: Reach, clash: Vec<String> },
     /// There is one.
     Plan(Plan),
     /// The budget ran out.
@@ -48,8 +45,8 @@ pub(crate) struct CoreFound {
     pub(crate) parts: Vec<Part>,
     /// Whether each of them was shown to be needed.
     pub(crate) minimal: bool,
-    /// The horizon up to which they exclude one; `None` for any.
-    pub(crate) within: Option<u32>,
+    /// How far they exclude one.
+    pub(crate) reach: Reach,
 }
 
 impl CoreFound {
@@ -59,8 +56,8 @@ impl CoreFound {
         Core {
             facts: facts.collect(),
             minimal: self.minimal,
-            complete: self.within.is_none(),
-            within: self.within,
+            complete: self.reach.is_complete(),
+            within: self.reach.within(),
         }
     }
 }
@@ -74,7 +71,7 @@ pub(crate) fn minimal_set(
     refuted: Tried,
     inquiry: &mut dyn Inquiry,
 ) -> Option<CoreFound> {
-    let Tried::None { within, clash } = refuted else {
+    let Tried::None { reach, clash } = refuted else {
         return None;
     };
     let mut shrinking = Shrinking {
@@ -84,7 +81,7 @@ pub(crate) fn minimal_set(
         left_out: BTreeSet::new(),
         kept: BTreeSet::new(),
         plans: Vec::new(),
-        within,
+        reach,
     };
     let all = parts(instance, asked, deadline.is_some());
     shrinking.leave_out_strangers(&all, &clash);
@@ -109,7 +106,7 @@ pub(crate) fn minimal_set(
     Some(CoreFound {
         parts: shrinking.kept.iter().copied().collect(),
         minimal,
-        within: shrinking.within,
+        reach: shrinking.reach,
     })
 }
 
@@ -121,8 +118,8 @@ struct Shrinking<'a> {
     kept: BTreeSet<Part>,
     /// Plans that some variant had.
     plans: Vec<Plan>,
-    /// The horizon of the last refutation.
-    within: Option<u32>,
+    /// How far the last refutation reaches.
+    reach: Reach,
 }
 
 impl Shrinking<'_> {
@@ -193,9 +190,9 @@ impl Shrinking<'_> {
         let mut less = self.left_out.clone();
         less.extend(block);
         match self.attempt(&less) {
-            Tried::None { within, .. } => {
+            Tried::None { reach, .. } => {
                 self.left_out = less;
-                self.within = within;
+                self.reach = reach;
                 true
             }
             _ => false,
@@ -241,10 +238,10 @@ impl Shrinking<'_> {
             match self.attempt(&less) {
                 Tried::Plan(_) => {}
                 Tried::Unknown => minimal = false,
-                Tried::None { within, .. } => {
+                Tried::None { reach, .. } => {
                     // With it gone, others may be needed no longer.
                     self.left_out = less;
-                    self.within = within;
+                    self.reach = reach;
                     self.kept.remove(&part);
                     minimal = true;
                     next = 0;

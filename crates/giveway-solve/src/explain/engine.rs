@@ -17,15 +17,16 @@ use super::{
     own_plan::Judged,
     past::Past,
     reasons,
-    rest::{Asked, World, counting, rest_of},
+    rest::{Asked, World, counting, rest_of, up_to},
     verdict::{Case, compare},
     words,
 };
 use crate::{
-    Host, Progress, Refusal, SolveAnswer, Status,
+    Host, Progress, Refusal, Status,
+    judged::told,
     meter::Meter,
     problem::Relaxed,
-    solve::{self, Task},
+    solve::{self, Solved, Task},
 };
 
 /// Answers a question, and tells the host of every part.
@@ -53,6 +54,7 @@ pub(crate) fn explain(request: &ExplainRequest, host: &dyn Host) -> Result<Expla
         let fault = Fault::at("plan", "none", "the plan that ran while the world changed");
         return Err(Refusal::Request { fault });
     };
+    let plan = &up_to(&changes, plan);
     let world = World::new(&instance, &changes, plan)?;
     if !matches!(request.question, Question::Unsolvable) {
         let report = check_history(&world.history, plan);
@@ -110,7 +112,7 @@ fn answered(asked: &Asked, meter: &Rc<Meter>, host: &dyn Host) -> Result<Explain
         Some(_) => None,
         None => Some(solved(instance, within, meter)?),
     };
-    let best = solved.as_ref().and_then(|solved| solved.plan.clone());
+    let best = solved.as_ref().and_then(|it| it.answer.plan.clone());
     let Some(plan) = plan.clone().or_else(|| best.clone()) else {
         answer
             .words
@@ -135,7 +137,7 @@ fn answered(asked: &Asked, meter: &Rc<Meter>, host: &dyn Host) -> Result<Explain
         .map_err(|misfit| refused(past.misfit(question, instance, &plan, misfit)))?;
     answer.plan = best;
     let mut case = Case::new(instance, question, &plan, costs, within, past);
-    case.optimal = solved.is_some_and(|solved| solved.status == Status::Optimal);
+    case.optimal = solved.and_then(|solved| solved.reach);
     answer.pending = vec![
         Part::Verdict,
         Part::Closest,
@@ -143,7 +145,7 @@ fn answered(asked: &Asked, meter: &Rc<Meter>, host: &dyn Host) -> Result<Explain
         Part::Core,
         Part::Repairs,
     ];
-    tell_verdict(&case, &mut answer, &telling);
+    tell_verdict(&mut case, &mut answer, &telling);
     reasons::of_case(&case, &mut answer, meter, &mut |answer, part| {
         telling.tell(answer, part);
     });
@@ -151,17 +153,17 @@ fn answered(asked: &Asked, meter: &Rc<Meter>, host: &dyn Host) -> Result<Explain
 }
 
 /// The verdict with an other plan: the first part.
-fn tell_verdict(case: &Case, answer: &mut ExplainAnswer, telling: &Telling) {
+fn tell_verdict(case: &mut Case, answer: &mut ExplainAnswer, telling: &Telling) {
     let compared = compare(case, telling.meter);
     answer.verdict = compared.verdict;
     answer.deltas = compared.deltas;
-    answer.within = compared.within;
-    answer.complete = compared.complete;
+    case.shown = compared.reach;
+    (answer.complete, answer.within) = told(compared.reach);
     let (alternative, costs) = compared.other.unzip();
     (answer.alternative, answer.costs) = (alternative, costs);
     reasons::word(case, "", answer);
     telling.tell(answer, Part::Verdict);
-    if compared.proved {
+    if compared.reach.is_some() {
         tell_closest(case, answer, telling);
     }
     telling.tell(answer, Part::Closest);
@@ -243,11 +245,7 @@ fn no_plan(
 }
 
 /// The plan that is asked about, where none was given: the best one.
-fn solved(
-    instance: &Instance,
-    within: Option<u32>,
-    meter: &Rc<Meter>,
-) -> Result<SolveAnswer, Refusal> {
+fn solved(instance: &Instance, within: Option<u32>, meter: &Rc<Meter>) -> Result<Solved, Refusal> {
     let task = Task {
         instance: instance.clone(),
         objective: instance.objective().clone(),
@@ -255,15 +253,15 @@ fn solved(
         start: None,
         meter: Rc::clone(meter),
     };
-    let answer = solve::solve(&task);
-    if answer.status == Status::Impossible {
+    let solved = solve::solve(&task);
+    if solved.answer.status == Status::Impossible {
         let misfit = Misfit::NotSo {
             is_so: "There is no plan to ask about.".to_owned(),
             ask: Some(Question::Unsolvable),
         };
         return Err(Refusal::Question { misfit });
     }
-    Ok(answer)
+    Ok(solved)
 }
 
 /// An answer of which nothing is known yet.

@@ -75,7 +75,11 @@ impl<'a> Resting<'a> {
         sorting::sort(&mut waypoints);
         waypoints.dedup();
         let done = here == career.goal() && waypoints.iter().all(|&cell| cell == here);
-        let base = if done { self.arrival(career) } else { since };
+        let base = if done {
+            self.arrival(career, &life)
+        } else {
+            since
+        };
         // Up to the last change it slept; from then on it would have waited.
         let idle = since - base.max(self.changed).min(since);
         let mut agent = self.history.agent_now(career, None);
@@ -104,12 +108,20 @@ impl<'a> Resting<'a> {
         }))
     }
 
-    /// When an agent has arrived that stays from now on.
-    fn arrival(&self, career: &Career) -> u32 {
+    /// When an agent has arrived that stays from now on. One that was under way
+    /// at the last change, and happened to stand at its goal, arrives no sooner
+    /// than that.
+    fn arrival(&self, career: &Career, life: &Life<'_>) -> u32 {
+        let times = self.history.times();
+        let slept = life.sleeps(times.filter(|&time| career.from < time && time <= self.changed));
+        let at_change = slept.iter().filter(|&&(_, to)| to == self.changed);
+        let asleep = at_change.map(|&(from, _)| from).min();
         let mut plan = self.plan.clone();
         if let Some(path) = plan.paths.get_mut(career.name()) {
-            path.truncate((self.since - career.from) as usize + 1);
+            let last = asleep.unwrap_or(self.since);
+            path.truncate((last - career.from.min(last)) as usize + 1);
         }
+        plan.knows = Some(self.changed);
         let life = Life::of(self.history, career, &plan);
         life.map_or(self.since, |life| life.end().min(self.since))
     }

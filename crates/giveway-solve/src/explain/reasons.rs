@@ -19,7 +19,7 @@ use super::{
     verdict::Case,
     words,
 };
-use crate::{Limits, Status, meter::Meter};
+use crate::{Limits, Status, judged::told, meter::Meter};
 
 /// Clauses that one part may derive and write, and joint steps that it may take.
 const DERIVED: u64 = 15_000;
@@ -102,6 +102,18 @@ fn asked(case: &Case) -> Vec<usize> {
     asked.map(|(index, _)| index).collect()
 }
 
+/// Whether what is asked for could be done by an agent of which the facts say
+/// nothing. Then an edit may help it that weakens none of the facts.
+fn another_could(case: &Case, facts: &[FactPart]) -> bool {
+    let agents = case.instance.agents().iter().enumerate();
+    let mut unsaid = agents.filter(|(index, _)| !facts.contains(&FactPart::Task(*index)));
+    unsaid.any(|(_, agent)| {
+        let mut conditions = case.conditions.iter();
+        let could = conditions.any(|condition| condition.agent() == Some(&agent.name));
+        could && case.question.agent() != Some(&agent.name)
+    })
+}
+
 /// The search for what would contradict the verdict, with one part's budget.
 fn contrasted<'a, 'h>(
     case: &'a Case<'a>,
@@ -121,7 +133,7 @@ fn contrasted<'a, 'h>(
 fn core_of_case(case: &Case, answer: &ExplainAnswer, meter: &Rc<Meter>) -> Option<CoreFound> {
     let mut contrasted = contrasted(case, answer, meter);
     let refuted = Tried::None {
-        within: answer.within,
+        reach: case.shown?,
         clash: Vec::new(),
     };
     let core = minimal_set(
@@ -146,7 +158,8 @@ fn help_case(case: &Case, facts: &[FactPart], answer: &mut ExplainAnswer, meter:
         &mut contrasted,
     );
     meter.absorb(&contrasted.meter);
-    (answer.repairs, answer.exhaustive) = (found.repairs, found.exhaustive);
+    answer.exhaustive = found.exhaustive && !another_could(case, facts);
+    answer.repairs = found.repairs;
 }
 
 /// Why there is no plan, where `found` says so.
@@ -160,8 +173,7 @@ pub(crate) fn of_no_plan(
     tell: Tell,
 ) {
     answer.verdict = Verdict::Necessary;
-    answer.complete = found.complete;
-    answer.within = (!found.complete).then_some(found.horizon);
+    (answer.complete, answer.within) = told(found.reach);
     tell_no_plan(answer, past, Part::Verdict, tell);
     let searching = || AnyPlan {
         objective: instance.objective(),
@@ -209,9 +221,9 @@ pub(crate) fn of_own_plan(
 ) {
     let objective = instance.objective();
     let judged: Judged = judge(instance, plan, objective, within, past, meter);
-    let told = |plan: &Plan| past.told_costs(instance, plan).unwrap_or_default();
-    let better = judged.better.as_ref().map(|(better, _)| told(better));
-    answer.words = words::own_plan(&judged, objective, &told(plan), better.as_ref());
+    let whole = |plan: &Plan| past.told_costs(instance, plan).unwrap_or_default();
+    let better = judged.better.as_ref().map(|(better, _)| whole(better));
+    answer.words = words::own_plan(&judged, objective, &whole(plan), better.as_ref());
     answer.valid = Some(judged.violations.is_empty());
     answer.optimal = judged.optimal;
     answer.violations = Some(judged.violations);
@@ -223,8 +235,7 @@ pub(crate) fn of_own_plan(
     answer.excess = judged.excess;
     if let Some(found) = &judged.found {
         let proved = found.status == Status::Optimal;
-        answer.complete = proved && found.complete;
-        answer.within = (proved && !found.complete).then_some(found.horizon);
+        (answer.complete, answer.within) = told(found.reach.filter(|_| proved));
     }
     let own = past
         .costs(instance, plan)

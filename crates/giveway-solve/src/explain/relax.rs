@@ -99,7 +99,8 @@ pub(crate) fn parts(instance: &Instance, asked: &[usize], deadline: bool) -> Vec
     parts
 }
 
-fn has_slow_edge(grid: &Grid) -> bool {
+/// Whether some move is slow.
+pub(crate) fn has_slow_edge(grid: &Grid) -> bool {
     let mut slow = grid.cells().filter(|(_, ground)| ground.is_slow());
     slow.any(|(cell, _)| grid.neighbours(cell).any(|v| grid.is_slow_edge(cell, v)))
 }

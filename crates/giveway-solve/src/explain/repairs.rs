@@ -2,7 +2,9 @@
 //!
 //! A minimal set of facts tells what is worth trying. Where an edit weakens no
 //! fact of the set, the set excludes a plan after the edit as before; so single
-//! edits outside of it cannot help.
+//! edits outside of it cannot help. One fact is an exception: a slow zone that
+//! becomes normal is no mere relaxation (see `core.rs`), so where a set holds
+//! without the slow zones, edits outside of it may still help.
 
 use std::collections::BTreeSet;
 
@@ -12,7 +14,7 @@ use super::{
     answer::{Edit, Repair},
     core::{Inquiry, Tried},
     edits::edited,
-    relax::{Part, Variant},
+    relax::{Part, Variant, has_slow_edge},
     words,
 };
 use giveway_model::sorting::sort_by_key;
@@ -25,14 +27,22 @@ const MOST_CELLS: usize = 64;
 /// A question that can also be answered by the best plan.
 pub(crate) trait Solver: Inquiry {
     /// The best plan that can be had in time.
-    fn best(&mut self, variant: &Variant) -> Option<(Plan, Costs)>;
+    fn best(&mut self, variant: &Variant) -> Option<Best>;
+}
+
+/// A plan of an edited instance.
+pub(crate) struct Best {
+    pub(crate) plan: Plan,
+    pub(crate) costs: Costs,
+    /// Whether it is proved that none is better, as far as is looked.
+    pub(crate) proved: bool,
 }
 
 /// What would help.
 pub(crate) struct Repairs {
     pub(crate) repairs: Vec<Repair>,
-    /// Whether every single edit was tried that could help, and every pair
-    /// where no single edit does.
+    /// Whether every single edit was tried that could help, each with its best
+    /// plan.
     pub(crate) exhaustive: bool,
 }
 
@@ -49,7 +59,7 @@ pub(crate) fn repairs(
         instance,
         within,
         solver,
-        exhaustive: true,
+        exhaustive: facts.contains(&Part::Slow) || !has_slow_edge(instance.grid()),
         found: Vec::new(),
     };
     let singles = search.candidates(facts, asked);
@@ -200,19 +210,26 @@ impl Search<'_> {
         if let [Candidate::Battery(agent)] = candidates {
             edits = self.least_battery(*agent);
         }
-        let Some((mut plan, mut costs)) = self.solver.best(&edited(self.instance, &edits, within))
-        else {
+        let Some(mut best) = self.solver.best(&edited(self.instance, &edits, within)) else {
             self.exhaustive = false;
             return;
         };
-        if no_deadline && self.within.is_some() {
-            let within = costs.makespan;
+        if no_deadline && let Some(within) = self.within {
+            let within = self.least_deadline(&edits, within, best.costs.makespan);
             edits.push(Edit::Deadline { within });
             let variant = edited(self.instance, &edits, self.within);
-            if let Some(best) = self.solver.best(&variant) {
-                (plan, costs) = best;
-            }
+            let Some(sooner) = self.solver.best(&variant) else {
+                self.exhaustive = false;
+                return;
+            };
+            best = sooner;
         }
+        let Best {
+            plan,
+            costs,
+            proved,
+        } = best;
+        self.exhaustive &= proved;
         sort_by_key(&mut edits, rank);
         self.found.push(Repair {
             text: words::repair(&edits, &costs),
@@ -220,6 +237,20 @@ impl Search<'_> {
             costs,
             plan,
         });
+    }
+
+    /// The least deadline that helps with some edits, between one that does not
+    /// and one that does.
+    fn least_deadline(&mut self, edits: &[Edit], mut less: u32, mut enough: u32) -> u32 {
+        while enough.saturating_sub(less) > 1 {
+            let middle = less + (enough - less) / 2;
+            if self.helps(edits, Some(middle)) {
+                enough = middle;
+            } else {
+                less = middle;
+            }
+        }
+        enough
     }
 
     fn helps(&mut self, edits: &[Edit], within: Option<u32>) -> bool {

@@ -42,6 +42,19 @@ pub(crate) fn counting(request: &ExplainRequest) -> Option<Changes> {
     (!changes.changes.is_empty()).then_some(changes)
 }
 
+/// A plan as one that knows of no more than these changes.
+pub(crate) fn up_to(changes: &Changes, plan: &Plan) -> Plan {
+    let times = changes.changes.iter().map(|change| change.at);
+    let last = times.max().unwrap_or(0);
+    let mut plan = plan.clone();
+    plan.knows = plan.knows.map(|knows| knows.min(last));
+    for slept in plan.slept.values_mut() {
+        slept.retain(|&[_, to]| to <= last);
+    }
+    plan.slept.retain(|_, slept| !slept.is_empty());
+    plan
+}
+
 /// The world over time, and the time of its last change.
 pub(crate) struct World {
     pub(crate) changed: u32,
@@ -63,18 +76,22 @@ impl World {
         let times = changes.by_time();
         let mut changed = 0;
         for (i, (at, list)) in times.iter().enumerate() {
-            if i + 1 == times.len() {
-                past_is_right(&history, plan, *at)?;
+            let before = (i + 1 == times.len()).then(|| history.clone());
+            if let Err(faults) = history.apply(*at, list, plan) {
+                if let Some(before) = before {
+                    past_is_right(&before, plan, *at)?;
+                }
+                return Err(Refusal::Changes { faults });
             }
-            let applied = history.apply(*at, list, plan);
-            applied.map_err(|faults| Refusal::Changes { faults })?;
             changed = *at;
         }
+        past_is_right(&history, plan, changed)?;
         Ok(Self { changed, history })
     }
 }
 
-/// A plan must be right up to the last change, whatever is to come.
+/// A plan must be right up to the last change, whatever is to come. It is judged
+/// in the world with that change, since the plan may know of it already.
 fn past_is_right(history: &History, plan: &Plan, at: u32) -> Result<(), Refusal> {
     let mut violations = check_history(history, plan).violations;
     // What it lists from then on is for the world to come.

@@ -19,7 +19,7 @@ use crate::{
     meter::{Meter, Stop},
     problem::Problem,
     sat::{Clauses, Lit, Outcome},
-    search::Team,
+    search::{Horizon, Team},
     walk::{Walk, arrival, to_plan},
 };
 use giveway_model::sorting::sort;
@@ -108,8 +108,7 @@ fn horizon(
     within: Option<u32>,
     at_least_within: u32,
 ) -> u32 {
-    let default = problem.default_horizon(instance.grid());
-    within.unwrap_or(default.max(at_least_within))
+    Horizon::of(problem, instance.grid(), within, at_least_within).latest()
 }
 
 type Breaches<'a> = &'a dyn Fn(&Team, &Problem) -> Vec<Breach>;

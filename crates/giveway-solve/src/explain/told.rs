@@ -1,6 +1,11 @@
 //! An answer about the rest of a course as one about the whole.
 
-use giveway_model::{Cost, Costs, Plan, check::check_history};
+use giveway_model::{
+    Cell, Cost, Costs, Plan,
+    change::{Career, Life},
+    check::check_history,
+    sorting,
+};
 
 use super::{
     Edit, ExplainAnswer, Repair, Verdict,
@@ -96,18 +101,33 @@ impl Course {
     /// at the time from which it begins.
     pub(super) fn whole(&self, rest: &Plan) -> Plan {
         let mut plan = self.plan.clone();
+        plan.knows = self.history.times().last().max(plan.knows);
         for career in self.history.careers() {
             let name = career.name();
-            if !self.shares.contains_key(name) {
+            let Some(share) = self.shares.get(name) else {
                 continue;
-            }
+            };
             let before = (self.since - career.from.min(self.since)) as usize;
+            let own = rest.path(name);
             let path = plan.paths.entry(name.to_owned()).or_default();
-            // An arrived agent stays at its goal.
-            let last = path.last().copied().flatten();
-            path.resize(before.max(path.len()), last);
-            path.truncate(before);
-            path.extend(rest.path(name));
+            if stays(own) && !path.is_empty() {
+                path.truncate((share.base - career.from.min(share.base)) as usize + 1);
+                // What follows its arrival it sleeps through anyway.
+                if let Some(slept) = plan.slept.get_mut(name) {
+                    slept.retain(|&[_, to]| to <= share.base);
+                }
+            } else {
+                // An arrived agent stays at its goal.
+                let last = path.last().copied().flatten();
+                path.resize(before.max(path.len()), last);
+                path.truncate(before);
+                path.extend(own);
+                let goal = Some(career.goal());
+                while path.len() > before + 1 && path.ends_with(&[goal, goal]) {
+                    path.pop();
+                }
+                plan.slept.insert(name.to_owned(), self.slept(career));
+            }
             let charges = plan.charges.entry(name.to_owned()).or_default();
             charges.retain(|&time| time < self.since);
             charges.extend(rest.charges(name).iter().map(|time| time + self.since));
@@ -117,13 +137,27 @@ impl Course {
             if !rest.paths.contains_key(name) {
                 plan.until.insert(name.to_owned(), self.since);
             }
-            let goal = career.goal();
-            let path = plan.paths.entry(name.to_owned()).or_default();
-            while path.len() >= 2 && path.ends_with(&[Some(goal), Some(goal)]) {
-                path.pop();
-            }
         }
         plan.charges.retain(|_, charges| !charges.is_empty());
+        plan.slept.retain(|_, slept| !slept.is_empty());
         plan
     }
+
+    /// What an agent slept through up to the last change, told of one whose
+    /// path goes on.
+    fn slept(&self, career: &Career) -> Vec<[u32; 2]> {
+        let Some(life) = Life::of(&self.history, career, &self.plan) else {
+            return Vec::new();
+        };
+        let times = self.history.times().filter(|&time| career.from < time);
+        let spans = life.sleeps(times.filter(|&time| time <= self.since));
+        let spans = sorting::set(spans.into_iter().map(|(from, to)| [from, to]));
+        spans.into_iter().collect()
+    }
+}
+
+/// Whether a path begins where it ends, and never leaves.
+fn stays(path: &[Option<Cell>]) -> bool {
+    path.first()
+        .is_some_and(|first| path.iter().all(|entry| entry == first))
 }

@@ -5,7 +5,7 @@ use std::collections::{BTreeMap, BTreeSet};
 use std::rc::Rc;
 
 use giveway_model::{
-    Costs, Instance, Objective, Plan,
+    Instance, Objective, Plan,
     check::{Rule, Violation},
 };
 
@@ -15,10 +15,10 @@ use super::{
     core::{CoreFound, Inquiry, Tried, minimal_set},
     past::Past,
     relax::{Part, Variant, parts, without},
-    repairs::{Repairs, Solver, repairs},
+    repairs::{Best, Repairs, Solver, repairs},
     soft::{self, Broken},
 };
-use crate::{Limits, Status, meter::Meter};
+use crate::{Limits, meter::Meter};
 use giveway_model::sorting::set;
 
 /// Clauses that one of many searches may derive.
@@ -89,21 +89,27 @@ impl Inquiry for AnyPlan<'_, '_> {
 }
 
 impl Solver for AnyPlan<'_, '_> {
-    fn best(&mut self, variant: &Variant) -> Option<(Plan, Costs)> {
+    fn best(&mut self, variant: &Variant) -> Option<Best> {
         let found = self.with(variant, best);
-        found.plan.zip(found.costs)
+        let (plan, costs) = found.plan.zip(found.costs)?;
+        let proved = found.reach.is_some();
+        Some(Best {
+            plan,
+            costs,
+            proved,
+        })
     }
 }
 
 /// What a search for any plan tells of a variant.
 pub(crate) fn tried(found: Found) -> Tried {
-    match (found.status, found.plan) {
-        (_, Some(plan)) => Tried::Plan(plan),
-        (Status::Impossible, None) => Tried::None {
-            within: (!found.complete).then_some(found.horizon),
+    match (found.plan, found.reach) {
+        (Some(plan), _) => Tried::Plan(plan),
+        (None, Some(reach)) => Tried::None {
+            reach,
             clash: found.clash,
         },
-        _ => Tried::Unknown,
+        (None, None) => Tried::Unknown,
     }
 }
 
@@ -226,7 +232,13 @@ fn fewest_left_out(
                 Tried::None { .. } => {}
                 Tried::Unknown => settled = false,
                 Tried::Plan(_) => {
-                    if let Some((plan, costs)) = any_plan.best(&variant) {
+                    if let Some(Best {
+                        plan,
+                        costs,
+                        proved,
+                    }) = any_plan.best(&variant)
+                    {
+                        settled &= proved;
                         let key = vec![costs.makespan, costs.sum_of_costs];
                         if found.as_ref().is_none_or(|(best, _)| key < *best) {
                             found = Some((key, plan));

@@ -11,7 +11,13 @@ use super::{
     ask::{Ask, Found, at_most, best},
     past::Past,
 };
-use crate::{Status, condition::Condition, meter::Meter, problem::Relaxed};
+use crate::{
+    Status,
+    condition::Condition,
+    meter::Meter,
+    problem::Relaxed,
+    search::{ForEver, Reach},
+};
 
 /// A question that fits a valid plan, and what is to be known of both.
 pub(crate) struct Case<'a> {
@@ -22,9 +28,10 @@ pub(crate) struct Case<'a> {
     pub(crate) plan: &'a Plan,
     /// Its costs.
     pub(crate) costs: Costs,
-    /// Whether it is proved that no plan is better, for every horizon or up to
-    /// the one that is looked at.
-    pub(crate) optimal: bool,
+    /// How far it is proved that no plan is better, where it is.
+    pub(crate) optimal: Option<Reach>,
+    /// How far the verdict is proved, once it is.
+    pub(crate) shown: Option<Reach>,
     /// What must hold in the other plan: one of these.
     pub(crate) conditions: Vec<Condition>,
     /// The horizon, where a person set one.
@@ -47,7 +54,8 @@ impl<'a> Case<'a> {
             question,
             plan,
             costs,
-            optimal: false,
+            optimal: None,
+            shown: None,
             conditions: Condition::of(question, instance, plan, past),
             past,
             // What is at hand is never beyond what is looked at.
@@ -82,15 +90,10 @@ pub(crate) struct Compared {
     pub(crate) verdict: Verdict,
     /// An other plan and its costs, the best where that is proved.
     pub(crate) other: Option<(Plan, Costs)>,
-    /// Whether it is proved that no other plan with it is better.
-    pub(crate) proved: bool,
     /// What it costs more, by the costs of the objective.
     pub(crate) deltas: BTreeMap<Cost, i64>,
-    /// Whether the verdict holds whatever the horizon.
-    pub(crate) complete: bool,
-    /// The makespan up to which it was proved; `None` where complete, or where
-    /// nothing was proved.
-    pub(crate) within: Option<u32>,
+    /// How far the verdict was proved; `None` where nothing was.
+    pub(crate) reach: Option<Reach>,
 }
 
 /// Compares the plan with the best one that is as asked for.
@@ -100,13 +103,13 @@ pub(crate) fn compare(case: &Case, meter: &Rc<Meter>) -> Compared {
     let before = case.costs.vector(objective);
     let other = found.plan.zip(found.costs);
     let after = other.as_ref().map(|(_, costs)| costs.vector(objective));
-    let proved = matches!(found.status, Status::Optimal | Status::Impossible);
+    let proved = found.reach.filter(|_| settled(found.status));
     let verdict = match &after {
-        None if proved => Verdict::Necessary,
+        None if proved.is_some() => Verdict::Necessary,
         Some(after) if *after < before => Verdict::Improvable,
         // Nothing is better than the best, with or without what is asked for.
-        Some(after) if *after == before && (proved || case.optimal) => Verdict::Needless,
-        Some(_) if proved => Verdict::Costly,
+        Some(after) if *after == before && (proved.or(case.optimal)).is_some() => Verdict::Needless,
+        Some(_) if proved.is_some() => Verdict::Costly,
         _ => Verdict::Unknown,
     };
     let mut deltas = BTreeMap::new();
@@ -117,15 +120,16 @@ pub(crate) fn compare(case: &Case, meter: &Rc<Meter>) -> Compared {
         }
     }
     // That a plan at hand costs no more needs no proof.
-    let at_hand = verdict == Verdict::Needless && case.optimal;
-    let complete = found.complete && proved || at_hand;
+    let at_hand = case.optimal.filter(|_| verdict == Verdict::Needless);
+    let reach = match (proved, at_hand) {
+        (Some(proved), Some(at_hand)) => Some(proved.or(at_hand)),
+        (one, other) => one.or(other),
+    };
     Compared {
         verdict,
-        proved: proved || at_hand,
         other,
         deltas,
-        complete,
-        within: (proved && !complete).then_some(found.horizon),
+        reach,
     }
 }
 
@@ -153,11 +157,12 @@ fn best_with(case: &Case, meter: &Rc<Meter>) -> Found {
         };
         all = Some(join(so_far, better));
     });
+    // Where there is nobody who could, nobody can.
     all.unwrap_or(Found {
         status: Status::Impossible,
         plan: None,
         costs: None,
-        complete: true,
+        reach: Some(Reach::ForEver(ForEver::alone())),
         clash: Vec::new(),
         horizon: case.costs.makespan,
     })
@@ -166,9 +171,9 @@ fn best_with(case: &Case, meter: &Rc<Meter>) -> Found {
 /// What two searches for the best of one kind each tell of the best of both.
 /// The second one was for something better than the first.
 fn join(first: Found, second: Found) -> Found {
-    let settled = |found: &Found| matches!(found.status, Status::Optimal | Status::Impossible);
-    let proved = settled(&first) && settled(&second);
-    let complete = first.complete && second.complete;
+    let proved = settled(first.status) && settled(second.status);
+    let both = first.reach.zip(second.reach);
+    let reach = both.filter(|_| proved).map(|(a, b)| a.and(b));
     let best = if second.plan.is_some() { second } else { first };
     let status = match (best.plan.is_some(), proved) {
         (true, true) => Status::Optimal,
@@ -178,9 +183,14 @@ fn join(first: Found, second: Found) -> Found {
     };
     Found {
         status,
-        complete,
+        reach,
         ..best
     }
+}
+
+/// Whether it was settled which plan is best, or that there is none.
+const fn settled(status: Status) -> bool {
+    matches!(status, Status::Optimal | Status::Impossible)
 }
 
 /// The largest vector that is less in the order of an objective; components

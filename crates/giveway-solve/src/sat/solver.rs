@@ -5,6 +5,7 @@ use std::rc::Rc;
 use varisat::{ExtendFormula, ProofFormat, Solver, config::SolverConfigUpdate};
 
 use super::{Clauses, Lit, tap::Tap};
+use crate::held::Held;
 use crate::meter::{Meter, Stop};
 
 /// Bytes that varisat takes for a clause beside its literals, and for a
@@ -43,7 +44,7 @@ pub(crate) struct Sat<'h> {
     solver: Solver<'h>,
     meter: Rc<Meter<'h>>,
     variables: u32,
-    bytes: u64,
+    held: Held,
     model: Vec<bool>,
     buffer: Vec<varisat::Lit>,
     verify: bool,
@@ -64,7 +65,7 @@ impl<'h> Sat<'h> {
             solver,
             meter,
             variables: 0,
-            bytes: 0,
+            held: Held::default(),
             model: Vec::new(),
             buffer: Vec::new(),
             verify: true,
@@ -184,8 +185,7 @@ impl<'h> Sat<'h> {
     }
 
     fn hold(&mut self, bytes: usize) {
-        self.meter.hold(bytes);
-        self.bytes += bytes as u64;
+        self.meter.hold_more(&mut self.held, bytes);
     }
 }
 
@@ -204,12 +204,6 @@ impl Clauses for Sat<'_> {
         self.buffer.clear();
         self.buffer.extend(lits.iter().map(|&l| outward(l)));
         self.solver.add_clause(&self.buffer);
-    }
-}
-
-impl Drop for Sat<'_> {
-    fn drop(&mut self) {
-        self.meter.release(self.bytes);
     }
 }
 

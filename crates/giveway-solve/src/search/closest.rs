@@ -14,6 +14,8 @@ use std::rc::Rc;
 use giveway_model::Cost;
 
 use super::{
+    deadlines::Keeping,
+    for_ever::{self, Reach},
     incumbent::Incumbent,
     lexicographic::{Bounded, keep_limits},
     stage::Search,
@@ -51,8 +53,8 @@ pub(crate) struct Close {
     pub(crate) walks: Vec<Walk>,
     /// Agents that do as before, charges included.
     pub(crate) same: Vec<bool>,
-    /// Whether it is proved that none is closer.
-    pub(crate) proved: bool,
+    /// How far it is proved that none is closer, if it is.
+    pub(crate) proved: Option<Reach>,
 }
 
 /// The closest plan within the limits, which the best plan meets; `None` where
@@ -68,10 +70,17 @@ pub(crate) fn closest(
     meter: &Rc<Meter>,
 ) -> Result<Option<Close>, Stop> {
     let objective = giveway_model::Objective::default();
-    let mut incumbent = Incumbent::new(objective, bounded.horizon, bounded.limits.clone(), &|_| {});
+    let latest = bounded.horizon.latest();
+    let mut incumbent = Incumbent::new(objective, latest, bounded.limits.clone(), &|_| {});
     let walks: Vec<Walk> = before.iter().map(|it| it.walk.clone()).collect();
-    let horizon = bounded.latest();
-    let search = Search::new(problem, walks, horizon, &mut incumbent, Rc::clone(meter));
+    let search = Search::new(
+        problem,
+        walks,
+        bounded,
+        Keeping::Hard,
+        &mut incumbent,
+        Rc::clone(meter),
+    );
     let agents = problem.agents();
     let mut near = Near {
         problem,
@@ -88,12 +97,12 @@ pub(crate) fn closest(
     }
     let mut close = near.read();
     if extent == Extent::Agents {
-        close.proved = near.is_exact();
+        close.proved = near.reach(true);
         return Ok(Some(close));
     }
     // What is found later is only better.
     let end = near.few_entries(&mut close);
-    close.proved = matches!(end, Ok(true)) && near.is_exact();
+    close.proved = near.reach(matches!(end, Ok(true)));
     Ok(Some(close))
 }
 
@@ -234,7 +243,7 @@ impl Near<'_, '_> {
                 added.crossings.push((time as u32, arc, [lit, lit]));
             }
         }
-        while self.problem.rests(agent) && latest < self.search.horizon() {
+        while self.problem.rests(agent) && latest < self.search.latest() {
             latest += 1;
             let goal = self.problem.tasks[agent].goal;
             added.positions.push((latest, goal, lit));
@@ -271,8 +280,13 @@ impl Near<'_, '_> {
         Close {
             same: same.collect(),
             walks: team.walks.clone(),
-            proved: false,
+            proved: None,
         }
+    }
+
+    /// How far what was found is proved, where the search came to its end.
+    fn reach(&self, ended: bool) -> Option<Reach> {
+        (ended && self.is_exact()).then(|| for_ever::of_refutation(&self.search))
     }
 
     /// Whether the clauses know every plan: where agents vanish they know none

@@ -6,8 +6,10 @@ use std::rc::Rc;
 use giveway_model::{Cost, Costs, Objective};
 
 use super::{
+    deadlines::Keeping,
     feasible,
-    for_ever::{holds_for_ever, impossible_for_ever, known_for_ever, latest_of_sum},
+    for_ever::{self, ForEver, Known, Reach},
+    horizon::Horizon,
     incumbent::{Incumbent, OnBetter, free_of_collisions},
     makespan,
     stage::{End, Search},
@@ -27,7 +29,7 @@ use crate::{
 #[derive(Clone, Debug)]
 pub(crate) struct Bounded {
     /// The makespan beyond which nothing is looked for.
-    pub(crate) horizon: u32,
+    pub(crate) horizon: Horizon,
     /// The most that a plan may have of some costs.
     pub(crate) limits: BTreeMap<Cost, u32>,
 }
@@ -36,18 +38,7 @@ impl Bounded {
     /// The latest arrival of any plan that is looked for.
     pub(super) fn latest(&self) -> u32 {
         let limit = self.limits.get(&Cost::Makespan).copied();
-        self.horizon.min(limit.unwrap_or(u32::MAX))
-    }
-
-    /// Whether every plan that keeps the limits arrives within the horizon.
-    pub(super) fn limits_time(&self, problem: &Problem) -> bool {
-        let makespan = self.limits.get(&Cost::Makespan).copied();
-        let sum = self.limits.get(&Cost::SumOfCosts);
-        let longest = sum.map(|&sum| latest_of_sum(problem, sum));
-        makespan
-            .into_iter()
-            .chain(longest)
-            .any(|latest| latest <= self.horizon)
+        self.horizon.latest().min(limit.unwrap_or(u32::MAX))
     }
 }
 
@@ -90,8 +81,9 @@ pub(crate) struct Verdict {
     pub(crate) best: Option<(Vec<Walk>, Costs)>,
     /// The proved lower bounds, of each cost that was reached.
     pub(crate) bounds: BTreeMap<Cost, u32>,
-    /// Whether the claim holds whatever the horizon.
-    pub(crate) complete: bool,
+    /// How far the claim reaches; `None` where it is not settled, or nothing is
+    /// claimed but that there is a plan.
+    pub(crate) reach: Option<Reach>,
     /// Why it is not settled; `None` where it is.
     pub(crate) stop: Option<Stop>,
     /// Agents that cannot all arrive, where there is no plan.
@@ -150,7 +142,7 @@ fn find_from(
     let bounded = &bounded;
     let mut incumbent = Incumbent::new(
         objective.clone(),
-        bounded.horizon,
+        bounded.horizon.latest(),
         bounded.limits.clone(),
         contact.on_better,
     );
@@ -160,12 +152,18 @@ fn find_from(
     let mut verdict = Verdict {
         best: None,
         bounds: BTreeMap::new(),
-        complete: true,
+        reach: None,
         stop: None,
         clash: Vec::new(),
     };
     let end = run(problem, bounded, aim, &mut incumbent, &mut verdict, meter);
-    verdict.stop = end.err();
+    match end {
+        Ok(Shown::Plan) => {}
+        Ok(Shown::Claim(reason)) => {
+            verdict.reach = Some(Reach::new(reason, bounded.horizon.latest()));
+        }
+        Err(stop) => verdict.stop = Some(stop),
+    }
     verdict.best = incumbent.into_best();
     if *aim != Aim::Best
         && let Some((_, costs)) = &verdict.best
@@ -176,6 +174,16 @@ fn find_from(
     verdict
 }
 
+/// What a search has shown in the end.
+#[derive(Clone, Copy, Debug)]
+enum Shown {
+    /// No more than the plan at hand, which is all that was looked for.
+    Plan,
+    /// That there is no plan, or no better one: within the horizon, or for this
+    /// reason at any.
+    Claim(Option<ForEver>),
+}
+
 fn run(
     problem: &Problem,
     bounded: &Bounded,
@@ -183,19 +191,17 @@ fn run(
     incumbent: &mut Incumbent,
     verdict: &mut Verdict,
     meter: &Rc<Meter>,
-) -> Result<(), Stop> {
+) -> Result<Shown, Stop> {
     let horizon = bounded.latest();
     let latest = |agent: usize| horizon.min(problem.not_after(agent));
     let late = (0..problem.agents()).find(|&agent| problem.optima[agent] > latest(agent));
     if let Some(agent) = late {
         verdict.clash = vec![agent];
-        verdict.complete =
-            bounded.limits_time(problem) || problem.optima[agent] > problem.not_after(agent);
-        return Ok(());
+        return Ok(Shown::Claim(for_ever::too_late(problem, bounded, agent)));
     }
     if let Some(agent) = above_least(problem, meter)? {
         verdict.clash = vec![agent];
-        return Ok(());
+        return Ok(Shown::Claim(Some(for_ever::above_minima())));
     }
     let walks = apart(problem, meter)?;
     if free_of_collisions(problem, &walks) {
@@ -212,25 +218,33 @@ fn run(
         // shown where their joint states can be exhausted.
         // Where more than the rules is asked for, none was looked for as it should be.
         let all: Vec<usize> = (0..problem.agents()).collect();
-        if !bounded.limits_time(problem) // (else SAT is quick, and its proof complete)
+        if !for_ever::have_limited_time(problem, bounded) // (else SAT is quick, and its proof complete)
             && (!problem.is_asked() || joint::is_small(problem))
-            && joint::least(problem, &all, Cost::Makespan, meter)? == joint::Found::None
+            && let Some(reason) = for_ever::exhausted(problem, &all, meter)?
         {
             verdict.clash = all;
-            return Ok(());
+            return Ok(Shown::Claim(Some(reason)));
         }
-        let mut search = Search::new(problem, walks.clone(), horizon, incumbent, Rc::clone(meter));
+        let mut search = Search::new(
+            problem,
+            walks.clone(),
+            bounded,
+            Keeping::Assumed,
+            incumbent,
+            Rc::clone(meter),
+        );
         if !keep_limits(&mut search, bounded)? {
-            return Ok(()); // each agent alone needs too much already
+            // Each agent alone needs too much already.
+            return Ok(Shown::Claim(Some(for_ever::above_minima())));
         }
         if let Some(clash) = feasible::run(&mut search)? {
-            verdict.complete = impossible_for_ever(problem, bounded, &clash, meter)?;
+            let reason = for_ever::impossible(&search, bounded, &clash)?;
             verdict.clash = clash;
-            return Ok(());
+            return Ok(Shown::Claim(reason));
         }
     }
     if is_met(aim, incumbent) {
-        return Ok(());
+        return Ok(Shown::Plan);
     }
     prove(problem, &walks, bounded, aim, incumbent, verdict, meter)
 }
@@ -262,30 +276,27 @@ fn prove(
     incumbent: &mut Incumbent,
     verdict: &mut Verdict,
     meter: &Rc<Meter>,
-) -> Result<(), Stop> {
-    if let Some((cost, least)) = known_for_ever(problem, bounded, incumbent, meter)? {
+) -> Result<Shown, Stop> {
+    if let Some((cost, known)) = for_ever::known_for_ever(problem, bounded, incumbent, meter)? {
         let mut limited = bounded.clone();
-        limited.limits.insert(cost, least);
-        let known = Some(least);
+        limited.limits.insert(cost, known.least);
+        let known = Some(known);
         let limited = &limited;
-        if stages(
+        if let Some(shown) = stages(
             problem, walks, limited, aim, known, incumbent, verdict, meter,
         )? {
-            return Ok(());
+            return Ok(shown);
         }
         // Its plans all need more time than the horizon allows.
         verdict.bounds.clear();
-        verdict.complete = true;
     }
-    if stages(
+    let shown = stages(
         problem, walks, bounded, aim, None, incumbent, verdict, meter,
-    )? {
-        return Ok(());
-    }
-    Err(Stop::Contradiction) // a plan is at hand, so there is one
+    )?;
+    shown.ok_or(Stop::Contradiction) // a plan is at hand, so there is one
 }
 
-/// One stage after the other; false where there is no plan. The optimum of the
+/// One stage after the other; `None` where there is no plan. The optimum of the
 /// first cost may be `known`, and a limit.
 #[expect(clippy::too_many_arguments, reason = "all that a search is made of")]
 fn stages(
@@ -293,25 +304,26 @@ fn stages(
     walks: &[Walk],
     bounded: &Bounded,
     aim: &Aim,
-    known: Option<u32>,
+    known: Option<Known>,
     incumbent: &mut Incumbent,
     verdict: &mut Verdict,
     meter: &Rc<Meter>,
-) -> Result<bool, Stop> {
+) -> Result<Option<Shown>, Stop> {
     let objective = incumbent.objective().clone();
-    let horizon = bounded.latest();
     let mut search = Search::new(
         problem,
         walks.to_vec(),
-        horizon,
+        bounded,
+        Keeping::Hard,
         incumbent,
         Rc::clone(meter),
     );
     keep_limits(&mut search, bounded)?;
     // Once the makespan or the sum of costs is bounded, no later plan counts.
-    let mut bounds_time = bounded.limits_time(problem);
+    let mut time_is_bounded = for_ever::limits_time(problem, bounded);
     let mut known = known;
     let mut optima = Vec::new();
+    let mut all: Option<ForEver> = None;
     for (i, &cost) in objective.costs().iter().enumerate() {
         let mut bound = 0;
         let known = known.take();
@@ -319,26 +331,33 @@ fn stages(
         let end = if cost == Cost::Makespan {
             makespan::run(&mut search, &mut bound)
         } else {
-            SumStage::run(&mut search, cost, known, last, &mut bound)
+            SumStage::run(&mut search, cost, known.map(|k| k.least), last, &mut bound)
         };
         verdict.bounds.insert(cost, bound);
         let End::Least(least) = end? else {
-            return Ok(false);
+            return Ok(None);
         };
         search.finish(cost, least);
         if i == 0 && cost == Cost::Makespan {
             search = search.afresh(least, walks.to_vec());
             keep_limits(&mut search, bounded)?;
         }
-        verdict.complete &=
-            bounds_time || known.is_some() || holds_for_ever(&mut search, cost, least, bounded)?;
-        bounds_time |= matches!(cost, Cost::Makespan | Cost::SumOfCosts);
+        let reason = match time_is_bounded.or(known.map(|known| known.reason)) {
+            None => for_ever::of_bound(&mut search, cost, least, bounded)?,
+            known => known,
+        };
+        all = if i == 0 {
+            reason
+        } else {
+            ForEver::both(all, reason)
+        };
+        time_is_bounded = time_is_bounded.or(for_ever::time_is_bounded(cost));
         optima.push(least);
         if aim.is_missed(&optima) || is_met(aim, search.incumbent) {
-            return Ok(true);
+            break;
         }
     }
-    Ok(true)
+    Ok(Some(Shown::Claim(all)))
 }
 
 /// Makes the limits hold; false where the agents' own minima break one.

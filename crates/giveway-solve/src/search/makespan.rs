@@ -5,16 +5,13 @@
 //! delay; a core whose agents all may use the whole time proves that the
 //! makespan is larger.
 
-use std::collections::BTreeMap;
-
 use giveway_model::Cost;
 
-use super::stage::{End, Search};
-use crate::{
-    encode::collisions::AgentId,
-    meter::Stop,
-    sat::{Lit, Outcome},
+use super::{
+    growing::{Growing, Until},
+    stage::{End, Search},
 };
+use crate::meter::Stop;
 
 /// Minimises the makespan.
 ///
@@ -25,6 +22,7 @@ pub(crate) fn run(search: &mut Search, bound: &mut u32) -> Result<End, Stop> {
     *bound = trial;
     search.report_bound(Cost::Makespan, trial);
     search.begin(Cost::Makespan);
+    search.minimises = false;
     loop {
         if search.incumbent_meets(Cost::Makespan, trial) {
             for agent in 0..search.problem.agents() {
@@ -32,44 +30,20 @@ pub(crate) fn run(search: &mut Search, bound: &mut u32) -> Result<End, Stop> {
             }
             return Ok(End::Least(trial));
         }
-        let deadlines = deadlines(search, trial);
-        let assumptions: Vec<Lit> = deadlines.keys().copied().collect();
-        match search.team.solve(&assumptions)? {
-            Outcome::Sat => {
+        match search.solve_growing(Vec::new(), Until::Time(trial))? {
+            Growing::Model => {
                 let entered = search.settle()?;
                 if entered.is_empty() && !search.incumbent_meets(Cost::Makespan, trial) {
                     return Err(Stop::Contradiction);
                 }
             }
-            Outcome::Unsat(core) if core.is_empty() => return Ok(End::None),
-            Outcome::Unsat(core) => {
-                let mut grown = false;
-                for agent in core.iter().filter_map(|lit| deadlines.get(lit)) {
-                    grown |= search.grow_further(*agent, trial)?;
-                }
-                if !grown {
-                    trial += 1;
-                    *bound = trial;
-                    search.report_bound(Cost::Makespan, trial);
-                }
+            Growing::Grown(_) => {}
+            Growing::Core(core) if core.lits.is_empty() => return Ok(End::None),
+            Growing::Core(_) => {
+                trial += 1;
+                *bound = trial;
+                search.report_bound(Cost::Makespan, trial);
             }
         }
     }
-}
-
-/// Each inside agent arrives by the makespan under trial, or by what its
-/// diagram covers so far.
-fn deadlines(search: &mut Search, trial: u32) -> BTreeMap<Lit, AgentId> {
-    let mut deadlines = BTreeMap::new();
-    for agent in search.team.insiders() {
-        let covered = search.team.deadline(agent);
-        let latest = covered.min(trial);
-        // At its cap the deadline is a clause.
-        if latest < search.cap(agent)
-            && let Some(by) = search.team.by(agent, latest)
-        {
-            deadlines.insert(by, agent);
-        }
-    }
-    deadlines
 }

@@ -1,17 +1,23 @@
 //! The search for the best plan, and the proof that it is.
 //!
 //! - [`team`]: agents inside the SAT solver, and those that need no place there;
+//! - [`growing`]: calls in which diagrams grow as cores name their deadlines;
 //! - [`stage`]: one cost at a time, in the order of the objective: core-guided
 //!   for sums ([`sum`]), step by step for the makespan ([`makespan`]);
 //! - [`feasible`]: any plan at all, or the proof that there is none;
 //! - [`mod@closest`]: of the best plans one that is close to a given one;
 //! - [`incumbent`]: the best plan so far;
 //! - [`lexicographic`]: all of it in order;
+//! - [`deadlines`]: the latest arrivals that are looked at, and why;
+//! - [`mod@horizon`]: the makespan beyond which nothing is looked for;
 //! - [`for_ever`]: what is so whatever the horizon.
 
 mod closest;
+mod deadlines;
 mod feasible;
 mod for_ever;
+mod growing;
+mod horizon;
 mod incumbent;
 mod lexicographic;
 mod makespan;
@@ -21,5 +27,7 @@ mod tally;
 mod team;
 
 pub(crate) use closest::{Before, Extent, closest};
+pub(crate) use for_ever::{ForEver, Reach};
+pub(crate) use horizon::Horizon;
 pub(crate) use lexicographic::{Aim, Bounded, Contact, Verdict, find, solve};
 pub(crate) use team::Team;

@@ -5,12 +5,18 @@
 //! the same formula: a lexicographic optimum is an optimum of the last cost
 //! among the optima of all before it.
 
-use std::collections::{BTreeMap, BTreeSet};
+use std::collections::BTreeMap;
 use std::rc::Rc;
 
-use giveway_model::Cost;
+use giveway_model::{Cost, sorting};
 
-use super::{incumbent::Incumbent, team::Team};
+use super::{
+    deadlines::{Deadlines, Keeping},
+    horizon::Horizon,
+    incumbent::Incumbent,
+    lexicographic::Bounded,
+    team::Team,
+};
 use crate::{
     encode::{collisions::AgentId, limit::SumLimit},
     local::Improver,
@@ -43,20 +49,14 @@ pub(crate) struct Search<'p, 'h, 'b> {
     pub(crate) meter: Rc<Meter<'h>>,
     pub(crate) team: Team<'p, 'h>,
     pub(crate) incumbent: &'p mut Incumbent<'b>,
-    /// The latest arrival of each agent that is still of interest.
-    caps: Vec<u32>,
-    /// Agents whose cap is a clause already.
-    capped: BTreeSet<AgentId>,
-    /// Whether caps become clauses as diagrams reach them; otherwise they stay
-    /// assumptions, and cores tell whose they are.
-    pub(crate) hard_caps: bool,
-    /// Whether the horizon itself was made a clause: then claims are within it.
-    pub(crate) met_horizon: bool,
-    horizon: u32,
+    /// The latest arrivals that are still of interest.
+    pub(super) deadlines: Deadlines,
     limits: BTreeMap<Cost, SumLimit>,
     /// The costs whose optimum holds for good.
     done: BTreeMap<Cost, u32>,
     improver: Improver,
+    /// Whether cores are made smaller.
+    pub(super) minimises: bool,
     /// Derived clauses from which on the best plan is to be improved again.
     polish_at: u64,
     /// Counts of which agents that enter have their own minima.
@@ -69,27 +69,24 @@ impl<'p, 'h, 'b> Search<'p, 'h, 'b> {
     pub(crate) fn new(
         problem: &'p Problem,
         walks: Vec<Walk>,
-        horizon: u32,
+        bounded: &Bounded,
+        keeping: Keeping,
         incumbent: &'p mut Incumbent<'b>,
         meter: Rc<Meter<'h>>,
     ) -> Self {
+        let makespan = bounded.limits.get(&Cost::Makespan).copied();
         Self {
             problem,
             team: Team::new(problem, walks, Rc::clone(&meter)),
             meter,
             incumbent,
-            caps: (0..problem.agents())
-                .map(|agent| horizon.min(problem.not_after(agent)))
-                .collect(),
-            capped: BTreeSet::new(),
-            hard_caps: true,
-            met_horizon: false,
-            horizon,
+            deadlines: Deadlines::new(problem, bounded.horizon, makespan, keeping),
             limits: BTreeMap::new(),
             done: BTreeMap::new(),
             at_minima: Vec::new(),
             begun: Vec::new(),
             improver: Improver::new(),
+            minimises: false,
             polish_at: FIRST_POLISH,
         }
     }
@@ -120,7 +117,7 @@ impl<'p, 'h, 'b> Search<'p, 'h, 'b> {
     /// Improves a plan for some time, and keeps it if it is the best; whether
     /// it became better.
     pub(crate) fn improve(&mut self, mut walks: Vec<Walk>) -> Result<bool, Stop> {
-        let latest = self.caps.iter().copied().max().unwrap_or(0);
+        let latest = self.deadlines.last_cap();
         let objective = self.incumbent.objective().clone();
         let improved = self.improver.improve(
             self.problem,
@@ -136,38 +133,34 @@ impl<'p, 'h, 'b> Search<'p, 'h, 'b> {
 
     /// The latest arrival of an agent that is still of interest.
     pub(crate) fn cap(&self, agent: AgentId) -> u32 {
-        self.caps[agent]
+        self.deadlines.cap(agent)
     }
 
     /// The latest arrival of any agent.
-    pub(crate) const fn horizon(&self) -> u32 {
-        self.horizon
+    pub(crate) const fn latest(&self) -> u32 {
+        self.deadlines.latest()
     }
 
     /// Allows no plan in which an agent arrives later.
     pub(crate) fn lower_cap(&mut self, agent: AgentId, cap: u32) {
-        if cap < self.caps[agent] {
-            self.caps[agent] = cap;
-            self.capped.remove(&agent);
+        if self.deadlines.lower(agent, cap) {
             self.harden_cap(agent);
         }
     }
 
     /// Makes the cap a clause, once the diagram reaches it.
     fn harden_cap(&mut self, agent: AgentId) {
-        let cap = self.caps[agent];
-        let inside = self.hard_caps && self.team.is_inside(agent);
-        if inside && self.team.deadline(agent) >= cap && self.capped.insert(agent) {
-            self.met_horizon |= cap == self.horizon;
-            if let Some(by) = self.team.by(agent, cap) {
-                self.team.harden(by);
-            }
+        if self.team.is_inside(agent)
+            && let Some(cap) = self.deadlines.harden(agent, self.team.deadline(agent))
+            && let Some(by) = self.team.by(agent, cap)
+        {
+            self.team.harden(by);
         }
     }
 
     /// Lets an inside agent arrive up to a time, or up to its cap.
     pub(crate) fn grow(&mut self, agent: AgentId, deadline: u32) -> Result<(), Stop> {
-        self.team.grow(agent, deadline.min(self.caps[agent]))?;
+        self.team.grow(agent, deadline.min(self.cap(agent)))?;
         self.harden_cap(agent);
         Ok(())
     }
@@ -175,13 +168,12 @@ impl<'p, 'h, 'b> Search<'p, 'h, 'b> {
     /// Doubles the delay that an agent may have, up to a latest arrival; false
     /// where it may arrive so late already.
     pub(crate) fn grow_further(&mut self, agent: AgentId, latest: u32) -> Result<bool, Stop> {
-        let deadline = self.team.deadline(agent);
-        let latest = latest.min(self.caps[agent]);
-        if deadline >= latest {
+        let covered = self.team.deadline(agent);
+        let optimum = self.problem.optima[agent];
+        let Some(next) = self.deadlines.next(agent, covered, optimum, latest) else {
             return Ok(false);
-        }
-        let delay = deadline - self.problem.optima[agent];
-        self.grow(agent, (deadline + delay.max(1)).min(latest))?;
+        };
+        self.grow(agent, next)?;
         Ok(true)
     }
 
@@ -221,21 +213,6 @@ impl<'p, 'h, 'b> Search<'p, 'h, 'b> {
             self.enter(agent)?;
         }
         Ok(())
-    }
-
-    /// The guards of all diagrams that can still grow: under these literals
-    /// the clauses are as they would be if nothing were left out.
-    pub(crate) fn guards(&mut self) -> BTreeMap<Lit, AgentId> {
-        let mut guards = BTreeMap::new();
-        for agent in self.team.insiders() {
-            let deadline = self.team.deadline(agent);
-            if (deadline < self.caps[agent] || !self.hard_caps)
-                && let Some(by) = self.team.by(agent, deadline)
-            {
-                guards.insert(by, agent);
-            }
-        }
-        guards
     }
 
     /// Reads the model and plans the outside agents around it; the agents that
@@ -344,7 +321,19 @@ impl<'p, 'h, 'b> Search<'p, 'h, 'b> {
     /// formula: the later stages need much smaller diagrams than the proof of
     /// the makespan did.
     pub(crate) fn afresh(self, makespan: u32, walks: Vec<Walk>) -> Self {
-        let mut fresh = Self::new(self.problem, walks, makespan, self.incumbent, self.meter);
+        let bounded = Bounded {
+            horizon: Horizon::at(makespan),
+            limits: sorting::map([(Cost::Makespan, makespan)]),
+        };
+        let mut fresh = Self::new(
+            self.problem,
+            walks,
+            &bounded,
+            Keeping::Hard,
+            self.incumbent,
+            self.meter,
+        );
+        fresh.minimises = self.minimises;
         fresh.improver = self.improver;
         fresh.finish(Cost::Makespan, makespan);
         fresh.begin(Cost::Makespan);

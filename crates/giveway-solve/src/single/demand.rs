@@ -114,7 +114,7 @@ impl Demand {
         match *self {
             Self::Cross {
                 time: Some(time), ..
-            } => Some(time + 1),
+            } => Some(time.saturating_add(1)),
             _ => None,
         }
     }

@@ -20,6 +20,7 @@ use super::{
     task::{Mask, State, Task},
 };
 use crate::{
+    held::Held,
     meter::{Meter, Stop},
     terrain::{Terrain, Vertex},
 };
@@ -77,6 +78,7 @@ pub(crate) struct Diagram {
     deadline: Option<u32>,
     /// No plan arrives earlier, whatever the tables say, which know no times.
     optimum: u32,
+    held: Held,
 }
 
 impl Diagram {
@@ -94,6 +96,7 @@ impl Diagram {
             open: map([((optimum, 0), vec![first])]),
             deadline: None,
             optimum,
+            held: Held::default(),
         }
     }
 
@@ -187,7 +190,7 @@ impl Diagram {
             });
         });
         sort_by_key(&mut steps, |s| s.level);
-        meter.hold(96 + steps.len() * 48);
+        meter.hold_more(&mut self.held, 96 + steps.len() * 48);
         for step in &steps {
             let slot = self.open.entry((step.level, time + 1)).or_default();
             slot.push(*step);

@@ -132,6 +132,21 @@ impl Task {
             .map_or(1 << self.bits(), |path| path.len().max(1))
     }
 
+    /// The number of battery levels.
+    pub(crate) fn levels(&self) -> usize {
+        self.reserve
+            .map_or(1, |r| r.full.max(r.initial) as usize + 1)
+    }
+
+    /// The number of counts by which its demand tells one way from another.
+    pub(crate) fn counted(&self) -> usize {
+        match self.demand {
+            Some(Demand::Wait { steps, .. }) => steps as usize + 1,
+            Some(Demand::Charge { .. }) => 2,
+            _ => 1,
+        }
+    }
+
     /// The waypoint at a vertex, as a set of one; empty elsewhere.
     pub(crate) fn bit(&self, v: Vertex) -> Mask {
         if self.along().is_some() {

@@ -9,6 +9,7 @@
 
 use super::task::{Mask, Task};
 use crate::{
+    held::Held,
     meter::{Meter, Stop},
     terrain::{Terrain, Vertex},
 };
@@ -51,6 +52,7 @@ pub(crate) struct ToGo {
     /// Where the labels of each state begin; one more entry than states.
     begins: Vec<u32>,
     labels: Vec<Label>,
+    _held: Held,
 }
 
 impl ToGo {
@@ -75,7 +77,7 @@ impl ToGo {
         let (Some(states), Some(bytes)) = (states, bytes) else {
             return Err(Stop::Memory);
         };
-        meter.hold(bytes);
+        let mut held = meter.hold(bytes);
         meter.check()?;
         let mut search = Search {
             task,
@@ -86,9 +88,8 @@ impl ToGo {
             found: Vec::new(),
         };
         search.run(meter)?;
-        let table = Self::collect(stride(task), states, &search.found);
-        meter.release(states as u64 * 4);
-        Ok(table)
+        held.less(states * 4);
+        Ok(Self::collect(stride(task), states, &search.found, held))
     }
 
     /// The least cost from a vertex at which the waypoints of `mask` are
@@ -104,7 +105,7 @@ impl ToGo {
 
     /// Sorts the labels by state, each state's by cost; where two have one
     /// cost, only the later, with less need, is kept.
-    fn collect(stride: usize, states: usize, found: &[(u32, Label)]) -> Self {
+    fn collect(stride: usize, states: usize, found: &[(u32, Label)], held: Held) -> Self {
         let mut begins = vec![0u32; states + 1];
         for (state, _) in found {
             begins[*state as usize + 1] += 1;
@@ -132,6 +133,7 @@ impl ToGo {
             stride,
             begins,
             labels,
+            _held: held,
         }
     }
 }

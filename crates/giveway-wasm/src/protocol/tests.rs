@@ -86,6 +86,8 @@ fn certificates_come_back() {
     check_response(Response::Certified(Box::new(Report {
         giveway: Version,
         accepted: true,
+        certified: giveway_proof::Certified::Proved,
+        conclusion: None,
         reason: None,
         stopped: false,
         claims,

@@ -102,7 +102,8 @@ fn verdict(answer: &ExplainAnswer) -> String {
         (false, Some(n)) => format!(" within makespan {n}"),
         (false, None) => String::new(),
     };
-    let mut text = format!("{}\n{word}{reach}", to_words(&answer.question));
+    let question = to_words(&answer.question);
+    let mut text = format!("{}\n{word}{reach}", plain::text(&question));
     if answer.words.is_empty() {
         text += ".\n";
     } else {

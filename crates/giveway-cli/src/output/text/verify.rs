@@ -31,7 +31,8 @@ pub(crate) fn verify(report: &Report) -> String {
                 ..
             } => writeln!(
                 text,
-                "  proof          {claim} ({}, {}, {} checked)",
+                "  proof          {} ({}, {}, {} checked)",
+                plain::text(claim),
                 words::count(*variables as u64, "variable"),
                 words::count(*clauses as u64, "clause"),
                 words::count(*steps as u64, "step"),
@@ -42,7 +43,8 @@ pub(crate) fn verify(report: &Report) -> String {
                 ..
             } => writeln!(
                 text,
-                "  search         {claim} ({})",
+                "  search         {} ({})",
+                plain::text(claim),
                 match method {
                     Method::Alone => "each agent alone, searched again",
                     Method::Joint => "all states of all agents, searched again",
@@ -50,8 +52,17 @@ pub(crate) fn verify(report: &Report) -> String {
             ),
             Checked::None {
                 text: claim, why, ..
-            } => writeln!(text, "  not certified  {claim} {}", plain::text(why)),
+            } => writeln!(
+                text,
+                "  not certified  {} {}",
+                plain::text(claim),
+                plain::text(why)
+            ),
         };
     }
+    if let Some(conclusion) = &report.conclusion {
+        let _ = writeln!(text, "{}", plain::text(conclusion));
+    }
+    let _ = writeln!(text, "{}", report.certified.words());
     text
 }

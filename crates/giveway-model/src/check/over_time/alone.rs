@@ -98,6 +98,45 @@ fn find_moves(history: &History, index: usize, life: &Life<'_>, findings: &mut F
             _ => {}
         }
     }
+    find_last_transit(history, index, life, findings);
+}
+
+/// Who is removed half way along an edge must have begun to cross a slow one.
+fn find_last_transit(
+    history: &History,
+    index: usize,
+    life: &Life<'_>,
+    findings: &mut Findings<'_>,
+) {
+    let entries = life.path.iter().rev().take_while(|entry| entry.is_none());
+    let steps = entries.count();
+    let listed = life.path.len().checked_sub(steps + 1);
+    let Some((last, from)) = listed.and_then(|last| Some((last, (*life.path.get(last)?)?))) else {
+        return;
+    };
+    if !life.is_removed() || steps == 0 {
+        return;
+    }
+    let begin = life.career.from + last as u32;
+    let grid = history.grid(begin);
+    let mut slow = grid
+        .neighbours(from)
+        .filter(|&to| grid.is_slow_edge(from, to));
+    let name = life.career.name();
+    let message = if steps > 1 || slow.next().is_none() {
+        sentence::no_slow_edge(name, from, begin)
+    } else if life.career.is_held(begin) {
+        sentence::held(name, from, begin)
+    } else {
+        return;
+    };
+    findings.push(
+        Rule::Move,
+        begin as usize,
+        &[index],
+        Place::Cell(from),
+        message,
+    );
 }
 
 /// The steps of an agent, each with its absolute time and by the map of that

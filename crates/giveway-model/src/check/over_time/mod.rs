@@ -10,7 +10,8 @@ mod shape;
 mod together;
 
 use super::findings::Findings;
-use super::{Report, Step, steps};
+use super::shape::push as shape_push;
+use super::{Report, Step, sentence, steps};
 use crate::change::{Career, Changes, History, Life};
 use crate::{Costs, Fault, Instance, Plan};
 
@@ -20,9 +21,9 @@ pub use battery::levels;
 ///
 /// Without changes it says what [`check`](super::check) says. A removed agent
 /// leaves all costs; an added one counts with its absolute arrival. An agent
-/// that stands at its goal, everything visited and not charging, when something
-/// changes is taken to have slept up to then: it used no battery and made no
-/// waits.
+/// that had arrived before a change made it go on slept up to then: it used no
+/// battery and made no waits. The plan says so ([`Plan::slept`]), since one that
+/// was about to go on anyway stands there in the same way.
 ///
 /// # Errors
 /// The faults of changes that contradict the world as the plan has it.
@@ -36,7 +37,7 @@ pub use battery::levels;
 /// }"#).unwrap();
 /// let changes = native::read_changes(r#"{ "giveway": 1, "changes":
 ///     [{ "at": 3, "change": "set-goal", "agent": "A1", "cell": [2, 0] }] }"#).unwrap();
-/// let plan = native::read_plan(r#"{ "giveway": 1,
+/// let plan = native::read_plan(r#"{ "giveway": 1, "knows": 3, "slept": { "A1": [[1, 3]] },
 ///     "paths": { "A1": [[0, 0], [1, 0], [1, 0], [1, 0], [2, 0]] } }"#).unwrap();
 /// let report = check_changes(&instance, &changes, &plan).unwrap();
 /// assert!(report.is_valid());
@@ -61,7 +62,12 @@ pub fn check_history(history: &History, plan: &Plan) -> Report {
         .enumerate()
         .filter_map(|(index, career)| Some((index, Life::of(history, career, plan)?)))
         .collect();
+    let times: Vec<u32> = history.times().collect();
     for &(index, life) in &lives {
+        if let Some([from, to]) = life.sleepless(&times) {
+            let message = sentence::sleepless(life.career.name(), from, to);
+            shape_push(&mut findings, index, to, message);
+        }
         alone::find(history, index, &life, &mut findings);
         battery::find(history, index, &life, &mut findings);
     }
@@ -131,13 +137,8 @@ fn costs(history: &History, plan: &Plan) -> Option<Costs> {
     Some(costs)
 }
 
-/// The times that an agent slept through: from its rest up to a change.
+/// The times that an agent slept through, up to a change each.
 fn asleep(history: &History, life: &Life<'_>) -> Vec<(u32, u32)> {
     let from = life.career.from;
-    let times = history.times();
-    times
-        .filter(|&time| from < time && time <= life.end())
-        .filter_map(|time| Some((life.rests_since(time)?, time)))
-        .filter(|(since, time)| since < time)
-        .collect()
+    life.sleeps(history.times().filter(|&time| from < time))
 }

@@ -1,11 +1,11 @@
 //! Links with changes of the world.
 
-use giveway_model::Cell;
+use giveway_model::{Cell, format::native};
 use giveway_solve::Status;
 
 use super::{read_noise, why};
 use crate::link::{From, change, keep, kept, read, write};
-use crate::{Action, BoardAction, ChangeAction, Phase, PlayAction, State, reduce};
+use crate::{Action, BoardAction, ChangeAction, Draft, Phase, PlayAction, State, reduce};
 
 /// A3 joined at time 1 and a charger appears at time 2; something else is listed.
 fn changed() -> State {
@@ -100,4 +100,63 @@ fn hostile_changes_are_refused() {
 #[test]
 fn noise_about_changes_is_never_a_panic() {
     read_noise(&keep(&changed()), 8, 3000);
+}
+
+/// `A1` arrives at time 1, sleeps there, and at time 3 gets another goal.
+fn woken() -> crate::Document {
+    let instance = native::read_instance(
+        r#"{ "giveway": 1, "map": ["..."], "agents": [
+            { "name": "A1", "start": [0, 0], "goal": [1, 0] }] }"#,
+    );
+    let plan = native::read_plan(
+        r#"{ "giveway": 1, "knows": 3, "slept": { "A1": [[1, 3]] },
+            "paths": { "A1": [[0, 0], [1, 0], [1, 0], [1, 0], [2, 0]] } }"#,
+    );
+    let changes = native::read_changes(
+        r#"{ "giveway": 1, "changes": [
+            { "at": 3, "change": "set-goal", "agent": "A1", "cell": [2, 0] }] }"#,
+    );
+    let draft = Draft::new(instance.unwrap().to_scene()).unwrap();
+    let judged = super::super::judged(draft, plan.unwrap(), changes.ok());
+    judged.unwrap().document
+}
+
+#[test]
+fn who_slept_has_slept_after_a_reload_too() {
+    let document = woken();
+    let plan = document.answer.as_ref().unwrap().plan().unwrap().clone();
+    let costs = document.answer.as_ref().unwrap().solved.costs;
+    assert_eq!(costs.map(|costs| costs.waits), Some(0));
+    for whom in [From::Anywhere, From::Here] {
+        let text = super::super::document::write(&document, whom);
+        assert!(text.contains("&knows=3&slept=1.3"), "{text}");
+        let answer = read(&text, whom).unwrap().document.answer.unwrap();
+        assert_eq!(answer.plan(), Some(&plan));
+        assert_eq!(answer.solved.costs, costs);
+    }
+}
+
+#[test]
+fn what_a_plan_knows_is_read_with_distrust() {
+    let text = super::super::document::write(&woken(), From::Anywhere);
+    for (part, broken) in [
+        ("knows=3", "knows=x"),
+        ("knows=3", "knows=100001"),
+        ("slept=1.3", "slept="),
+        ("slept=1.3", "slept=1"),
+        ("slept=1.3", "slept=3.1"),
+        ("slept=1.3", "slept=0.3"),
+        ("slept=1.3", "slept=1.100001"),
+        ("slept=1.3", "slept=1.3;1.3"),
+    ] {
+        let text = text.replacen(part, broken, 1);
+        let read = read(&text, From::Anywhere);
+        let told = read.map(|linked| linked.document.answer.unwrap().solved.costs);
+        if broken == "slept=" {
+            // It is no lie that nobody slept: then it waited.
+            assert_eq!(told.unwrap().map(|costs| costs.waits), Some(2));
+        } else {
+            assert!(told.is_err(), "{broken}");
+        }
+    }
 }

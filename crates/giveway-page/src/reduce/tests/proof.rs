@@ -44,6 +44,8 @@ fn report(claims: Vec<Checked>) -> Report {
     Report {
         giveway: Version,
         accepted: true,
+        certified: giveway_proof::Certified::Proved,
+        conclusion: None,
         reason: None,
         stopped: false,
         claims,
@@ -132,6 +134,8 @@ fn what_each_claim_rests_on_is_told() {
 fn what_is_not_accepted_is_not_called_checked() {
     let refused = |stopped| Report {
         accepted: false,
+        certified: giveway_proof::Certified::NotCertified,
+        conclusion: None,
         reason: Some("It is wrong.".to_owned()),
         stopped,
         ..report(claims())

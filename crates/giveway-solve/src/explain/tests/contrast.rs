@@ -182,7 +182,7 @@ fn of_what_excludes_a_contrast_no_fact_can_be_left_out() {
                 .filter(|&i| question.agent() == Some(instance.agents()[i].name.as_str()))
                 .collect();
             let refuted = Tried::None {
-                within: compared.within,
+                reach: compared.reach.unwrap(),
                 clash: Vec::new(),
             };
             let core = minimal_set(&instance, &asked, None, refuted, &mut searching()).unwrap();

@@ -4,6 +4,7 @@ mod ask;
 mod contrast;
 mod fewest;
 mod own_plan;
+mod repairs;
 mod rest;
 mod unsolvable;
 mod waits;

@@ -190,6 +190,28 @@ fn to_wake_a_sleeper_costs_all_that_it_slept() {
 }
 
 #[test]
+fn another_plan_says_who_slept() {
+    // The same, but everyone begins a step later than need be.
+    let course = course(
+        r#"{ "giveway": 1, "map": ["....", ".#.."], "agents": [
+            { "name": "b", "start": [2, 0], "goal": [2, 0] }] }"#,
+        r#"{ "giveway": 1, "knows": 4, "slept": { "b": [[0, 4]] }, "paths": {
+            "b": [[2, 0], [2, 0], [2, 0], [2, 0], [2, 0], [2, 0], [2, 1], [2, 1], [2, 0]],
+            "n": [[0, 0], [0, 0], [1, 0], [2, 0], [3, 0]] }, "from": { "n": 4 } }"#,
+        r#"{ "at": 4, "change": "add-agent", "agent":
+            { "name": "n", "start": [0, 0], "goal": [3, 0] } }"#,
+    );
+    assert_eq!(course.costs(&course.plan).sum_of_costs, 16);
+    let answer = course.ask("wait n");
+    assert_eq!(answer.verdict, Verdict::Improvable, "{}", answer.words);
+    let other = answer.alternative.unwrap();
+    assert_eq!((other.knows, other.slept("b")), (Some(4), &[[0, 4]][..]));
+    let costs = course.costs(&other);
+    assert_eq!((costs.sum_of_costs, answer.costs), (14, Some(costs)));
+    assert!(costs.waits <= 2, "{costs:?}");
+}
+
+#[test]
 fn who_is_half_way_along_a_slow_move_is_waited_for() {
     let course = course(
         r#"{ "giveway": 1, "map": [".~~...", "......"], "agents": [
@@ -288,7 +310,8 @@ fn why_there_is_no_way_to_go_on() {
         repair.text,
         "Remove the obstacle at (2, 0): makespan 3, sum of costs 3."
     );
-    assert_eq!(repair.plan, course.plan);
+    assert_eq!(repair.plan.paths, course.plan.paths);
+    assert_eq!(repair.plan.knows, Some(1));
     // Where there is a way, that is said.
     let mut open = around();
     open.plan.paths.insert(

@@ -185,7 +185,7 @@ fn of_a_minimal_set_no_fact_can_be_left_out() {
         };
         let core = core(&instance, None, &found, &mut any_plan).unwrap();
         assert!(core.minimal, "{seed}");
-        assert_eq!(core.within, None, "{seed}");
+        assert_eq!(core.reach.within(), None, "{seed}");
         let mut left_out: std::collections::BTreeSet<_> =
             parts(&instance, &[], false).into_iter().collect();
         for part in &core.parts {

@@ -8,7 +8,8 @@ use super::Near;
 use crate::{
     encode::{collisions::AgentId, totalizer::totalizer},
     meter::Stop,
-    sat::{Lit, Outcome},
+    sat::Lit,
+    search::growing::{Growing, Until},
 };
 
 /// An agent that does as before, or does not.
@@ -27,26 +28,13 @@ impl Near<'_, '_> {
     pub(super) fn few_agents(&mut self) -> Result<bool, Stop> {
         loop {
             self.extend()?;
-            let guards = self.search.guards();
-            let mut assumptions: Vec<Lit> = self.softs.keys().copied().collect();
-            assumptions.extend(guards.keys());
-            match self.search.team.solve(&assumptions)? {
-                Outcome::Sat if !self.cores.is_empty() => self.assume_totals(),
-                Outcome::Sat => break,
-                Outcome::Unsat(core) => {
-                    let mut grown = false;
-                    for lit in &core {
-                        if let Some(&agent) = guards.get(lit) {
-                            grown |= self.search.grow_further(agent, u32::MAX)?;
-                        }
-                    }
-                    if !grown {
-                        self.learn(&core)?;
-                        if core.is_empty() {
-                            return Ok(false);
-                        }
-                    }
-                }
+            let assumptions: Vec<Lit> = self.softs.keys().copied().collect();
+            match self.search.solve_growing(assumptions, Until::EVER)? {
+                Growing::Model if !self.cores.is_empty() => self.assume_totals(),
+                Growing::Model => break,
+                Growing::Grown(_) => {}
+                Growing::Core(core) if core.lits.is_empty() => return Ok(false),
+                Growing::Core(core) => self.learn(&core.lits)?,
             }
         }
         // Whoever does something else in any plan with so few has been named.

@@ -4,7 +4,8 @@ use super::{Close, Near};
 use crate::{
     encode::totalizer::merge,
     meter::Stop,
-    sat::{Clauses, Lit, Outcome},
+    sat::{Clauses, Lit},
+    search::growing::{Growing, Until},
     single::Place,
     walk::{Walk, arrival},
 };
@@ -43,21 +44,10 @@ impl Near<'_, '_> {
             self.search.team.harden(!more);
             loop {
                 self.extend()?;
-                let guards = self.search.guards();
-                let assumptions: Vec<Lit> = guards.keys().copied().collect();
-                match self.search.team.solve(&assumptions)? {
-                    Outcome::Sat => break,
-                    Outcome::Unsat(core) => {
-                        let mut grown = false;
-                        for lit in &core {
-                            if let Some(&agent) = guards.get(lit) {
-                                grown |= self.search.grow_further(agent, u32::MAX)?;
-                            }
-                        }
-                        if !grown {
-                            return Ok(true);
-                        }
-                    }
+                match self.search.solve_growing(Vec::new(), Until::EVER)? {
+                    Growing::Model => break,
+                    Growing::Grown(_) => {}
+                    Growing::Core(_) => return Ok(true),
                 }
             }
             let found = self.read();

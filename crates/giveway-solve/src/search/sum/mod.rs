@@ -24,12 +24,11 @@ use std::collections::BTreeMap;
 
 use giveway_model::Cost;
 
-use super::stage::{End, Search};
-use crate::{
-    encode::collisions::AgentId,
-    meter::Stop,
-    sat::{Lit, Outcome},
+use super::{
+    growing::{Growing, Until},
+    stage::{End, Search},
 };
+use crate::{encode::collisions::AgentId, meter::Stop, sat::Lit};
 use giveway_model::sorting::{sort, sort_by_key};
 
 /// What an assumption bounds.
@@ -121,6 +120,7 @@ impl SumStage {
         *bound = stage.bound;
         search.report_bound(cost, stage.bound);
         search.begin(cost);
+        search.minimises = stage.light;
         for agent in search.above_minimum(cost)? {
             search.enter(agent)?;
         }
@@ -135,18 +135,16 @@ impl SumStage {
             }
             stage.narrow(search);
             // The deadlines of a sum of costs guard the diagrams themselves.
-            let guards = match cost {
-                Cost::SumOfCosts => BTreeMap::new(),
-                _ => search.guards(),
+            let until = match cost {
+                Cost::SumOfCosts => Until::Guarded,
+                _ => Until::EVER,
             };
-            let mut assumptions = stage.in_order();
-            assumptions.extend(guards.keys().filter(|lit| !stage.softs.contains_key(lit)));
-            match search.team.solve(&assumptions)? {
-                Outcome::Sat if stage.is_waiting() => {
+            match search.solve_growing(stage.in_order(), until)? {
+                Growing::Model if stage.is_waiting() => {
                     stage.guess(search)?;
                     stage.assume_waiting(search)?;
                 }
-                Outcome::Sat => {
+                Growing::Model => {
                     let entered = search.settle()?;
                     if entered.is_empty() && !search.incumbent_meets(cost, stage.bound) {
                         return Err(Stop::Contradiction);
@@ -155,18 +153,20 @@ impl SumStage {
                         stage.adopt(search, agent)?;
                     }
                 }
-                Outcome::Unsat(core) => {
-                    let core = if stage.light {
-                        search.team.minimise(core)?
-                    } else {
-                        core
-                    };
+                Growing::Grown(literals) => {
+                    search.polish(cost, stage.bound)?;
+                    if literals > LARGE_CORE {
+                        stage.assume_waiting(search)?;
+                    }
+                }
+                Growing::Core(core) => {
+                    let core = core.lits;
                     if core.is_empty() {
                         let best = stage.excluded();
                         *bound = best.unwrap_or(stage.bound);
                         return Ok(best.map_or(End::None, End::Least));
                     }
-                    let learnt = stage.learn(search, &core, &guards);
+                    let learnt = stage.learn(search, &core);
                     *bound = stage.bound;
                     learnt?;
                     search.polish(cost, stage.bound)?;
@@ -239,24 +239,8 @@ impl SumStage {
         }
     }
 
-    /// Takes a core in: grows diagrams, or raises the bound.
-    fn learn(
-        &mut self,
-        search: &mut Search,
-        core: &[Lit],
-        guards: &BTreeMap<Lit, AgentId>,
-    ) -> Result<(), Stop> {
-        let mut grown = false;
-        for lit in core {
-            if !self.softs.contains_key(lit)
-                && let Some(&agent) = guards.get(lit)
-            {
-                grown |= search.grow_further(agent, u32::MAX)?;
-            }
-        }
-        if grown {
-            return Ok(());
-        }
+    /// Takes a core in: raises the bound.
+    fn learn(&mut self, search: &mut Search, core: &[Lit]) -> Result<(), Stop> {
         if self.known {
             return Err(Stop::Contradiction);
         }

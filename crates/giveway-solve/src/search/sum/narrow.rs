@@ -28,12 +28,16 @@ impl SumStage {
         let slack = gap.saturating_sub(u32::from(self.last));
         for agent in 0..search.problem.agents() {
             if !search.team.is_inside(agent) {
-                search.lower_cap(agent, search.problem.optima[agent] + slack);
+                let most = search.problem.optima[agent].saturating_add(slack);
+                search.lower_cap(agent, search.problem.time_of(agent, most));
             }
         }
         for soft in self.softs.values().chain(&self.waiting) {
             match soft.raised(slack) {
-                Soft::Agent(agent, most) => search.lower_cap(agent, most),
+                // (A cost is no time: who was woken has cost some already.)
+                Soft::Agent(agent, most) => {
+                    search.lower_cap(agent, search.problem.time_of(agent, most));
+                }
                 Soft::Total { totalizer, k } => {
                     if let Some(&more) = self.totalizers[totalizer].get(k) {
                         search.team.harden(!more);
@@ -42,8 +46,10 @@ impl SumStage {
             }
         }
         // What holds for good need not be assumed.
-        self.softs.retain(
-            |_, soft| !matches!(*soft, Soft::Agent(agent, most) if most >= search.cap(agent)),
-        );
+        let holds = |soft: &Soft| match *soft {
+            Soft::Agent(agent, most) => search.problem.time_of(agent, most) >= search.cap(agent),
+            Soft::Total { .. } => false,
+        };
+        self.softs.retain(|_, soft| !holds(soft));
     }
 }

@@ -1,7 +1,7 @@
 //! A question is answered bit by bit, and left.
 
 use giveway_model::{Question, Version};
-use giveway_proof::Report;
+use giveway_proof::{Certified, Report};
 use giveway_solve::{Progress, Request, Response};
 
 use super::{answered, asked, id, learn, told};
@@ -99,6 +99,8 @@ fn the_proof_of_an_answer_is_checked_for_the_answer() {
     let report = Report {
         giveway: Version,
         accepted: true,
+        certified: Certified::Proved,
+        conclusion: None,
         reason: None,
         stopped: false,
         claims: Vec::new(),

@@ -1,0 +1,208 @@
+//! What plan and claims say together, and whether they can be said together at
+//! all. It follows from the instance, the plan and the claims alone: nothing that
+//! stands beside them in a certificate has a part in it.
+
+use giveway_model::{Cost, Costs, Instance, Objective, Plan, check};
+
+use crate::Claim;
+use crate::bundle::{Entry, MANIFEST, PLAN};
+use crate::report::Fault;
+
+/// What a certificate is about.
+#[derive(Clone, Copy)]
+pub(crate) struct Whole<'a> {
+    pub(crate) instance: &'a Instance,
+    pub(crate) plan: Option<&'a Plan>,
+    pub(crate) entries: &'a [Entry],
+}
+
+/// What plan and claims say together.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub(crate) enum Conclusion {
+    /// No plan (of the kind) costs less than the plan, or none up to a makespan.
+    Best {
+        of_a_kind: bool,
+        within: Option<u32>,
+    },
+    /// The same, if what nothing shows is believed.
+    Believed,
+    /// The plan is one, and there are bounds.
+    Bounds,
+    /// There is no plan, as one of the claims says.
+    NoPlan(String),
+    /// Each claim stands for itself.
+    Nothing,
+}
+
+impl Conclusion {
+    /// The conclusion as a sentence, if there is one.
+    pub(crate) fn sentence(&self) -> Option<String> {
+        let sentence = match self {
+            Self::Best {
+                of_a_kind: false,
+                within: None,
+            } => "Together: the plan is optimal, one cost of the objective after the other.".into(),
+            Self::Best {
+                of_a_kind: false,
+                within: Some(last),
+            } => format!(
+                "Together: no plan of makespan at most {last} is better, one cost of the objective \
+                 after the other. Of longer plans nothing is shown."
+            ),
+            Self::Best {
+                of_a_kind: true,
+                within: None,
+            } => "Together: no plan of the kind costs less than this plan.".into(),
+            Self::Best {
+                of_a_kind: true,
+                within: Some(last),
+            } => format!(
+                "Together: no plan of the kind, of makespan at most {last}, costs less than this \
+                 plan. Of longer plans nothing is shown."
+            ),
+            Self::Believed => "Together they would say that the plan is optimal; what is not \
+                               certified has to be believed."
+                .into(),
+            Self::Bounds => {
+                "Together they are lower bounds; the plan is not shown to be optimal.".into()
+            }
+            Self::NoPlan(sentence) => sentence.clone(),
+            Self::Nothing => return None,
+        };
+        Some(sentence)
+    }
+}
+
+/// Whether the claims can be said of this instance and this plan together.
+pub(crate) fn check_together(whole: &Whole<'_>) -> Result<(), Fault> {
+    let reject = |what: &str| Err(Fault::of(MANIFEST, what));
+    let claims = || whole.entries.iter().map(Entry::claim);
+    let first = claims().next();
+    for claim in claims() {
+        if let Some(condition) = &claim.condition
+            && !condition.fits(whole.instance)
+        {
+            return reject("a claim is about no agent, or about nothing that agents do");
+        }
+        let limits = Claim {
+            within: None,
+            ..claim.clone()
+        };
+        if claim.within.is_some() && limits.horizon(whole.instance).is_some() {
+            return reject("a claim has a horizon beside a limit that is one already");
+        }
+    }
+    if claims().any(|claim| Some(&claim.condition) != first.map(|first| &first.condition)) {
+        return reject("its claims are about plans of several kinds");
+    }
+    let mut horizons = claims().filter_map(|claim| claim.within);
+    let horizon = horizons.next();
+    if horizons.any(|other| Some(other) != horizon) {
+        return reject("its claims have several horizons");
+    }
+    let Some((plan, costs)) = whole.plan.zip(costs(whole)) else {
+        return Ok(());
+    };
+    if horizon.is_some_and(|last| costs.makespan > last) {
+        return reject("its plan is longer than the horizon of its claims");
+    }
+    if let Some(Some(condition)) = first.map(|first| &first.condition)
+        && !condition.is_met_by(whole.instance, plan)
+    {
+        return Err(Fault::of(
+            PLAN,
+            "it is not of the kind that the claims are about",
+        ));
+    }
+    let excluded = |claim: &Claim| {
+        let keeps = |(&cost, &most): (&Cost, &u32)| costs.get(cost) <= most;
+        claim.most.iter().all(keeps)
+    };
+    if claims().any(excluded) {
+        return Err(Fault::of(
+            PLAN,
+            "it is one of the plans that a claim says there is none of",
+        ));
+    }
+    Ok(())
+}
+
+/// What they say together; where nothing adds up, that is found before.
+pub(crate) fn conclude(
+    objective: &Objective,
+    costs: Option<Costs>,
+    entries: &[Entry],
+) -> Conclusion {
+    let certified = |entry: &&Entry| !matches!(entry, Entry::None { .. });
+    let kind = entries
+        .iter()
+        .any(|entry| entry.claim().condition.is_some());
+    let Some(costs) = costs else {
+        let mut whole = entries.iter().filter(certified).map(Entry::claim);
+        let none = whole.find(|claim| claim.most.is_empty());
+        return none.map_or(Conclusion::Nothing, |claim| {
+            Conclusion::NoPlan(format!("Together: {}", lower(&claim.sentence())))
+        });
+    };
+    let certain: Vec<&Claim> = entries.iter().filter(certified).map(Entry::claim).collect();
+    if let Some(Reach { within }) = reach(objective, costs, &certain) {
+        return Conclusion::Best {
+            of_a_kind: kind,
+            within,
+        };
+    }
+    let all: Vec<&Claim> = entries.iter().map(Entry::claim).collect();
+    if kind {
+        Conclusion::Nothing
+    } else if reach(objective, costs, &all).is_some() {
+        Conclusion::Believed
+    } else {
+        Conclusion::Bounds
+    }
+}
+
+/// How far claims reach together.
+struct Reach {
+    /// Up to this makespan; `None` for any.
+    within: Option<u32>,
+}
+
+/// How far claims say that nothing costs less, cost
+/// after cost; nothing where they do not. A claim about one cost excludes all
+/// that costs less of it and no more of those before; it says nothing of the
+/// kind where it limits anything else.
+fn reach(objective: &Objective, costs: Costs, claims: &[&Claim]) -> Option<Reach> {
+    let mut within: Option<u32> = None;
+    let order = objective.costs();
+    for (i, &cost) in order.iter().enumerate() {
+        let Some(below) = costs.get(cost).checked_sub(1) else {
+            continue; // nothing costs less than nothing
+        };
+        let says = |claim: &&&Claim| {
+            let mut limits = claim.most.iter();
+            claim.most.get(&cost).is_some_and(|&most| most >= below)
+                && limits.all(|(other, &most)| {
+                    *other == cost || (order[..i].contains(other) && most >= costs.get(*other))
+                })
+        };
+        // Of those that say so the one that reaches furthest.
+        let reaches = claims.iter().filter(says).map(|claim| claim.within);
+        let furthest = reaches.max_by_key(|within| within.map_or((1, 0), |last| (0, last)))?;
+        within = match (within, furthest) {
+            (Some(a), Some(b)) => Some(a.min(b)),
+            (one, other) => one.or(other),
+        };
+    }
+    Some(Reach { within })
+}
+
+fn costs(whole: &Whole<'_>) -> Option<Costs> {
+    check::costs(whole.instance, whole.plan?)
+}
+
+/// A sentence behind a colon.
+fn lower(sentence: &str) -> String {
+    let mut chars = sentence.chars();
+    let first = chars.next().map(|c| c.to_lowercase().to_string());
+    format!("{}{}", first.unwrap_or_default(), chars.as_str())
+}

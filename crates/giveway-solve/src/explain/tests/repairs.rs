@@ -1,0 +1,57 @@
+//! What would help, by a solver that says as little as is told to it.
+
+use giveway_model::{Cell, Plan};
+
+use crate::{
+    explain::{
+        core::{Inquiry, Tried},
+        relax::{Part, Variant},
+        repairs::{Best, Solver, repairs},
+    },
+    tests::instance,
+};
+
+/// A solver that finds a plan of every edited instance, and maybe proves it
+/// best.
+struct Finds {
+    proves: bool,
+}
+
+impl Inquiry for Finds {
+    fn search(&mut self, _: &Variant) -> Tried {
+        Tried::Plan(Plan::default())
+    }
+
+    fn accepts(&self, _: &Variant, _: &Plan) -> bool {
+        false
+    }
+}
+
+impl Solver for Finds {
+    fn best(&mut self, _: &Variant) -> Option<Best> {
+        Some(Best {
+            plan: Plan::default(),
+            costs: giveway_model::Costs::default(),
+            proved: self.proves,
+        })
+    }
+}
+
+#[test]
+fn repairs_whose_plans_may_not_be_the_best_are_not_all_that_is_to_say() {
+    let instance = instance("a # A");
+    for proves in [true, false] {
+        let facts = [Part::Obstacle(Cell::new(1, 0))];
+        let objective = instance.objective();
+        let found = repairs(
+            &instance,
+            None,
+            &facts,
+            &[],
+            objective,
+            &mut Finds { proves },
+        );
+        assert_eq!(found.repairs.len(), 1);
+        assert_eq!(found.exhaustive, proves);
+    }
+}

@@ -1,0 +1,89 @@
+//! Memory that something holds, counted for as long as it is there.
+
+use std::cell::Cell;
+use std::rc::Rc;
+
+/// The bytes that all parts of a request hold together.
+pub(crate) type Count = Rc<Cell<u64>>;
+
+/// The bytes that one thing holds. They are free again when it is dropped, which
+/// nobody can forget to say.
+#[derive(Default)]
+pub(crate) struct Held {
+    bytes: u64,
+    of: Option<Count>,
+}
+
+impl Held {
+    /// Bytes held from now on.
+    pub(crate) fn new(of: &Count, bytes: usize) -> Self {
+        let mut held = Self::default();
+        held.more(of, bytes);
+        held
+    }
+
+    /// Further bytes of the same request.
+    pub(crate) fn more(&mut self, of: &Count, bytes: usize) {
+        let bytes = bytes as u64;
+        let of = self.of.get_or_insert_with(|| Rc::clone(of));
+        of.set(of.get().saturating_add(bytes));
+        self.bytes = self.bytes.saturating_add(bytes);
+    }
+
+    /// Some of them are free already.
+    pub(crate) fn less(&mut self, bytes: usize) {
+        let bytes = self.bytes.min(bytes as u64);
+        self.bytes -= bytes;
+        if let Some(of) = &self.of {
+            of.set(of.get().saturating_sub(bytes));
+        }
+    }
+}
+
+impl Drop for Held {
+    fn drop(&mut self) {
+        if let Some(of) = &self.of {
+            of.set(of.get().saturating_sub(self.bytes));
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::{
+        Limits, SilentHost, meter::Meter, problem::Problem, single::Diagram, tests::instance,
+    };
+
+    #[test]
+    fn tables_and_diagrams_are_counted_while_they_are_there() {
+        let meter = Meter::new(&SilentHost, Limits::default());
+        let problem = Problem::new(&instance("a . . . A"), &meter).ok().unwrap();
+        let tables = meter.held();
+        assert!(tables > 0);
+        let mut diagram = Diagram::new(&problem.tasks[0], problem.optima[0]);
+        let (task, terrain) = (&problem.tasks[0], &problem.terrain);
+        let grown = diagram.grow(6, task, terrain, &problem.to_go[0], &meter);
+        grown.unwrap();
+        assert!(meter.held() > tables);
+        drop(diagram);
+        assert_eq!(meter.held(), tables);
+        drop(problem);
+        assert_eq!(meter.held(), 0);
+    }
+
+    #[test]
+    fn what_is_dropped_is_free() {
+        let count = Count::default();
+        let mut one = Held::new(&count, 10);
+        let other = Held::new(&count, 5);
+        one.more(&count, 7);
+        assert_eq!(count.get(), 22);
+        one.less(12);
+        assert_eq!(count.get(), 10);
+        drop(one);
+        assert_eq!(count.get(), 5);
+        drop(other);
+        assert_eq!(count.get(), 0);
+    }
+}

@@ -1,0 +1,107 @@
+//! Calls under assumptions, in which diagrams grow.
+//!
+//! Every stage does the same: it assumes what it would like to hold, and the
+//! deadlines of all diagrams; a core that names deadlines is no proof yet, but
+//! tells whose diagrams must grow. So this is the one place that tells a core
+//! that proves something from one that does not.
+
+use std::collections::BTreeMap;
+
+use super::stage::Search;
+use crate::{
+    encode::collisions::AgentId,
+    meter::Stop,
+    sat::{Lit, Outcome},
+};
+
+/// Which deadlines are assumed beside what is assumed anyway.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Until {
+    /// Those of all diagrams, as far as arrivals up to this time matter.
+    Time(u32),
+    /// None: the assumptions guard the diagrams themselves.
+    Guarded,
+}
+
+impl Until {
+    /// Those of all diagrams.
+    pub(crate) const EVER: Self = Self::Time(u32::MAX);
+}
+
+/// What came of a call under assumptions.
+#[derive(Clone, Debug)]
+pub(crate) enum Growing {
+    /// There is a model.
+    Model,
+    /// There is none yet: diagrams have grown, by a core of so many literals.
+    Grown(usize),
+    /// There is none, however late the deadlines are that can still grow.
+    Core(Core),
+}
+
+/// Assumptions that exclude each other.
+#[derive(Clone, Debug)]
+pub(crate) struct Core {
+    pub(crate) lits: Vec<Lit>,
+    /// The agents whose deadlines are among them.
+    pub(crate) agents: Vec<AgentId>,
+}
+
+impl Search<'_, '_, '_> {
+    /// The guards of the diagrams, as far as arrivals up to `until` matter:
+    /// under these literals the clauses are as they would be if nothing were
+    /// left out.
+    fn guards(&mut self, until: u32) -> BTreeMap<Lit, AgentId> {
+        let mut guards = BTreeMap::new();
+        for agent in self.team.insiders() {
+            let covered = self.team.deadline(agent);
+            if let Some(deadline) = self.deadlines.assumed(agent, covered, until)
+                && let Some(by) = self.team.by(agent, deadline)
+            {
+                guards.insert(by, agent);
+            }
+        }
+        guards
+    }
+
+    /// Solves under assumptions, and under the deadlines of all diagrams, as
+    /// far as arrivals up to `until` matter. Where a core names deadlines that
+    /// can be later, its agents' diagrams grow; otherwise it is told.
+    pub(crate) fn solve_growing(
+        &mut self,
+        assumptions: Vec<Lit>,
+        until: Until,
+    ) -> Result<Growing, Stop> {
+        let mut guards = match until {
+            Until::Guarded => BTreeMap::new(),
+            Until::Time(until) => self.guards(until),
+        };
+        for lit in &assumptions {
+            guards.remove(lit);
+        }
+        let mut assumptions = assumptions;
+        assumptions.extend(guards.keys());
+        let Outcome::Unsat(mut core) = self.team.solve(&assumptions)? else {
+            return Ok(Growing::Model);
+        };
+        if self.minimises {
+            core = self.team.minimise(core)?;
+        }
+        let agents: Vec<AgentId> = core
+            .iter()
+            .filter_map(|lit| guards.get(lit).copied())
+            .collect();
+        let mut grown = false;
+        for &agent in &agents {
+            let latest = match until {
+                Until::Guarded => u32::MAX,
+                Until::Time(until) => until,
+            };
+            grown |= self.grow_further(agent, latest)?;
+        }
+        if grown {
+            return Ok(Growing::Grown(core.len()));
+        }
+        Ok(Growing::Core(Core { lits: core, agents }))
+    }
+}
