@@ -1,40 +1,14 @@
-//! What the hand is doing on the board: a stroke, or an agent on its way onto
-//! the board. The document stays as it is until the hand is lifted: then what was
-//! done becomes one step of undo, or none.
+//! A stroke on its way over the board, and what has come of it so far.
 
 use std::rc::Rc;
 
-use giveway_model::{Agent, Cell, Scene};
+use giveway_model::Cell;
 
+use super::Thing;
 use crate::Draft;
 use crate::changing::Changing;
 use crate::edit::{Edit, Paint, Sketch};
 use crate::line::line;
-
-/// What the hand is doing on the board.
-#[derive(Clone, Debug, Default, PartialEq)]
-pub(crate) enum Gesture {
-    /// Nothing.
-    #[default]
-    None,
-    /// A stroke.
-    Stroke(Rc<Stroke>),
-    /// An agent is being placed.
-    Placing(Placing),
-}
-
-/// An agent on its way onto the board: its start is chosen, its goal not yet.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub struct Placing {
-    /// Where it will start.
-    pub start: Cell,
-    /// Where the pointer or the keyboard is: its goal, as far as known.
-    pub goal: Cell,
-    /// Whether the pointer is down.
-    pub is_held: bool,
-    /// Whether the goal was pressed by itself: then it may be the start, too.
-    pub(crate) is_second: bool,
-}
 
 /// What a stroke does.
 #[derive(Clone, Debug, PartialEq)]
@@ -50,21 +24,6 @@ pub(crate) enum Hold {
     Toggle(usize),
     /// One edit, wherever the stroke goes on to.
     Once(Edit),
-}
-
-/// Something that can be moved from its cell.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(crate) enum Thing {
-    /// The start of an agent.
-    Start(usize),
-    /// The goal of an agent.
-    Goal(usize),
-    /// A waypoint of an agent.
-    Waypoint(usize),
-    /// A waypoint of an agent that is not there yet.
-    NewWaypoint(usize),
-    /// A charger or an obstacle.
-    Paint(Paint),
 }
 
 /// A stroke on its way over the board.
@@ -223,32 +182,5 @@ impl Stroke {
             Hold::Toggle(agent) if !self.has_left => Some(Edit::DropWaypoint(agent, self.from)),
             _ => None,
         }
-    }
-}
-
-impl Thing {
-    /// What lies on a cell, the uppermost first; of marks, one of the agent that
-    /// is selected goes before.
-    pub(crate) fn lying(draft: &Draft, cell: Cell, selected: Option<usize>) -> Option<Self> {
-        let scene: &Scene = draft.scene();
-        let goal = |agent: &Agent| agent.goal == cell;
-        let waypoint = |agent: &Agent| agent.waypoints.contains(&cell);
-        let mine = selected.and_then(|index| match scene.agents.get(index)? {
-            who if goal(who) => Some(Self::Goal(index)),
-            who if waypoint(who) => Some(Self::Waypoint(index)),
-            _ => None,
-        });
-        let agents = || scene.agents.iter();
-        mine.or_else(|| agents().position(goal).map(Self::Goal))
-            .or_else(|| agents().position(waypoint).map(Self::Waypoint))
-            .or_else(|| Self::painted(draft, cell))
-    }
-
-    /// The charger or the obstacle that can be moved from a cell.
-    pub(crate) fn painted(draft: &Draft, cell: Cell) -> Option<Self> {
-        let ground = draft.grid().ground(cell)?;
-        let paints = [Paint::Charger, Paint::Obstacle];
-        let paint = paints.into_iter().find(|paint| paint.is_on(ground))?;
-        Some(Self::Paint(paint))
     }
 }
