@@ -1,14 +1,20 @@
 //! The methods compared: a column each, in words and numbers.
 
+mod fixes;
+mod notes;
+
 use std::rc::Rc;
 
 use giveway_model::{Cost, Costs};
-use giveway_solve::change::MethodAnswer;
-use giveway_solve::{Status, change::Method};
+use giveway_solve::change::{Method, MethodAnswer};
 
-use super::{Changing, Choice, Tried, WIDEST};
+use super::{Changing, Tried};
 use crate::words::{change, title};
 use crate::{Answer, State};
+
+pub use fixes::{Fix, fixes};
+
+use notes::{notes, promise, time};
 
 /// What one method makes of the change.
 #[derive(Clone, Debug, PartialEq)]
@@ -40,17 +46,6 @@ impl Column {
     pub const fn has_plan(&self) -> bool {
         self.answer.is_some()
     }
-}
-
-/// What would help where no method has a plan.
-#[derive(Clone, Debug, PartialEq, Eq)]
-pub enum Fix {
-    /// Takes a listed change back, by its index: what it is, in words.
-    TakeBack(usize, String),
-    /// Tries other methods.
-    Try(Choice, String),
-    /// Searches for so many seconds.
-    Longer(u32),
 }
 
 /// A cost before and after.
@@ -126,49 +121,6 @@ const fn board(method: Method) -> &'static str {
     }
 }
 
-/// What would help, the likeliest first; nothing where a method has a plan, or
-/// nothing is compared.
-pub fn fixes(state: &State) -> Vec<Fix> {
-    let Some(comparing) = state.document.mode.comparing() else {
-        return Vec::new();
-    };
-    let (changing, tried) = (&comparing.changing, &comparing.tried);
-    if tried.iter().any(|tried| tried.answer.is_some()) {
-        return Vec::new();
-    }
-    let mut fixes = Vec::new();
-    let choice = state.settings.methods;
-    let is_open = |tried: &Tried| tried.told.result.status != Status::Impossible;
-    if tried.iter().any(is_open) {
-        fixes.push(Fix::Longer(state.settings.seconds.saturating_mul(4)));
-    }
-    if !choice.replan {
-        let all = Choice {
-            replan: true,
-            ..choice
-        };
-        fixes.push(Fix::Try(all, "Let everyone plan anew (Replan)".to_owned()));
-        if choice.tunnel && choice.width < WIDEST {
-            let width = choice.width + 1;
-            let wider = Choice { width, ..choice };
-            fixes.push(Fix::Try(wider, format!("Widen the tunnel to {width}")));
-        }
-    }
-    let listed = changing.list.iter().enumerate();
-    fixes.extend(listed.map(|(index, what)| Fix::TakeBack(index, change::sentence(what).0)));
-    fixes
-}
-
-fn promise(method: Method) -> String {
-    match method {
-        Method::Revise => "Same paths, new times".to_owned(),
-        Method::Tunnel(0) => "On the cells of the old paths".to_owned(),
-        Method::Tunnel(1) => "Within 1 step of the old paths".to_owned(),
-        Method::Tunnel(width) => format!("Within {width} steps of the old paths"),
-        Method::Replan => "Everyone plans freely".to_owned(),
-    }
-}
-
 /// The makespan, then what the objective has else.
 fn cost_changes(changing: &Changing, before: Option<Costs>, after: &Costs) -> Vec<CostChange> {
     let request = &changing.about.request;
@@ -208,47 +160,4 @@ fn groups(changing: &Changing, told: &MethodAnswer) -> Vec<Group> {
         groups.push(group("Freed", &told.freed));
     }
     groups
-}
-
-fn notes(tried: &Tried) -> Vec<String> {
-    let told = &tried.told;
-    let mut notes = Vec::new();
-    match (told.result.status, &told.result.plan) {
-        (_, Some(_)) if tried.answer.is_none() => {
-            notes.push("Its plan does not fit what is listed.".to_owned());
-        }
-        // Where it has none, its column says so first.
-        (Status::Optimal, Some(_)) | (_, None) => {}
-        (_, Some(_)) => notes.push("The best so far: the limits ended the search.".to_owned()),
-    }
-    match (&told.cause, &told.result.reason) {
-        (Some(cause), _) => {
-            notes.push(cause.text.clone());
-            if let Some(within) = cause.within {
-                notes.push(format!("That is shown up to makespan {within}."));
-            }
-        }
-        (None, Some(reason)) if told.result.plan.is_none() => notes.push(reason.clone()),
-        _ => {}
-    }
-    if !told.freed.is_empty() && told.result.plan.is_some() {
-        let names = told.freed.join(", ");
-        let fewest = if told.fewest {
-            "; no fewer would do"
-        } else {
-            ""
-        };
-        notes.push(format!("Freed to plan anew: {names}{fewest}."));
-    }
-    notes
-}
-
-fn time(seconds: f64) -> String {
-    if seconds < 0.0005 {
-        "less than 1 ms".to_owned()
-    } else if seconds < 1.0 {
-        format!("{:.0} ms", seconds * 1000.0)
-    } else {
-        format!("{seconds:.1} s")
-    }
 }
