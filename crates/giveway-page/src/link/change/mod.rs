@@ -1,14 +1,16 @@
 //! What changed while the plan ran, in a link: the time, a letter for the kind,
 //! and what that needs, joined by points.
 
+mod steps;
+
 use giveway_model::change::{Change, Changes, What};
-use giveway_model::{Cell, Cost, Costs, Plan, Version};
-use giveway_solve::change::Method;
+use giveway_model::{Agent, Cell, Plan, Version};
 
 use super::scene::{read_agent, write_agent};
 use super::text::{escape, numbers, unescape};
 use crate::MAX_AGENTS;
-use crate::course::Adopted;
+
+pub(super) use steps::{read_steps, write_steps};
 
 /// The latest time of a change, the most times, and the most changes.
 pub(super) const LATEST: u32 = 100_000;
@@ -71,7 +73,7 @@ pub(super) fn read(text: &str, agents: usize) -> Option<Changes> {
     (changes.by_time().len() <= TIMES).then_some(changes)
 }
 
-fn joins(change: &Change) -> Option<&giveway_model::Agent> {
+fn joins(change: &Change) -> Option<&Agent> {
     match &change.what {
         What::AddAgent { agent } => Some(agent),
         _ => None,
@@ -148,7 +150,7 @@ fn read_one(text: &str) -> Option<Change> {
 }
 
 /// Those who joined, in the order in which they came.
-pub(super) fn joined(changes: &Changes) -> Vec<giveway_model::Agent> {
+pub(super) fn joined(changes: &Changes) -> Vec<Agent> {
     let times = changes.by_time();
     let all = times.iter().flat_map(|(_, list)| list);
     all.filter_map(|(_, change)| joins(change))
@@ -169,75 +171,4 @@ pub(super) fn put_times(plan: &mut Plan, changes: &Changes) {
             _ => {}
         }
     }
-}
-
-/// What was adopted at each time, for this browser only: a method, and costs
-/// before and after.
-pub(super) fn write_steps(steps: &[Adopted]) -> String {
-    let costs = |costs: Option<Costs>| {
-        Cost::ALL.map(|cost| costs.map_or(0, |c| c.get(cost).saturating_add(1)))
-    };
-    let one = |step: &Adopted| {
-        let method = match step.method {
-            None => 0,
-            Some(Method::Revise) => 1,
-            Some(Method::Replan) => 2,
-            Some(Method::Tunnel(width)) => width.saturating_add(3),
-        };
-        let mut parts = vec![method];
-        parts.extend(costs(step.before));
-        parts.extend(costs(step.after));
-        let parts: Vec<String> = parts.iter().map(ToString::to_string).collect();
-        parts.join(".")
-    };
-    steps.iter().map(one).collect::<Vec<_>>().join(";")
-}
-
-/// What was adopted at each time of the changes, as far as a text tells it.
-pub(super) fn read_steps(text: &str, changes: &Changes) -> Vec<Adopted> {
-    let mut told = text.split(';');
-    let times = changes.by_time();
-    let steps = times.iter().map(|&(at, _)| {
-        let told = told.next().and_then(read_step);
-        told.map_or(
-            Adopted {
-                at,
-                method: None,
-                before: None,
-                after: None,
-            },
-            |step| Adopted { at, ..step },
-        )
-    });
-    steps.collect()
-}
-
-fn read_step(text: &str) -> Option<Adopted> {
-    let numbers = numbers(text)?;
-    let [method, rest @ ..] = &numbers[..] else {
-        return None;
-    };
-    let (before, after) = rest.split_first_chunk::<5>()?;
-    Some(Adopted {
-        at: 0,
-        method: match method {
-            0 => None,
-            1 => Some(Method::Revise),
-            2 => Some(Method::Replan),
-            width => Some(Method::Tunnel(width - 3)),
-        },
-        before: costs(before),
-        after: costs(after.first_chunk::<5>()?),
-    })
-}
-
-fn costs(numbers: &[u32; 5]) -> Option<Costs> {
-    let [makespan, sum_of_costs, charges, moves, waits] = *numbers;
-    Some(Costs {
-        makespan: makespan.checked_sub(1)?,
-        sum_of_costs: sum_of_costs.checked_sub(1)?,
-        charges: charges.checked_sub(1)?,
-        moves: moves.checked_sub(1)?,
-        waits: waits.checked_sub(1)?,
-    })
 }
