@@ -1,10 +1,14 @@
 //! Which part of a long plan is seen: only that is drawn.
 
+mod watch;
+
 use std::ops::Range;
 
 use giveway_page::timeline::{Axis, MIN_COLUMN, whole};
 use web_sys::Element;
 use yew::NodeRef;
+
+pub(super) use watch::use_seen;
 
 /// The height of a row of the plan table, in pixels: as in the style sheet.
 const TABLE_ROW: f64 = 22.0;
