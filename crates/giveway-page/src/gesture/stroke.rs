@@ -154,7 +154,7 @@ impl Stroke {
         })
     }
 
-    /// From where it began, so that nothing stays behind on the way.
+    /// Moves it from where the stroke began, so that nothing is left on the way.
     fn move_thing(&mut self) {
         let Some(edit) = self.moved() else { return };
         match &mut self.canvas {

@@ -19,8 +19,7 @@ pub struct Waiting {
 }
 
 impl Waiting {
-    /// The document is another one now: what another tab did to the one before is
-    /// no news any longer.
+    /// The document has changed. What another tab did to the one before is old news.
     pub(crate) fn go_on(&mut self) {
         if let Some(Other::Taken { .. }) = self.other {
             self.other = None;

@@ -1,19 +1,19 @@
-//! A document that another one took the place of.
+//! A document that another one replaced.
 
 use std::rc::Rc;
 
 use crate::history::Moment;
 
-/// A document that another one was opened in the place of.
+/// A document that another one replaced.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Displaced {
     /// That document.
     pub moment: Rc<Moment>,
-    /// What took its place: a link, or what a person went back to.
+    /// What replaced it: a link, or the document that a person went back to.
     pub by: By,
 }
 
-/// What took the place of a document.
+/// What replaced a document.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum By {
     /// The document of a link.

@@ -27,8 +27,8 @@ pub struct State {
     pub settings: Settings,
     /// Undo and redo.
     pub history: History,
-    /// The document that another one was opened in the place of, until it is
-    /// edited: one press brings it back.
+    /// The document that another one replaced. One press brings it back, until
+    /// the new one is edited.
     pub displaced: Option<Displaced>,
 }
 

@@ -37,7 +37,7 @@ impl State {
         can.then_some(agent)
     }
 
-    /// The name that the next agent gets.
+    /// The name of the next agent.
     pub fn next_name(&self) -> String {
         match self.document.mode.changing() {
             Some(changing) => changing.fresh_name(),

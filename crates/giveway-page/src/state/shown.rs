@@ -32,8 +32,8 @@ impl State {
         self.shown()?.plan()
     }
 
-    /// The plan that plays: the one that is shown, where anybody who is on the board
-    /// has a part in it.
+    /// The plan that plays: the one that is shown, if any agent on the board has a
+    /// part in it.
     pub fn playing(&self) -> Option<&Rc<Answer>> {
         let answer = self.shown()?;
         answer.plan()?;

@@ -17,7 +17,7 @@ pub struct Pose {
     pub heading: Option<f64>,
     /// Its battery; `None` without one.
     pub charge: Option<Charge>,
-    /// What it does, where that is not to be seen from its motion.
+    /// What it does, where its motion does not show it.
     pub badge: Option<Badge>,
     /// Both ends of the slow move that it is on.
     pub transit: Option<(Cell, Cell)>,
@@ -28,7 +28,7 @@ pub struct Pose {
 impl Pose {
     /// Whether another plan has the agent at another place at this time.
     pub fn is_elsewhere(&self, other: &Self) -> bool {
-        // Less is not to be seen.
+        // A smaller distance cannot be seen.
         const APART: f64 = 0.01;
         let is_apart = |a: f64, b: f64| (a - b).abs() > APART;
         is_apart(self.at.x, other.at.x)
@@ -45,7 +45,7 @@ pub struct Charge {
 }
 
 impl Charge {
-    /// How that is to be taken: `ok`, `mid` from 40 % down, `low` from 20 %.
+    /// The class in the style sheet: `ok`, `mid` from 40 % down, `low` from 20 %.
     pub fn class(self) -> &'static str {
         match self.share {
             ..=0.2 => "low",
