@@ -13,7 +13,7 @@ use crate::link::{From, Linked, Source};
 use crate::state::{By, Displaced};
 use crate::{History, Notice, Selection, State};
 
-/// Reads what [`keep`] wrote, or what the first version kept: the page as it was
+/// Reads what [`keep`](super::keep) wrote, or what the first version kept: the page as it was
 /// left. Of the past, what cannot be read is left out with all before it.
 ///
 /// # Errors
