@@ -58,6 +58,7 @@ pub(crate) fn repairs(
     let mut search = Search {
         instance,
         within,
+        objective,
         solver,
         exhaustive: facts.contains(&Part::Slow) || !has_slow_edge(instance.grid()),
         found: Vec::new(),
@@ -135,6 +136,7 @@ enum Candidate {
 struct Search<'a> {
     instance: &'a Instance,
     within: Option<u32>,
+    objective: &'a Objective,
     solver: &'a mut dyn Solver,
     exhaustive: bool,
     found: Vec<Repair>,
@@ -222,6 +224,9 @@ impl Search<'_> {
                 self.exhaustive = false;
                 return;
             };
+            // The least deadline is told; with a later one it may cost less.
+            let [now, later] = [&sooner, &best].map(|best| best.costs.vector(self.objective));
+            self.exhaustive &= now <= later;
             best = sooner;
         }
         let Best {

@@ -6,7 +6,9 @@
 //! minima, or joint states that are exhausted. Each of them makes a [`ForEver`],
 //! and nothing else does, so no claim can be called complete without one.
 
-use giveway_model::Cost;
+use std::collections::BTreeMap;
+
+use giveway_model::{Cost, sorting};
 
 use super::{incumbent::Incumbent, lexicographic::Bounded, stage::Search, tally::least};
 use crate::{
@@ -191,7 +193,7 @@ pub(super) fn known_for_ever(
     }
     let all: Vec<usize> = (0..problem.agents()).collect();
     match joint::least(problem, &all, cost, meter)? {
-        joint::Found::Least(least) => {
+        joint::Found::Best(least) => {
             let reason = ForEver(());
             Ok(Some((cost, Known { least, reason })))
         }
@@ -205,7 +207,7 @@ pub(super) fn exhausted(
     agents: &[usize],
     meter: &Meter,
 ) -> Result<Option<ForEver>, Stop> {
-    let found = joint::least(problem, agents, Cost::Makespan, meter)?;
+    let found = joint::any(problem, agents, meter)?;
     Ok((found == joint::Found::None).then_some(ForEver(())))
 }
 
@@ -224,15 +226,52 @@ pub(super) fn impossible(
     if let Some(reason) = limits_time(problem, bounded).or(exhausted(problem, clash, meter)?) {
         return Ok(Some(reason));
     }
+    above_limits(problem, bounded, meter)
+}
+
+/// No plan keeps the limits of charges, moves or waits, as the joint states show.
+pub(super) fn above_limits(
+    problem: &Problem,
+    bounded: &Bounded,
+    meter: &Meter,
+) -> Result<Option<ForEver>, Stop> {
     let all: Vec<usize> = (0..problem.agents()).collect();
     for (&cost, &most) in &bounded.limits {
         let counted = !matches!(cost, Cost::Makespan | Cost::SumOfCosts);
         if counted
-            && let joint::Found::Least(least) = joint::least(problem, &all, cost, meter)?
+            && let joint::Found::Best(least) = joint::least(problem, &all, cost, meter)?
             && least > most
         {
             return Ok(Some(ForEver(())));
         }
     }
     Ok(None)
+}
+
+/// The optima of all costs at any horizon.
+pub(super) struct Optima {
+    pub(super) bounds: BTreeMap<Cost, u32>,
+    pub(super) reason: ForEver,
+}
+
+/// The optima of all costs, where the joint states can be
+/// exhausted and the best plan is within the horizon: then it is the one at hand.
+pub(super) fn best(
+    problem: &Problem,
+    incumbent: &mut Incumbent,
+    meter: &Meter,
+) -> Result<Option<Optima>, Stop> {
+    let objective = incumbent.objective().clone();
+    let joint::Found::Best(best) = joint::best(problem, &objective, meter)? else {
+        return Ok(None);
+    };
+    incumbent.offer(problem, &best.walks);
+    let at_hand = incumbent.costs().map(|costs| costs.vector(&objective));
+    if at_hand.is_none_or(|vector| vector != best.vector) {
+        return Ok(None);
+    }
+    let costs = objective.costs().iter().copied();
+    let bounds = sorting::map(costs.zip(best.vector));
+    let reason = ForEver(());
+    Ok(Some(Optima { bounds, reason }))
 }

@@ -17,7 +17,7 @@ use super::{
     tally::least,
 };
 use crate::{
-    joint,
+    Limits, joint,
     local::{apart, first_plan},
     meter::{Meter, Stop},
     problem::Problem,
@@ -225,6 +225,12 @@ fn run(
             verdict.clash = all;
             return Ok(Shown::Claim(Some(reason)));
         }
+        if joint::is_small(problem)
+            && let Some(reason) = for_ever::above_limits(problem, bounded, meter)?
+        {
+            verdict.clash = all;
+            return Ok(Shown::Claim(Some(reason)));
+        }
         let mut search = Search::new(
             problem,
             walks.clone(),
@@ -267,8 +273,43 @@ fn is_met(aim: &Aim, incumbent: &Incumbent) -> bool {
     vector.is_some_and(|vector| aim.is_met(&vector))
 }
 
-/// The stages, one for each cost of the objective.
+/// Conflicts after which few joint states are exhausted instead.
+const PATIENCE: u64 = 4_000;
+
+/// The optima of all costs, one after the other. Where there are few joint
+/// states and SAT finds it hard, they are exhausted.
 fn prove(
+    problem: &Problem,
+    walks: &[Walk],
+    bounded: &Bounded,
+    aim: &Aim,
+    incumbent: &mut Incumbent,
+    verdict: &mut Verdict,
+    meter: &Rc<Meter>,
+) -> Result<Shown, Stop> {
+    if !(joint::is_small(problem) && bounded.limits.is_empty()) {
+        return prove_by_sat(problem, walks, bounded, aim, incumbent, verdict, meter);
+    }
+    let patience = Limits {
+        conflicts: Some(PATIENCE),
+        ..Limits::default()
+    };
+    let part = Rc::new(meter.part(patience));
+    let shown = prove_by_sat(problem, walks, bounded, aim, incumbent, verdict, &part);
+    meter.absorb(&part);
+    if !matches!(shown, Err(Stop::Conflicts)) {
+        return shown;
+    }
+    meter.check()?;
+    if let Some(optima) = for_ever::best(problem, incumbent, meter)? {
+        verdict.bounds = optima.bounds;
+        return Ok(Shown::Claim(Some(optima.reason)));
+    }
+    prove_by_sat(problem, walks, bounded, aim, incumbent, verdict, meter)
+}
+
+/// The stages, one for each cost of the objective.
+fn prove_by_sat(
     problem: &Problem,
     walks: &[Walk],
     bounded: &Bounded,

@@ -104,7 +104,7 @@ fn relaxed_optima_are_those_of_the_joint_states() {
                 assert_eq!(any.status, Status::Impossible, "{seed}");
                 (found.status, found.reach.is_some_and(Reach::is_complete))
             }
-            Some(joint::Found::Least(least)) => {
+            Some(joint::Found::Best(least)) => {
                 assert_eq!(any.status, Status::Feasible, "{seed}");
                 assert!(any.plan.is_some(), "{seed}");
                 assert_eq!(found.costs.map(|c| c.moves), Some(least), "{seed}");

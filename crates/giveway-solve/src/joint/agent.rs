@@ -1,0 +1,138 @@
+//! The states and steps of one agent.
+
+use super::{
+    Joint, Paid,
+    event::{Event, follow},
+};
+use crate::single::{Place, State};
+
+/// The state of one agent.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+pub(super) enum Single {
+    /// On its way.
+    Going {
+        place: Place,
+        mask: u32,
+        battery: u32,
+        /// The time, as far as a demand on the agent looks at it.
+        clock: u32,
+        /// Events that a demand on the agent counts.
+        count: u32,
+    },
+    /// Arrived this very time step, under `vanish`: it still holds its goal.
+    Leaving,
+    /// Arrived for good.
+    Arrived,
+}
+
+/// A step of one agent.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Move {
+    pub(super) to: Single,
+    /// The arc that is crossed in this step.
+    pub(super) arc: Option<u32>,
+    pub(super) cost: Paid,
+}
+
+impl Single {
+    pub(super) const fn has_arrived(self) -> bool {
+        matches!(self, Self::Leaving | Self::Arrived)
+    }
+}
+
+impl Joint<'_> {
+    /// A state, and the arrival that it allows.
+    pub(super) fn or_arrived(&self, i: usize, state: Single) -> Vec<Single> {
+        let mut choices = vec![state];
+        let task = self.task(i);
+        if let Single::Going {
+            place: Place::At(v),
+            mask,
+            clock,
+            ..
+        } = state
+            && task.is_end(v, mask)
+            && task.not_before <= clock
+            && clock <= task.not_after()
+        {
+            choices.push(if self.problem.rests(self.agents[i]) {
+                Single::Arrived
+            } else {
+                Single::Leaving
+            });
+        }
+        choices
+    }
+
+    /// The vertex that an agent holds.
+    pub(super) fn stands(&self, i: usize, state: Single) -> Option<u32> {
+        match state {
+            Single::Going {
+                place: Place::At(v),
+                ..
+            } => Some(v),
+            Single::Leaving => Some(self.task(i).goal),
+            Single::Arrived if self.problem.rests(self.agents[i]) => Some(self.task(i).goal),
+            _ => None,
+        }
+    }
+
+    pub(super) fn moves(&self, i: usize, state: Single) -> Vec<Move> {
+        let Single::Going {
+            place,
+            mask,
+            battery,
+            clock,
+            count,
+        } = state
+        else {
+            return vec![Move {
+                to: Single::Arrived,
+                arc: None,
+                cost: Paid::default(),
+            }];
+        };
+        let mut moves = Vec::new();
+        let task = self.task(i);
+        let from = State {
+            place,
+            mask,
+            battery,
+        };
+        let terrain = &self.problem.terrain;
+        for charged in [false, true] {
+            let charger = matches!(place, Place::At(u) if task.may_charge(terrain, u, Some(clock)));
+            if charged && !(charger && task.reserve.is_some()) {
+                continue;
+            }
+            task.onward(terrain, from, clock, charged, |step| {
+                let event = Event {
+                    from: place,
+                    to: step.to.place,
+                    clock,
+                    charged,
+                };
+                let Some((count, mask)) = follow(task, count, [mask, step.to.mask], event) else {
+                    return;
+                };
+                let last = task.last_time();
+                if clock >= task.not_after() {
+                    return;
+                }
+                let to = Single::Going {
+                    place: step.to.place,
+                    mask,
+                    battery: step.to.battery,
+                    clock: last.map_or(0, |last| (clock + 1).min(last.saturating_add(1))),
+                    count,
+                };
+                let cost = self.costs(event);
+                for to in self.or_arrived(i, to) {
+                    let arc = step.arc;
+                    moves.push(Move { to, arc, cost });
+                }
+            });
+        }
+        moves
+    }
+}

@@ -1,0 +1,200 @@
+//! All agents at once: joint states, exhausted.
+//!
+//! Practical for two or three agents on small maps. It proves what a horizon
+//! cannot: that there is no plan at all, or which plan is best whatever the
+//! makespan.
+
+mod agent;
+mod event;
+mod search;
+
+use giveway_model::{Cost, Objective};
+
+use self::{agent::Single, event::Event};
+use crate::{
+    encode::collisions::AgentId,
+    meter::{Meter, Stop},
+    problem::Problem,
+    single::Place,
+    walk::Walk,
+};
+
+/// Joint steps to look at before giving up.
+const MOST_STEPS: usize = 1_500_000;
+/// Agents beyond which only the smallest maps are small enough.
+const MOST_AGENTS: usize = 3;
+
+/// Joint states up to which they are exhausted before anything else is tried.
+const FEW_STATES: usize = 50_000;
+
+/// Whether there are so few joint states that they are best exhausted at once.
+pub(crate) fn is_small(problem: &Problem) -> bool {
+    has_few_states(problem, 0..problem.agents())
+}
+
+/// Whether some agents have so few joint states among themselves.
+fn has_few_states(problem: &Problem, agents: impl Iterator<Item = AgentId>) -> bool {
+    let states = agents.map(|agent| {
+        let task = &problem.tasks[agent];
+        let cells = problem.terrain.len();
+        cells
+            .saturating_mul(task.masks())
+            .saturating_mul(task.levels())
+    });
+    states.fold(1, usize::saturating_mul) <= FEW_STATES
+}
+
+/// Whether it is worth the try to exhaust the joint states of some agents.
+fn may_be_exhausted(problem: &Problem, agents: &[AgentId]) -> bool {
+    let few = agents.len() <= MOST_AGENTS || has_few_states(problem, agents.iter().copied());
+    few && !agents.is_empty()
+}
+
+/// What is paid so far: costs in the order of an objective, the rest 0.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, PartialOrd, Ord)]
+struct Paid([u32; 5]);
+
+impl Paid {
+    fn and(mut self, more: Self) -> Self {
+        for (paid, more) in self.0.iter_mut().zip(more.0) {
+            *paid = paid.saturating_add(more);
+        }
+        self
+    }
+}
+
+/// What exhausting the states has shown.
+enum Outcome {
+    /// The best plan at any horizon: what it costs, and its states over time.
+    Best(Paid, Vec<Vec<Single>>),
+    /// There is no plan at any horizon.
+    None,
+    /// There were too many states.
+    TooMany,
+}
+
+/// What is known of some agents among themselves, at any horizon.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub(crate) enum Found<T> {
+    /// The best plan, or its cost.
+    Best(T),
+    /// There is no plan.
+    None,
+    /// There were too many states.
+    TooMany,
+}
+
+/// The best plan of all agents, at any horizon.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub(crate) struct Best {
+    /// Its costs, in the order of the objective.
+    pub(crate) vector: Vec<u32>,
+    pub(crate) walks: Vec<Walk>,
+}
+
+/// Whether some agents have a plan among themselves.
+///
+/// # Errors
+/// When the budget is spent.
+pub(crate) fn any(problem: &Problem, agents: &[AgentId], meter: &Meter) -> Result<Found<()>, Stop> {
+    let outcome = run(problem, agents, &[], meter)?;
+    Ok(outcome.map(|_, _| ()))
+}
+
+/// The least value of a cost of some agents among themselves.
+///
+/// # Errors
+/// When the budget is spent.
+pub(crate) fn least(
+    problem: &Problem,
+    agents: &[AgentId],
+    cost: Cost,
+    meter: &Meter,
+) -> Result<Found<u32>, Stop> {
+    let outcome = run(problem, agents, &[cost], meter)?;
+    Ok(outcome.map(|paid, _| paid.0[0]))
+}
+
+/// The best plan of all agents.
+///
+/// # Errors
+/// When the budget is spent.
+pub(crate) fn best(
+    problem: &Problem,
+    objective: &Objective,
+    meter: &Meter,
+) -> Result<Found<Best>, Stop> {
+    let all: Vec<AgentId> = (0..problem.agents()).collect();
+    let costs = objective.costs();
+    let outcome = run(problem, &all, costs, meter)?;
+    Ok(outcome.map(|paid, way| Best {
+        vector: paid.0[..costs.len()].to_vec(),
+        walks: all.iter().map(|&agent| walk(problem, agent, way)).collect(),
+    }))
+}
+
+fn run(
+    problem: &Problem,
+    agents: &[AgentId],
+    costs: &[Cost],
+    meter: &Meter,
+) -> Result<Outcome, Stop> {
+    if !may_be_exhausted(problem, agents) {
+        return Ok(Outcome::TooMany);
+    }
+    let search = Joint {
+        problem,
+        agents,
+        costs,
+    };
+    let most = MOST_STEPS.min(usize::try_from(meter.joint_left()).unwrap_or(MOST_STEPS));
+    let mut steps = 0;
+    let outcome = search.run(most, &mut steps, meter);
+    meter.count_joint(steps as u64);
+    outcome
+}
+
+impl Outcome {
+    fn map<T>(self, best: impl FnOnce(Paid, &[Vec<Single>]) -> T) -> Found<T> {
+        match self {
+            Self::Best(paid, way) => Found::Best(best(paid, &way)),
+            Self::None => Found::None,
+            Self::TooMany => Found::TooMany,
+        }
+    }
+}
+
+/// The walk of one of all agents, up to its arrival.
+fn walk(problem: &Problem, agent: AgentId, way: &[Vec<Single>]) -> Walk {
+    let mut walk = Walk::new();
+    for states in way {
+        let Some(Single::Going { place, .. }) = states.get(agent) else {
+            walk.push(Place::At(problem.tasks[agent].goal));
+            break;
+        };
+        walk.push(*place);
+    }
+    walk
+}
+
+/// The joint states of some agents, and the costs that count.
+struct Joint<'a> {
+    problem: &'a Problem,
+    agents: &'a [AgentId],
+    costs: &'a [Cost],
+}
+
+impl Joint<'_> {
+    /// What an agent's step adds to the costs.
+    fn costs(&self, event: Event) -> Paid {
+        self.paid(|cost| event.costs(cost))
+    }
+
+    fn paid(&self, of: impl Fn(Cost) -> u32) -> Paid {
+        let mut paid = Paid::default();
+        for (paid, &cost) in paid.0.iter_mut().zip(self.costs) {
+            *paid = of(cost);
+        }
+        paid
+    }
+}
