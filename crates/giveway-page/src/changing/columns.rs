@@ -147,7 +147,10 @@ pub fn fixes(state: &State) -> Vec<Fix> {
             replan: true,
             ..choice
         };
-        fixes.push(Fix::Try(all, "Let everyone plan anew (Replan)".to_owned()));
+        fixes.push(Fix::Try(
+            all,
+            "Let everyone plan freely (Replan)".to_owned(),
+        ));
         if choice.tunnel && choice.width < WIDEST {
             let width = choice.width + 1;
             let wider = Choice { width, ..choice };
@@ -221,25 +224,7 @@ fn notes(tried: &Tried) -> Vec<String> {
         (Status::Optimal, Some(_)) | (_, None) => {}
         (_, Some(_)) => notes.push("The best so far: the limits ended the search.".to_owned()),
     }
-    match (&told.cause, &told.result.reason) {
-        (Some(cause), _) => {
-            notes.push(cause.text.clone());
-            if let Some(within) = cause.within {
-                notes.push(format!("That is shown up to makespan {within}."));
-            }
-        }
-        (None, Some(reason)) if told.result.plan.is_none() => notes.push(reason.clone()),
-        _ => {}
-    }
-    if !told.freed.is_empty() && told.result.plan.is_some() {
-        let names = told.freed.join(", ");
-        let fewest = if told.fewest {
-            "; no fewer would do"
-        } else {
-            ""
-        };
-        notes.push(format!("Freed to plan anew: {names}{fewest}."));
-    }
+    notes.extend(giveway_solve::change::notes(told));
     notes
 }
 

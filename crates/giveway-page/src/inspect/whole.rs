@@ -1,7 +1,7 @@
 //! The scene and its plan as a whole.
 
 use giveway_model::{Cost, Ground};
-use giveway_solve::Status;
+use giveway_solve::{Status, words::reach_of_bounds};
 
 use crate::timeline::work_done;
 use crate::words::{count, title};
@@ -92,6 +92,7 @@ fn tell(whole: &mut Whole, answer: &Answer) {
     let objective = asked.unwrap_or(&answer.request.scene.objective);
     whole.claims.push(claim(answer));
     whole.claims.extend(solved.reason.clone());
+    whole.claims.extend(reach_of_bounds(solved));
     whole.costs = costs(objective.costs(), |cost| {
         (
             solved.costs.map(|costs| costs.get(cost)),
@@ -145,16 +146,7 @@ fn claim(answer: &Answer) -> String {
         });
         return format!("No way to go on from time {at}{way} is better.");
     }
-    let reach = match solved.within {
-        Some(within) if !solved.complete => format!("up to makespan {within}"),
-        _ => "no matter how many steps you allow".to_owned(),
-    };
-    match solved.status {
-        Status::Optimal => format!("No plan is better, {reach}."),
-        Status::Feasible => "The best plan so far: the limits ended the search.".to_owned(),
-        Status::Impossible => format!("There is no plan, {reach}."),
-        Status::Unknown => "No plan yet, and no proof that there is none.".to_owned(),
-    }
+    giveway_solve::words::claim(solved)
 }
 
 /// What a scene contains.

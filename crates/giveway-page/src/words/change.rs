@@ -2,6 +2,7 @@
 
 use giveway_model::Cell;
 use giveway_model::change::What;
+use giveway_model::words::and;
 use giveway_solve::change::Method;
 
 use super::costs::values;
@@ -146,13 +147,5 @@ pub(super) fn adopted(answer: &Answer) -> String {
             format!("The world changed at time {at}; the plan went on by {way}: {costs}.")
         }
         None => format!("The world changed at time {at}; the plan went on: {costs}."),
-    }
-}
-
-fn and(names: &[String]) -> String {
-    match names {
-        [] => String::new(),
-        [one] => one.clone(),
-        [init @ .., last] => format!("{} and {last}", init.join(", ")),
     }
 }

@@ -1,12 +1,12 @@
 //! Where the page stands: one badge and one sentence.
 
-use std::collections::BTreeMap;
 use std::rc::Rc;
 
-use giveway_model::{Cost, Costs, Objective};
-use giveway_solve::{SolveAnswer, Status};
+use giveway_model::Objective;
+use giveway_solve::Status;
+use giveway_solve::words::{headline, known};
 
-use super::costs::{name, value, values};
+use super::costs::values;
 use crate::front::Front;
 use crate::{Answer, Asking, Mode, Solving, State, Task, proof};
 
@@ -257,93 +257,7 @@ fn objective(run: &Solving) -> &Objective {
     asked.unwrap_or(&run.request.scene.objective)
 }
 
-/// What is proved of each cost in turn: `makespan is 18; sum of costs is at
-/// least 33, the best plan so far has 35`.
-fn known(objective: &Objective, bounds: &BTreeMap<Cost, u32>, best: Option<&Costs>) -> String {
-    let parts = objective.costs().iter().filter_map(|&cost| {
-        let at_least = *bounds.get(&cost)?;
-        let name = name(cost);
-        Some(match best.map(|costs| costs.get(cost)) {
-            Some(best) if best == at_least => format!("{name} is {best}"),
-            Some(best) if best > at_least => {
-                format!("{name} is at least {at_least}, the best plan so far has {best}")
-            }
-            _ => format!("{name} is at least {at_least}"),
-        })
-    });
-    parts.collect::<Vec<_>>().join("; ")
-}
-
 fn answered(answer: &Answer) -> String {
-    let SolveAnswer {
-        status,
-        costs,
-        bounds,
-        within,
-        complete,
-        reason,
-        ..
-    } = &answer.solved;
     let objective = &answer.draft.scene().objective;
-    let reason = reason.as_deref().map_or_else(String::new, sentence);
-    let horizon = within.filter(|_| !complete);
-    match (status, costs) {
-        (Status::Optimal, Some(costs)) => {
-            let values = values(objective, costs);
-            match horizon {
-                Some(within) => format!("Optimal within makespan {within}: {values}."),
-                None => format!("Optimal: {values}."),
-            }
-        }
-        (Status::Feasible, Some(costs)) => {
-            let costs = with_bounds(objective, costs, bounds);
-            format!("Best so far: {costs}. {reason}")
-                .trim_end()
-                .to_owned()
-        }
-        (Status::Impossible, _) => match horizon {
-            Some(within) if reason.is_empty() => format!("No plan within makespan {within}."),
-            Some(within) => format!("No plan within makespan {within}: {reason}"),
-            None if reason.is_empty() => {
-                "No plan exists, no matter how many steps you allow.".to_owned()
-            }
-            None => format!("No plan exists, no matter how many steps you allow: {reason}"),
-        },
-        _ => {
-            let known = known(objective, bounds, None);
-            let said = match known.as_str() {
-                "" => String::new(),
-                known => format!(" Proved so far: {known}."),
-            };
-            let reason = match reason.as_str() {
-                "" => "Time ran out.",
-                reason => reason,
-            };
-            format!("{reason} There may be a plan; none was found yet.{said}")
-        }
-    }
-}
-
-/// `makespan 20, proved at least 17; 3 charges`.
-fn with_bounds(objective: &Objective, costs: &Costs, bounds: &BTreeMap<Cost, u32>) -> String {
-    let parts = objective.costs().iter().map(|&cost| {
-        let n = costs.get(cost);
-        let said = value(cost, n);
-        match bounds.get(&cost) {
-            None => said,
-            Some(&bound) if bound >= n => format!("{said}, proved"),
-            Some(&bound) => format!("{said}, at least {bound}"),
-        }
-    });
-    parts.collect::<Vec<_>>().join("; ")
-}
-
-/// With a full stop at its end.
-fn sentence(text: &str) -> String {
-    let text = text.trim();
-    if text.is_empty() || text.ends_with(['.', '!', '?']) {
-        text.to_owned()
-    } else {
-        format!("{text}.")
-    }
+    headline(objective, &answer.solved).to_string()
 }
