@@ -104,7 +104,7 @@ fn a_history_is_saved_and_loaded_again() {
     assert!(
         again
             .answer()
-            .contains("Nothing changes that the plan does not know")
+            .contains("The plan already knows all of these changes")
     );
 }
 

@@ -216,11 +216,11 @@ fn what_is_no_question_is_a_wrong_command_line() {
     let folder = scenario_1();
     for (question, said) in [
         ("why A1", "found \"why\", expected one of wait, charge"),
-        ("wait", "\"wait\" needs an agent"),
+        ("wait", "\"wait\" needs a robot"),
         ("visit A1", "\"visit\" needs --at"),
         ("wait A1 --at 3", "found \"3\", expected a cell X,Y"),
         ("wait A1 --from -1", "found \"-1\", expected a whole number"),
-        ("makespan A1", "\"makespan\" has no use for \"A1\""),
+        ("makespan A1", "\"makespan\" does not use \"A1\""),
     ] {
         let run = folder.run(&format!("explain scene.json {question}"));
         assert_eq!((run.exit, run.out.as_str()), (Some(2), ""), "{question}");
@@ -234,7 +234,7 @@ fn why_there_is_no_plan() {
     let run = Folder::scene(SCENARIO_6).run("explain scene.json unsolvable");
     let text = run.answer();
     for part in [
-        "Necessary, whatever the horizon",
+        "Impossible: There is no plan.",
         "A1 and A2 are both at (1, 2) at time 3.",
         "Remove the obstacle at (1, 0): makespan 6, sum of costs 8.",
     ] {
@@ -269,7 +269,7 @@ fn a_plan_around_which_the_world_changed() {
     assert_eq!(answer["alternative"]["paths"]["A1"], cells);
     let run = folder.run(line);
     let text = run.answer();
-    let told = "Improvable, whatever the horizon: This is about what comes from time 1 on. There \
+    let told = "Improvable: This is about the plan from time 1 on. There \
                 is even a better plan in which A1 does not wait: a makespan of 5 instead of 6 \
                 and a sum of costs of 5 instead of 6.";
     assert!(text.contains(told), "{text}");
@@ -287,7 +287,7 @@ fn a_question_about_what_is_past_is_refused() {
          visit A1 --at 0,0 --time 0",
     );
     assert_eq!(run.exit, Some(1), "{}", run.err);
-    let told = "Time 0 is before time 1, from which on the world is as it is asked about";
+    let told = "Time 0 is already past: the question is about the plan from time 1 on";
     assert!(run.err.contains(told), "{}", run.err);
 }
 

@@ -144,7 +144,7 @@ fn answers_to_questions_are_certified() {
         ),
         "{text}"
     );
-    assert_eq!(text.lines().last(), Some("not certified"));
+    assert!(text.ends_with("1 claim could not be checked.\n"), "{text}");
 }
 
 /// A folder of somebody else holds anything: what no certificate has is not even
@@ -171,7 +171,7 @@ fn only_regular_files_that_belong_to_it_are_read() {
         symlink("/dev/zero", &file).unwrap();
         let run = folder.run("verify certificate");
         assert_eq!((run.exit, run.out.as_str()), (Some(1), ""));
-        assert!(run.err.contains("found no regular file"), "{}", run.err);
+        assert!(run.err.contains("found something other than a regular file"), "{}", run.err);
         fs::remove_file(&file).unwrap();
         let made = std::process::Command::new("mkfifo").arg(&file).status();
         if made.is_ok_and(|made| made.success()) {

@@ -143,6 +143,11 @@ pub fn names_exist(question: &Question, instance: &Instance) -> Result<(), Misfi
 ///     misfit.to_string(),
 ///     "A1 does not wait. It never waits before its arrival. You can ask: arrival A1",
 /// );
+/// assert_eq!(
+///     misfit.in_sentences(),
+///     "A1 does not wait. It never waits before its arrival. \
+///      You can ask: Why does A1 not arrive sooner?",
+/// );
 /// ```
 pub fn fits(question: &Question, instance: &Instance, plan: &Plan) -> Result<(), Misfit> {
     names_exist(question, instance)?;

@@ -52,8 +52,8 @@ fn what_is_least_already_cannot_be_less() {
         ("moves A1", "A1 does not move in this plan."),
         ("length A1", "A1 does not move in this plan."),
         ("arrival A1", "A1 arrives at time 0."),
-        ("waits", "No agent waits in this plan."),
-        ("charges", "No agent charges in this plan."),
+        ("waits", "No robot waits in this plan."),
+        ("charges", "No robot charges in this plan."),
     ] {
         let misfit = fits(&question(words), &instance, &plan).unwrap_err();
         assert_eq!(misfit.to_string(), is_so, "{words}");
@@ -120,7 +120,7 @@ fn sentences_that_help() {
         wait A1 --from 2 --to 9
             A1 does not wait from time 2 to 9. It waits at (0, 0) from time 0 to 2. You can ask: wait A1 --at 0,0 --from 0 --to 2
         wait A1 --at-least 3
-            A1 does not wait 3 steps on end. It waits at (0, 0) from time 0 to 2. You can ask: wait A1 --at 0,0 --from 0 --to 2
+            A1 does not wait 3 steps in a row. It waits at (0, 0) from time 0 to 2. You can ask: wait A1 --at 0,0 --from 0 --to 2
         wait A2 --at-least 0
             at-least: found 0, expected at least 1 step
         charge A1 --time 2

@@ -2,7 +2,7 @@
 
 use std::rc::Rc;
 
-use giveway_model::Objective;
+use giveway_model::{Objective, words::capital};
 use giveway_solve::Status;
 use giveway_solve::words::{headline, known};
 
@@ -111,6 +111,24 @@ pub struct Standing {
     pub badge: Badge,
     /// The sentence, to be understood without the badge.
     pub sentence: String,
+    /// The sentence beside the badge, which says its first word already; `None` where
+    /// it is the same.
+    pub beside: Option<String>,
+}
+
+impl Standing {
+    fn new(badge: Badge, sentence: String) -> Self {
+        Self {
+            badge,
+            sentence,
+            beside: None,
+        }
+    }
+
+    /// The sentence beside the badge.
+    pub fn beside_badge(&self) -> &str {
+        self.beside.as_deref().unwrap_or(&self.sentence)
+    }
 }
 
 /// Where the page stands.
@@ -121,7 +139,7 @@ pub struct Standing {
 /// assert_eq!(standing.sentence, "No plan yet.");
 /// ```
 pub fn standing(state: &State) -> Standing {
-    let say = |badge, sentence| Standing { badge, sentence };
+    let say = Standing::new;
     if let Some(task) = state.work.task() {
         return working(state, task);
     }
@@ -149,9 +167,15 @@ pub fn standing(state: &State) -> Standing {
 
 /// Where the page stands while something runs.
 fn working(state: &State, task: &Task) -> Standing {
-    let say = |badge, sentence| Standing { badge, sentence };
+    let say = Standing::new;
     match task {
-        Task::Solve(run) => say(Badge::Solving, solving(run)),
+        Task::Solve(run) => {
+            let known = solving(run);
+            Standing {
+                beside: Some(capital(&known)),
+                ..say(Badge::Solving, format!("Solving: {known}"))
+            }
+        }
         Task::Explain(_) => {
             let asking = state.document.mode.asking();
             let sentence = asking.map_or_else(String::new, |asking| asked(asking));
@@ -164,7 +188,7 @@ fn working(state: &State, task: &Task) -> Standing {
 
 /// Where the page stands with a scene and its plan, if it has one.
 fn resting(state: &State) -> Standing {
-    let say = |badge, sentence| Standing { badge, sentence };
+    let say = Standing::new;
     if let Some(problem) = state.document.draft.problems().first()
         && state.document.fresh_answer().is_none()
     {
@@ -217,10 +241,7 @@ fn on_front(front: &Front, answer: &Rc<Answer>) -> Standing {
             format!("On the Pareto front, {plans} so far: {costs}."),
         )
     };
-    Standing {
-        badge,
-        sentence: what,
-    }
+    Standing::new(badge, what)
 }
 
 /// `Not checked yet whether it is the best: makespan 18.`
@@ -240,16 +261,16 @@ fn asked(asking: &Asking) -> String {
     format!("{question} The verdict is there; reasons and repairs follow.")
 }
 
-/// `Solving: makespan is at least 17, the best plan so far has 20.`
+/// `makespan is at least 17, the best plan so far has 20.`
 fn solving(run: &Solving) -> String {
     let known = known(objective(run), &run.bounds, run.best.as_ref());
     if known.is_empty() {
         return match &run.best {
-            Some(costs) => format!("Solving: a plan with {}.", values(objective(run), costs)),
-            None => "Solving: no bound yet.".to_owned(),
+            Some(costs) => format!("a plan with {}.", values(objective(run), costs)),
+            None => "no bound yet.".to_owned(),
         };
     }
-    format!("Solving: {known}.")
+    format!("{known}.")
 }
 
 fn objective(run: &Solving) -> &Objective {
