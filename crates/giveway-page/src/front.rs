@@ -159,10 +159,6 @@ impl Front {
     }
 }
 
-fn get(costs: giveway_model::Costs, cost: Cost) -> u32 {
-    costs.get(cost)
-}
-
 #[cfg(test)]
 mod tests {
     use crate::{BoardAction, SolveAction, State, ViewAction};

@@ -43,15 +43,6 @@ pub enum Certified {
 }
 
 impl Certified {
-    /// The same in words.
-    pub const fn words(self) -> &'static str {
-        match self {
-            Self::Proved => "proved",
-            Self::ProvedAndSearched => "proved and searched",
-            Self::NotCertified => "not certified",
-        }
-    }
-
     fn of(claims: &[Checked]) -> Self {
         let is = |test: fn(&Checked) -> bool| claims.iter().any(test);
         if is(|claim| matches!(claim, Checked::None { .. })) {

@@ -36,10 +36,11 @@ fn the_published_scenario_1() {
     let run = scenario_1().run("explain scene.json --plan plan.json wait A2 --at 3,1");
     let text: Vec<&str> = run.answer().lines().collect();
     expect![[r#"
-        scenario-1: 4 x 3 cells, 2 agents
+        scenario-1: 4 x 3 cells, 2 robots
 
-        wait A2 --at 3,1
-        Needless, whatever the horizon: If A2 did not wait at (3, 1), it would meet A1 at (2, 1) at time 1. But A1 could wait instead: there is another plan that costs the same.
+        Why does A2 wait at (3, 1)? (wait A2 --at 3,1)
+        Needless: If A2 did not wait at (3, 1), it would meet A1 at (2, 1) at time 1. But A1 could wait instead: there is another plan that costs the same.
+        This holds no matter how many steps you allow.
 
         cost           this plan  other plan  difference
         makespan               4           4           -
@@ -60,9 +61,8 @@ fn the_published_scenario_1() {
           other  2,2  !2,2  !2,1  !1,1  !0,1
         A2       3,1   3,1   2,1   1,1   1,0
           other  3,1  !2,1  !1,1  !1,0
-          other: what the agent does in the other plan, ! where it differs
-        No other plan as good is closer to this one.
-
+          other: what the robot does in the other plan; ! marks a difference
+        No equally good plan is closer to this one.
     "#]]
     .assert_eq(&(text[..text.len().min(27)].join("\n") + "\n"));
 }

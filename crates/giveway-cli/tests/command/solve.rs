@@ -82,10 +82,10 @@ fn text_is_for_people() {
     // What may differ from one good solver to another is left out: the plan and the work.
     let lines: Vec<&str> = run.answer().lines().take(17).collect();
     expect![[r#"
-        warehouse: 10 x 3 cells, 2 agents
+        warehouse: 10 x 3 cells, 2 robots
 
         Optimal: makespan 18, sum of costs 35, 3 charges.
-        No plan is better, whatever the horizon.
+        No plan is better, no matter how many steps you allow.
 
         cost             value   proved at least
         makespan            18                18

@@ -128,7 +128,7 @@ fn sentences_that_help() {
         charge A2
             A2 does not charge. It has no battery.
         charge A1 --at 1,0
-            at: found (1, 0), which is none, expected a charger: (0, 0) and (3, 0)
+            at: found (1, 0), which is not a charger, expected one of the chargers: (0, 0) and (3, 0)
         no-charge A1 --at 0,0
             A1 does charge at (0, 0). It charges at (0, 0) at time 1. You can ask: charge A1 --at 0,0
         visit A2 --at 0,0
@@ -160,7 +160,7 @@ fn sentences_that_help() {
         length A1 --fewer-than 5
             A1 makes only 3 moves. You can ask: length A1
         yield A1 A1 --at 1,0
-            agents: found A1 twice, expected two agents
+            agents: found A1 twice, expected two different robots
         yield A1 A2 --at 1,1
             A1 is never at (1, 1), so it gives way to nobody there. You can ask: no-visit A1 --at 1,1
         yield A2 A1 --at 1,1

@@ -130,7 +130,7 @@ mod tests {
             None,
             &[[18, 3], [20, 2]],
             &expect![[r#"
-                Pareto front: 2 points, complete whatever the horizon.
+                Pareto front: 2 plans, and no other plan is better in one of the costs without being worse in another.
                 Costs: makespan, charges.
                 point      makespan       charges  sum of costs         moves         waits
                     1            18             3             0             0             0
@@ -143,12 +143,12 @@ mod tests {
             Some(57),
             &[[18, 3]],
             &expect![[r#"
-            Pareto front: 1 point, complete within makespan 57.
-            Costs: makespan, charges.
-            point      makespan       charges  sum of costs         moves         waits
-                1            18             3             0             0             0
-            --format json shows the plan of each point.
-        "#]],
+                Pareto front: 1 plan, and no other plan of makespan at most 57 is better in one of the costs without being worse in another.
+                Costs: makespan, charges.
+                point      makespan       charges  sum of costs         moves         waits
+                    1            18             3             0             0             0
+                --format json shows the plan of each point.
+            "#]],
         );
     }
 
@@ -159,23 +159,23 @@ mod tests {
             None,
             &[[18, 3]],
             &expect![[r#"
-            Part of the Pareto front: 1 point; the time ran out before all were proved.
-            Costs: makespan, charges.
-            point      makespan       charges  sum of costs         moves         waits
-                1            18             3             0             0             0
-            --format json shows the plan of each point.
-        "#]],
+                Part of the Pareto front: 1 plan so far: the limits ended the search, there may be more.
+                Costs: makespan, charges.
+                point      makespan       charges  sum of costs         moves         waits
+                    1            18             3             0             0             0
+                --format json shows the plan of each point.
+            "#]],
         );
         check(
             Status::Unknown,
             None,
             &[],
             &expect![[r#"
-            Unknown: neither a plan nor a proof that there is none.
-            Costs: makespan, charges.
-            point      makespan       charges  sum of costs         moves         waits
-            --format json shows the plan of each point.
-        "#]],
+                The search ended early. There may be a plan; none was found yet.
+                Costs: makespan, charges.
+                point      makespan       charges  sum of costs         moves         waits
+                --format json shows the plan of each point.
+            "#]],
         );
     }
 }

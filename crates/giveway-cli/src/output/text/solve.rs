@@ -112,16 +112,16 @@ mod tests {
         check(
             &answer(Status::Optimal, None, None),
             &expect![[r#"
-            Optimal: makespan 23, sum of costs 35, 3 charges.
-            No plan is better, whatever the horizon.
-        "#]],
+                Optimal: makespan 23, sum of costs 35, 3 charges.
+                No plan is better, no matter how many steps you allow.
+            "#]],
         );
         check(
             &answer(Status::Optimal, Some(57), None),
             &expect![[r#"
-            Optimal within makespan 57: makespan 23, sum of costs 35, 3 charges.
-            No plan of at most that makespan is better; a longer one might be.
-        "#]],
+                Optimal within makespan 57: makespan 23, sum of costs 35, 3 charges.
+                No plan of makespan at most 57 is better; a longer one might be.
+            "#]],
         );
     }
 
@@ -131,16 +131,14 @@ mod tests {
         check(
             &answer(Status::Feasible, None, reason),
             &expect![[r#"
-            Feasible: makespan 23, proved at least 22 (gap 4 %); sum of costs 35; 3 charges.
-            The time limit was reached.
-        "#]],
+                Best so far: makespan 23, proved at least 22; sum of costs 35; 3 charges. The time limit was reached.
+            "#]],
         );
         check(
             &answer(Status::Feasible, Some(57), reason),
             &expect![[r#"
-                Feasible: makespan 23, proved at least 22 (gap 4 %); sum of costs 35; 3 charges.
-                What is proved holds for plans of makespan 57 at most.
-                The time limit was reached.
+                Best so far: makespan 23, proved at least 22; sum of costs 35; 3 charges. The time limit was reached.
+                What is proved holds for plans of makespan at most 57.
             "#]],
         );
     }
@@ -151,8 +149,8 @@ mod tests {
         check(
             &answer(Status::Impossible, None, reason),
             &expect![[r#"
-            Impossible, whatever the horizon: A1 cannot reach its goal.
-        "#]],
+                No plan exists, no matter how many steps you allow: A1 cannot reach its goal.
+            "#]],
         );
         check(
             &answer(Status::Impossible, Some(17), None),
@@ -168,10 +166,8 @@ mod tests {
         check(
             &answer(Status::Unknown, None, reason),
             &expect![[r#"
-            Unknown: neither a plan nor a proof that there is none.
-            Proved so far: makespan at least 22.
-            The time limit was reached.
-        "#]],
+                The time limit was reached. There may be a plan; none was found yet. Proved so far: makespan is at least 22.
+            "#]],
         );
     }
 
@@ -180,12 +176,12 @@ mod tests {
         let answer = answer(Status::Feasible, None, None);
         let objective = "charges,makespan".parse().unwrap();
         expect![[r#"
-            cost             value   proved at least
-            charges              3                 -
-            makespan            23                22
-            sum of costs        35                 -
-            moves               30                 -
-            waits                1                 -
+            cost             value   proved at least          gap
+            charges              3                 -            -
+            makespan            23                22          4 %
+            sum of costs        35                 -            -
+            moves               30                 -            -
+            waits                1                 -            -
         "#]]
         .assert_eq(&cost_table(&objective, &answer.costs.unwrap(), &answer));
     }
