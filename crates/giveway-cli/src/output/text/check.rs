@@ -66,7 +66,7 @@ fn verdict(answer: &CheckAnswer) -> String {
         );
     }
     if let Some(costs) = costs {
-        let _ = writeln!(text, "Its costs as it is: {}.", plain::text(&costs));
+        let _ = writeln!(text, "Costs of the plan: {}.", plain::text(&costs));
     }
     text
 }
