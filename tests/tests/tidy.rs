@@ -331,6 +331,36 @@ mod files {
         expect_none(&complaints);
     }
 
+    /// The page: its state, its components, its style sheets.
+    const PAGE: [&str; 3] = ["crates/giveway-page/", "web/", "static/css/"];
+    /// No file of the page is longer, lines in all: comments and tests, too.
+    const TOO_LONG_FOR_THE_PAGE: usize = 300;
+
+    #[test]
+    fn no_file_of_the_page_is_too_long() {
+        let mut complaints = Vec::new();
+        for place in PAGE {
+            let files = source::files(place.trim_end_matches('/'));
+            let mut seen = 0;
+            for file in files {
+                let end = file.path.rsplit('.').next();
+                if !matches!(end, Some("rs" | "css")) {
+                    continue;
+                }
+                seen += 1;
+                let lines = file.text.lines().count();
+                if lines > TOO_LONG_FOR_THE_PAGE {
+                    let path = file.path;
+                    complaints.push(format!(
+                        "{path} has {lines} lines, more than {TOO_LONG_FOR_THE_PAGE}"
+                    ));
+                }
+            }
+            assert!(seen > 10, "there is little in {place}");
+        }
+        expect_none(&complaints);
+    }
+
     #[test]
     fn no_line_ends_in_a_blank_or_has_a_tab() {
         let mut complaints = Vec::new();

@@ -8,8 +8,9 @@ use web_sys::KeyboardEvent;
 use yew::prelude::*;
 
 use super::cells::Cells;
+use super::layers::{layers, square};
 use super::viewport::use_viewport;
-use super::{cells, layers, square, view_box};
+use super::{cells, view_box};
 use crate::Shown;
 
 /// Which plan, on the map of which state.

@@ -7,6 +7,7 @@
 mod agents;
 mod axis;
 mod beside;
+mod casts;
 mod cells;
 mod coalesced;
 mod floor;
@@ -14,6 +15,7 @@ mod follow;
 mod gestures;
 mod ghost;
 mod keys;
+mod layers;
 mod legend;
 mod marks;
 mod motion;
@@ -27,27 +29,22 @@ mod ways;
 
 use std::rc::Rc;
 
-use giveway_model::{Cell, sorting};
-use giveway_page::board::{CELL, Cast, Detail, FloorLook, Frame, Kind, Window, legend};
-use giveway_page::{Action, Answer, Selection, State, Tool, ask, words};
+use giveway_page::board::{CELL, Cast, Frame, Kind, Window, legend};
+use giveway_page::{Action, Answer, Selection, Tool, ask, words};
 use yew::prelude::*;
 
-use crate::held::use_held;
 use crate::{Shown, icon};
-use agents::Agents;
-use axis::Axis;
 use beside::Beside;
+use casts::use_casts;
 use cells::Cells;
-use floor::FloorShapes;
+use layers::{layers, problems, square};
 use legend::{Under, under};
-use marks::Marks;
 pub(crate) use picture::picture;
 pub(crate) use preview::Preview;
 use reasons::ReasonMarks;
 pub(crate) use small::Small;
 pub(crate) use still::Still;
 use viewport::use_viewport;
-use ways::Ways;
 
 /// The name of the grid of the plan, and of the one of the other plan.
 const BOARD: &str = "Board";
@@ -200,58 +197,6 @@ fn caption(title: &'static str, answer: Option<&Rc<Answer>>, claim: Option<&'sta
     }
 }
 
-/// The map with all that stands and moves on it, from below to above; agents
-/// that are elsewhere in another plan are marked.
-fn layers(state: &Shown, cast: &Rc<Cast>, versus: Option<&Rc<Cast>>, frame: Frame) -> Html {
-    let detail = frame.detail();
-    let selected = state.selected_agent();
-    let board = (state.world().grid().width(), state.world().grid().height());
-    html! {
-        <>
-            <FloorShapes draft={Rc::clone(state.world())} look={FloorLook::of(frame.cell_px)}
-                used_by={state.view.layers.heat.then(|| Rc::clone(cast))} />
-            if state.view.layers.trails {
-                <Ways cast={Rc::clone(cast)} {selected} />
-            }
-            <Agents cast={Rc::clone(cast)} versus={versus.cloned()} {detail} {selected} />
-            <Marks cast={Rc::clone(cast)} {detail} />
-            if detail == Detail::All {
-                <Axis {frame} {board} />
-            }
-        </>
-    }
-}
-
-/// A frame and a triangle on every cell where something is wrong.
-fn problems(state: &Shown) -> Html {
-    let cells = state
-        .document
-        .draft
-        .problems()
-        .iter()
-        .filter_map(|problem| problem.cell);
-    let cells = sorting::set(cells);
-    let mark = |cell: Cell| {
-        html! {
-            <>
-                { square("fault", cell, 3) }
-                <path class="fault-sign" transform={format!("translate({} {})", 100 * cell.x, 100 * cell.y)}
-                    d="M20 7 33 29H7ZM20 14v7M20 25v.1" />
-            </>
-        }
-    };
-    html! { <g aria-hidden="true">{ for cells.into_iter().map(mark) }</g> }
-}
-
-/// A frame around a cell, some units inside of it.
-fn square(class: &'static str, cell: Cell, inset: u32) -> Html {
-    let side = 100 - 2 * inset;
-    html! {
-        <rect {class} x={(100 * cell.x + inset).to_string()} y={(100 * cell.y + inset).to_string()}
-            width={side.to_string()} height={side.to_string()} rx="15" />
-    }
-}
-
 fn view_box(frame: &Frame) -> String {
     let Frame {
         x,
@@ -266,27 +211,4 @@ fn view_box(frame: &Frame) -> String {
 /// The middle of a cell on the map, in units.
 fn units(cells: f64) -> f64 {
     (cells + 0.5) * CELL
-}
-
-/// The cast of the plan that is shown, and that of the one beside it; the same
-/// ones as long as they fit.
-#[hook]
-fn use_casts(state: &Shown) -> (Rc<Cast>, Option<Rc<Cast>>) {
-    let kept = use_held(<[Option<Rc<Cast>>; 2]>::default);
-    let [mut this, mut other] = kept.take();
-    let casts = (
-        renewed(&mut this, state, state.shown()),
-        state
-            .beside()
-            .map(|answer| renewed(&mut other, state, Some(answer))),
-    );
-    kept.set([this, other]);
-    casts
-}
-
-fn renewed(kept: &mut Option<Rc<Cast>>, state: &State, answer: Option<&Rc<Answer>>) -> Rc<Cast> {
-    match kept {
-        Some(cast) if cast.is_by(state, answer) => Rc::clone(cast),
-        _ => Rc::clone(kept.insert(Rc::new(Cast::by(state, answer)))),
-    }
 }

@@ -7,7 +7,7 @@ use giveway_page::Answer;
 use yew::prelude::*;
 
 use super::beside::Beside;
-use super::renewed;
+use super::casts::renewed;
 use crate::Shown;
 use crate::held::use_held;
 

@@ -6,7 +6,8 @@ use std::rc::Rc;
 use yew::prelude::*;
 
 use super::beside::Beside;
-use super::{BOARD, BoardProps, floor, keys, use_casts};
+use super::casts::use_casts;
+use super::{BOARD, BoardProps, floor, keys};
 
 /// The board, all of the map in sight.
 #[component]

@@ -9,6 +9,7 @@ mod plan_table;
 mod ruler;
 mod same;
 mod seen;
+mod selected;
 mod tabs;
 mod transport;
 mod wait;

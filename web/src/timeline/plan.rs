@@ -4,10 +4,8 @@ use std::rc::Rc;
 
 use giveway_page::steering::Steering;
 use giveway_page::timeline::{Lane, Row};
-use giveway_page::{Action, Answer, BoardAction, Selection, State, Tab, changing, table};
-use wasm_bindgen::JsCast;
-use wasm_bindgen::closure::Closure;
-use web_sys::{Element, HtmlElement, ResizeObserver};
+use giveway_page::{Action, Answer, BoardAction, Selection, changing, table};
+use web_sys::Element;
 use yew::prelude::*;
 
 use super::epochs;
@@ -16,9 +14,10 @@ use super::lane::LaneRow;
 use super::plan_table::PlanTable;
 use super::ruler::Ruler;
 use super::same::Same;
-use super::seen::{Extent, Seen};
+use super::seen::{Extent, Seen, use_seen};
+use super::selected::{lane_of, selected_lane, selection, use_selected_in_view};
 use crate::Shown;
-use crate::held::{Held, use_held};
+use crate::held::use_held;
 
 #[derive(Clone, PartialEq, Properties)]
 pub(super) struct PlanProps {
@@ -174,119 +173,4 @@ pub(super) fn Plan(props: &PlanProps) -> Html {
             </div>
         </>
     }
-}
-
-/// What is seen, and a function that looks again.
-#[hook]
-fn use_seen(
-    extent: Extent,
-    lanes: &NodeRef,
-    table: &NodeRef,
-    tab: Tab,
-    open: bool,
-) -> (Seen, Rc<dyn Fn()>) {
-    let seen = use_state_eq(Seen::default);
-    // The function stays the same, so that the observer need not change.
-    let latest = use_held(|| extent);
-    latest.set(extent);
-    let look = {
-        let (lanes, table, setter) = (lanes.clone(), table.clone(), seen.setter());
-        use_memo((), move |()| {
-            let look: Rc<dyn Fn()> = Rc::new(move || {
-                setter.set(Seen::look(latest.get(), &lanes, &table));
-            });
-            look
-        })
-    };
-    let look: Rc<dyn Fn()> = (*look).clone();
-    {
-        let look = Rc::clone(&look);
-        use_effect_with((extent, tab, open), move |_| look());
-    }
-    {
-        let (look, places) = (Rc::clone(&look), [lanes.clone(), table.clone()]);
-        use_effect_with((), move |()| {
-            let resized = Closure::<dyn FnMut()>::new(move || look());
-            let observer = ResizeObserver::new(resized.as_ref().unchecked_ref()).ok();
-            if let Some(observer) = &observer {
-                for place in places.iter().filter_map(NodeRef::cast::<Element>) {
-                    observer.observe(&place);
-                }
-            }
-            move || {
-                if let Some(observer) = observer {
-                    observer.disconnect();
-                }
-                drop(resized);
-            }
-        });
-    }
-    ((*seen).clone(), look)
-}
-
-/// Brings the lane that was selected into view, and the focus to it where the
-/// keyboard selected it.
-#[hook]
-fn use_selected_in_view(
-    selected: Option<usize>,
-    extent: Extent,
-    lanes: &NodeRef,
-    focus: &Rc<Held<Option<usize>>>,
-) {
-    const RULER: f64 = 24.0;
-    {
-        let lanes = lanes.clone();
-        use_effect_with((selected, extent.lanes), move |(selected, _)| {
-            let (Some(index), Some(place)) = (*selected, lanes.cast::<Element>()) else {
-                return;
-            };
-            let top = index as f64 * extent.lane;
-            let shown = f64::from(place.client_height()) - RULER;
-            let scrolled = f64::from(place.scroll_top());
-            let to = if top < scrolled {
-                top
-            } else if top + extent.lane > scrolled + shown {
-                top + extent.lane - shown
-            } else {
-                return;
-            };
-            place.set_scroll_top(to.ceil() as i32);
-        });
-    }
-    // After every render: the lane may have been drawn only now.
-    let (lanes, focus) = (lanes.clone(), Rc::clone(focus));
-    use_effect(move || {
-        let wanted = focus.get();
-        let button = wanted.and_then(|index| {
-            let selector = format!("[data-lane=\"{index}\"]");
-            lanes.cast::<Element>()?.query_selector(&selector).ok()?
-        });
-        if let Some(button) = button.and_then(|button| button.dyn_into::<HtmlElement>().ok()) {
-            let _ = button.focus();
-            focus.set(None);
-        }
-    });
-}
-
-/// The lane whose label has the focus.
-fn lane_of(event: &KeyboardEvent) -> Option<usize> {
-    let target: Element = event.target()?.dyn_into().ok()?;
-    target.get_attribute("data-lane")?.parse().ok()
-}
-
-/// The lane of the agent that is selected. The answer may be of an older draft:
-/// agents are the same if their names are.
-fn selected_lane(state: &State, lanes: &[Lane]) -> Option<usize> {
-    let Selection::Agent(agent) = state.view.selection else {
-        return None;
-    };
-    let name = &state.world().agents().get(agent)?.name;
-    lanes.iter().position(|lane| lane.name == *name)
-}
-
-fn selection(state: &State, lanes: &[Lane], index: usize) -> Selection {
-    let name = lanes.get(index).map(|lane| &lane.name);
-    let mut agents = state.world().agents().iter();
-    let agent = agents.position(|agent| Some(&agent.name) == name);
-    agent.map_or(Selection::Nothing, Selection::Agent)
 }

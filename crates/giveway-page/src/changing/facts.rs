@@ -1,12 +1,11 @@
 //! What is listed, and what has changed before, in words.
 
+use giveway_model::Fault;
 use giveway_model::change::What;
-use giveway_model::{Cell, Fault};
 
 use super::Changing;
 use super::listed::whose;
 use crate::course::Course;
-use crate::timeline::Lane;
 use crate::words::{self, change};
 use crate::{Answer, State};
 
@@ -170,73 +169,4 @@ pub fn fate(state: &State, name: &str) -> Option<String> {
     ];
     let found = fates.iter().find(|(_, names)| is_in(names));
     found.map(|(fate, _)| (*fate).to_owned())
-}
-
-/// What can be changed of an agent beside the board.
-#[derive(Clone, Debug, PartialEq, Eq)]
-pub struct Offers {
-    /// The time, in steps.
-    pub at: u32,
-    /// Its name.
-    pub name: String,
-    /// Its battery's level then, and the capacity; `None` without a battery.
-    pub level: Option<(u32, u32)>,
-    /// The breakdown that is listed, in steps.
-    pub delay: Option<u32>,
-    /// The waypoints that it has still to visit.
-    pub waypoints: Vec<Cell>,
-}
-
-/// What can be changed of an agent; `None` while the world does not change, and
-/// for one that is not there.
-pub fn offers(state: &State, agent: usize) -> Option<Offers> {
-    let changing = state.document.mode.changing()?;
-    let who = changing.draft().agents().get(agent)?;
-    if !*changing.world.is_there.get(agent)? {
-        return None;
-    }
-    let lane = Lane::of(&changing.about, agent);
-    let listed = |find: fn(&What) -> Option<u32>| {
-        let own = changing.list.iter().rev();
-        let mut own = own.filter(|what| whose(what) == Some(&who.name));
-        own.find_map(find)
-    };
-    let level = listed(|what| match what {
-        What::SetBattery { level, .. } => Some(*level),
-        _ => None,
-    });
-    let now = lane.as_ref().and_then(|lane| lane.level_at(changing.at));
-    let is_visited = |cell: &Cell| {
-        let steps = lane.iter().flat_map(|lane| &lane.steps);
-        let entry = lane.iter().filter(|lane| lane.begins <= changing.at);
-        let mut cells = entry.map(|lane| lane.entry).chain(
-            steps
-                .filter(|step| step.ends <= changing.at)
-                .map(|step| step.to),
-        );
-        cells.any(|at| at == *cell)
-    };
-    let is_new = |cell: &Cell| {
-        let what = What::AddWaypoint {
-            agent: who.name.clone(),
-            cell: *cell,
-        };
-        changing.list.contains(&what)
-    };
-    let waypoints = who.waypoints.iter().copied();
-    Some(Offers {
-        at: changing.at,
-        name: who.name.clone(),
-        level: who.battery.map(|battery| {
-            let now = level.or(now).unwrap_or(battery.initial);
-            (now, battery.capacity)
-        }),
-        delay: listed(|what| match what {
-            What::DelayAgent { steps, .. } => Some(*steps),
-            _ => None,
-        }),
-        waypoints: waypoints
-            .filter(|cell| !is_visited(cell) || is_new(cell))
-            .collect(),
-    })
 }

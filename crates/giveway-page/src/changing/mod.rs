@@ -9,6 +9,7 @@ mod compared;
 mod facts;
 mod list;
 mod listed;
+mod offers;
 
 use std::rc::Rc;
 
@@ -22,7 +23,8 @@ use crate::{Answer, Draft, Settings};
 
 pub use columns::{Column, CostChange, Fix, Group, columns, fixes};
 pub use compared::{Comparing, Tried};
-pub use facts::{Facts, Listed, Offers, Past, facts, fate, history, offers};
+pub use facts::{Facts, Listed, Past, facts, fate, history};
+pub use offers::{Offers, offers};
 
 /// The world changes at a time, and this is how.
 #[derive(Clone, Debug, PartialEq)]

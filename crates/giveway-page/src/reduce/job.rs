@@ -4,7 +4,7 @@
 use giveway_solve::{Progress, Refusal, Response};
 
 use super::{ask, change, proof, solve};
-use crate::{Mode, Notice, Size, State, Task};
+use crate::{Adapting, Mode, Notice, Size, Solving, State, Task};
 
 /// Something became known on the way.
 pub(super) fn progress(state: &mut State, id: u64, event: Progress) {
@@ -13,35 +13,25 @@ pub(super) fn progress(state: &mut State, id: u64, event: Progress) {
     };
     match (task, event) {
         (
-            Task::Solve(run),
+            Task::Solve(Solving { size, .. }) | Task::Change(Adapting { size, .. }),
             Progress::Size {
                 variables,
                 clauses,
                 conflicts,
             },
-        ) => run.size = size(variables, clauses, conflicts),
-        (
-            Task::Change(run),
-            Progress::Size {
+        ) => {
+            *size = Size {
                 variables,
                 clauses,
                 conflicts,
-            },
-        ) => run.size = size(variables, clauses, conflicts),
+            };
+        }
         (Task::Solve(run), event) => run.learn(event),
         (Task::Certify(run), Progress::Certifying { claim, checking }) => {
             run.at = Some((claim, checking));
         }
         (Task::Explain(_), Progress::Explained { answer }) => ask::learn(state, *answer),
         _ => {}
-    }
-}
-
-const fn size(variables: u64, clauses: u64, conflicts: u64) -> Size {
-    Size {
-        variables,
-        clauses,
-        conflicts,
     }
 }
 

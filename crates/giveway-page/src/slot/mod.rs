@@ -2,148 +2,18 @@
 //! the board: that something was kept, could not be kept, or was changed elsewhere.
 
 mod differ;
+mod message;
+mod waiting;
 
-use std::collections::BTreeSet;
 use std::rc::Rc;
 
-use crate::{Action, By, Draft, FileAction, Moment, SlotAction, State};
+use crate::{Action, By, Draft, FileAction, SlotAction, State};
 
 pub(crate) use differ::difference;
+pub use message::{Button, Kind, Message, Press};
+pub use waiting::{Elsewhere, Lost, Other, Unkept, Waiting};
 
-/// What the page has to say, until its turn comes.
-#[derive(Clone, Debug, Default, PartialEq)]
-pub struct Waiting {
-    /// What the browser kept could not be opened.
-    pub lost: Option<Lost>,
-    /// The browser does not keep the document.
-    pub unkept: Option<Unkept>,
-    /// What another tab did.
-    pub other: Option<Other>,
-    /// The tabs that a person does not want to hear of.
-    pub(crate) declined: BTreeSet<String>,
-}
-
-impl Waiting {
-    /// The document is another one now: what another tab did to the one before is
-    /// no news any longer.
-    pub(crate) fn go_on(&mut self) {
-        if let Some(Other::Taken { .. }) = self.other {
-            self.other = None;
-        }
-    }
-}
-
-/// Why kept data was not opened.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Lost {
-    /// A newer version of the page wrote it.
-    Newer,
-    /// It is damaged.
-    Damaged,
-    /// The page broke down as it opened it.
-    Breaks,
-}
-
-/// Why the browser does not keep the document.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Unkept {
-    /// There is no room.
-    Full,
-    /// It keeps nothing at all.
-    Refused,
-}
-
-/// What another tab keeps.
-#[derive(Clone, Debug, PartialEq)]
-pub struct Elsewhere {
-    /// Which tab.
-    pub tab: String,
-    /// Its document.
-    pub moment: Moment,
-    /// Whether it goes on from what is here.
-    pub is_ahead: bool,
-}
-
-/// What another tab did.
-#[derive(Clone, Debug, PartialEq)]
-pub enum Other {
-    /// It changed the scene, and so did this one.
-    Apart {
-        /// Which tab.
-        tab: String,
-        /// What it has.
-        moment: Rc<Moment>,
-    },
-    /// It changed the scene, and this one has taken that.
-    Taken {
-        /// What it changed, as a sentence.
-        change: String,
-    },
-}
-
-/// What is said.
-#[derive(Clone, Debug, PartialEq)]
-pub struct Message {
-    /// Of what kind it is.
-    pub kind: Kind,
-    /// The heading.
-    pub title: &'static str,
-    /// One or two sentences.
-    pub text: String,
-    /// The scene here and the one elsewhere, to be seen side by side.
-    pub boards: Option<[Rc<Draft>; 2]>,
-    /// What can be done.
-    pub buttons: Vec<Button>,
-    /// What closes it; `None` where one of the buttons has to be pressed.
-    pub close: Option<Action>,
-}
-
-/// Of what kind a message is.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Kind {
-    /// Something may be lost: it is read aloud at once.
-    Alert,
-    /// Something is kept.
-    Kept,
-    /// Something was changed.
-    Changed,
-}
-
-impl Kind {
-    /// The icon beside it.
-    pub const fn icon(self) -> &'static str {
-        match self {
-            Self::Alert => "warning",
-            Self::Kept | Self::Changed => "kept",
-        }
-    }
-}
-
-/// A button of a message.
-#[derive(Clone, Debug, PartialEq)]
-pub struct Button {
-    /// What it is called.
-    pub name: &'static str,
-    /// The icon on it.
-    pub icon: Option<&'static str>,
-    /// Whether it is the one next step.
-    pub is_filled: bool,
-    /// What it does.
-    pub press: Press,
-}
-
-/// What a button does.
-#[derive(Clone, Debug, PartialEq)]
-pub enum Press {
-    /// Downloads what could not be opened, as it is.
-    Download,
-    /// Leaves what could not be opened where it is.
-    StartAfresh,
-    /// Downloads the document.
-    Save,
-    /// An action of the page.
-    Act(Box<Action>),
-}
+use message::button;
 
 /// What is to be said now, if there is anything: kept data first, then a link, then
 /// another tab.
@@ -274,15 +144,6 @@ fn elsewhere(state: &State, other: &Other) -> Message {
         boards,
         buttons,
         close,
-    }
-}
-
-fn button(name: &'static str, icon: Option<&'static str>, press: Press) -> Button {
-    Button {
-        name,
-        icon,
-        is_filled: false,
-        press,
     }
 }
 

@@ -4,4 +4,38 @@ mod change;
 mod soak;
 mod steer;
 
+use giveway_solve::{Response, SilentHost, serve};
+
+use crate::reduce::tests::after;
+use crate::{Action, BoardAction, PlayAction, Selection, SolveAction, State, words};
+
 pub(crate) use change::{adopted, compared};
+
+/// What the solver answers to what runs.
+fn answer(state: &State) -> Action {
+    let (job, request) = state.work.request().expect("it works");
+    let response = Box::new(serve(&request, &SilentHost));
+    Action::Solve(SolveAction::Respond { job, response })
+}
+
+/// The state after the solver answered; it does not refuse.
+fn answered(state: &State) -> State {
+    let answer = answer(state);
+    if let Action::Solve(SolveAction::Respond { response, .. }) = &answer {
+        assert!(!matches!(**response, Response::Refused(_)), "{response:?}");
+    }
+    after(state, [answer])
+}
+
+/// The status sentence.
+fn saying(state: &State) -> String {
+    words::standing(state).sentence
+}
+
+const fn select(agent: usize) -> Action {
+    Action::Board(BoardAction::Select(Selection::Agent(agent)))
+}
+
+const fn seek(time: u32) -> Action {
+    Action::Play(PlayAction::Seek(time))
+}

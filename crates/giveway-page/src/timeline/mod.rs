@@ -4,9 +4,11 @@
 mod axis;
 mod gauge;
 mod lane;
+mod row;
 mod shapes;
 
 pub use axis::{Axis, MIN_COLUMN, whole};
 pub use gauge::{Gauge, gauge, work_done};
 pub use lane::{Lane, Step, Way};
-pub use shapes::{Row, Shapes};
+pub use row::Row;
+pub use shapes::Shapes;

@@ -1,0 +1,111 @@
+//! The answer to a question, as the inspector shows it.
+
+mod costs;
+mod parts;
+
+use giveway_model::Question;
+use giveway_solve::explain::{edits_in_words, facts_claim, facts_title, witness_title};
+use giveway_solve::words::reach;
+
+use super::signs::{badge, edit_icon, fact_icon, pending, verdict_words};
+use crate::{Asking, Lit, State, words};
+
+pub use costs::CostRow;
+pub use parts::{Badge, Card, FactRow, Facts, Happening, Offered, Other};
+
+use costs::rows;
+
+/// The most things that go wrong that are told one by one.
+const HAPPENINGS: usize = 30;
+
+/// What the card shows; nothing where nothing was asked.
+pub fn card(state: &State) -> Option<Card> {
+    let asking = state.document.mode.asking()?;
+    let mut card = Card {
+        question: words::question(asking.question()),
+        verdict: None,
+        rows: Vec::new(),
+        other: None,
+        witness: None,
+        core: None,
+        repairs: Vec::new(),
+        pending: Vec::new(),
+        standing: None,
+    };
+    let Some(told) = asking.told.as_deref() else {
+        card.pending.push("Looking for the verdict");
+        return Some(card);
+    };
+    card.verdict = Some((badge(told), verdict_words(state, asking, told).to_owned()));
+    if let Some(other) = &asking.other {
+        card.rows = rows(asking, other);
+        card.other = Some(Other {
+            is_shown: asking.shows_other,
+            is_beside: state.view.is_wide,
+            is_closest: told.closest,
+        });
+    }
+    let happenings = asking.violations().enumerate().take(HAPPENINGS);
+    let happenings = happenings.map(|(index, violation)| Happening {
+        number: (!numbers_facts(asking)).then_some(index + 1),
+        text: violation.message.clone(),
+        time: violation.time,
+        is_lit: asking.lit == Some(Lit::Witness(index)),
+    });
+    let happenings: Vec<Happening> = happenings.collect();
+    card.witness = (!happenings.is_empty()).then(|| (witness_title(asking.question()), happenings));
+    card.core = told.core.as_ref().map(|core| Facts {
+        title: facts_title(told.verdict),
+        claim: facts_claim(core),
+        facts: core
+            .facts
+            .iter()
+            .enumerate()
+            .map(|(index, fact)| FactRow {
+                number: numbers_facts(asking).then_some(index + 1),
+                icon: fact_icon(fact),
+                text: fact.text.clone(),
+                is_lit: asking.lit == Some(Lit::Fact(index)),
+            })
+            .collect(),
+    });
+    let objective = asking.about.draft.scene().objective.clone();
+    let objective = asking.request.objective.as_ref().unwrap_or(&objective);
+    let repairs = told.repairs.iter();
+    card.repairs = repairs
+        .filter(|_| asking.can_be_repaired())
+        .map(|repair| Offered {
+            icon: repair.edits.first().map_or("check", edit_icon),
+            // Its costs stand below it.
+            text: edits_in_words(&repair.edits),
+            costs: words::values(objective, &repair.costs),
+        })
+        .collect();
+    if state.is_looking() {
+        card.pending = told.pending.iter().map(|&part| pending(part)).collect();
+    } else {
+        card.standing = reach(told.complete, told.within);
+    }
+    Some(card)
+}
+
+/// Whether the answer itself offers the next step: another plan, or a repair.
+pub fn offers_next_step(state: &State) -> bool {
+    state.document.mode.asking().is_some_and(|asking| {
+        let told = asking.told.as_deref();
+        asking.other.is_some() || told.is_some_and(|told| !told.repairs.is_empty())
+    })
+}
+
+/// Whether the numbers on the map are those of the facts: where there is no plan at
+/// all. Else they are those of what would happen.
+pub(crate) fn numbers_facts(asking: &Asking) -> bool {
+    matches!(asking.question(), Question::Unsolvable)
+}
+
+/// What is claimed of the other plan: that none as good is closer to this one,
+/// where that is proved.
+pub fn closeness(state: &State) -> Option<&'static str> {
+    let told = state.document.mode.asking()?.told.as_deref()?;
+    told.closest.then_some("closest to this plan")
+}

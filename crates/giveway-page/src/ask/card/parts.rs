@@ -1,0 +1,96 @@
+//! The parts of the card of an answer.
+
+use super::CostRow;
+
+/// What is said, part by part, as far as it is known.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Card {
+    /// The question.
+    pub question: String,
+    /// The verdict with all that is known in words; nothing before it is there.
+    pub verdict: Option<(Badge, String)>,
+    /// Costs and arrivals of both plans; none without an other plan.
+    pub rows: Vec<CostRow>,
+    /// Whether the other plan can be shown and taken, and whether it is shown.
+    pub other: Option<Other>,
+    /// What would happen, with its heading.
+    pub witness: Option<(String, Vec<Happening>)>,
+    /// What together makes it impossible.
+    pub core: Option<Facts>,
+    /// What would help.
+    pub repairs: Vec<Offered>,
+    /// What is still looked for, as quiet lines.
+    pub pending: Vec<&'static str>,
+    /// What the claim rests on, once the answer is whole.
+    pub standing: Option<String>,
+}
+
+/// A verdict's word, icon and class.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Badge {
+    /// The word.
+    pub word: &'static str,
+    /// The icon's name.
+    pub icon: &'static str,
+    /// The class in the style sheet.
+    pub class: &'static str,
+}
+
+/// The other plan.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Other {
+    /// Whether the board shows it in the place of this one.
+    pub is_shown: bool,
+    /// Whether it is shown beside this one.
+    pub is_beside: bool,
+    /// Whether it is proved that no other is closer to this plan.
+    pub is_closest: bool,
+}
+
+/// Something that would go wrong.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Happening {
+    /// Its number on the map, from 1; `None` where the facts have the numbers.
+    pub number: Option<usize>,
+    /// What.
+    pub text: String,
+    /// When.
+    pub time: u32,
+    /// Whether it is lit up.
+    pub is_lit: bool,
+}
+
+/// The minimal set.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Facts {
+    /// The heading.
+    pub title: &'static str,
+    /// What is claimed of it.
+    pub claim: &'static str,
+    /// The facts.
+    pub facts: Vec<FactRow>,
+}
+
+/// A fact of the minimal set.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct FactRow {
+    /// Its number on the map, from 1; `None` where what would happen has the numbers.
+    pub number: Option<usize>,
+    /// The icon of its kind.
+    pub icon: &'static str,
+    /// What.
+    pub text: String,
+    /// Whether it is lit up.
+    pub is_lit: bool,
+}
+
+/// A repair.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Offered {
+    /// The icon of its first edit.
+    pub icon: &'static str,
+    /// What it does.
+    pub text: String,
+    /// What the plan would cost.
+    pub costs: String,
+}

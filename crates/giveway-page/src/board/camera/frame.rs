@@ -1,0 +1,55 @@
+//! What is in sight on a screen: between units of the map, pixels and cells.
+
+use crate::Point;
+use crate::board::{CELL, Detail, whole};
+
+/// What is in sight on a screen.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Frame {
+    /// The left edge, in units of the map.
+    pub x: f64,
+    /// The upper edge, in units.
+    pub y: f64,
+    /// The width, in units.
+    pub width: f64,
+    /// The height, in units.
+    pub height: f64,
+    /// The side of a cell, in pixels.
+    pub cell_px: f64,
+}
+
+impl Frame {
+    /// The level of detail.
+    pub fn detail(&self) -> Detail {
+        Detail::of(self.cell_px)
+    }
+
+    /// So many pixels, in units.
+    pub fn units(&self, px: f64) -> f64 {
+        px * CELL / self.cell_px
+    }
+
+    /// The point of the map at a pixel, counted from the upper left: in cells,
+    /// the middle of the first cell is `(0, 0)`.
+    pub fn point(&self, px: (f64, f64)) -> Point {
+        Point {
+            x: (self.x + self.units(px.0)) / CELL - 0.5,
+            y: (self.y + self.units(px.1)) / CELL - 0.5,
+        }
+    }
+
+    /// The first and last column in sight, then the same of rows, within a map
+    /// of some cells.
+    pub fn cells(&self, board: (u32, u32)) -> ((u32, u32), (u32, u32)) {
+        let part = |from: f64, length: f64, side: u32| {
+            let last = side.saturating_sub(1);
+            let first = whole(from / CELL);
+            let end = whole((from + length) / CELL);
+            (first.min(last), end.min(last))
+        };
+        (
+            part(self.x, self.width, board.0),
+            part(self.y, self.height, board.1),
+        )
+    }
+}

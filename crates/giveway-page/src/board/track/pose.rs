@@ -1,0 +1,134 @@
+//! An agent at a time that need not be whole: where it is, what it does, how full its
+//! battery is.
+
+use giveway_model::Cell;
+
+use super::Track;
+use crate::board::whole;
+use crate::{Point, position};
+
+/// An agent at a time that need not be whole.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Pose {
+    /// Where, in cells.
+    pub at: Point,
+    /// Where it looks, in degrees from the right, clockwise; `None` without a
+    /// move to make.
+    pub heading: Option<f64>,
+    /// Its battery; `None` without one.
+    pub charge: Option<Charge>,
+    /// What it does, where its motion does not show it.
+    pub badge: Option<Badge>,
+    /// Both ends of the slow move that it is on.
+    pub transit: Option<(Cell, Cell)>,
+    /// Whether it left the map.
+    pub is_gone: bool,
+}
+
+impl Pose {
+    /// Whether another plan has the agent at another place at this time.
+    pub fn is_elsewhere(&self, other: &Self) -> bool {
+        // A smaller distance cannot be seen.
+        const APART: f64 = 0.01;
+        let is_apart = |a: f64, b: f64| (a - b).abs() > APART;
+        is_apart(self.at.x, other.at.x)
+            || is_apart(self.at.y, other.at.y)
+            || self.is_gone != other.is_gone
+    }
+}
+
+/// How full a battery is.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Charge {
+    /// The share of the capacity, 0 to 1.
+    pub share: f64,
+}
+
+impl Charge {
+    /// The class in the style sheet: `ok`, `mid` from 40 % down, `low` from 20 %.
+    pub fn class(self) -> &'static str {
+        match self.share {
+            ..=0.2 => "low",
+            ..=0.4 => "mid",
+            _ => "ok",
+        }
+    }
+}
+
+/// What an agent does without moving.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Badge {
+    /// It charges.
+    Charges,
+    /// It waits.
+    Waits,
+}
+
+impl Track {
+    /// The agent at a time; `None` without a path.
+    pub fn pose(&self, time: f64) -> Option<Pose> {
+        let step = whole(time) as usize;
+        // The part of the path around the time, so that long plans cost no more.
+        let first = (0..=step.min(self.path.len().checked_sub(1)?))
+            .rev()
+            .find(|&t| self.path[t].is_some())?;
+        let near = &self.path[first..self.path.len().min(step + 3)];
+        let at = position(near, time - first as f64)?;
+        let has_left = self.vanishes && time > f64::from(self.arrival());
+        let is_removed = self.until.is_some_and(|until| time >= f64::from(until));
+        let is_early = time < f64::from(self.from);
+        Some(Pose {
+            at,
+            heading: self.heading(time),
+            charge: self.charge(time),
+            badge: self.badge(step),
+            transit: self.transit(step, time),
+            is_gone: has_left || is_removed || is_early,
+        })
+    }
+
+    fn charge(&self, time: f64) -> Option<Charge> {
+        let (levels, capacity) = self.battery.as_ref()?;
+        let last = levels.len().checked_sub(1)?;
+        let step = (whole(time) as usize).min(last);
+        let (now, then) = (levels[step] as f64, levels[(step + 1).min(last)] as f64);
+        let level = now + (then - now) * (time - step as f64).clamp(0.0, 1.0);
+        let share = level / f64::from((*capacity).max(1));
+        Some(Charge {
+            share: share.clamp(0.0, 1.0),
+        })
+    }
+
+    pub(super) fn badge(&self, step: usize) -> Option<Badge> {
+        if self.charges.binary_search(&(step as u32)).is_ok() {
+            return Some(Badge::Charges);
+        }
+        let stays = self.path.get(step).copied().flatten() == *self.path.get(step + 1)?;
+        (stays && self.path[step].is_some()).then_some(Badge::Waits)
+    }
+
+    fn transit(&self, step: usize, time: f64) -> Option<(Cell, Cell)> {
+        let cell = |time: usize| self.path.get(time).copied().flatten();
+        let half = match self.path.get(step)? {
+            None => step,
+            // On its way since a moment: a slow move shows in transit next.
+            Some(_) if time > step as f64 && self.path.get(step + 1) == Some(&None) => step + 1,
+            Some(_) => return None,
+        };
+        Some((cell(half.checked_sub(1)?)?, cell(half + 1)?))
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::Charge;
+
+    #[test]
+    fn levels_that_warn() {
+        let class = |share| Charge { share }.class();
+        assert_eq!(
+            [class(0.41), class(0.4), class(0.2), class(0.0)],
+            ["ok", "mid", "low", "low"]
+        );
+    }
+}

@@ -1,0 +1,186 @@
+//! A stroke on its way over the board, and what has come of it so far.
+
+use std::rc::Rc;
+
+use giveway_model::Cell;
+
+use super::Thing;
+use crate::Draft;
+use crate::changing::Changing;
+use crate::edit::{Edit, Paint, Sketch};
+use crate::line::line;
+
+/// What a stroke does.
+#[derive(Clone, Debug, PartialEq)]
+pub(crate) enum Hold {
+    /// Paints, or takes away what was painted: settled where the stroke begins,
+    /// so that one over mixed ground leaves it even.
+    Brush(Paint, bool),
+    /// Takes away what is on cells.
+    Eraser,
+    /// Moves a thing from the first cell to the last.
+    Thing(Thing),
+    /// Moves a waypoint of an agent; where it never left its cell, takes it away.
+    Toggle(usize),
+    /// One edit, wherever the stroke goes on to.
+    Once(Edit),
+}
+
+/// A stroke on its way over the board.
+#[derive(Clone, Debug, PartialEq)]
+pub(crate) struct Stroke {
+    pub(crate) hold: Hold,
+    /// The cell that it began on.
+    pub(crate) from: Cell,
+    /// The cell that it came to last; `None` before the first cell is done.
+    at: Option<Cell>,
+    /// Whether it ever left its first cell.
+    has_left: bool,
+    /// What it is made on, and what has come of it so far.
+    pub(crate) canvas: Canvas,
+    /// Why a part of it was refused.
+    pub(crate) refused: Option<String>,
+}
+
+/// What a stroke is made on, with what has come of it so far.
+#[derive(Clone, Debug, PartialEq)]
+pub(crate) enum Canvas {
+    /// The scene.
+    Scene {
+        before: Rc<Draft>,
+        sketch: Rc<Sketch>,
+        shown: Rc<Draft>,
+    },
+    /// The world as it changes.
+    World {
+        before: Rc<Changing>,
+        after: Rc<Changing>,
+    },
+}
+
+impl Canvas {
+    pub(crate) fn scene(before: &Rc<Draft>) -> Self {
+        Self::Scene {
+            before: Rc::clone(before),
+            sketch: Rc::new(Sketch::of(before)),
+            shown: Rc::clone(before),
+        }
+    }
+
+    pub(crate) fn world(before: &Rc<Changing>) -> Self {
+        Self::World {
+            before: Rc::clone(before),
+            after: Rc::clone(before),
+        }
+    }
+}
+
+impl Stroke {
+    pub(crate) fn new(hold: Hold, cell: Cell, canvas: Canvas) -> Self {
+        Self {
+            hold,
+            from: cell,
+            at: None,
+            has_left: false,
+            canvas,
+            refused: None,
+        }
+    }
+
+    /// The cell that it came to last.
+    pub(crate) fn at(&self) -> Cell {
+        self.at.unwrap_or(self.from)
+    }
+
+    /// Goes on to a cell.
+    pub(crate) fn go(&mut self, to: Cell) {
+        let way = line(self.at(), to);
+        // The cell that it comes from is done, but for the first one.
+        let way = way.get(usize::from(self.at.is_some())..);
+        self.at = Some(to);
+        self.has_left |= to != self.from;
+        if let Hold::Brush(..) | Hold::Eraser = self.hold {
+            self.paint(way.unwrap_or_default());
+        } else {
+            self.move_thing();
+        }
+    }
+
+    /// What it does to a cell that it comes over.
+    fn brushed(&self, cell: Cell) -> Option<Edit> {
+        match self.hold {
+            Hold::Brush(paint, on) => Some(Edit::Paint(paint, cell, on)),
+            Hold::Eraser => Some(Edit::Erase(cell)),
+            Hold::Thing(_) | Hold::Toggle(_) | Hold::Once(_) => None,
+        }
+    }
+
+    fn paint(&mut self, cells: &[Cell]) {
+        let edits: Vec<Edit> = cells
+            .iter()
+            .filter_map(|&cell| self.brushed(cell))
+            .collect();
+        let mut refused = None;
+        match &mut self.canvas {
+            Canvas::Scene { sketch, shown, .. } => {
+                let sketch = Rc::make_mut(sketch);
+                for edit in &edits {
+                    refused = refused.or(sketch.make(edit).err());
+                }
+                *shown = Rc::new(sketch.shown());
+            }
+            Canvas::World { after, .. } => {
+                let (next, told) = after.with_edits(&edits);
+                *after = Rc::new(next);
+                refused = told;
+            }
+        }
+        self.refused = self.refused.take().or(refused);
+    }
+
+    /// What it does as a whole, where it moves a thing.
+    fn moved(&self) -> Option<Edit> {
+        let (from, to) = (self.from, self.at());
+        Some(match &self.hold {
+            Hold::Brush(..) | Hold::Eraser => return None,
+            Hold::Once(edit) => edit.clone(),
+            Hold::Thing(Thing::Start(agent)) => Edit::SetStart(*agent, to),
+            Hold::Thing(Thing::Goal(agent)) => Edit::SetGoal(*agent, to),
+            Hold::Thing(Thing::NewWaypoint(agent)) => Edit::AddWaypoint(*agent, to),
+            Hold::Thing(Thing::Paint(paint)) => Edit::MovePaint(*paint, from, to),
+            Hold::Thing(Thing::Waypoint(agent)) | Hold::Toggle(agent) => {
+                Edit::MoveWaypoint(*agent, from, to)
+            }
+        })
+    }
+
+    /// Moves it from where the stroke began, so that nothing is left on the way.
+    fn move_thing(&mut self) {
+        let Some(edit) = self.moved() else { return };
+        match &mut self.canvas {
+            Canvas::Scene {
+                before,
+                sketch,
+                shown,
+            } => {
+                let mut fresh = Sketch::of(before);
+                self.refused = fresh.make(&edit).err();
+                *shown = Rc::new(fresh.shown());
+                *sketch = Rc::new(fresh);
+            }
+            Canvas::World { before, after } => {
+                let (next, told) = before.with_edits(&[edit]);
+                *after = Rc::new(next);
+                self.refused = told;
+            }
+        }
+    }
+
+    /// Where it only pressed on a waypoint: the edit that takes it away.
+    pub(crate) fn toggled(&self) -> Option<Edit> {
+        match self.hold {
+            Hold::Toggle(agent) if !self.has_left => Some(Edit::DropWaypoint(agent, self.from)),
+            _ => None,
+        }
+    }
+}

@@ -1,0 +1,85 @@
+//! What an agent does in a step, in words.
+
+use crate::timeline::{Lane, Way};
+use crate::words::at;
+
+/// What an agent does in the step that begins at a time.
+pub(super) fn doing(lane: &Lane, time: u32) -> String {
+    if time < lane.begins {
+        return format!("Joins at {} on {}", lane.begins, at(lane.entry));
+    }
+    let Some(step) = lane.step_at(time) else {
+        let end = at(lane.end());
+        if let Some(until) = lane.removed {
+            return if time < until {
+                format!("At {end}, gone from time {until} on")
+            } else {
+                format!("Removed at time {until}")
+            };
+        }
+        if !lane.arrives {
+            return format!("At {end}, not led any further");
+        }
+        return if lane.stays || time == lane.arrival {
+            format!("Arrived at {end}")
+        } else {
+            format!("Arrived at {end}, and gone")
+        };
+    };
+    let (from, to) = (at(step.from), at(step.to));
+    let charges = lane.charges.contains(&time);
+    match step.way {
+        _ if step.begins < time => format!("Half way from {from} to {to}"),
+        Way::Move if charges => format!("Charging at {from}, then to {to}"),
+        Way::Slow if charges => format!("Charging at {from}, then slowly to {to}"),
+        Way::Wait if charges => format!("Charging at {from}, and waiting there"),
+        Way::Move => format!("Going from {from} to {to}"),
+        Way::Slow => format!("Going slowly from {from} to {to}"),
+        Way::Wait => {
+            let later = lane.steps.iter().filter(|step| step.begins >= time);
+            let waits = later.take_while(|step| step.way == Way::Wait);
+            let until = waits.last().map_or(time, |step| step.ends);
+            format!("Waiting at {from} until {until}")
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use giveway_model::Cell;
+
+    use super::*;
+
+    #[test]
+    fn a_wait_tells_its_end() {
+        let lane = |charges| Lane {
+            agent: 0,
+            name: "A1".to_owned(),
+            entry: Cell::new(0, 0),
+            begins: 0,
+            arrival: 3,
+            arrives: true,
+            stays: false,
+            removed: None,
+            steps: [(0, 1, 0), (1, 2, 0), (2, 3, 1)]
+                .map(|(begins, ends, x)| crate::timeline::Step {
+                    way: if x == 0 { Way::Wait } else { Way::Move },
+                    begins,
+                    ends,
+                    from: Cell::new(0, 0),
+                    to: Cell::new(x, 0),
+                })
+                .to_vec(),
+            charges,
+            capacity: None,
+            levels: Vec::new(),
+        };
+        assert_eq!(doing(&lane(vec![]), 0), "Waiting at (0, 0) until 2");
+        assert_eq!(
+            doing(&lane(vec![1]), 1),
+            "Charging at (0, 0), and waiting there"
+        );
+        assert_eq!(doing(&lane(vec![]), 3), "Arrived at (1, 0)");
+        assert_eq!(doing(&lane(vec![]), 4), "Arrived at (1, 0), and gone");
+    }
+}

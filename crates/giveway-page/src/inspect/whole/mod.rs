@@ -1,0 +1,102 @@
+//! The scene and its plan as a whole.
+
+mod costs;
+#[cfg(test)]
+mod tests;
+mod words;
+
+use giveway_solve::words::reach_of_bounds;
+
+use crate::timeline::work_done;
+use crate::{Answer, Size, State};
+
+pub use costs::CostFacts;
+
+use costs::costs;
+use words::{claim, contents};
+
+/// What the inspector tells where nothing is selected.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Whole {
+    /// The name of the scene.
+    pub title: String,
+    /// What the scene contains: `2 robots, 2 chargers, 6 slow cells, 6 obstacles`.
+    pub contents: String,
+    /// What is claimed of the plan, and why nothing more; none before a solve.
+    pub claims: Vec<String>,
+    /// The costs, those of the objective first; empty where nothing is known.
+    pub costs: Vec<CostFacts>,
+    /// The size of the work.
+    pub work: Option<String>,
+}
+
+/// What there is to tell of the scene and its plan.
+pub fn whole(state: &State) -> Whole {
+    let scene = state.document.draft.scene();
+    let mut whole = Whole {
+        title: if scene.name.is_empty() {
+            "Scene without a name".to_owned()
+        } else {
+            scene.name.clone()
+        },
+        contents: contents(state.world(), |agent| state.is_there(agent)),
+        claims: Vec::new(),
+        costs: Vec::new(),
+        work: None,
+    };
+    if let Some(run) = state.work.solving() {
+        let asked = run.request.objective.as_ref();
+        let objective = asked.unwrap_or(&run.request.scene.objective);
+        whole.costs = costs(objective.costs(), |cost| {
+            (
+                run.best.map(|costs| costs.get(cost)),
+                run.bounds.get(&cost).copied(),
+            )
+        });
+        whole.work = Some(work_done(run.size)).filter(|text| !text.is_empty());
+    } else if let Some(answer) = &state.document.answer {
+        tell(&mut whole, answer);
+        if state.document.own_front().is_some() {
+            // What is claimed is claimed of the front, and said with it.
+            whole.claims.clear();
+        }
+        if state.document.is_stale() {
+            // What was proved was proved of another scene.
+            for cost in &mut whole.costs {
+                cost.at_least = None;
+            }
+            whole.claims = vec!["This is of the scene before the last edit.".to_owned()];
+            whole.work = None;
+        }
+    }
+    whole
+}
+
+fn tell(whole: &mut Whole, answer: &Answer) {
+    let solved = &answer.solved;
+    let asked = answer.request.objective.as_ref();
+    let objective = asked.unwrap_or(&answer.request.scene.objective);
+    whole.claims.push(claim(answer));
+    whole.claims.extend(solved.reason.clone());
+    whole.claims.extend(reach_of_bounds(solved));
+    whole.costs = costs(objective.costs(), |cost| {
+        (
+            solved.costs.map(|costs| costs.get(cost)),
+            solved.bounds.get(&cost).copied(),
+        )
+    });
+    let size = Size {
+        variables: solved.stats.variables,
+        clauses: solved.stats.clauses,
+        conflicts: solved.stats.conflicts,
+    };
+    let mut work = work_done(size);
+    if work.is_empty() {
+        "Proved without SAT".clone_into(&mut work);
+    }
+    let seconds = match solved.stats.cpu_seconds {
+        little if little < 0.05 => "less than 0.1 s".to_owned(),
+        seconds => format!("{seconds:.1} s"),
+    };
+    whole.work = Some(format!("{work}, {seconds}"));
+}

@@ -1,0 +1,69 @@
+//! The warehouse as a whole: proved, on its way, stale.
+
+use giveway_model::Cost;
+use giveway_solve::Progress;
+
+use super::*;
+use crate::{Action, BoardAction, SolveAction, reduce, sample};
+
+#[test]
+fn a_proved_plan() {
+    let whole = whole(&sample::solved());
+    assert_eq!(whole.title, "warehouse");
+    assert_eq!(
+        whole.contents,
+        "2 robots, 2 chargers, 6 slow cells, 6 obstacles"
+    );
+    assert_eq!(
+        whole.claims,
+        ["No plan is better, no matter how many steps you allow."]
+    );
+    let proved: Vec<_> = whole.costs.iter().map(CostFacts::is_proved).collect();
+    assert_eq!(proved, [true, true, true, false, false]);
+    assert_eq!(whole.costs[1].title, "Sum of costs");
+    assert_eq!(
+        whole.work.as_deref(),
+        Some("Proved without SAT, less than 0.1 s")
+    );
+}
+
+#[test]
+fn a_solve_under_way() {
+    let state = reduce(
+        &State::new(sample::draft()),
+        Action::Solve(SolveAction::Solve),
+    );
+    assert_eq!(whole(&state).costs, []);
+    let event = Progress::Bound {
+        cost: Cost::Makespan,
+        at_least: 17,
+    };
+    let state = reduce(
+        &state,
+        Action::Solve(SolveAction::Progress { job: 1, event }),
+    );
+    let costs = whole(&state).costs;
+    assert_eq!(costs.len(), 1);
+    assert_eq!((costs[0].value, costs[0].at_least), (None, Some(17)));
+    assert!(!costs[0].is_proved());
+}
+
+#[test]
+fn a_stale_plan_is_called_one() {
+    let state = sample::solved();
+    let state = reduce(
+        &state,
+        Action::Board(BoardAction::PickTool(crate::Tool::Obstacle)),
+    );
+    let state = reduce(
+        &state,
+        Action::Board(BoardAction::Press(giveway_model::Cell::new(8, 1))),
+    );
+    let state = reduce(
+        &state,
+        Action::Board(BoardAction::Press(giveway_model::Cell::new(4, 2))),
+    );
+    let state = reduce(&state, Action::Board(BoardAction::Release));
+    assert!(state.document.is_stale());
+    assert!(whole(&state).claims[0].contains("before the last edit"));
+}

@@ -1,0 +1,37 @@
+//! Escape, which closes one thing after the other.
+
+use crate::steering::Lead;
+use crate::{
+    Action, AskAction, BoardAction, ChangeAction, Phase, Selection, SolveAction, State, ViewAction,
+};
+
+/// What Escape closes first: what is being placed, what runs, the notice, a question,
+/// what is led, the selection, the changes of the world.
+pub(super) fn escape(state: &State) -> Option<Action> {
+    if state.has_gesture() {
+        Some(Action::Board(BoardAction::Abandon))
+    } else if matches!(
+        state.phase(),
+        Phase::Solving | Phase::Asking | Phase::Checking | Phase::Adapting
+    ) {
+        Some(Action::Solve(SolveAction::Cancel))
+    } else if state.view.notice.is_some() {
+        Some(Action::View(ViewAction::DismissNotice))
+    } else if state.document.mode.asking().is_some() {
+        Some(Action::Ask(AskAction::Close))
+    } else if let Some(own) = state.document.mode.steering() {
+        // Another agent or a cell is looked at in between.
+        let led = Selection::Agent(own.agent);
+        Some(match state.view.selection {
+            Selection::Nothing => Action::Steer(Lead::Discard),
+            selection if selection == led => Action::Steer(Lead::Discard),
+            _ => Action::Board(BoardAction::Select(led)),
+        })
+    } else if state.view.selection != Selection::Nothing {
+        Some(Action::Board(BoardAction::Select(Selection::Nothing)))
+    } else if state.document.mode.changing().is_some() {
+        Some(Action::Change(ChangeAction::Discard))
+    } else {
+        None
+    }
+}

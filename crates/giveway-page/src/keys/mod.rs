@@ -1,0 +1,126 @@
+//! The keys that work wherever the focus is.
+
+mod escape;
+mod help;
+#[cfg(test)]
+mod tests;
+
+use crate::reduce::only_looks;
+use crate::steering::Lead;
+use crate::{Action, BoardAction, ChangeAction, PlayAction, SolveAction, State, Tool, ViewAction};
+
+pub use help::{HELP, Row};
+
+use escape::escape;
+
+/// A key as it was pressed.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct Key<'a> {
+    /// Its name as the browser has it: `a`, `Enter`, ` `.
+    pub name: &'a str,
+    /// Whether Ctrl was held, or Command.
+    pub ctrl: bool,
+    /// Whether Shift was held.
+    pub shift: bool,
+    /// Whether Alt was held.
+    pub alt: bool,
+}
+
+/// What a key asks for.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Command {
+    /// A change of the state.
+    Act(Action),
+    /// To see the keys.
+    Help,
+}
+
+/// What a key does; `None` where it does nothing, so that the browser keeps it.
+///
+/// ```
+/// use giveway_page::{Action, BoardAction, Draft, State, Tool, keys::{Command, Key, command}};
+/// let state = State::new(Draft::default());
+/// let key = Key { name: "o", ..Key::default() };
+/// assert_eq!(command(key, &state), Some(Command::Act(Action::Board(BoardAction::PickTool(Tool::Obstacle)))));
+/// ```
+pub fn command(key: Key<'_>, state: &State) -> Option<Command> {
+    let is_letter = key.name.chars().count() == 1 && key.name != " ";
+    if key.alt || (is_letter && !key.ctrl && !state.settings.letter_keys) {
+        return None;
+    }
+    let found = meant(key, state)?;
+    let fits = match &found {
+        Command::Act(action) => only_looks(action),
+        Command::Help => false,
+    };
+    (fits || !state.is_embedded()).then_some(found)
+}
+
+fn meant(key: Key<'_>, state: &State) -> Option<Command> {
+    if key.ctrl {
+        return with_ctrl(key).map(Command::Act);
+    }
+    if let Some(lead) = leads(key.name, state) {
+        return Some(Command::Act(Action::Steer(lead)));
+    }
+    let playing = state.view.playback.playing;
+    let has_plan = state.last_time() > 0;
+    let on_plan = |action| has_plan.then_some(action);
+    let action = match key.name {
+        "?" => return Some(Command::Help),
+        "Escape" => escape(state),
+        " " => on_plan(if playing {
+            Action::Play(PlayAction::Pause)
+        } else {
+            Action::Play(PlayAction::Play)
+        }),
+        "," => on_plan(Action::Play(PlayAction::StepBack)),
+        "." => on_plan(Action::Play(PlayAction::StepForward)),
+        "Home" => on_plan(Action::Play(PlayAction::Seek(0))),
+        "End" => on_plan(Action::Play(PlayAction::Seek(state.last_time()))),
+        "f" | "F" => {
+            let follow = Action::View(ViewAction::Follow(!state.view.follow));
+            state.selected_agent().and_then(|_| on_plan(follow))
+        }
+        "x" | "X" => state
+            .can_change()
+            .then_some(Action::Change(ChangeAction::Begin)),
+        name => tool(name).map(|tool| Action::Board(BoardAction::PickTool(tool))),
+    };
+    action.map(Command::Act)
+}
+
+/// While an agent is led, keys lead it; else one begins that.
+fn leads(name: &str, state: &State) -> Option<Lead> {
+    let own = state.document.mode.steering();
+    let lead = match name {
+        "l" | "L" => return state.can_steer().map(|_| Lead::Begin),
+        "ArrowLeft" => Lead::Step((-1, 0)),
+        "ArrowRight" => Lead::Step((1, 0)),
+        "ArrowUp" => Lead::Step((0, -1)),
+        "ArrowDown" => Lead::Step((0, 1)),
+        "w" | "W" => Lead::Step((0, 0)),
+        "c" | "C" => Lead::Charge,
+        "Backspace" => Lead::Back,
+        _ => return None,
+    };
+    own.map(|_| lead)
+}
+
+fn with_ctrl(key: Key<'_>) -> Option<Action> {
+    match (key.name, key.shift) {
+        ("Enter", _) => Some(Action::Solve(SolveAction::Solve)),
+        ("z" | "Z", false) => Some(Action::Undo),
+        ("z" | "Z", true) | ("y" | "Y", false) => Some(Action::Redo),
+        _ => None,
+    }
+}
+
+fn tool(name: &str) -> Option<Tool> {
+    let mut letters = name.chars();
+    let key = letters.next()?.to_ascii_lowercase();
+    if letters.next().is_some() {
+        return None;
+    }
+    Tool::ALL.into_iter().find(|tool| tool.key() == key)
+}

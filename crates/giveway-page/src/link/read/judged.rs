@@ -1,0 +1,116 @@
+//! A plan becomes an answer only after the judge passed it.
+
+use std::collections::BTreeMap;
+use std::rc::Rc;
+
+use giveway_model::change::Changes;
+use giveway_model::{Costs, Instance, Plan, Version, check};
+use giveway_solve::{SolveAnswer, SolveRequest, Stats, Status};
+
+use super::parts::Parts;
+use crate::link::{Linked, Source, change, claim};
+use crate::{Answer, Document, Draft};
+
+/// A plan with the changes around it, as files tell it, judged.
+///
+/// # Errors
+/// What is wrong with it, as a sentence.
+pub(crate) fn judged(draft: Draft, plan: Plan, changes: Option<Changes>) -> Result<Linked, String> {
+    let draft = Rc::new(draft);
+    let changes = changes.filter(|changes| !changes.changes.is_empty());
+    if let Some(changes) = &changes {
+        // By way of a link's text, which is bounded.
+        let text = change::write(&changes.changes);
+        change::read(&text, draft.agents().len())
+            .ok_or("It has more changes than the page takes.")?;
+    }
+    let answer = answer(&draft, Some(plan), changes, &Parts::default())?;
+    Ok(Linked {
+        document: Document::answered(draft, answer.map(Rc::new)),
+        time: 0,
+        question: None,
+        source: Source::File,
+    })
+}
+
+/// The plan as an answer, after the judge passed it.
+pub(super) fn answer(
+    draft: &Rc<Draft>,
+    plan: Option<Plan>,
+    changes: Option<Changes>,
+    parts: &Parts<'_>,
+) -> Result<Option<Answer>, String> {
+    let instance = match (draft.instance(), &plan) {
+        (Ok(instance), _) => instance,
+        (Err(_), None) => return Ok(None),
+        (Err(faults), Some(_)) => {
+            let fault = first(faults);
+            return Err(format!(
+                "The file has a plan, but its scene is not valid: {fault}."
+            ));
+        }
+    };
+    let costs = match &plan {
+        None => None,
+        Some(plan) => costs(instance, plan, changes.as_ref())?,
+    };
+    let mut solved = SolveAnswer {
+        giveway: Version,
+        status: Status::Feasible,
+        costs,
+        bounds: BTreeMap::new(),
+        within: None,
+        complete: false,
+        reason: None,
+        plan,
+        stats: Stats::default(),
+    };
+    let claim = parts.get("claim");
+    let has_claim = claim.is_some_and(|claim| claim::read(&mut solved, claim).is_some());
+    if solved.plan.is_none() && !has_claim {
+        return Ok(None);
+    }
+    let within = parts.read("asked-within", |text| text.parse().ok())?;
+    let request = SolveRequest {
+        scene: draft.scene().clone(),
+        within,
+        ..SolveRequest::default()
+    };
+    let (draft, request) = (Rc::clone(draft), Rc::new(request));
+    let mut answer = match changes {
+        None => Answer::new(draft, request, solved),
+        Some(changes) => {
+            let steps = parts.get("steps").unwrap_or_default();
+            let steps = change::read_steps(steps, &changes);
+            Answer::over_time(draft, request, solved, changes, steps)
+                .map_err(|_| "Its changes do not fit its plan.")?
+        }
+    };
+    answer.is_shared = !has_claim;
+    Ok(Some(answer))
+}
+
+/// What a plan costs by the judge; `None` where there are no costs to tell.
+///
+/// # Errors
+/// Which rule it breaks, as a sentence.
+fn costs(
+    instance: &Instance,
+    plan: &Plan,
+    changes: Option<&Changes>,
+) -> Result<Option<Costs>, String> {
+    let report = match changes {
+        None => check::check(instance, plan),
+        Some(changes) => check::check_changes(instance, changes, plan)
+            .map_err(|faults| format!("Its changes do not fit: {}.", first(&faults)))?,
+    };
+    match report.violations.first() {
+        Some(violation) => Err(format!("Its plan breaks a rule: {}", violation.message)),
+        None => Ok(report.costs),
+    }
+}
+
+/// The first of some faults, as a sentence.
+pub(super) fn first<T: ToString>(faults: &[T]) -> String {
+    faults.first().map(ToString::to_string).unwrap_or_default()
+}

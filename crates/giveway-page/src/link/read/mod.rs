@@ -1,0 +1,153 @@
+//! The text of a document, read with distrust: plans are judged, and a claim is
+//! believed only where this browser kept it itself.
+
+mod judged;
+mod mode;
+mod parts;
+
+use std::collections::BTreeMap;
+use std::rc::Rc;
+
+use giveway_model::change::Changes;
+use giveway_model::{Agent, Plan, Scene};
+
+use super::text::{numbers, unescape};
+use super::{From, LONGEST, Linked, Source, ask, change, extras, knowledge, plan, scene};
+use crate::front::Front;
+use crate::{Answer, Colours, Document, Draft};
+
+pub(crate) use judged::judged;
+pub(super) use parts::is_public;
+
+use judged::answer;
+use mode::mode;
+use parts::{ANSWER, Parts, SCENE, broken};
+
+/// Reads documents; what several have in common is read once.
+#[derive(Debug, Default)]
+pub(super) struct Reader {
+    drafts: BTreeMap<String, Rc<Draft>>,
+    answers: BTreeMap<String, Rc<Answer>>,
+}
+
+impl Reader {
+    /// Reads a document.
+    ///
+    /// # Errors
+    /// What is wrong with it, as a sentence.
+    pub(super) fn read(&mut self, text: &str, from: From) -> Result<Linked, String> {
+        if text.len() > LONGEST {
+            return Err("It is longer than the page takes.".to_owned());
+        }
+        let parts = Parts::split(text, from)?;
+        let draft = self.draft(&parts)?;
+        let answer = self.answer(&draft, &parts)?;
+        let mut document = Document::answered(draft, answer);
+        document.within = parts.read("within", |text| text.parse().ok())?;
+        if let Some(colours) = parts.read("colours", colours)? {
+            document.colours = colours;
+        }
+        self.keep(&mut document, &parts)?;
+        let time = parts.read("time", |text| text.parse().ok())?;
+        let question = parts.read("ask", ask::read)?;
+        let last = document.answer.as_deref().map_or(0, Answer::makespan);
+        Ok(Linked {
+            time: u32::min(time.unwrap_or(0), last),
+            document,
+            question,
+            source: Source::Link,
+        })
+    }
+
+    fn draft(&mut self, parts: &Parts<'_>) -> Result<Rc<Draft>, String> {
+        let key = parts.joined(&SCENE);
+        if let Some(draft) = self.drafts.get(&key) {
+            return Ok(Rc::clone(draft));
+        }
+        let mut read = Scene::default();
+        for key in SCENE {
+            parts.read(key, |value| scene::read(&mut read, key, value))?;
+        }
+        let draft = Draft::new(read).map_err(|faults| {
+            let fault = judged::first(&faults);
+            format!("Its scene cannot be drawn: {fault}.")
+        })?;
+        let draft = Rc::new(draft);
+        self.drafts.insert(key, Rc::clone(&draft));
+        Ok(draft)
+    }
+
+    fn answer(
+        &mut self,
+        draft: &Rc<Draft>,
+        parts: &Parts<'_>,
+    ) -> Result<Option<Rc<Answer>>, String> {
+        let key = parts.joined(&SCENE) + &parts.joined(&ANSWER);
+        if let Some(answer) = self.answers.get(&key) {
+            return Ok(Some(Rc::clone(answer)));
+        }
+        let agents = draft.agents();
+        let changes = parts.read("changes", |text| change::read(text, agents.len()))?;
+        let plan = match parts.get("plan") {
+            None => None,
+            Some(text) => Some(plan(agents, text, changes.as_ref(), parts)?),
+        };
+        let answer = answer(draft, plan, changes, parts)?.map(Rc::new);
+        if let Some(answer) = &answer {
+            self.answers.insert(key, Rc::clone(answer));
+        }
+        Ok(answer)
+    }
+
+    /// What only this browser's own text tells.
+    fn keep(&mut self, document: &mut Document, parts: &Parts<'_>) -> Result<(), String> {
+        if let Some(text) = parts.read("stale", unescape)? {
+            document.answer = self.read(&text, From::Here)?.document.answer;
+        }
+        let Some(about) = document.answer.clone() else {
+            let of_an_answer = ["front", "report", "listed", "compared", "own", "asked"];
+            let found = of_an_answer.iter().find(|key| parts.get(key).is_some());
+            return found.map_or(Ok(()), |key| Err(broken(key)));
+        };
+        if let Some(told) = parts.read("front", extras::read)? {
+            let front = Front::new(Rc::clone(&document.draft), &about.request, told);
+            let mut points = front.points.iter();
+            // The plan shown is the very one of the front.
+            if let Some(point) = points.find(|point| point.plan() == about.plan()) {
+                document.answer = Some(Rc::clone(point));
+            }
+            document.found_front = Some(Rc::new(front));
+        }
+        if let Some(report) = parts.read("report", extras::read)? {
+            document.checked = Some((about.clone(), Rc::new(report)));
+        }
+        document.mode = mode(&about, parts)?;
+        Ok(())
+    }
+}
+
+/// A plan of the agents of a scene and of those that join it.
+fn plan(
+    agents: &[Agent],
+    text: &str,
+    changes: Option<&Changes>,
+    parts: &Parts<'_>,
+) -> Result<Plan, String> {
+    let mut agents = agents.to_vec();
+    let mut times = Plan::default();
+    if let Some(changes) = changes {
+        agents.extend(change::joined(changes));
+        change::put_times(&mut times, changes);
+    }
+    times.knows = parts.read("knows", knowledge::read)?;
+    if let Some(slept) = parts.read("slept", |text| knowledge::read_slept(&agents, text))? {
+        times.slept = slept;
+    }
+    let plan = plan::read(&agents, text, times);
+    plan.ok_or_else(|| "Its plan is broken.".to_owned())
+}
+
+fn colours(text: &str) -> Option<Colours> {
+    let numbers = numbers(text)?;
+    numbers.try_into().ok().map(Colours::from_numbers)
+}

@@ -1,0 +1,78 @@
+//! What was being done with a plan, as only this browser keeps it.
+
+use std::rc::Rc;
+
+use giveway_solve::Limits;
+
+use super::parts::Parts;
+use crate::asking::Asking;
+use crate::changing::{Changing, Comparing};
+use crate::link::{ask, change, extras, steering};
+use crate::{Answer, Mode};
+
+/// What was being done with the plan.
+///
+/// # Errors
+/// Which part is broken, as a sentence.
+pub(super) fn mode(about: &Rc<Answer>, parts: &Parts<'_>) -> Result<Mode, String> {
+    let own = parts.read("own", |text| steering::read(about, text))?;
+    let own = own.map(Rc::new);
+    let changing = parts.read("listed", |text| listed(about, text))?;
+    let changing = changing.map(Rc::new);
+    let comparing = match &changing {
+        Some(changing) => parts.read("compared", |text| compared(changing, text))?,
+        None => None,
+    };
+    let comparing = comparing.map(Rc::new);
+    let asking = match parts.read("asked", ask::read)? {
+        Some(question) => {
+            let limits = Limits::default();
+            let asking = match (&own, &changing) {
+                (Some(own), _) => Asking::about(&own.answer, question, limits),
+                (None, Some(changing)) => Asking::stuck(changing, limits),
+                (None, None) => Asking::about(about, question, limits),
+            };
+            Some(Rc::new(told(asking, parts)?))
+        }
+        None => None,
+    };
+    Ok(match (own, changing, comparing, asking) {
+        (Some(own), _, _, Some(asking)) => Mode::Judging(own, asking),
+        (Some(own), _, _, None) => Mode::Steering(own),
+        (None, _, Some(comparing), Some(asking)) => Mode::Stuck(comparing, asking),
+        (None, _, Some(comparing), None) => Mode::Comparing(comparing),
+        (None, Some(changing), None, _) => Mode::Changing(changing),
+        (None, None, None, Some(asking)) => Mode::Asking(asking),
+        (None, None, None, None) => Mode::Editing,
+    })
+}
+
+/// What was being listed.
+fn listed(about: &Rc<Answer>, text: &str) -> Option<Changing> {
+    let (at, list) = text.split_once('!')?;
+    let changing = Changing::begin(about, at.parse().ok()?)?;
+    let list = change::read(list, about.agents().len())?.changes;
+    let list = list.into_iter().map(|change| change.what).collect();
+    changing.with(list).ok()
+}
+
+/// The methods' answers, and which of them was chosen.
+fn compared(changing: &Rc<Changing>, text: &str) -> Option<Comparing> {
+    let (chosen, told) = text.split_once('!')?;
+    let chosen: usize = chosen.parse().ok()?;
+    let mut comparing = Comparing::new(changing, extras::read(told)?)?;
+    comparing.chosen = chosen.checked_sub(1);
+    Some(comparing)
+}
+
+/// A question with what was told of it.
+fn told(mut asking: Asking, parts: &Parts<'_>) -> Result<Asking, String> {
+    if let Some(told) = parts.read("told", extras::read)? {
+        asking.learn(told);
+    }
+    if let Some(report) = parts.read("told-report", extras::read)? {
+        asking.report = Some(Rc::new(report));
+    }
+    asking.shows_other = parts.get("shows-other") == Some("1") && asking.other.is_some();
+    Ok(asking)
+}

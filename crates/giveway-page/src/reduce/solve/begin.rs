@@ -1,0 +1,98 @@
+//! A solve begins: with what a search before it left, under the limits that are set.
+
+use std::collections::BTreeMap;
+use std::rc::Rc;
+
+use giveway_model::Question;
+use giveway_solve::{Limits, SolveRequest, Status};
+
+use crate::front::has_front;
+use crate::reduce::{ask, change, stroke};
+use crate::{Answer, Arrival, Mode, Notice, Size, Solving, State, Task};
+
+/// How a solve begins.
+pub(in crate::reduce) struct Start {
+    arrival: Arrival,
+    then: Option<Question>,
+}
+
+impl Start {
+    /// A person asked for it.
+    pub(in crate::reduce) fn step() -> Self {
+        Self {
+            arrival: Arrival::Step,
+            then: None,
+        }
+    }
+
+    /// It belongs to the step before.
+    pub(in crate::reduce) fn quiet() -> Self {
+        Self {
+            arrival: Arrival::Quiet,
+            ..Self::step()
+        }
+    }
+
+    /// A link was opened: what it holds is proved, and its question asked.
+    pub(in crate::reduce) fn of_link(then: Option<Question>) -> Self {
+        Self {
+            arrival: Arrival::Quiet,
+            then,
+        }
+    }
+}
+
+/// Solves the scene; in other modes, what is to be solved there.
+pub(in crate::reduce) fn start(state: &mut State, how: Start) {
+    stroke::release(state);
+    match &state.document.mode {
+        Mode::Changing(_) | Mode::Comparing(_) | Mode::Stuck(..) => {
+            return change::adapt(state);
+        }
+        Mode::Steering(_) | Mode::Judging(..) => return ask::ask(state, &Question::Plan),
+        Mode::Editing | Mode::Asking(_) => {}
+    }
+    let draft = &state.document.draft;
+    if draft.instance().is_err() {
+        let problems = draft.problems().iter();
+        state.view.notice = Some(Notice {
+            sentence: "The scene cannot be solved as it is.".to_owned(),
+            details: problems.map(|problem| problem.sentence.clone()).collect(),
+        });
+        return;
+    }
+    ask::close(state);
+    state.view.notice = None;
+    state.view.playback.playing = false;
+    let document = &state.document;
+    // What a search that was cut off left is not lost.
+    let is_open = |answer: &&Rc<Answer>| {
+        let is_open = matches!(answer.solved.status, Status::Feasible | Status::Unknown);
+        is_open && answer.course.is_none()
+    };
+    let from = document.fresh_answer().filter(is_open).cloned();
+    let request = SolveRequest {
+        scene: document.draft.scene().clone(),
+        pareto: state.settings.front && has_front(&document.draft.scene().objective),
+        within: document.within,
+        start: from.as_ref().and_then(|from| from.solved.plan.clone()),
+        limits: Limits {
+            seconds: Some(f64::from(state.settings.seconds)),
+            ..Limits::default()
+        },
+        ..SolveRequest::default()
+    };
+    state.work.start(Task::Solve(Solving {
+        draft: Rc::clone(&document.draft),
+        request: Rc::new(request),
+        bounds: from
+            .as_ref()
+            .map_or_else(BTreeMap::new, |from| from.solved.bounds.clone()),
+        best: from.as_ref().and_then(|from| from.solved.costs),
+        plan: None,
+        from,
+        size: Size::default(),
+        then: how.then,
+        arrival: how.arrival,
+    }));
+}

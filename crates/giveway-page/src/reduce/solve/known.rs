@@ -1,0 +1,55 @@
+//! What is known before a search is over.
+
+use std::rc::Rc;
+
+use giveway_model::{Version, check};
+use giveway_solve::{Progress, SolveAnswer, Stats, Status};
+
+use crate::Solving;
+
+impl Solving {
+    /// Takes in what became known.
+    pub(in crate::reduce) fn learn(&mut self, event: Progress) {
+        match event {
+            // It is proved under limits on the other costs, of one point of the front.
+            Progress::Bound { .. } if self.request.pareto => {}
+            Progress::Bound { cost, at_least } => {
+                let bound = self.bounds.entry(cost).or_insert(at_least);
+                *bound = at_least.max(*bound);
+            }
+            // Of a front it is the plan of one point.
+            Progress::Plan { costs, plan } if !self.request.pareto => {
+                self.best = Some(costs);
+                self.plan = Some(Rc::new(plan));
+            }
+            Progress::Plan { costs, .. } => self.best = Some(costs),
+            Progress::Size { .. } | Progress::Explained { .. } | Progress::Certifying { .. } => {}
+        }
+    }
+
+    /// What is known where the search ends before its answer; `None` where that
+    /// is nothing.
+    pub(super) fn stopped(&self, reason: &str) -> Option<SolveAnswer> {
+        let plan = self.plan.as_deref().filter(|plan| {
+            let instance = self.draft.instance();
+            instance.is_ok_and(|instance| check::check(instance, plan).violations.is_empty())
+        });
+        if plan.is_none() && self.bounds.is_empty() {
+            return None;
+        }
+        Some(SolveAnswer {
+            giveway: Version,
+            status: match plan {
+                Some(_) => Status::Feasible,
+                None => Status::Unknown,
+            },
+            costs: self.best.filter(|_| plan.is_some()),
+            bounds: self.bounds.clone(),
+            within: self.request.within,
+            complete: false,
+            reason: Some(reason.to_owned()),
+            plan: plan.cloned(),
+            stats: Stats::default(),
+        })
+    }
+}

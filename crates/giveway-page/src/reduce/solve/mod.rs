@@ -1,0 +1,56 @@
+//! Solving: begun, on its way, answered, stopped.
+
+mod answered;
+mod begin;
+mod known;
+
+use super::{ask, job, proof};
+use crate::{Document, SolveAction, State, Task};
+
+pub(super) use answered::{answered, front};
+pub(super) use begin::{Start, start};
+
+use answered::show_point;
+
+/// A plan of at most so many agents is proved as soon as it is opened.
+const SMALL: usize = 12;
+
+pub(super) fn solve(state: &mut State, action: SolveAction) {
+    match action {
+        SolveAction::Begin => start(state, Start::quiet()),
+        SolveAction::Solve => start(state, Start::step()),
+        SolveAction::Cancel => cancel(state),
+        SolveAction::ShowPoint(point) => show_point(state, point),
+        SolveAction::CheckProof => proof::start(state),
+        SolveAction::Progress { job, event } => job::progress(state, job, event),
+        SolveAction::Respond { job, response } => job::respond(state, job, *response),
+        SolveAction::Crash {
+            job,
+            sentence,
+            had_started,
+        } => job::crash(state, job, sentence, had_started),
+    }
+}
+
+/// Whether a scene is small enough to be proved without being asked.
+pub(super) fn is_small(document: &Document) -> bool {
+    document.draft.agents().len() <= SMALL
+}
+
+/// Ends what runs; what is known of an answer stays.
+pub(super) fn cancel(state: &mut State) {
+    match state.work.end() {
+        Some(Task::Solve(run)) => {
+            if let Some(solved) = run.stopped("You stopped the search") {
+                answered(state, run, solved);
+            }
+        }
+        Some(Task::Explain(_)) => {
+            let asking = state.document.mode.asking();
+            if asking.is_some_and(|asking| asking.told.is_none()) {
+                ask::close(state);
+            }
+        }
+        Some(Task::Certify(_) | Task::Change(_)) | None => {}
+    }
+}

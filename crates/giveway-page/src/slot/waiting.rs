@@ -1,0 +1,76 @@
+//! What the page has to say, until its turn comes.
+
+use std::collections::BTreeSet;
+use std::rc::Rc;
+
+use crate::Moment;
+
+/// What the page has to say, until its turn comes.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Waiting {
+    /// What the browser kept could not be opened.
+    pub lost: Option<Lost>,
+    /// The browser does not keep the document.
+    pub unkept: Option<Unkept>,
+    /// What another tab did.
+    pub other: Option<Other>,
+    /// The tabs that a person does not want to hear of.
+    pub(crate) declined: BTreeSet<String>,
+}
+
+impl Waiting {
+    /// The document has changed. What another tab did to the one before is old news.
+    pub(crate) fn go_on(&mut self) {
+        if let Some(Other::Taken { .. }) = self.other {
+            self.other = None;
+        }
+    }
+}
+
+/// Why kept data was not opened.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Lost {
+    /// A newer version of the page wrote it.
+    Newer,
+    /// It is damaged.
+    Damaged,
+    /// The page broke down as it opened it.
+    Breaks,
+}
+
+/// Why the browser does not keep the document.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Unkept {
+    /// There is no room.
+    Full,
+    /// It keeps nothing at all.
+    Refused,
+}
+
+/// What another tab keeps.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Elsewhere {
+    /// Which tab.
+    pub tab: String,
+    /// Its document.
+    pub moment: Moment,
+    /// Whether it goes on from what is here.
+    pub is_ahead: bool,
+}
+
+/// What another tab did.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Other {
+    /// It changed the scene, and so did this one.
+    Apart {
+        /// Which tab.
+        tab: String,
+        /// What it has.
+        moment: Rc<Moment>,
+    },
+    /// It changed the scene, and this one has taken that.
+    Taken {
+        /// What it changed, as a sentence.
+        change: String,
+    },
+}

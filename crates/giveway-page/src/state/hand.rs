@@ -1,0 +1,73 @@
+//! What the hand does on the board, and what it could take hold of.
+
+use giveway_model::Cell;
+
+use crate::gesture::{Gesture, Placing, Stroke, Thing};
+use crate::{Draft, Mode, State};
+
+impl State {
+    /// The stroke that is not finished.
+    pub(crate) fn stroke(&self) -> Option<&Stroke> {
+        match &self.view.gesture {
+            Gesture::Stroke(stroke) => Some(stroke),
+            Gesture::None | Gesture::Placing(_) => None,
+        }
+    }
+
+    /// The agent that is being placed.
+    pub const fn placing(&self) -> Option<Placing> {
+        match &self.view.gesture {
+            Gesture::Placing(placing) => Some(*placing),
+            Gesture::None | Gesture::Stroke(_) => None,
+        }
+    }
+
+    /// Whether a stroke is being made: the board shows what it does so far, and
+    /// nothing else has changed.
+    pub fn has_stroke(&self) -> bool {
+        self.stroke().is_some()
+    }
+
+    /// Whether the hand is doing something on the board.
+    pub fn has_gesture(&self) -> bool {
+        self.view.gesture != Gesture::None
+    }
+
+    /// Whether there is something on a cell that the tool `Select` moves.
+    pub fn can_move(&self, cell: Cell) -> bool {
+        self.thing_at(cell).is_some()
+    }
+
+    /// What the tool `Select` takes hold of on a cell.
+    pub(crate) fn thing_at(&self, cell: Cell) -> Option<Thing> {
+        match &self.document.mode {
+            Mode::Steering(_) | Mode::Judging(..) => return None,
+            Mode::Changing(changing) => return self.thing_in(changing.draft(), cell),
+            Mode::Comparing(comparing) | Mode::Stuck(comparing, _) => {
+                return self.thing_in(comparing.changing.draft(), cell);
+            }
+            Mode::Editing | Mode::Asking(_) => {}
+        }
+        let draft = &self.document.draft;
+        // What the scene is made of can only be moved where it is shown.
+        if self.world().grid() != draft.grid() {
+            return None;
+        }
+        let standing = self.agent_at(cell);
+        let starts = |agent: usize| draft.agents().get(agent).is_some_and(|a| a.start == cell);
+        let start = standing.filter(|&agent| starts(agent)).map(Thing::Start);
+        start.or_else(|| Thing::lying(draft, cell, self.selected_agent()))
+    }
+
+    /// The same in the world that changes: where agents are is settled, and what
+    /// waypoints they had, too.
+    fn thing_in(&self, world: &Draft, cell: Cell) -> Option<Thing> {
+        if self.agent_at(cell).is_some() {
+            return None;
+        }
+        let mut agents = world.agents().iter().enumerate();
+        let goal = agents.position(|(index, agent)| self.is_there(index) && agent.goal == cell);
+        goal.map(Thing::Goal)
+            .or_else(|| Thing::painted(world, cell))
+    }
+}

@@ -1,0 +1,97 @@
+//! The state of the page: a document, what runs in the worker, what is shown.
+
+mod displaced;
+mod hand;
+mod notice;
+mod offered;
+mod shown;
+mod world;
+
+use crate::history::Moment;
+use crate::{Document, Draft, History, Place, Selection, Settings, View, Work};
+
+pub use displaced::{By, Displaced};
+pub use notice::Notice;
+
+/// All that the page shows. Plain data: two equal states look the same.
+#[derive(Clone, Debug, PartialEq)]
+pub struct State {
+    /// All that a person made or got and would miss, with what is being done
+    /// with it.
+    pub document: Document,
+    /// What runs in the worker.
+    pub work: Work,
+    /// What is shown of the document, and how.
+    pub view: View,
+    /// What a person set, for all scenes.
+    pub settings: Settings,
+    /// Undo and redo.
+    pub history: History,
+    /// The document that another one replaced. One press brings it back, until
+    /// the new one is edited.
+    pub displaced: Option<Displaced>,
+}
+
+impl State {
+    /// A page that shows a draft and nothing else yet.
+    ///
+    /// ```
+    /// use giveway_model::Scene;
+    /// use giveway_page::{Draft, Phase, State};
+    /// let scene = Scene { map: vec!["..".into()], ..Scene::default() };
+    /// let state = State::new(Draft::new(scene).unwrap());
+    /// assert_eq!(state.phase(), Phase::Editing);
+    /// ```
+    pub fn new(draft: Draft) -> Self {
+        Self::of(Document::new(draft))
+    }
+
+    /// A page that shows a document.
+    pub fn of(document: Document) -> Self {
+        Self {
+            document,
+            work: Work::default(),
+            view: View::default(),
+            settings: Settings::default(),
+            history: History::default(),
+            displaced: None,
+        }
+    }
+
+    /// The page as it was left.
+    pub(crate) fn resumed(moment: Moment, history: History) -> Self {
+        let mut state = Self::of(moment.document);
+        state.view.selection = moment.selection;
+        state.view.playback.stop_at(moment.time);
+        state.history = history;
+        crate::reduce::settle(&mut state);
+        state
+    }
+
+    /// The document, and where it is looked at.
+    pub fn moment(&self) -> Moment {
+        Moment {
+            document: self.document.clone(),
+            time: self.view.playback.time,
+            selection: self.view.selection,
+        }
+    }
+
+    /// Whether the page is inside another one.
+    pub fn is_embedded(&self) -> bool {
+        self.view.place == Place::Embedded
+    }
+
+    /// The agent that is selected, by its index in the scene.
+    pub const fn selected_agent(&self) -> Option<usize> {
+        match self.view.selection {
+            Selection::Agent(agent) => Some(agent),
+            Selection::Nothing | Selection::Cell(_) => None,
+        }
+    }
+
+    /// The agent that the camera goes with, by its index in the scene.
+    pub fn followed(&self) -> Option<usize> {
+        self.selected_agent().filter(|_| self.view.follow)
+    }
+}

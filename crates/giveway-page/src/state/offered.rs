@@ -1,0 +1,47 @@
+//! What could be begun at the time shown: a change of the world, leading an agent.
+
+use std::rc::Rc;
+
+use crate::edit::fresh_name;
+use crate::steering::Steering;
+use crate::{Answer, Mode, State};
+
+impl State {
+    /// Whether the world could change at the time shown: there is a plan, and
+    /// nothing has changed then or later yet.
+    pub fn can_change(&self) -> bool {
+        let document = &self.document;
+        let answer = document
+            .fresh_answer()
+            .filter(|answer| answer.plan().is_some());
+        let is_later = |answer: &Rc<Answer>| {
+            let last = answer.changed_last();
+            last.is_none_or(|last| self.view.playback.time > last)
+        };
+        matches!(document.mode, Mode::Editing | Mode::Asking(_)) && answer.is_some_and(is_later)
+    }
+
+    /// The agent that could be led by hand from the time shown: the one that is
+    /// selected, where there is a plan of the scene in one world.
+    pub fn can_steer(&self) -> Option<usize> {
+        let agent = self.selected_agent()?;
+        let time = self.view.playback.time;
+        let can = match &self.document.mode {
+            Mode::Steering(own) | Mode::Judging(own, _) => own.agent != agent || time < own.time(),
+            Mode::Editing | Mode::Asking(_) => {
+                let answer = self.document.fresh_answer();
+                answer.is_some_and(|answer| Steering::can_begin(answer, agent, time))
+            }
+            Mode::Changing(_) | Mode::Comparing(_) | Mode::Stuck(..) => false,
+        };
+        can.then_some(agent)
+    }
+
+    /// The name of the next agent.
+    pub fn next_name(&self) -> String {
+        match self.document.mode.changing() {
+            Some(changing) => changing.fresh_name(),
+            None => fresh_name(self.document.draft.scene()),
+        }
+    }
+}

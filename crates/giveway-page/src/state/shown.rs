@@ -1,0 +1,64 @@
+//! What is shown of the document: which answer, which plan, up to which time.
+
+use std::rc::Rc;
+
+use giveway_model::Plan;
+
+use crate::steering::Steering;
+use crate::{Answer, Mode, State, Task};
+
+impl State {
+    /// Whether more of an answer to the question is being looked for.
+    pub fn is_looking(&self) -> bool {
+        matches!(self.work.task(), Some(Task::Explain(_)))
+    }
+
+    /// The answer that is shown: the last one, or a plan of one's own; the other
+    /// plan of a question where that takes its place; the one that is previewed
+    /// where the world changes.
+    pub fn shown(&self) -> Option<&Rc<Answer>> {
+        self.document.shown(!self.view.is_wide)
+    }
+
+    /// The answer that is shown beside that one: the other plan of a question,
+    /// where there is room for it.
+    pub fn beside(&self) -> Option<&Rc<Answer>> {
+        let asking = self.document.mode.asking()?;
+        asking.other.as_ref().filter(|_| self.view.is_wide)
+    }
+
+    /// The plan that is shown, stale or not.
+    pub fn plan(&self) -> Option<&Plan> {
+        self.shown()?.plan()
+    }
+
+    /// The plan that plays: the one that is shown, if any agent on the board has a
+    /// part in it.
+    pub fn playing(&self) -> Option<&Rc<Answer>> {
+        let answer = self.shown()?;
+        answer.plan()?;
+        let draft = &self.document.draft;
+        let mut agents = 0..draft.agents().len();
+        let has_part = answer.course.is_some()
+            || answer.agents().is_empty()
+            || agents.any(|agent| answer.agent(draft, agent).is_some());
+        has_part.then_some(answer)
+    }
+
+    /// The last time that can be shown, in steps.
+    pub fn last_time(&self) -> u32 {
+        let mode = &self.document.mode;
+        match mode {
+            Mode::Changing(changing) => return changing.at,
+            Mode::Comparing(comparing) | Mode::Stuck(comparing, _) => {
+                let preview = comparing.preview();
+                return preview.map_or(comparing.changing.at, |answer| answer.makespan());
+            }
+            _ => {}
+        }
+        let both = self.playing().into_iter().chain(self.beside());
+        let led = mode.steering().map(|own| Steering::time(own));
+        let ends = both.map(|answer| answer.makespan()).chain(led);
+        ends.max().unwrap_or(0)
+    }
+}

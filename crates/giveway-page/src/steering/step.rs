@@ -1,0 +1,99 @@
+//! An agent is led: a step more, a charge, or a step back.
+
+use giveway_model::Cell;
+
+use super::Steering;
+use crate::words::at;
+
+/// The most steps that an agent is led.
+const LONGEST: usize = 10_000;
+
+impl Steering {
+    /// A step so many cells right and down, or a wait.
+    ///
+    /// # Errors
+    /// Why there is no such step, as a sentence.
+    pub(crate) fn step(&self, by: (i32, i32)) -> Result<Self, String> {
+        let (name, from) = (self.name().to_owned(), self.cell());
+        let refused = |why: String| Err(format!("{name} stays: {why}."));
+        if self.path().len() >= LONGEST {
+            return refused("nobody is led that far".to_owned());
+        }
+        let to = from.x.checked_add_signed(by.0);
+        let to = to.zip(from.y.checked_add_signed(by.1));
+        let to = to.map(|(x, y)| Cell::new(x, y));
+        let Some(to) = to.filter(|&to| self.grid().ground(to).is_some()) else {
+            return refused("the map ends there".to_owned());
+        };
+        if !self.grid().is_vertex(to) {
+            return refused(format!("at {} there is an obstacle", at(to)));
+        }
+        if to != from && !to.touches(from) {
+            return refused(format!("{} is not beside it", at(to)));
+        }
+        let mut plan = self.plan.clone();
+        if let Some(path) = plan.paths.get_mut(&name) {
+            if self.grid().is_slow_edge(from, to) {
+                path.push(None);
+            }
+            path.push(Some(to));
+        }
+        Ok(self.after(plan))
+    }
+
+    /// Whether it charges in its next step, the other way round.
+    ///
+    /// # Errors
+    /// Why it cannot, as a sentence.
+    pub(crate) fn charge(&self) -> Result<Self, String> {
+        let (name, time) = (self.name().to_owned(), self.time());
+        let Some(charges) = self.charges() else {
+            let cell = at(self.cell());
+            return Err(format!("{name} cannot charge at {cell}."));
+        };
+        let mut plan = self.plan.clone();
+        let times = plan.charges.entry(name.clone()).or_default();
+        if charges {
+            times.retain(|&charge| charge != time);
+        } else {
+            times.push(time);
+        }
+        // It begins with the next step, and is judged with that.
+        Ok(Self {
+            told: if charges {
+                format!("{name} does not charge.")
+            } else {
+                format!("{name} charges in its next step.")
+            },
+            plan,
+            ..self.clone()
+        })
+    }
+
+    /// The same without the last step.
+    ///
+    /// # Errors
+    /// That there is none, as a sentence.
+    pub(crate) fn back(&self) -> Result<Self, String> {
+        if !self.can_go_back() {
+            return Err("There is no step to take back.".to_owned());
+        }
+        let name = self.name().to_owned();
+        let mut plan = self.plan.clone();
+        if let Some(path) = plan.paths.get_mut(&name) {
+            path.pop();
+            while path.last() == Some(&None) {
+                path.pop();
+            }
+            let last = path.len().saturating_sub(1);
+            if let Some(charges) = plan.charges.get_mut(&name) {
+                // That of the step taken back stays chosen, to be made anew.
+                charges.retain(|&charge| charge as usize <= last);
+            }
+        }
+        Ok(Self {
+            told: String::new(),
+            ..self.after(plan)
+        })
+    }
+}

@@ -1,0 +1,114 @@
+//! Whatever a person does, in whatever order: nothing is lost, nothing panics, and
+//! what cannot be together never is.
+
+mod random;
+
+use crate::{
+    Action, Draft, Mode, State, ask, board, changing, inspect, link, reduce, steering, table, words,
+};
+
+/// How many actions in all.
+const ACTIONS: u64 = 100_000;
+/// A session begins anew after so many.
+const SESSION: u64 = 1_000;
+
+#[test]
+fn nothing_is_ever_lost() {
+    for seed in 0..ACTIONS / SESSION {
+        Session::new(seed).run(SESSION);
+    }
+}
+
+struct Session {
+    rng: fastrand::Rng,
+    state: State,
+    /// The numbers of jobs that are over, with their answers.
+    late: Vec<Action>,
+    done: Vec<String>,
+}
+
+impl Session {
+    fn new(seed: u64) -> Self {
+        let scene = giveway_model::Scene {
+            map: vec!["....".into(), ".#+.".into(), "~~..".into()],
+            ..giveway_model::Scene::default()
+        };
+        Self {
+            rng: fastrand::Rng::with_seed(seed),
+            state: State::new(Draft::new(scene).unwrap()),
+            late: Vec::new(),
+            done: vec![format!("seed {seed}")],
+        }
+    }
+
+    fn run(&mut self, actions: u64) {
+        for step in 0..actions {
+            for action in self.next() {
+                self.done.push(format!("{action:.60?}"));
+                self.state = reduce(&self.state, action);
+                self.check(step);
+            }
+        }
+    }
+}
+
+impl Session {
+    /// All that holds after whatever was done.
+    fn check(&self, step: u64) {
+        let state = &self.state;
+        let told = || {
+            let from = self.done.len().saturating_sub(12);
+            format!("step {step}: {:#?}", &self.done[from..])
+        };
+        assert!(
+            state.view.playback.time <= state.last_time(),
+            "time: {}",
+            told()
+        );
+        if let crate::Selection::Agent(agent) = state.view.selection {
+            let is_drawn = state.has_gesture() || agent < state.world().agents().len();
+            assert!(is_drawn, "selection: {}", told());
+        }
+        let mut kept = state.work.clone();
+        kept.keep_to(&state.document);
+        assert_eq!(kept.id(), state.work.id(), "work: {}", told());
+        if !state.has_gesture() && state.history.can_undo() {
+            let redone = reduce(&reduce(state, Action::Undo), Action::Redo);
+            assert!(redone.document == state.document, "undo, redo: {}", told());
+        }
+        show(state);
+        if step.is_multiple_of(64) {
+            let again = link::kept(&link::keep(state)).unwrap_or_else(|notice| {
+                panic!("kept: {notice:?} {}", told());
+            });
+            assert_eq!(link::keep(&again), link::keep(state), "kept: {}", told());
+        }
+    }
+}
+
+/// All that places of the page make of a state.
+fn show(state: &State) {
+    let _ = words::standing(state);
+    let _ = (ask::offers(state), ask::card(state), inspect::whole(state));
+    let _ = (changing::facts(state), changing::columns(state));
+    let _ = (steering::facts(state), state.can_change());
+    let _ = board::Cast::of(state);
+    for agent in 0..=state.world().agents().len() {
+        let _ = inspect::agent(state, agent);
+        let _ = changing::offers(state, agent);
+    }
+    for answer in state.shown().into_iter().chain(state.beside()) {
+        let lanes = table::lanes(answer, &state.document.draft);
+        for lane in &lanes {
+            let _ = (lane.sentence(), lane.level_at(state.view.playback.time));
+        }
+    }
+    match &state.document.mode {
+        Mode::Asking(_) => assert!(state.document.answer.is_some()),
+        Mode::Steering(own) | Mode::Judging(own, _) => {
+            assert!(own.about.course.is_none());
+        }
+        Mode::Stuck(comparing, _) => assert!(comparing.preview().is_none()),
+        Mode::Editing | Mode::Changing(_) | Mode::Comparing(_) => {}
+    }
+}

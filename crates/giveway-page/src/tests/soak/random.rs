@@ -1,0 +1,185 @@
+//! What a person does next, by chance.
+
+use giveway_model::{Cell, Question};
+
+use super::Session;
+use crate::steering::Lead;
+use crate::tests::{answer, seek};
+use crate::{
+    Action, AskAction, BoardAction, ChangeAction, Edit, FileAction, Fill, SolveAction, Tool,
+    ViewAction, link,
+};
+
+impl Session {
+    fn cell(&mut self) -> Cell {
+        let grid = self.state.document.draft.grid();
+        // At times off the map.
+        let (width, height) = (grid.width() + 1, grid.height() + 1);
+        Cell::new(self.rng.u32(0..width), self.rng.u32(0..height))
+    }
+
+    fn agent(&mut self) -> usize {
+        let count = self.state.world().agents().len();
+        self.rng.usize(0..count + 2)
+    }
+
+    pub(super) fn next(&mut self) -> Vec<Action> {
+        match self.rng.u8(0..100) {
+            0..25 => self.stroke(),
+            25..40 => vec![Action::Undo],
+            40..48 => vec![Action::Redo],
+            48..58 => vec![Action::Edit(self.edit())],
+            58..72 => self.solve(),
+            72..80 => vec![Action::Ask(self.question())],
+            80..88 => vec![Action::Change(self.change())],
+            88..93 => vec![Action::Steer(self.lead())],
+            93..97 => self.look(),
+            _ => vec![self.file()],
+        }
+    }
+
+    fn stroke(&mut self) -> Vec<Action> {
+        let tool = *self.rng.choice(&Tool::ALL).unwrap();
+        let mut actions = vec![BoardAction::PickTool(tool), BoardAction::Press(self.cell())];
+        for _ in 0..self.rng.usize(0..4) {
+            actions.push(BoardAction::Drag(self.cell()));
+        }
+        match self.rng.u8(0..10) {
+            0 => actions.push(BoardAction::Abandon),
+            // Left in the air.
+            1 => {}
+            _ => actions.push(BoardAction::Release),
+        }
+        actions.into_iter().map(Action::Board).collect()
+    }
+
+    fn edit(&mut self) -> Edit {
+        let (agent, cell) = (self.agent(), self.cell());
+        match self.rng.u8(0..14) {
+            0 => Edit::RemoveAgent(agent),
+            1 => Edit::SetGoal(agent, cell),
+            2 => Edit::AddWaypoint(agent, cell),
+            3 => Edit::DropWaypoint(agent, cell),
+            4 => Edit::Rename(agent, "B".to_owned()),
+            5 => Edit::Resize(self.rng.u32(1..6), self.rng.u32(1..5)),
+            6 => Edit::Clear,
+            7 => Edit::Fill(Fill {
+                obstacles: 20,
+                agents: self.rng.u32(0..4),
+                seed: self.rng.u32(0..9),
+            }),
+            8 => Edit::SetBattery(
+                agent,
+                self.rng.bool().then_some(giveway_model::Battery {
+                    capacity: 8,
+                    initial: 5,
+                }),
+            ),
+            9 => Edit::Within(self.rng.bool().then_some(9)),
+            10 => Edit::Recolour(agent, self.rng.usize(0..13)),
+            11 => Edit::Delay(agent, 2),
+            12 => Edit::SetLevel(agent, 3),
+            _ => Edit::Name("soak".to_owned()),
+        }
+    }
+
+    /// Starts, ends or answers what runs; answers come late at times.
+    fn solve(&mut self) -> Vec<Action> {
+        let solve = match self.rng.u8(0..10) {
+            0..4 => SolveAction::Solve,
+            4 => SolveAction::Cancel,
+            5 => SolveAction::CheckProof,
+            6 => SolveAction::ShowPoint(0),
+            _ => return self.answer(),
+        };
+        vec![Action::Solve(solve)]
+    }
+
+    fn answer(&mut self) -> Vec<Action> {
+        let Some(job) = self.state.work.id() else {
+            return self.late.pop().into_iter().collect();
+        };
+        if self.rng.u8(0..12) == 0 {
+            let sentence = "It broke off.".to_owned();
+            return vec![Action::Solve(SolveAction::Crash {
+                job,
+                sentence,
+                had_started: true,
+            })];
+        }
+        let answer = answer(&self.state);
+        self.late.push(answer.clone());
+        self.late.truncate(4);
+        vec![answer]
+    }
+
+    fn question(&mut self) -> AskAction {
+        let cell = self.cell();
+        let agents = self.state.document.draft.agents();
+        let name = agents.first().map_or_else(String::new, |a| a.name.clone());
+        match self.rng.u8(0..10) {
+            0 => AskAction::Ask(Question::Makespan),
+            1 => AskAction::Ask(Question::Unsolvable),
+            2 => AskAction::Ask(Question::Plan),
+            3 => AskAction::Ask(Question::NoVisit {
+                agent: None,
+                at: cell,
+            }),
+            4 => AskAction::Ask(Question::Arrival { agent: name }),
+            5 => AskAction::Close,
+            6 => AskAction::ShowOther(self.rng.bool()),
+            7 => AskAction::TakeOther,
+            8 => AskAction::TakeRepair(self.rng.usize(0..2)),
+            _ => AskAction::Again,
+        }
+    }
+
+    fn change(&mut self) -> ChangeAction {
+        match self.rng.u8(0..8) {
+            0..3 => ChangeAction::Begin,
+            3 => ChangeAction::Discard,
+            4 => ChangeAction::TakeBack(self.rng.usize(0..2)),
+            5 => ChangeAction::Adapt,
+            6 => ChangeAction::Preview(self.rng.usize(0..3)),
+            _ => ChangeAction::Adopt(self.rng.usize(0..3)),
+        }
+    }
+
+    fn lead(&mut self) -> Lead {
+        match self.rng.u8(0..8) {
+            0..3 => Lead::Begin,
+            3 => Lead::Step((self.rng.i32(-1..2), 0)),
+            4 => Lead::To(self.cell()),
+            5 => Lead::Charge,
+            6 => Lead::Back,
+            _ => Lead::Discard,
+        }
+    }
+
+    fn look(&mut self) -> Vec<Action> {
+        let time = self.rng.u32(0..9);
+        let select = if self.rng.bool() {
+            crate::Selection::Agent(self.agent())
+        } else {
+            crate::Selection::Cell(self.cell())
+        };
+        vec![
+            Action::Board(BoardAction::Select(select)),
+            seek(time),
+            Action::View(ViewAction::SetWide(self.rng.bool())),
+            Action::View(ViewAction::SetSolveOnChange(self.rng.u8(0..4) == 0)),
+            Action::View(ViewAction::SetFront(self.rng.u8(0..4) == 0)),
+        ]
+    }
+
+    fn file(&mut self) -> Action {
+        match self.rng.u8(0..3) {
+            0 => Action::File(FileAction::Back),
+            1 => {
+                let scene = self.state.document.draft.scene().clone();
+                Action::File(FileAction::Open(Box::new(scene)))
+            }
+            _ => link::open(&link::write(&self.state)),
+        }
+    }
+}

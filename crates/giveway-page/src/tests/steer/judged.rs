@@ -1,0 +1,87 @@
+//! The plan of one's own is checked: its faults, its costs, the better plan.
+
+use giveway_model::Question;
+use giveway_solve::Status;
+
+use super::{DOWN, RIGHT, WAIT, leading, path, told};
+use crate::board::reasons;
+use crate::reduce::tests::after;
+use crate::tests::answered;
+use crate::{Action, AskAction, Phase, SolveAction, ask};
+
+#[test]
+fn who_is_not_at_its_goal_yet_is_in_nobodys_way_later() {
+    let state = after(&leading(0, 0), [DOWN]);
+    assert_eq!(told(&state).violations, [], "it may yet be led away");
+    let checked = answered(&after(
+        &state,
+        [Action::Ask(AskAction::Ask(Question::Plan))],
+    ));
+    let card = ask::card(&checked).unwrap();
+    let (badge, text) = card.verdict.unwrap();
+    assert_eq!(badge.word, "Against the rules");
+    assert!(text.starts_with("The plan breaks a rule: "), "{text}");
+    let (title, broken) = card.witness.unwrap();
+    assert_eq!(title, "What is against the rules");
+    let [goal, meets] = &broken[..] else {
+        panic!("{broken:?}");
+    };
+    assert!(goal.text.contains("its goal is (3, 0)"), "{}", goal.text);
+    assert!(
+        meets.text.contains("A2 is at (0, 1) at time 3"),
+        "{}",
+        meets.text
+    );
+    let spots = reasons(&checked).spots;
+    assert_eq!(
+        spots.iter().map(|spot| spot.number).collect::<Vec<_>>(),
+        [1, 2]
+    );
+}
+
+#[test]
+fn a_plan_that_is_as_good_is_confirmed() {
+    let state = after(
+        &leading(0, 0),
+        [RIGHT, RIGHT, RIGHT, Action::Solve(SolveAction::Solve)],
+    );
+    assert_eq!(state.phase(), Phase::Asking);
+    let state = answered(&state);
+    let (badge, text) = ask::card(&state).unwrap().verdict.unwrap();
+    assert_eq!(badge.word, "Optimal");
+    assert_eq!(text, "The plan keeps all rules, and no plan is better.");
+    let state = after(&state, [Action::Ask(AskAction::Close)]);
+    assert_eq!(state.phase(), Phase::Steering);
+}
+
+#[test]
+fn of_a_worse_plan_it_is_told_what_is_too_much() {
+    let own = after(&leading(0, 0), [WAIT, RIGHT, RIGHT, RIGHT]);
+    let state = answered(&after(&own, [Action::Ask(AskAction::Ask(Question::Plan))]));
+    let card = ask::card(&state).unwrap();
+    let (badge, text) = card.verdict.unwrap();
+    assert_eq!(badge.word, "Improvable");
+    assert!(text.contains("A1 waits 1 step less"), "{text}");
+    assert_eq!((card.rows[0].this, card.rows[0].other), (4, 3));
+    let taken = after(&state, [Action::Ask(AskAction::TakeOther)]);
+    assert_eq!(taken.document.mode.steering(), None);
+    let answer = taken.document.answer.as_ref().unwrap();
+    assert_eq!(answer.solved.status, Status::Optimal, "the bounds hold");
+    assert_eq!(
+        after(&taken, [Action::Undo]).document.mode.steering(),
+        own.document.mode.steering()
+    );
+}
+
+#[test]
+fn a_step_closes_the_answer_and_ends_the_search() {
+    let state = after(
+        &leading(0, 0),
+        [WAIT, Action::Ask(AskAction::Ask(Question::Plan)), RIGHT],
+    );
+    assert_eq!(
+        (state.phase(), state.document.mode.asking()),
+        (Phase::Steering, None)
+    );
+    assert_eq!(path(&state, "A1").len(), 3);
+}

@@ -1,0 +1,95 @@
+//! The badge before the sentence: an icon and one word.
+
+/// What stands before the sentence: an icon and one word, never a colour alone.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Badge {
+    /// No answer yet.
+    Draft,
+    /// The scene has a fault.
+    Faulty,
+    /// The solver works.
+    Solving,
+    /// It works on a question.
+    Asking,
+    /// It checks a proof.
+    Checking,
+    /// What changes in the world is being listed.
+    Changing,
+    /// It looks for ways to go on.
+    Adapting,
+    /// Ways to go on are side by side; how many.
+    Compared(u8),
+    /// An agent is led by hand.
+    Steering,
+    /// A plan that went on where the world changed.
+    Adopted,
+    /// A plan, with a proof that none is better.
+    Proved,
+    /// No plan, with a proof.
+    Impossible,
+    /// The budget ran out.
+    Stopped,
+    /// An answer to what the scene was before.
+    Stale,
+    /// A plan from elsewhere of which nothing was proved here.
+    Shared,
+}
+
+impl Badge {
+    /// The word on it.
+    pub const fn word(self) -> &'static str {
+        match self {
+            Self::Draft => "Draft",
+            Self::Faulty => "Problem",
+            Self::Solving => "Solving",
+            Self::Asking => "Asking",
+            Self::Checking => "Checking",
+            Self::Changing => "Changing",
+            Self::Adapting => "Looking",
+            Self::Compared(1) => "1 answer",
+            Self::Compared(2) => "2 answers",
+            Self::Compared(_) => "3 answers",
+            Self::Steering => "Steering",
+            Self::Adopted => "Adopted",
+            Self::Proved => "Proved",
+            Self::Impossible => "Impossible",
+            Self::Stopped => "Stopped",
+            Self::Stale => "Stale",
+            Self::Shared => "Shared",
+        }
+    }
+
+    /// Its icon.
+    pub const fn icon(self) -> &'static str {
+        match self {
+            Self::Draft | Self::Changing => "change",
+            Self::Shared => "share",
+            Self::Compared(_) => "compare",
+            Self::Steering => "steer",
+            Self::Adopted => "check",
+            Self::Solving | Self::Adapting | Self::Stopped => "clock",
+            Self::Asking => "question",
+            Self::Checking => "search",
+            Self::Proved => "proved",
+            Self::Impossible => "cancel",
+            Self::Faulty | Self::Stale => "warning",
+        }
+    }
+
+    /// Its class in the style sheet.
+    pub const fn class(self) -> &'static str {
+        match self {
+            Self::Draft | Self::Adopted | Self::Shared => "plain",
+            Self::Solving
+            | Self::Asking
+            | Self::Checking
+            | Self::Changing
+            | Self::Adapting
+            | Self::Compared(_)
+            | Self::Steering => "info",
+            Self::Proved => "proved",
+            Self::Impossible | Self::Faulty => "bad",
+            Self::Stopped | Self::Stale => "warn",
+        }
+    }
+}

@@ -1,0 +1,106 @@
+//! Where the page stands: one badge and one sentence.
+
+mod badge;
+mod bounds;
+mod resting;
+
+use giveway_model::words::capital;
+
+use crate::words::{change, question, steering};
+use crate::{Asking, Mode, State, Task, proof};
+
+pub use badge::Badge;
+
+use bounds::solving;
+use resting::resting;
+
+/// Where the page stands.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Standing {
+    /// The badge.
+    pub badge: Badge,
+    /// The sentence, to be understood without the badge.
+    pub sentence: String,
+    /// The sentence beside the badge, which says its first word already; `None` where
+    /// it is the same.
+    pub beside: Option<String>,
+}
+
+impl Standing {
+    fn new(badge: Badge, sentence: String) -> Self {
+        Self {
+            badge,
+            sentence,
+            beside: None,
+        }
+    }
+
+    /// The sentence beside the badge.
+    pub fn beside_badge(&self) -> &str {
+        self.beside.as_deref().unwrap_or(&self.sentence)
+    }
+}
+
+/// Where the page stands.
+///
+/// ```
+/// use giveway_page::{Draft, State, words};
+/// let standing = words::standing(&State::new(Draft::default()));
+/// assert_eq!(standing.sentence, "No plan yet.");
+/// ```
+pub fn standing(state: &State) -> Standing {
+    let say = Standing::new;
+    if let Some(task) = state.work.task() {
+        return working(state, task);
+    }
+    if let Some(placing) = state.placing() {
+        let at = crate::words::at(placing.start);
+        let name = state.next_name();
+        let sentence = format!("{name} starts at {at}. Now choose its goal.");
+        return say(Badge::Draft, sentence);
+    }
+    match &state.document.mode {
+        Mode::Changing(changing) => say(Badge::Changing, change::changing(changing)),
+        Mode::Comparing(comparing) | Mode::Stuck(comparing, _) if comparing.preview().is_none() => {
+            say(Badge::Impossible, change::compared(comparing))
+        }
+        Mode::Comparing(comparing) | Mode::Stuck(comparing, _) => {
+            let count = u8::try_from(comparing.tried.len()).unwrap_or(u8::MAX);
+            say(Badge::Compared(count), change::compared(comparing))
+        }
+        Mode::Steering(own) | Mode::Judging(own, _) => {
+            say(Badge::Steering, steering::steering(own))
+        }
+        Mode::Editing | Mode::Asking(_) => resting(state),
+    }
+}
+
+/// Where the page stands while something runs.
+fn working(state: &State, task: &Task) -> Standing {
+    let say = Standing::new;
+    match task {
+        Task::Solve(run) => {
+            let known = solving(run);
+            Standing {
+                beside: Some(capital(&known)),
+                ..say(Badge::Solving, format!("Solving: {known}"))
+            }
+        }
+        Task::Explain(_) => {
+            let asking = state.document.mode.asking();
+            let sentence = asking.map_or_else(String::new, |asking| asked(asking));
+            say(Badge::Asking, sentence)
+        }
+        Task::Certify(run) => say(Badge::Checking, proof::doing(run)),
+        Task::Change(run) => say(Badge::Adapting, change::adapting(run)),
+    }
+}
+
+/// `Asking: why does A1 wait at (3, 1)?`, and how far the answer is.
+fn asked(asking: &Asking) -> String {
+    let question = question(asking.question());
+    if asking.told.is_none() {
+        return question;
+    }
+    format!("{question} The verdict is there; reasons and repairs follow.")
+}

@@ -1,0 +1,83 @@
+//! The status where nothing runs: of a scene, with its plan if it has one.
+
+use std::rc::Rc;
+
+use giveway_solve::Status;
+use giveway_solve::words::headline;
+
+use super::{Badge, Standing};
+use crate::front::Front;
+use crate::words::costs::values;
+use crate::words::{change, count};
+use crate::{Answer, State};
+
+/// Where the page stands with a scene and its plan, if it has one.
+pub(super) fn resting(state: &State) -> Standing {
+    let say = Standing::new;
+    if let Some(problem) = state.document.draft.problems().first()
+        && state.document.fresh_answer().is_none()
+    {
+        let fault = format!("This cannot be solved: {}", problem.sentence);
+        return say(Badge::Faulty, fault);
+    }
+    let Some(answer) = &state.document.answer else {
+        return say(Badge::Draft, "No plan yet.".to_owned());
+    };
+    if state.document.is_stale() {
+        let what = match answer.plan() {
+            Some(_) => "The scene has changed since this plan. Solve again.",
+            None => "The scene has changed. Solve again.",
+        };
+        return say(Badge::Stale, what.to_owned());
+    }
+    if answer.course.is_some() {
+        let badge = match answer.solved.status {
+            Status::Optimal => Badge::Adopted,
+            _ => Badge::Stopped,
+        };
+        return say(badge, change::adopted(answer));
+    }
+    if let Some(front) = state.document.own_front() {
+        return on_front(front, answer);
+    }
+    if answer.is_shared {
+        return say(Badge::Shared, shared(answer));
+    }
+    let badge = match answer.solved.status {
+        Status::Optimal => Badge::Proved,
+        Status::Impossible => Badge::Impossible,
+        Status::Feasible | Status::Unknown => Badge::Stopped,
+    };
+    say(badge, answered(answer))
+}
+
+/// `On the Pareto front of 3 plans: makespan 18, sum of costs 35.`
+fn on_front(front: &Front, answer: &Rc<Answer>) -> Standing {
+    let plans = count(front.points.len(), "plan");
+    let costs = front.name(front.place_of(answer).unwrap_or_default());
+    let (badge, what) = if front.is_whole() {
+        (
+            Badge::Proved,
+            format!("On the Pareto front of {plans}: {costs}."),
+        )
+    } else {
+        (
+            Badge::Stopped,
+            format!("On the Pareto front, {plans} so far: {costs}."),
+        )
+    };
+    Standing::new(badge, what)
+}
+
+/// `Not checked yet whether it is the best: makespan 18.`
+fn shared(answer: &Answer) -> String {
+    let objective = &answer.draft.scene().objective;
+    let costs = answer.solved.costs;
+    let costs = costs.map_or_else(String::new, |costs| values(objective, &costs));
+    format!("This plan was shared: {costs}. Nobody has checked here whether it is the best.")
+}
+
+fn answered(answer: &Answer) -> String {
+    let objective = &answer.draft.scene().objective;
+    headline(objective, &answer.solved).to_string()
+}

@@ -1,0 +1,119 @@
+//! The agents, moving evenly from cell to cell.
+
+mod parts;
+mod transit;
+
+use std::rc::Rc;
+
+use giveway_page::board::{Cast, Detail};
+use giveway_page::form;
+use yew::prelude::*;
+
+use super::motion::{children, use_motion};
+use parts::Parts;
+use transit::Transit;
+
+/// Who, how fine, and which is selected.
+#[derive(Clone, PartialEq, Properties)]
+pub(super) struct AgentsProps {
+    pub(super) cast: Rc<Cast>,
+    /// The same agents by another plan: those who are elsewhere in it are marked.
+    pub(super) versus: Option<Rc<Cast>>,
+    pub(super) detail: Detail,
+    pub(super) selected: Option<usize>,
+}
+
+/// The capsules of slow moves, and the agents above them.
+#[component]
+pub(super) fn Agents(props: &AgentsProps) -> Html {
+    let (transits, agents) = (use_node_ref(), use_node_ref());
+    {
+        let (props, transits, agents) = (props.clone(), transits.clone(), agents.clone());
+        use_motion(move || {
+            let transits = children(&transits).into_iter().map(Transit::new);
+            let is_dot = props.detail == Detail::Dots;
+            let parts = children(&agents).into_iter();
+            let parts = parts.map(|agent| Parts::new(agent, is_dot));
+            let moving: Vec<(Transit, Parts)> = transits.zip(parts).collect();
+            move |time| {
+                for (agent, (transit, parts)) in moving.iter().enumerate() {
+                    if let Some(pose) = props.cast.pose(agent, time) {
+                        transit.show(pose.transit);
+                        parts.show(&pose, &props.cast);
+                        let versus = props.versus.as_ref();
+                        let other = versus.and_then(|versus| versus.pose(agent, time));
+                        parts
+                            .differs
+                            .toggle(other.is_some_and(|other| pose.is_elsewhere(&other)));
+                    }
+                }
+            }
+        });
+    }
+    let transit = |agent: usize| {
+        html! { <rect key={agent} class={classes!("transit", form::class(agent))} rx="42" data-off="" /> }
+    };
+    let count = props.cast.agents.len();
+    html! {
+        <g aria-hidden="true">
+            <g ref={transits}>{ for (0..count).map(transit) }</g>
+            // Dots are moved in another way than what is larger.
+            <g key={if props.detail == Detail::Dots { "dots" } else { "agents" }} ref={agents}>{ for (0..count).map(|agent| agent_shape(props, agent)) }</g>
+        </g>
+    }
+}
+
+fn agent_shape(props: &AgentsProps, agent: usize) -> Html {
+    let detail = props.detail;
+    let has_battery = props.cast.agents[agent].battery.is_some();
+    let is_selected = props.selected == Some(agent);
+    let class = classes!(
+        "agent",
+        form::class(agent),
+        (!has_battery).then_some("no-battery")
+    );
+    let selection = html! {
+        <>
+            if props.versus.is_some() {
+                // Around the ring of the selection.
+                <circle class="diffring" r={if is_selected { "54" } else { "47" }} />
+            }
+            if is_selected {
+                <circle class="selring" r="47" />
+            }
+        </>
+    };
+    let shape = match detail {
+        Detail::Dots => html! { <circle class="form" r="38" /> },
+        Detail::Forms => html! { <g class="body">{ crate::form(agent) }</g> },
+        Detail::Plain | Detail::All => html! {
+            <>
+                <circle class="halo" r="41" />
+                <path class="beak" d="M38-9.5 49 0 38 9.5Z" visibility="hidden" />
+                if has_battery {
+                    <circle class="ring" r="36" />
+                    <circle class="lvl" r="36" transform="rotate(-90)" />
+                }
+                <g class="body">
+                    { crate::form(agent) }
+                    { name(&props.cast.agents[agent].name) }
+                </g>
+                <g class="badge-at">
+                    <g class="chbadge"><circle r="17" /><path d="M2.5-10-7 2.5h6l-2 9L8-3.5H1.5Z" /></g>
+                    <g class="wbadge"><circle r="17" /><path d="M-4-6V6M4-6V6" /></g>
+                </g>
+            </>
+        },
+    };
+    html! { <g key={agent} {class}>{ selection }{ shape }</g> }
+}
+
+pub(super) fn name(name: &str) -> Html {
+    let short = form::short_name(name);
+    let is_long = form::is_long(&short);
+    html! {
+        <text class={classes!("name", is_long.then_some("long"))} y={if is_long { "6.5" } else { "8.6" }} text-anchor="middle">
+            { short }
+        </text>
+    }
+}

@@ -1,0 +1,108 @@
+//! What moves of an agent: its place, where it looks, its battery, its badges.
+
+use giveway_page::board::{Badge, Cast, Pose};
+use web_sys::Element;
+
+use crate::board::motion::{Attribute, children_of};
+use crate::board::units;
+
+/// The circumference of a battery ring, in units.
+const RING: f64 = 226.2;
+
+/// Where an agent is.
+enum Place {
+    /// Of all of it.
+    Shift(Attribute),
+    /// Of each circle: without a transform the browser paints all dots as one
+    /// piece, which takes it much less time where they are many.
+    Middles(Vec<(Attribute, Attribute)>),
+}
+
+impl Place {
+    fn set(&self, x: f64, y: f64) {
+        match self {
+            Self::Shift(shift) => shift.set(&format!("translate({x:.1} {y:.1})")),
+            Self::Middles(middles) => {
+                let (x, y) = (format!("{x:.1}"), format!("{y:.1}"));
+                for (across, down) in middles {
+                    across.set(&x);
+                    down.set(&y);
+                }
+            }
+        }
+    }
+}
+
+/// What moves of an agent.
+pub(super) struct Parts {
+    place: Place,
+    gone: Attribute,
+    pub(super) differs: Attribute,
+    turn: Option<Attribute>,
+    turns: Option<Attribute>,
+    ring: Option<Attribute>,
+    level: Option<Attribute>,
+    charges: Option<Attribute>,
+    waits: Option<Attribute>,
+    badge: Option<Attribute>,
+}
+
+impl Parts {
+    pub(super) fn new(agent: Element, is_dot: bool) -> Self {
+        let part = |class, name| Attribute::of_part(&agent, class, name);
+        let place = if is_dot {
+            let circles = children_of(&agent).into_iter();
+            let middles = circles.map(|circle| {
+                let across = Attribute::new(circle.clone(), "cx");
+                (across, Attribute::new(circle, "cy"))
+            });
+            Place::Middles(middles.collect())
+        } else {
+            Place::Shift(Attribute::new(agent.clone(), "transform"))
+        };
+        Self {
+            turn: part("beak", "transform"),
+            turns: part("beak", "visibility"),
+            ring: part("lvl", "stroke-dasharray"),
+            level: part("lvl", "data-level"),
+            charges: part("chbadge", "data-on"),
+            waits: part("wbadge", "data-on"),
+            badge: part("badge-at", "transform"),
+            gone: Attribute::new(agent.clone(), "data-gone"),
+            differs: Attribute::new(agent, "data-differs"),
+            place,
+        }
+    }
+
+    pub(super) fn show(&self, pose: &Pose, cast: &Cast) {
+        let (x, y) = (units(pose.at.x), units(pose.at.y));
+        self.place.set(x, y);
+        self.gone.toggle(pose.is_gone);
+        if let (Some(turn), Some(turns)) = (&self.turn, &self.turns) {
+            if let Some(heading) = pose.heading {
+                turn.set(&format!("rotate({heading:.0})"));
+                turns.set("visible");
+            } else {
+                turns.set("hidden");
+            }
+        }
+        if let (Some(ring), Some(level), Some(charge)) = (&self.ring, &self.level, pose.charge) {
+            ring.set(&format!("{:.1} {RING}", charge.share * RING));
+            level.set(charge.class());
+        }
+        if let (Some(charges), Some(waits), Some(badge)) = (&self.charges, &self.waits, &self.badge)
+        {
+            charges.toggle(pose.badge == Some(Badge::Charges));
+            waits.toggle(pose.badge == Some(Badge::Waits));
+            if pose.badge.is_some() {
+                // The flag of a goal has the upper right corner.
+                let has_flag = cast.has_goal_at(pose.at);
+                badge.set(if has_flag {
+                    "translate(29 29)"
+                } else {
+                    "translate(29 -29)"
+                });
+            }
+        }
+    }
+}

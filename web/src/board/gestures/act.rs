@@ -1,0 +1,80 @@
+//! What a press comes to: a stroke of a brush, or a selection.
+
+use giveway_model::Cell;
+use giveway_page::steering::Lead;
+use giveway_page::{Action, BoardAction, Selection, Tool};
+use web_sys::PointerEvent;
+
+use super::place::Px;
+use super::{Act, Surface};
+use crate::board::coalesced::places;
+
+impl Surface {
+    pub(super) fn paints(&self) -> bool {
+        self.state.view.tool != Tool::Select
+    }
+
+    /// Begins a stroke at a pixel, if that is on the map.
+    pub(super) fn begin_stroke(&self, at: Px) -> Act {
+        match self.cell(self.frame.point(at)) {
+            Some(cell) => {
+                self.send.emit(Action::Board(BoardAction::Press(cell)));
+                Act::Paint(cell)
+            }
+            None => Act::Spent,
+        }
+    }
+
+    /// Takes a stroke on through all the places that the pointer came to since
+    /// the last frame.
+    pub(super) fn stroke(&self, mut last: Cell, event: &PointerEvent) -> Cell {
+        let mut cells = Vec::new();
+        for place in places(event) {
+            let cell = self.nearest_cell(self.frame.point(self.px(&place)));
+            if cell != last {
+                cells.push(cell);
+                last = cell;
+            }
+        }
+        if !cells.is_empty() {
+            self.send.emit(Action::DragOver(cells));
+        }
+        last
+    }
+
+    /// Whether there is something at a pixel that is moved by hand. A finger
+    /// moves the page, and on a map that is larger than the board the map is
+    /// moved: there only what is selected is held.
+    pub(super) fn holds(&self, at: Px, event: &PointerEvent) -> bool {
+        let Some(cell) = self.cell(self.frame.point(at)) else {
+            return false;
+        };
+        let is_selected = match self.state.view.selection {
+            Selection::Cell(selected) => selected == cell,
+            Selection::Agent(agent) => self.state.agent_at(cell) == Some(agent),
+            Selection::Nothing => false,
+        };
+        let is_loose = self.is_fit && event.pointer_type() != "touch";
+        (is_loose || is_selected) && self.state.can_move(cell)
+    }
+
+    pub(super) fn select(&self, at: Px, time: f64) {
+        let cell = self.cell(self.frame.point(at));
+        if self.state.document.mode.steering().is_some() {
+            if let Some(cell) = cell {
+                self.send.emit(Action::Steer(Lead::To(cell)));
+            }
+            return;
+        }
+        if let Some(cell) = cell {
+            self.send.emit(Action::Board(BoardAction::MoveCursor(cell)));
+        }
+        let selection = match (self.agent_at(at, time), cell) {
+            (Some(agent), _) => Selection::Agent(agent),
+            (None, Some(cell)) => Selection::Cell(cell),
+            (None, None) => Selection::Nothing,
+        };
+        self.send
+            .emit(Action::Board(BoardAction::Select(selection)));
+    }
+}

@@ -1,0 +1,95 @@
+//! Pointers come down, move and go up: what they do by then is decided here.
+
+use giveway_page::{Action, BoardAction};
+use web_sys::{Element, PointerEvent};
+
+use super::place::distance;
+use super::{Act, Hand, Surface};
+use crate::board::viewport::Look;
+
+/// How far a pointer goes before that is a drag, in pixels.
+const SLOP_PX: f64 = 5.0;
+
+impl Surface {
+    pub(super) fn down(&self, hand: &mut Hand, event: &PointerEvent) {
+        let at = self.px(event);
+        if let Some(svg) = self.svg.cast::<Element>() {
+            // Without capture a drag ends at the edge of the board.
+            let _ = svg.set_pointer_capture(event.pointer_id());
+        }
+        hand.fingers.push((event.pointer_id(), at));
+        if hand.fingers.len() > 1 {
+            if let Act::Paint(_) = hand.act {
+                self.send.emit(Action::Board(BoardAction::Release));
+            }
+            hand.act = Act::Pinch;
+            self.hide_hover();
+            return;
+        }
+        hand.act = match event.button() {
+            0 if self.paints() && event.pointer_type() != "touch" => self.begin_stroke(at),
+            0 => Act::Pressed(at),
+            1 => {
+                event.prevent_default();
+                Act::Pan(at)
+            }
+            _ => Act::Spent,
+        };
+    }
+
+    pub(super) fn moved(&self, hand: &mut Hand, event: &PointerEvent, time: f64) {
+        let at = self.px(event);
+        self.show_hover(at, event);
+        self.look_for_goal(hand, at);
+        let finger = hand.fingers.iter().position(|f| f.0 == event.pointer_id());
+        let Some(finger) = finger else { return };
+        let before = std::mem::replace(&mut hand.fingers[finger].1, at);
+        if let Act::Pressed(from) = hand.act {
+            if distance(from, at) < SLOP_PX {
+                return;
+            }
+            hand.act = if self.paints() || self.holds(from, event) {
+                self.begin_stroke(from)
+            } else if self.agent_at(from, time).is_none() && !self.is_fit {
+                Act::Pan(from)
+            } else {
+                // Too far for a click, and nothing to move.
+                Act::Spent
+            };
+        }
+        match hand.act {
+            Act::Pan(last) => {
+                self.look.emit(Look::Pan((at.0 - last.0, at.1 - last.1)));
+                hand.act = Act::Pan(at);
+            }
+            Act::Paint(last) => hand.act = Act::Paint(self.stroke(last, event)),
+            Act::Pinch => self.pinch(hand, finger, before, at),
+            Act::Nothing | Act::Pressed(_) | Act::Spent => {}
+        }
+    }
+
+    pub(super) fn up(&self, hand: &mut Hand, event: &PointerEvent, time: f64) {
+        hand.fingers.retain(|f| f.0 != event.pointer_id());
+        let act = std::mem::take(&mut hand.act);
+        match act {
+            Act::Paint(_) => self.send.emit(Action::Board(BoardAction::Release)),
+            Act::Pressed(at) if self.paints() => {
+                if let Act::Paint(_) = self.begin_stroke(at) {
+                    self.send.emit(Action::Board(BoardAction::Release));
+                }
+            }
+            Act::Pressed(at) => self.select(at, time),
+            _ => {}
+        }
+        if !hand.fingers.is_empty() {
+            hand.act = Act::Spent;
+        }
+    }
+
+    pub(super) fn cancel(&self, hand: &mut Hand, event: &PointerEvent) {
+        hand.fingers.retain(|f| f.0 != event.pointer_id());
+        if let Act::Paint(_) = std::mem::replace(&mut hand.act, Act::Spent) {
+            self.send.emit(Action::Board(BoardAction::Release));
+        }
+    }
+}

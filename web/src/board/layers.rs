@@ -1,0 +1,71 @@
+//! What lies on the map, from below to above, and frames around cells.
+
+use std::rc::Rc;
+
+use giveway_model::{Cell, sorting};
+use giveway_page::board::{Cast, Detail, FloorLook, Frame};
+use yew::prelude::*;
+
+use super::agents::Agents;
+use super::axis::Axis;
+use super::floor::FloorShapes;
+use super::marks::Marks;
+use super::ways::Ways;
+use crate::Shown;
+
+/// The map with all that stands and moves on it, from below to above; agents
+/// that are elsewhere in another plan are marked.
+pub(super) fn layers(
+    state: &Shown,
+    cast: &Rc<Cast>,
+    versus: Option<&Rc<Cast>>,
+    frame: Frame,
+) -> Html {
+    let detail = frame.detail();
+    let selected = state.selected_agent();
+    let board = (state.world().grid().width(), state.world().grid().height());
+    html! {
+        <>
+            <FloorShapes draft={Rc::clone(state.world())} look={FloorLook::of(frame.cell_px)}
+                used_by={state.view.layers.heat.then(|| Rc::clone(cast))} />
+            if state.view.layers.trails {
+                <Ways cast={Rc::clone(cast)} {selected} />
+            }
+            <Agents cast={Rc::clone(cast)} versus={versus.cloned()} {detail} {selected} />
+            <Marks cast={Rc::clone(cast)} {detail} />
+            if detail == Detail::All {
+                <Axis {frame} {board} />
+            }
+        </>
+    }
+}
+
+/// A frame and a triangle on every cell where something is wrong.
+pub(super) fn problems(state: &Shown) -> Html {
+    let cells = state
+        .document
+        .draft
+        .problems()
+        .iter()
+        .filter_map(|problem| problem.cell);
+    let cells = sorting::set(cells);
+    let mark = |cell: Cell| {
+        html! {
+            <>
+                { square("fault", cell, 3) }
+                <path class="fault-sign" transform={format!("translate({} {})", 100 * cell.x, 100 * cell.y)}
+                    d="M20 7 33 29H7ZM20 14v7M20 25v.1" />
+            </>
+        }
+    };
+    html! { <g aria-hidden="true">{ for cells.into_iter().map(mark) }</g> }
+}
+
+/// A frame around a cell, some units inside of it.
+pub(super) fn square(class: &'static str, cell: Cell, inset: u32) -> Html {
+    let side = 100 - 2 * inset;
+    html! {
+        <rect {class} x={(100 * cell.x + inset).to_string()} y={(100 * cell.y + inset).to_string()}
+            width={side.to_string()} height={side.to_string()} rx="15" />
+    }
+}

@@ -1,0 +1,92 @@
+//! The menus of the top bar: what opens them, and what stands in them.
+
+use giveway_page::{Action, FileAction, files};
+use yew::prelude::*;
+
+use crate::dialog::Panel;
+use crate::{Shown, copy, icon};
+
+/// A button that opens and closes a menu.
+pub(super) fn toggle(
+    panel: &Panel,
+    own: Panel,
+    class: &'static str,
+    icon: &'static str,
+    name: &'static str,
+    show: &Callback<Panel>,
+) -> Html {
+    let open = *panel == own;
+    let press = show.reform(move |_: MouseEvent| if open { Panel::Nothing } else { own.clone() });
+    html! {
+        <button {class} title={name} aria-expanded={open.to_string()} onclick={press}>
+            { icon::show(icon) }<span class={(name == "More").then_some("vh")}>{ name }</span>
+        </button>
+    }
+}
+
+pub(super) fn item(icon: &'static str, name: &str, press: Callback<MouseEvent>) -> Html {
+    html! { <button onclick={press}>{ icon::show(icon) }{ name.to_owned() }</button> }
+}
+
+pub(super) fn save_items(state: &Shown, send: &Callback<Action>, show: &Callback<Panel>) -> Html {
+    let press = |save: fn(&Shown, Callback<Action>)| {
+        let (state, send, show) = (state.clone(), send.clone(), show.clone());
+        Callback::from(move |_: MouseEvent| {
+            show.emit(Panel::Nothing);
+            save(&state, send.clone());
+        })
+    };
+    let answer = state.document.fresh_answer();
+    let has_changes = answer.is_some_and(|answer| answer.course.is_some());
+    let has_plan = answer.and_then(|answer| answer.plan()).is_some();
+    let scene = press(|state, _| crate::files::save(&files::scene_file(state)));
+    let plan = press(|state, _| save_if(files::plan_file(state)));
+    let changes = press(|state, _| save_if(files::changes_file(state)));
+    let svg = press(|state, send| crate::files::save_picture(state, false, send));
+    let png = press(|state, send| crate::files::save_picture(state, true, send));
+    html! {
+        <>
+            { item("save", "Save scene", scene) }
+            if has_plan { { item("save", "Save plan", plan) } }
+            if has_changes { { item("save", "Save changes", changes) } }
+            { item("save", "Save picture (SVG)", svg) }
+            { item("save", "Save picture (PNG)", png) }
+        </>
+    }
+}
+
+/// Copies the scene, and says that it did for as long as the menu is open.
+pub(super) fn copy_item(
+    state: &Shown,
+    is_copied: &UseStateHandle<bool>,
+    send: &Callback<Action>,
+) -> Html {
+    let press = {
+        let (state, is_copied, send) = (state.clone(), is_copied.clone(), send.clone());
+        Callback::from(move |_: MouseEvent| {
+            let (is_copied, send) = (is_copied.clone(), send.clone());
+            let text = files::scene_file(&state).text;
+            copy::text("scene", &text, move |done| match done {
+                Ok(()) => is_copied.set(true),
+                Err(notice) => send.emit(Action::File(FileAction::Refuse(notice))),
+            });
+        })
+    };
+    let (icon, name) = if **is_copied {
+        ("check", "Scene copied")
+    } else {
+        ("copy", "Copy scene")
+    };
+    html! {
+        <>
+            { item(icon, name, press) }
+            <span class="vh" aria-live="polite">{ is_copied.then_some(name) }</span>
+        </>
+    }
+}
+
+fn save_if(saved: Option<files::Saved>) {
+    if let Some(saved) = saved {
+        crate::files::save(&saved);
+    }
+}

@@ -1,0 +1,174 @@
+//! The top bar: the scene's name and size, and what is done to it as a whole.
+
+mod menu;
+
+use giveway_page::{Action, ViewAction, words};
+use web_sys::{Event, HtmlInputElement};
+use yew::prelude::*;
+
+use crate::dialog::{Panel, use_dismiss};
+use crate::theme::system_is_dark;
+use crate::{Shown, icon, keep, paste};
+use menu::{copy_item, item, save_items, toggle};
+
+/// The state, what is open, and where changes of both go.
+#[derive(Clone, PartialEq, Properties)]
+pub(crate) struct TopBarProps {
+    /// The state.
+    pub(crate) state: Shown,
+    /// What is open.
+    pub(crate) panel: Panel,
+    /// Takes actions.
+    pub(crate) send: Callback<Action>,
+    /// Opens and closes.
+    pub(crate) show: Callback<Panel>,
+}
+
+/// The top bar.
+#[component]
+pub(crate) fn TopBar(props: &TopBarProps) -> Html {
+    let TopBarProps {
+        state,
+        panel,
+        send,
+        show,
+    } = props;
+    let acts = use_node_ref();
+    let picker = use_node_ref();
+    let menu_open = matches!(panel, Panel::Menu | Panel::Open | Panel::Save);
+    use_dismiss(&acts, menu_open, &show.reform(|()| Panel::Nothing));
+    let is_copied = use_state_eq(|| false);
+    {
+        let is_copied = is_copied.clone();
+        use_effect_with(menu_open, move |_| is_copied.set(false));
+    }
+    let pick = {
+        let (picker, show) = (picker.clone(), show.clone());
+        Callback::from(move |_: MouseEvent| {
+            show.emit(Panel::Nothing);
+            if let Some(input) = picker.cast::<HtmlInputElement>() {
+                input.click();
+            }
+        })
+    };
+    let picked = {
+        let (state, send, show) = (state.clone(), send.clone(), show.clone());
+        Callback::from(move |event: Event| {
+            let input: HtmlInputElement = event.target_unchecked_into();
+            crate::files::open(&state, input.files(), send.clone(), show.clone());
+            // So that the same file can be opened again.
+            input.set_value("");
+        })
+    };
+    let paste = {
+        let (state, send, show) = (state.clone(), send.clone(), show.clone());
+        Callback::from(move |_: MouseEvent| {
+            show.emit(Panel::Nothing);
+            paste::ask(&state, send.clone(), show.clone());
+        })
+    };
+    let scene = state.document.draft.scene();
+    let grid = state.document.draft.grid();
+    let name = match scene.name.as_str() {
+        "" => "Untitled",
+        name => name,
+    };
+    let agents = words::count(scene.agents.len(), "robot");
+    let examples = show.reform(|_: MouseEvent| Panel::Examples);
+    let fresh = show.reform(|_: MouseEvent| Panel::New);
+    let scenes = show.reform(|_: MouseEvent| Panel::Scenes);
+    let share = {
+        let state = state.clone();
+        show.reform(move |_: MouseEvent| Panel::Share(keep::address(&state).into()))
+    };
+    let help = show.reform(|_: MouseEvent| Panel::Help);
+    let theme = press_theme(state, send);
+    let theme_title = format!("Theme: {}", state.view.theme.name());
+    let undo = send.reform(|_| Action::Undo);
+    let redo = send.reform(|_| Action::Redo);
+    html! {
+        <header class="bar">
+            <span class="brand">
+                <svg viewBox="0 0 24 24" aria-hidden="true">
+                    <path d="M3.6 5.2h16.8L12 19.6Z" />
+                </svg>
+                <b>{ "Giveway" }</b>
+            </span>
+            <h1 class="scene">
+                <button title="Scenes in this browser" aria-haspopup="dialog" onclick={scenes.clone()}>
+                    <span>{ name.to_owned() }</span>{ icon::show("down") }
+                </button>
+                <small>{ format!("{} \u{d7} {}, {agents}", grid.width(), grid.height()) }</small>
+            </h1>
+            <span class="grow"></span>
+            <div class="acts" ref={acts}>
+                <button class="btn ghost wide" title="Examples" onclick={examples.clone()}>
+                    { icon::show("examples") }<span>{ "Examples" }</span>
+                </button>
+                <button class="btn ghost wide" title="New scene" onclick={fresh.clone()}>
+                    { icon::show("plus") }<span>{ "New" }</span>
+                </button>
+                <span class="hold">
+                    { toggle(panel, Panel::Open, "btn ghost wide", "open", "Open", show) }
+                    if *panel == Panel::Open {
+                        <div class="menu">
+                            { item("open", "Choose a file", pick.clone()) }
+                            { item("copy", "Paste", paste.clone()) }
+                        </div>
+                    }
+                </span>
+                <input ref={picker} type="file" hidden=true multiple=true onchange={picked}
+                    accept=".json,.map,.scen,.giveway,application/json" />
+                <span class="hold">
+                    { toggle(panel, Panel::Save, "btn ghost wide", "save", "Save", show) }
+                    if *panel == Panel::Save {
+                        <div class="menu">
+                            { save_items(state, send, show) }
+                            { copy_item(state, &is_copied, send) }
+                        </div>
+                    }
+                </span>
+                <button class="btn ghost wide" title="Share a link" onclick={share.clone()}>
+                    { icon::show("share") }<span>{ "Share" }</span>
+                </button>
+                <i class="sep"></i>
+                <button class="btn ghost ph" title="Undo (Ctrl Z)" onclick={undo}
+                    disabled={!state.history.can_undo()}>
+                    { icon::show("undo") }<span class="vh">{ "Undo" }</span>
+                </button>
+                <button class="btn ghost ph" title="Redo (Ctrl Shift Z)" onclick={redo}
+                    disabled={!state.history.can_redo()}>
+                    { icon::show("redo") }<span class="vh">{ "Redo" }</span>
+                </button>
+                <i class="sep"></i>
+                <button class="btn ghost" title={theme_title.clone()} onclick={theme.clone()}>
+                    { icon::show("theme") }<span class="vh">{ "Theme" }</span>
+                </button>
+                <button class="btn ghost" title="Help (?)" onclick={help.clone()}>
+                    { icon::show("help") }<span class="vh">{ "Help" }</span>
+                </button>
+                { toggle(panel, Panel::Menu, "btn ghost only-ph", "more", "More", show) }
+                if *panel == Panel::Menu {
+                    <div class="menu">
+                        { item("examples", "Examples", examples) }
+                        { item("plus", "New scene", fresh) }
+                        { item("open", "Open", pick) }
+                        { item("copy", "Paste", paste) }
+                        { save_items(state, send, show) }
+                        { copy_item(state, &is_copied, send) }
+                        { item("share", "Share", share) }
+                        <hr />
+                        { item("settings", "Settings", show.reform(|_| Panel::Settings)) }
+                        { item("theme", &theme_title, theme) }
+                        { item("help", "Help", help) }
+                    </div>
+                }
+            </div>
+        </header>
+    }
+}
+
+fn press_theme(state: &Shown, send: &Callback<Action>) -> Callback<MouseEvent> {
+    let theme = state.view.theme;
+    send.reform(move |_| Action::View(ViewAction::SetTheme(theme.next(system_is_dark()))))
+}
