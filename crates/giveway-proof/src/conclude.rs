@@ -61,8 +61,8 @@ impl Conclusion {
                 "Together: no plan of this kind, of makespan at most {last}, costs less than this \
                  plan. Nothing is shown about longer plans."
             ),
-            Self::Believed => "Together they would show that the plan is optimal, but not all of \
-                               them are certified."
+            Self::Believed => "Together they would show that the plan is optimal if all of them \
+                               were certified."
                 .into(),
             Self::Bounds => {
                 "Together they give lower bounds; they do not show that the plan is optimal.".into()

@@ -191,5 +191,5 @@ fn only_regular_files_that_belong_to_it_are_read() {
         }
         fs::write(&file, bytes).unwrap();
     }
-    assert!(verified(&folder, "certificate").ends_with("proof was checked."));
+    assert!(verified(&folder, "certificate").ends_with("checked."));
 }
