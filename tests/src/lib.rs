@@ -13,6 +13,7 @@ pub mod compare;
 pub mod environment;
 pub mod facts;
 pub mod known;
+pub mod loiter;
 pub mod oracle;
 pub mod picture;
 pub mod questions;

@@ -15,6 +15,7 @@ use giveway_model::check::check_changes;
 use giveway_model::{Cost, Instance, Objective, Plan, Version};
 use giveway_solve::change::{ChangeAnswer, ChangeRequest, Method, MethodAnswer};
 use giveway_solve::{Limits, Refusal, Request, Response, SilentHost, SolveRequest, Status, serve};
+use giveway_tests::loiter::loiter;
 use giveway_tests::oracle::{Changed, Held, Known};
 use giveway_tests::{environment, random, upheaval};
 
@@ -162,6 +163,11 @@ fn the_oracle_agrees() {
         }
         let Some(plan) = plan_of(&instance) else {
             continue;
+        };
+        let plan = if number % 2 == 0 {
+            plan
+        } else {
+            loiter(&instance, &plan, seed, number)
         };
         let longest = plan.paths.values().map(Vec::len).max().unwrap_or(1);
         let list = upheaval::changes(&instance, longest as u32 - 1, seed, number);

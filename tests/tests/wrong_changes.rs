@@ -284,3 +284,63 @@ fn bounds_are_no_more_than_costs() {
         }
     }
 }
+
+/// An agent that stands at its goal and was to go on, and stays for good after
+/// all, arrived when it came; if it goes on, it has waited.
+#[test]
+fn who_stands_at_its_goal_has_waited_only_if_it_goes_on() {
+    let scene = r##"{ "giveway": 1, "map": ["...", "#.."],
+        "objective": ["makespan", "waits"],
+        "agents": [{ "name": "A", "start": [1, 0], "goal": [1, 0] }] }"##;
+    let plan = r#"{ "giveway": 1, "paths": { "A": [[1, 0], [1, 0], [1, 0], [0, 0], [1, 0]] } }"#;
+    let passes = r#"{ "at": 2, "change": "add-agent",
+        "agent": { "name": "B", "start": [0, 0], "goal": [2, 0] } }"#;
+    let idle = r#"{ "at": 2, "change": "add-charger", "cell": [0, 0] }"#;
+    for (change, arrival, waits) in [(idle, 0, 0), (passes, 4, 2)] {
+        let scene = native::read_instance(scene).unwrap();
+        let changes = format!(r#"{{ "giveway": 1, "changes": [{change}] }}"#);
+        let changes = native::read_changes(&changes).unwrap();
+        let request = ChangeRequest {
+            scene: scene.to_scene(),
+            plan: native::read_plan(plan).unwrap(),
+            changes: changes.clone(),
+            since: None,
+            methods: vec![Method::Replan],
+            objective: None,
+            within: None,
+            limits: Limits::default(),
+        };
+        let answer = answer(request).unwrap();
+        let found = &answer.methods.get(Method::Replan).unwrap().result;
+        let costs = found.costs.unwrap();
+        assert_eq!(costs.waits, waits, "{found:?}");
+        let plan = found.plan.clone().unwrap();
+        let report = check_changes(&scene, &changes, &plan).unwrap();
+        assert!(report.is_valid(), "{:?}", report.violations);
+        assert_eq!(report.costs, Some(costs));
+        assert_eq!(plan.path("A").len() as u32, arrival + 1, "{plan:?}");
+    }
+}
+
+/// A battery that is set while its agent sleeps counts when it wakes.
+#[test]
+fn a_battery_that_is_set_in_sleep_lasts() {
+    let scene = r#"{ "giveway": 1, "map": ["..."], "agents": [{ "name": "A",
+        "start": [0, 0], "goal": [1, 0], "battery": { "capacity": 6, "initial": 1 } }] }"#;
+    let changes = r#"{ "giveway": 1, "changes": [
+        { "at": 3, "change": "set-battery", "agent": "A", "level": 6 },
+        { "at": 5, "change": "add-waypoint", "agent": "A", "cell": [2, 0] }] }"#;
+    let plan = r#"{ "giveway": 1, "knows": 3, "paths": { "A": [[0, 0], [1, 0]] } }"#;
+    let request = ChangeRequest {
+        scene: native::read_instance(scene).unwrap().to_scene(),
+        plan: native::read_plan(plan).unwrap(),
+        changes: native::read_changes(changes).unwrap(),
+        since: None,
+        methods: vec![Method::Replan],
+        objective: None,
+        within: None,
+        limits: Limits::default(),
+    };
+    let answer = answer(request).unwrap();
+    assert_eq!(optimal(&answer, Method::Replan).makespan, 7);
+}

@@ -65,7 +65,8 @@ pub struct Plan {
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub knows: Option<u32>,
     /// The times that an agent slept through at its goal, arrived, before a
-    /// change made it go on: each from its arrival up to that change.
+    /// change made it go on: each from its arrival up to that change. It counts as
+    /// far as the agent rests there.
     #[serde(
         default,
         deserialize_with = "unique_names",

@@ -127,6 +127,14 @@ impl Problem {
         Ok(problem)
     }
 
+    /// An agent's least part of the sum of costs, alone.
+    pub(crate) fn least_cost(&self, agent: usize) -> u32 {
+        match self.optima[agent] {
+            0 => 0,
+            optimum => optimum.saturating_add(self.tasks[agent].woken),
+        }
+    }
+
     /// The latest arrival of an agent at which its part of the sum of costs is
     /// no more than this.
     pub(crate) fn time_of(&self, agent: usize, cost: u32) -> u32 {

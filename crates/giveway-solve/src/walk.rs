@@ -110,16 +110,14 @@ fn fewest(
 /// The five costs of one agent's walk.
 pub(crate) fn costs_of(problem: &Problem, agent: usize, walk: &[Place]) -> Costs {
     let arrival = arrival(walk);
-    let charges = charges(&problem.tasks[agent], &problem.terrain, walk);
+    let task = &problem.tasks[agent];
+    let charges = charges(task, &problem.terrain, walk);
+    let goes_on = u32::from(arrival > 0);
     let mut costs = Costs {
         makespan: arrival,
-        sum_of_costs: arrival
-            + if arrival > 0 {
-                problem.tasks[agent].woken
-            } else {
-                0
-            },
+        sum_of_costs: arrival + goes_on * task.woken,
         charges: charges.map_or(0, |c| c.len() as u32),
+        waits: goes_on * task.stood,
         ..Costs::default()
     };
     for pair in walk.windows(2) {

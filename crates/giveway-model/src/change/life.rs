@@ -60,8 +60,10 @@ impl<'a> Life<'a> {
         let last = path.len().checked_sub(1)?;
         let last = career.from.saturating_add(last as u32);
         life.end = last;
-        // What is past is listed as it was: it had not arrived before.
+        // An agent that vanishes at its goal and is still listed there has not
+        // arrived. One that stays has, as soon as it stays for good.
         let past = plan.knows.map_or(0, |knows| knows.min(last));
+        let past = if life.stays { 0 } else { past };
         life.end = life.arrival_in_path().max(past);
         let length = (life.end - career.from) as usize + 1;
         life.path = path.get(..length).unwrap_or(path);
@@ -110,29 +112,24 @@ impl<'a> Life<'a> {
     }
 
     /// The times that it slept through, each from one up to, not including,
-    /// another at which something changed: arrived, it used no battery and made
-    /// no waits. That is so where the plan says it, where its path ended before,
-    /// and of one that was removed at its goal.
-    pub fn sleeps<'b>(&'b self, times: impl Iterator<Item = u32> + 'b) -> Vec<(u32, u32)> {
+    /// another of these times, at which something changed: arrived, it used no
+    /// battery and made no waits. That is so where the plan says it, as far as the
+    /// agent rests there; where its path ended before; and of one that was removed
+    /// at its goal.
+    pub fn sleeps(&self, times: impl Iterator<Item = u32>) -> Vec<(u32, u32)> {
         if !self.stays {
             return Vec::new();
         }
-        let said = self.slept.iter().map(|&[from, to]| (from, to));
+        let times: Vec<u32> = times.collect();
+        let said = self.slept.iter().filter(|[_, to]| times.contains(to));
+        let said = said.filter_map(|&[from, to]| Some((from.max(self.rests_since(to)?), to)));
         let listed = self.career.from.saturating_add(self.path.len() as u32);
         let removed = self.career.until;
-        let unlisted = times.filter(|&time| removed.is_none() && time >= listed);
+        let unlisted = times.iter().copied();
+        let unlisted = unlisted.filter(|&time| removed.is_none() && time >= listed);
         let ends = unlisted.chain(removed);
         let rests = ends.filter_map(|time| Some((self.rests_since(time)?, time)));
         said.chain(rests).filter(|(from, to)| from < to).collect()
-    }
-
-    /// What the plan says that it slept through and did not.
-    pub fn sleepless(&self, times: &[u32]) -> Option<[u32; 2]> {
-        let rests = |&[from, to]: &[u32; 2]| {
-            let since = self.rests_since(to).filter(|_| self.stays);
-            from < to && times.contains(&to) && since.is_some_and(|since| since <= from)
-        };
-        self.slept.iter().find(|span| !rests(span)).copied()
     }
 
     /// Since when it stands at its goal with every waypoint visited and without

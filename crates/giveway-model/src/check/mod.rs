@@ -26,7 +26,8 @@ use findings::Findings;
 pub use battery::levels;
 pub use costs::{arrivals, costs};
 pub use over_time::{
-    check_changes, check_history, costs_over_time, costs_until, levels as levels_over_time,
+    check_changes, check_history, costs_over_time, costs_until, level_at as level_over_time,
+    levels as levels_over_time,
 };
 pub(crate) use steps::{Step, steps};
 pub(crate) use walk::Walk;

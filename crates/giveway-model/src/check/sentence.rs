@@ -61,12 +61,6 @@ pub(super) fn wrong_end(agent: &str, last: u32, until: u32) -> String {
     )
 }
 
-pub(super) fn sleepless(agent: &str, from: u32, to: u32) -> String {
-    format!(
-        "The plan says that {agent} rests at its goal from time {from} until a change at time {to}, but it does not."
-    )
-}
-
 pub(super) fn no_slow_edge(agent: &str, from: Cell, time: u32) -> String {
     format!("{agent} is in transit after time {time}, but no edge of {from} is slow.")
 }

@@ -209,7 +209,7 @@ fn batteries_and_charges() {
         &[],
     );
     // One that was about to go on anyway was awake, and so is one of which the
-    // plan does not say that it slept.
+    // plan does not say that it slept. What it says counts as far as it rests.
     breaks(
         &map,
         "A 10 20 battery 2/2",
@@ -219,10 +219,17 @@ fn batteries_and_charges() {
     );
     breaks(
         &map,
-        "A 10 20 battery 9/9",
+        "A 10 20 battery 2/2",
         woken,
         "A~0-4 10 20 20 20 20 10",
-        &["4 shape A"],
+        &[],
+    );
+    breaks(
+        &map,
+        "A 10 20 battery 2/2",
+        woken,
+        "A~0-3 10 20 20 20 20 10",
+        &["3 battery A"],
     );
     breaks(
         &map,

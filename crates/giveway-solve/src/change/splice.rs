@@ -25,7 +25,7 @@ pub(super) fn splice(world: &World<'_>, problem: &Problem, walks: &[Walk], same:
             Place::Along(_) => None,
         };
         if let Some(arrived) = member.arrived {
-            if walk.len() < 2 && member.slept > 0 {
+            if walk.len() < 2 && member.rested > 0 {
                 sleep_on(world, &member.name, &mut plan);
                 continue;
             }

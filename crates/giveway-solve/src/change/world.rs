@@ -4,7 +4,7 @@
 use giveway_model::{
     Cell, Plan,
     change::{Career, Duty, History, Life, Whereabouts},
-    check::levels_over_time,
+    check::level_over_time,
     sorting,
 };
 
@@ -30,8 +30,12 @@ pub(super) struct Member {
     /// Its level now and its capacity.
     battery: Option<(u32, u32)>,
     held: u32,
-    /// How long it has slept at its goal, where it may go on sleeping.
-    pub(super) slept: u32,
+    /// How long it has been at its goal, where it may stay there for good: then
+    /// it arrived when it came.
+    pub(super) rested: u32,
+    /// Of these steps those that are waits if it goes on: all, unless it had
+    /// arrived and slept.
+    stood: u32,
     /// When it arrived, before the change; `None` where it was under way.
     pub(super) arrived: Option<u32>,
     /// The cells of the rest of its old path, waits taken out.
@@ -92,6 +96,8 @@ impl<'a> World<'a> {
         terrain: &mut Terrain,
     ) -> Option<Task> {
         let floor = self.after.rules().battery_floor;
+        // Who is held to a path that leads on has to go on.
+        let may_stay = !matches!(&bounds, Bounds::Along(path) if path.len() > 1);
         let mut bounds = bounds;
         let mut waypoints: Option<Vec<Vertex>> = None;
         let mut reserve = None;
@@ -99,8 +105,8 @@ impl<'a> World<'a> {
             let levels = level.checked_sub(floor).zip(capacity.checked_sub(floor));
             match levels {
                 Some((initial, full)) => reserve = Some(Reserve { full, initial }),
-                // Who sleeps needs no battery, as long as nobody wakes it.
-                None if member.slept > 0 => {
+                // Who has arrived needs no battery, as long as it stays.
+                None if may_stay && member.rested > 0 => {
                     bounds = Bounds::Along(vec![terrain.vertex(member.here)?].into());
                 }
                 None => return None,
@@ -129,7 +135,8 @@ impl<'a> World<'a> {
             bounds,
             transit,
             held: member.held,
-            woken: member.slept,
+            woken: if may_stay { member.rested } else { 0 },
+            stood: if may_stay { member.stood } else { 0 },
         })
     }
 }
@@ -156,7 +163,8 @@ impl Member {
                 .battery
                 .map(|battery| (level.unwrap_or(battery.initial), battery.capacity)),
             held: held(career, at),
-            slept: 0,
+            rested: 0,
+            stood: 0,
             arrived: None,
             rest: Vec::new(),
             entries: Vec::new(),
@@ -181,19 +189,19 @@ impl Member {
         sorting::sort(&mut waypoints);
         waypoints.dedup();
         let level = career.agent.battery.map(|battery| {
-            let levels = levels_over_time(before, life);
-            let now = at.min(life.end()).saturating_sub(career.from) as usize;
-            let level = levels.get(now).copied().unwrap_or(0);
+            let level = level_over_time(before, life, at).unwrap_or(0);
             let set = level_set(career, at);
             let level = set.unwrap_or(u32::try_from(level).unwrap_or(0));
             (level, battery.capacity)
         });
         // Who goes on later has not arrived, even if it stands at its goal.
         let arrived = (before.stays() && life.end() < at).then(|| life.end());
-        // It may sleep on where nothing new is to be done.
+        // It may stay for good where nothing new is to be done.
         let unchanged = career.goals.last().is_none_or(|(since, _)| *since < at)
             && career.duties().all(|duty| duty.since != Some(at));
-        let since = arrived.filter(|_| unchanged);
+        let stays = before.stays() && unchanged;
+        let since = arrived.or_else(|| life.rests_since(at)).filter(|_| stays);
+        let rested = since.map_or(0, |since| at.saturating_sub(since));
         Some(Self {
             name: career.name().to_owned(),
             is_old: true,
@@ -203,7 +211,8 @@ impl Member {
             waypoints,
             battery: level,
             held: held(career, at),
-            slept: since.map_or(0, |since| at - since),
+            rested,
+            stood: if arrived.is_some() { 0 } else { rested },
             arrived,
             rest,
             entries,

@@ -3,7 +3,7 @@
 use giveway_model::{
     Agent, Battery, Cell, Costs, Plan,
     change::{Career, History, Life, Whereabouts},
-    check::{costs_until, levels_over_time},
+    check::{costs_until, level_over_time},
     sorting,
 };
 
@@ -86,7 +86,8 @@ impl<'a> Resting<'a> {
         agent.start = here;
         agent.waypoints = waypoints;
         if let Some(battery) = career.agent.battery {
-            let level = self.level(career, &life) - i64::from(idle_beyond(&life, since, idle));
+            let level = level_over_time(self.history, &life, since).unwrap_or(0)
+                - i64::from(idle_beyond(&life, since, idle));
             let floor = i64::from(self.history.rules().battery_floor);
             let level = u32::try_from(level)
                 .ok()
@@ -124,18 +125,6 @@ impl<'a> Resting<'a> {
         plan.knows = Some(self.changed);
         let life = Life::of(self.history, career, &plan);
         life.map_or(self.since, |life| life.end().min(self.since))
-    }
-
-    /// The level now; of one that has arrived for good, that of its arrival.
-    fn level(&self, career: &Career, life: &Life<'_>) -> i64 {
-        let levels = levels_over_time(self.history, life);
-        let now = self.since.min(life.end()).saturating_sub(career.from) as usize;
-        let set = career.levels.last();
-        let set = set.filter(|(time, _)| *time > life.end() && *time <= self.since);
-        set.map_or_else(
-            || levels.get(now).copied().unwrap_or(0),
-            |&(_, level)| i64::from(level),
-        )
     }
 }
 

@@ -147,7 +147,7 @@ impl Near<'_, '_> {
             for &cost in bounded.limits.keys() {
                 let least = match cost {
                     Cost::Makespan => continue,
-                    Cost::SumOfCosts => self.problem.optima[agent],
+                    Cost::SumOfCosts => self.problem.least_cost(agent),
                     Cost::Charges => {
                         let charges = self.before[agent].charges.len() as u32;
                         dear |= charges > self.search.team.least(agent, cost)?;

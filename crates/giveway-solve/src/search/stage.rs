@@ -261,7 +261,7 @@ impl<'p, 'h, 'b> Search<'p, 'h, 'b> {
         for agent in 0..self.problem.agents() {
             sum += match cost {
                 Cost::Makespan => 0,
-                Cost::SumOfCosts => self.problem.optima[agent],
+                Cost::SumOfCosts => self.problem.least_cost(agent),
                 _ => self.team.least(agent, cost)?,
             };
         }
@@ -278,7 +278,7 @@ impl<'p, 'h, 'b> Search<'p, 'h, 'b> {
         self.limits.insert(cost, SumLimit::new(spare as usize));
         if cost == Cost::SumOfCosts {
             for agent in 0..self.problem.agents() {
-                let most = self.problem.optima[agent] + spare;
+                let most = self.problem.least_cost(agent).saturating_add(spare);
                 self.lower_cap(agent, self.problem.time_of(agent, most));
             }
         } else {
@@ -296,7 +296,7 @@ impl<'p, 'h, 'b> Search<'p, 'h, 'b> {
             let digit = match cost {
                 Cost::Makespan => None,
                 Cost::SumOfCosts => {
-                    let cost = self.problem.optima[agent] + more;
+                    let cost = self.problem.least_cost(agent) + more;
                     let time = self.problem.time_of(agent, cost);
                     self.team.by(agent, time).map(|by| !by)
                 }

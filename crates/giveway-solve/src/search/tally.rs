@@ -46,6 +46,9 @@ pub(crate) struct Tally {
     base: u32,
     /// The moves still to make, batteries aside.
     potential: Option<ToGo>,
+    /// The literal "it does not stay where it is", of an agent that stood at its
+    /// goal: then these waits count too, before the first step.
+    goes_on: Option<Lit>,
 }
 
 impl Tally {
@@ -68,6 +71,7 @@ impl Tally {
             count: Count::default(),
             base,
             potential,
+            goes_on: None,
         })
     }
 
@@ -92,16 +96,34 @@ impl Tally {
                 self.count.append(charge);
             }
         } else {
+            let before = self.before(task, out);
             for step in steps {
                 let (from, to) = (code.diagram().node(step.from), code.diagram().node(step.to));
+                let taken = [!code.node(step.from), !code.node(step.to)];
+                let first = self.goes_on.filter(|_| from.time == 0);
+                if let Some(goes_on) = first {
+                    out.clause(&[taken[0], taken[1], goes_on]);
+                }
                 let weight = self.weight(problem, task, from, to);
                 if weight > 0 {
-                    let event = self.count.event(from.time, out)[weight - 1];
-                    out.clause(&[!code.node(step.from), !code.node(step.to), event]);
+                    let event = self.count.event(before + from.time, out)[weight - 1];
+                    out.clause(&[taken[0], taken[1], event]);
                 }
             }
         }
         self.count.extend(out);
+    }
+
+    /// The number of events that come before the first step.
+    fn before(&mut self, task: &Task, out: &mut impl Clauses) -> u32 {
+        if self.cost != Cost::Waits || task.stood == 0 {
+            return 0;
+        }
+        let goes_on = *self.goes_on.get_or_insert_with(|| out.fresh());
+        while self.count.times() < task.stood as usize {
+            self.count.append(goes_on);
+        }
+        task.stood
     }
 
     /// How many events a step counts: 0, 1 or 2.

@@ -58,6 +58,9 @@ pub(crate) struct Task {
     pub(crate) held: u32,
     /// What it adds to the sum of costs not to arrive at time 0.
     pub(crate) woken: u32,
+    /// The waits that it adds not to arrive at time 0: it stood at its goal and
+    /// had not arrived.
+    pub(crate) stood: u32,
 }
 
 /// The state of an agent on its way, with the best battery level that it may
@@ -104,6 +107,7 @@ impl Task {
             transit: None,
             held: 0,
             woken: 0,
+            stood: 0,
         })
     }
 

@@ -57,9 +57,23 @@ pub struct Changed {
     latest: u32,
 }
 
+/// For how long an agent has been at its goal at a time, with nothing left to
+/// do and without charging.
+fn stood(agent: &Agent, path: &[Option<Cell>], charges: &[u32], now: u32) -> u32 {
+    let done = |time: u32| {
+        let been = &path[..=time as usize];
+        let mut left = agent.waypoints.iter();
+        path[time as usize] == Some(agent.goal) && left.all(|cell| been.contains(&Some(*cell)))
+    };
+    let mut since = now;
+    while since > 0 && done(since) && done(since - 1) && !charges.contains(&(since - 1)) {
+        since -= 1;
+    }
+    now - since
+}
+
 impl Changed {
-    /// The world of a plan at a time; `None` where an agent stands at its goal
-    /// and goes on later, of which one may ask whether it sleeps.
+    /// The world of a plan at a time; `None` where the plan is none.
     pub fn new(
         instance: &Instance,
         costs: &[Cost],
@@ -94,7 +108,8 @@ impl Changed {
                     is_old: false,
                     level: agent.battery.map_or(UNLIMITED, |b| b.initial),
                     held: 0,
-                    slept: 0,
+                    rested: 0,
+                    stood: 0,
                     rest: Vec::new(),
                     old: Vec::new(),
                     charges: Vec::new(),
@@ -125,10 +140,13 @@ impl Changed {
             self.latest = self.latest.max(arrival);
             return Some(());
         }
-        let is_resting = |time: u32| path[time as usize] == Some(agent.goal);
-        if arrival > self.at && self.at > 0 && is_resting(self.at) && is_resting(self.at - 1) {
-            return None;
-        }
+        // Who stands at its goal and was to go on has not arrived; but if it stays
+        // for good now, it arrived when it came.
+        let stood = if self.stays {
+            stood(agent, path, charges, now)
+        } else {
+            0
+        };
         let mut level = agent.battery.map_or(UNLIMITED, |battery| battery.initial);
         if let Some(battery) = agent.battery {
             for time in 0..now {
@@ -149,11 +167,12 @@ impl Changed {
             },
             level,
             held: 0,
-            slept: if self.stays {
-                self.at.saturating_sub(arrival)
+            rested: if self.stays && arrival < self.at {
+                self.at - arrival
             } else {
-                0
+                stood
             },
+            stood: if arrival < self.at { 0 } else { stood },
             rest: path[now as usize..].iter().copied().flatten().collect(),
             old: path[now as usize..].to_vec(),
             charges: charges
@@ -169,7 +188,11 @@ impl Changed {
         for change in changes {
             robot.meet(&change.what);
         }
-        let from = if robot.slept > 0 { arrival } else { self.at };
+        let from = self.at - robot.rested;
+        *self.past.entry(Cost::Waits).or_default() -= if arrival < self.at { 0 } else { stood };
+        if robot.rested < stood {
+            self.add_past(Cost::Waits, stood); // it is to go on for sure
+        }
         self.add_past(Cost::SumOfCosts, from);
         self.latest = self.latest.max(from);
         self.robots.push(robot);

@@ -14,7 +14,10 @@ pub(super) struct Robot {
     pub(super) first: Place,
     pub(super) level: u32,
     pub(super) held: u32,
-    pub(super) slept: u32,
+    /// How long it has been at its goal, where it may stay there for good.
+    pub(super) rested: u32,
+    /// Of these the steps that are waits if it goes on.
+    pub(super) stood: u32,
     pub(super) rest: Vec<Cell>,
     pub(super) old: Vec<Option<Cell>>,
     pub(super) charges: Vec<u32>,
@@ -66,13 +69,13 @@ impl Robot {
         match what {
             What::SetGoal { agent, cell } if *agent == me => {
                 if self.agent.goal != *cell {
-                    self.slept = 0;
+                    self.go_on();
                 }
                 self.agent.goal = *cell;
             }
             What::AddWaypoint { agent, cell } if *agent == me => {
                 self.agent.waypoints.push(*cell);
-                self.slept = 0;
+                self.go_on();
             }
             What::DropWaypoint { agent, cell } if *agent == me => {
                 self.agent.waypoints.retain(|waypoint| waypoint != cell);
@@ -84,6 +87,11 @@ impl Robot {
             }
             _ => {}
         }
+    }
+
+    /// It has something to do: it goes on from where it is.
+    const fn go_on(&mut self) {
+        (self.rested, self.stood) = (0, 0);
     }
 
     pub(super) fn enter(&self, mut state: State, cell: Cell) -> Vec<State> {

@@ -116,13 +116,18 @@ impl Changed {
             steps: if state.place == Place::Done {
                 0
             } else {
-                robot.slept
+                robot.rested
+            },
+            waits: if state.place == Place::Done {
+                0
+            } else {
+                robot.stood
             },
             ..robot.step(state, 0)
         });
         // Below the floor only who sleeps on may be.
         let lasts = |step: &Step| {
-            robot.level >= self.floor || (robot.slept > 0 && step.to.place == Place::Done)
+            robot.level >= self.floor || (robot.rested > 0 && step.to.place == Place::Done)
         };
         steps.filter(lasts).collect()
     }

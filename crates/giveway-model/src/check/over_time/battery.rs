@@ -36,6 +36,19 @@ pub fn levels(history: &History, life: &Life<'_>) -> Vec<i64> {
     levels
 }
 
+/// The battery level of an agent at a time, after its arrival too: from then on
+/// it uses nothing, but its level may be set. `None` for one without a battery
+/// and before its first time.
+pub fn level_at(history: &History, life: &Life<'_>, time: u32) -> Option<i64> {
+    let mut set = life.career.levels.iter().rev();
+    let later = |at: u32| life.end() < at && at <= time;
+    if let Some(&(_, level)) = set.find(|(at, _)| later(*at)) {
+        return Some(i64::from(level));
+    }
+    let index = time.min(life.end()).checked_sub(life.career.from)?;
+    levels(history, life).get(index as usize).copied()
+}
+
 /// Finds the first time of each stretch below the floor.
 pub(super) fn find(history: &History, index: usize, life: &Life<'_>, findings: &mut Findings<'_>) {
     let floor = i64::from(history.rules().battery_floor);

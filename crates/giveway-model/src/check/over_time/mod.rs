@@ -10,12 +10,11 @@ mod shape;
 mod together;
 
 use super::findings::Findings;
-use super::shape::push as shape_push;
-use super::{Report, Step, sentence, steps};
+use super::{Report, Step, steps};
 use crate::change::{Career, Changes, History, Life};
 use crate::{Costs, Fault, Instance, Plan};
 
-pub use battery::levels;
+pub use battery::{level_at, levels};
 
 /// Judges a plan with the changes of the world while it runs.
 ///
@@ -62,12 +61,7 @@ pub fn check_history(history: &History, plan: &Plan) -> Report {
         .enumerate()
         .filter_map(|(index, career)| Some((index, Life::of(history, career, plan)?)))
         .collect();
-    let times: Vec<u32> = history.times().collect();
     for &(index, life) in &lives {
-        if let Some([from, to]) = life.sleepless(&times) {
-            let message = sentence::sleepless(life.career.name(), from, to);
-            shape_push(&mut findings, index, to, message);
-        }
         alone::find(history, index, &life, &mut findings);
         battery::find(history, index, &life, &mut findings);
     }

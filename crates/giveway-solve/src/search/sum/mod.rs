@@ -206,7 +206,7 @@ impl SumStage {
             return Ok(());
         }
         let least = match self.cost {
-            Cost::SumOfCosts => search.problem.optima[agent],
+            Cost::SumOfCosts => search.problem.least_cost(agent),
             cost => search.team.least(agent, cost)?,
         };
         self.assume(search, Soft::Agent(agent, least))

@@ -28,7 +28,7 @@ impl SumStage {
         let slack = gap.saturating_sub(u32::from(self.last));
         for agent in 0..search.problem.agents() {
             if !search.team.is_inside(agent) {
-                let most = search.problem.optima[agent].saturating_add(slack);
+                let most = search.problem.least_cost(agent).saturating_add(slack);
                 search.lower_cap(agent, search.problem.time_of(agent, most));
             }
         }
