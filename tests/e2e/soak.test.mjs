@@ -127,7 +127,7 @@ class Sitting {
       await questions.nth(this.roll(count)).click();
       if (this.roll(2) === 0) {
         await inspector.getByRole("heading", { level: 2, name: /^Why / }).waitFor();
-        await inspector.getByText(/^(Needless|Costly|Necessary|Impossible|Unknown)/).first().waitFor({ timeout: 60_000 });
+        await inspector.getByText(/^(Needless|Improvable|Costly|Necessary|Impossible|Not known)/).first().waitFor({ timeout: 60_000 });
       }
     }
     await this.playground.key("Escape", "Escape");

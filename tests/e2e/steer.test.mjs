@@ -41,7 +41,7 @@ describe("an agent is led by hand", () => {
     await playground.cellTells(1, 1, /A1.*A2|A2.*A1/);
     await playground.picture("steering-collision");
     await playground.press("Check my plan");
-    await answers(playground, /not all right/);
+    await answers(playground, /The plan breaks a rule/);
     await playground.picture("steering-checked");
     await steps(playground, "Back");
     await steps(playground, "Back");
@@ -141,7 +141,7 @@ describe("an agent is led by hand", () => {
     await tap(3, 1);
     await playground.says(/\(3, 1\) is not beside it/);
     await playground.button("Check my plan").tap();
-    await answers(playground, /not all right/);
+    await answers(playground, /The plan breaks a rule/);
     // An agent is tapped where it is seen, and on the way to a time it is elsewhere.
   }, { screens: ["phone"], reducedMotion: "reduce" });
 

@@ -28,17 +28,20 @@ fn what_is_false_is_rejected() {
         ("f1-overflow", "does not show"),
         (
             "f1b-plan-and-no-plan",
-            "one of the plans that a claim says there is none of",
+            "a claim says that no such plan exists",
         ),
         ("f2-conclusion", "README.md: it does not say"),
-        ("f3-within", "longer than the horizon"),
-        ("f3b-within", "a horizon beside a limit"),
+        ("f3-within", "takes longer than the makespan"),
+        (
+            "f3b-within",
+            "beside a limit that already bounds the makespan",
+        ),
         ("f4-why", "manifest.json"),
         ("f5-name", "claims[0].why"),
         ("f6-cond", "its proofs have other names"),
         ("f6b-two-kinds", "its proofs have other names"),
         ("f7-proof-name", "its proofs have other names"),
-        ("f8-unknown-agent", "about no agent"),
+        ("f8-unknown-agent", "about a robot that does not exist"),
     ] {
         let report = verify(&bundle(case), &Budget::default());
         assert!(!report.accepted, "{case}");
@@ -54,7 +57,10 @@ fn what_is_false_is_rejected() {
     let manifest = manifest.replace("\"why\": \"x\"", "\"why\": \"no-agent\"");
     named.insert("manifest.json".to_owned(), manifest.into_bytes());
     let reason = verify(&named, &Budget::default()).reason.unwrap();
-    assert!(reason.contains("about no agent"), "{reason}");
+    assert!(
+        reason.contains("about a robot that does not exist"),
+        "{reason}"
+    );
     // With names as proofs have them, so are plans that are not of the kind.
     for (case, why) in [
         ("f6-cond", "not of the kind"),

@@ -15,16 +15,16 @@ const ABOUT: &str = "Plans for several robots on a grid, proved best";
 
 const LONG_ABOUT: &str = "Plans for several robots on a grid, proved best.
 
-Giveway finds, for every agent, a path to its goal past its waypoints, without \
+Giveway finds, for every robot, a path to its goal past its waypoints, without \
 collisions and within its battery, and proves that no plan is better: by the makespan, \
 the sum of costs, the charges, the moves or the waits, in the order you ask for.";
 
 const AFTER_HELP: &str = "An INSTANCE is
   a native file       JSON with the key \"giveway\"
-  a .scen             a MovingAI scenario; its .map is found beside it by the name in the
-                      scenario, or given with --map
+  a .scen             a MovingAI scenario; its .map is the file in the same folder that the
+                      scenario names, or given with --map
   -                   either of them from standard input; a scenario needs --map
-What it is, is told by its ending, else by how it begins.
+The ending of the name says which one it is; without one, how the file begins.
 
 Exit status
   0   the question was answered; \"impossible\" is an answer, and \"feasible\" too
@@ -54,10 +54,10 @@ pub(crate) struct Common {
         value_name = "FORMAT"
     )]
     pub(crate) format: Format,
-    /// The map of a scenario, where it is not beside it by its name
+    /// The map of a scenario, if it is not in the same folder under its own name
     #[arg(long, global = true, value_name = "FILE")]
     pub(crate) map: Option<PathBuf>,
-    /// No progress line and no notes on standard error
+    /// Print no progress line and no notes on standard error
     #[arg(long, short, global = true)]
     pub(crate) quiet: bool,
 }
@@ -76,11 +76,11 @@ pub(crate) enum Format {
 pub(crate) enum Command {
     /// Find the best plan and prove that none is better
     Solve(Solve),
-    /// Tell every rule that a plan breaks, and its costs
+    /// List every rule that a plan breaks, and its costs
     Check(Check),
-    /// Tell why a plan is as it is, or why there is none
+    /// Explain why a plan is as it is, or why there is none
     Explain(Explain),
-    /// Go on with a plan around which the world changes
+    /// Find new plans after the world has changed
     Change(Change),
     /// Check an exported certificate again, without the solver
     Verify(Verify),
@@ -93,7 +93,7 @@ pub(crate) enum Command {
     },
     /// Write a manual page (roff) to standard output
     Man {
-        /// The command that the page is about; all of giveway where it is left out
+        /// The command that the page is about [default: all of giveway]
         command: Option<String>,
     },
 }
@@ -111,7 +111,7 @@ pub(crate) struct Source {
 /// How many agents of an instance count.
 #[derive(Clone, Copy, Debug, ClapArgs)]
 pub(crate) struct First {
-    /// Only the first N agents, of a native file too; all of them where it is left out
+    /// Use only the first N robots, of a native file too [default: all of them]
     #[arg(long, value_name = "N", value_parser = whole::<usize>, allow_negative_numbers = true)]
     pub(crate) agents: Option<usize>,
 }
@@ -123,7 +123,7 @@ The answer is one of
   feasible     a plan, and the bounds proved when the time ran out
   impossible   no plan exists
   unknown      the time ran out with neither (exit status 3)
-A claim holds whatever the horizon, or it says within which makespan it does.
+A claim holds no matter how many steps you allow, or it names the makespan up to which it holds.
 
 Examples
   giveway solve warehouse.json
@@ -138,14 +138,15 @@ pub(crate) struct Solve {
     /// makespan,sum-of-costs,charges]
     #[arg(long, value_name = "LIST")]
     pub(crate) objective: Option<Objective>,
-    /// All plans that no other beats in every cost, for an objective of two or three costs
+    /// Find all plans that no other plan beats in one cost without being worse in another; the
+    /// objective must have two or three costs
     #[arg(long)]
     pub(crate) pareto: bool,
-    /// Only plans of at most this makespan; 0 is legal [default: the largest optimum of an agent
-    /// alone + 4 (width + height) + 10]
+    /// Look only for plans of at most this makespan; 0 is allowed [default: the longest time that a
+    /// robot needs alone + 4 (width + height) + 10]
     #[arg(long, value_name = "N", value_parser = whole::<u32>, allow_negative_numbers = true)]
     pub(crate) within: Option<u32>,
-    /// Wall seconds for the whole command; 0.5 is legal
+    /// Stop the whole command after so many seconds; 0.5 is allowed
     #[arg(long, value_name = "SECONDS", value_parser = seconds, allow_negative_numbers = true)]
     pub(crate) time_limit: Option<f64>,
     /// Write a certificate of what is proved into a new or empty folder: formulas, proofs, and
@@ -156,10 +157,10 @@ pub(crate) struct Solve {
 
 #[derive(Debug, ClapArgs)]
 #[command(after_help = "\
-Every file is compared with its fingerprint, the plan is judged, every formula is written again
-from the instance and compared byte for byte, every proof is checked, and every search that
-stands in for one is repeated. Nothing of it trusts the solver. The exit status is 1 where
-anything differs.
+Every file is compared with its fingerprint, the plan is checked against the rules, every formula
+is written again from the instance and compared byte for byte, every proof is checked, and every
+search that stands in for a proof is repeated. None of this relies on the solver. The exit status
+is 1 if anything differs.
 
 Example
   giveway solve warehouse.json --proof certificate
@@ -172,7 +173,7 @@ pub(crate) struct Verify {
 
 #[derive(Debug, ClapArgs)]
 #[command(after_help = "\
-The exit status is 1 where the plan breaks a rule.
+The exit status is 1 if the plan breaks a rule.
 
 Examples
   giveway check warehouse.json warehouse.plan.json
@@ -184,7 +185,7 @@ pub(crate) struct Check {
     /// A plan, or a result of solve with a plan in it; or - for standard input
     #[arg(value_name = "PLAN")]
     pub(crate) plan: PathBuf,
-    /// What changes while the plan runs: each time is judged in the world of that time
+    /// What changes while the plan runs: the plan is checked at each time in the world of that time
     #[arg(long, value_name = "FILE")]
     pub(crate) changes: Option<PathBuf>,
 }
@@ -201,19 +202,19 @@ A QUESTION is one of
   no-move A --from-cell X,Y --to-cell X,Y [--time T]      why does A not go that way?
   slow A [--from-cell X,Y --to-cell X,Y]                  why does A take the slow way?
   order A --first X,Y --second X,Y                        why does A visit one before the other?
-  arrival A                                               why does A arrive only then?
+  arrival A                                               why does A not arrive sooner?
   length A [--fewer-than N]                               why is the path of A this long?
-  makespan, sum-of-costs                                  why can it not be less?
-  charges [A], moves [A], waits [A]                       why can it not be fewer?
+  makespan, sum-of-costs                                  why is it not less?
+  charges [A], moves [A], waits [A]                       why are there not fewer (of A)?
   yield A B --at X,Y                                      why does A give way to B there?
   unsolvable                                              why is there no plan?
-  plan                                                    is my plan all right, and the best?
+  plan                                                    is this plan valid, and the best?
 
 The answer is one of
-  needless     another plan, in which it is not so, costs the same
-  improvable   it costs less: the plan is not the best
-  costly       it costs more
-  necessary    there is no such plan
+  needless     a plan without it costs the same
+  improvable   a plan without it costs less: the plan asked about is not the best
+  costly       every plan without it costs more
+  necessary    there is no plan without it
   unknown      the time ran out (exit status 3)
 
 Examples
@@ -226,27 +227,27 @@ pub(crate) struct Explain {
     pub(crate) source: Source,
     #[command(flatten)]
     pub(crate) question: Typed,
-    /// The plan that is asked about: a plan, or a result of solve with a plan in it; or - for
-    /// standard input. Without it the instance is solved first
+    /// The plan that the question is about: a plan, or a result of solve with a plan in it; or -
+    /// for standard input [default: the instance is solved first]
     #[arg(long, value_name = "PLAN")]
     pub(crate) plan: Option<PathBuf>,
-    /// What changed while the plan ran: the question is about what comes from the last of these
-    /// changes on, and its times are those of the whole plan
+    /// What changed while the plan ran: the question is about the plan from the last of these
+    /// changes on; times count from the beginning of the whole plan
     #[arg(long, value_name = "FILE", requires = "plan", conflicts_with = "proof")]
     pub(crate) changes: Option<PathBuf>,
-    /// The time that is looked at: later changes do not count, and the plan must be right without
-    /// them [default: all changes count]
+    /// Ask as of this time: later changes do not count, and the plan must be valid without them
+    /// [default: all changes count]
     #[arg(long, value_name = "T", requires = "changes", value_parser = whole::<u32>, allow_negative_numbers = true)]
     pub(crate) at_time: Option<u32>,
     /// The costs in which plans compare, the most important first [default: the instance's own,
     /// or makespan,sum-of-costs,charges]
     #[arg(long, value_name = "LIST")]
     pub(crate) objective: Option<Objective>,
-    /// Only plans of at most this makespan, or that of the plan asked about [default: the largest
-    /// optimum of an agent alone + 4 (width + height) + 10]
+    /// Look only for plans of at most this makespan, or that of the plan asked about [default: the
+    /// longest time that a robot needs alone + 4 (width + height) + 10]
     #[arg(long, value_name = "N", value_parser = whole::<u32>, allow_negative_numbers = true)]
     pub(crate) within: Option<u32>,
-    /// Wall seconds for the whole command; 0.5 is legal
+    /// Stop the whole command after so many seconds; 0.5 is allowed
     #[arg(long, value_name = "SECONDS", value_parser = seconds, allow_negative_numbers = true)]
     pub(crate) time_limit: Option<f64>,
     /// Write a certificate of what is proved into a new or empty folder; giveway verify checks it
@@ -262,7 +263,7 @@ pub(crate) struct Typed {
     /// arrival, length, makespan, sum-of-costs, charges, moves, waits, yield, unsolvable, plan
     #[arg(value_name = "QUESTION")]
     pub(crate) kind: String,
-    /// The agents that it is about
+    /// The robots that it is about
     #[arg(value_name = "AGENT")]
     pub(crate) who: Vec<String>,
     /// The cell
@@ -277,16 +278,16 @@ pub(crate) struct Typed {
     /// The time
     #[arg(long, value_name = "T", value_parser = whole::<u32>, allow_negative_numbers = true)]
     pub(crate) time: Option<u32>,
-    /// The wait steps on end that count as long
+    /// How many wait steps in a row count as long
     #[arg(long, value_name = "N", value_parser = whole::<u32>, allow_negative_numbers = true)]
     pub(crate) at_least: Option<u32>,
     /// The moves that would be too many
     #[arg(long, value_name = "N", value_parser = whole::<u32>, allow_negative_numbers = true)]
     pub(crate) fewer_than: Option<u32>,
-    /// The cell that is left
+    /// The cell that the robot leaves
     #[arg(long, value_name = "X,Y")]
     pub(crate) from_cell: Option<Cell>,
-    /// The cell that is gone to
+    /// The cell that the robot goes to
     #[arg(long, value_name = "X,Y")]
     pub(crate) to_cell: Option<Cell>,
     /// The cell that is visited first
@@ -299,9 +300,9 @@ pub(crate) struct Typed {
 
 #[derive(Debug, ClapArgs)]
 #[command(after_help = "\
-A scenario takes the map that is given beside it and bears the name in the scenario, else the
-one of --map, else the one found beside it. A map that no scenario takes becomes an instance
-without agents. What the target cannot hold is told on standard error.
+A scenario uses the map that is given with it and has the name in the scenario; otherwise the map
+of --map; otherwise the map in the same folder. A map that no scenario uses becomes an instance
+without robots. What the target format cannot hold is listed on standard error.
 
 Examples
   giveway convert empty-8-8-even-1.scen --agents 4 --to giveway > small.json
@@ -313,8 +314,8 @@ pub(crate) struct Convert {
     /// The format to write
     #[arg(long, value_enum, value_name = "FORMAT")]
     pub(crate) to: Target,
-    /// The folder to write to; made where it is missing. Without it a single file goes to standard
-    /// output
+    /// The folder to write to; it is created if it is missing. Without it a single file goes to
+    /// standard output
     #[arg(short, long, value_name = "DIR")]
     pub(crate) output: Option<PathBuf>,
     #[command(flatten)]

@@ -4,13 +4,12 @@ use std::cell::RefCell;
 use std::collections::BTreeMap;
 use std::io::{self, IsTerminal, Write};
 
+use giveway_model::words::{count, value};
 use giveway_model::{Cost, Costs, Objective};
+use giveway_solve::words::known;
 use giveway_solve::{Host, Progress};
 
-use crate::{
-    clock::Clock,
-    output::{plain, words},
-};
+use crate::{clock::Clock, output::plain};
 
 /// A command that answers faster shows no progress at all.
 const FIRST_SECONDS: f64 = 0.3;
@@ -146,10 +145,10 @@ impl Known {
     fn words(&self, seconds: f64) -> String {
         let known = match &self.best {
             Some(costs) => self.interval(costs),
-            None => words::bounds(&self.objective, &self.bounds),
+            None => known(&self.objective, &self.bounds, None),
         };
         let known = if known.is_empty() { "working" } else { &known };
-        let conflicts = words::count(self.conflicts, "conflict");
+        let conflicts = count(self.conflicts, "conflict");
         format!("{seconds:.1} s: {known}; {conflicts}")
     }
 
@@ -160,10 +159,10 @@ impl Known {
             .costs()
             .iter()
             .map(|&cost| {
-                let value = best.get(cost);
-                let said = words::value(cost, value);
+                let n = best.get(cost);
+                let said = value(cost, n);
                 match self.bounds.get(&cost) {
-                    Some(bound) if *bound < value => format!("{said} (at least {bound})"),
+                    Some(bound) if *bound < n => format!("{said} (at least {bound})"),
                     Some(_) => format!("{said} (proved)"),
                     None => said,
                 }
@@ -187,7 +186,10 @@ mod tests {
             cost: Cost::Makespan,
             at_least: 18,
         });
-        assert_eq!(known.words(1.0), "1.0 s: makespan at least 18; 0 conflicts");
+        assert_eq!(
+            known.words(1.0),
+            "1.0 s: makespan is at least 18; 0 conflicts"
+        );
         known.learn(&Progress::Plan {
             costs: Costs {
                 makespan: 20,

@@ -58,7 +58,7 @@ impl Instance {
         if scene.agents.len() > MAX_AGENTS {
             faults.push(Fault::at(
                 "agents",
-                format!("{} agents", scene.agents.len()),
+                format!("{} robots", scene.agents.len()),
                 format!("at most {MAX_AGENTS}"),
             ));
         }
@@ -239,7 +239,7 @@ fn check_shared(scene: &Scene, faults: &mut Vec<Fault>) {
             faults.push(Fault::at(
                 format!("agents[{i}].goal"),
                 format!("{}, the goal of {first}", agent.goal),
-                "a goal of its own, since agents stay at their goals",
+                "a goal of its own, since robots stay at their goals",
             ));
         }
     }

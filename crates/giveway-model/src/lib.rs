@@ -21,6 +21,7 @@ mod rules;
 mod scene;
 pub mod sorting;
 mod version;
+pub mod words;
 
 pub use agent::{Agent, Battery};
 pub use cell::Cell;

@@ -121,7 +121,7 @@ where
         type Value = BTreeMap<String, T>;
 
         fn expecting(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-            f.write_str("an object by the names of agents")
+            f.write_str("an object by the names of robots")
         }
 
         fn visit_map<A: MapAccess<'de>>(self, mut entries: A) -> Result<Self::Value, A::Error> {
@@ -130,7 +130,7 @@ where
                 let value = entries.next_value()?;
                 if map.contains_key(&name) {
                     return Err(de::Error::custom(format!(
-                        "found \"{name}\" twice, expected each agent once"
+                        "found \"{name}\" twice, expected each robot once"
                     )));
                 }
                 map.insert(name, value);

@@ -178,7 +178,7 @@ fn a_goal_that_two_agents_share_where_agents_stay() {
         ".. ..",
         &[A, b],
         &["agents[1].goal: found (1, 0), the goal of A, \
-             expected a goal of its own, since agents stay at their goals"],
+             expected a goal of its own, since robots stay at their goals"],
     );
     let mut scene = scene(".. ..", &[A, b]);
     scene.rules.at_goal = giveway_model::AtGoal::Vanish;
@@ -229,7 +229,7 @@ fn beyond_the_limits() {
     };
     check_scene(
         crowded,
-        &["agents: found 4097 agents, expected at most 4096"],
+        &["agents: found 4097 robots, expected at most 4096"],
     );
     check(
         "..",

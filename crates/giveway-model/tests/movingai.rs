@@ -146,7 +146,7 @@ fn versions_and_columns_as_they_are_found() {
 fn a_scenario_that_is_none() {
     check_scenario(
         "",
-        "line 1, column 1: found an empty file, expected \"version 1\" and a line an agent",
+        "line 1, column 1: found an empty file, expected \"version 1\" and a line for each robot",
     );
     check_scenario(
         "version 2\n",
@@ -195,7 +195,7 @@ fn more_agents_than_lines() {
     check_scene(
         SCENARIO,
         Some(4),
-        "found a scenario for 3 agents, expected one for 4",
+        "found a scenario for 3 robots, expected one for 4",
     );
 }
 
@@ -279,7 +279,7 @@ fn what_is_lost_is_told() {
         ]
     );
     assert_eq!(lost[0].to_string(), "the slow zone (2 cells)");
-    assert_eq!(lost[3].to_string(), "the batteries of 1 agent");
+    assert_eq!(lost[3].to_string(), "the batteries of 1 robot");
 }
 
 #[test]

@@ -123,7 +123,7 @@ fn what_is_no_json() {
     );
     check(
         &spoilt("}\n  ]", "},\n  ]"),
-        "line 6, column 3: found a comma after the last entry, expected none there",
+        "line 6, column 3: found a comma after the last entry, expected no comma there",
     );
     check(
         &spoilt("\"A\"", "\"A"),
@@ -287,11 +287,11 @@ fn another_kind_of_file_is_named() {
 fn two_paths_of_one_agent() {
     check_plan(
         "{ \"giveway\": 1, \"paths\": { \"A\": [[0,0]],\n \"A\": [[1,0]] } }",
-        "line 2, column 2: paths: found \"A\" twice, expected each agent once",
+        "line 2, column 2: paths: found \"A\" twice, expected each robot once",
     );
     check_plan(
         "{ \"giveway\": 1, \"paths\": {}, \"charges\": { \"A\": [], \"A\": [1] } }",
-        "line 1, column 52: charges: found \"A\" twice, expected each agent once",
+        "line 1, column 52: charges: found \"A\" twice, expected each robot once",
     );
 }
 

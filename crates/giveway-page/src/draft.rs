@@ -60,7 +60,7 @@ impl Draft {
         if scene.agents.len() > MAX_AGENTS {
             faults.push(Fault::at(
                 "agents",
-                format!("{} agents", scene.agents.len()),
+                format!("{} robots", scene.agents.len()),
                 format!("at most {MAX_AGENTS} on the page"),
             ));
         }

@@ -2,13 +2,12 @@
 
 use std::rc::Rc;
 
-use giveway_proof::bundle::Method;
 use giveway_proof::{Checked, Report};
 use giveway_solve::CertifyRequest;
 use giveway_solve::explain::Verdict;
 
 use crate::ask::Badge;
-use crate::words::{count, grouped};
+use crate::words::grouped;
 use crate::{Certified, Certifying, State, Task};
 
 /// The check of a proof.
@@ -124,7 +123,7 @@ fn outcome(report: &Report) -> Outcome {
     };
     let reason = report.reason.as_deref().unwrap_or_default();
     let sentence = match (report.accepted, report.stopped) {
-        (true, _) => sums(report),
+        (true, _) => report.summary(),
         (false, true) => format!("The check ended too early. {reason}"),
         (false, false) => {
             format!("The certificate does not hold, which is a fault of this program. {reason}")
@@ -135,49 +134,6 @@ fn outcome(report: &Report) -> Outcome {
         sentence,
         claims: claims.iter().map(line).collect(),
     }
-}
-
-/// How many claims rest on what: `The proof was checked: 3 214 steps.`
-fn sums(report: &Report) -> String {
-    let (mut proofs, mut steps, mut searches, mut nothing) = (0, 0, 0, 0);
-    for claim in &report.claims {
-        match claim {
-            Checked::Proof { steps: more, .. } => {
-                proofs += 1;
-                steps += more;
-            }
-            Checked::Search { .. } => searches += 1,
-            Checked::None { .. } => nothing += 1,
-        }
-    }
-    let steps = match steps {
-        // Its clauses contradict each other as they are.
-        0 => "no step was needed".to_owned(),
-        n => format!("{} step{}", grouped(n as u64), plural(n)),
-    };
-    let mut sentences = Vec::new();
-    match proofs {
-        0 => {}
-        1 => sentences.push(format!("The proof was checked: {steps}.")),
-        n => sentences.push(format!("{n} proofs were checked: {steps}.")),
-    }
-    if searches > 0 {
-        let rest = if searches == 1 { "rests" } else { "rest" };
-        let claims = count(searches, "claim");
-        sentences.push(format!("{claims} {rest} on a search, which was repeated."));
-    }
-    if nothing > 0 {
-        let claims = count(nothing, "claim");
-        sentences.push(format!("{claims} could not be checked here."));
-    }
-    if sentences.is_empty() {
-        sentences.push("Nothing is claimed: no cost can be below 0.".to_owned());
-    }
-    sentences.join(" ")
-}
-
-fn plural(n: usize) -> &'static str {
-    if n == 1 { "" } else { "s" }
 }
 
 fn line(claim: &Checked) -> Line {
@@ -199,11 +155,8 @@ fn line(claim: &Checked) -> Line {
             ("proved", text, size)
         }
         Checked::Search { text, method, .. } => {
-            let what = match method {
-                Method::Alone => "A search of each robot alone, repeated.",
-                Method::Joint => "A search of all states of all robots, repeated.",
-            };
-            ("search", text, what.to_owned())
+            let what = format!("A search of {}, repeated.", method.words());
+            ("search", text, what)
         }
         Checked::None { text, why, .. } => ("clock", text, format!("Not checked. {why}")),
     };

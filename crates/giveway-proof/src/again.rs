@@ -112,8 +112,11 @@ pub(crate) fn formula(
     budget: &Budget<'_>,
 ) -> Result<Cnf, Fault> {
     let formula = plain::formula(instance, proof.claim, budget).map_err(|error| match error {
-        NoFormula::NoHorizon => Fault::of(MANIFEST, "a claim with a proof has no horizon"),
-        NoFormula::NoAgent => Fault::of(MANIFEST, "a claim is about no agent"),
+        NoFormula::NoHorizon => Fault::of(
+            MANIFEST,
+            "a claim with a proof is about plans of any makespan",
+        ),
+        NoFormula::NoAgent => Fault::of(MANIFEST, "a claim is about a robot that does not exist"),
         NoFormula::TooLarge => {
             let [cnf, ..] = proof_files(proof.name);
             Fault::Stopped(format!("{cnf}: it is too large to check."))

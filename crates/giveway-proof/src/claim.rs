@@ -4,7 +4,7 @@ use std::collections::BTreeMap;
 
 use borsh::{BorshDeserialize, BorshSerialize};
 use giveway_model::message::read_map;
-use giveway_model::{Cost, Instance, sorting};
+use giveway_model::{Cost, Instance, sorting, words};
 use serde::{Deserialize, Serialize};
 
 use crate::{condition::Condition, escape, plain};
@@ -57,15 +57,14 @@ impl Claim {
         let limits: Vec<String> = self
             .most
             .iter()
-            .map(|(cost, most)| format!("{} at most {most}", name(*cost)))
+            .map(|(cost, most)| format!("{} at most {most}", words::name(*cost)))
             .collect();
         let of = self
             .within
             .map_or(String::new(), |last| format!(" of makespan at most {last}"));
         let with = match limits.as_slice() {
             [] => String::new(),
-            [one] => format!(" with {one}"),
-            [init @ .., last] => format!(" with {} and {last}", init.join(", ")),
+            limits => format!(" with {}", words::and(limits)),
         };
         let like = self
             .condition
@@ -93,14 +92,6 @@ impl Claim {
             sum.saturating_sub(others)
         });
         [makespan, by_sum, self.within].into_iter().flatten().min()
-    }
-}
-
-/// A cost in a sentence.
-fn name(cost: Cost) -> &'static str {
-    match cost {
-        Cost::SumOfCosts => "sum of costs",
-        other => other.name(),
     }
 }
 

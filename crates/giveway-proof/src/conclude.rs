@@ -2,7 +2,7 @@
 //! all. It follows from the instance, the plan and the claims alone: nothing that
 //! stands beside them in a certificate has a part in it.
 
-use giveway_model::{Cost, Costs, Instance, Objective, Plan, check};
+use giveway_model::{Cost, Costs, Instance, Objective, Plan, check, words::lower};
 
 use crate::Claim;
 use crate::bundle::{Entry, MANIFEST, PLAN};
@@ -41,30 +41,31 @@ impl Conclusion {
             Self::Best {
                 of_a_kind: false,
                 within: None,
-            } => "Together: the plan is optimal, one cost of the objective after the other.".into(),
+            } => "Together: the plan is optimal, its costs compared in the order of the objective."
+                .into(),
             Self::Best {
                 of_a_kind: false,
                 within: Some(last),
             } => format!(
-                "Together: no plan of makespan at most {last} is better, one cost of the objective \
-                 after the other. Of longer plans nothing is shown."
+                "Together: no plan of makespan at most {last} is better, costs compared in the \
+                 order of the objective. Nothing is shown about longer plans."
             ),
             Self::Best {
                 of_a_kind: true,
                 within: None,
-            } => "Together: no plan of the kind costs less than this plan.".into(),
+            } => "Together: no plan of this kind costs less than this plan.".into(),
             Self::Best {
                 of_a_kind: true,
                 within: Some(last),
             } => format!(
-                "Together: no plan of the kind, of makespan at most {last}, costs less than this \
-                 plan. Of longer plans nothing is shown."
+                "Together: no plan of this kind, of makespan at most {last}, costs less than this \
+                 plan. Nothing is shown about longer plans."
             ),
-            Self::Believed => "Together they would say that the plan is optimal; what is not \
-                               certified has to be believed."
+            Self::Believed => "Together they would show that the plan is optimal if all of them \
+                               were certified."
                 .into(),
             Self::Bounds => {
-                "Together they are lower bounds; the plan is not shown to be optimal.".into()
+                "Together they give lower bounds; they do not show that the plan is optimal.".into()
             }
             Self::NoPlan(sentence) => sentence.clone(),
             Self::Nothing => return None,
@@ -82,14 +83,18 @@ pub(crate) fn check_together(whole: &Whole<'_>) -> Result<(), Fault> {
         if let Some(condition) = &claim.condition
             && !condition.fits(whole.instance)
         {
-            return reject("a claim is about no agent, or about nothing that agents do");
+            return reject(
+                "a claim is about a robot that does not exist, or about nothing that robots do",
+            );
         }
         let limits = Claim {
             within: None,
             ..claim.clone()
         };
         if claim.within.is_some() && limits.horizon(whole.instance).is_some() {
-            return reject("a claim has a horizon beside a limit that is one already");
+            return reject(
+                "a claim has \"within\" beside a limit that already bounds the makespan",
+            );
         }
     }
     if claims().any(|claim| Some(&claim.condition) != first.map(|first| &first.condition)) {
@@ -98,13 +103,13 @@ pub(crate) fn check_together(whole: &Whole<'_>) -> Result<(), Fault> {
     let mut horizons = claims().filter_map(|claim| claim.within);
     let horizon = horizons.next();
     if horizons.any(|other| Some(other) != horizon) {
-        return reject("its claims have several horizons");
+        return reject("its claims hold up to different makespans");
     }
     let Some((plan, costs)) = whole.plan.zip(costs(whole)) else {
         return Ok(());
     };
     if horizon.is_some_and(|last| costs.makespan > last) {
-        return reject("its plan is longer than the horizon of its claims");
+        return reject("its plan takes longer than the makespan up to which its claims hold");
     }
     if let Some(Some(condition)) = first.map(|first| &first.condition)
         && !condition.is_met_by(whole.instance, plan)
@@ -119,10 +124,7 @@ pub(crate) fn check_together(whole: &Whole<'_>) -> Result<(), Fault> {
         claim.most.iter().all(keeps)
     };
     if claims().any(excluded) {
-        return Err(Fault::of(
-            PLAN,
-            "it is one of the plans that a claim says there is none of",
-        ));
+        return Err(Fault::of(PLAN, "a claim says that no such plan exists"));
     }
     Ok(())
 }
@@ -198,11 +200,4 @@ fn reach(objective: &Objective, costs: Costs, claims: &[&Claim]) -> Option<Reach
 
 fn costs(whole: &Whole<'_>) -> Option<Costs> {
     check::costs(whole.instance, whole.plan?)
-}
-
-/// A sentence behind a colon.
-fn lower(sentence: &str) -> String {
-    let mut chars = sentence.chars();
-    let first = chars.next().map(|c| c.to_lowercase().to_string());
-    format!("{}{}", first.unwrap_or_default(), chars.as_str())
 }

@@ -68,7 +68,7 @@ fn check_kept(
 ) -> Result<usize, Fault> {
     let [_, drat, _] = proof_files(proof.name);
     let text = proofs.get(proof.name).map_or(Ok(""), |proof| {
-        std::str::from_utf8(proof).map_err(|_| Fault::of(&drat, "it is no text"))
+        std::str::from_utf8(proof).map_err(|_| Fault::of(&drat, "it is not text"))
     })?;
     let formula = formula(instance, proof, budget)?.text();
     check_proof(&formula, text, &drat, budget)

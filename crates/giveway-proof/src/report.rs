@@ -2,6 +2,7 @@
 
 use borsh::{BorshDeserialize, BorshSerialize};
 use giveway_model::Version;
+use giveway_model::words::{count, grouped};
 use serde::{Deserialize, Serialize};
 
 use crate::{Claim, bundle::Method, conclude::Conclusion};
@@ -42,15 +43,6 @@ pub enum Certified {
 }
 
 impl Certified {
-    /// The same in words.
-    pub const fn words(self) -> &'static str {
-        match self {
-            Self::Proved => "proved",
-            Self::ProvedAndSearched => "proved and searched",
-            Self::NotCertified => "not certified",
-        }
-    }
-
     fn of(claims: &[Checked]) -> Self {
         let is = |test: fn(&Checked) -> bool| claims.iter().any(test);
         if is(|claim| matches!(claim, Checked::None { .. })) {
@@ -113,6 +105,47 @@ impl Fault {
 }
 
 impl Report {
+    /// How many claims rest on what: `The proof was checked: 3214 steps.`
+    pub fn summary(&self) -> String {
+        let (mut proofs, mut steps) = (0_u32, 0);
+        let (mut searches, mut nothing) = (0_u32, 0_u32);
+        for claim in &self.claims {
+            match claim {
+                Checked::Proof { steps: more, .. } => {
+                    proofs += 1;
+                    steps += more;
+                }
+                Checked::Search { .. } => searches += 1,
+                Checked::None { .. } => nothing += 1,
+            }
+        }
+        let steps = match steps {
+            // Its clauses contradict each other as they are.
+            0 => "no step was needed".to_owned(),
+            1 => "1 step".to_owned(),
+            n => format!("{} steps", grouped(n as u64)),
+        };
+        let mut sentences = Vec::new();
+        match proofs {
+            0 => {}
+            1 => sentences.push(format!("The proof was checked: {steps}.")),
+            n => sentences.push(format!("{n} proofs were checked: {steps}.")),
+        }
+        if searches > 0 {
+            let rest = if searches == 1 { "rests" } else { "rest" };
+            let claims = count(searches, "claim");
+            sentences.push(format!("{claims} {rest} on a search, which was repeated."));
+        }
+        if nothing > 0 {
+            let claims = count(nothing, "claim");
+            sentences.push(format!("{claims} could not be checked."));
+        }
+        if sentences.is_empty() {
+            sentences.push("Nothing is claimed: no cost can be below 0.".to_owned());
+        }
+        sentences.join(" ")
+    }
+
     /// What comes of checks that put on a list what they have checked, and tell
     /// what it says together.
     pub(crate) fn of(check: impl FnOnce(&mut Vec<Checked>) -> Result<Conclusion, Fault>) -> Self {

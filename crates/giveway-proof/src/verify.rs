@@ -23,11 +23,11 @@ fn check_all(
     let manifest = read_manifest(bundle)?;
     check_files(bundle, &manifest)?;
     let instance = native::read_instance(text(bundle, INSTANCE)?)
-        .map_err(|_| Fault::of(INSTANCE, "it is no instance"))?;
+        .map_err(|_| Fault::of(INSTANCE, "it is not an instance"))?;
     let mut plan = None;
     if manifest.costs.is_some() {
         let read = native::read_plan(text(bundle, PLAN)?);
-        let read = read.map_err(|_| Fault::of(PLAN, "it is no plan"))?;
+        let read = read.map_err(|_| Fault::of(PLAN, "it is not a plan"))?;
         check_plan(&instance, &read, manifest.costs)?;
         plan = Some(read);
     }
@@ -53,7 +53,7 @@ fn text<'a>(bundle: &'a Bundle, file: &str) -> Result<&'a str, Fault> {
     let bytes = bundle
         .get(file)
         .ok_or_else(|| Fault::of(file, "it is missing"))?;
-    std::str::from_utf8(bytes).map_err(|_| Fault::of(file, "it is no text"))
+    std::str::from_utf8(bytes).map_err(|_| Fault::of(file, "it is not text"))
 }
 
 /// The manifest, which has one text only.
@@ -62,7 +62,7 @@ fn read_manifest(bundle: &Bundle) -> Result<Manifest, Fault> {
     let manifest: Manifest = native::read_object(text)
         .map_err(|fault| Fault::Rejected(format!("{MANIFEST}: {fault}.")))?;
     if manifest.version != 1 {
-        return Err(Fault::of(MANIFEST, "it is of another version than 1"));
+        return Err(Fault::of(MANIFEST, "its version is not 1"));
     }
     if manifest.text() != text {
         return Err(Fault::of(MANIFEST, "it is not laid out as it was written"));

@@ -30,6 +30,7 @@ mod terrain;
 #[cfg(test)]
 mod tests;
 mod walk;
+pub mod words;
 
 pub use answer::{CheckAnswer, FrontAnswer, SolveAnswer, Stats, Status};
 pub use certify::CertifyRequest;

@@ -46,10 +46,10 @@ impl Stop {
     pub(crate) const fn sentence(self) -> &'static str {
         match self {
             Self::Time => "The time limit was reached.",
-            Self::Conflicts => "The limit of conflicts was reached.",
+            Self::Conflicts => "The conflict limit was reached.",
             Self::Memory => "The memory limit was reached.",
             Self::Sets => "There were too many sets of robots to free to compare them all.",
-            Self::Cancelled => "It was cancelled.",
+            Self::Cancelled => "The search was cancelled.",
             Self::Contradiction => {
                 "A plan and a bound contradicted each other, which is a fault of this program."
             }

@@ -3,7 +3,7 @@
 use std::collections::BTreeMap;
 use std::rc::Rc;
 
-use giveway_model::{Costs, Instance, Objective, Plan, Version, check::check};
+use giveway_model::{Costs, Instance, Objective, Plan, Version, check::check, words};
 
 use crate::{
     Host, Limits, Progress, SolveAnswer, Status,
@@ -126,7 +126,7 @@ pub(crate) fn without_search(task: &Task, setback: &Setback) -> Solved {
         Setback::Alone(i) => (
             Status::Impossible,
             Some(Reach::ForEver(ForEver::alone())),
-            format!("{} cannot do its task even alone.", name(i)),
+            format!("{} cannot do its task, even alone.", name(i)),
         ),
         Setback::TooManyWaypoints(i) => (
             Status::Unknown,
@@ -192,9 +192,9 @@ pub(crate) fn answer(task: &Task, problem: &Problem, verdict: Verdict) -> Solved
 /// Whom it concerns; the claim itself says at which horizon it holds.
 pub(crate) fn clash_sentence(agents: &[&str]) -> String {
     match agents {
-        [] => "The agents cannot all arrive.".to_owned(),
+        [] => "The robots cannot all arrive.".to_owned(),
         [one] => format!("{one} cannot arrive."),
         [one, two] => format!("{one} and {two} cannot both arrive."),
-        [init @ .., last] => format!("{} and {last} cannot all arrive.", init.join(", ")),
+        names => format!("{} cannot all arrive.", words::and(names)),
     }
 }

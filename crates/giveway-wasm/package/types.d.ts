@@ -106,7 +106,7 @@ export interface SolveAnswer {
   costs: Record<Cost, number> | null;
   /** The proved lower bound of each cost reached so far. */
   bounds: Partial<Record<Cost, number>>;
-  /** The makespan up to which the claim was proved; null where it holds whatever the horizon. */
+  /** The makespan up to which the claim was proved; null where it holds for plans of any makespan. */
   within: number | null;
   complete: boolean;
   /** Why there is no plan or no proof. */

@@ -72,22 +72,11 @@ pub(crate) fn sentence(state: &State) -> Html {
                 <span class={classes!("badge", badge.class())}>
                     { icon::show(badge.icon()) }{ badge.word() }
                 </span>
-                <span class="say">{ after_badge(&standing) }</span>
+                <span class="say">{ standing.beside_badge().to_owned() }</span>
             </p>
             <Live {standing} />
         </>
     }
-}
-
-/// The sentence, without the word that the badge before it already says.
-fn after_badge(standing: &words::Standing) -> String {
-    let sentence = &standing.sentence;
-    let Some(rest) = sentence.strip_prefix("Solving: ") else {
-        return sentence.clone();
-    };
-    let mut letters = rest.chars();
-    let first = letters.next().map(|letter| letter.to_ascii_uppercase());
-    first.into_iter().chain(letters).collect()
 }
 
 /// The costs in short: there is room for three.

@@ -8,7 +8,7 @@ use giveway_solve::change::Method;
 
 use super::{Source, seconds, whole};
 
-/// A plan, and what changes around it.
+/// A plan, and what changes while it runs.
 #[derive(Debug, ClapArgs)]
 #[command(after_help = "\
 CHANGES is JSON: { \"giveway\": 1, \"changes\": [ { \"at\": 2, \"change\": \"add-obstacle\", \"cell\": [3, 1] } ] }
@@ -19,17 +19,17 @@ CHANGES is JSON: { \"giveway\": 1, \"changes\": [ { \"at\": 2, \"change\": \"add
   add-charger     cell                            remove-charger     cell
   set-goal        agent, cell                     set-battery        agent, level
   add-waypoint    agent, cell                     drop-waypoint      agent, cell
-  delay-agent     agent, steps: it breaks down for so long
-What is of one time happens together. The past stays as it was; each later time is looked at
-with the plan adopted before.
+  delay-agent     agent, steps: it breaks down for so many steps
+Changes of the same time happen together. The past stays as it was. Each later time goes on with
+the plan that was used before.
 
 A METHOD is one of
-  revise      old agents keep their sequence of cells and may only be timed anew
-  tunnel=W    old agents keep within W steps of the rest of their paths
-  replan      everyone plans freely
-Each minimises the makespan, then the objective's other costs, then the number of agents
-that are disturbed. Where a method has no plan, it says why, and frees as few agents as can
-be. The first method that has a plan is adopted.
+  revise      robots keep their paths and only get new times
+  tunnel=W    robots stay within W steps of the rest of their paths
+  replan      every robot plans freely
+New robots plan freely with each method. Each method minimises the makespan, then the other costs
+of the objective, then the number of robots whose plan changes. If a method has no plan, it says
+why, and frees as few robots as possible. The first method that has a plan is used.
 
 Examples
   giveway change warehouse.json warehouse.plan.json changes.json
@@ -37,8 +37,8 @@ Examples
 pub(crate) struct Change {
     #[command(flatten)]
     pub(crate) source: Source,
-    /// The plan that runs, or a result with a plan in it; or - for standard input. It may know
-    /// the earlier of the changes
+    /// The plan that runs, or a result with a plan in it; or - for standard input. It may
+    /// have been made with some of the changes already
     #[arg(value_name = "PLAN")]
     pub(crate) plan: PathBuf,
     /// What changes, and when; or - for standard input
@@ -56,15 +56,15 @@ pub(crate) struct Change {
     /// makespan,sum-of-costs,charges]
     #[arg(long, value_name = "LIST")]
     pub(crate) objective: Option<Objective>,
-    /// Only plans of at most this makespan, counted from time 0 [default: of each change, the
-    /// largest optimum of an agent alone from then on + 4 (width + height) + 10]
+    /// Look only for plans of at most this makespan, counted from time 0 [default: at each change,
+    /// the longest time that a robot needs alone from then on + 4 (width + height) + 10]
     #[arg(long, value_name = "N", value_parser = whole::<u32>, allow_negative_numbers = true)]
     pub(crate) within: Option<u32>,
-    /// The first time whose changes are new to the plan: all before were known when it was made
-    /// [default: what the plan says it knows; else as few as make it valid]
+    /// The first time whose changes are new to the plan; it was made with all earlier ones [default:
+    /// what the plan says it knows; otherwise as few as make it valid]
     #[arg(long, value_name = "T", value_parser = whole::<u32>, allow_negative_numbers = true)]
     pub(crate) since: Option<u32>,
-    /// Wall seconds for each method at each time; 0.5 is legal
+    /// Stop each method at each time after so many seconds; 0.5 is allowed
     #[arg(long, value_name = "SECONDS", value_parser = seconds, allow_negative_numbers = true)]
     pub(crate) time_limit: Option<f64>,
 }

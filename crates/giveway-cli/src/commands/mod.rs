@@ -64,7 +64,7 @@ fn unexpected(file: &std::path::Path) -> Failure {
         file.to_string_lossy(),
         Fault::at(
             "",
-            "another response than was asked for",
+            "a response to another request",
             "the answer to the request",
         ),
     )

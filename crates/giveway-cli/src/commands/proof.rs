@@ -4,6 +4,7 @@ use std::fs;
 use std::io::ErrorKind;
 use std::path::Path;
 
+use giveway_model::words::count;
 use giveway_model::{Fault, Instance, Plan};
 use giveway_proof::{Budget, Bundle, Solved, bundle::Entry, bundle::Manifest, export};
 use giveway_solve::explain::ExplainAnswer;
@@ -15,7 +16,7 @@ use crate::{
     failure::Failure,
     output::{
         files::{self, NewFile},
-        stream, words,
+        stream,
     },
 };
 
@@ -108,13 +109,13 @@ fn summary(bundle: &Bundle) -> String {
     let nothing = number(|entry| matches!(entry, Entry::None { .. }));
     let mut parts = Vec::new();
     if proofs > 0 {
-        parts.push(format!("{} with a proof", words::count(proofs, "claim")));
+        parts.push(format!("{} with a proof", count(proofs, "claim")));
     }
     if searches > 0 {
-        parts.push(format!("{} with a search", words::count(searches, "claim")));
+        parts.push(format!("{} with a search", count(searches, "claim")));
     }
     if nothing > 0 {
-        parts.push(format!("{} not certified", words::count(nothing, "claim")));
+        parts.push(format!("{} not certified", count(nothing, "claim")));
     }
     if parts.is_empty() {
         parts.push("nothing to prove".to_owned());

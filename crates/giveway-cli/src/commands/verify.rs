@@ -71,7 +71,7 @@ const MANIFEST: &str = "manifest.json";
 /// The bytes of a regular file that is not too large: no link, no pipe, no device.
 fn bounded(path: &Path, most: u64) -> io::Result<Vec<u8>> {
     if !fs::symlink_metadata(path)?.is_file() {
-        return Err(io::Error::other("no regular file"));
+        return Err(io::Error::other("something other than a regular file"));
     }
     let mut bytes = Vec::new();
     File::open(path)?.take(most + 1).read_to_end(&mut bytes)?;

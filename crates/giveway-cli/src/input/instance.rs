@@ -1,13 +1,9 @@
 //! An instance from any of the formats that hold one.
 
-use giveway_model::{Fault, Instance, format::native};
+use giveway_model::{Fault, Instance, format::native, words::count};
 
 use super::{Kind, Maps, Scen, Source};
-use crate::{
-    args,
-    failure::Failure,
-    output::{stream, words},
-};
+use crate::{args, failure::Failure, output::stream};
 
 /// Reads the instance of a command line, and tells its notes on standard error
 /// unless `quiet`.
@@ -29,12 +25,12 @@ pub(crate) fn instance(source: &args::Source, common: &args::Common) -> Result<I
         }
         Kind::Map => Err(text.fault(Fault::at(
             "",
-            "a map, which has no agents",
+            "a map, which has no robots",
             "an instance, such as a scenario of this map",
         ))),
         Kind::Scene | Kind::Plan | Kind::Answer if common.map.is_none() => native(&text, first),
         Kind::Scene | Kind::Plan | Kind::Answer => Err(Failure::Usage(format!(
-            "--map is for a scenario, and {} is none",
+            "--map is for a scenario, and {} is not one",
             text.name
         ))),
     }
@@ -51,8 +47,8 @@ pub(crate) fn native(source: &Source, first: Option<usize>) -> Result<Instance, 
     };
     let mut scene = instance.to_scene();
     if scene.agents.len() < first {
-        let found = words::count(scene.agents.len() as u64, "agent");
-        let fault = Fault::at("agents", found, format!("{first}, as --agents asks"));
+        let found = count(scene.agents.len(), "robot");
+        let fault = Fault::at("agents", found, format!("{first}, as asked with --agents"));
         return Err(source.faults(native::in_text(&source.text, vec![fault])));
     }
     scene.agents.truncate(first);

@@ -139,10 +139,10 @@ fn no_map(scen: &Scen) -> Fault {
     let name = scen.map_name();
     if scen.source.path.is_some() {
         let found = format!("no map \"{name}\" beside the scenario");
-        Fault::at("", found, "its map there, or with --map")
+        Fault::at("", found, "its map there or with --map")
     } else {
         let found = format!("a scenario for the map \"{name}\"");
-        Fault::at("", found, "that map with --map, too")
+        Fault::at("", found, "that map with --map as well")
     }
 }
 

@@ -19,7 +19,7 @@ const NAME_COLUMNS: usize = 16;
 /// Longer plans are not told step by step.
 const MAX_TIMES: usize = 2000;
 const TOO_LARGE: &str =
-    "The plan is too large for a table of times; --format json has the whole of it.\n";
+    "The plan is too large for a table of times; --format json shows all of it.\n";
 
 /// Draws the table of a plan, in lines of at most so many columns.
 ///
@@ -107,7 +107,7 @@ pub(crate) fn beside(instance: &Instance, plan: &Plan, other: &Plan, columns: us
     }
     let differ = rows.iter().any(|row| row.label == "  other");
     let words = if differ {
-        "  other: what the agent does in the other plan, ! where it differs\n"
+        "  other: what the robot does in the other plan; ! marks a difference\n"
     } else {
         ""
     };
@@ -258,7 +258,7 @@ fn legend(rows: &[Row]) -> String {
 fn summary(instance: &Instance, plan: &Plan) -> String {
     let mut text = format!(
         "{:NAME_COLUMNS$} {:>11} {:>11} {:>8} {:>8}\n",
-        "agent", "start", "goal", "arrival", "charges"
+        "robot", "start", "goal", "arrival", "charges"
     );
     for (agent, arrival) in instance.agents().iter().zip(arrivals(instance, plan)) {
         let name = plain::cut(&plain::text(&agent.name), NAME_COLUMNS);
@@ -380,7 +380,7 @@ mod tests {
         let lines: Vec<&str> = text.lines().take(3).collect();
         expect![[r#"
             [
-                "agent                  start        goal  arrival  charges",
+                "robot                  start        goal  arrival  charges",
                 "A0                    (0, 0)      (0, 0)        0        0",
                 "A1                    (1, 0)      (1, 0)     none        0",
             ]

@@ -15,12 +15,13 @@ pub(crate) use solve::solve;
 pub(crate) use verify::verify;
 
 use anstyle::{AnsiColor, Style};
+use giveway_model::words::count;
 use giveway_model::{Instance, Plan};
 use giveway_solve::Status;
 
-use super::{map, plain, table, words};
+use super::{map, plain, table};
 
-/// `warehouse: 10 x 3 cells, 2 agents`.
+/// `warehouse: 10 x 3 cells, 2 robots`.
 fn title(instance: &Instance) -> String {
     let grid = instance.grid();
     let name = if instance.name().is_empty() {
@@ -33,7 +34,7 @@ fn title(instance: &Instance) -> String {
         bold(&name),
         grid.width(),
         grid.height(),
-        words::count(instance.agents().len() as u64, "agent")
+        count(instance.agents().len(), "robot")
     )
 }
 

@@ -195,8 +195,8 @@ fn a_map_for_an_instance_that_has_one() {
     check(
         "solve warehouse.json --map plan.json",
         &expect![[r#"
-        exit 2
-        error: --map is for a scenario, and warehouse.json is none"#]],
+            exit 2
+            error: --map is for a scenario, and warehouse.json is not one"#]],
     );
 }
 

@@ -276,9 +276,9 @@ fn too_few_agents_for_the_option() {
     Folder::scene(WAREHOUSE).refuses(
         "solve scene.json --agents 3",
         &expect![[r#"
-        exit 1
-        scene.json: line 9, column 13: agents: found 2 agents, expected 3, as --agents asks
-    "#]],
+            exit 1
+            scene.json: line 9, column 13: agents: found 2 robots, expected 3, as asked with --agents
+        "#]],
     );
 }
 

@@ -51,7 +51,7 @@ fn the_map_is_given() {
     fs::rename(folder.path("empty-8-8.map"), folder.path("other.map")).unwrap();
     folder.refuses("solve few.scen", &expect![[r#"
         exit 1
-        few.scen: found no map "empty-8-8.map" beside the scenario, expected its map there, or with --map
+        few.scen: found no map "empty-8-8.map" beside the scenario, expected its map there or with --map
     "#]]);
     let (n, note) = {
         let run = folder.run("convert few.scen --to giveway --map other.map");
@@ -75,7 +75,7 @@ fn a_scenario_on_standard_input_needs_its_map() {
     let run = folder.run_with("solve -", EMPTY_SCEN);
     expect![[r#"
         exit 1
-        standard input: found a scenario for the map "empty-8-8.map", expected that map with --map, too
+        standard input: found a scenario for the map "empty-8-8.map", expected that map with --map as well
     "#]].assert_eq(&run.refusal());
 }
 
@@ -111,9 +111,9 @@ fn more_agents_than_lines() {
     folder().refuses(
         "solve few.scen --agents 9",
         &expect![[r#"
-        exit 1
-        few.scen: found a scenario for 8 agents, expected one for 9
-    "#]],
+            exit 1
+            few.scen: found a scenario for 8 robots, expected one for 9
+        "#]],
     );
 }
 
@@ -121,7 +121,7 @@ fn more_agents_than_lines() {
 fn a_map_alone_is_no_instance() {
     folder().refuses("solve small.map", &expect![[r#"
         exit 1
-        small.map: found a map, which has no agents, expected an instance, such as a scenario of this map
+        small.map: found a map, which has no robots, expected an instance, such as a scenario of this map
     "#]]);
 }
 

@@ -104,7 +104,7 @@ fn a_history_is_saved_and_loaded_again() {
     assert!(
         again
             .answer()
-            .contains("Nothing changes that the plan does not know")
+            .contains("The plan already knows all of these changes")
     );
 }
 
@@ -120,7 +120,7 @@ fn a_column_for_each_method() {
         .filter(|line| !line.starts_with("CPU") && !line.starts_with("conflicts"))
         .collect();
     expect![[r#"
-        dynamic-3x3: 3 x 3 cells, 2 agents
+        dynamic-3x3: 3 x 3 cells, 2 robots
 
         Changes at time 2
                               before      revise    tunnel=0      replan

@@ -17,7 +17,7 @@ fn folder() -> Folder {
 #[test]
 fn the_printed_plan_has_the_printed_batteries() {
     expect![[r#"
-        warehouse: 10 x 3 cells, 2 agents
+        warehouse: 10 x 3 cells, 2 robots
 
         Valid: makespan 18, sum of costs 35, 3 charges, 30 moves, 0 waits.
 
@@ -53,7 +53,7 @@ fn a_broken_plan_is_told_and_ends_with_1() {
         Not valid: 2 violations.
           charge: A1 charges at time 8, but there is no charger at (5, 2).
           battery: The battery of A1 is at -1 at time 11, below the floor of 0.
-        As it stands it costs makespan 18, sum of costs 35, 3 charges, 30 moves, 0 waits."#]]
+        Costs of the plan: makespan 18, sum of costs 35, 3 charges, 30 moves, 0 waits."#]]
     .assert_eq(&told.join("\n"));
 }
 

@@ -60,7 +60,7 @@ fn what_is_lost_is_said() {
     let run = folder.run("convert warehouse.json --to movingai -o out");
     expect![[r#"
         exit 0
-        warehouse.json: warning: MovingAI files cannot hold the slow zone (6 cells), the chargers (2 cells), the waypoints of 2 agents, the batteries of 2 agents
+        warehouse.json: warning: MovingAI files cannot hold the slow zone (6 cells), the chargers (2 cells), the waypoints of 2 robots, the batteries of 2 robots
     "#]].assert_eq(&run.refusal());
     expect![[r#"
         type octile
@@ -144,7 +144,7 @@ fn what_was_read_is_never_overwritten() {
         "convert warehouse.json --to giveway -o .",
         &expect![[r#"
             exit 2
-            error: ./warehouse.json is read and would be overwritten, expected another folder for --output
+            error: ./warehouse.json is an input file and would be overwritten, expected another folder for --output
 
             Usage: giveway [OPTIONS] <COMMAND>
 
@@ -155,7 +155,7 @@ fn what_was_read_is_never_overwritten() {
         "convert few.scen --to movingai -o out/..",
         &expect![[r#"
             exit 2
-            error: out/../few.scen is read and would be overwritten, expected another folder for --output
+            error: out/../few.scen is an input file and would be overwritten, expected another folder for --output
 
             Usage: giveway [OPTIONS] <COMMAND>
 

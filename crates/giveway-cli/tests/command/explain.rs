@@ -36,10 +36,11 @@ fn the_published_scenario_1() {
     let run = scenario_1().run("explain scene.json --plan plan.json wait A2 --at 3,1");
     let text: Vec<&str> = run.answer().lines().collect();
     expect![[r#"
-        scenario-1: 4 x 3 cells, 2 agents
+        scenario-1: 4 x 3 cells, 2 robots
 
-        wait A2 --at 3,1
-        Needless, whatever the horizon: If A2 did not wait at (3, 1), it would meet A1 at (2, 1) at time 1. But A1 could wait instead: there is another plan that costs the same.
+        Why does A2 wait at (3, 1)? (wait A2 --at 3,1)
+        Needless: If A2 did not wait at (3, 1), it would meet A1 at (2, 1) at time 1. But A1 could wait instead: there is another plan that costs the same.
+        This holds no matter how many steps you allow.
 
         cost           this plan  other plan  difference
         makespan               4           4           -
@@ -60,9 +61,8 @@ fn the_published_scenario_1() {
           other  2,2  !2,2  !2,1  !1,1  !0,1
         A2       3,1   3,1   2,1   1,1   1,0
           other  3,1  !2,1  !1,1  !1,0
-          other: what the agent does in the other plan, ! where it differs
-        No other plan as good is closer to this one.
-
+          other: what the robot does in the other plan; ! marks a difference
+        No equally good plan is closer to this one.
     "#]]
     .assert_eq(&(text[..text.len().min(27)].join("\n") + "\n"));
 }
@@ -216,11 +216,11 @@ fn what_is_no_question_is_a_wrong_command_line() {
     let folder = scenario_1();
     for (question, said) in [
         ("why A1", "found \"why\", expected one of wait, charge"),
-        ("wait", "\"wait\" needs an agent"),
+        ("wait", "\"wait\" needs a robot"),
         ("visit A1", "\"visit\" needs --at"),
         ("wait A1 --at 3", "found \"3\", expected a cell X,Y"),
         ("wait A1 --from -1", "found \"-1\", expected a whole number"),
-        ("makespan A1", "\"makespan\" has no use for \"A1\""),
+        ("makespan A1", "\"makespan\" does not use \"A1\""),
     ] {
         let run = folder.run(&format!("explain scene.json {question}"));
         assert_eq!((run.exit, run.out.as_str()), (Some(2), ""), "{question}");
@@ -234,7 +234,7 @@ fn why_there_is_no_plan() {
     let run = Folder::scene(SCENARIO_6).run("explain scene.json unsolvable");
     let text = run.answer();
     for part in [
-        "Necessary, whatever the horizon",
+        "Impossible: There is no plan.",
         "A1 and A2 are both at (1, 2) at time 3.",
         "Remove the obstacle at (1, 0): makespan 6, sum of costs 8.",
     ] {
@@ -269,7 +269,7 @@ fn a_plan_around_which_the_world_changed() {
     assert_eq!(answer["alternative"]["paths"]["A1"], cells);
     let run = folder.run(line);
     let text = run.answer();
-    let told = "Improvable, whatever the horizon: This is about what comes from time 1 on. There \
+    let told = "Improvable: This is about the plan from time 1 on. There \
                 is even a better plan in which A1 does not wait: a makespan of 5 instead of 6 \
                 and a sum of costs of 5 instead of 6.";
     assert!(text.contains(told), "{text}");
@@ -287,7 +287,7 @@ fn a_question_about_what_is_past_is_refused() {
          visit A1 --at 0,0 --time 0",
     );
     assert_eq!(run.exit, Some(1), "{}", run.err);
-    let told = "Time 0 is before time 1, from which on the world is as it is asked about";
+    let told = "Time 0 is already past: the question is about the plan from time 1 on";
     assert!(run.err.contains(told), "{}", run.err);
 }
 

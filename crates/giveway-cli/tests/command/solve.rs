@@ -82,10 +82,10 @@ fn text_is_for_people() {
     // What may differ from one good solver to another is left out: the plan and the work.
     let lines: Vec<&str> = run.answer().lines().take(17).collect();
     expect![[r#"
-        warehouse: 10 x 3 cells, 2 agents
+        warehouse: 10 x 3 cells, 2 robots
 
         Optimal: makespan 18, sum of costs 35, 3 charges.
-        No plan is better, whatever the horizon.
+        No plan is better, no matter how many steps you allow.
 
         cost             value   proved at least
         makespan            18                18
@@ -116,7 +116,8 @@ fn within_17_there_is_none() {
 fn impossible_is_an_answer() {
     let run = Folder::scene(SCENARIO_6).run("solve scene.json");
     assert!(
-        run.answer().contains("Impossible, whatever the horizon"),
+        run.answer()
+            .contains("No plan exists, no matter how many steps you allow"),
         "{}",
         run.out
     );
@@ -136,11 +137,7 @@ fn a_front_has_its_points_in_the_order_of_the_first_cost() {
         .collect();
     assert_eq!(front, [(&json!(18), &json!(3))]);
     let run = folder.run(line);
-    assert!(
-        run.answer().contains("Pareto front: 1 point"),
-        "{}",
-        run.out
-    );
+    assert!(run.answer().contains("Pareto front: 1 plan"), "{}", run.out);
 }
 
 #[test]

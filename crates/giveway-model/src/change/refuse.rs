@@ -25,29 +25,29 @@ pub(super) fn too_many_changes(count: usize) -> Reason {
 
 pub(super) fn unknown(name: &str) -> Reason {
     reason(
-        format!("the unknown agent \"{name}\""),
-        "an agent that is there",
+        format!("the unknown robot \"{name}\""),
+        "a robot that is there",
     )
 }
 
 pub(super) fn removed(name: &str) -> Reason {
     reason(
         format!("{name}, which was removed"),
-        "an agent that is there",
+        "a robot that is there",
     )
 }
 
 pub(super) fn vanished(name: &str, at: u32) -> Reason {
     reason(
         format!("{name}, which has vanished by time {at}"),
-        "an agent that is there",
+        "a robot that is there",
     )
 }
 
 pub(super) fn just_added(name: &str) -> Reason {
     reason(
-        format!("{name}, which comes at the same time"),
-        "an agent that has been there",
+        format!("{name}, which joins at the same time"),
+        "a robot that was there before",
     )
 }
 
@@ -59,18 +59,18 @@ pub(super) fn off_map(cell: Cell, grid: &Grid) -> Reason {
 }
 
 pub(super) fn no_name() -> Reason {
-    reason("an agent with an empty name", "a name")
+    reason("a robot with an empty name", "a name")
 }
 
 pub(super) fn used_name(name: &str) -> Reason {
     reason(
-        format!("the name \"{name}\" of another agent, there now or earlier"),
+        format!("the name \"{name}\" of another robot, now or earlier"),
         "a name of its own",
     )
 }
 
 pub(super) fn too_many() -> Reason {
-    reason("one agent more", format!("at most {MAX_AGENTS}"))
+    reason("one more robot", format!("at most {MAX_AGENTS}"))
 }
 
 pub(super) fn twice(cell: Cell) -> Reason {
@@ -89,7 +89,7 @@ pub(super) fn blocked(cell: Cell) -> Reason {
 }
 
 pub(super) fn no_obstacle(cell: Cell) -> Reason {
-    reason(format!("{cell}, which is no obstacle"), "an obstacle")
+    reason(format!("{cell}, which is not an obstacle"), "an obstacle")
 }
 
 pub(super) fn in_obstacle(cell: Cell) -> Reason {
@@ -100,20 +100,20 @@ pub(super) fn charger(cell: Cell, is_there: bool) -> Reason {
     if is_there {
         reason(format!("the charger {cell}"), "a cell without one")
     } else {
-        reason(format!("{cell}, which is no charger"), "a charger")
+        reason(format!("{cell}, which is not a charger"), "a charger")
     }
 }
 
 pub(super) fn waypoint_again(name: &str, cell: Cell) -> Reason {
     reason(
-        format!("{cell}, which {name} has to visit already"),
+        format!("{cell}, which {name} already has to visit"),
         "another cell",
     )
 }
 
 pub(super) fn no_waypoint(name: &str, cell: Cell) -> Reason {
     reason(
-        format!("{cell}, which is no waypoint of {name}"),
+        format!("{cell}, which is not a waypoint of {name}"),
         "one of its waypoints",
     )
 }
@@ -121,7 +121,7 @@ pub(super) fn no_waypoint(name: &str, cell: Cell) -> Reason {
 pub(super) fn unlimited(name: &str) -> Reason {
     reason(
         format!("a level for {name}, which has no battery"),
-        "an agent with one",
+        "a robot with one",
     )
 }
 
@@ -149,6 +149,6 @@ pub(super) fn obstacle_on(cell: Cell, other: &str, at: u32) -> Reason {
 pub(super) fn shared_goal(cell: Cell, a: &str, b: &str) -> Reason {
     reason(
         format!("{cell} as the goal of both {a} and {b}"),
-        "goals of their own, since agents stay at them",
+        "different goals, since robots stay at their goals",
     )
 }

@@ -104,7 +104,7 @@ impl<'de> Deserialize<'de> for Whom {
             type Value = Whom;
 
             fn expecting(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-                f.write_str("the name of an agent, or an agent")
+                f.write_str("the name of a robot, or a robot")
             }
 
             fn visit_str<E: de::Error>(self, name: &str) -> Result<Whom, E> {
@@ -127,7 +127,7 @@ impl Keys {
     fn name(&mut self) -> Result<String, String> {
         match self.0.agent.take() {
             Some(Whom::Name(name)) => Ok(name),
-            Some(Whom::Agent(_)) => Err("found an agent, expected the name of one".to_owned()),
+            Some(Whom::Agent(_)) => Err("found a robot, expected the name of one".to_owned()),
             None => Err(missing("agent")),
         }
     }
@@ -136,7 +136,7 @@ impl Keys {
         match self.0.agent.take() {
             Some(Whom::Agent(agent)) => Ok(agent),
             Some(Whom::Name(_)) => {
-                Err("found the name of an agent, expected the agent as an object".to_owned())
+                Err("found the name of a robot, expected the robot as an object".to_owned())
             }
             None => Err(missing("agent")),
         }

@@ -9,7 +9,7 @@ pub(super) fn no_path(agent: &str) -> String {
 }
 
 pub(super) fn empty_path(agent: &str) -> String {
-    format!("The path of {agent} is empty; even an agent that never moves has one cell.")
+    format!("The path of {agent} is empty; even a robot that never moves has one cell.")
 }
 
 pub(super) fn only_transit(agent: &str) -> String {
@@ -25,11 +25,11 @@ pub(super) fn ends_in_transit(agent: &str, time: usize) -> String {
 }
 
 pub(super) fn stranger(agent: &str, what: &str) -> String {
-    format!("The plan has {what} for {agent}, but the instance has no agent of that name.")
+    format!("The plan has {what} for {agent}, but there is no robot of that name.")
 }
 
 pub(super) fn needs_changes(agent: &str, what: &str) -> String {
-    format!("In this plan {agent} {what}, so judging it needs the changes of the plan.")
+    format!("In this plan {agent} {what}, so it can only be checked together with its changes.")
 }
 
 pub(super) fn wrong_from(agent: &str, found: u32, from: u32) -> String {
@@ -39,10 +39,14 @@ pub(super) fn wrong_from(agent: &str, found: u32, from: u32) -> String {
 pub(super) fn wrong_until(agent: &str, found: Option<u32>, until: Option<u32>) -> String {
     match (found, until) {
         (Some(found), Some(until)) => {
-            format!("The plan has {agent} gone from time {found}, but it is removed at {until}.")
+            format!(
+                "The plan says that {agent} is gone from time {found} on, but it is removed at time {until}."
+            )
         }
         (Some(found), None) => {
-            format!("The plan has {agent} gone from time {found}, but it is not removed.")
+            format!(
+                "The plan says that {agent} is gone from time {found} on, but it is not removed."
+            )
         }
         (None, Some(until)) => format!(
             "{agent} is removed at time {until}, but the plan has no time for it in \"until\"."
@@ -53,7 +57,7 @@ pub(super) fn wrong_until(agent: &str, found: Option<u32>, until: Option<u32>) -
 
 pub(super) fn wrong_end(agent: &str, last: u32, until: u32) -> String {
     format!(
-        "The path of {agent} ends at time {last}, but it is removed at time {until}, so its last entry must be one before."
+        "The path of {agent} ends at time {last}, but it is removed at time {until}, so its last entry must be one step earlier."
     )
 }
 
@@ -62,12 +66,12 @@ pub(super) fn no_slow_edge(agent: &str, from: Cell, time: u32) -> String {
 }
 
 pub(super) fn held(agent: &str, from: Cell, time: u32) -> String {
-    format!("{agent} leaves {from} at time {time}, when a breakdown keeps it there.")
+    format!("{agent} leaves {from} at time {time}, but a breakdown keeps it there.")
 }
 
 pub(super) fn late_waypoint(agent: &str, waypoint: Cell, since: u32, end: u32) -> String {
     format!(
-        "{agent} does not visit {waypoint}, a waypoint since time {since}, from then on to the end of its path at time {end}."
+        "{agent} does not visit {waypoint} after it became a waypoint at time {since}; its path ends at time {end}."
     )
 }
 
@@ -76,7 +80,9 @@ pub(super) fn charge_repeated(agent: &str, time: u32) -> String {
 }
 
 pub(super) fn charges_unsorted(agent: &str, before: u32, time: u32) -> String {
-    format!("The charges of {agent} list time {time} after time {before}; they must ascend.")
+    format!(
+        "The charges of {agent} list time {time} after time {before}; they must be in ascending order."
+    )
 }
 
 pub(super) fn start(agent: &str, found: Cell, start: Cell) -> String {
@@ -113,10 +119,10 @@ pub(super) fn broken_step(agent: &str, from: Cell, to: Cell, time: usize, why: B
             "{agent} is in transit from {from} to {to} after time {time}, but that edge is not slow."
         ),
         Broken::TurnBack => format!(
-            "{agent} is in transit after time {time} and then at {from} again; there is no turning inside a slow move."
+            "{agent} is in transit after time {time} and then at {from} again; a robot cannot turn back during a slow move."
         ),
         Broken::LongTransit => format!(
-            "{agent} is in transit from {from} to {to} after time {time} for more than one step; there is no stopping inside a slow move."
+            "{agent} is in transit from {from} to {to} after time {time} for more than one step; a robot cannot stop during a slow move."
         ),
     }
 }
@@ -157,7 +163,7 @@ pub(super) fn charge(agent: &str, time: usize, arrival: usize, why: NoCharge) ->
             format!("{agent} charges at time {time}, but it has no battery.")
         }
         NoCharge::Arrived => format!(
-            "{agent} charges at time {time}, but it arrives at time {arrival} and may only charge before."
+            "{agent} charges at time {time}, but it arrives at time {arrival} and may only charge before that."
         ),
         NoCharge::Absent => format!("{agent} charges at time {time}, when it is not there."),
         NoCharge::InTransit => {

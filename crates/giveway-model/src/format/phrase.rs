@@ -38,7 +38,7 @@ pub(super) fn of_syntax(message: &str, rest: &str, whole: bool) -> Phrase {
         "expected `,` or `]`" => phrase(found, "a comma or a closing ]"),
         "expected `,` or `}`" => phrase(found, "a comma or a closing }"),
         "key must be a string" => phrase(found, "a key in double quotes"),
-        "trailing comma" => phrase("a comma after the last entry", "none there"),
+        "trailing comma" => phrase("a comma after the last entry", "no comma there"),
         "trailing characters" => phrase(found, "the end of the file"),
         "invalid escape" => phrase(
             "an unknown escape in a text",
@@ -78,7 +78,7 @@ pub(super) fn key_of(message: &str) -> Option<&str> {
     rest.or_else(|| message.strip_prefix("duplicate field `")?.strip_suffix('`'))
         .or_else(|| {
             let rest = message.strip_prefix("found \"")?;
-            rest.strip_suffix("\" twice, expected each agent once")
+            rest.strip_suffix("\" twice, expected each robot once")
         })
 }
 

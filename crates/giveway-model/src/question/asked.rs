@@ -171,7 +171,7 @@ impl Asked {
 
     fn agent(&self, index: usize) -> Result<String, WordsError> {
         let found = self.agents.get(index).cloned();
-        let which = if index == 0 { "an agent" } else { "two agents" };
+        let which = if index == 0 { "a robot" } else { "two robots" };
         found.ok_or_else(|| WordsError(format!("\"{}\" needs {which}.", self.kind)))
     }
 
@@ -179,20 +179,18 @@ impl Asked {
         value.ok_or_else(|| WordsError(format!("\"{}\" needs --{option}.", self.kind)))
     }
 
-    /// Refuses what the question has no use for, rather than to answer another.
+    /// Refuses what the question does not use, rather than to answer another.
     fn nothing_more(&self, question: &Question) -> Result<(), WordsError> {
         let used = Self::of(question);
         if let Some(agent) = self.agents.get(used.agents.len()) {
             let kind = &self.kind;
-            return Err(WordsError(format!(
-                "\"{kind}\" has no use for \"{agent}\"."
-            )));
+            return Err(WordsError(format!("\"{kind}\" does not use \"{agent}\".")));
         }
         let options = used.options();
         for (option, _) in self.options() {
             if options.iter().all(|(other, _)| *other != option) {
                 let kind = &self.kind;
-                return Err(WordsError(format!("\"{kind}\" has no use for --{option}.")));
+                return Err(WordsError(format!("\"{kind}\" does not use --{option}.")));
             }
         }
         Ok(())

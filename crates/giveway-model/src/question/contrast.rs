@@ -50,7 +50,7 @@ pub fn contrast(question: &Question) -> Option<Contrast> {
             };
             match at_least {
                 Some(steps) if *steps > 1 => {
-                    let what = format!("wait {steps} steps on end{place}{time}");
+                    let what = format!("wait {steps} steps in a row{place}{time}");
                     not(agent, what)
                 }
                 _ => not(agent, format!("wait{place}{time}")),

@@ -9,7 +9,7 @@ use serde::{Deserialize, Serialize};
 use super::holds::{first_visit, holds, is_at, walk};
 use super::least::already_least;
 use super::not_so::not_so;
-use super::{Question, so, to_words};
+use super::{Question, sentence, so, to_words};
 use crate::check::Walk;
 use crate::{Cell, Fault, Ground, Instance, Plan};
 
@@ -46,6 +46,20 @@ impl fmt::Display for Misfit {
             } => {
                 write!(f, "{is_so} You can ask: {}", to_words(ask))
             }
+        }
+    }
+}
+
+impl Misfit {
+    /// The same, with the question that can be asked as a sentence rather than as
+    /// it is typed.
+    pub fn in_sentences(&self) -> String {
+        match self {
+            Self::NotSo {
+                is_so,
+                ask: Some(ask),
+            } => format!("{is_so} You can ask: {}", sentence(ask)),
+            other => other.to_string(),
         }
     }
 }
@@ -129,6 +143,11 @@ pub fn names_exist(question: &Question, instance: &Instance) -> Result<(), Misfi
 ///     misfit.to_string(),
 ///     "A1 does not wait. It never waits before its arrival. You can ask: arrival A1",
 /// );
+/// assert_eq!(
+///     misfit.in_sentences(),
+///     "A1 does not wait. It never waits before its arrival. \
+///      You can ask: Why does A1 not arrive sooner?",
+/// );
 /// ```
 pub fn fits(question: &Question, instance: &Instance, plan: &Plan) -> Result<(), Misfit> {
     names_exist(question, instance)?;
@@ -172,7 +191,7 @@ fn precedence(
     at: Cell,
 ) -> Result<(), Misfit> {
     if agent == to {
-        return fault("agents", format!("{agent} twice"), "two agents");
+        return fault("agents", format!("{agent} twice"), "two different robots");
     }
     let visit = |name: &str| walk(instance, plan, name).and_then(|walk| first_visit(&walk, at));
     let (is_so, ask) = match (visit(agent), visit(to)) {
@@ -226,10 +245,10 @@ impl Names<'_> {
         }
         let names: Vec<&str> = agents.iter().map(|agent| agent.name.as_str()).collect();
         let expected = match names.as_slice() {
-            [] => "an agent, of which there is none".to_owned(),
+            [] => "a robot, but there is none".to_owned(),
             [one] => one.to_string(),
             names if names.len() <= NAMED => format!("one of {}", names.join(", ")),
-            [first, .., last] => format!("one of the {} agents {first} to {last}", names.len()),
+            [first, .., last] => format!("one of the {} robots {first} to {last}", names.len()),
         };
         fault("agent", format!("\"{name}\""), expected)
     }
@@ -263,11 +282,11 @@ impl Names<'_> {
             .map(|(cell, _)| cell.to_string())
             .collect();
         let expected = if chargers.is_empty() {
-            "a charger, of which the map has none".to_owned()
+            "a charger, but the map has none".to_owned()
         } else {
-            format!("a charger: {}", so::list(&chargers))
+            format!("one of the chargers: {}", so::list(&chargers))
         };
-        fault("at", format!("{cell}, which is none"), expected)
+        fault("at", format!("{cell}, which is not a charger"), expected)
     }
 
     fn edge(&self, from: Cell, to: Cell) -> Result<(), Misfit> {

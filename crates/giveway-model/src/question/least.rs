@@ -32,23 +32,23 @@ pub(super) fn already_least(
         ),
         Question::Waits { agent: None } => (
             total(Cost::Waits),
-            "No agent waits in this plan.".to_owned(),
+            "No robot waits in this plan.".to_owned(),
         ),
         Question::Charges { agent: None } => (
             total(Cost::Charges),
-            "No agent charges in this plan.".to_owned(),
+            "No robot charges in this plan.".to_owned(),
         ),
         Question::Moves { agent: None } => (
             total(Cost::Moves),
-            "No agent moves in this plan.".to_owned(),
+            "No robot moves in this plan.".to_owned(),
         ),
         Question::Makespan => (
             total(Cost::Makespan),
-            "All agents arrive at time 0.".to_owned(),
+            "All robots arrive at time 0.".to_owned(),
         ),
         Question::SumOfCosts => (
             total(Cost::SumOfCosts),
-            "All agents arrive at time 0.".to_owned(),
+            "All robots arrive at time 0.".to_owned(),
         ),
         _ => return None,
     };

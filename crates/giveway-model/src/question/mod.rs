@@ -12,6 +12,7 @@ mod fits;
 mod holds;
 mod least;
 mod not_so;
+mod sentence;
 mod so;
 mod words;
 
@@ -24,6 +25,7 @@ pub use asked::Asked;
 pub use contrast::{Contrast, contrast};
 pub use fits::{Misfit, fits, names_exist};
 pub use holds::holds;
+pub use sentence::sentence;
 pub use words::{WordsError, from_words, to_words};
 
 /// A question. Times are steps from 0; agents go by their names.

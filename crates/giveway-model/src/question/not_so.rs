@@ -31,7 +31,7 @@ pub(super) fn not_so(
                 (Some(from), None) => format!(" from time {from} on"),
             };
             let long = match at_least {
-                Some(steps) if steps > 1 => format!(" {steps} steps on end"),
+                Some(steps) if steps > 1 => format!(" {steps} steps in a row"),
                 _ => String::new(),
             };
             let waits = so::waits(instance, walk);
@@ -160,17 +160,16 @@ pub(super) fn not_so(
         } => {
             let so = so::slowly(instance, walk);
             let over = match (from_cell, to_cell) {
-                (Some(u), Some(v)) => format!(" over {u} - {v}"),
+                (Some(u), Some(v)) => format!(" between {u} and {v}"),
                 _ => String::new(),
             };
-            let ask = (so != "It makes no slow move.").then(|| Question::Slow {
+            let ask = so.is_some().then(|| Question::Slow {
                 agent: agent(),
                 from_cell: None,
                 to_cell: None,
             });
-            let so = if ask.is_some() { so } else { String::new() };
-            let is_so = format!("{name} makes no slow move{over}. {so}");
-            misfit(is_so.trim_end().to_owned(), ask)
+            let so = so.map_or_else(String::new, |so| format!(" {so}"));
+            misfit(format!("{name} makes no slow move{over}.{so}"), ask)
         }
         Question::Order { first, second, .. } => {
             let is_so = match (first_visit(walk, first), first_visit(walk, second)) {

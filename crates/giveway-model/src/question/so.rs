@@ -80,7 +80,7 @@ pub(super) fn whereabouts(instance: &Instance, walk: &Walk<'_>, time: u32) -> St
         None if instance.stays() => {
             format!("It has arrived at {} at time {arrival}.", walk.agent.goal)
         }
-        None => format!("It arrived at time {arrival} and is gone since."),
+        None => format!("It arrived at time {arrival} and has been gone since then."),
     }
 }
 
@@ -104,21 +104,18 @@ pub(super) fn going(instance: &Instance, walk: &Walk<'_>, from: Cell, to: Cell) 
         return format!("It goes from {from} {}.", list(&leaves));
     }
     match first_visit(walk, from) {
-        Some(_) => format!("It is at {from}, its goal, to the end."),
+        Some(_) => format!("It stays at {from}, its goal, to the end."),
         None => format!("It is never at {from}."),
     }
 }
 
-/// Its slow moves, as a sentence.
-pub(super) fn slowly(instance: &Instance, walk: &Walk<'_>) -> String {
+/// Its slow moves, as a sentence; nothing where it makes none.
+pub(super) fn slowly(instance: &Instance, walk: &Walk<'_>) -> Option<String> {
     let moves: Vec<String> = steps(instance.grid(), walk.path)
         .filter_map(|(time, step)| match step {
             Step::SlowMove { from, to } => Some(format!("from {from} to {to} at time {time}")),
             _ => None,
         })
         .collect();
-    if moves.is_empty() {
-        return "It makes no slow move.".to_owned();
-    }
-    format!("It moves slowly {}.", list(&moves))
+    (!moves.is_empty()).then(|| format!("It moves slowly {}.", list(&moves)))
 }

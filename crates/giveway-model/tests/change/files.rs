@@ -58,7 +58,7 @@ fn what_is_wrong_with_a_file_has_a_place() {
     );
     fault(
         r#"{ "at": 1, "change": "add-agent", "agent": "A" }"#,
-        "line 2, column 15: changes[0]: found the name of an agent, expected the agent as an object",
+        "line 2, column 15: changes[0]: found the name of a robot, expected the robot as an object",
     );
     fault(
         r#"{ "at": 1, "change": "add-agent", "agent": { "name": "A", "start": [0], "goal": [0, 0] } }"#,

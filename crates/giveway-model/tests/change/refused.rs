@@ -46,7 +46,7 @@ fn obstacles_that_are_there_or_not() {
     );
     refused(
         "1 remove-obstacle 10",
-        "changes[0]: found (1, 0), which is no obstacle, expected an obstacle",
+        "changes[0]: found (1, 0), which is not an obstacle, expected an obstacle",
     );
     refused(
         "1 add-obstacle 44",
@@ -62,7 +62,7 @@ fn obstacles_that_are_there_or_not() {
     );
     refused(
         "1 remove-charger 00",
-        "changes[0]: found (0, 0), which is no charger, expected a charger",
+        "changes[0]: found (0, 0), which is not a charger, expected a charger",
     );
 }
 
@@ -78,11 +78,11 @@ fn agents_that_cannot_come() {
     );
     refused(
         "1 add-agent A 11 22",
-        "changes[0]: found the name \"A\" of another agent, there now or earlier, expected a name of its own",
+        "changes[0]: found the name \"A\" of another robot, now or earlier, expected a name of its own",
     );
     refused(
         "1 add-agent D 11 30",
-        "changes[0]: found (3, 0) as the goal of both A and D, expected goals of their own, since agents stay at them",
+        "changes[0]: found (3, 0) as the goal of both A and D, expected different goals, since robots stay at their goals",
     );
     refused(
         "1 add-agent D 11 02",
@@ -94,11 +94,11 @@ fn agents_that_cannot_come() {
 fn agents_that_are_not_there() {
     refused(
         "1 remove-agent D",
-        "changes[0]: found the unknown agent \"D\", expected an agent that is there",
+        "changes[0]: found the unknown robot \"D\", expected a robot that is there",
     );
     refused(
         "1 remove-agent A; 1 set-goal A 10",
-        "changes[1]: found A, which was removed, expected an agent that is there",
+        "changes[1]: found A, which was removed, expected a robot that is there",
     );
 }
 
@@ -127,15 +127,15 @@ fn a_name_is_used_for_ever() {
 fn goals_waypoints_and_levels() {
     refused(
         "1 set-goal B 30",
-        "changes[0]: found (3, 0) as the goal of both A and B, expected goals of their own, since agents stay at them",
+        "changes[0]: found (3, 0) as the goal of both A and B, expected different goals, since robots stay at their goals",
     );
     refused(
         "1 drop-waypoint A 10",
-        "changes[0]: found (1, 0), which is no waypoint of A, expected one of its waypoints",
+        "changes[0]: found (1, 0), which is not a waypoint of A, expected one of its waypoints",
     );
     refused(
         "1 add-waypoint C 13",
-        "changes[0]: found (1, 3), which C has to visit already, expected another cell",
+        "changes[0]: found (1, 3), which C already has to visit, expected another cell",
     );
     refused(
         "1 set-battery B 6",
@@ -143,7 +143,7 @@ fn goals_waypoints_and_levels() {
     );
     refused(
         "1 set-battery A 6",
-        "changes[0]: found a level for A, which has no battery, expected an agent with one",
+        "changes[0]: found a level for A, which has no battery, expected a robot with one",
     );
 }
 

@@ -52,8 +52,8 @@ fn what_is_least_already_cannot_be_less() {
         ("moves A1", "A1 does not move in this plan."),
         ("length A1", "A1 does not move in this plan."),
         ("arrival A1", "A1 arrives at time 0."),
-        ("waits", "No agent waits in this plan."),
-        ("charges", "No agent charges in this plan."),
+        ("waits", "No robot waits in this plan."),
+        ("charges", "No robot charges in this plan."),
     ] {
         let misfit = fits(&question(words), &instance, &plan).unwrap_err();
         assert_eq!(misfit.to_string(), is_so, "{words}");
@@ -120,7 +120,7 @@ fn sentences_that_help() {
         wait A1 --from 2 --to 9
             A1 does not wait from time 2 to 9. It waits at (0, 0) from time 0 to 2. You can ask: wait A1 --at 0,0 --from 0 --to 2
         wait A1 --at-least 3
-            A1 does not wait 3 steps on end. It waits at (0, 0) from time 0 to 2. You can ask: wait A1 --at 0,0 --from 0 --to 2
+            A1 does not wait 3 steps in a row. It waits at (0, 0) from time 0 to 2. You can ask: wait A1 --at 0,0 --from 0 --to 2
         wait A2 --at-least 0
             at-least: found 0, expected at least 1 step
         charge A1 --time 2
@@ -128,7 +128,7 @@ fn sentences_that_help() {
         charge A2
             A2 does not charge. It has no battery.
         charge A1 --at 1,0
-            at: found (1, 0), which is none, expected a charger: (0, 0) and (3, 0)
+            at: found (1, 0), which is not a charger, expected one of the chargers: (0, 0) and (3, 0)
         no-charge A1 --at 0,0
             A1 does charge at (0, 0). It charges at (0, 0) at time 1. You can ask: charge A1 --at 0,0
         visit A2 --at 0,0
@@ -160,7 +160,7 @@ fn sentences_that_help() {
         length A1 --fewer-than 5
             A1 makes only 3 moves. You can ask: length A1
         yield A1 A1 --at 1,0
-            agents: found A1 twice, expected two agents
+            agents: found A1 twice, expected two different robots
         yield A1 A2 --at 1,1
             A1 is never at (1, 1), so it gives way to nobody there. You can ask: no-visit A1 --at 1,1
         yield A2 A1 --at 1,1

@@ -67,8 +67,8 @@ fn a_cell_may_be_written_as_in_sentences() {
 fn what_is_no_question() {
     for (typed, said) in [
         ("why A1", "Found \"why\", expected one of wait, charge"),
-        ("wait", "\"wait\" needs an agent."),
-        ("yield A1 --at 1,1", "\"yield\" needs two agents."),
+        ("wait", "\"wait\" needs a robot."),
+        ("yield A1 --at 1,1", "\"yield\" needs two robots."),
         ("visit A1", "\"visit\" needs --at."),
         ("visit A1 --at", "Found --at without a value."),
         ("visit A1 --at 3", "--at: found \"3\", expected a cell X,Y."),
@@ -77,9 +77,9 @@ fn what_is_no_question() {
             "wait A1 --from -1",
             "--from: found \"-1\", expected a whole",
         ),
-        ("wait A1 --time 3", "\"wait\" has no use for --time."),
-        ("wait A1 A2", "\"wait\" has no use for \"A2\"."),
-        ("makespan A1", "\"makespan\" has no use for \"A1\"."),
+        ("wait A1 --time 3", "\"wait\" does not use --time."),
+        ("wait A1 A2", "\"wait\" does not use \"A2\"."),
+        ("makespan A1", "\"makespan\" does not use \"A1\"."),
         ("slow A1 --from-cell 1,1", "\"slow\" needs --to-cell."),
         ("wait A1 --when 3", "There is no option --when."),
     ] {

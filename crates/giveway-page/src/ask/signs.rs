@@ -1,7 +1,7 @@
 //! The parts of a card in words and signs.
 
 use giveway_model::Question;
-use giveway_solve::explain::{Edit, ExplainAnswer, Fact, FactKind, Part, Verdict};
+use giveway_solve::explain::{Edit, ExplainAnswer, Fact, FactKind, Part, Verdict, verdict_word};
 
 use super::card::{Badge, numbers_facts};
 use crate::{Asking, State};
@@ -24,25 +24,20 @@ pub(super) fn verdict_words<'a>(
     reason.unwrap_or(&told.words)
 }
 
-pub(super) fn badge(asking: &Asking, verdict: Verdict) -> Badge {
-    let (word, icon, class) = match (asking.question(), verdict) {
-        (Question::Unsolvable, Verdict::Necessary) => ("Impossible", "cancel", "necessary"),
-        (Question::Plan, Verdict::Needless) => ("Optimal", "proved", "needless"),
-        (_, Verdict::Needless) => ("Needless", "compare", "needless"),
-        (_, Verdict::Improvable) => ("Improvable", "compare", "needless"),
-        (_, Verdict::Costly) => ("Costly", "warning", "costly"),
-        (_, Verdict::Necessary) => ("Necessary", "proved", "necessary"),
-        (_, Verdict::Unknown) => ("Not known", "clock", "unknown"),
+pub(super) fn badge(told: &ExplainAnswer) -> Badge {
+    let (icon, class) = match (&told.question, told.verdict) {
+        _ if told.valid == Some(false) => ("collision", "necessary"),
+        (Question::Unsolvable, Verdict::Necessary) => ("cancel", "necessary"),
+        (Question::Plan, Verdict::Needless) => ("proved", "needless"),
+        (_, Verdict::Needless | Verdict::Improvable) => ("compare", "needless"),
+        (_, Verdict::Costly) => ("warning", "costly"),
+        (_, Verdict::Necessary) => ("proved", "necessary"),
+        (_, Verdict::Unknown) => ("clock", "unknown"),
     };
-    Badge { word, icon, class }
-}
-
-pub(super) fn would(asking: &Asking) -> String {
-    match asking.question() {
-        Question::Wait { agent, .. } => format!("If {agent} did not wait"),
-        Question::Unsolvable => "At the least, this would go wrong".to_owned(),
-        Question::Plan => "What is against the rules".to_owned(),
-        _ => "What would go wrong if only this changed".to_owned(),
+    Badge {
+        word: verdict_word(told),
+        icon,
+        class,
     }
 }
 

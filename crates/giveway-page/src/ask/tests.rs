@@ -56,7 +56,7 @@ fn an_agent_that_charges() {
                 "Ask about A1",
                 &[
                     "Why does A1 not arrive sooner? [it arrives at 17]",
-                    "Why are there not fewer charges of A1? [it charges at 9]",
+                    "Why does A1 not charge fewer times? [it charges at 9]",
                     "Why does A1 visit (2, 0) before (4, 2)?",
                     "Why does A1 visit (4, 2) before (7, 0)?",
                     "Why does A1 take the slow way?",

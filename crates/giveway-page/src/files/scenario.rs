@@ -27,7 +27,7 @@ pub(super) fn on(grid: Grid, scenario: (&Opened, &str)) -> Result<Reading, Notic
     let file = scenario.0.name.clone();
     let scenario = movingai::read_scenario(scenario.1).map_err(|fault| faulty(&file, &[fault]))?;
     if scenario.routes.is_empty() {
-        let fault = Fault::at("", "a scenario without agents", "a line an agent");
+        let fault = Fault::at("", "a scenario without robots", "a line for each robot");
         return Err(faulty(&file, &[fault]));
     }
     let choice = Choice {

@@ -8,7 +8,7 @@ mod tests;
 use std::collections::BTreeMap;
 use std::rc::Rc;
 
-use giveway_model::{Cost, Objective, Version};
+use giveway_model::{Cost, Objective, Version, words::values};
 use giveway_solve::{FrontAnswer, SolveAnswer, SolveRequest, Stats, Status};
 
 use crate::{Answer, Draft, words};
@@ -109,26 +109,12 @@ impl Front {
     /// The costs of a point in words: `makespan 18, sum of costs 35`.
     pub fn name(&self, point: usize) -> String {
         let costs = self.points.get(point).and_then(|point| point.solved.costs);
-        costs.map_or_else(String::new, |costs| {
-            let values = self.costs.iter();
-            let values = values.map(|&cost| words::value(cost, costs.get(cost)));
-            values.collect::<Vec<_>>().join(", ")
-        })
+        costs.map_or_else(String::new, |costs| values(&self.costs, &costs))
     }
 
     /// What is claimed of it, in a sentence.
     pub fn claim(&self) -> String {
         let plans = words::count(self.points.len(), "plan");
-        match (self.is_whole(), self.within) {
-            (false, _) => {
-                format!("{plans} so far: the limits ended the search, there may be more.")
-            }
-            (true, None) => format!(
-                "{plans}, and no other plan is better in one of the costs without being worse in another."
-            ),
-            (true, Some(within)) => format!(
-                "{plans} up to makespan {within}: none of them is worse than another one in every cost."
-            ),
-        }
+        giveway_solve::words::front(&plans, self.is_whole(), self.within)
     }
 }

@@ -66,7 +66,7 @@ fn mode(state: &mut State, question: &Question) -> Option<Mode> {
                 && let (Ok(instance), Some(plan)) = (answer.draft.instance(), answer.plan())
                 && let Err(misfit) = fits(question, instance, plan)
             {
-                refuse(state, &misfit.to_string());
+                refuse(state, &misfit.in_sentences());
                 return None;
             }
             Some(Mode::Asking(asked(answer)))

@@ -69,7 +69,11 @@ fn refused(state: &mut State, task: &Task, refusal: &Refusal) {
     }
     state.view.notice = Some(Notice {
         sentence: sentence.to_owned(),
-        details: refusal.sentences(),
+        details: match refusal {
+            // What can be asked, as a sentence: nobody types it here.
+            Refusal::Question { misfit } => vec![misfit.in_sentences()],
+            other => other.sentences(),
+        },
     });
 }
 

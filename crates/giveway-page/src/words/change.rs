@@ -2,6 +2,7 @@
 
 use giveway_model::Cell;
 use giveway_model::change::What;
+use giveway_model::words::and;
 use giveway_solve::change::Method;
 
 use super::costs::values;
@@ -35,23 +36,23 @@ pub fn sentence(what: &What) -> (String, Option<String>) {
             return (text, Some(self::cells(cells)));
         }
         What::SetNormal { cells } if cells.len() > 1 => {
-            let text = format!("{} are slow no more", count(cells.len(), "cell"));
+            let text = format!("{} are no longer slow", count(cells.len(), "cell"));
             return (text, Some(self::cells(cells)));
         }
         What::SetSlow { cells } => format!("{} becomes slow", self::cells(cells)),
-        What::SetNormal { cells } => format!("{} is slow no more", self::cells(cells)),
+        What::SetNormal { cells } => format!("{} is no longer slow", self::cells(cells)),
         What::RemoveAgent { agent } => format!("{agent} is removed"),
         What::AddObstacle { cell } => format!("New obstacle at {}", at(*cell)),
-        What::RemoveObstacle { cell } => format!("The obstacle at {} goes", at(*cell)),
+        What::RemoveObstacle { cell } => format!("Obstacle at {} removed", at(*cell)),
         What::MoveObstacle { from, to } => {
-            format!("The obstacle at {} moves to {}", at(*from), at(*to))
+            format!("Obstacle at {} moves to {}", at(*from), at(*to))
         }
         What::AddCharger { cell } => format!("New charger at {}", at(*cell)),
         What::RemoveCharger { cell } => format!("Charger at {} removed", at(*cell)),
-        What::SetGoal { agent, cell } => format!("The goal of {agent} is {} now", at(*cell)),
-        What::AddWaypoint { agent, cell } => format!("{agent} has to visit {}, too", at(*cell)),
+        What::SetGoal { agent, cell } => format!("The goal of {agent} is now {}", at(*cell)),
+        What::AddWaypoint { agent, cell } => format!("{agent} also has to visit {}", at(*cell)),
         What::DropWaypoint { agent, cell } => {
-            format!("{agent} need not visit {} any more", at(*cell))
+            format!("{agent} no longer has to visit {}", at(*cell))
         }
         What::SetBattery { agent, level } => format!("The battery of {agent} is at {level}"),
         What::DelayAgent { agent, steps } => {
@@ -146,13 +147,5 @@ pub(super) fn adopted(answer: &Answer) -> String {
             format!("The world changed at time {at}; the plan went on by {way}: {costs}.")
         }
         None => format!("The world changed at time {at}; the plan went on: {costs}."),
-    }
-}
-
-fn and(names: &[String]) -> String {
-    match names {
-        [] => String::new(),
-        [one] => one.clone(),
-        [init @ .., last] => format!("{} and {last}", init.join(", ")),
     }
 }

@@ -2,13 +2,12 @@
 
 pub mod change;
 mod costs;
-mod question;
 mod status;
 mod steering;
 
-pub use costs::{count, grouped, name, objective, title, value, values};
-pub use question::question;
-
+pub use costs::{objective, title, values};
+pub use giveway_model::question::sentence as question;
+pub use giveway_model::words::{count, grouped, name, value};
 pub use status::{Badge, Standing, standing};
 
 /// A cell in a sentence: `(3, 1)`.

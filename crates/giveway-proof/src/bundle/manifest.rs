@@ -134,6 +134,16 @@ pub enum Method {
     Joint,
 }
 
+impl Method {
+    /// What was searched, for a sentence.
+    pub const fn words(self) -> &'static str {
+        match self {
+            Self::Alone => "each robot alone",
+            Self::Joint => "all states of all robots",
+        }
+    }
+}
+
 impl Manifest {
     /// The files that belong to the certificate beside the manifest; nothing where
     /// two proofs have one name, or one has a name that no proof has.

@@ -26,13 +26,15 @@ impl Missing {
     pub const fn sentence(self) -> &'static str {
         match self {
             Self::FormulaTooLarge => "Its formula would be too large.",
-            Self::NoHorizon => "It has no horizon.",
-            Self::NoAgent => "It is about no agent.",
-            Self::Contradicted => {
-                "It contradicts the formula of certificates, which can be satisfied: \
-                 the solver or the formula is wrong."
+            Self::NoHorizon => {
+                "It is about plans of any makespan, and no formula can cover them all."
             }
-            Self::ProofTooLarge => "The time or the size allowed for its proof ran out.",
+            Self::NoAgent => "It is about a robot that does not exist.",
+            Self::Contradicted => {
+                "Its formula can be satisfied, which contradicts the claim: the solver or the \
+                 formula is wrong."
+            }
+            Self::ProofTooLarge => "Its proof took too long or became too large.",
             Self::SearchTooLarge => "The search for it was too large.",
         }
     }

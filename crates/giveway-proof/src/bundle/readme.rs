@@ -2,6 +2,7 @@
 
 use std::fmt::Write as _;
 
+use giveway_model::words::{count, name as name_of, values};
 use giveway_model::{Cost, Instance};
 
 use super::manifest::{Entry, Manifest, Method};
@@ -18,20 +19,21 @@ pub(crate) fn text(manifest: &Manifest, instance: &Instance) -> String {
     };
     // A name is a person's text: no line break or mark of it may look like this one's.
     let name = escape::text(name).replace('`', "'");
+    let objective = manifest.objective.costs().iter();
+    let objective: Vec<&str> = objective.map(|&cost| name_of(cost)).collect();
     let mut text = format!(
         "# Certificate\n\nAbout `{name}`: {} x {} cells, {}, for plans that minimise {}.\n",
         grid.width(),
         grid.height(),
-        count(instance.agents().len(), "agent"),
-        manifest.objective,
+        count(instance.agents().len(), "robot"),
+        objective.join(", then "),
     );
     text.push_str("\n## What is claimed\n\n");
     if let Some(costs) = &manifest.costs {
-        let each = Cost::ALL.map(|cost| format!("{cost} {}", costs.get(cost)));
         let _ = writeln!(
             text,
-            "- **There is a plan** that keeps every rule: `plan.json`. It costs {}.",
-            each.join(", ")
+            "- **There is a plan** that keeps every rule: `plan.json`. Its costs: {}.",
+            values(&Cost::ALL, costs)
         );
     }
     for entry in &manifest.claims {
@@ -58,16 +60,14 @@ pub(crate) fn text(manifest: &Manifest, instance: &Instance) -> String {
                 text.push_str("*No proof: it rests on search.* ");
                 text.push_str(match method {
                     Method::Alone => {
-                        "Each agent, alone on the map, was searched for the least that it needs."
+                        "For each robot alone on the map, a search found the least that it needs."
                     }
                     Method::Joint => {
-                        "All states of all agents together were searched; none that can be \
-                         reached ends such a plan."
+                        "A search went through all states of all robots together; no state that \
+                         can be reached ends such a plan."
                     }
                 });
-                text.push_str(
-                    " To check it is to search again, by another program than the solver.",
-                );
+                text.push_str(" To check it, a program other than the solver searches again.");
             }
             Entry::None { why, .. } => {
                 let _ = write!(text, "*Not certified.* {}", why.sentence());
@@ -97,15 +97,10 @@ fn horizon(entry: &Entry, instance: &Instance) -> String {
     }
     claim.horizon(instance).map_or(String::new(), |last| {
         format!(
-            " It is written for plans of makespan at most {last}: a longer one costs more in sum, as \
-             each other agent needs at least as many steps as its goal is cells away."
+            " It covers plans of makespan at most {last}: a longer plan has a higher sum of costs, \
+             because every other robot needs at least as many steps as its goal is cells away."
         )
     })
-}
-
-fn count(n: usize, what: &str) -> String {
-    let plural = if n == 1 { "" } else { "s" };
-    format!("{n} {what}{plural}")
 }
 
 const HOW: &str = "
@@ -113,19 +108,20 @@ const HOW: &str = "
 
     giveway verify FOLDER
 
-checks the fingerprints of all files, judges the plan, writes every formula again from
-`instance.json` and compares it byte for byte, checks every proof, and repeats every search. It
-uses none of what found the plan and the bounds.
+checks the fingerprints of all files, checks the plan against the rules, writes every formula again
+from `instance.json` and compares it byte for byte, checks every proof, and repeats every search. It
+does not use the solver that found the plan and the bounds.
 
-Formulas are in the format DIMACS CNF, proofs in the standard format DRAT as text, so other programs
-can check them, too; one that takes deletions of unit clauses literally must be told not to:
+Formulas are in the format DIMACS CNF, proofs are in the standard format DRAT as text, so other
+programs can check them, too. A program that takes deletions of unit clauses literally must be told
+not to:
 
     drat-trim NAME.cnf NAME.drat
     rate --skip-unit-deletions NAME.cnf NAME.drat
 
-That a formula says what is claimed can be read in its list of names, or in the source of the
-program that writes it: it follows the rules of the problem one by one, and leaves out only where
-an agent cannot be because start or goal are too many cells away.
+To see that a formula says what is claimed, read its list of names, or the source of the program
+that writes it. It follows the rules of the problem one by one, and leaves out only the cells and
+times at which a robot cannot be because its start or its goal is too many cells away.
 
 `manifest.json` says the same for programs, with the SHA-256 fingerprint of every file.
 ";

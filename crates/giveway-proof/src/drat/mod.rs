@@ -36,7 +36,7 @@ pub enum Refused {
         /// The line, from 1.
         line: usize,
     },
-    /// A line of the proof is no step.
+    /// A line of the proof is not a step.
     Unreadable {
         /// The line, from 1.
         line: usize,
@@ -56,7 +56,7 @@ impl fmt::Display for Refused {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
             Self::Formula { line } => write!(f, "line {line} of the formula cannot be read"),
-            Self::Unreadable { line } => write!(f, "line {line} of the proof is no step"),
+            Self::Unreadable { line } => write!(f, "line {line} of the proof is not a step"),
             Self::DoesNotFollow { line } => {
                 write!(f, "the clause of line {line} of the proof does not follow")
             }

@@ -40,7 +40,7 @@ pub enum Name {
 /// Says what the lines of a list of names are.
 const HEAD: &str = "\
 # What each variable of the formula stands for, one a line: its number, then
-#   at AGENT [X,Y] TIME              the agent is at the cell at the time
+#   at AGENT [X,Y] TIME              the robot AGENT is at the cell at the time
 #   transit AGENT [X,Y] [X,Y] TIME   it is half way of a slow move between the cells
 #   done AGENT TIME                  it has arrived, at the time or before
 #   seen AGENT [X,Y] TIME            it has been at the waypoint, at the time or before
@@ -49,7 +49,7 @@ const HEAD: &str = "\
 #   wait AGENT TIME                  it waits from the time to the next, not arrived yet
 #   direction [X,Y] [X,Y] TIME       who is on the edge in the step from the time on goes from
 #                                    the first cell to the second
-#   at-least N COST                  some agents together cost at least so much
+#   at-least N COST                  some robots together cost at least so much
 #   happens TIME                     what the claim is about happens at the time
 #   been TIME                        what it must not come after has happened, at the time or before
 #   group                            an aid to say that at most one of some variables is true

@@ -21,7 +21,7 @@ pub(super) fn hold_to(within: Option<u32>, mut answer: MethodAnswer) -> MethodAn
         };
         result.complete = false;
         result.within = proved.then_some(within);
-        result.reason = Some("What is past ends later already.".to_owned());
+        result.reason = Some("What has already happened takes longer than that.".to_owned());
         (result.plan, result.costs) = (None, None);
         for names in [
             &mut answer.kept,

@@ -28,3 +28,4 @@ mod tests;
 pub use answer::{Cause, CauseKind, ChangeAnswer, MethodAnswer, Methods, Step};
 pub use request::{ChangeRequest, Method, UnknownMethod};
 pub(crate) use serve::serve;
+pub use words::{names, notes};

@@ -1,8 +1,8 @@
-//! Causes as sentences.
+//! Causes, and what else there is to say of a method, as sentences.
 
-use giveway_model::Cell;
+use giveway_model::{Cell, words::and};
 
-use super::{CauseKind, Method};
+use super::{CauseKind, Method, MethodAnswer};
 use crate::solve::clash_sentence;
 
 /// What keeps an agent from what a method asks of it.
@@ -15,46 +15,91 @@ pub(super) fn cause(
 ) -> String {
     let place = cell.map_or("there".to_owned(), |cell| cell.to_string());
     let bounds = match method {
-        Method::Revise => "its old path",
-        Method::Tunnel(_) => "its tunnel",
-        Method::Replan => "any path",
+        Method::Revise => "on its old path",
+        Method::Tunnel(_) => "in its tunnel",
+        Method::Replan => "on any path",
     };
     match (kind, method) {
         (CauseKind::Obstacle, Method::Replan) => {
-            format!("{agent} has to go to {place}, where an obstacle is now.")
+            format!("{agent} has to go to {place}, where there is an obstacle now.")
         }
         (CauseKind::Obstacle, _) => {
-            format!("An obstacle at {place} is on the rest of the path of {agent}.")
+            format!("An obstacle at {place} blocks the rest of the path of {agent}.")
         }
-        (CauseKind::Goal, _) => format!("The goal of {agent} is {place} now, off {bounds}."),
+        (CauseKind::Goal, _) => {
+            format!("The goal of {agent} is now {place}, which is not {bounds}.")
+        }
         (CauseKind::Waypoint, _) => {
-            format!("{agent} has to visit {place}, which is off {bounds}.")
+            format!("{agent} has to visit {place}, which is not {bounds}.")
         }
-        (CauseKind::Battery, _) => format!("The battery of {agent} does not last on {bounds}."),
-        (CauseKind::NoWay, _) => format!("{agent} cannot do its task within {bounds}, even alone."),
+        (CauseKind::Battery, _) => format!("The battery of {agent} does not last {bounds}."),
+        (CauseKind::NoWay, _) => format!("{agent} cannot do its task {bounds}, even alone."),
         (CauseKind::Blocked, Method::Replan) => {
             let names: Vec<&str> = agents.iter().map(String::as_str).collect();
             clash_sentence(&names)
         }
         (CauseKind::Blocked, _) if agents.len() < 2 => {
-            format!("{agent} cannot arrive on {bounds}, however it waits.")
+            format!("{agent} cannot arrive {bounds}, no matter when it waits.")
         }
         (CauseKind::Blocked, Method::Revise) => format!(
-            "{} block each other: no waiting lets all of them keep to their old paths.",
+            "{} block each other: no matter when they wait, they cannot all keep to their old paths.",
             list(agents)
         ),
         (CauseKind::Blocked, Method::Tunnel(_)) => format!(
-            "{} block each other: not all of them can keep to their tunnels.",
+            "{} block each other: they cannot all stay in their tunnels.",
             list(agents)
         ),
     }
 }
 
-/// A list as part of a sentence.
+/// So many names are told one by one; the rest is counted.
+const TOLD: usize = 12;
+
+/// Names in a row, not more than a sentence can bear.
+///
+/// ```
+/// let names: Vec<String> = (1..=14).map(|i| format!("A{i}")).collect();
+/// let told = giveway_solve::change::names(&names);
+/// assert!(told.ends_with("A12 and 2 more"));
+/// ```
+pub fn names(names: &[String]) -> String {
+    match names.get(..TOLD) {
+        Some(told) if names.len() > TOLD => {
+            format!("{} and {} more", told.join(", "), names.len() - TOLD)
+        }
+        _ => and(names),
+    }
+}
+
+/// Why a method has no plan or freed robots, and which ones, a sentence each.
+pub fn notes(answer: &MethodAnswer) -> Vec<String> {
+    let mut notes = Vec::new();
+    match (&answer.cause, &answer.result.reason) {
+        (Some(cause), _) => {
+            notes.push(cause.text.clone());
+            if let Some(within) = cause.within {
+                notes.push(format!("That is shown up to makespan {within}."));
+            }
+        }
+        (None, Some(reason)) if answer.result.plan.is_none() => notes.push(reason.clone()),
+        _ => {}
+    }
+    if !answer.freed.is_empty() && answer.result.plan.is_some() {
+        let names = names(&answer.freed);
+        let fewest = if answer.fewest {
+            "freeing fewer robots is not enough"
+        } else {
+            "freeing fewer robots might be enough"
+        };
+        notes.push(format!("Free to take any path: {names}; {fewest}."));
+    }
+    notes
+}
+
+/// Who blocks each other, as part of a sentence.
 fn list(names: &[String]) -> String {
     match names {
-        [] => "The agents".to_owned(),
-        [one] => one.clone(),
-        [init @ .., last] => format!("{} and {last}", init.join(", ")),
+        [] => "The robots".to_owned(),
+        names => and(names),
     }
 }

@@ -116,7 +116,7 @@ fn answered(asked: &Asked, meter: &Rc<Meter>, host: &dyn Host) -> Result<Explain
     let Some(plan) = plan.clone().or_else(|| best.clone()) else {
         answer
             .words
-            .push_str("No plan to ask about was found in time.");
+            .push_str("The search ended before there was a plan to ask about.");
         answer.stats = meter.stats();
         return Ok(answer);
     };
@@ -225,7 +225,7 @@ fn no_plan(
     if let (Some(costs), Some(plan)) = (found.costs, &found.plan) {
         let costs = telling.past.whole_costs(costs, plan);
         let misfit = Misfit::NotSo {
-            is_so: format!("There is a plan; one has a makespan of {}.", costs.makespan),
+            is_so: format!("There is a plan, with a makespan of {}.", costs.makespan),
             ask: Some(Question::Makespan),
         };
         return Err(Refusal::Question { misfit });
@@ -233,7 +233,7 @@ fn no_plan(
     if found.status == Status::Unknown {
         answer
             .words
-            .push_str("Whether there is a plan was not found out in time.");
+            .push_str("The search ended early. There may be a plan; none was found yet.");
         answer.stats = telling.meter.stats();
         return Ok(());
     }

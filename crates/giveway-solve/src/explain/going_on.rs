@@ -94,8 +94,8 @@ impl<'a> Resting<'a> {
                 .filter(|_| !done || level >= floor);
             let Some(initial) = level else {
                 return Err(refused(format!(
-                    "The battery of {} is empty at time {since}, and questions about what comes \
-                     from then on cannot be answered.",
+                    "The battery of {} is empty at time {since}. Questions about the time after \
+                     that cannot be answered.",
                     career.name()
                 )));
             };

@@ -193,7 +193,7 @@ impl Past {
         };
         let about = |what: &str| Misfit::NotSo {
             is_so: format!(
-                "{what} at its goal by time {since} already; what is past cannot change."
+                "{what} already at its goal at time {since}, and the past cannot change."
             ),
             ask: None,
         };
@@ -202,7 +202,7 @@ impl Past {
                 return about(&format!("{agent} was"));
             }
             (Question::Makespan | Question::SumOfCosts, Misfit::NotSo { ask: None, .. }) => {
-                return about("Every agent was");
+                return about("Every robot was");
             }
             (_, misfit @ Misfit::Fault { .. }) => misfit,
             (_, misfit) => {

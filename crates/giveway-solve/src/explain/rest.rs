@@ -132,8 +132,8 @@ pub(crate) fn rest_of(
     let question_now = resting.question(question, &members)?;
     if let Some(within) = request.within.filter(|within| *within < since) {
         return Err(refused(format!(
-            "Everyone by time {within} cannot be asked for: the world changes at time {since} \
-             only."
+            "Nothing can be asked about plans that end by time {within}: the question is about \
+             the plan from time {since} on."
         )));
     }
     let objective = instance.objective();
@@ -152,7 +152,7 @@ pub(crate) fn rest_of(
         let told = past.told_costs(&rest, &rest_plan);
         if told != costs_over_time(&history, plan) || !past.check(&rest, &rest_plan).is_empty() {
             return Err(refused(format!(
-                "What comes from time {since} on cannot be told apart from what is past."
+                "The plan from time {since} on cannot be separated from what happened before."
             )));
         }
         let idle = members.iter().any(|member| member.share.idle > 0);
@@ -205,10 +205,10 @@ fn first_standing(
         let away = history.lives(plan, time).into_iter().find_map(|life| {
             let name = life.career.name();
             if !matches!(life.place(time), Whereabouts::At(_)) {
-                return Some(format!("{name} is half way along a slow move"));
+                return Some(format!("{name} is in the middle of a slow move"));
             }
             let held = life.career.is_held(time);
-            held.then(|| format!("{name} is held by a breakdown"))
+            held.then(|| format!("{name} has broken down"))
         });
         let Some(away) = away else { return Ok(time) };
         why = away;
@@ -218,7 +218,7 @@ fn first_standing(
         time += 1;
     }
     Err(refused(format!(
-        "At time {time} {why}, and from then on questions cannot be answered."
+        "At time {time} {why}. Questions about the time after that cannot be answered."
     )))
 }
 
@@ -234,8 +234,8 @@ impl Resting<'_> {
             let mut cells = agent.waypoints.iter().chain([&agent.goal]);
             if let Some(cell) = cells.find(|&&cell| !grid.is_vertex(cell)) {
                 return Err(refused(format!(
-                    "There is no plan from time {} on, since {} has to go to {cell}, where an \
-                     obstacle is.",
+                    "There is no plan from time {} on, because {} has to go to {cell}, where \
+                     there is an obstacle.",
                     self.changed, agent.name
                 )));
             }
@@ -295,7 +295,7 @@ impl Resting<'_> {
             let mut careers = self.history.careers().iter();
             if !is_there && careers.any(|career| career.name() == name) {
                 return Err(refused(format!(
-                    "{name} is not there any more at time {since}."
+                    "{name} is no longer there at time {since}."
                 )));
             }
         }
@@ -309,8 +309,8 @@ impl Resting<'_> {
         };
         if let Some(time) = time.filter(|time| *time < since) {
             return Err(refused(format!(
-                "Time {time} is before time {since}, from which on the world is as it is asked \
-                 about; what is past cannot be otherwise."
+                "Time {time} is already past: the question is about the plan from time {since} \
+                 on, and the past cannot change."
             )));
         }
         if let Question::Wait {
@@ -326,8 +326,8 @@ impl Resting<'_> {
             && life.at(before) == life.at(since)
         {
             return Err(refused(format!(
-                "{agent} waits at time {since} already, since before the change; ask about its \
-                 wait from time {since} on."
+                "{agent} was already waiting before the change. Ask about its wait from time \
+                 {since} on."
             )));
         }
         // Of an interval that began before, what is left.

@@ -46,7 +46,7 @@ impl Past {
         if !answer.words.is_empty() {
             let since = course.since;
             answer.words = format!(
-                "This is about what comes from time {since} on. {}",
+                "This is about the plan from time {since} on. {}",
                 answer.words
             );
         }
@@ -91,7 +91,7 @@ fn without_other(mut answer: ExplainAnswer) -> ExplainAnswer {
     answer.core = None;
     answer.repairs.clear();
     answer.exhaustive = false;
-    "The plan found and what is past contradict each other, so nothing is claimed."
+    "The plan that was found does not fit what happened before, so nothing is claimed."
         .clone_into(&mut answer.words);
     answer
 }

@@ -31,7 +31,7 @@ fn a_limit_of_seconds_ends_it_soon() {
 fn a_limit_of_conflicts_ends_it_at_the_same_place_each_time() {
     let request = json!({ "scene": hard(), "limits": { "conflicts": 20 } });
     let answer = solve(&request);
-    expect_cut_short(&answer, "The limit of conflicts was reached");
+    expect_cut_short(&answer, "The conflict limit was reached");
     let again = solve(&request);
     assert_eq!(answer["plan"], again["plan"]);
     assert_eq!(answer["bounds"], again["bounds"]);
@@ -50,6 +50,6 @@ fn the_caller_may_stop_it() {
     let options = js("(() => { let asked = 0; return { shouldStop: () => ++asked > 20 }; })()");
     let start = js_sys::Date::now();
     let answer = giveway_wasm::solve(&request, &options).unwrap();
-    expect_cut_short(&data(&answer), "It was cancelled");
+    expect_cut_short(&data(&answer), "The search was cancelled");
     assert!(js_sys::Date::now() - start < 5000.0);
 }

@@ -105,7 +105,7 @@ pub(super) fn inputs(args: &Convert, common: &Common) -> Result<Inputs, Failure>
 /// A map alone: an instance without agents.
 fn without_agents(map: Map, first: Option<usize>) -> Result<Item, Failure> {
     if let Some(first) = first.filter(|first| *first > 0) {
-        let expected = format!("a scenario for {first} agents, as --agents asks");
+        let expected = format!("a scenario for {first} robots, as asked with --agents");
         return Err(map.source.fault(Fault::at("", "a map alone", expected)));
     }
     let stem = stem(&map.source);

@@ -40,7 +40,7 @@ pub(super) fn spare(read: &[PathBuf], files: &[NewFile]) -> Result<(), Failure> 
     {
         None => Ok(()),
         Some(file) => Err(Failure::Usage(format!(
-            "{} is read and would be overwritten, expected another folder for --output",
+            "{} is an input file and would be overwritten, expected another folder for --output",
             file.path.display()
         ))),
     }

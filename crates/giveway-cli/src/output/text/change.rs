@@ -5,10 +5,11 @@ use std::fmt::Write as _;
 use giveway_model::{
     Cost, Costs, Instance,
     change::{Changes, History},
+    words::name,
 };
 use giveway_solve::{
     Status,
-    change::{ChangeAnswer, Method, MethodAnswer, Methods},
+    change::{ChangeAnswer, Method, MethodAnswer, Methods, names, notes},
 };
 
 use super::{bold, status_word, title};
@@ -18,9 +19,6 @@ use crate::output::{map, plain, table, words};
 const LABEL: usize = 16;
 /// Columns of a method.
 const COLUMN: usize = 12;
-/// So many names are told one by one; the rest is counted.
-const TOLD: usize = 12;
-
 /// A number of agents in an answer.
 type Count = fn(&MethodAnswer) -> usize;
 
@@ -45,7 +43,7 @@ pub(crate) fn change(
             let before = answer.before.as_ref();
             parts.push(time(at, before, &answer.methods, answer.adopted));
         }
-        None => parts.push("Nothing changes that the plan does not know already.\n".to_owned()),
+        None => parts.push("The plan already knows all of these changes.\n".to_owned()),
     }
     if let Some(plan) = answer
         .adopted()
@@ -73,9 +71,9 @@ fn time(at: u32, before: Option<&Costs>, methods: &Methods, adopted: Option<Meth
     }
     match adopted {
         Some(method) => {
-            let _ = writeln!(text, "Adopted: {method}.");
+            let _ = writeln!(text, "Used: {method}.");
         }
-        None => text += "No method has a plan; later changes are not looked at.\n",
+        None => text += "No method has a plan, so later changes are not looked at.\n",
     }
     text
 }
@@ -113,10 +111,7 @@ fn compared(before: Option<&Costs>, methods: &Methods) -> String {
         let values = methods
             .iter()
             .map(|(_, answer)| value(answer.result.costs.as_ref()));
-        text += &row(
-            words::name(cost),
-            &mut [value(before)].into_iter().chain(values),
-        );
+        text += &row(name(cost), &mut [value(before)].into_iter().chain(values));
     }
     let groups: [(&str, Count); 5] = [
         ("kept", |answer| answer.kept.len()),
@@ -160,46 +155,22 @@ fn row(label: &str, entries: &mut dyn Iterator<Item = String>) -> String {
 /// Why agents were freed, why there is no plan, what is not proved.
 fn remarks(method: Method, answer: &MethodAnswer) -> String {
     let mut text = String::new();
-    if let Some(cause) = &answer.cause {
-        let reach = match cause.within {
-            None => String::new(),
-            Some(n) => format!(" (shown up to makespan {n})"),
-        };
-        let sentence = words::sentence(&cause.text);
-        let _ = writeln!(text, "{method}: {sentence}{reach}");
-    } else if let Some(reason) = &answer.result.reason {
-        let _ = writeln!(text, "{method}: {}", words::sentence(reason));
-    }
-    if !answer.freed.is_empty() {
-        let fewest = if answer.fewest {
-            "no fewer would do"
-        } else {
-            "fewer might do"
-        };
-        let _ = writeln!(text, "{method}: freed {}; {fewest}.", names(&answer.freed));
+    let reason = answer.result.reason.clone();
+    let early = reason.filter(|_| answer.cause.is_none() && answer.result.plan.is_some());
+    for note in notes(answer).into_iter().chain(early) {
+        let _ = writeln!(text, "{method}: {}", words::sentence(&note));
     }
     let disturbed = [&answer.retimed, &answer.rerouted];
     for (what, agents) in ["re-timed", "re-routed"].into_iter().zip(disturbed) {
         if !agents.is_empty() {
-            let _ = writeln!(text, "{method}: {what} {}.", names(agents));
+            let _ = writeln!(text, "{method}: {what} {}.", plain::text(&names(agents)));
         }
     }
     if answer.result.plan.is_some() && !answer.closest {
-        let _ = writeln!(text, "{method}: a plan as good might disturb fewer agents.");
+        let _ = writeln!(
+            text,
+            "{method}: an equally good plan might change the plans of fewer robots."
+        );
     }
     text
-}
-
-fn names(names: &[String]) -> String {
-    let told: Vec<String> = names
-        .iter()
-        .take(TOLD)
-        .map(|name| plain::text(name))
-        .collect();
-    let more = names.len().saturating_sub(TOLD);
-    if more > 0 {
-        format!("{} and {more} more", told.join(", "))
-    } else {
-        told.join(", ")
-    }
 }

@@ -3,6 +3,7 @@
 use std::fmt::Write as _;
 
 use anstyle::AnsiColor;
+use giveway_model::words::{count, values};
 use giveway_model::{Cost, Instance, Plan, change::History};
 use giveway_solve::CheckAnswer;
 
@@ -41,15 +42,13 @@ pub(crate) fn check_over_time(
 }
 
 fn verdict(answer: &CheckAnswer) -> String {
-    let costs = answer
-        .costs
-        .map(|costs| words::list(Cost::ALL.iter(), &costs));
+    let costs = answer.costs.map(|costs| values(&Cost::ALL, &costs));
     if answer.valid {
         let word = paint(AnsiColor::Green.on_default().bold(), "Valid");
         return format!("{word}: {}.\n", costs.unwrap_or_default());
     }
     let word = paint(AnsiColor::Red.on_default().bold(), "Not valid");
-    let number = words::count(answer.violations.len() as u64, "violation");
+    let number = count(answer.violations.len(), "violation");
     let mut text = format!("{word}: {number}.\n");
     for violation in answer.violations.iter().take(TOLD) {
         let _ = writeln!(
@@ -62,12 +61,12 @@ fn verdict(answer: &CheckAnswer) -> String {
     if answer.violations.len() > TOLD {
         let _ = writeln!(
             text,
-            "  and {} more; --format json has them all",
+            "  and {} more; --format json shows them all",
             answer.violations.len() - TOLD
         );
     }
     if let Some(costs) = costs {
-        let _ = writeln!(text, "As it stands it costs {}.", plain::text(&costs));
+        let _ = writeln!(text, "Costs of the plan: {}.", plain::text(&costs));
     }
     text
 }

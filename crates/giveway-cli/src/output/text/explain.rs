@@ -7,9 +7,13 @@ use giveway_model::{
     Cost, Costs, Instance, Plan,
     change::History,
     check::{costs, costs_over_time},
-    question::to_words,
+    question::{sentence, to_words},
+    words::name,
 };
-use giveway_solve::explain::{ExplainAnswer, Verdict};
+use giveway_solve::explain::{
+    ExplainAnswer, Verdict, facts_claim, facts_title, verdict_word, witness_title,
+};
+use giveway_solve::words::reach;
 
 use super::{bold, paint, solve::work, title};
 use crate::output::{map, plain, table, words};
@@ -64,21 +68,21 @@ fn whole(
     parts.extend([map, plans]);
     let violations = answer.violations.iter().flatten();
     let broken: Vec<&str> = violations.map(|v| v.message.as_str()).collect();
-    parts.push(listed("What it breaks", &broken));
+    let title = witness_title(&answer.question);
+    parts.push(listed(&title, &broken));
     let witness: Vec<&str> = answer
         .witness
         .iter()
         .map(|entry| entry.violation.message.as_str())
         .collect();
-    parts.push(listed("What would happen", &witness));
+    parts.push(listed(&title, &witness));
     if let Some(core) = &answer.core {
         let facts: Vec<&str> = core.facts.iter().map(|fact| fact.text.as_str()).collect();
-        let shown = if core.minimal {
-            "What together makes it so (none of it can be left out)"
-        } else {
-            "What together makes it so (some of it may not be needed)"
-        };
-        parts.push(listed(shown, &facts));
+        let mut facts = listed(facts_title(answer.verdict), &facts);
+        if !facts.is_empty() {
+            let _ = writeln!(facts, "{}", facts_claim(core));
+        }
+        parts.push(facts);
     }
     let repairs: Vec<&str> = answer.repairs.iter().map(|r| r.text.as_str()).collect();
     parts.push(listed("What would help", &repairs));
@@ -89,25 +93,26 @@ fn whole(
 
 /// The question and the verdict, with the reach of the claim.
 fn verdict(answer: &ExplainAnswer) -> String {
-    let (colour, word) = match answer.verdict {
-        Verdict::Needless => (AnsiColor::Green, "Needless"),
-        Verdict::Improvable => (AnsiColor::Green, "Improvable"),
-        Verdict::Costly => (AnsiColor::Yellow, "Costly"),
-        Verdict::Necessary => (AnsiColor::Red, "Necessary"),
-        Verdict::Unknown => (AnsiColor::Yellow, "Unknown"),
+    let colour = match answer.verdict {
+        _ if answer.valid == Some(false) => AnsiColor::Red,
+        Verdict::Needless | Verdict::Improvable => AnsiColor::Green,
+        Verdict::Costly | Verdict::Unknown => AnsiColor::Yellow,
+        Verdict::Necessary => AnsiColor::Red,
     };
-    let word = paint(colour.on_default().bold(), word);
-    let reach = match (answer.complete, answer.within) {
-        (true, _) => ", whatever the horizon".to_owned(),
-        (false, Some(n)) => format!(" within makespan {n}"),
-        (false, None) => String::new(),
-    };
-    let question = to_words(&answer.question);
-    let mut text = format!("{}\n{word}{reach}", plain::text(&question));
+    let word = paint(colour.on_default().bold(), verdict_word(answer));
+    let asked = format!(
+        "{} ({})",
+        sentence(&answer.question),
+        to_words(&answer.question)
+    );
+    let mut text = format!("{}\n{word}", plain::text(&asked));
     if answer.words.is_empty() {
         text += ".\n";
     } else {
         let _ = writeln!(text, ": {}", plain::text(&answer.words));
+    }
+    if let Some(reach) = reach(answer.complete, answer.within) {
+        let _ = writeln!(text, "{reach}");
     }
     text
 }
@@ -128,7 +133,7 @@ fn cost_table(instance: &Instance, before: &Costs, after: &Costs) -> String {
         } else {
             format!("{more:+}")
         };
-        let name = plain::pad_right(words::name(cost), 14);
+        let name = plain::pad_right(name(cost), 14);
         let _ = writeln!(text, "{name}{a:>10}{b:>12}{more:>12}");
     }
     text
@@ -141,7 +146,7 @@ fn plans(instance: &Instance, plan: &Plan, answer: &ExplainAnswer, columns: usiz
         Some(other) => {
             let beside = table::beside(instance, plan, other, columns);
             let best = if answer.closest {
-                "No other plan as good is closer to this one.\n"
+                "No equally good plan is closer to this one.\n"
             } else {
                 ""
             };
@@ -161,7 +166,7 @@ fn listed(heading: &str, sentences: &[&str]) -> String {
     }
     if sentences.len() > TOLD {
         let more = sentences.len() - TOLD;
-        let _ = writeln!(text, "  and {more} more; --format json has them all");
+        let _ = writeln!(text, "  and {more} more; --format json shows them all");
     }
     text
 }

@@ -2,11 +2,11 @@
 
 use std::fmt::Write as _;
 
+use giveway_model::words::{count, name};
 use giveway_model::{Cost, Instance, Objective};
-use giveway_solve::{FrontAnswer, SolveAnswer, Stats, Status};
+use giveway_solve::{FrontAnswer, SolveAnswer, Stats, Status, words};
 
 use super::{drawings, solve::work, status_word, title};
-use crate::output::words;
 
 /// The front: what is known of it, and a row of costs for each of its plans.
 pub(crate) fn front(
@@ -25,23 +25,18 @@ pub(crate) fn front(
 }
 
 fn status(objective: &Objective, answer: &FrontAnswer) -> String {
-    let names: Vec<&str> = objective.costs().iter().map(|&c| words::name(c)).collect();
-    let points = words::count(answer.front.len() as u64, "point");
-    let reach = match answer.within {
-        None if answer.complete => "whatever the horizon".to_owned(),
-        None => "as far as it was searched".to_owned(),
-        Some(n) => format!("within makespan {n}"),
-    };
-    let (word, rest) = match answer.status {
-        Status::Optimal => ("Pareto front", format!(": {points}, complete {reach}.")),
-        Status::Feasible => (
-            "Part of the Pareto front",
-            format!(": {points}; the time ran out before all were proved."),
-        ),
-        Status::Impossible => ("Impossible", format!(", {reach}: there is no plan.")),
-        Status::Unknown => (
-            "Unknown",
-            ": neither a plan nor a proof that there is none.".to_owned(),
+    let names: Vec<&str> = objective.costs().iter().map(|&c| name(c)).collect();
+    let plans = count(answer.front.len(), "plan");
+    let within = answer.within.filter(|_| !answer.complete);
+    let said = |is_whole| format!(": {}", words::front(&plans, is_whole, within));
+    let (word, rest) = match (answer.status, within) {
+        (Status::Optimal, _) => ("Pareto front", said(true)),
+        (Status::Feasible, _) => ("Part of the Pareto front", said(false)),
+        (Status::Impossible, None) => ("No plan exists", format!(", {}.", words::FOR_EVER)),
+        (Status::Impossible, Some(n)) => ("No plan", format!(" within makespan {n}.")),
+        (Status::Unknown, _) => (
+            "The search ended early.",
+            " There may be a plan; none was found yet.".to_owned(),
         ),
     };
     format!(
@@ -59,7 +54,7 @@ fn points(objective: &Objective, front: &[SolveAnswer]) -> String {
     let costs: Vec<Cost> = objective.costs().iter().chain(others).copied().collect();
     let mut text = "point".to_owned();
     for &cost in &costs {
-        let _ = write!(text, "{:>14}", words::name(cost));
+        let _ = write!(text, "{:>14}", name(cost));
     }
     text.push('\n');
     for (i, point) in front.iter().enumerate() {
@@ -75,7 +70,7 @@ fn points(objective: &Objective, front: &[SolveAnswer]) -> String {
             _ => "  not proved\n",
         };
     }
-    text + "The plan of each point stands in the result of --format json.\n"
+    text + "--format json shows the plan of each point.\n"
 }
 
 /// The work for all points together.
@@ -135,12 +130,12 @@ mod tests {
             None,
             &[[18, 3], [20, 2]],
             &expect![[r#"
-                Pareto front: 2 points, complete whatever the horizon.
+                Pareto front: 2 plans, and no other plan is better in one of the costs without being worse in another.
                 Costs: makespan, charges.
                 point      makespan       charges  sum of costs         moves         waits
                     1            18             3             0             0             0
                     2            20             2             0             0             0
-                The plan of each point stands in the result of --format json.
+                --format json shows the plan of each point.
             "#]],
         );
         check(
@@ -148,12 +143,12 @@ mod tests {
             Some(57),
             &[[18, 3]],
             &expect![[r#"
-            Pareto front: 1 point, complete within makespan 57.
-            Costs: makespan, charges.
-            point      makespan       charges  sum of costs         moves         waits
-                1            18             3             0             0             0
-            The plan of each point stands in the result of --format json.
-        "#]],
+                Pareto front: 1 plan, and no other plan of makespan at most 57 is better in one of the costs without being worse in another.
+                Costs: makespan, charges.
+                point      makespan       charges  sum of costs         moves         waits
+                    1            18             3             0             0             0
+                --format json shows the plan of each point.
+            "#]],
         );
     }
 
@@ -164,23 +159,23 @@ mod tests {
             None,
             &[[18, 3]],
             &expect![[r#"
-            Part of the Pareto front: 1 point; the time ran out before all were proved.
-            Costs: makespan, charges.
-            point      makespan       charges  sum of costs         moves         waits
-                1            18             3             0             0             0
-            The plan of each point stands in the result of --format json.
-        "#]],
+                Part of the Pareto front: 1 plan so far: the limits ended the search, there may be more.
+                Costs: makespan, charges.
+                point      makespan       charges  sum of costs         moves         waits
+                    1            18             3             0             0             0
+                --format json shows the plan of each point.
+            "#]],
         );
         check(
             Status::Unknown,
             None,
             &[],
             &expect![[r#"
-            Unknown: neither a plan nor a proof that there is none.
-            Costs: makespan, charges.
-            point      makespan       charges  sum of costs         moves         waits
-            The plan of each point stands in the result of --format json.
-        "#]],
+                The search ended early. There may be a plan; none was found yet.
+                Costs: makespan, charges.
+                point      makespan       charges  sum of costs         moves         waits
+                --format json shows the plan of each point.
+            "#]],
         );
     }
 }

@@ -2,11 +2,13 @@
 
 use std::fmt::Write as _;
 
+use giveway_model::words::{count, name};
 use giveway_model::{Cost, Costs, Instance, Objective};
+use giveway_solve::words::{self, Headline};
 use giveway_solve::{SolveAnswer, Stats, Status};
 
 use super::{drawings, status_word, title};
-use crate::output::{plain, words};
+use crate::output::{plain, words::gap};
 
 /// The whole answer: what is known, the costs, the map, the plan, the work.
 pub(crate) fn solve(
@@ -26,89 +28,35 @@ pub(crate) fn solve(
 
 /// What is known, with the reach of the claim.
 fn status(objective: &Objective, answer: &SolveAnswer) -> String {
-    let (word, rest) = match answer.status {
-        Status::Optimal => ("Optimal", optimal(objective, answer)),
-        Status::Feasible => ("Feasible", feasible(objective, answer)),
-        Status::Impossible => impossible(answer),
-        Status::Unknown => ("Unknown", unknown(objective, answer)),
+    let Headline { word, rest } = words::headline(objective, answer);
+    let word = status_word(answer.status, &plain::text(&word));
+    let more = match answer.status {
+        Status::Optimal => Some(words::claim(answer)),
+        _ => words::reach_of_bounds(answer),
     };
-    format!("{}{rest}\n", status_word(answer.status, word))
+    let more = more.map_or_else(String::new, |more| more + "\n");
+    format!("{word}{}\n{more}", plain::text(&rest))
 }
 
-fn optimal(objective: &Objective, answer: &SolveAnswer) -> String {
-    let costs = answer.costs.unwrap_or_default();
-    let costs = words::list(objective.costs(), &costs);
-    match answer.within {
-        None => format!(": {costs}.\nNo plan is better, whatever the horizon."),
-        Some(n) => format!(
-            " within makespan {n}: {costs}.\nNo plan of at most that makespan is better; \
-             a longer one might be."
-        ),
-    }
-}
-
-fn feasible(objective: &Objective, answer: &SolveAnswer) -> String {
-    let costs = answer.costs.unwrap_or_default();
-    let mut text = format!(
-        ": {}.",
-        words::with_bounds(objective, &costs, &answer.bounds)
-    );
-    add_reach(&mut text, answer);
-    add_reason(&mut text, answer);
-    text
-}
-
-fn impossible(answer: &SolveAnswer) -> (&'static str, String) {
-    let reason = answer.reason.as_deref().map(words::sentence);
-    match (answer.within, reason) {
-        (None, None) => ("Impossible", ", whatever the horizon.".to_owned()),
-        (None, Some(reason)) => ("Impossible", format!(", whatever the horizon: {reason}")),
-        (Some(n), None) => ("No plan", format!(" within makespan {n}.")),
-        (Some(n), Some(reason)) => ("No plan", format!(" within makespan {n}: {reason}")),
-    }
-}
-
-fn unknown(objective: &Objective, answer: &SolveAnswer) -> String {
-    let mut text = ": neither a plan nor a proof that there is none.".to_owned();
-    let bounds = words::bounds(objective, &answer.bounds);
-    if !bounds.is_empty() {
-        let _ = write!(text, "\nProved so far: {bounds}.");
-        add_reach(&mut text, answer);
-    }
-    add_reason(&mut text, answer);
-    text
-}
-
-fn add_reach(text: &mut String, answer: &SolveAnswer) {
-    if let Some(n) = answer.within
-        && !answer.bounds.is_empty()
-    {
-        let _ = write!(
-            text,
-            "\nWhat is proved holds for plans of makespan {n} at most."
-        );
-    }
-}
-
-fn add_reason(text: &mut String, answer: &SolveAnswer) {
-    if let Some(reason) = &answer.reason {
-        let _ = write!(text, "\n{}", words::sentence(reason));
-    }
-}
-
-/// All five costs, those of the objective first, each with its proved bound.
+/// All five costs, those of the objective first, each with its proved bound and,
+/// where the search ended early, how far that is away.
 fn cost_table(objective: &Objective, costs: &Costs, answer: &SolveAnswer) -> String {
     let others = Cost::ALL
         .iter()
         .filter(|cost| !objective.costs().contains(cost));
-    let mut text = format!("{:<14}{:>8}{:>18}\n", "cost", "value", "proved at least");
+    let early = answer.status == Status::Feasible;
+    let mut text = format!("{:<14}{:>8}{:>18}", "cost", "value", "proved at least");
+    text += if early { "          gap\n" } else { "\n" };
     for &cost in objective.costs().iter().chain(others) {
-        let bound = answer
-            .bounds
-            .get(&cost)
-            .map_or("-".to_owned(), u32::to_string);
-        let name = plain::pad_right(words::name(cost), 14);
-        let _ = writeln!(text, "{name}{:>8}{bound:>18}", costs.get(cost));
+        let (n, bound) = (costs.get(cost), answer.bounds.get(&cost));
+        let said = |said: Option<String>| said.unwrap_or_else(|| "-".to_owned());
+        let at_least = said(bound.map(u32::to_string));
+        let name = plain::pad_right(name(cost), 14);
+        let _ = write!(text, "{name}{n:>8}{at_least:>18}");
+        if early {
+            let _ = write!(text, "{:>13}", said(bound.map(|&bound| gap(bound, n))));
+        }
+        text.push('\n');
     }
     text
 }
@@ -118,10 +66,10 @@ pub(super) fn work(stats: &Stats) -> String {
     format!(
         "{:.2} s CPU, {}, {}, {}, {}\n",
         stats.cpu_seconds,
-        words::count(stats.solver_calls, "solver call"),
-        words::count(stats.variables, "variable"),
-        words::count(stats.clauses, "clause"),
-        words::count(stats.conflicts, "conflict"),
+        count(stats.solver_calls, "solver call"),
+        count(stats.variables, "variable"),
+        count(stats.clauses, "clause"),
+        count(stats.conflicts, "conflict"),
     )
 }
 
@@ -164,16 +112,16 @@ mod tests {
         check(
             &answer(Status::Optimal, None, None),
             &expect![[r#"
-            Optimal: makespan 23, sum of costs 35, 3 charges.
-            No plan is better, whatever the horizon.
-        "#]],
+                Optimal: makespan 23, sum of costs 35, 3 charges.
+                No plan is better, no matter how many steps you allow.
+            "#]],
         );
         check(
             &answer(Status::Optimal, Some(57), None),
             &expect![[r#"
-            Optimal within makespan 57: makespan 23, sum of costs 35, 3 charges.
-            No plan of at most that makespan is better; a longer one might be.
-        "#]],
+                Optimal within makespan 57: makespan 23, sum of costs 35, 3 charges.
+                No plan of makespan at most 57 is better; a longer one might be.
+            "#]],
         );
     }
 
@@ -183,16 +131,14 @@ mod tests {
         check(
             &answer(Status::Feasible, None, reason),
             &expect![[r#"
-            Feasible: makespan 23, proved at least 22 (gap 4 %); sum of costs 35; 3 charges.
-            The time limit was reached.
-        "#]],
+                Best so far: makespan 23, proved at least 22; sum of costs 35; 3 charges. The time limit was reached.
+            "#]],
         );
         check(
             &answer(Status::Feasible, Some(57), reason),
             &expect![[r#"
-                Feasible: makespan 23, proved at least 22 (gap 4 %); sum of costs 35; 3 charges.
-                What is proved holds for plans of makespan 57 at most.
-                The time limit was reached.
+                Best so far: makespan 23, proved at least 22; sum of costs 35; 3 charges. The time limit was reached.
+                What is proved holds for plans of makespan at most 57.
             "#]],
         );
     }
@@ -203,8 +149,8 @@ mod tests {
         check(
             &answer(Status::Impossible, None, reason),
             &expect![[r#"
-            Impossible, whatever the horizon: A1 cannot reach its goal.
-        "#]],
+                No plan exists, no matter how many steps you allow: A1 cannot reach its goal.
+            "#]],
         );
         check(
             &answer(Status::Impossible, Some(17), None),
@@ -220,10 +166,8 @@ mod tests {
         check(
             &answer(Status::Unknown, None, reason),
             &expect![[r#"
-            Unknown: neither a plan nor a proof that there is none.
-            Proved so far: makespan at least 22.
-            The time limit was reached.
-        "#]],
+                The time limit was reached. There may be a plan; none was found yet. Proved so far: makespan is at least 22.
+            "#]],
         );
     }
 
@@ -232,12 +176,12 @@ mod tests {
         let answer = answer(Status::Feasible, None, None);
         let objective = "charges,makespan".parse().unwrap();
         expect![[r#"
-            cost             value   proved at least
-            charges              3                 -
-            makespan            23                22
-            sum of costs        35                 -
-            moves               30                 -
-            waits                1                 -
+            cost             value   proved at least          gap
+            charges              3                 -            -
+            makespan            23                22          4 %
+            sum of costs        35                 -            -
+            moves               30                 -            -
+            waits                1                 -            -
         "#]]
         .assert_eq(&cost_table(&objective, &answer.costs.unwrap(), &answer));
     }

@@ -3,11 +3,11 @@
 use std::fmt::Write as _;
 
 use anstyle::AnsiColor;
-use giveway_proof::bundle::Method;
+use giveway_model::words::count;
 use giveway_proof::{Checked, Report};
 
 use super::paint;
-use crate::output::{plain, words};
+use crate::output::plain;
 
 /// The verdict, and what each claim rests on.
 pub(crate) fn verify(report: &Report) -> String {
@@ -33,9 +33,9 @@ pub(crate) fn verify(report: &Report) -> String {
                 text,
                 "  proof          {} ({}, {}, {} checked)",
                 plain::text(claim),
-                words::count(*variables as u64, "variable"),
-                words::count(*clauses as u64, "clause"),
-                words::count(*steps as u64, "step"),
+                count(*variables, "variable"),
+                count(*clauses, "clause"),
+                count(*steps, "step"),
             ),
             Checked::Search {
                 text: claim,
@@ -43,12 +43,9 @@ pub(crate) fn verify(report: &Report) -> String {
                 ..
             } => writeln!(
                 text,
-                "  search         {} ({})",
+                "  search         {} (a search of {}, repeated)",
                 plain::text(claim),
-                match method {
-                    Method::Alone => "each agent alone, searched again",
-                    Method::Joint => "all states of all agents, searched again",
-                }
+                method.words()
             ),
             Checked::None {
                 text: claim, why, ..
@@ -63,6 +60,8 @@ pub(crate) fn verify(report: &Report) -> String {
     if let Some(conclusion) = &report.conclusion {
         let _ = writeln!(text, "{}", plain::text(conclusion));
     }
-    let _ = writeln!(text, "{}", report.certified.words());
+    if report.accepted {
+        let _ = writeln!(text, "{}", report.summary());
+    }
     text
 }

@@ -2,6 +2,7 @@
 
 use std::fmt;
 
+use crate::words::count;
 use crate::{AtGoal, Instance, Objective};
 
 /// A part of an instance that is lost when it is written as MovingAI files.
@@ -43,20 +44,12 @@ impl fmt::Display for Loss {
         match *self {
             Self::SlowZone { cells } => write!(f, "the slow zone ({})", count(cells, "cell")),
             Self::Chargers { cells } => write!(f, "the chargers ({})", count(cells, "cell")),
-            Self::Waypoints { agents } => write!(f, "the waypoints of {}", count(agents, "agent")),
-            Self::Batteries { agents } => write!(f, "the batteries of {}", count(agents, "agent")),
-            Self::Vanish => f.write_str("that agents vanish at their goals"),
+            Self::Waypoints { agents } => write!(f, "the waypoints of {}", count(agents, "robot")),
+            Self::Batteries { agents } => write!(f, "the batteries of {}", count(agents, "robot")),
+            Self::Vanish => f.write_str("that robots vanish at their goals"),
             Self::Objective => f.write_str("the objective"),
-            Self::Names { agents } => write!(f, "the names of {}", count(agents, "agent")),
+            Self::Names { agents } => write!(f, "the names of {}", count(agents, "robot")),
         }
-    }
-}
-
-fn count(n: usize, what: &str) -> String {
-    if n == 1 {
-        format!("1 {what}")
-    } else {
-        format!("{n} {what}s")
     }
 }
 

@@ -60,9 +60,12 @@ const COLUMNS: &str =
 pub fn read_scenario(text: &str) -> Result<Scenario, Fault> {
     let mut lines = lines(text).filter(|line| !line.text.is_empty());
     let Some(first) = lines.next() else {
-        return Err(
-            Fault::at("", "an empty file", "\"version 1\" and a line an agent").in_text(1, 1),
-        );
+        return Err(Fault::at(
+            "",
+            "an empty file",
+            "\"version 1\" and a line for each robot",
+        )
+        .in_text(1, 1));
     };
     read_version(first)?;
     let routes = lines.map(read_route).collect::<Result<_, _>>()?;

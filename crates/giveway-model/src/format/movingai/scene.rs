@@ -33,7 +33,7 @@ pub fn to_scene(
     let lines = scenario.routes.len();
     let wanted = agents.unwrap_or(lines);
     if wanted > lines {
-        let found = format!("a scenario for {lines} agents");
+        let found = format!("a scenario for {lines} robots");
         return Err(Fault::at("", found, format!("one for {wanted}")));
     }
     let mut starts = BTreeMap::new();

@@ -4,22 +4,16 @@ mod costs;
 mod parts;
 
 use giveway_model::Question;
-use giveway_solve::explain::edits_in_words;
+use giveway_solve::explain::{edits_in_words, facts_claim, facts_title, witness_title};
+use giveway_solve::words::reach;
 
-use super::signs::{badge, edit_icon, fact_icon, pending, verdict_words, would};
+use super::signs::{badge, edit_icon, fact_icon, pending, verdict_words};
 use crate::{Asking, Lit, State, words};
 
 pub use costs::CostRow;
 pub use parts::{Badge, Card, FactRow, Facts, Happening, Offered, Other};
 
 use costs::rows;
-
-/// Of a plan that breaks a rule nothing else is asked.
-const BROKEN: Badge = Badge {
-    word: "Against the rules",
-    icon: "collision",
-    class: "necessary",
-};
 
 /// The most things that go wrong that are told one by one.
 const HAPPENINGS: usize = 30;
@@ -42,11 +36,7 @@ pub fn card(state: &State) -> Option<Card> {
         card.pending.push("Looking for the verdict");
         return Some(card);
     };
-    let badge = match told.valid {
-        Some(false) => BROKEN,
-        _ => badge(asking, told.verdict),
-    };
-    card.verdict = Some((badge, verdict_words(state, asking, told).to_owned()));
+    card.verdict = Some((badge(told), verdict_words(state, asking, told).to_owned()));
     if let Some(other) = &asking.other {
         card.rows = rows(asking, other);
         card.other = Some(Other {
@@ -63,14 +53,10 @@ pub fn card(state: &State) -> Option<Card> {
         is_lit: asking.lit == Some(Lit::Witness(index)),
     });
     let happenings: Vec<Happening> = happenings.collect();
-    card.witness = (!happenings.is_empty()).then(|| (would(asking), happenings));
+    card.witness = (!happenings.is_empty()).then(|| (witness_title(asking.question()), happenings));
     card.core = told.core.as_ref().map(|core| Facts {
-        title: "These facts together rule it out",
-        claim: if core.minimal {
-            "Drop any one of them and it becomes possible."
-        } else {
-            "Some of these may not be needed."
-        },
+        title: facts_title(told.verdict),
+        claim: facts_claim(core),
         facts: core
             .facts
             .iter()
@@ -97,10 +83,8 @@ pub fn card(state: &State) -> Option<Card> {
         .collect();
     if state.is_looking() {
         card.pending = told.pending.iter().map(|&part| pending(part)).collect();
-    } else if told.complete {
-        card.standing = Some("This holds no matter how many steps you allow.".to_owned());
-    } else if let Some(within) = told.within {
-        card.standing = Some(format!("This holds up to makespan {within}."));
+    } else {
+        card.standing = reach(told.complete, told.within);
     }
     Some(card)
 }

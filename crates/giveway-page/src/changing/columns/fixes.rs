@@ -38,7 +38,10 @@ pub fn fixes(state: &State) -> Vec<Fix> {
             replan: true,
             ..choice
         };
-        fixes.push(Fix::Try(all, "Let everyone plan anew (Replan)".to_owned()));
+        fixes.push(Fix::Try(
+            all,
+            "Let everyone plan freely (Replan)".to_owned(),
+        ));
         if choice.tunnel && choice.width < WIDEST {
             let width = choice.width + 1;
             let wider = Choice { width, ..choice };

@@ -26,25 +26,7 @@ pub(super) fn notes(tried: &Tried) -> Vec<String> {
         (Status::Optimal, Some(_)) | (_, None) => {}
         (_, Some(_)) => notes.push("The best so far: the limits ended the search.".to_owned()),
     }
-    match (&told.cause, &told.result.reason) {
-        (Some(cause), _) => {
-            notes.push(cause.text.clone());
-            if let Some(within) = cause.within {
-                notes.push(format!("That is shown up to makespan {within}."));
-            }
-        }
-        (None, Some(reason)) if told.result.plan.is_none() => notes.push(reason.clone()),
-        _ => {}
-    }
-    if !told.freed.is_empty() && told.result.plan.is_some() {
-        let names = told.freed.join(", ");
-        let fewest = if told.fewest {
-            "; no fewer would do"
-        } else {
-            ""
-        };
-        notes.push(format!("Freed to plan anew: {names}{fewest}."));
-    }
+    notes.extend(giveway_solve::change::notes(told));
     notes
 }
 

@@ -5,6 +5,8 @@ mod costs;
 mod tests;
 mod words;
 
+use giveway_solve::words::reach_of_bounds;
+
 use crate::timeline::work_done;
 use crate::{Answer, Size, State};
 
@@ -76,6 +78,7 @@ fn tell(whole: &mut Whole, answer: &Answer) {
     let objective = asked.unwrap_or(&answer.request.scene.objective);
     whole.claims.push(claim(answer));
     whole.claims.extend(solved.reason.clone());
+    whole.claims.extend(reach_of_bounds(solved));
     whole.costs = costs(objective.costs(), |cost| {
         (
             solved.costs.map(|costs| costs.get(cost)),

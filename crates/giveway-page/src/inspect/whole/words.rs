@@ -17,16 +17,7 @@ pub(super) fn claim(answer: &Answer) -> String {
         });
         return format!("No way to go on from time {at}{way} is better.");
     }
-    let reach = match solved.within {
-        Some(within) if !solved.complete => format!("up to makespan {within}"),
-        _ => "no matter how many steps you allow".to_owned(),
-    };
-    match solved.status {
-        Status::Optimal => format!("No plan is better, {reach}."),
-        Status::Feasible => "The best plan so far: the limits ended the search.".to_owned(),
-        Status::Impossible => format!("There is no plan, {reach}."),
-        Status::Unknown => "No plan yet, and no proof that there is none.".to_owned(),
-    }
+    giveway_solve::words::claim(solved)
 }
 
 /// What a scene contains.

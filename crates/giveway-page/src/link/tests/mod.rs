@@ -154,7 +154,7 @@ fn a_hostile_link_is_refused_and_the_scene_stays() {
         broken(with("agents", agents), "agents");
     }
     let many = vec!["A.0.0.0.0"; 1001].join(";");
-    broken(with("agents", &many), "1001 agents");
+    broken(with("agents", &many), "1001 robots");
     for plan in ["", "r", "r;l;u", "9999999r;", "x;x", "u;u", "\u{e9};"] {
         broken(with("plan", plan), "plan");
     }

@@ -113,7 +113,7 @@ fn what_each_claim_rests_on_is_told() {
     assert_eq!(
         outcome.sentence,
         "The proof was checked: 3214 steps. 1 claim rests on a search, which was repeated. \
-         1 claim could not be checked here."
+         1 claim could not be checked."
     );
     let lines: Vec<&str> = outcome.claims.iter().map(|l| l.rests_on.as_str()).collect();
     assert_eq!(

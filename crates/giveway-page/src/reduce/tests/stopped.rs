@@ -34,7 +34,7 @@ fn cancelling_keeps_the_best_plan_and_all_bounds() {
     assert_eq!(state.phase(), Phase::Stopped);
     assert!(state.work.is_idle() && state.plan().is_some());
     let standing = words::standing(&state).sentence;
-    let expect = "Best so far: makespan 18, at least 17; sum of costs 35; 3 charges. \
+    let expect = "Best so far: makespan 18, proved at least 17; sum of costs 35; 3 charges. \
                   You stopped the search.";
     assert_eq!(standing, expect);
     let undone = after(&state, [Action::Undo]);

@@ -97,6 +97,10 @@ fn while_it_solves() {
     for (action, sentence) in steps {
         state = after(&state, [action]);
         check(&state, Badge::Solving, sentence);
+        // The badge says the first word.
+        let beside = sentence.replacen("Solving: m", "M", 1);
+        let beside = beside.replacen("Solving: no", "No", 1);
+        assert_eq!(standing(&state).beside_badge(), beside);
     }
 }
 
@@ -158,7 +162,7 @@ fn out_of_budget() {
         answer.bounds = [(Cost::Makespan, 20), (Cost::SumOfCosts, 38)].into();
         answer.reason = reason;
     });
-    let sentence = "Best so far: makespan 20, proved; sum of costs 40, at least 38; \
+    let sentence = "Best so far: makespan 20, proved; sum of costs 40, proved at least 38; \
                     1 charge. The time limit was reached.";
     check(&feasible, Badge::Stopped, sentence);
 }

@@ -52,8 +52,8 @@ fn every_tool_lists_a_change() {
     assert_eq!(
         list(&state)[3..],
         [
-            "The goal of A1 is (2, 0) now",
-            "A1 has to visit (1, 1), too"
+            "The goal of A1 is now (2, 0)",
+            "A1 also has to visit (1, 1)"
         ]
     );
     let state = after(&state, stroke(Tool::Waypoint, &[(1, 1)]));

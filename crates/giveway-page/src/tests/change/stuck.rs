@@ -20,7 +20,7 @@ fn where_no_method_has_a_plan_nothing_can_be_adopted_and_the_cause_is_told() {
             .iter()
             .all(|column| !column.has_plan() && !column.is_least)
     );
-    assert!(columns[2].notes[0].contains("(2, 2), where an obstacle is now"));
+    assert!(columns[2].notes[0].contains("(2, 2), where there is an obstacle now"));
     assert_eq!(state.last_time(), 1);
     assert!(
         saying(&state).ends_with("have no plan."),

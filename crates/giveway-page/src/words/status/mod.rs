@@ -4,6 +4,8 @@ mod badge;
 mod bounds;
 mod resting;
 
+use giveway_model::words::capital;
+
 use crate::words::{change, question, steering};
 use crate::{Asking, Mode, State, Task, proof};
 
@@ -19,6 +21,24 @@ pub struct Standing {
     pub badge: Badge,
     /// The sentence, to be understood without the badge.
     pub sentence: String,
+    /// The sentence beside the badge, which says its first word already; `None` where
+    /// it is the same.
+    pub beside: Option<String>,
+}
+
+impl Standing {
+    fn new(badge: Badge, sentence: String) -> Self {
+        Self {
+            badge,
+            sentence,
+            beside: None,
+        }
+    }
+
+    /// The sentence beside the badge.
+    pub fn beside_badge(&self) -> &str {
+        self.beside.as_deref().unwrap_or(&self.sentence)
+    }
 }
 
 /// Where the page stands.
@@ -29,7 +49,7 @@ pub struct Standing {
 /// assert_eq!(standing.sentence, "No plan yet.");
 /// ```
 pub fn standing(state: &State) -> Standing {
-    let say = |badge, sentence| Standing { badge, sentence };
+    let say = Standing::new;
     if let Some(task) = state.work.task() {
         return working(state, task);
     }
@@ -57,9 +77,15 @@ pub fn standing(state: &State) -> Standing {
 
 /// Where the page stands while something runs.
 fn working(state: &State, task: &Task) -> Standing {
-    let say = |badge, sentence| Standing { badge, sentence };
+    let say = Standing::new;
     match task {
-        Task::Solve(run) => say(Badge::Solving, solving(run)),
+        Task::Solve(run) => {
+            let known = solving(run);
+            Standing {
+                beside: Some(capital(&known)),
+                ..say(Badge::Solving, format!("Solving: {known}"))
+            }
+        }
         Task::Explain(_) => {
             let asking = state.document.mode.asking();
             let sentence = asking.map_or_else(String::new, |asking| asked(asking));

@@ -2,9 +2,9 @@
 
 use std::rc::Rc;
 
-use giveway_solve::{SolveAnswer, Status};
+use giveway_solve::Status;
+use giveway_solve::words::headline;
 
-use super::bounds::{known, with_bounds};
 use super::{Badge, Standing};
 use crate::front::Front;
 use crate::words::costs::values;
@@ -13,7 +13,7 @@ use crate::{Answer, State};
 
 /// Where the page stands with a scene and its plan, if it has one.
 pub(super) fn resting(state: &State) -> Standing {
-    let say = |badge, sentence| Standing { badge, sentence };
+    let say = Standing::new;
     if let Some(problem) = state.document.draft.problems().first()
         && state.document.fresh_answer().is_none()
     {
@@ -66,10 +66,7 @@ fn on_front(front: &Front, answer: &Rc<Answer>) -> Standing {
             format!("On the Pareto front, {plans} so far: {costs}."),
         )
     };
-    Standing {
-        badge,
-        sentence: what,
-    }
+    Standing::new(badge, what)
 }
 
 /// `Not checked yet whether it is the best: makespan 18.`
@@ -81,61 +78,6 @@ fn shared(answer: &Answer) -> String {
 }
 
 fn answered(answer: &Answer) -> String {
-    let SolveAnswer {
-        status,
-        costs,
-        bounds,
-        within,
-        complete,
-        reason,
-        ..
-    } = &answer.solved;
     let objective = &answer.draft.scene().objective;
-    let reason = reason.as_deref().map_or_else(String::new, sentence);
-    let horizon = within.filter(|_| !complete);
-    match (status, costs) {
-        (Status::Optimal, Some(costs)) => {
-            let values = values(objective, costs);
-            match horizon {
-                Some(within) => format!("Optimal within makespan {within}: {values}."),
-                None => format!("Optimal: {values}."),
-            }
-        }
-        (Status::Feasible, Some(costs)) => {
-            let costs = with_bounds(objective, costs, bounds);
-            format!("Best so far: {costs}. {reason}")
-                .trim_end()
-                .to_owned()
-        }
-        (Status::Impossible, _) => match horizon {
-            Some(within) if reason.is_empty() => format!("No plan within makespan {within}."),
-            Some(within) => format!("No plan within makespan {within}: {reason}"),
-            None if reason.is_empty() => {
-                "No plan exists, no matter how many steps you allow.".to_owned()
-            }
-            None => format!("No plan exists, no matter how many steps you allow: {reason}"),
-        },
-        _ => {
-            let known = known(objective, bounds, None);
-            let said = match known.as_str() {
-                "" => String::new(),
-                known => format!(" Proved so far: {known}."),
-            };
-            let reason = match reason.as_str() {
-                "" => "Time ran out.",
-                reason => reason,
-            };
-            format!("{reason} There may be a plan; none was found yet.{said}")
-        }
-    }
-}
-
-/// With a full stop at its end.
-fn sentence(text: &str) -> String {
-    let text = text.trim();
-    if text.is_empty() || text.ends_with(['.', '!', '?']) {
-        text.to_owned()
-    } else {
-        format!("{text}.")
-    }
+    headline(objective, &answer.solved).to_string()
 }

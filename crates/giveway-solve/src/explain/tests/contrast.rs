@@ -77,7 +77,7 @@ fn a_person_is_told_who_is_in_the_way() {
         answer.words.starts_with(
             "If the makespan were below 4, A2 would meet A1 at (2, 1) at time 1. \
              There is no plan in which the makespan is below 4. \
-             That there is no such plan follows from this: "
+             These facts together rule it out: "
         ),
         "{}",
         answer.words

@@ -42,8 +42,8 @@ fn of_a_broken_plan_every_violation_is_told() {
     assert_eq!((judged.violations.len(), judged.optimal), (2, None));
     assert_eq!(
         words,
-        "The plan is not all right: A1 and A2 are both at (2, 1) at time 1. \
-         It breaks another rule, too."
+        "The plan breaks a rule: A1 and A2 are both at (2, 1) at time 1. \
+         There is one more violation."
     );
 }
 

@@ -103,7 +103,7 @@ fn a_wait_after_the_change_is_told_in_times_of_the_whole() {
     assert_eq!(answer.costs, Some(costs));
     assert_eq!(
         answer.words,
-        "This is about what comes from time 3 on. There is even a better plan in which a does \
+        "This is about the plan from time 3 on. There is even a better plan in which a does \
          not wait between time 3 and 4: a makespan of 7 instead of 8 and a sum of costs of 8 \
          instead of 9."
     );
@@ -230,7 +230,8 @@ fn who_is_half_way_along_a_slow_move_is_waited_for() {
     let refused = explained(late).unwrap_err().sentences().join(" ");
     assert_eq!(
         refused,
-        "At time 1 a is half way along a slow move, and from then on questions cannot be answered."
+        "At time 1 a is in the middle of a slow move. Questions about the time after that cannot \
+         be answered."
     );
 }
 
@@ -239,8 +240,8 @@ fn what_is_past_is_refused() {
     let course = around();
     assert_eq!(
         course.refused("visit a --at 1,1 --time 1"),
-        "Time 1 is before time 3, from which on the world is as it is asked about; what is past \
-         cannot be otherwise."
+        "Time 1 is already past: the question is about the plan from time 3 on, and the past \
+         cannot change."
     );
     assert_eq!(
         course.refused("visit a --at 1,1"),
@@ -248,7 +249,7 @@ fn what_is_past_is_refused() {
     );
     assert_eq!(
         course.refused("arrival b"),
-        "b was at its goal by time 3 already; what is past cannot change."
+        "b was already at its goal at time 3, and the past cannot change."
     );
     assert!(
         course
@@ -299,7 +300,7 @@ fn why_there_is_no_way_to_go_on() {
     );
     assert!(answer.complete);
     let words = answer.words;
-    assert!(words.starts_with("This is about what comes from time 1 on. There is no plan."));
+    assert!(words.starts_with("This is about the plan from time 1 on. There is no plan."));
     assert!(words.contains("a must go from (1, 0) to (3, 0)"), "{words}");
     assert!(
         words.contains("pass through the obstacle at (2, 0) at time 2"),
@@ -320,7 +321,7 @@ fn why_there_is_no_way_to_go_on() {
     );
     let refused = open.refused("unsolvable");
     assert!(
-        refused.starts_with("There is a plan; one has a makespan of 7."),
+        refused.starts_with("There is a plan, with a makespan of 7."),
         "{refused}"
     );
 }
@@ -335,7 +336,7 @@ fn a_goal_in_an_obstacle_is_said_plainly() {
     );
     assert_eq!(
         course.refused("unsolvable"),
-        "There is no plan from time 1 on, since a has to go to (3, 0), where an obstacle is."
+        "There is no plan from time 1 on, because a has to go to (3, 0), where there is an obstacle."
     );
 }
 

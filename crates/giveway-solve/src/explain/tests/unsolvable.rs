@@ -113,11 +113,11 @@ fn scenario_6_is_answered_as_published() {
     assert!(why.exhaustive);
     assert_eq!(
         why.words,
-        "There is no plan. These facts together exclude one: a must go from (0, 0) to (2, 0); \
+        "There is no plan. These facts together rule it out: a must go from (0, 0) to (2, 0); \
          b must go from (2, 0) to (0, 0); (1, 0) is an obstacle; (1, 1) is an obstacle; \
-         a and b must not collide. If agents could pass through each other, a would only meet \
-         b at (1, 2) at time 3. If agents could pass through obstacles, a would only pass \
-         through the obstacle at (1, 0) at time 1. \
+         a and b must not collide. If robots could pass through each other, only this would go \
+         wrong: a would meet b at (1, 2) at time 3. If robots could pass through obstacles, only \
+         this would go wrong: a would pass through the obstacle at (1, 0) at time 1. \
          It would help to remove the obstacle at (1, 0): makespan 6, sum of costs 8."
     );
 }

@@ -4,7 +4,7 @@ use giveway_model::{Instance, Plan, Question, question::from_words};
 
 use super::{read, scenario_1};
 use crate::explain::{
-    Core, Repair, Verdict, WitnessEntry,
+    Core, Edit, Repair, Verdict, WitnessEntry,
     past::Past,
     relax::parts,
     waits,
@@ -76,8 +76,8 @@ fn each_verdict_has_its_sentence() {
     let tell = |found| plain(&instance, &plan, "arrival A2", found, Some(&other));
     assert_eq!(
         tell(Verdict::Needless),
-        "It need not be so. A1 could go differently: there is a plan in which A2 arrives \
-         before time 4 that costs the same."
+        "It does not have to be this way. A1 could move differently: there is a plan that costs \
+         the same and in which A2 arrives before time 4."
     );
     assert_eq!(
         tell(Verdict::Necessary),
@@ -85,8 +85,8 @@ fn each_verdict_has_its_sentence() {
     );
     assert_eq!(
         tell(Verdict::Unknown),
-        "Whether there is a plan in which A2 arrives before time 4 that costs no more was \
-         not found out in time."
+        "The search ended before it was known whether a plan in which A2 arrives before time 4 \
+         would cost more."
     );
     let mut late = plan.clone();
     late.paths
@@ -130,7 +130,7 @@ fn each_kind_of_question_has_its_contrast() {
             "A1 does not wait between time 2 and 5",
         ),
         ("wait A1 --from 2", "A1 does not wait after time 2"),
-        ("wait A1 --at-least 3", "A1 does not wait 3 steps on end"),
+        ("wait A1 --at-least 3", "A1 does not wait 3 steps in a row"),
         ("charge A1", "A1 does not charge"),
         (
             "charge A1 --at 0,0 --time 0",
@@ -193,8 +193,14 @@ fn what_a_set_excludes_and_what_helps_is_told_at_the_end() {
         within: None,
     };
     let repair = Repair {
-        edits: Vec::new(),
-        costs: giveway_model::Costs::default(),
+        edits: vec![Edit::RemoveObstacle {
+            cell: giveway_model::Cell::new(2, 0),
+        }],
+        costs: giveway_model::Costs {
+            makespan: 3,
+            sum_of_costs: 6,
+            ..giveway_model::Costs::default()
+        },
         plan: plan.clone(),
         text: "Remove the obstacle at (2, 0): makespan 3, sum of costs 6.".to_owned(),
     };
@@ -214,7 +220,7 @@ fn what_a_set_excludes_and_what_helps_is_told_at_the_end() {
     assert_eq!(
         words,
         "There is no plan with a makespan of at most 40 in which the makespan is below 4. \
-         That there is no such plan follows from this: A1 must go from (2, 2) to (0, 1); \
+         These facts together rule it out: A1 must go from (2, 2) to (0, 1); \
          A2 must go from (3, 1) to (1, 0). \
          It would help to remove the obstacle at (2, 0): makespan 3, sum of costs 6."
     );

@@ -1,8 +1,7 @@
 //! Costs, and how two plans differ in them.
 
+use giveway_model::words::and;
 use giveway_model::{Cost, Costs, Objective};
-
-use super::list::and;
 
 /// The name of a cost, as a noun of one thing.
 pub(crate) const fn name(cost: Cost) -> &'static str {

@@ -1,8 +1,8 @@
 //! What is different in the other plan, in a few words.
 
+use giveway_model::words::and;
 use giveway_model::{Cell, Cost, Instance, Plan, Question};
 
-use super::list::and;
 use crate::explain::own_plan::own_costs;
 
 /// What could be instead, as a clause: `A1 could wait instead`; `None` where
@@ -48,7 +48,7 @@ pub(crate) fn instead(
         (Some(name), 0) if waits(name, other) > 0 => Some(format!("{name} could wait elsewhere")),
         (_, 1..=3) => {
             let others: Vec<&str> = others.iter().map(|name| **name).collect();
-            Some(format!("{} could go differently", subject(&others)))
+            Some(format!("{} could move differently", subject(&others)))
         }
         _ => None,
     }

@@ -18,7 +18,7 @@ pub(crate) fn fact(part: Part, instance: &Instance, within: Option<u32>) -> Stri
             battery.map_or_else(String::new, |battery| {
                 let (initial, capacity) = (battery.initial, battery.capacity);
                 format!(
-                    "{} has a battery of {capacity} with {initial} in it",
+                    "the battery of {} holds {capacity} and starts at {initial}",
                     name(a)
                 )
             })
@@ -29,10 +29,10 @@ pub(crate) fn fact(part: Part, instance: &Instance, within: Option<u32>) -> Stri
             let goal = agent(a).map(|agent| agent.goal.to_string());
             format!("{} stays at its goal {}", name(a), goal.unwrap_or_default())
         }
-        Part::Slow => "the slow zone is slow".to_owned(),
+        Part::Slow => "moves in the slow zone take 2 steps".to_owned(),
         Part::Deadline => {
             let within = within.unwrap_or_default();
-            format!("everyone must arrive by time {within}")
+            format!("every robot must arrive by time {within}")
         }
     }
 }

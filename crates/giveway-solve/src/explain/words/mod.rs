@@ -7,7 +7,7 @@ mod contrast;
 mod costs;
 mod differences;
 mod facts;
-mod list;
+mod heads;
 mod own_plan;
 mod repairs;
 mod unsolvable;
@@ -15,6 +15,7 @@ mod verdict;
 mod violations;
 
 pub(crate) use facts::fact;
+pub use heads::{facts_claim, facts_title, verdict_word, witness_title};
 pub(crate) use own_plan::own_plan;
 pub use repairs::edits_in_words;
 pub(crate) use repairs::repair;

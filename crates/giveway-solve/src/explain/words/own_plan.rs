@@ -1,11 +1,9 @@
 //! What there is to say of a person's own plan.
 
+use giveway_model::words::{and, count};
 use giveway_model::{Cost, Costs, Objective};
 
-use super::{
-    costs::instead,
-    list::{and, count},
-};
+use super::costs::instead;
 use crate::explain::{answer::Excess, own_plan::Judged};
 
 /// The most violations and agents that are told one by one.
@@ -26,8 +24,8 @@ pub(crate) fn own_plan(
     match (least, judged.optimal) {
         (Some(least), _) => better(judged, objective, least, costs),
         (None, Some(true)) => "The plan keeps all rules, and no plan is better.".to_owned(),
-        (None, _) => "The plan keeps all rules; whether there is a better one was not found \
-                      out in time."
+        (None, _) => "The plan keeps all rules. The search ended before it was known whether \
+                      there is a better one."
             .to_owned(),
     }
 }
@@ -37,13 +35,10 @@ fn broken(judged: &Judged) -> Option<String> {
     let rest = judged.violations.len() - 1;
     let more = match rest {
         0 => String::new(),
-        1 => " It breaks another rule, too.".to_owned(),
-        more => format!(" It breaks {more} rules more."),
+        1 => " There is one more violation.".to_owned(),
+        more => format!(" There are {more} more violations."),
     };
-    Some(format!(
-        "The plan is not all right: {}{more}",
-        first.message
-    ))
+    Some(format!("The plan breaks a rule: {}{more}", first.message))
 }
 
 fn better(judged: &Judged, objective: &Objective, least: &Costs, costs: &Costs) -> String {
@@ -51,9 +46,12 @@ fn better(judged: &Judged, objective: &Objective, least: &Costs, costs: &Costs) 
     let mut text = format!("The plan keeps all rules, but there is a better one: {instead}.");
     let mut phrases: Vec<String> = judged.excess.iter().map(phrase).collect();
     if phrases.len() > MOST {
-        let more = count((phrases.len() - MOST) as u32, "thing", "things");
+        let more = phrases.len() - MOST;
         phrases.truncate(MOST);
-        phrases.push(format!("there are {more} more that need not be"));
+        phrases.push(match more {
+            1 => "there is one more saving".to_owned(),
+            more => format!("there are {more} more savings"),
+        });
     }
     if !phrases.is_empty() {
         text = format!("{text} In it {}.", and(&phrases));
@@ -64,11 +62,11 @@ fn better(judged: &Judged, objective: &Objective, least: &Costs, costs: &Costs) 
 fn phrase(excess: &Excess) -> String {
     let (agent, by) = (&excess.agent, excess.by);
     match excess.cost {
-        Cost::Charges => format!("{agent} charges {} less", count(by, "time", "times")),
-        Cost::Moves => format!("{agent} makes {} less", count(by, "move", "moves")),
-        Cost::Waits => format!("{agent} waits {} less", count(by, "step", "steps")),
+        Cost::Charges => format!("{agent} makes {}", count(by, "fewer charge")),
+        Cost::Moves => format!("{agent} makes {}", count(by, "fewer move")),
+        Cost::Waits => format!("{agent} waits {} less", count(by, "step")),
         Cost::Makespan | Cost::SumOfCosts => {
-            format!("{agent} arrives {} sooner", count(by, "step", "steps"))
+            format!("{agent} arrives {} sooner", count(by, "step"))
         }
     }
 }

@@ -1,6 +1,8 @@
 //! Why there is no plan.
 
-use super::{list::and, verdict::help, violations::would};
+use giveway_model::words::and;
+
+use super::{verdict::help, violations::would};
 use crate::explain::{
     answer::{Class, Core, Repair, WitnessEntry},
     unsolvable::of_class,
@@ -18,7 +20,7 @@ pub(crate) fn unsolvable(
     if let Some(core) = core.filter(|core| !core.facts.is_empty()) {
         let texts: Vec<&str> = core.facts.iter().map(|fact| fact.text.as_str()).collect();
         sentences.push(format!(
-            "These facts together exclude one: {}.",
+            "These facts together rule it out: {}.",
             texts.join("; ")
         ));
     }
@@ -33,19 +35,22 @@ pub(crate) fn unsolvable(
             continue;
         };
         let if_not = match class {
-            Class::Collision => "If agents could pass through each other",
-            Class::Obstacle => "If agents could pass through obstacles",
-            Class::Battery => "If batteries did not count",
-            Class::Waypoint => "If waypoints could be left out",
+            Class::Collision => "If robots could pass through each other",
+            Class::Obstacle => "If robots could pass through obstacles",
+            Class::Battery => "If batteries did not matter",
+            Class::Waypoint => "If waypoints could be skipped",
         };
         let phrases: Vec<String> = violations
             .chunk_by(|a, b| a.agents.first() == b.agents.first())
             .filter_map(|own| {
                 let agent = own.first()?.agents.first().unwrap_or(first);
-                Some(format!("{agent} would only {}", would(agent, own)))
+                Some(format!("{agent} would {}", would(agent, own)))
             })
             .collect();
-        sentences.push(format!("{if_not}, {}.", and(&phrases)));
+        sentences.push(format!(
+            "{if_not}, only this would go wrong: {}.",
+            and(&phrases)
+        ));
     }
     sentences.extend(help(repairs));
     sentences.join(" ")

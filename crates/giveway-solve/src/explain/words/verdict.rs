@@ -3,7 +3,11 @@
 use giveway_model::{Costs, Instance, Objective, Plan, Question};
 
 use super::{
-    contrast::contrast, costs::instead as in_costs, differences::instead, violations::would,
+    contrast::contrast,
+    costs::instead as in_costs,
+    differences::instead,
+    repairs::{led_to, phrase},
+    violations::would,
 };
 use crate::explain::{Core, Repair, Verdict, WitnessEntry, past::Past};
 
@@ -44,13 +48,12 @@ pub(crate) fn verdict(telling: &Telling) -> String {
         let what = would(agent, &violations);
         sentences.push(format!("If {}, {who} would {what}.", contrast.would));
     }
-    let plan_with = format!("a plan in which {}", contrast.does);
     let now = telling.alternative.and_then(costs).unwrap_or(before);
     let within = telling
         .within
         .map_or_else(String::new, |n| format!(" with a makespan of at most {n}"));
     sentences.push(match telling.verdict {
-        Verdict::Needless => needless(telling, goes_wrong, &plan_with),
+        Verdict::Needless => needless(telling, goes_wrong, &contrast.does),
         Verdict::Improvable => {
             let instead = in_costs(telling.objective, &now, &before);
             format!(
@@ -61,7 +64,11 @@ pub(crate) fn verdict(telling: &Telling) -> String {
         Verdict::Costly => costly(telling, &contrast.does, &now, &before),
         Verdict::Necessary => format!("There is no plan{within}{}.", in_which(&contrast.does)),
         Verdict::Unknown => {
-            format!("Whether there is {plan_with} that costs no more was not found out in time.")
+            let does = &contrast.does;
+            format!(
+                "The search ended before it was known whether a plan in which {does} would cost \
+                 more."
+            )
         }
     });
     if matches!(telling.verdict, Verdict::Necessary | Verdict::Costly) {
@@ -75,7 +82,7 @@ fn in_which(does: &str) -> String {
     format!(" in which {does}")
 }
 
-fn needless(telling: &Telling, goes_wrong: bool, plan_with: &str) -> String {
+fn needless(telling: &Telling, goes_wrong: bool, does: &str) -> String {
     let instead = telling
         .alternative
         .and_then(|other| instead(telling.question, telling.instance, telling.plan, other));
@@ -84,10 +91,16 @@ fn needless(telling: &Telling, goes_wrong: bool, plan_with: &str) -> String {
             format!("But {instead}: there is another plan that costs the same.")
         }
         (Some(instead), false) => {
-            format!("It need not be so. {instead}: there is {plan_with} that costs the same.")
+            format!(
+                "It does not have to be this way. {instead}: there is a plan that costs the same \
+                 and in which {does}."
+            )
         }
         (None, true) => "But there is another plan that costs the same.".to_owned(),
-        (None, false) => format!("It need not be so: there is {plan_with} that costs the same."),
+        (None, false) => format!(
+            "It does not have to be this way: there is a plan that costs the same and in which \
+             {does}."
+        ),
     }
 }
 
@@ -100,26 +113,22 @@ fn costly(telling: &Telling, does: &str, now: &Costs, before: &Costs) -> String 
 fn because(core: &Core, verdict: Verdict) -> Option<String> {
     let texts: Vec<&str> = core.facts.iter().map(|fact| fact.text.as_str()).collect();
     let what = match verdict {
-        Verdict::Costly => "no such plan costs less",
-        _ => "there is no such plan",
+        Verdict::Costly => "a cheaper one",
+        _ => "it",
     };
-    (!texts.is_empty()).then(|| format!("That {what} follows from this: {}.", texts.join("; ")))
+    (!texts.is_empty()).then(|| {
+        format!(
+            "These facts together rule {what} out: {}.",
+            texts.join("; ")
+        )
+    })
 }
 
 /// The first repair.
 pub(crate) fn help(repairs: &[Repair]) -> Option<String> {
     let first = repairs.first()?;
-    let (edit, costs) = first.text.trim_end_matches('.').rsplit_once(": ")?;
-    Some(format!("It would help to {}: {costs}.", lower(edit)))
-}
-
-/// A phrase from the beginning of a sentence in the middle of one.
-fn lower(phrase: &str) -> String {
-    let mut chars = phrase.chars();
-    chars.next().map_or_else(String::new, |first| {
-        [first.to_ascii_lowercase()]
-            .into_iter()
-            .chain(chars)
-            .collect()
-    })
+    Some(format!(
+        "It would help to {}.",
+        led_to(&phrase(&first.edits), &first.costs)
+    ))
 }

@@ -3,8 +3,7 @@
 use std::collections::BTreeSet;
 
 use giveway_model::check::{Rule, Violation};
-
-use super::list::and;
+use giveway_model::words::{and, count};
 
 /// The most that a sentence tells one by one.
 const MOST: usize = 3;
@@ -23,8 +22,7 @@ pub(crate) fn would(agent: &str, violations: &[&Violation]) -> String {
     let more = phrases.len().saturating_sub(MOST);
     if more > 0 {
         phrases.truncate(MOST);
-        let rules = if more == 1 { "rule" } else { "rules" };
-        phrases.push(format!("break {more} {rules} more"));
+        phrases.push(format!("break {}", count(more, "more rule")));
     }
     and(&phrases)
 }
@@ -48,7 +46,7 @@ fn phrase(agent: &str, violation: &Violation) -> String {
         Rule::Waypoint => format!("miss its waypoint{cell}"),
         Rule::Obstacle => format!("pass through the obstacle{cell} at time {time}"),
         Rule::Goal => "not end at its goal".to_owned(),
-        Rule::Charge => format!("charge where it cannot at time {time}"),
+        Rule::Charge => format!("charge at time {time}, where it cannot"),
         Rule::Shape | Rule::Start | Rule::Move => format!("break a rule at time {time}"),
     }
 }

@@ -1,22 +1,20 @@
 //! A question as a person says it.
 
-use giveway_model::{Cell, Question};
+use super::Question;
+use crate::Cell;
 
-use super::at;
-
-/// The question as a sentence with the names that the person knows.
+/// The question as a sentence for people.
 ///
 /// ```
-/// use giveway_model::{Cell, Question};
-/// use giveway_page::words::question;
+/// use giveway_model::{Cell, Question, question::sentence};
 /// let ask = Question::NoVisit { agent: None, at: Cell::new(3, 1) };
-/// assert_eq!(question(&ask), "Why does nobody pass (3, 1)?");
+/// assert_eq!(sentence(&ask), "Why does nobody pass (3, 1)?");
 /// ```
 #[expect(
     clippy::too_many_lines,
     reason = "a sentence for each kind of question"
 )]
-pub fn question(question: &Question) -> String {
+pub fn sentence(question: &Question) -> String {
     match question {
         Question::Wait {
             agent,
@@ -42,30 +40,28 @@ pub fn question(question: &Question) -> String {
             )
         }
         Question::NoCharge { agent, at: cell } => {
-            format!("Why does {agent} not charge at {}?", at(*cell))
+            format!("Why does {agent} not charge at {cell}?")
         }
         Question::Visit {
             agent,
             at: cell,
             time,
-        } => format!("Why does {agent} pass {}{}?", at(*cell), when(*time)),
+        } => format!("Why does {agent} pass {cell}{}?", when(*time)),
         Question::NoVisit {
             agent: Some(agent),
             at: cell,
-        } => format!("Why does {agent} not pass {}?", at(*cell)),
+        } => format!("Why does {agent} not pass {cell}?"),
         Question::NoVisit {
             agent: None,
             at: cell,
-        } => format!("Why does nobody pass {}?", at(*cell)),
+        } => format!("Why does nobody pass {cell}?"),
         Question::Move {
             agent,
             from_cell,
             to_cell,
             time,
         } => format!(
-            "Why does {agent} go from {} to {}{}?",
-            at(*from_cell),
-            at(*to_cell),
+            "Why does {agent} go from {from_cell} to {to_cell}{}?",
             when(*time)
         ),
         Question::NoMove {
@@ -74,9 +70,7 @@ pub fn question(question: &Question) -> String {
             to_cell,
             time,
         } => format!(
-            "Why does {agent} not go from {} to {}{}?",
-            at(*from_cell),
-            at(*to_cell),
+            "Why does {agent} not go from {from_cell} to {to_cell}{}?",
             when(*time)
         ),
         Question::Slow {
@@ -85,7 +79,7 @@ pub fn question(question: &Question) -> String {
             to_cell,
         } => {
             let over = from_cell.zip(*to_cell);
-            let over = over.map(|(u, v)| format!(" over {} and {}", at(u), at(v)));
+            let over = over.map(|(u, v)| format!(" over {u} and {v}"));
             format!(
                 "Why does {agent} take the slow way{}?",
                 over.unwrap_or_default()
@@ -95,11 +89,7 @@ pub fn question(question: &Question) -> String {
             agent,
             first,
             second,
-        } => format!(
-            "Why does {agent} visit {} before {}?",
-            at(*first),
-            at(*second)
-        ),
+        } => format!("Why does {agent} visit {first} before {second}?"),
         Question::Arrival { agent } => format!("Why does {agent} not arrive sooner?"),
         Question::Length {
             agent,
@@ -111,28 +101,28 @@ pub fn question(question: &Question) -> String {
         } => format!("Why does {agent} not make fewer than {moves} moves?"),
         Question::Makespan => "Why does it take this long?".to_owned(),
         Question::SumOfCosts => "Why is the sum of costs not less?".to_owned(),
-        Question::Charges { agent } => fewer(agent.as_deref(), "charges"),
-        Question::Moves { agent } => fewer(agent.as_deref(), "moves"),
-        Question::Waits { agent } => fewer(agent.as_deref(), "waits"),
+        Question::Charges { agent: Some(agent) } => {
+            format!("Why does {agent} not charge fewer times?")
+        }
+        Question::Charges { agent: None } => "Why are there not fewer charges?".to_owned(),
+        Question::Moves { agent: Some(agent) } => {
+            format!("Why does {agent} not make fewer moves?")
+        }
+        Question::Moves { agent: None } => "Why are there not fewer moves?".to_owned(),
+        Question::Waits { agent: Some(agent) } => format!("Why does {agent} not wait less?"),
+        Question::Waits { agent: None } => "Why are there not fewer waits?".to_owned(),
         Question::Yield {
             agent,
             to,
             at: cell,
-        } => format!("Why does {agent} give way to {to} at {}?", at(*cell)),
+        } => format!("Why does {agent} give way to {to} at {cell}?"),
         Question::Unsolvable => "Why is there no plan?".to_owned(),
         Question::Plan => "Is this plan the best?".to_owned(),
     }
 }
 
-fn fewer(agent: Option<&str>, what: &str) -> String {
-    match agent {
-        Some(agent) => format!("Why are there not fewer {what} of {agent}?"),
-        None => format!("Why are there not fewer {what}?"),
-    }
-}
-
 fn place(cell: Option<Cell>, word: &str) -> String {
-    cell.map_or_else(String::new, |cell| format!(" {word} {}", at(cell)))
+    cell.map_or_else(String::new, |cell| format!(" {word} {cell}"))
 }
 
 fn when(time: Option<u32>) -> String {
@@ -145,7 +135,7 @@ mod tests {
 
     #[track_caller]
     fn check(ask: &Question, expect: &str) {
-        assert_eq!(question(ask), expect);
+        assert_eq!(sentence(ask), expect);
     }
 
     #[test]
@@ -199,7 +189,7 @@ mod tests {
         check(&charges(None), "Why are there not fewer charges?");
         check(
             &charges(Some(agent())),
-            "Why are there not fewer charges of A1?",
+            "Why does A1 not charge fewer times?",
         );
         check(&Question::Unsolvable, "Why is there no plan?");
     }

@@ -1,0 +1,130 @@
+//! Small parts of sentences for people, made in one place for the page, the
+//! command and certificates: lists, numbers of things, costs.
+
+use std::fmt::Display;
+
+use crate::{Cost, Costs};
+
+/// Phrases in a row: `a`, `a and b`, `a, b and c`.
+///
+/// ```
+/// use giveway_model::words::and;
+/// assert_eq!(and(&["a", "b", "c"]), "a, b and c");
+/// ```
+pub fn and<S: AsRef<str>>(phrases: &[S]) -> String {
+    match phrases {
+        [] => String::new(),
+        [one] => one.as_ref().to_owned(),
+        [init @ .., last] => {
+            let init: Vec<&str> = init.iter().map(AsRef::as_ref).collect();
+            format!("{} and {}", init.join(", "), last.as_ref())
+        }
+    }
+}
+
+/// A number of things: `1 robot`, `2 robots`.
+///
+/// ```
+/// use giveway_model::words::count;
+/// assert_eq!(count(1_u32, "robot"), "1 robot");
+/// assert_eq!(count(0_u32, "robot"), "0 robots");
+/// ```
+pub fn count<N: Display + PartialEq + From<u8>>(n: N, thing: &str) -> String {
+    let plural = if n == N::from(1) { "" } else { "s" };
+    format!("{n} {thing}{plural}")
+}
+
+/// A number with thin spaces where it is long.
+pub fn grouped(n: u64) -> String {
+    let digits = n.to_string();
+    if digits.len() <= 4 {
+        return digits;
+    }
+    let mut text = String::new();
+    for (i, digit) in digits.chars().enumerate() {
+        if i > 0 && (digits.len() - i).is_multiple_of(3) {
+            text.push('\u{202f}');
+        }
+        text.push(digit);
+    }
+    text
+}
+
+/// A phrase as the beginning of a sentence. A name that begins with a letter of
+/// another alphabet stands as it is: a table of all letters would weigh more in a
+/// page than all of its words.
+pub fn capital(phrase: &str) -> String {
+    with_first(phrase, |first| first.to_ascii_uppercase())
+}
+
+/// A sentence in the middle of another one, behind a colon.
+pub fn lower(sentence: &str) -> String {
+    with_first(sentence, |first| first.to_ascii_lowercase())
+}
+
+fn with_first(text: &str, change: fn(&char) -> char) -> String {
+    let mut chars = text.chars();
+    let first = chars.next().map(|first| change(&first));
+    first.into_iter().chain(chars).collect()
+}
+
+/// A sentence with a full stop at its end, if it has none of its own.
+///
+/// ```
+/// use giveway_model::words::sentence;
+/// assert_eq!(sentence(" A1 cannot arrive"), "A1 cannot arrive.");
+/// assert_eq!(sentence("Why?"), "Why?");
+/// ```
+pub fn sentence(text: &str) -> String {
+    let text = text.trim();
+    if text.is_empty() || text.ends_with(['.', '!', '?']) {
+        text.to_owned()
+    } else {
+        format!("{text}.")
+    }
+}
+
+/// The name of a cost within a sentence.
+pub const fn name(cost: Cost) -> &'static str {
+    match cost {
+        Cost::SumOfCosts => "sum of costs",
+        other => other.name(),
+    }
+}
+
+/// A cost and its value: `makespan 18`, `1 charge`.
+pub fn value(cost: Cost, n: u32) -> String {
+    match cost {
+        Cost::Makespan | Cost::SumOfCosts => format!("{} {n}", name(cost)),
+        Cost::Charges => count(n, "charge"),
+        Cost::Moves => count(n, "move"),
+        Cost::Waits => count(n, "wait"),
+    }
+}
+
+/// Costs with their values: `makespan 18, sum of costs 35`.
+pub fn values<'a>(order: impl IntoIterator<Item = &'a Cost>, costs: &Costs) -> String {
+    let parts = order.into_iter().map(|&cost| value(cost, costs.get(cost)));
+    parts.collect::<Vec<_>>().join(", ")
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn values_of_costs() {
+        assert_eq!(value(Cost::Makespan, 18), "makespan 18");
+        assert_eq!(value(Cost::SumOfCosts, 35), "sum of costs 35");
+        assert_eq!(value(Cost::Charges, 1), "1 charge");
+        assert_eq!(value(Cost::Moves, 2), "2 moves");
+        assert_eq!(value(Cost::Waits, 0), "0 waits");
+    }
+
+    #[test]
+    fn only_the_first_letter_changes() {
+        assert_eq!(capital("remove A1"), "Remove A1");
+        assert_eq!(lower("There is No plan"), "there is No plan");
+        assert_eq!(capital(""), "");
+    }
+}
