@@ -43,6 +43,15 @@ pub enum Certified {
 }
 
 impl Certified {
+    /// The same in words.
+    pub const fn words(self) -> &'static str {
+        match self {
+            Self::Proved => "Proved",
+            Self::ProvedAndSearched => "Proved and searched",
+            Self::NotCertified => "Not certified",
+        }
+    }
+
     fn of(claims: &[Checked]) -> Self {
         let is = |test: fn(&Checked) -> bool| claims.iter().any(test);
         if is(|claim| matches!(claim, Checked::None { .. })) {

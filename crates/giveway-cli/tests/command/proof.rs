@@ -43,7 +43,7 @@ fn an_optimum_is_certified_cost_by_cost() {
           proof          There is no plan with makespan at most 18 and sum of costs at most 34.
           proof          There is no plan with makespan at most 18, sum of costs at most 35 and charges at most 2.
         Together: the plan is optimal, its costs compared in the order of the objective.
-        3 proofs were checked."#]]
+        Proved. 3 proofs were checked."#]]
     .assert_eq(&verified(&folder, "certificate"));
     let readme = folder.read("certificate/README.md");
     assert!(readme.contains("Together: the plan is optimal"), "{readme}");
@@ -63,7 +63,7 @@ fn that_there_is_no_plan_rests_on_search_and_on_a_proof_up_to_a_makespan() {
           search         There is no plan.
           proof          There is no plan of makespan at most 40.
         Together: there is no plan.
-        The proof was checked. 1 claim rests on a search, which was repeated."#]]
+        Proved and searched. The proof was checked. 1 claim rests on a search, which was repeated."#]]
     .assert_eq(&verified(&folder, "certificate"));
 }
 
@@ -81,6 +81,7 @@ fn what_was_changed_is_rejected() {
     assert_eq!((run.exit, run.err.as_str()), (Some(1), ""));
     expect![[r#"
         Rejected: makespan.drat: it was changed: its fingerprint differs.
+        Not certified.
     "#]]
     .assert_eq(&run.out);
 }
@@ -112,6 +113,7 @@ fn what_is_no_certificate() {
     assert_eq!(run.exit, Some(1));
     expect![[r#"
         Rejected: manifest.json: it is missing.
+        Not certified.
     "#]]
     .assert_eq(&run.out);
 }
@@ -133,7 +135,7 @@ fn answers_to_questions_are_certified() {
     expect![[r#"
         Accepted: every file is as it was written.
           proof          There is no plan with makespan at most 17.
-        The proof was checked."#]]
+        Proved. The proof was checked."#]]
     .assert_eq(&verified(&folder, "sooner"));
     folder
         .run("explain warehouse.json --plan plan.json arrival A2 --within 20 --proof arrival")
@@ -191,5 +193,6 @@ fn only_regular_files_that_belong_to_it_are_read() {
         }
         fs::write(&file, bytes).unwrap();
     }
-    assert!(verified(&folder, "certificate").ends_with("checked."));
+    let verified = verified(&folder, "certificate");
+    assert!(verified.starts_with("Accepted: "), "{verified}");
 }

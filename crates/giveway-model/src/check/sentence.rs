@@ -69,6 +69,10 @@ pub(super) fn held(agent: &str, from: Cell, time: u32) -> String {
     format!("{agent} leaves {from} at time {time}, but a breakdown keeps it there.")
 }
 
+pub(super) fn early(agent: &str, to: Cell, begin: u32) -> String {
+    format!("{agent} sets off to {to} at time {begin}, when an obstacle is still there.")
+}
+
 pub(super) fn late_waypoint(agent: &str, waypoint: Cell, since: u32, end: u32) -> String {
     format!(
         "{agent} does not visit {waypoint} after it became a waypoint at time {since}; its path ends at time {end}."

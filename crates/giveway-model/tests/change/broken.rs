@@ -174,6 +174,15 @@ fn a_slow_move_under_way_is_on_its_edge() {
 }
 
 #[test]
+fn nobody_sets_off_to_an_obstacle() {
+    let map = [".#."];
+    let removed = "2 remove-obstacle 10";
+    breaks(&map, "A 00 20", removed, "A 00 00 00 10 20", &[]);
+    let early = "A 00 00 10 20";
+    breaks(&map, "A 00 20", removed, early, &["1 obstacle A"]);
+}
+
+#[test]
 fn batteries_and_charges() {
     let map = ["..+.."];
     let set = "1 set-battery A 1";

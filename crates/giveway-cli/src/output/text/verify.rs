@@ -4,7 +4,7 @@ use std::fmt::Write as _;
 
 use anstyle::AnsiColor;
 use giveway_model::words::count;
-use giveway_proof::{Checked, Report};
+use giveway_proof::{Certified, Checked, Report};
 
 use super::paint;
 use crate::output::plain;
@@ -60,8 +60,15 @@ pub(crate) fn verify(report: &Report) -> String {
     if let Some(conclusion) = &report.conclusion {
         let _ = writeln!(text, "{}", plain::text(conclusion));
     }
-    if report.accepted {
-        let _ = writeln!(text, "{}", report.summary());
-    }
+    let colour = match report.certified {
+        Certified::Proved | Certified::ProvedAndSearched => AnsiColor::Green,
+        Certified::NotCertified => AnsiColor::Red,
+    };
+    let word = paint(colour.on_default().bold(), report.certified.words());
+    let _ = if report.accepted {
+        writeln!(text, "{word}. {}", report.summary())
+    } else {
+        writeln!(text, "{word}.")
+    };
     text
 }

@@ -95,6 +95,16 @@ fn find_moves(history: &History, index: usize, life: &Life<'_>, findings: &mut F
                 let place = Place::Edge(from, to);
                 findings.push(Rule::Move, time as usize, &[index], place, message);
             }
+            Step::Move { to, .. } | Step::SlowMove { to, .. } => {
+                // Whether it is free on arrival is looked at with all other stops.
+                let arrives = time + 1 + u32::from(matches!(step, Step::SlowMove { .. }));
+                let free = |time: u32| history.grid(time).is_vertex(to);
+                if !free(time) && free(arrives) {
+                    let message = sentence::early(name, to, time);
+                    let place = Place::Cell(to);
+                    findings.push(Rule::Obstacle, time as usize, &[index], place, message);
+                }
+            }
             _ => {}
         }
     }
