@@ -39,9 +39,8 @@ export async function open(browser, { width = 1440, height = 900, theme = "light
   return { context, page, complaints: complaintsOf(page) };
 }
 
-/** Every error on the console, uncaught or printed; violations of the policy are among them. */
-function complaintsOf(page) {
-  const complaints = [];
+/** Every error on the console, uncaught or printed; violations of the policy are among them. They join others, if there are. */
+export function complaintsOf(page, complaints = []) {
   page.on("pageerror", (error) => complaints.push(`uncaught: ${error.stack ?? error.message}`));
   page.on("crash", () => complaints.push("the page crashed"));
   page.on("console", (message) => {

@@ -45,6 +45,9 @@ fn same_mode(one: &Mode, two: &Mode) -> bool {
         (Mode::Judging(one, asked), Mode::Judging(two, again)) => {
             Rc::ptr_eq(one, two) && Rc::ptr_eq(asked, again)
         }
+        (Mode::Stuck(one, asked), Mode::Stuck(two, again)) => {
+            Rc::ptr_eq(one, two) && Rc::ptr_eq(asked, again)
+        }
         _ => false,
     }
 }

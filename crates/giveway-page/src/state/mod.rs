@@ -90,8 +90,10 @@ impl State {
         }
     }
 
-    /// The agent that the camera goes with, by its index in the scene.
+    /// The agent that the camera goes with, by its index in the scene. The board
+    /// stands still under a hand that is doing something.
     pub fn followed(&self) -> Option<usize> {
-        self.selected_agent().filter(|_| self.view.follow)
+        let follows = self.view.follow && !self.has_gesture();
+        self.selected_agent().filter(|_| follows)
     }
 }

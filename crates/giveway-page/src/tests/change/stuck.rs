@@ -4,7 +4,7 @@ use super::changing;
 use crate::changing::columns;
 use crate::reduce::tests::{after, stroke};
 use crate::tests::{answer, answered, saying};
-use crate::{Action, AskAction, ChangeAction, Mode, Phase, Tool};
+use crate::{Action, AskAction, ChangeAction, Mode, Phase, Tab, Tool, ViewAction};
 
 #[test]
 fn where_no_method_has_a_plan_nothing_can_be_adopted_and_the_cause_is_told() {
@@ -46,6 +46,8 @@ fn where_no_method_has_a_plan_a_repair_makes_one() {
         state.view.notice,
         state.phase()
     );
+    let looked = after(&state, [Action::View(ViewAction::ShowTab(Tab::Timeline))]);
+    assert!(state.is_kept_alike(&looked), "there is nothing new to keep");
     let told = state.document.mode.asking().unwrap().told.clone().unwrap();
     assert!(!told.repairs.is_empty(), "{told:?}");
     let again = after(&state, [Action::Ask(AskAction::TakeRepair(0))]);

@@ -5,7 +5,7 @@ use giveway_model::Cell;
 use super::{agent, key};
 use crate::reduce::tests::{after, fresh, stroke};
 use crate::sample::solved;
-use crate::{Action, BoardAction, Phase, Selection, State, Tool};
+use crate::{Action, BoardAction, Phase, Selection, State, Tool, ViewAction};
 
 #[test]
 fn the_selected_agent_gets_another_goal() {
@@ -152,4 +152,21 @@ fn the_selection_follows_its_agent() {
     assert_eq!(undone.view.selection, Selection::Agent(1));
     let gone = after(&undone, stroke(Tool::Erase, &[(9, 2)]));
     assert_eq!(gone.view.selection, Selection::Nothing);
+}
+
+#[test]
+fn the_board_stands_still_while_something_is_dragged() {
+    let state = after(
+        &fresh(),
+        [
+            Action::View(ViewAction::Follow(true)),
+            Action::Board(BoardAction::Press(Cell::new(0, 0))),
+            Action::Board(BoardAction::Drag(Cell::new(0, 1))),
+        ],
+    );
+    assert_eq!(state.selected_agent(), Some(0), "it was taken hold of");
+    assert_eq!(state.followed(), None);
+    let dropped = after(&state, [Action::Board(BoardAction::Release)]);
+    assert_eq!(agent(&dropped, 0).start, Cell::new(0, 1));
+    assert_eq!(dropped.followed(), Some(0));
 }
