@@ -29,7 +29,7 @@ pub fn and<S: AsRef<str>>(phrases: &[S]) -> String {
 /// assert_eq!(count(1_u32, "robot"), "1 robot");
 /// assert_eq!(count(0_u32, "robot"), "0 robots");
 /// ```
-pub fn count<N: Display + PartialEq + From<u8>>(n: N, thing: &str) -> String {
+pub fn count<N: Copy + Display + PartialEq + From<u8>>(n: N, thing: &str) -> String {
     let plural = if n == N::from(1) { "" } else { "s" };
     format!("{n} {thing}{plural}")
 }
@@ -54,12 +54,12 @@ pub fn grouped(n: u64) -> String {
 /// another alphabet stands as it is: a table of all letters would weigh more in a
 /// page than all of its words.
 pub fn capital(phrase: &str) -> String {
-    with_first(phrase, |first| first.to_ascii_uppercase())
+    with_first(phrase, char::to_ascii_uppercase)
 }
 
 /// A sentence in the middle of another one, behind a colon.
 pub fn lower(sentence: &str) -> String {
-    with_first(sentence, |first| first.to_ascii_lowercase())
+    with_first(sentence, char::to_ascii_lowercase)
 }
 
 fn with_first(text: &str, change: fn(&char) -> char) -> String {

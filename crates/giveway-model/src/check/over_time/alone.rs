@@ -105,7 +105,7 @@ fn find_moves(history: &History, index: usize, life: &Life<'_>, findings: &mut F
                     findings.push(Rule::Obstacle, time as usize, &[index], place, message);
                 }
             }
-            _ => {}
+            Step::Wait => {}
         }
     }
     find_last_transit(history, index, life, findings);
