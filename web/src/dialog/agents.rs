@@ -57,7 +57,7 @@ pub(crate) fn Agents(props: &AgentsProps) -> Html {
             }
         })
     };
-    let there_are = words::count(choice.most(), "agent");
+    let there_are = words::count(choice.most(), "robot");
     html! {
         <Frame title="How many robots?" narrow=true on_close={on_close.clone()}>
             <p>{ format!("{} has {there_are}. The first of them are taken.", choice.file()) }</p>

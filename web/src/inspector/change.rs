@@ -38,7 +38,7 @@ pub(super) fn show(facts: &Facts, methods: Choice, send: &Callback<Action>) -> H
             <section aria-label="Changes">
                 <h3>{ "Changes" }</h3>
                 if facts.list.is_empty() {
-                    <p class="remark">{ "Use the tools on the board: what they do becomes a change. Select an agent for more." }</p>
+                    <p class="remark">{ "Use the tools on the board: what they do becomes a change. Select a robot for more." }</p>
                 } else {
                     <ul class="changes">{ for facts.list.iter().enumerate().map(one) }</ul>
                 }
@@ -100,7 +100,7 @@ fn choose(methods: Choice, send: &Callback<Action>) -> Html {
                     { check("Tunnel", "stay near the old paths", methods.tunnel, |c| Choice { tunnel: !c.tunnel, ..c }) }
                     <div class="fields">{ number("Width, steps", Some(methods.width), (0, WIDEST), None, &width) }</div>
                 </div>
-                { check("Replan", "plan anew from here", methods.replan, |c| Choice { replan: !c.replan, ..c }) }
+                { check("Replan", "plan everything again from here", methods.replan, |c| Choice { replan: !c.replan, ..c }) }
             </div>
         </section>
     }

@@ -19,7 +19,7 @@ pub(super) fn begin(state: &State, send: &Callback<Action>) -> Html {
     let name = agents.get(agent).map_or("", |agent| agent.name.as_str());
     let led = state.document.mode.steering().map(|own| own.agent);
     let text = if led == Some(agent) {
-        format!("Lead {name} anew from time {}", state.view.playback.time)
+        format!("Lead {name} again from time {}", state.view.playback.time)
     } else {
         format!("Lead {name} by hand")
     };
@@ -76,7 +76,7 @@ fn led(facts: &Facts, send: &Callback<Action>) -> Html {
                 <h3>{ if facts.to_do.is_empty() { "Costs" } else { "Costs so far" } }</h3>
                 { answer::costs(&facts.rows, "Costs of both plans", ["Plan", "Yours"]) }
             </section>
-            <p class="remark">{ "Select another agent to lead it in the same plan, too." }</p>
+            <p class="remark">{ "Select another robot to lead it in the same plan, too." }</p>
         </>
     }
 }

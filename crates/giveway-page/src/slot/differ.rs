@@ -13,7 +13,7 @@ pub(crate) fn difference(here: &Document, there: &Document) -> String {
         .chain(agents(ours, theirs))
         .chain((ours.rules != theirs.rules).then(|| "the rules are different".to_owned()))
         .chain((ours.objective != theirs.objective).then(|| "the costs are different".to_owned()))
-        .chain((here.within != there.within).then(|| "the horizon is different".to_owned()))
+        .chain((here.within != there.within).then(|| "the latest arrival is different".to_owned()))
         .chain((here.colours != there.colours).then(|| "the colours are different".to_owned()));
     let found: Vec<String> = found.collect();
     match &*found {
