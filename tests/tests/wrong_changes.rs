@@ -344,3 +344,32 @@ fn a_battery_that_is_set_in_sleep_lasts() {
     let answer = answer(request).unwrap();
     assert_eq!(optimal(&answer, Method::Replan).makespan, 7);
 }
+
+/// What an agent slept before one change is no wait at the next.
+#[test]
+fn who_was_woken_and_stays_after_all_has_waited_since_it_was_woken() {
+    let scene = r#"{ "giveway": 1, "map": ["...", "..."], "objective": ["makespan", "waits"],
+        "agents": [{ "name": "A", "start": [1, 0], "goal": [1, 0] }] }"#;
+    let plan = r#"{ "giveway": 1, "knows": 3, "slept": { "A": [[0, 3]] },
+        "paths": { "A": [[1, 0], [1, 0], [1, 0], [1, 0], [1, 0], [1, 1], [1, 0]] } }"#;
+    let changes = r#"{ "giveway": 1, "changes": [
+        { "at": 3, "change": "add-charger", "cell": [0, 0] },
+        { "at": 4, "change": "add-charger", "cell": [2, 0] }] }"#;
+    let request = |method| ChangeRequest {
+        scene: native::read_instance(scene).unwrap().to_scene(),
+        plan: native::read_plan(plan).unwrap(),
+        changes: native::read_changes(changes).unwrap(),
+        since: None,
+        methods: vec![method],
+        objective: None,
+        within: None,
+        limits: Limits::default(),
+    };
+    for (method, makespan, waits) in [(Method::Revise, 6, 1), (Method::Replan, 0, 0)] {
+        let answer = answer(request(method)).unwrap();
+        let costs = optimal(&answer, method);
+        assert_eq!((costs.makespan, costs.waits), (makespan, waits));
+        let bounds = &answer.methods.get(method).unwrap().result.bounds;
+        assert_eq!(bounds.get(&Cost::Waits), Some(&waits), "{bounds:?}");
+    }
+}

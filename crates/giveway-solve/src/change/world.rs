@@ -1,6 +1,8 @@
 //! The world at the time of a change, as the search sees it: agents half way
 //! through their tasks, times counted from then.
 
+use std::ops::Range;
+
 use giveway_model::{
     Cell, Plan,
     change::{Career, Duty, History, Life, Whereabouts},
@@ -212,7 +214,10 @@ impl Member {
             battery: level,
             held: held(career, at),
             rested,
-            stood: if arrived.is_some() { 0 } else { rested },
+            stood: match since {
+                Some(since) if arrived.is_none() => awake(life, before, since..at),
+                _ => 0,
+            },
             arrived,
             rest,
             entries,
@@ -252,6 +257,14 @@ impl Member {
         }
         Some(walk)
     }
+}
+
+/// For how many of these steps at its goal an agent did not sleep.
+fn awake(life: &Life<'_>, before: &History, steps: Range<u32>) -> u32 {
+    let times = before.times().filter(|&time| life.career.from < time);
+    let slept = life.sleeps(times);
+    let awake = steps.filter(|&time| !slept.iter().any(|&(from, to)| from <= time && time < to));
+    awake.count() as u32
 }
 
 /// The level that a battery is set to at a time.
