@@ -89,10 +89,9 @@ fn renamed(case: &str) -> Bundle {
     files
 }
 
-fn solved(instance: &Instance, objective: &Objective, within: Option<u32>) -> SolveAnswer {
+fn solved(instance: &Instance, within: Option<u32>) -> SolveAnswer {
     let request = Request::Solve(SolveRequest {
         scene: instance.to_scene(),
-        objective: Some(objective.clone()),
         within,
         ..SolveRequest::default()
     });
@@ -102,10 +101,9 @@ fn solved(instance: &Instance, objective: &Objective, within: Option<u32>) -> So
     }
 }
 
-fn of<'a>(instance: &'a Instance, objective: &'a Objective, answer: &'a SolveAnswer) -> Solved<'a> {
+fn of<'a>(instance: &'a Instance, answer: &'a SolveAnswer) -> Solved<'a> {
     Solved {
         instance,
-        objective,
         about: Claim::default(),
         bounds: &answer.bounds,
         impossible: answer.status == Status::Impossible,
@@ -119,17 +117,17 @@ fn of<'a>(instance: &'a Instance, objective: &'a Objective, answer: &'a SolveAns
 /// not by the report.
 #[test]
 fn a_plan_that_is_best_up_to_a_makespan_is_called_no_more() {
-    let instance = instance("f3c-within-s2.json");
     let objective: Objective = "moves,waits".parse().unwrap();
-    let answer = solved(&instance, &objective, Some(5));
-    let later = solved(&instance, &objective, Some(6));
+    let instance = instance("f3c-within-s2.json").with_objective(objective);
+    let answer = solved(&instance, Some(5));
+    let later = solved(&instance, Some(6));
     assert_eq!(
         later.costs.map(|costs| (costs.moves, costs.makespan)),
         Some((3, 6))
     );
     assert!(answer.costs.unwrap().moves > 3);
     assert_eq!((answer.complete, answer.within), (false, Some(5)));
-    let solved = of(&instance, &objective, &answer);
+    let solved = of(&instance, &answer);
     let files = export(&solved, &Budget::default());
     let readme = String::from_utf8(files["README.md"].clone()).unwrap();
     assert!(!readme.contains("the plan is optimal"), "{readme}");
@@ -162,7 +160,6 @@ fn names_are_no_sentences() {
     };
     let solved = Solved {
         instance: &instance,
-        objective: instance.objective(),
         about: about.clone(),
         bounds: &bounds,
         impossible: true,
@@ -195,11 +192,11 @@ fn it_is_told_what_shows_the_claims() {
         ("makespan,sum-of-costs", Certified::Proved),
         ("moves,waits", Certified::ProvedAndSearched),
     ] {
-        let instance = instance("yield-2x2.json");
         let objective: Objective = objective.parse().unwrap();
-        let answer = solved(&instance, &objective, None);
+        let instance = instance("yield-2x2.json").with_objective(objective);
+        let answer = solved(&instance, None);
         assert!(answer.complete);
-        let solved = of(&instance, &objective, &answer);
+        let solved = of(&instance, &answer);
         let report = verify(&export(&solved, &Budget::default()), &Budget::default());
         assert!(report.accepted);
         assert_eq!(report.certified, certified, "{report:?}");

@@ -2,7 +2,7 @@
 
 use std::collections::BTreeMap;
 
-use giveway_model::{Cost, Instance, Objective, Plan, check};
+use giveway_model::{Cost, Instance, Plan, check};
 
 use crate::bundle::manifest::NO_PLAN;
 use crate::bundle::{Entry, Method, Missing};
@@ -16,10 +16,8 @@ const FEW_AGENTS: usize = 3;
 /// What a solver answered.
 #[derive(Clone, Debug)]
 pub struct Solved<'a> {
-    /// The instance.
+    /// The instance, with the objective by which plans were compared.
     pub instance: &'a Instance,
-    /// The order of the costs.
-    pub objective: &'a Objective,
     /// What all of its claims are limited to: for the answer to a question the
     /// plans that it contrasts one with ([`Claim::contrast`]), else all plans.
     pub about: Claim,
@@ -45,7 +43,7 @@ fn claims(solved: &Solved<'_>) -> Vec<(String, Claim)> {
         .and_then(|plan| check::costs(solved.instance, plan));
     let mut claims = Vec::new();
     let mut most = solved.about.most.clone();
-    for &cost in solved.objective.costs() {
+    for &cost in solved.instance.objective().costs() {
         let Some(&bound) = solved.bounds.get(&cost) else {
             break;
         };
