@@ -58,7 +58,11 @@ fn judge(bundle: &Bundle) -> Judged {
     }
     let folder = Folder::open(bundle);
     let instance = folder.instance().unwrap();
-    let plan = folder.plan();
+    // What is written behind its arrivals is no part of a plan.
+    let plan = folder.plan().map(|mut plan| {
+        plan.cut_trailing_goals(&instance);
+        plan
+    });
     let Some(mut lies) = truth::lies(&instance, plan.as_ref(), &report) else {
         return Judged::TooLarge;
     };
