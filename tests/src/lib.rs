@@ -9,6 +9,7 @@
 
 pub mod answers;
 pub mod ask;
+pub mod certified;
 pub mod compare;
 pub mod environment;
 pub mod facts;

@@ -16,7 +16,11 @@
 
 use std::collections::BTreeMap;
 
+use giveway_model::question::to_words;
+use giveway_proof::bundle::Missing;
+use giveway_solve::CertifyRequest;
 use giveway_solve::explain::Verdict;
+use giveway_tests::certified::Tally;
 use giveway_tests::{answers, compare::Comparison, environment, questions};
 
 #[test]
@@ -90,4 +94,41 @@ fn without_a_budget_nothing_is_known() {
         seen += 1;
     }
     assert!(seen > 5);
+}
+
+/// Whatever is answered can be shown: each answer is certified, and checked.
+#[test]
+fn every_answer_is_certified() {
+    let seed = environment::number("GIVEWAY_RANDOM_SEED", 1);
+    let count = environment::number("GIVEWAY_RANDOM_CERTIFICATES", 100);
+    let mut tally = Tally::default();
+    let mut seen = 0;
+    for number in 0.. {
+        if seen >= count {
+            break;
+        }
+        let Some(case) = questions::random(seed, number) else {
+            continue;
+        };
+        seen += 1;
+        let answer = answers::explained(&case, None);
+        let plan = Some(&case.plan);
+        let request = CertifyRequest::of_explained(&case.instance, plan, &answer);
+        let words = to_words(&case.question);
+        let name = format!(
+            "question {number} of seed {seed}: {words}, {:?}",
+            answer.verdict
+        );
+        tally.add(&name, &case.instance, &request, |entry, why| {
+            let any_makespan = entry.claim().within.is_none();
+            let of_a_kind = entry.claim().condition.is_some();
+            let search = any_makespan && of_a_kind && why == Missing::SearchTooLarge;
+            search.then_some("searches know no conditions")
+        });
+    }
+    println!("{:?}, {:?}", tally.last_lines, tally.missing);
+    for fault in &tally.faults {
+        println!("{fault}");
+    }
+    assert_eq!(tally.faults.len(), 0, "they are printed above");
 }

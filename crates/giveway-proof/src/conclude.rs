@@ -98,7 +98,13 @@ pub(crate) fn check_together(whole: &Whole<'_>) -> Result<(), Fault> {
             within: None,
             ..claim.clone()
         };
-        if claim.within.is_some() && limits.horizon(whole.instance).is_some() {
+        let far = limits.horizon(whole.instance);
+        let makespan = claim.most.contains_key(&Cost::Makespan);
+        if claim
+            .within
+            .zip(far)
+            .is_some_and(|(last, far)| makespan || far <= last)
+        {
             return reject("a claim has a horizon beside a limit that is one already");
         }
     }

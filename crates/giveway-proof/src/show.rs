@@ -94,11 +94,19 @@ impl Showing<'_> {
     /// makespan.
     fn certify(&mut self, name: &str, claim: Claim) {
         (self.budget.tell)(&claim);
-        if claim.horizon(self.solved.instance).is_some() {
-            // The makespan that the person set is no part of such a claim.
-            match self.proof(name, &claim) {
-                Ok(entry) => self.claims.push(entry),
-                Err(why) => {
+        if let Some(far) = claim.horizon(self.solved.instance) {
+            let asked = self.solved.within.filter(|&last| last < far);
+            // The makespan that the person set is mostly no part of such a claim:
+            // only where a later plan would break it.
+            match (self.proof(name, &claim), asked) {
+                (Err(Missing::Contradicted), Some(_)) if !self.solved.complete => {
+                    let claim = claim.within(asked);
+                    let entry = self.proof(name, &claim);
+                    let entry = entry.unwrap_or_else(|why| Entry::None { claim, why });
+                    self.claims.push(entry);
+                }
+                (Ok(entry), _) => self.claims.push(entry),
+                (Err(why), _) => {
                     let entry = self.search(&claim).unwrap_or(Entry::None { claim, why });
                     self.claims.push(entry);
                 }
