@@ -6,7 +6,7 @@ use giveway_model::{Cost, Instance, Plan, check};
 
 use crate::bundle::manifest::NO_PLAN;
 use crate::bundle::{Entry, Method, Missing};
-use crate::exhaust::{Exhausted, alone_at_least, exhaust, least};
+use crate::exhaust::{Exhausted, alone_at_least, exhaust_kind, least};
 use crate::plain::{Cnf, NoFormula};
 use crate::{Budget, Claim, Outcome, plain, prove};
 
@@ -202,8 +202,8 @@ impl Method {
             .chain(joint.then_some(Self::Joint))
     }
 
-    /// Whether this search shows a claim; `None` where the budget ran out. It
-    /// knows no conditions: it shows that there is no plan with or without them.
+    /// Whether this search shows a claim; `None` where the budget ran out. Of agents
+    /// alone it shows that there is no plan, whatever the condition.
     pub(crate) fn shows(
         self,
         instance: &Instance,
@@ -211,14 +211,11 @@ impl Method {
         budget: &Budget<'_>,
     ) -> Option<bool> {
         match self {
-            Self::Joint => {
-                let all: Vec<usize> = (0..instance.agents().len()).collect();
-                match exhaust(instance, &all, &claim.most, budget) {
-                    Exhausted::NoPlan => Some(true),
-                    Exhausted::Plan(_) => Some(false),
-                    Exhausted::Stopped => None,
-                }
-            }
+            Self::Joint => match exhaust_kind(instance, claim, budget) {
+                Exhausted::NoPlan => Some(true),
+                Exhausted::Plan(_) => Some(false),
+                Exhausted::Stopped => None,
+            },
             Self::Alone if claim.most.is_empty() => {
                 // An agent that cannot arrive even alone costs more than anything.
                 alone_at_least(instance, Cost::Makespan, u32::MAX, budget)
