@@ -4,58 +4,46 @@
 use std::collections::BTreeMap;
 
 use giveway_model::Instance;
-use giveway_proof::bundle::{Entry, Manifest, Missing};
-use giveway_proof::{Budget, Certified, export, verify};
+use giveway_proof::{Budget, Certified, Checked, export, verify};
 use giveway_solve::CertifyRequest;
+
+use crate::truth;
 
 /// What came of the certificates of many answers.
 #[derive(Debug, Default)]
 pub struct Tally {
     /// How many there were, by the last line of `verify`.
     pub last_lines: BTreeMap<&'static str, u64>,
-    /// Answers of which a claim is not certified: why, and how many claims.
-    pub missing: BTreeMap<String, u64>,
-    /// What must not be, as sentences.
+    /// What is not certified, or not so by the oracle, as sentences.
     pub faults: Vec<String>,
 }
 
 impl Tally {
-    /// Certifies an answer. `excused` tells whether a claim for which something is
-    /// missing is a known limit.
-    pub fn add(
-        &mut self,
-        name: &str,
-        instance: &Instance,
-        request: &CertifyRequest,
-        excused: impl Fn(&Entry, Missing) -> Option<&'static str>,
-    ) {
+    /// Certifies an answer, which has a name in sentences.
+    pub fn add(&mut self, name: &str, instance: &Instance, request: &CertifyRequest) {
         let bundle = export(&request.claims(instance), &Budget::default());
         let report = verify(&bundle, &Budget::default());
         *self.last_lines.entry(report.certified.words()).or_default() += 1;
-        let mut wrong = report.reason.iter().cloned().collect::<Vec<String>>();
-        let manifest: Manifest = serde_json::from_slice(&bundle["manifest.json"]).unwrap();
-        let mut excuses = 0;
-        for entry in &manifest.claims {
-            let Entry::None { claim, why } = entry else {
-                continue;
-            };
-            if let Some(excuse) = excused(entry, *why) {
-                excuses += 1;
-                *self.missing.entry(excuse.to_owned()).or_default() += 1;
-            } else {
-                wrong.push(format!("{} {why:?}", claim.sentence()));
+        let mut faults: Vec<String> = report.reason.iter().cloned().collect();
+        for claim in &report.claims {
+            if let Checked::None { text, why, .. } = claim {
+                faults.push(format!("{text} {why}"));
             }
         }
-        let expected = excuses > 0;
-        if wrong.is_empty() && (report.certified == Certified::NotCertified) != expected {
-            wrong.push(format!(
-                "{}, though nothing is missing",
-                report.certified.words()
-            ));
-        }
-        if !wrong.is_empty() {
+        let lies = truth::lies(instance, request.plan.as_ref(), &report);
+        faults.extend(lies.unwrap_or_default());
+        if !faults.is_empty() || report.certified == Certified::NotCertified {
             let scene = serde_json::to_string(&instance.to_scene()).unwrap();
-            self.faults.push(format!("{name}: {wrong:?} {scene}"));
+            self.faults.push(format!("{name}: {faults:?} {scene}"));
         }
+    }
+
+    /// Prints what there is, and fails where there are faults.
+    pub fn end(&self) {
+        println!("{:?}", self.last_lines);
+        for fault in &self.faults {
+            println!("{fault}");
+        }
+        assert_eq!(self.faults.len(), 0, "they are printed above");
     }
 }

@@ -41,7 +41,7 @@ pub fn exhaust(
 
 /// Whether there is a plan of the kind that a claim excludes, of any makespan.
 /// Nothing is searched where no agent of the instance can be of that kind.
-pub(crate) fn exhaust_kind(instance: &Instance, claim: &Claim, budget: &Budget<'_>) -> Exhausted {
+pub fn exhaust_kind(instance: &Instance, claim: &Claim, budget: &Budget<'_>) -> Exhausted {
     let all: Vec<usize> = (0..instance.agents().len()).collect();
     let watch = match &claim.condition {
         None => None,
