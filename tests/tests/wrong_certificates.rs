@@ -6,9 +6,14 @@
     reason = "a test that cannot go on ends with a panic"
 )]
 
-use giveway_model::{Instance, Objective};
-use giveway_proof::{Budget, Bundle, Certified, Claim, Solved, confirm, export, verify};
+use giveway_model::format::native;
+use giveway_model::{Cost, Instance, Objective};
+use giveway_proof::{
+    Budget, Bundle, Certified, Checked, Claim, Solved, confirm, export, plain, verify,
+};
 use giveway_solve::{Request, Response, SilentHost, SolveAnswer, SolveRequest, Status, serve};
+use giveway_tests::forge::{Folder, Seal};
+use giveway_tests::random;
 use giveway_tests::wrong::{instance, path};
 
 /// The files of a case.
@@ -144,6 +149,56 @@ fn a_plan_that_is_best_up_to_a_makespan_is_called_no_more() {
         confirm(&solved, &Budget::default(), &Budget::default()),
         report
     );
+}
+
+/// What is optimal by one objective is not called so by that of the instance.
+#[test]
+fn an_objective_is_that_of_the_instance() {
+    let objective: Objective = "makespan".parse().unwrap();
+    let instance = instance("yield-2x2.json").with_objective(objective);
+    let answer = solved(&instance, None);
+    let files = export(&of(&instance, &answer), &Budget::default());
+    assert!(verify(&files, &Budget::default()).accepted);
+    let mut other = Folder::open(&files);
+    let scene = instance.with_objective("sum-of-costs,makespan".parse().unwrap());
+    let text = native::write_scene(&scene.to_scene());
+    other
+        .files
+        .insert("instance.json".to_owned(), text.into_bytes());
+    let report = verify(&other.seal(Seal::Everything), &Budget::default());
+    assert!(!report.accepted && report.concluded.is_none());
+    let reason = report.reason.unwrap();
+    assert!(reason.contains("not that of the instance"), "{reason}");
+}
+
+/// What holds within a makespan only, although a limit of another cost limits the
+/// makespan, too, is claimed within it.
+#[test]
+fn a_sum_of_costs_within_a_makespan_is_certified() {
+    let instance = random::small(1, 79);
+    let answer = solved(&instance, Some(7));
+    assert_eq!((answer.complete, answer.within), (false, Some(7)));
+    let report = verify(
+        &export(&of(&instance, &answer), &Budget::default()),
+        &Budget::default(),
+    );
+    assert_eq!(report.certified, Certified::Proved, "{report:?}");
+    let within = |claim: &Checked| {
+        matches!(claim, Checked::Proof { claim, .. }
+        if claim.within == Some(7) && claim.most.contains_key(&Cost::SumOfCosts))
+    };
+    assert!(report.claims.iter().any(within), "{report:?}");
+}
+
+/// A horizon that no formula is written up to is not even gone through.
+#[test]
+fn a_horizon_of_nobody_ends_at_once() {
+    let mut scene = instance("yield-2x2.json").to_scene();
+    scene.agents.clear();
+    let instance = Instance::new(scene).unwrap();
+    let claim = Claim::default().within(Some(u32::MAX));
+    let formula = plain::formula(&instance, &claim, &Budget::default());
+    assert_eq!(formula, Err(plain::NoFormula::TooLarge));
 }
 
 /// What a person wrote as a name is quoted, and no sentence of a certificate.

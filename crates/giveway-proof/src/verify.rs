@@ -23,12 +23,6 @@ fn check_all(
     check_files(bundle, &manifest)?;
     let instance = native::read_instance(text(bundle, INSTANCE)?)
         .map_err(|_| Fault::of(INSTANCE, "it is no instance"))?;
-    if manifest.objective != *instance.objective() {
-        return Err(Fault::of(
-            MANIFEST,
-            "its objective is not that of the instance",
-        ));
-    }
     let mut plan = None;
     if manifest.costs.is_some() {
         let read = native::read_plan(text(bundle, PLAN)?);
@@ -47,6 +41,12 @@ fn check_all(
     check_claims(&instance, &manifest.claims, budget, claims, &|proof| {
         check_files_of(bundle, &instance, proof, budget)
     })?;
+    if manifest.objective != *instance.objective() {
+        return Err(Fault::of(
+            MANIFEST,
+            "its objective is not that of the instance",
+        ));
+    }
     Ok(conclude(
         &manifest.objective,
         manifest.costs,
