@@ -31,9 +31,10 @@ pub fn lies(instance: &Instance, plan: Option<&Plan>, report: &Report) -> Option
             within,
         }) => {
             let instance = instance.clone().with_objective(objective.clone());
-            let best = best(&instance, condition.as_ref(), *within)?;
-            let own = plan.map(|plan| recount::costs(plan).vector(objective));
-            own.is_some() && own == best
+            match plan.map(|plan| recount::costs(plan).vector(objective)) {
+                Some(own) => is_best(&instance, condition.as_ref(), *within, &own)?,
+                None => false,
+            }
         }
         Some(Conclusion::Believed | Conclusion::Bounds) | None => true,
     };
@@ -61,13 +62,14 @@ pub fn holds(instance: &Instance, claim: &Claim) -> Option<bool> {
     exists_any.map(|exists| !exists)
 }
 
-/// The best costs of a plan of a kind, if there is one; `None` where the oracle
-/// cannot tell.
-fn best(
+/// Whether no plan of a kind costs less than this, and one costs it; `None` where
+/// the oracle cannot tell.
+fn is_best(
     instance: &Instance,
     condition: Option<&Condition>,
     within: Option<u32>,
-) -> Option<Option<Vec<u32>>> {
+    vector: &[u32],
+) -> Option<bool> {
     let asked = question(instance, within);
     let mut least: Option<Vec<u32>> = None;
     for case in cases(instance, condition) {
@@ -79,14 +81,12 @@ fn best(
             Verdict::Capped => return None,
             Verdict::Impossible => {}
             Verdict::Best(point) => {
-                least = Some(match least {
-                    Some(least) => least.min(point.vector),
-                    None => point.vector,
-                });
+                let others = least.into_iter().chain([point.vector]);
+                least = others.min();
             }
         }
     }
-    Some(least)
+    Some(least.as_deref() == Some(vector))
 }
 
 fn question(instance: &Instance, within: Option<u32>) -> oracle::Question<'_> {

@@ -154,6 +154,7 @@ fn certify_all(percent: u64, within: impl Fn(u64) -> Option<u32>) -> Tally {
         let name = format!("instance {number} of seed {seed}");
         tally.add(&name, &instance, &request);
     }
+    println!("{:?}", tally.last_lines);
     tally.end();
     tally
 }

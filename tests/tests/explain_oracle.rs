@@ -122,6 +122,7 @@ fn every_answer_is_certified() {
         );
         tally.add(&name, &case.instance, &request);
     }
+    println!("{:?}", tally.last_lines);
     tally.end();
     assert_eq!(tally.last_lines.len(), 2, "{:?}", tally.last_lines);
 }

@@ -5,6 +5,7 @@
 //! follows from the change is written anew.
 
 pub mod change;
+mod files;
 pub mod honest;
 
 use std::collections::BTreeSet;
