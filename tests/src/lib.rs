@@ -9,9 +9,11 @@
 
 pub mod answers;
 pub mod ask;
+pub mod certified;
 pub mod compare;
 pub mod environment;
 pub mod facts;
+pub mod forge;
 pub mod known;
 pub mod loiter;
 pub mod oracle;
@@ -20,5 +22,6 @@ pub mod questions;
 pub mod random;
 pub mod recount;
 pub mod source;
+pub mod truth;
 pub mod upheaval;
 pub mod wrong;

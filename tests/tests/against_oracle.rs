@@ -1,6 +1,7 @@
 //! The solver, the judge and the oracle on random small instances.
 //!
 //! `GIVEWAY_RANDOM_INSTANCES` sets how many (300 by default),
+//! `GIVEWAY_RANDOM_CERTIFICATES` of how many the answer is certified (100), and
 //! `GIVEWAY_RANDOM_SEED` the seed. The long run:
 //!
 //! ```text
@@ -15,9 +16,11 @@
 )]
 
 use giveway_model::{Instance, Objective};
+use giveway_solve::CertifyRequest;
+use giveway_tests::certified::Tally;
 use giveway_tests::compare::{self, Comparison};
 use giveway_tests::oracle::{Question, Verdict};
-use giveway_tests::{environment, random, recount};
+use giveway_tests::{ask, environment, random, recount};
 
 /// Compares as many instances as asked for, or a share of them, made by `prepare`
 /// from the random instance of a number; `None` passes a number over.
@@ -137,4 +140,33 @@ fn the_judge_passes_the_plans_of_the_oracle() {
         };
         Some((instance, comparison))
     });
+}
+
+/// Whatever is answered can be shown: each answer is certified, and checked.
+fn certify_all(percent: u64, within: impl Fn(u64) -> Option<u32>) -> Tally {
+    let seed = environment::number("GIVEWAY_RANDOM_SEED", 1);
+    let count = environment::number("GIVEWAY_RANDOM_CERTIFICATES", 100);
+    let mut tally = Tally::default();
+    for number in 0..(count * percent).div_ceil(100) {
+        let instance = random::small(seed, number);
+        let answer = ask::best(&instance, within(number));
+        let request = CertifyRequest::of_solved(instance.to_scene(), None, &answer);
+        let name = format!("instance {number} of seed {seed}");
+        tally.add(&name, &instance, &request);
+    }
+    println!("{:?}", tally.last_lines);
+    tally.end();
+    tally
+}
+
+#[test]
+fn every_answer_is_certified() {
+    let tally = certify_all(100, |_| None);
+    assert!(tally.last_lines.len() >= 2, "{:?}", tally.last_lines);
+}
+
+#[test]
+fn every_answer_within_a_horizon_is_certified() {
+    let tally = certify_all(100, |number| Some((number % 9) as u32));
+    assert!(tally.last_lines.contains_key("proved"));
 }

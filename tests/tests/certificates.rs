@@ -15,10 +15,10 @@ use std::process::Command;
 
 use giveway_model::{Cost, Instance, Objective};
 use giveway_proof::bundle::{Entry, Manifest};
-use giveway_proof::exhaust::{Exhausted, exhaust};
+use giveway_proof::exhaust::{Exhausted, exhaust, exhaust_kind};
 use giveway_proof::{Budget, Bundle, Claim, Outcome, Solved, drat, export, plain, prove, verify};
 use giveway_tests::oracle::{Question, Verdict};
-use giveway_tests::{known, random};
+use giveway_tests::{known, questions, random, recount, truth};
 
 /// Whether the plain formula of a claim can be satisfied; a proof that it
 /// cannot is checked.
@@ -144,13 +144,56 @@ fn searches_agree_with_the_oracle() {
     );
 }
 
+/// The search with a condition, such as a question asks for, and with a limit.
+#[test]
+fn searches_of_a_kind_agree_with_the_oracle() {
+    let (mut plans, mut none) = (0, 0);
+    let mut kinds: BTreeMap<&str, u64> = BTreeMap::new();
+    let budget = Budget {
+        states: 30_000,
+        ..Budget::default()
+    };
+    for number in 0..400 {
+        let Some(case) = questions::random(21, number) else {
+            continue;
+        };
+        let (instance, question) = (&case.instance, &case.question);
+        let Some(mut claim) = Claim::contrast(question, instance, &case.plan) else {
+            continue;
+        };
+        let cost = Cost::ALL[number as usize % 5];
+        if number % 2 == 0 {
+            claim
+                .most
+                .insert(cost, recount::costs(&case.plan).get(cost));
+        }
+        let found = match exhaust_kind(instance, &claim, &budget) {
+            Exhausted::Stopped => continue,
+            Exhausted::Plan(_) => true,
+            Exhausted::NoPlan => false,
+        };
+        let Some(holds) = truth::holds(instance, &claim) else {
+            continue;
+        };
+        assert_ne!(found, holds, "{claim:?} {:?}", instance.to_scene());
+        *kinds.entry(question.kind()).or_default() += 1;
+        if found {
+            plans += 1;
+        } else {
+            none += 1;
+        }
+    }
+    println!("{plans} with plans, {none} without; {kinds:?}");
+    assert!(plans >= 60 && none >= 40, "{plans} {none}");
+    assert!(kinds.len() >= 15, "{kinds:?}");
+}
+
 /// The certificate that an instance has no smaller makespan.
 fn makespan(instance: &Instance, makespan: u32) -> Bundle {
-    let objective: Objective = "makespan".parse().unwrap();
+    let instance = instance.clone().with_objective("makespan".parse().unwrap());
     export(
         &Solved {
-            instance,
-            objective: &objective,
+            instance: &instance,
             bounds: &BTreeMap::from([(Cost::Makespan, makespan)]),
             impossible: false,
             about: Claim::default(),
@@ -181,7 +224,6 @@ fn bundles() -> Vec<(String, Bundle)> {
     let instance = known::instance("seed/scenario-6.json");
     let solved = Solved {
         instance: &instance,
-        objective: instance.objective(),
         bounds: &BTreeMap::new(),
         impossible: true,
         about: Claim::default(),

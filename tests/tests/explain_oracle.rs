@@ -1,6 +1,7 @@
 //! Answers to random questions against the oracle.
 //!
 //! `GIVEWAY_RANDOM_QUESTIONS` sets how many (100 by default),
+//! `GIVEWAY_RANDOM_CERTIFICATES` of how many the answer is certified (30), and
 //! `GIVEWAY_RANDOM_SEED` the seed. The long run:
 //!
 //! ```text
@@ -16,7 +17,10 @@
 
 use std::collections::BTreeMap;
 
+use giveway_model::question::to_words;
+use giveway_solve::CertifyRequest;
 use giveway_solve::explain::Verdict;
+use giveway_tests::certified::Tally;
 use giveway_tests::{answers, compare::Comparison, environment, questions};
 
 #[test]
@@ -90,4 +94,35 @@ fn without_a_budget_nothing_is_known() {
         seen += 1;
     }
     assert!(seen > 5);
+}
+
+/// Whatever is answered can be shown: each answer is certified, and checked.
+#[test]
+fn every_answer_is_certified() {
+    let seed = environment::number("GIVEWAY_RANDOM_SEED", 1);
+    let count = environment::number("GIVEWAY_RANDOM_CERTIFICATES", 30);
+    let mut tally = Tally::default();
+    let mut seen = 0;
+    for number in 0.. {
+        if seen >= count {
+            break;
+        }
+        let Some(case) = questions::random(seed, number) else {
+            continue;
+        };
+        seen += 1;
+        let within = (number % 4 == 0).then_some((number % 9) as u32);
+        let answer = answers::explained(&case, within);
+        let plan = Some(&case.plan);
+        let request = CertifyRequest::of_explained(&case.instance, plan, &answer);
+        let words = to_words(&case.question);
+        let name = format!(
+            "question {number} of seed {seed}: {words}, {:?}",
+            answer.verdict
+        );
+        tally.add(&name, &case.instance, &request);
+    }
+    println!("{:?}", tally.last_lines);
+    tally.end();
+    assert_eq!(tally.last_lines.len(), 2, "{:?}", tally.last_lines);
 }

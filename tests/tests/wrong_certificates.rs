@@ -6,9 +6,14 @@
     reason = "a test that cannot go on ends with a panic"
 )]
 
-use giveway_model::{Instance, Objective};
-use giveway_proof::{Budget, Bundle, Certified, Claim, Solved, confirm, export, verify};
+use giveway_model::format::native;
+use giveway_model::{Cost, Instance, Objective};
+use giveway_proof::{
+    Budget, Bundle, Certified, Checked, Claim, Solved, confirm, export, plain, verify,
+};
 use giveway_solve::{Request, Response, SilentHost, SolveAnswer, SolveRequest, Status, serve};
+use giveway_tests::forge::{Folder, Seal};
+use giveway_tests::random;
 use giveway_tests::wrong::{instance, path};
 
 /// The files of a case.
@@ -95,10 +100,9 @@ fn renamed(case: &str) -> Bundle {
     files
 }
 
-fn solved(instance: &Instance, objective: &Objective, within: Option<u32>) -> SolveAnswer {
+fn solved(instance: &Instance, within: Option<u32>) -> SolveAnswer {
     let request = Request::Solve(SolveRequest {
         scene: instance.to_scene(),
-        objective: Some(objective.clone()),
         within,
         ..SolveRequest::default()
     });
@@ -108,10 +112,9 @@ fn solved(instance: &Instance, objective: &Objective, within: Option<u32>) -> So
     }
 }
 
-fn of<'a>(instance: &'a Instance, objective: &'a Objective, answer: &'a SolveAnswer) -> Solved<'a> {
+fn of<'a>(instance: &'a Instance, answer: &'a SolveAnswer) -> Solved<'a> {
     Solved {
         instance,
-        objective,
         about: Claim::default(),
         bounds: &answer.bounds,
         impossible: answer.status == Status::Impossible,
@@ -125,17 +128,17 @@ fn of<'a>(instance: &'a Instance, objective: &'a Objective, answer: &'a SolveAns
 /// not by the report.
 #[test]
 fn a_plan_that_is_best_up_to_a_makespan_is_called_no_more() {
-    let instance = instance("f3c-within-s2.json");
     let objective: Objective = "moves,waits".parse().unwrap();
-    let answer = solved(&instance, &objective, Some(5));
-    let later = solved(&instance, &objective, Some(6));
+    let instance = instance("f3c-within-s2.json").with_objective(objective);
+    let answer = solved(&instance, Some(5));
+    let later = solved(&instance, Some(6));
     assert_eq!(
         later.costs.map(|costs| (costs.moves, costs.makespan)),
         Some((3, 6))
     );
     assert!(answer.costs.unwrap().moves > 3);
     assert_eq!((answer.complete, answer.within), (false, Some(5)));
-    let solved = of(&instance, &objective, &answer);
+    let solved = of(&instance, &answer);
     let files = export(&solved, &Budget::default());
     let readme = String::from_utf8(files["README.md"].clone()).unwrap();
     assert!(!readme.contains("the plan is optimal"), "{readme}");
@@ -154,6 +157,56 @@ fn a_plan_that_is_best_up_to_a_makespan_is_called_no_more() {
     );
 }
 
+/// What is optimal by one objective is not called so by that of the instance.
+#[test]
+fn an_objective_is_that_of_the_instance() {
+    let objective: Objective = "makespan".parse().unwrap();
+    let instance = instance("yield-2x2.json").with_objective(objective);
+    let answer = solved(&instance, None);
+    let files = export(&of(&instance, &answer), &Budget::default());
+    assert!(verify(&files, &Budget::default()).accepted);
+    let mut other = Folder::open(&files);
+    let scene = instance.with_objective("sum-of-costs,makespan".parse().unwrap());
+    let text = native::write_scene(&scene.to_scene());
+    other
+        .files
+        .insert("instance.json".to_owned(), text.into_bytes());
+    let report = verify(&other.seal(Seal::Everything), &Budget::default());
+    assert!(!report.accepted && report.concluded.is_none());
+    let reason = report.reason.unwrap();
+    assert!(reason.contains("not that of the instance"), "{reason}");
+}
+
+/// What holds within a makespan only, although a limit of another cost limits the
+/// makespan, too, is claimed within it.
+#[test]
+fn a_sum_of_costs_within_a_makespan_is_certified() {
+    let instance = random::small(1, 79);
+    let answer = solved(&instance, Some(7));
+    assert_eq!((answer.complete, answer.within), (false, Some(7)));
+    let report = verify(
+        &export(&of(&instance, &answer), &Budget::default()),
+        &Budget::default(),
+    );
+    assert_eq!(report.certified, Certified::Proved, "{report:?}");
+    let within = |claim: &Checked| {
+        matches!(claim, Checked::Proof { claim, .. }
+        if claim.within == Some(7) && claim.most.contains_key(&Cost::SumOfCosts))
+    };
+    assert!(report.claims.iter().any(within), "{report:?}");
+}
+
+/// A horizon that no formula is written up to is not even gone through.
+#[test]
+fn a_horizon_of_nobody_ends_at_once() {
+    let mut scene = instance("yield-2x2.json").to_scene();
+    scene.agents.clear();
+    let instance = Instance::new(scene).unwrap();
+    let claim = Claim::default().within(Some(u32::MAX));
+    let formula = plain::formula(&instance, &claim, &Budget::default());
+    assert_eq!(formula, Err(plain::NoFormula::TooLarge));
+}
+
 /// What a person wrote as a name is quoted, and no sentence of a certificate.
 #[test]
 fn names_are_no_sentences() {
@@ -168,7 +221,6 @@ fn names_are_no_sentences() {
     };
     let solved = Solved {
         instance: &instance,
-        objective: instance.objective(),
         about: about.clone(),
         bounds: &bounds,
         impossible: true,
@@ -201,11 +253,11 @@ fn it_is_told_what_shows_the_claims() {
         ("makespan,sum-of-costs", Certified::Proved),
         ("moves,waits", Certified::ProvedAndSearched),
     ] {
-        let instance = instance("yield-2x2.json");
         let objective: Objective = objective.parse().unwrap();
-        let answer = solved(&instance, &objective, None);
+        let instance = instance("yield-2x2.json").with_objective(objective);
+        let answer = solved(&instance, None);
         assert!(answer.complete);
-        let solved = of(&instance, &objective, &answer);
+        let solved = of(&instance, &answer);
         let report = verify(&export(&solved, &Budget::default()), &Budget::default());
         assert!(report.accepted);
         assert_eq!(report.certified, certified, "{report:?}");

@@ -2,11 +2,13 @@
 //! all. It follows from the instance, the plan and the claims alone: nothing that
 //! stands beside them in a certificate has a part in it.
 
+use borsh::{BorshDeserialize, BorshSerialize};
 use giveway_model::{Cost, Costs, Instance, Objective, Plan, check, words::lower};
+use serde::{Deserialize, Serialize};
 
-use crate::Claim;
 use crate::bundle::{Entry, MANIFEST, PLAN};
 use crate::report::Fault;
+use crate::{Claim, Condition};
 
 /// What a certificate is about.
 #[derive(Clone, Copy)]
@@ -17,46 +19,56 @@ pub(crate) struct Whole<'a> {
 }
 
 /// What plan and claims say together.
-#[derive(Clone, Debug, PartialEq, Eq)]
-pub(crate) enum Conclusion {
-    /// No plan (of the kind) costs less than the plan, or none up to a makespan.
+#[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize, BorshSerialize, BorshDeserialize)]
+#[serde(tag = "kind", rename_all = "kebab-case")]
+pub enum Conclusion {
+    /// No plan costs less than the plan.
     Best {
-        of_a_kind: bool,
+        /// By these costs, one after the other.
+        objective: Objective,
+        /// Of what kind the plans are; `null` where all are meant.
+        condition: Option<Condition>,
+        /// The makespan up to which they are meant; `null` where all are.
         within: Option<u32>,
     },
-    /// The same, if what nothing shows is believed.
+    /// No plan costs less, if what nothing shows is believed.
     Believed,
     /// The plan is one, and there are bounds.
     Bounds,
-    /// There is no plan, as one of the claims says.
-    NoPlan(String),
-    /// Each claim stands for itself.
-    Nothing,
+    /// There is no plan.
+    NoPlan {
+        /// As this claim says.
+        claim: Claim,
+    },
 }
 
 impl Conclusion {
-    /// The conclusion as a sentence, if there is one.
-    pub(crate) fn sentence(&self) -> Option<String> {
-        let sentence = match self {
+    /// The conclusion as a sentence.
+    pub fn sentence(&self) -> String {
+        match self {
             Self::Best {
-                of_a_kind: false,
+                condition: None,
                 within: None,
+                ..
             } => "Together: the plan is optimal, its costs compared in the order of the objective."
                 .into(),
             Self::Best {
-                of_a_kind: false,
+                condition: None,
                 within: Some(last),
+                ..
             } => format!(
                 "Together: no plan of makespan at most {last} is better, costs compared in the \
                  order of the objective. Nothing is shown about longer plans."
             ),
             Self::Best {
-                of_a_kind: true,
+                condition: Some(_),
                 within: None,
+                ..
             } => "Together: no plan of this kind costs less than this plan.".into(),
             Self::Best {
-                of_a_kind: true,
+                condition: Some(_),
                 within: Some(last),
+                ..
             } => format!(
                 "Together: no plan of this kind, of makespan at most {last}, costs less than this \
                  plan. Nothing is shown about longer plans."
@@ -67,10 +79,8 @@ impl Conclusion {
             Self::Bounds => {
                 "Together they give lower bounds; they do not show that the plan is optimal.".into()
             }
-            Self::NoPlan(sentence) => sentence.clone(),
-            Self::Nothing => return None,
-        };
-        Some(sentence)
+            Self::NoPlan { claim } => format!("Together: {}", lower(&claim.sentence())),
+        }
     }
 }
 
@@ -91,7 +101,13 @@ pub(crate) fn check_together(whole: &Whole<'_>) -> Result<(), Fault> {
             within: None,
             ..claim.clone()
         };
-        if claim.within.is_some() && limits.horizon(whole.instance).is_some() {
+        let far = limits.horizon(whole.instance);
+        let makespan = claim.most.contains_key(&Cost::Makespan);
+        if claim
+            .within
+            .zip(far)
+            .is_some_and(|(last, far)| makespan || far <= last)
+        {
             return reject(
                 "a claim has \"within\" beside a limit that already bounds the makespan",
             );
@@ -129,37 +145,38 @@ pub(crate) fn check_together(whole: &Whole<'_>) -> Result<(), Fault> {
     Ok(())
 }
 
-/// What they say together; where nothing adds up, that is found before.
+/// What they say together; nothing where each claim stands for itself. Where
+/// nothing adds up, that is found before.
 pub(crate) fn conclude(
     objective: &Objective,
     costs: Option<Costs>,
     entries: &[Entry],
-) -> Conclusion {
+) -> Option<Conclusion> {
     let certified = |entry: &&Entry| !matches!(entry, Entry::None { .. });
-    let kind = entries
-        .iter()
-        .any(|entry| entry.claim().condition.is_some());
+    // All claims have the same.
+    let condition = entries.first().and_then(|e| e.claim().condition.clone());
     let Some(costs) = costs else {
         let mut whole = entries.iter().filter(certified).map(Entry::claim);
         let none = whole.find(|claim| claim.most.is_empty());
-        return none.map_or(Conclusion::Nothing, |claim| {
-            Conclusion::NoPlan(format!("Together: {}", lower(&claim.sentence())))
+        return none.map(|claim| Conclusion::NoPlan {
+            claim: claim.clone(),
         });
     };
     let certain: Vec<&Claim> = entries.iter().filter(certified).map(Entry::claim).collect();
     if let Some(Reach { within }) = reach(objective, costs, &certain) {
-        return Conclusion::Best {
-            of_a_kind: kind,
+        return Some(Conclusion::Best {
+            objective: objective.clone(),
+            condition,
             within,
-        };
+        });
     }
     let all: Vec<&Claim> = entries.iter().map(Entry::claim).collect();
-    if kind {
-        Conclusion::Nothing
+    if condition.is_some() {
+        None
     } else if reach(objective, costs, &all).is_some() {
-        Conclusion::Believed
+        Some(Conclusion::Believed)
     } else {
-        Conclusion::Bounds
+        Some(Conclusion::Bounds)
     }
 }
 

@@ -26,7 +26,6 @@ type Proofs = BTreeMap<String, Vec<u8>>;
 ///     "agents": [{ "name": "a", "start": [0, 0], "goal": [2, 0] }] }"#).unwrap();
 /// let solved = Solved {
 ///     instance: &instance,
-///     objective: instance.objective(),
 ///     about: Claim::default(),
 ///     bounds: &BTreeMap::from([(Cost::Makespan, 2)]),
 ///     impossible: false,
@@ -47,7 +46,6 @@ pub fn confirm(solved: &Solved<'_>, proving: &Budget<'_>, checking: &Budget<'_>)
         if let Some(plan) = plan {
             check_plan(instance, plan, costs)?;
         }
-        let objective = solved.objective;
         check_together(&Whole {
             instance,
             plan,
@@ -56,7 +54,7 @@ pub fn confirm(solved: &Solved<'_>, proving: &Budget<'_>, checking: &Budget<'_>)
         check_claims(instance, &entries, checking, claims, &|proof| {
             check_kept(&proofs, instance, proof, checking)
         })?;
-        Ok(conclude(objective, costs, &entries))
+        Ok(conclude(instance.objective(), costs, &entries))
     })
 }
 

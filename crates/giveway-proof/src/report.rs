@@ -20,6 +20,8 @@ pub struct Report {
     /// What plan and claims say together: a sentence; `null` where it was not
     /// accepted, or each claim stands for itself.
     pub conclusion: Option<String>,
+    /// The same for programs.
+    pub concluded: Option<Conclusion>,
     /// Why it was not accepted: a sentence; `null` where it was.
     pub reason: Option<String>,
     /// Whether the check ended before it came to a result.
@@ -157,10 +159,12 @@ impl Report {
 
     /// What comes of checks that put on a list what they have checked, and tell
     /// what it says together.
-    pub(crate) fn of(check: impl FnOnce(&mut Vec<Checked>) -> Result<Conclusion, Fault>) -> Self {
+    pub(crate) fn of(
+        check: impl FnOnce(&mut Vec<Checked>) -> Result<Option<Conclusion>, Fault>,
+    ) -> Self {
         let mut claims = Vec::new();
-        let (conclusion, reason, stopped) = match check(&mut claims) {
-            Ok(conclusion) => (conclusion.sentence(), None, false),
+        let (concluded, reason, stopped) = match check(&mut claims) {
+            Ok(concluded) => (concluded, None, false),
             Err(Fault::Rejected(reason)) => (None, Some(reason), false),
             Err(Fault::Stopped(reason)) => (None, Some(reason), true),
         };
@@ -173,7 +177,8 @@ impl Report {
             giveway: Version,
             accepted: reason.is_none(),
             certified,
-            conclusion,
+            conclusion: concluded.as_ref().map(Conclusion::sentence),
+            concluded,
             reason,
             stopped,
             claims,

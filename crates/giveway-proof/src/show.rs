@@ -2,11 +2,11 @@
 
 use std::collections::BTreeMap;
 
-use giveway_model::{Cost, Instance, Objective, Plan, check};
+use giveway_model::{Cost, Instance, Plan, check};
 
 use crate::bundle::manifest::NO_PLAN;
 use crate::bundle::{Entry, Method, Missing};
-use crate::exhaust::{Exhausted, alone_at_least, exhaust, least};
+use crate::exhaust::{Exhausted, alone_at_least, exhaust_kind, least};
 use crate::plain::{Cnf, NoFormula};
 use crate::{Budget, Claim, Outcome, plain, prove};
 
@@ -16,10 +16,8 @@ const FEW_AGENTS: usize = 3;
 /// What a solver answered.
 #[derive(Clone, Debug)]
 pub struct Solved<'a> {
-    /// The instance.
+    /// The instance, with the objective by which plans were compared.
     pub instance: &'a Instance,
-    /// The order of the costs.
-    pub objective: &'a Objective,
     /// What all of its claims are limited to: for the answer to a question the
     /// plans that it contrasts one with ([`Claim::contrast`]), else all plans.
     pub about: Claim,
@@ -45,7 +43,7 @@ fn claims(solved: &Solved<'_>) -> Vec<(String, Claim)> {
         .and_then(|plan| check::costs(solved.instance, plan));
     let mut claims = Vec::new();
     let mut most = solved.about.most.clone();
-    for &cost in solved.objective.costs() {
+    for &cost in solved.instance.objective().costs() {
         let Some(&bound) = solved.bounds.get(&cost) else {
             break;
         };
@@ -96,11 +94,19 @@ impl Showing<'_> {
     /// makespan.
     fn certify(&mut self, name: &str, claim: Claim) {
         (self.budget.tell)(&claim);
-        if claim.horizon(self.solved.instance).is_some() {
-            // The makespan that the person set is no part of such a claim.
-            match self.proof(name, &claim) {
-                Ok(entry) => self.claims.push(entry),
-                Err(why) => {
+        if let Some(far) = claim.horizon(self.solved.instance) {
+            let asked = self.solved.within.filter(|&last| last < far);
+            // The makespan that the person set is mostly no part of such a claim:
+            // only where a later plan would break it.
+            match (self.proof(name, &claim), asked) {
+                (Err(Missing::Contradicted), Some(_)) if !self.solved.complete => {
+                    let claim = claim.within(asked);
+                    let entry = self.proof(name, &claim);
+                    let entry = entry.unwrap_or_else(|why| Entry::None { claim, why });
+                    self.claims.push(entry);
+                }
+                (Ok(entry), _) => self.claims.push(entry),
+                (Err(why), _) => {
                     let entry = self.search(&claim).unwrap_or(Entry::None { claim, why });
                     self.claims.push(entry);
                 }
@@ -196,8 +202,8 @@ impl Method {
             .chain(joint.then_some(Self::Joint))
     }
 
-    /// Whether this search shows a claim; `None` where the budget ran out. It
-    /// knows no conditions: it shows that there is no plan with or without them.
+    /// Whether this search shows a claim; `None` where the budget ran out. Of agents
+    /// alone it shows that there is no plan, whatever the condition.
     pub(crate) fn shows(
         self,
         instance: &Instance,
@@ -205,14 +211,11 @@ impl Method {
         budget: &Budget<'_>,
     ) -> Option<bool> {
         match self {
-            Self::Joint => {
-                let all: Vec<usize> = (0..instance.agents().len()).collect();
-                match exhaust(instance, &all, &claim.most, budget) {
-                    Exhausted::NoPlan => Some(true),
-                    Exhausted::Plan(_) => Some(false),
-                    Exhausted::Stopped => None,
-                }
-            }
+            Self::Joint => match exhaust_kind(instance, claim, budget) {
+                Exhausted::NoPlan => Some(true),
+                Exhausted::Plan(_) => Some(false),
+                Exhausted::Stopped => None,
+            },
             Self::Alone if claim.most.is_empty() => {
                 // An agent that cannot arrive even alone costs more than anything.
                 alone_at_least(instance, Cost::Makespan, u32::MAX, budget)

@@ -3,8 +3,7 @@
 use giveway_model::{Instance, format::native};
 
 use crate::again::{Proof, check_claims, check_plan, check_proof, formula};
-use crate::bundle::manifest::fingerprint;
-use crate::bundle::{Bundle, INSTANCE, MANIFEST, Manifest, PLAN, README, proof_files, readme};
+use crate::bundle::{Bundle, INSTANCE, MANIFEST, Manifest, PLAN, README, fingerprint, proof_files};
 use crate::conclude::{Conclusion, Whole, check_together, conclude};
 use crate::report::Fault;
 use crate::{Budget, Checked, Report};
@@ -19,7 +18,7 @@ fn check_all(
     bundle: &Bundle,
     budget: &Budget<'_>,
     claims: &mut Vec<Checked>,
-) -> Result<Conclusion, Fault> {
+) -> Result<Option<Conclusion>, Fault> {
     let manifest = read_manifest(bundle)?;
     check_files(bundle, &manifest)?;
     let instance = native::read_instance(text(bundle, INSTANCE)?)
@@ -36,12 +35,18 @@ fn check_all(
         plan: plan.as_ref(),
         entries: &manifest.claims,
     })?;
-    if text(bundle, README)? != readme::text(&manifest, &instance) {
+    if text(bundle, README)? != manifest.readme(&instance) {
         return Err(Fault::of(README, "it does not say what the manifest says"));
     }
     check_claims(&instance, &manifest.claims, budget, claims, &|proof| {
         check_files_of(bundle, &instance, proof, budget)
     })?;
+    if manifest.objective != *instance.objective() {
+        return Err(Fault::of(
+            MANIFEST,
+            "its objective is not that of the instance",
+        ));
+    }
     Ok(conclude(
         &manifest.objective,
         manifest.costs,

@@ -52,9 +52,9 @@ fn instance(text: &str) -> Instance {
 
 fn bounds(instance: &Instance, objective: &str, bounds: &[(Cost, u32)]) -> Bundle {
     let objective: Objective = objective.parse().unwrap();
+    let instance = instance.clone().with_objective(objective);
     let solved = Solved {
-        instance,
-        objective: &objective,
+        instance: &instance,
         bounds: &bounds.iter().copied().collect(),
         impossible: false,
         about: Claim::default(),
@@ -149,7 +149,6 @@ fn no_plan_is_a_search_and_up_to_a_makespan_a_proof() {
     let instance = instance(SCENARIO_6);
     let solved = Solved {
         instance: &instance,
-        objective: instance.objective(),
         bounds: &BTreeMap::new(),
         impossible: true,
         about: Claim::default(),
@@ -181,9 +180,9 @@ fn a_plan_is_part_of_it_and_judged_again() {
     let plan: Plan = native::read_plan(CROSSING_PLAN).unwrap();
     let bounds = BTreeMap::from([(Cost::Makespan, 3), (Cost::SumOfCosts, 5)]);
     let objective: Objective = "makespan,sum-of-costs".parse().unwrap();
+    let instance = instance.with_objective(objective);
     let solved = Solved {
         instance: &instance,
-        objective: &objective,
         bounds: &bounds,
         impossible: false,
         about: Claim::default(),
@@ -260,10 +259,9 @@ fn a_cut_proof_is_refused() {
 #[test]
 fn a_budget_that_runs_out_is_no_claim() {
     let warehouse = instance(WAREHOUSE);
-    let objective: Objective = "makespan".parse().unwrap();
+    let warehouse = warehouse.with_objective("makespan".parse().unwrap());
     let solved = Solved {
         instance: &warehouse,
-        objective: &objective,
         bounds: &BTreeMap::from([(Cost::Makespan, 18)]),
         impossible: false,
         about: Claim::default(),
@@ -316,11 +314,11 @@ fn what_is_confirmed_at_once_is_what_its_files_would_show() {
         assert_eq!(at_once, verify(&export(solved, &budget), &budget));
         at_once
     };
-    let crossing = instance(CROSSING);
+    let objective: Objective = "makespan,sum-of-costs".parse().unwrap();
+    let crossing = instance(CROSSING).with_objective(objective);
     let plan = native::read_plan(CROSSING_PLAN).unwrap();
     let solved = Solved {
         instance: &crossing,
-        objective: &"makespan,sum-of-costs".parse().unwrap(),
         about: Claim::default(),
         bounds: &BTreeMap::from([(Cost::Makespan, 3), (Cost::SumOfCosts, 5)]),
         impossible: false,

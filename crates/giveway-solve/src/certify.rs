@@ -108,7 +108,6 @@ impl CertifyRequest {
     pub fn claims<'a>(&'a self, instance: &'a Instance) -> Solved<'a> {
         Solved {
             instance,
-            objective: instance.objective(),
             about: self.about.clone(),
             bounds: &self.bounds,
             impossible: self.impossible,

@@ -330,11 +330,14 @@ export interface Claim {
   most: Partial<Record<Cost, number>>;
   within: number | null;
   /** What such a plan would be like beside its costs. */
-  condition?:
-    | { contrast: Question }
-    | { arrival: { agent: string; before: number } }
-    | { "at-most": { agent: string; cost: Cost; most: number } };
+  condition?: Condition;
 }
+
+/** A condition on a plan. */
+export type Condition =
+  | { contrast: Question }
+  | { arrival: { agent: string; before: number } }
+  | { "at-most": { agent: string; cost: Cost; most: number } };
 
 /** What was answered, to be proved again. */
 export interface CertifyRequest {
@@ -367,6 +370,13 @@ export interface Report {
   certified: "proved" | "proved-and-searched" | "not-certified";
   /** What plan and claims say together. */
   conclusion: string | null;
+  /** The same for programs. */
+  concluded:
+    | { kind: "best"; objective: Cost[]; condition: Condition | null; within: number | null }
+    | { kind: "believed" }
+    | { kind: "bounds" }
+    | { kind: "no-plan"; claim: Claim }
+    | null;
   /** Why it was not accepted. */
   reason: string | null;
   /** Whether the check ended before it came to a result. */

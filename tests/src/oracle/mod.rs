@@ -25,6 +25,8 @@ mod search;
 mod trace;
 mod world;
 
+use std::collections::BTreeMap;
+
 use giveway_model::{Cell, Cost, Instance, Plan};
 
 use crate::recount;
@@ -139,6 +141,30 @@ impl Question<'_> {
     /// there were too many states.
     pub fn front(&self) -> Option<Vec<Point>> {
         self.search(Aim::Pareto)
+    }
+
+    /// Whether there is a plan that costs at most this, and is as a question asks
+    /// where one is given; `None` where there were too many states.
+    pub fn exists(&self, most: &BTreeMap<Cost, u32>, contrast: Option<Contrast>) -> Option<bool> {
+        let costs: Vec<Cost> = most.keys().copied().collect();
+        let joint = Joint::asked(self.instance, contrast, &Leniency::default());
+        let front = Search {
+            joint: &joint,
+            costs: &costs,
+            aim: Aim::Pareto,
+            within: self.within,
+            cap: self.cap,
+            limit: None,
+        }
+        .run()?;
+        let keeps = |point: &Point| {
+            point
+                .vector
+                .iter()
+                .zip(most)
+                .all(|(n, (_, most))| n <= most)
+        };
+        Some(front.iter().any(keeps))
     }
 
     fn search(&self, aim: Aim) -> Option<Vec<Point>> {

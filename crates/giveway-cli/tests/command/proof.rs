@@ -193,6 +193,30 @@ fn only_regular_files_that_belong_to_it_are_read() {
         }
         fs::write(&file, bytes).unwrap();
     }
+    // So does a folder; and a name never leads out of the certificate.
+    let file = folder.path("certificate/plan.json");
+    let bytes = fs::read(&file).unwrap();
+    fs::remove_file(&file).unwrap();
+    fs::create_dir(&file).unwrap();
+    let run = folder.run("verify certificate");
+    assert_eq!((run.exit, run.out.as_str()), (Some(1), ""));
+    assert!(run.err.contains("found no regular file"), "{}", run.err);
+    fs::remove_dir(&file).unwrap();
+    fs::write(&file, bytes).unwrap();
+    let manifest = folder.read("certificate/manifest.json");
+    for name in ["../makespan", "/dev/zero", "."] {
+        let named = manifest.replace("\"name\": \"makespan\"", &format!("\"name\": \"{name}\""));
+        assert_ne!(named, manifest);
+        fs::write(folder.path("certificate/manifest.json"), named).unwrap();
+        let run = folder.run("verify certificate");
+        assert_eq!(run.exit, Some(1));
+        assert!(
+            run.out.contains("its proofs have other names"),
+            "{}",
+            run.out
+        );
+    }
+    fs::write(folder.path("certificate/manifest.json"), manifest).unwrap();
     let verified = verified(&folder, "certificate");
     assert!(verified.starts_with("Accepted: "), "{verified}");
 }

@@ -4,8 +4,7 @@ use std::collections::BTreeMap;
 
 use giveway_model::{check, format::native};
 
-use super::manifest::{Manifest, fingerprint};
-use super::{Bundle, INSTANCE, MANIFEST, PLAN, README, proof_files, readme};
+use super::{Bundle, INSTANCE, MANIFEST, Manifest, PLAN, README, fingerprint, proof_files};
 use crate::{Budget, Solved, show::show};
 
 /// Makes a certificate of everything that the solver claims. What cannot be
@@ -27,12 +26,12 @@ pub fn export(solved: &Solved<'_>, budget: &Budget<'_>) -> Bundle {
     }
     let mut manifest = Manifest {
         version: 1,
-        objective: solved.objective.clone(),
+        objective: instance.objective().clone(),
         costs: plan.and_then(|plan| check::costs(instance, plan)),
         claims,
         files: BTreeMap::new(),
     };
-    let text = readme::text(&manifest, instance);
+    let text = manifest.readme(instance);
     bundle.insert(README.to_owned(), text.into_bytes());
     for (name, bytes) in &bundle {
         manifest.files.insert(name.clone(), fingerprint(bytes));

@@ -2,11 +2,11 @@
 
 use std::collections::{BTreeMap, BTreeSet};
 
-use giveway_model::{Cost, Costs, Objective};
+use giveway_model::{Cost, Costs, Instance, Objective};
 use serde::{Deserialize, Serialize};
 use sha2::{Digest as _, Sha256};
 
-use super::{INSTANCE, Missing, PLAN, README, proof_files};
+use super::{INSTANCE, Missing, PLAN, README, proof_files, readme};
 use crate::Claim;
 
 /// What a certificate claims and holds.
@@ -168,8 +168,13 @@ impl Manifest {
         Some(expected)
     }
 
+    /// The `README.md` of a certificate with this manifest, about this instance.
+    pub fn readme(&self, instance: &Instance) -> String {
+        readme::text(self, instance)
+    }
+
     /// The one text that this manifest has: any other is not it.
-    pub(crate) fn text(&self) -> String {
+    pub fn text(&self) -> String {
         let mut text = serde_json::to_string_pretty(self).unwrap_or_default();
         text.push('\n');
         text
@@ -180,6 +185,6 @@ impl Manifest {
 pub(crate) const NO_PLAN: &str = "no-plan";
 
 /// The SHA-256 fingerprint of a file, in hexadecimal digits.
-pub(crate) fn fingerprint(bytes: &[u8]) -> String {
+pub fn fingerprint(bytes: &[u8]) -> String {
     format!("{:x}", Sha256::digest(bytes))
 }

@@ -17,7 +17,7 @@ pub(crate) mod readme;
 use std::collections::BTreeMap;
 
 pub use export::export;
-pub use manifest::{Entry, Manifest, Method};
+pub use manifest::{Entry, Manifest, Method, fingerprint};
 pub use missing::Missing;
 
 /// The files of a certificate by their names.

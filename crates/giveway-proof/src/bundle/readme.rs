@@ -81,9 +81,9 @@ pub(crate) fn text(manifest: &Manifest, instance: &Instance) -> String {
     // Where there is no plan, the claims say it all.
     let together = conclude(&manifest.objective, manifest.costs, &manifest.claims);
     if manifest.costs.is_some()
-        && let Some(sentence) = together.sentence()
+        && let Some(together) = together
     {
-        let _ = writeln!(text, "\n{sentence}");
+        let _ = writeln!(text, "\n{}", together.sentence());
     }
     text.push_str(HOW);
     text

@@ -6,13 +6,15 @@
 
 mod lone;
 mod meet;
+mod watch;
 
 use std::collections::{BTreeMap, BTreeSet};
 
 use giveway_model::{Cost, Instance};
 
-use crate::Budget;
+use crate::{Budget, Claim};
 use lone::{Lone, State, Step};
+use watch::{Memory, Watch};
 
 /// What a search came to.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -34,6 +36,30 @@ pub fn exhaust(
     most: &BTreeMap<Cost, u32>,
     budget: &Budget<'_>,
 ) -> Exhausted {
+    limited(instance, agents, most, None, budget)
+}
+
+/// Whether there is a plan of the kind that a claim excludes, of any makespan.
+/// Nothing is searched where no agent of the instance can be of that kind.
+pub fn exhaust_kind(instance: &Instance, claim: &Claim, budget: &Budget<'_>) -> Exhausted {
+    let all: Vec<usize> = (0..instance.agents().len()).collect();
+    let watch = match &claim.condition {
+        None => None,
+        Some(condition) => match Watch::of(instance, condition) {
+            Some(watch) => Some(watch),
+            None => return Exhausted::Stopped,
+        },
+    };
+    limited(instance, &all, &claim.most, watch, budget)
+}
+
+fn limited(
+    instance: &Instance,
+    agents: &[usize],
+    most: &BTreeMap<Cost, u32>,
+    watch: Option<Watch<'_>>,
+    budget: &Budget<'_>,
+) -> Exhausted {
     let mut limits: Vec<(Cost, u32)> = most.iter().map(|(&cost, &n)| (cost, n)).collect();
     let (aim, limit) = match limits.pop() {
         Some((cost, limit)) => (Some(cost), limit),
@@ -43,6 +69,7 @@ pub fn exhaust(
         aim,
         limit,
         limits,
+        watch,
         budget: *budget,
     }
     .run(instance, agents)
@@ -63,6 +90,7 @@ pub fn least(instance: &Instance, agent: usize, cost: Cost, budget: &Budget<'_>)
         aim: Some(cost),
         limit: u32::MAX,
         limits: Vec::new(),
+        watch: None,
         budget: *budget,
     }
     .run(instance, &[agent])
@@ -100,6 +128,8 @@ struct Search<'a> {
     limit: u32,
     /// The other limits; what is spent of them is part of a state.
     limits: Vec<(Cost, u32)>,
+    /// The condition, where plans of a kind are searched for.
+    watch: Option<Watch<'a>>,
     budget: Budget<'a>,
 }
 
@@ -108,14 +138,18 @@ struct Search<'a> {
 struct Joint {
     states: Vec<State>,
     spent: Vec<u32>,
+    /// What was seen of the condition.
+    memory: Memory,
 }
 
 impl Search<'_> {
     fn run(&self, instance: &Instance, agents: &[usize]) -> Exhausted {
         let limited = |cost| self.aim == Some(cost) || self.limits.iter().any(|l| l.0 == cost);
+        // A condition may be about charges.
+        let thrifty = limited(Cost::Charges) || self.watch.is_some();
         let lones: Vec<Lone<'_>> = agents
             .iter()
-            .filter_map(|&agent| Lone::new(instance, agent, limited(Cost::Charges)))
+            .filter_map(|&agent| Lone::new(instance, agent, thrifty))
             .collect();
         if lones.len() < agents.len() {
             return Exhausted::Stopped; // more waypoints than a state can hold
@@ -123,9 +157,15 @@ impl Search<'_> {
         let mut open: BTreeMap<u32, Vec<Joint>> = BTreeMap::new();
         let begins: Vec<Vec<Step>> = lones.iter().map(Lone::begin).collect();
         for steps in meet::joint_steps(&lones, &begins) {
+            let memory = match &self.watch {
+                None => Some(Memory::default()),
+                Some(watch) => watch.begin(&lones, &steps),
+            };
+            let Some(memory) = memory else { continue };
             let begin = Joint {
                 states: steps.iter().map(|step| step.to).collect(),
                 spent: vec![0; self.limits.len()],
+                memory,
             };
             open.entry(0).or_default().push(begin);
         }
@@ -136,7 +176,10 @@ impl Search<'_> {
                 entry.remove();
                 continue;
             };
-            if joint.states.iter().all(|state| state.has_arrived()) {
+            let met = |watch: &Watch<'_>| watch.is_met(joint.memory);
+            if joint.states.iter().all(|state| state.has_arrived())
+                && self.watch.as_ref().is_none_or(met)
+            {
                 return Exhausted::Plan(spent);
             }
             if !closed.insert(joint.clone()) {
@@ -164,6 +207,11 @@ impl Search<'_> {
         let steps: Vec<Vec<Step>> = steps.map(|(lone, state)| lone.steps(*state)).collect();
         let mut next = Vec::new();
         for chosen in meet::joint_steps(lones, &steps) {
+            let memory = match &self.watch {
+                None => Some(Memory::default()),
+                Some(watch) => watch.step(lones, &joint.states, &chosen, joint.memory),
+            };
+            let Some(memory) = memory else { continue };
             let mut taken = Spent::default();
             for (sum, cost) in taken.iter_mut().zip(Cost::ALL) {
                 let each = chosen.iter().map(|step| step.spent[cost as usize]);
@@ -184,7 +232,14 @@ impl Search<'_> {
             if within {
                 let states = chosen.iter().map(|step| step.to).collect();
                 let more = self.aim.map_or(0, |cost| taken[cost as usize]);
-                next.push((Joint { states, spent }, more));
+                next.push((
+                    Joint {
+                        states,
+                        spent,
+                        memory,
+                    },
+                    more,
+                ));
             }
         }
         next

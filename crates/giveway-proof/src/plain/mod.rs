@@ -51,6 +51,11 @@ pub enum NoFormula {
 /// ```
 pub fn formula(instance: &Instance, claim: &Claim, budget: &Budget<'_>) -> Result<Cnf, NoFormula> {
     let last = claim.horizon(instance).ok_or(NoFormula::NoHorizon)?;
+    // Each cell at each time is some clauses, and is looked at even without agents.
+    let cells = instance.grid().width() as usize * instance.grid().height() as usize;
+    if cells.saturating_mul((last as usize).saturating_add(1)) > budget.clauses {
+        return Err(NoFormula::TooLarge);
+    }
     let mut cnf = Cnf::default();
     let mut walkers = Vec::new();
     for index in 0..instance.agents().len() {
@@ -59,11 +64,6 @@ pub fn formula(instance: &Instance, claim: &Claim, budget: &Budget<'_>) -> Resul
             index,
             last,
         };
-        // Each cell at each time is some clauses; this many are too many anyway.
-        let cells = instance.grid().width() as usize * instance.grid().height() as usize;
-        if cells.saturating_mul(last as usize + 1) > budget.clauses {
-            return Err(NoFormula::TooLarge);
-        }
         walkers.push(Walker::new(&mut cnf, world));
         check(&cnf, budget)?;
     }

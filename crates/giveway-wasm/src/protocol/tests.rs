@@ -88,6 +88,7 @@ fn certificates_come_back() {
         accepted: true,
         certified: giveway_proof::Certified::Proved,
         conclusion: None,
+        concluded: None,
         reason: None,
         stopped: false,
         claims,

@@ -46,6 +46,7 @@ fn report(claims: Vec<Checked>) -> Report {
         accepted: true,
         certified: giveway_proof::Certified::Proved,
         conclusion: None,
+        concluded: None,
         reason: None,
         stopped: false,
         claims,
@@ -136,6 +137,7 @@ fn what_is_not_accepted_is_not_called_checked() {
         accepted: false,
         certified: giveway_proof::Certified::NotCertified,
         conclusion: None,
+        concluded: None,
         reason: Some("It is wrong.".to_owned()),
         stopped,
         ..report(claims())

@@ -101,6 +101,7 @@ fn the_proof_of_an_answer_is_checked_for_the_answer() {
         accepted: true,
         certified: Certified::Proved,
         conclusion: None,
+        concluded: None,
         reason: None,
         stopped: false,
         claims: Vec::new(),
