@@ -2,7 +2,7 @@
 
 use std::rc::Rc;
 
-use giveway_model::change::{Changes, Life};
+use giveway_model::change::{Changes, Trajectory};
 use giveway_model::{Agent, Fault, Plan, check};
 use giveway_solve::{SolveAnswer, SolveRequest};
 
@@ -70,12 +70,13 @@ impl Answer {
         };
         let course = Course::new(instance, draft.scene(), changes, steps, plan)?;
         let (mut levels, mut arrivals) = (Vec::new(), Vec::new());
-        for career in course.history.careers() {
-            let life = Life::of(&course.history, career, plan);
-            let is_there = |life: &&Life<'_>| !life.is_removed();
-            arrivals.push(life.as_ref().filter(is_there).map(Life::end));
-            let own = |life: &Life<'_>| check::levels_over_time(&course.history, life);
-            levels.push(life.as_ref().map_or_else(Vec::new, own));
+        for timeline in course.history.timelines() {
+            let trajectory = Trajectory::of(&course.history, timeline, plan);
+            let is_there = |trajectory: &&Trajectory<'_>| !trajectory.is_removed();
+            arrivals.push(trajectory.as_ref().filter(is_there).map(Trajectory::end));
+            let own =
+                |trajectory: &Trajectory<'_>| check::levels_over_time(&course.history, trajectory);
+            levels.push(trajectory.as_ref().map_or_else(Vec::new, own));
         }
         Ok(Self {
             draft,
@@ -105,8 +106,8 @@ impl Answer {
 
     /// The time from which an agent is gone, where it was removed.
     pub fn removed(&self, agent: usize) -> Option<u32> {
-        let careers = self.course.as_deref()?.history.careers();
-        careers.get(agent)?.until
+        let timelines = self.course.as_deref()?.history.timelines();
+        timelines.get(agent)?.until
     }
 
     /// The last time at which the world changed.
@@ -166,8 +167,11 @@ impl Answer {
             return makespan;
         };
         // Something may change, and somebody leave, when all others have arrived.
-        let left = course.history.careers().iter();
-        let left = left.filter_map(|career| career.until).max().unwrap_or(0);
+        let left = course.history.timelines().iter();
+        let left = left
+            .filter_map(|timeline| timeline.until)
+            .max()
+            .unwrap_or(0);
         makespan.max(left).max(self.changed_last().unwrap_or(0))
     }
 }

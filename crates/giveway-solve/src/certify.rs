@@ -8,13 +8,13 @@ use giveway_model::message::read_map;
 use giveway_model::{
     Cost, Instance, Objective, Plan, Question, Scene, check, format::from_object, sorting,
 };
-use giveway_proof::{Budget, Claim, Report, Solved, confirm};
+use giveway_proof::{Claim, Report, Solved, confirm};
 use serde::{Deserialize, Serialize};
 
 use crate::{
     Host, Limits, Progress, Refusal, SolveAnswer, Status,
+    budget::Budget,
     explain::{ExplainAnswer, Verdict},
-    meter::Meter,
 };
 
 /// Make a certificate of what was answered, and check it.
@@ -131,7 +131,7 @@ pub(crate) fn certify(request: &CertifyRequest, host: &dyn Host) -> Result<Repor
         seconds: request.limits.seconds.map(half),
         ..request.limits
     };
-    let (making, checking) = (Meter::new(host, making), Meter::new(host, request.limits));
+    let (making, checking) = (Budget::new(host, making), Budget::new(host, request.limits));
     let tell = |checking| {
         move |claim: &Claim| {
             let claim = claim.sentence();
@@ -142,12 +142,12 @@ pub(crate) fn certify(request: &CertifyRequest, host: &dyn Host) -> Result<Repor
     let size = size(&request.limits);
     Ok(confirm(
         &request.claims(&instance),
-        &Budget {
+        &giveway_proof::Budget {
             go_on: &|| making.check().is_ok(),
             tell: &makes,
             ..size
         },
-        &Budget {
+        &giveway_proof::Budget {
             go_on: &|| checking.check().is_ok(),
             tell: &checks,
             ..size
@@ -157,12 +157,12 @@ pub(crate) fn certify(request: &CertifyRequest, host: &dyn Host) -> Result<Repor
 
 /// What fits into the memory, by what formulas, proofs and states were measured
 /// to take while they are written and checked.
-fn size(limits: &Limits) -> Budget<'static> {
-    let whole = Budget::default();
+fn size(limits: &Limits) -> giveway_proof::Budget<'static> {
+    let whole = giveway_proof::Budget::default();
     let Some(memory) = limits.memory_bytes.and_then(|n| usize::try_from(n).ok()) else {
         return whole;
     };
-    Budget {
+    giveway_proof::Budget {
         clauses: whole.clauses.min(memory / CLAUSE_BYTES),
         proof_bytes: whole.proof_bytes.min(memory / PROOF_SHARE),
         states: whole.states.min(memory / STATE_BYTES),

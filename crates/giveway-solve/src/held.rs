@@ -4,26 +4,26 @@ use std::cell::Cell;
 use std::rc::Rc;
 
 /// The bytes that all parts of a request hold together.
-pub(crate) type Count = Rc<Cell<u64>>;
+pub(crate) type HeldBytes = Rc<Cell<u64>>;
 
 /// The bytes that one thing holds. They are free again when it is dropped, which
 /// nobody can forget to say.
 #[derive(Default)]
 pub(crate) struct Held {
     bytes: u64,
-    of: Option<Count>,
+    of: Option<HeldBytes>,
 }
 
 impl Held {
     /// Bytes held from now on.
-    pub(crate) fn new(of: &Count, bytes: usize) -> Self {
+    pub(crate) fn new(of: &HeldBytes, bytes: usize) -> Self {
         let mut held = Self::default();
         held.more(of, bytes);
         held
     }
 
     /// Further bytes of the same request.
-    pub(crate) fn more(&mut self, of: &Count, bytes: usize) {
+    pub(crate) fn more(&mut self, of: &HeldBytes, bytes: usize) {
         let bytes = bytes as u64;
         let of = self.of.get_or_insert_with(|| Rc::clone(of));
         of.set(of.get().saturating_add(bytes));
@@ -52,29 +52,29 @@ impl Drop for Held {
 mod tests {
     use super::*;
     use crate::{
-        Limits, SilentHost, meter::Meter, problem::Problem, single::Diagram, tests::instance,
+        Limits, SilentHost, budget::Budget, problem::Problem, single::Mdd, tests::instance,
     };
 
     #[test]
     fn tables_and_diagrams_are_counted_while_they_are_there() {
-        let meter = Meter::new(&SilentHost, Limits::default());
-        let problem = Problem::new(&instance("a . . . A"), &meter).ok().unwrap();
-        let tables = meter.held();
+        let budget = Budget::new(&SilentHost, Limits::default());
+        let problem = Problem::new(&instance("a . . . A"), &budget).ok().unwrap();
+        let tables = budget.held();
         assert!(tables > 0);
-        let mut diagram = Diagram::new(&problem.tasks[0], problem.optima[0]);
+        let mut mdd = Mdd::new(&problem.tasks[0], problem.optima[0]);
         let (task, terrain) = (&problem.tasks[0], &problem.terrain);
-        let grown = diagram.grow(6, task, terrain, &problem.to_go[0], &meter);
+        let grown = mdd.grow(6, task, terrain, &problem.cost_to_go[0], &budget);
         grown.unwrap();
-        assert!(meter.held() > tables);
-        drop(diagram);
-        assert_eq!(meter.held(), tables);
+        assert!(budget.held() > tables);
+        drop(mdd);
+        assert_eq!(budget.held(), tables);
         drop(problem);
-        assert_eq!(meter.held(), 0);
+        assert_eq!(budget.held(), 0);
     }
 
     #[test]
     fn what_is_dropped_is_free() {
-        let count = Count::default();
+        let count = HeldBytes::default();
         let mut one = Held::new(&count, 10);
         let other = Held::new(&count, 5);
         one.more(&count, 7);

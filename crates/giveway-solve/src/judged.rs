@@ -5,7 +5,7 @@ use giveway_model::{Costs, Plan};
 
 use crate::{
     Status,
-    meter::Stop,
+    budget::Stop,
     search::{Aim, Reach},
 };
 

@@ -6,9 +6,10 @@
 //! in a [`Host`].
 
 mod answer;
+mod budget;
 mod certify;
 pub mod change;
-mod condition;
+mod counterfactual;
 mod encode;
 pub mod explain;
 mod held;
@@ -16,7 +17,6 @@ mod host;
 mod joint;
 mod judged;
 mod local;
-mod meter;
 mod pareto;
 mod problem;
 mod progress;

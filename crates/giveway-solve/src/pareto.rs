@@ -23,10 +23,10 @@ type Limits = BTreeMap<Cost, u32>;
 
 /// The Pareto front of an objective's costs.
 pub(crate) fn front(task: &Task) -> FrontAnswer {
-    let problem = match Problem::new(&task.instance, &task.meter) {
+    let problem = match Problem::new(&task.instance, &task.budget) {
         Ok(problem) => problem,
-        Err(setback) => {
-            let solved = without_search(task, &setback);
+        Err(error) => {
+            let solved = without_search(task, &error);
             return whole(solved.answer.status, solved.reach, Vec::new());
         }
     };

@@ -5,9 +5,9 @@ use std::collections::BTreeSet;
 use giveway_model::{Costs, Grid, Instance};
 
 use crate::{
-    condition::{Condition, Precedence},
-    meter::{Meter, Stop},
-    single::{Demand, MAX_WAYPOINTS, Metric, Task, ToGo, earliest},
+    budget::{Budget, Stop},
+    counterfactual::{Counterfactual, Precedence},
+    single::{CostToGo, MAX_WAYPOINTS, Metric, Task, TaskConstraint, earliest},
     terrain::Terrain,
     walk::{Walk, costs_of},
 };
@@ -39,7 +39,7 @@ pub(crate) struct Problem {
     pub(crate) relaxed: Relaxed,
     pub(crate) tasks: Vec<Task>,
     /// The time that each agent alone still needs, from anywhere.
-    pub(crate) to_go: Vec<ToGo>,
+    pub(crate) cost_to_go: Vec<CostToGo>,
     /// The earliest arrival of each agent alone.
     pub(crate) optima: Vec<u32>,
     /// The largest of these, where nothing is demanded beside the tasks.
@@ -49,7 +49,7 @@ pub(crate) struct Problem {
 }
 
 /// Why an instance has no [`Problem`].
-pub(crate) enum Setback {
+pub(crate) enum ProblemError {
     /// This agent cannot do its task even alone.
     Alone(usize),
     /// This agent has more waypoints than the exact tables can bear.
@@ -58,15 +58,15 @@ pub(crate) enum Setback {
     Stopped(Stop),
 }
 
-impl From<Stop> for Setback {
+impl From<Stop> for ProblemError {
     fn from(stop: Stop) -> Self {
         Self::Stopped(stop)
     }
 }
 
 impl Problem {
-    pub(crate) fn new(instance: &Instance, meter: &Meter) -> Result<Self, Setback> {
-        Self::relaxed(instance, Relaxed::default(), None, meter)
+    pub(crate) fn new(instance: &Instance, budget: &Budget) -> Result<Self, ProblemError> {
+        Self::relaxed(instance, Relaxed::default(), None, budget)
     }
 
     /// The same with some rules between agents left out, and with what a
@@ -74,31 +74,31 @@ impl Problem {
     pub(crate) fn relaxed(
         instance: &Instance,
         relaxed: Relaxed,
-        condition: Option<&Condition>,
-        meter: &Meter,
-    ) -> Result<Self, Setback> {
+        condition: Option<&Counterfactual>,
+        budget: &Budget,
+    ) -> Result<Self, ProblemError> {
         let terrain = Terrain::new(instance.grid());
         let mut problem = Self {
             terrain,
             stays: instance.stays(),
             relaxed,
             tasks: Vec::new(),
-            to_go: Vec::new(),
+            cost_to_go: Vec::new(),
             optima: Vec::new(),
             longest: 0,
             precedence: None,
         };
         for (i, agent) in instance.agents().iter().enumerate() {
             if agent.waypoints.len() > MAX_WAYPOINTS {
-                return Err(Setback::TooManyWaypoints(i));
+                return Err(ProblemError::TooManyWaypoints(i));
             }
-            let task =
-                Task::new(agent, instance.rules(), &problem.terrain).ok_or(Setback::Alone(i))?;
-            problem.add(i, task, meter)?;
+            let task = Task::new(agent, instance.rules(), &problem.terrain)
+                .ok_or(ProblemError::Alone(i))?;
+            problem.add(i, task, budget)?;
         }
         problem.longest = problem.optima.iter().copied().max().unwrap_or(0);
         if let Some(condition) = condition {
-            condition.impose(instance, &mut problem, meter)?;
+            condition.impose(instance, &mut problem, budget)?;
         }
         Ok(problem)
     }
@@ -108,20 +108,20 @@ impl Problem {
         terrain: Terrain,
         stays: bool,
         tasks: Vec<Task>,
-        meter: &Meter,
-    ) -> Result<Self, Setback> {
+        budget: &Budget,
+    ) -> Result<Self, ProblemError> {
         let mut problem = Self {
             terrain,
             stays,
             relaxed: Relaxed::default(),
             tasks: Vec::new(),
-            to_go: Vec::new(),
+            cost_to_go: Vec::new(),
             optima: Vec::new(),
             longest: 0,
             precedence: None,
         };
         for (i, task) in tasks.into_iter().enumerate() {
-            problem.add(i, task, meter)?;
+            problem.add(i, task, budget)?;
         }
         problem.longest = problem.optima.iter().copied().max().unwrap_or(0);
         Ok(problem)
@@ -142,20 +142,25 @@ impl Problem {
     }
 
     /// Adds an agent, or gives it another task.
-    pub(crate) fn add(&mut self, agent: usize, task: Task, meter: &Meter) -> Result<(), Setback> {
+    pub(crate) fn add(
+        &mut self,
+        agent: usize,
+        task: Task,
+        budget: &Budget,
+    ) -> Result<(), ProblemError> {
         if task.waypoints.len() >= MAX_WAYPOINTS + usize::from(task.demand.is_none()) {
-            return Err(Setback::TooManyWaypoints(agent));
+            return Err(ProblemError::TooManyWaypoints(agent));
         }
-        let to_go = ToGo::new(&task, &self.terrain, Metric::Time, meter)?;
-        let optimum = earliest(&task, &self.terrain, &to_go, meter)?;
-        let optimum = optimum.ok_or(Setback::Alone(agent))?;
+        let cost_to_go = CostToGo::new(&task, &self.terrain, Metric::Time, budget)?;
+        let optimum = earliest(&task, &self.terrain, &cost_to_go, budget)?;
+        let optimum = optimum.ok_or(ProblemError::Alone(agent))?;
         if agent < self.tasks.len() {
             self.tasks[agent] = task;
-            self.to_go[agent] = to_go;
+            self.cost_to_go[agent] = cost_to_go;
             self.optima[agent] = optimum;
         } else {
             self.tasks.push(task);
-            self.to_go.push(to_go);
+            self.cost_to_go.push(cost_to_go);
             self.optima.push(optimum);
         }
         Ok(())
@@ -187,7 +192,7 @@ impl Problem {
         let demands = self.tasks.iter().map(|task| task.demand.as_ref());
         let mut agents = set(demands
             .enumerate()
-            .filter(|(_, demand)| demand.is_some_and(Demand::counts))
+            .filter(|(_, demand)| demand.is_some_and(TaskConstraint::counts))
             .map(|(agent, _)| agent));
         if let Some(Precedence { first, second, .. }) = self.precedence {
             agents.extend([first, second]);
@@ -217,8 +222,8 @@ impl Problem {
             ..costs_of(self, agent, walk)
         };
         match &self.tasks[agent].demand {
-            Some(Demand::AtMost { cost, most }) => own().get(*cost) <= *most,
-            Some(Demand::ArriveBy(time)) => own().makespan <= *time,
+            Some(TaskConstraint::AtMost { cost, most }) => own().get(*cost) <= *most,
+            Some(TaskConstraint::ArriveBy(time)) => own().makespan <= *time,
             Some(demand) => demand.keeps_waits(walk),
             None => true,
         }

@@ -7,9 +7,9 @@ use giveway_model::{Costs, Instance, Objective, Plan, Version, check::check, wor
 
 use crate::{
     Host, Limits, Progress, SolveAnswer, Status,
+    budget::Budget,
     judged::{Judged, told},
-    meter::Meter,
-    problem::{Problem, Setback},
+    problem::{Problem, ProblemError},
     search::{self, Aim, Bounded, Contact, ForEver, Horizon, Reach, Verdict},
     walk::{Walk, of_plan, to_plan},
 };
@@ -22,7 +22,7 @@ pub(crate) struct Task<'h> {
     pub(crate) within: Option<u32>,
     /// A plan that is known already, as it was handed in.
     pub(crate) start: Option<Plan>,
-    pub(crate) meter: Rc<Meter<'h>>,
+    pub(crate) budget: Rc<Budget<'h>>,
 }
 
 impl<'h> Task<'h> {
@@ -38,7 +38,7 @@ impl<'h> Task<'h> {
             instance,
             within,
             start: None,
-            meter: Rc::new(Meter::new(host, limits)),
+            budget: Rc::new(Budget::new(host, limits)),
         }
     }
 
@@ -50,7 +50,7 @@ impl<'h> Task<'h> {
 
 /// The lexicographic optimum.
 pub(crate) fn solve(task: &Task) -> Solved {
-    match Problem::new(&task.instance, &task.meter) {
+    match Problem::new(&task.instance, &task.budget) {
         Ok(problem) => {
             let bounded = Bounded {
                 horizon: task.horizon(&problem),
@@ -59,8 +59,8 @@ pub(crate) fn solve(task: &Task) -> Solved {
             let verdict = best(task, &problem, &bounded);
             answer(task, &problem, verdict)
         }
-        Err(setback) => {
-            let mut solved = without_search(task, &setback);
+        Err(error) => {
+            let mut solved = without_search(task, &error);
             let answer = &mut solved.answer;
             if answer.status == Status::Unknown
                 && let Some((plan, costs)) = start(task)
@@ -89,14 +89,14 @@ pub(crate) fn best(task: &Task, problem: &Problem, bounded: &Bounded) -> Verdict
         let plan = to_plan(problem, &names, walks);
         let report = check(&task.instance, &plan);
         if let (true, Some(costs)) = (report.is_valid(), report.costs) {
-            task.meter.report(&Progress::Plan { costs, plan });
+            task.budget.report(&Progress::Plan { costs, plan });
         }
     };
     let contact = Contact {
         start: start.as_deref(),
         on_better: &on_better,
     };
-    search::solve(problem, &task.objective, bounded, &contact, &task.meter)
+    search::solve(problem, &task.objective, bounded, &contact, &task.budget)
 }
 
 /// The plan that is known already, where the judge passes it.
@@ -115,25 +115,25 @@ fn names(task: &Task) -> Vec<String> {
 }
 
 /// The answer where an agent alone decides it.
-pub(crate) fn without_search(task: &Task, setback: &Setback) -> Solved {
+pub(crate) fn without_search(task: &Task, error: &ProblemError) -> Solved {
     let name = |i: usize| {
         task.instance
             .agents()
             .get(i)
             .map_or("", |a| a.name.as_str())
     };
-    let (status, reach, reason) = match *setback {
-        Setback::Alone(i) => (
+    let (status, reach, reason) = match *error {
+        ProblemError::Alone(i) => (
             Status::Impossible,
             Some(Reach::ForEver(ForEver::alone())),
             format!("{} cannot do its task, even alone.", name(i)),
         ),
-        Setback::TooManyWaypoints(i) => (
+        ProblemError::TooManyWaypoints(i) => (
             Status::Unknown,
             None,
             format!("{} has more waypoints than can be planned for.", name(i)),
         ),
-        Setback::Stopped(stop) => (Status::Unknown, None, stop.sentence().to_owned()),
+        ProblemError::Stopped(stop) => (Status::Unknown, None, stop.sentence().to_owned()),
     };
     let (complete, within) = told(reach);
     let answer = SolveAnswer {
@@ -145,7 +145,7 @@ pub(crate) fn without_search(task: &Task, setback: &Setback) -> Solved {
         complete,
         reason: Some(reason),
         plan: None,
-        stats: task.meter.stats(),
+        stats: task.budget.stats(),
     };
     Solved { answer, reach }
 }
@@ -184,7 +184,7 @@ pub(crate) fn answer(task: &Task, problem: &Problem, verdict: Verdict) -> Solved
         complete,
         reason,
         plan,
-        stats: task.meter.stats(),
+        stats: task.budget.stats(),
     };
     Solved { answer, reach }
 }

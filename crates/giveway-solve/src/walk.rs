@@ -4,7 +4,7 @@ use giveway_model::{Cell, Costs, Plan, Version};
 
 use crate::{
     problem::Problem,
-    single::{Demand, Place, Task},
+    single::{Place, Task, TaskConstraint},
     terrain::{Arc, Terrain},
 };
 
@@ -35,7 +35,7 @@ pub(crate) fn charges(task: &Task, terrain: &Terrain, walk: &[Place]) -> Option<
         return Some(Vec::new());
     };
     let free = fewest(task, terrain, walk, reserve.initial, 0)?;
-    let Some(Demand::Charge { v, .. }) = task.demand else {
+    let Some(TaskConstraint::Charge { v, .. }) = task.demand else {
         return Some(free);
     };
     let there = |time: u32| walk.get(time as usize) == Some(&Place::At(v));

@@ -32,7 +32,7 @@ pub fn serve_messages() {
         answer(&bytes.unwrap_or_default(), &post);
     });
     scope().set_onmessage(Some(listen.as_ref().unchecked_ref()));
-    listen.forget(); // it listens as long as the worker lives
+    listen.forget(); // it listens as long as the worker trajectories
     post(&Message::Ready);
 }
 

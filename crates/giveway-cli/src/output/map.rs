@@ -45,7 +45,7 @@ pub(crate) fn draw(instance: &Instance, columns: usize) -> String {
 pub(crate) fn draw_over_time(instance: &Instance, history: &History, columns: usize) -> String {
     let mut scene = instance.to_scene();
     scene.map = history.last_grid().rows();
-    let there = history.careers().iter().filter(|it| it.until.is_none());
+    let there = history.timelines().iter().filter(|it| it.until.is_none());
     scene.agents = there.map(|it| history.agent_now(it, None)).collect();
     for agent in &mut scene.agents {
         agent.waypoints.sort_unstable();

@@ -6,7 +6,7 @@ use std::fmt::Write as _;
 
 use giveway_model::{
     Cell, Instance, Plan,
-    change::{History, Life},
+    change::{History, Trajectory},
     check::{arrivals, levels, levels_over_time},
 };
 
@@ -44,27 +44,27 @@ pub(crate) fn draw(instance: &Instance, plan: &Plan, columns: usize) -> String {
 
 /// Draws the table of a plan around which the world changes, in absolute times.
 pub(crate) fn draw_over_time(history: &History, plan: &Plan, columns: usize) -> String {
-    let careers = history.careers();
+    let timelines = history.timelines();
     let mut rows = Vec::new();
-    for life in careers
+    for trajectory in timelines
         .iter()
-        .filter_map(|career| Life::of(history, career, plan))
+        .filter_map(|timeline| Trajectory::of(history, timeline, plan))
     {
-        let career = life.career;
-        let from = career.from as usize;
-        let levels = levels_over_time(history, &life);
+        let timeline = trajectory.timeline;
+        let from = timeline.from as usize;
+        let levels = levels_over_time(history, &trajectory);
         rows.append(&mut life_rows(
-            career.name(),
+            timeline.name(),
             from,
-            life.path,
-            life.charges,
+            trajectory.path,
+            trajectory.charges,
             &levels,
         ));
     }
     let times = rows.iter().map(|row| row.entries.len()).max().unwrap_or(0);
-    if careers.is_empty() {
+    if timelines.is_empty() {
         String::new()
-    } else if careers.len() > MAX_AGENTS || times > MAX_TIMES {
+    } else if timelines.len() > MAX_AGENTS || times > MAX_TIMES {
         TOO_LARGE.to_owned()
     } else {
         blocks(&rows, times, columns) + &legend(&rows)

@@ -3,7 +3,8 @@
 use std::collections::BTreeMap;
 
 use super::{
-    Career, Change, Duty, Epoch, History, Life, MAX_DELAY, MAX_TIME, What, Whereabouts, refuse,
+    Change, Epoch, History, MAX_DELAY, MAX_TIME, TimedWaypoint, Timeline, Trajectory, What,
+    Whereabouts, refuse,
 };
 use crate::{Agent, Battery, Cell, Fault, Grid, Ground, MAX_AGENTS, MAX_CAPACITY, Plan, sorting};
 
@@ -25,7 +26,7 @@ impl History {
             before: self,
             after: self.clone(),
             grid: self.grid(at).clone(),
-            lives: self.lives(plan, at),
+            trajectories: self.trajectories(plan, at),
             plan,
             faults: Vec::new(),
             obstacles: BTreeMap::new(),
@@ -65,7 +66,7 @@ struct World<'a> {
     after: History,
     grid: Grid,
     /// The agents that are there before anything changes.
-    lives: Vec<Life<'a>>,
+    trajectories: Vec<Trajectory<'a>>,
     /// The plan around which the world changes.
     plan: &'a Plan,
     faults: Vec<Fault>,
@@ -108,28 +109,28 @@ impl World<'_> {
     }
 
     /// An agent that is there: it has come, was not removed, has not vanished.
-    fn career(&mut self, name: &str) -> Result<&mut Career, Reason> {
+    fn timeline(&mut self, name: &str) -> Result<&mut Timeline, Reason> {
         let at = self.at;
-        let is_gone = |career: &Career| {
-            let lives = self.lives.iter();
-            let old = self.before.careers().iter().any(|c| c.name() == name);
+        let is_gone = |timeline: &Timeline| {
+            let trajectories = self.trajectories.iter();
+            let old = self.before.timelines().iter().any(|c| c.name() == name);
             // A plan from which it is removed as it appears has no cell of it.
-            let leaves_at_once = career.from == at && self.plan.until.get(name) == Some(&at);
+            let leaves_at_once = timeline.from == at && self.plan.until.get(name) == Some(&at);
             old && !leaves_at_once
-                && !lives
+                && !trajectories
                     .clone()
-                    .any(|life| life.career.name() == career.name())
+                    .any(|trajectory| trajectory.timeline.name() == timeline.name())
         };
-        let mut careers = self.after.careers.iter();
-        let Some(index) = careers.position(|career| career.name() == name) else {
+        let mut timelines = self.after.timelines.iter();
+        let Some(index) = timelines.position(|timeline| timeline.name() == name) else {
             return Err(refuse::unknown(name));
         };
-        match self.after.careers.get(index) {
-            Some(career) if career.until.is_some() => Err(refuse::removed(name)),
-            Some(career) if is_gone(career) => Err(refuse::vanished(name, at)),
+        match self.after.timelines.get(index) {
+            Some(timeline) if timeline.until.is_some() => Err(refuse::removed(name)),
+            Some(timeline) if is_gone(timeline) => Err(refuse::vanished(name, at)),
             _ => {
-                let career = self.after.careers.get_mut(index);
-                career.ok_or_else(|| refuse::unknown(name))
+                let timeline = self.after.timelines.get_mut(index);
+                timeline.ok_or_else(|| refuse::unknown(name))
             }
         }
     }
@@ -143,10 +144,10 @@ impl World<'_> {
         if agent.name.is_empty() {
             return Err(refuse::no_name());
         }
-        if self.after.careers.iter().any(|c| c.name() == agent.name) {
+        if self.after.timelines.iter().any(|c| c.name() == agent.name) {
             return Err(refuse::used_name(&agent.name));
         }
-        if self.after.careers.len() >= MAX_AGENTS {
+        if self.after.timelines.len() >= MAX_AGENTS {
             return Err(refuse::too_many());
         }
         for (k, cell) in agent.waypoints.iter().enumerate() {
@@ -164,19 +165,19 @@ impl World<'_> {
             self.ground(cell)?;
             self.aimed.push((index, cell));
         }
-        let career = Career::new(agent.clone(), self.at);
-        self.after.careers.push(career);
+        let timeline = Timeline::new(agent.clone(), self.at);
+        self.after.timelines.push(timeline);
         self.placed.push((index, agent.name.clone(), agent.start));
         Ok(())
     }
 
     fn remove(&mut self, name: &str) -> Result<(), Reason> {
         let at = self.at;
-        let career = self.career(name)?;
-        if career.from == at && at > 0 {
+        let timeline = self.timeline(name)?;
+        if timeline.from == at && at > 0 {
             return Err(refuse::just_added(name));
         }
-        career.until = Some(at);
+        timeline.until = Some(at);
         Ok(())
     }
 
@@ -226,9 +227,9 @@ impl World<'_> {
     fn goal(&mut self, index: usize, name: &str, cell: Cell) -> Result<(), Reason> {
         let at = self.at;
         self.ground(cell)?;
-        let career = self.career(name)?;
-        if career.goal() != cell {
-            career.goals.push((at, cell));
+        let timeline = self.timeline(name)?;
+        if timeline.goal() != cell {
+            timeline.goals.push((at, cell));
         }
         self.aimed.push((index, cell));
         Ok(())
@@ -237,19 +238,22 @@ impl World<'_> {
     fn waypoint(&mut self, index: usize, name: &str, cell: Cell) -> Result<(), Reason> {
         let at = self.at;
         self.ground(cell)?;
-        let life = self.lives.iter().find(|life| life.career.name() == name);
-        let life = life.copied();
+        let trajectory = self
+            .trajectories
+            .iter()
+            .find(|trajectory| trajectory.timeline.name() == name);
+        let trajectory = trajectory.copied();
         // Of one that is removed now, the plan does not tell what it visits now.
         let leaves = self.plan.until.get(name) == Some(&at);
-        let career = self.career(name)?;
-        let pending = career.duties().any(|duty| {
-            let visit = life.and_then(|life| life.visit(duty));
-            duty.cell == cell && visit.is_none_or(|visit| visit > at)
+        let timeline = self.timeline(name)?;
+        let pending = timeline.waypoints().any(|waypoint| {
+            let visit = trajectory.and_then(|trajectory| trajectory.visit(waypoint));
+            waypoint.cell == cell && visit.is_none_or(|visit| visit > at)
         });
         if pending && !leaves {
             return Err(refuse::waypoint_again(name, cell));
         }
-        career.duties.push(Duty {
+        timeline.waypoints.push(TimedWaypoint {
             cell,
             since: Some(at),
             dropped: None,
@@ -260,24 +264,24 @@ impl World<'_> {
 
     fn drop_waypoint(&mut self, name: &str, cell: Cell) -> Result<(), Reason> {
         let at = self.at;
-        let career = self.career(name)?;
-        let mut duties = career.duties.iter_mut().rev();
-        let found = duties.find(|duty| duty.cell == cell && duty.dropped.is_none());
-        let duty = found.ok_or_else(|| refuse::no_waypoint(name, cell))?;
-        duty.dropped = Some(at);
+        let timeline = self.timeline(name)?;
+        let mut waypoints = timeline.waypoints.iter_mut().rev();
+        let found = waypoints.find(|waypoint| waypoint.cell == cell && waypoint.dropped.is_none());
+        let waypoint = found.ok_or_else(|| refuse::no_waypoint(name, cell))?;
+        waypoint.dropped = Some(at);
         Ok(())
     }
 
     fn level(&mut self, name: &str, level: u32) -> Result<(), Reason> {
         let at = self.at;
-        let career = self.career(name)?;
-        let Some(battery) = career.agent.battery else {
+        let timeline = self.timeline(name)?;
+        let Some(battery) = timeline.agent.battery else {
             return Err(refuse::unlimited(name));
         };
         if level > battery.capacity {
             return Err(refuse::level(name, level, battery.capacity));
         }
-        career.levels.push((at, level));
+        timeline.levels.push((at, level));
         Ok(())
     }
 
@@ -286,14 +290,17 @@ impl World<'_> {
         if steps > MAX_DELAY {
             return Err(refuse::too_long(steps));
         }
-        let life = self.lives.iter().find(|life| life.career.name() == name);
-        let place = life.map(|life| life.place(at));
-        let career = self.career(name)?;
+        let trajectory = self
+            .trajectories
+            .iter()
+            .find(|trajectory| trajectory.timeline.name() == name);
+        let place = trajectory.map(|trajectory| trajectory.place(at));
+        let timeline = self.timeline(name)?;
         let from = match place {
             Some(Whereabouts::Transit { .. }) => at + 1,
             _ => at,
         };
-        career.held.push((from, from + steps));
+        timeline.held.push((from, from + steps));
         Ok(())
     }
 
@@ -303,12 +310,12 @@ impl World<'_> {
         let mut reasons: Vec<(usize, Reason)> = Vec::new();
         let (after, at) = (&self.after, self.at);
         let there = |name: &str| {
-            let mut careers = after.careers.iter();
-            careers.any(|career| career.name() == name && career.until.is_none())
+            let mut timelines = after.timelines.iter();
+            timelines.any(|timeline| timeline.name() == name && timeline.until.is_none())
         };
-        for life in &self.lives {
-            let name = life.career.name();
-            match life.place(at) {
+        for trajectory in &self.trajectories {
+            let name = trajectory.timeline.name();
+            match trajectory.place(at) {
                 Whereabouts::At(cell) | Whereabouts::Transit { to: cell, .. } if there(name) => {
                     taken.insert(cell, name);
                 }
@@ -333,15 +340,15 @@ impl World<'_> {
         }
         if after.stays() {
             let mut goals: BTreeMap<Cell, &str> = BTreeMap::new();
-            let careers = after.careers.iter();
-            for career in careers.filter(|career| career.until.is_none()) {
-                if let Some(other) = goals.insert(career.goal(), career.name()) {
+            let timelines = after.timelines.iter();
+            for timeline in timelines.filter(|timeline| timeline.until.is_none()) {
+                if let Some(other) = goals.insert(timeline.goal(), timeline.name()) {
                     let changed = self.aimed.iter().rev();
                     let index = changed
-                        .filter(|(_, cell)| *cell == career.goal())
+                        .filter(|(_, cell)| *cell == timeline.goal())
                         .map(|&(index, _)| index)
                         .next();
-                    let reason = refuse::shared_goal(career.goal(), other, career.name());
+                    let reason = refuse::shared_goal(timeline.goal(), other, timeline.name());
                     reasons.push((index.unwrap_or(0), reason));
                 }
             }

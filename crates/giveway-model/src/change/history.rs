@@ -1,6 +1,6 @@
 //! The world over time: what an instance and the changes of a plan make.
 
-use super::{Career, Changes, Life, MAX_TIME};
+use super::{Changes, MAX_TIME, Timeline, Trajectory};
 use crate::{Agent, Battery, Fault, Grid, Instance, Plan, Rules};
 
 /// The map from a time on.
@@ -36,7 +36,7 @@ pub struct History {
     stays: bool,
     first: Grid,
     pub(super) epochs: Vec<Epoch>,
-    pub(super) careers: Vec<Career>,
+    pub(super) timelines: Vec<Timeline>,
 }
 
 impl History {
@@ -48,7 +48,7 @@ impl History {
             stays: instance.stays(),
             first: instance.grid().clone(),
             epochs: Vec::new(),
-            careers: agents.map(|agent| Career::new(agent, 0)).collect(),
+            timelines: agents.map(|agent| Timeline::new(agent, 0)).collect(),
         }
     }
 
@@ -56,8 +56,8 @@ impl History {
     /// nothing changes: what is left of a course, in the times of the whole.
     pub fn beginning(instance: &Instance, at: u32) -> Self {
         let mut history = Self::new(instance);
-        for career in &mut history.careers {
-            career.from = at;
+        for timeline in &mut history.timelines {
+            timeline.from = at;
         }
         history
     }
@@ -104,29 +104,31 @@ impl History {
     }
 
     /// All agents that there ever were, in the order in which they came.
-    pub fn careers(&self) -> &[Career] {
-        &self.careers
+    pub fn timelines(&self) -> &[Timeline] {
+        &self.timelines
     }
 
     /// The agents that a plan still has at a time: those that were neither
     /// removed nor have vanished before.
-    pub fn lives<'a>(&'a self, plan: &'a Plan, time: u32) -> Vec<Life<'a>> {
-        let careers = self.careers.iter();
-        let there = careers.filter(|career| career.until.is_none() && career.from <= time);
-        let lives = there.filter_map(|career| Life::of(self, career, plan));
-        lives
-            .filter(|life| self.stays || life.end() >= time || is_leaving(life, plan, time))
+    pub fn trajectories<'a>(&'a self, plan: &'a Plan, time: u32) -> Vec<Trajectory<'a>> {
+        let timelines = self.timelines.iter();
+        let there = timelines.filter(|timeline| timeline.until.is_none() && timeline.from <= time);
+        let trajectories = there.filter_map(|timeline| Trajectory::of(self, timeline, plan));
+        trajectories
+            .filter(|trajectory| {
+                self.stays || trajectory.end() >= time || is_leaving(trajectory, plan, time)
+            })
             .collect()
     }
 
     /// An agent as it is after all changes, from a cell on with a level.
-    pub fn agent_now(&self, career: &Career, level: Option<u32>) -> Agent {
+    pub fn agent_now(&self, timeline: &Timeline, level: Option<u32>) -> Agent {
         Agent {
-            name: career.agent.name.clone(),
-            start: career.agent.start,
-            goal: career.goal(),
-            waypoints: career.duties().map(|duty| duty.cell).collect(),
-            battery: career.agent.battery.map(|battery| Battery {
+            name: timeline.agent.name.clone(),
+            start: timeline.agent.start,
+            goal: timeline.goal(),
+            waypoints: timeline.waypoints().map(|waypoint| waypoint.cell).collect(),
+            battery: timeline.agent.battery.map(|battery| Battery {
                 initial: level.unwrap_or(battery.initial),
                 ..battery
             }),
@@ -137,9 +139,9 @@ impl History {
 /// Whether the plan has an agent removed at a time, one step after its last
 /// entry: then it was there to be removed, as the plan went before, even if what
 /// is left of its path ends at its goal.
-fn is_leaving(life: &Life<'_>, plan: &Plan, time: u32) -> bool {
-    let name = life.career.name();
+fn is_leaving(trajectory: &Trajectory<'_>, plan: &Plan, time: u32) -> bool {
+    let name = trajectory.timeline.name();
     let entries = u32::try_from(plan.path(name).len()).ok();
-    let after = entries.and_then(|entries| life.career.from.checked_add(entries));
+    let after = entries.and_then(|entries| trajectory.timeline.from.checked_add(entries));
     plan.until.get(name) == Some(&time) && after == Some(time)
 }

@@ -5,10 +5,10 @@
 //! the world over time that they make of an instance and its plan.
 
 mod apply;
-mod career;
 mod history;
-mod life;
 mod refuse;
+mod timeline;
+mod trajectory;
 mod written;
 
 use serde::{Deserialize, Serialize};
@@ -16,9 +16,9 @@ use serde::{Deserialize, Serialize};
 use crate::object::object_only;
 use crate::{Agent, Cell, Fault, Version, sorting};
 
-pub use career::{Career, Duty};
 pub use history::{Epoch, History};
-pub use life::{Life, Whereabouts};
+pub use timeline::{TimedWaypoint, Timeline};
+pub use trajectory::{Trajectory, Whereabouts};
 
 /// The latest time at which something may change, in steps.
 pub const MAX_TIME: u32 = 1_000_000;

@@ -3,7 +3,7 @@
 
 use std::rc::Rc;
 
-use giveway_model::change::{Career, Changes, History};
+use giveway_model::change::{Changes, History, Timeline};
 use giveway_model::{Agent, Costs, Fault, Instance, Plan, Scene};
 use giveway_solve::change::Method;
 
@@ -89,35 +89,36 @@ impl Course {
 impl World {
     /// The world of a history from a time on.
     pub(crate) fn of(history: &History, scene: &Scene, from: u32) -> Self {
-        let careers = history.careers();
+        let timelines = history.timelines();
         let grid = history.grid(from).clone();
-        let agents = careers.iter().map(|career| agent_at(career, from));
+        let agents = timelines.iter().map(|timeline| agent_at(timeline, from));
         let scene = Scene {
             map: grid.rows(),
             agents: agents.collect(),
             ..scene.clone()
         };
-        let is_there =
-            |career: &Career| career.from <= from && career.until.is_none_or(|until| from < until);
+        let is_there = |timeline: &Timeline| {
+            timeline.from <= from && timeline.until.is_none_or(|until| from < until)
+        };
         Self {
             from,
             draft: Rc::new(Draft::shown(scene, grid)),
-            is_there: careers.iter().map(is_there).collect(),
+            is_there: timelines.iter().map(is_there).collect(),
         }
     }
 }
 
 /// An agent with the task that it has at a time.
-fn agent_at(career: &Career, time: u32) -> Agent {
-    let mut goals = career.goals.iter().rev();
+fn agent_at(timeline: &Timeline, time: u32) -> Agent {
+    let mut goals = timeline.goals.iter().rev();
     let goal = goals.find(|(since, _)| *since <= time);
-    let duties = career.duties.iter().filter(|duty| {
-        duty.since.is_none_or(|since| since <= time)
-            && duty.dropped.is_none_or(|dropped| time < dropped)
+    let waypoints = timeline.waypoints.iter().filter(|waypoint| {
+        waypoint.since.is_none_or(|since| since <= time)
+            && waypoint.dropped.is_none_or(|dropped| time < dropped)
     });
     Agent {
-        goal: goal.map_or(career.agent.goal, |&(_, goal)| goal),
-        waypoints: duties.map(|duty| duty.cell).collect(),
-        ..career.agent.clone()
+        goal: goal.map_or(timeline.agent.goal, |&(_, goal)| goal),
+        waypoints: waypoints.map(|waypoint| waypoint.cell).collect(),
+        ..timeline.agent.clone()
     }
 }

@@ -2,7 +2,7 @@
 
 use giveway_model::{
     Cell, Plan,
-    change::{History, Life},
+    change::{History, Trajectory},
 };
 
 use super::world::World;
@@ -19,12 +19,12 @@ pub(super) struct Comparison {
 /// Compares a new plan with the old one, from the change on.
 pub(super) fn compare(world: &World<'_>, plan: &Plan) -> Comparison {
     let mut comparison = Comparison::default();
-    for (index, career) in world.after.careers().iter().enumerate() {
-        let name = career.name().to_owned();
-        if career.until.is_some() {
+    for (index, timeline) in world.after.timelines().iter().enumerate() {
+        let name = timeline.name().to_owned();
+        if timeline.until.is_some() {
             continue;
         }
-        if world.before.careers().len() <= index {
+        if world.before.timelines().len() <= index {
             comparison.added.push(name);
             continue;
         }
@@ -51,13 +51,18 @@ pub(super) fn compare(world: &World<'_>, plan: &Plan) -> Comparison {
 
 /// The entries and the charges of an agent from a time on.
 fn rest(history: &History, index: usize, plan: &Plan, at: u32) -> (Vec<Option<Cell>>, Vec<u32>) {
-    let career = history.careers().get(index);
-    let Some(life) = career.and_then(|career| Life::of(history, career, plan)) else {
+    let timeline = history.timelines().get(index);
+    let Some(trajectory) = timeline.and_then(|timeline| Trajectory::of(history, timeline, plan))
+    else {
         return Default::default();
     };
-    let entries = (at..=life.end().max(at))
-        .map(|time| life.at(time))
+    let entries = (at..=trajectory.end().max(at))
+        .map(|time| trajectory.at(time))
         .collect();
-    let charges = life.charges.iter().copied().filter(|&time| time >= at);
+    let charges = trajectory
+        .charges
+        .iter()
+        .copied()
+        .filter(|&time| time >= at);
     (entries, charges.collect())
 }

@@ -17,8 +17,8 @@ use super::{
     world::{Member, World},
 };
 use crate::{
-    meter::{Meter, Stop},
-    problem::{Problem, Setback},
+    budget::{Budget, Stop},
+    problem::{Problem, ProblemError},
     search::{Aim, Bounded, Horizon, find},
     single::{Bounds, Task},
 };
@@ -33,7 +33,7 @@ pub(super) struct Case<'a, 'h> {
     pub(super) objective: &'a Objective,
     /// The latest arrival from now on, where a person set one.
     pub(super) within: Option<u32>,
-    pub(super) meter: Rc<Meter<'h>>,
+    pub(super) budget: Rc<Budget<'h>>,
 }
 
 /// Why there is nothing to search in.
@@ -88,10 +88,10 @@ impl Case<'_, '_> {
             tasks.push(task.ok_or_else(|| battery(agent))?);
         }
         let stays = self.world.after.stays();
-        Problem::of_tasks(terrain, stays, tasks, &self.meter).map_err(|setback| match setback {
-            Setback::Alone(agent) => Trouble::Alone(agent, self.alone(agent, freed)),
-            Setback::TooManyWaypoints(agent) => Trouble::TooManyWaypoints(agent),
-            Setback::Stopped(stop) => Trouble::Stopped(stop),
+        Problem::of_tasks(terrain, stays, tasks, &self.budget).map_err(|error| match error {
+            ProblemError::Alone(agent) => Trouble::Alone(agent, self.alone(agent, freed)),
+            ProblemError::TooManyWaypoints(agent) => Trouble::TooManyWaypoints(agent),
+            ProblemError::Stopped(stop) => Trouble::Stopped(stop),
         })
     }
 
@@ -134,7 +134,7 @@ impl Case<'_, '_> {
             Err(_) => return Ok(false),
         };
         let bounded = self.bounded(&problem);
-        let verdict = find(&problem, self.objective, &bounded, &Aim::Any, &self.meter);
+        let verdict = find(&problem, self.objective, &bounded, &Aim::Any, &self.budget);
         match (verdict.best, verdict.stop) {
             (Some(_), _) => Ok(true),
             (None, Some(stop)) => Err(stop),
@@ -171,16 +171,16 @@ impl Case<'_, '_> {
             });
         }
         let stays = self.world.after.stays();
-        let problem = match Problem::of_tasks(terrain, stays, tasks, &self.meter) {
+        let problem = match Problem::of_tasks(terrain, stays, tasks, &self.budget) {
             Ok(problem) => problem,
-            Err(Setback::Stopped(stop)) => return Err(stop),
+            Err(ProblemError::Stopped(stop)) => return Err(stop),
             Err(_) => return Ok(false),
         };
         let bounded = Bounded {
             horizon: Horizon::at(steps),
             limits: BTreeMap::new(),
         };
-        let verdict = find(&problem, self.objective, &bounded, &Aim::Any, &self.meter);
+        let verdict = find(&problem, self.objective, &bounded, &Aim::Any, &self.budget);
         match verdict.stop {
             Some(stop) if verdict.best.is_none() => Err(stop),
             _ => Ok(verdict.best.is_none()),
@@ -218,7 +218,7 @@ impl Case<'_, '_> {
         let mut cores: Vec<BTreeSet<usize>> = vec![self.core(given)?];
         let mut size = 1;
         loop {
-            let sets = hitting(&cores, size, &self.meter)?;
+            let sets = hitting(&cores, size, &self.budget)?;
             let (mut good, mut tried) = (Vec::new(), 0);
             let mut left = (sets.len() > MOST_SETS).then_some(Stop::Sets);
             let known = cores.len();
@@ -276,10 +276,10 @@ pub(super) struct Fewest {
 fn hitting(
     cores: &[BTreeSet<usize>],
     size: usize,
-    meter: &Meter,
+    budget: &Budget,
 ) -> Result<BTreeSet<BTreeSet<usize>>, Stop> {
     let mut found = BTreeSet::new();
-    extend(cores, size, &BTreeSet::new(), &mut found, meter)?;
+    extend(cores, size, &BTreeSet::new(), &mut found, budget)?;
     Ok(found)
 }
 
@@ -289,9 +289,9 @@ fn extend(
     size: usize,
     set: &BTreeSet<usize>,
     found: &mut BTreeSet<BTreeSet<usize>>,
-    meter: &Meter,
+    budget: &Budget,
 ) -> Result<(), Stop> {
-    meter.tick()?;
+    budget.tick()?;
     if found.len() > MOST_SETS {
         return Ok(());
     }
@@ -304,7 +304,7 @@ fn extend(
         for &agent in missed {
             let mut larger = set.clone();
             larger.insert(agent);
-            extend(cores, size, &larger, found, meter)?;
+            extend(cores, size, &larger, found, budget)?;
         }
     }
     Ok(())

@@ -18,15 +18,15 @@ use super::{
 };
 use crate::{
     Progress, SolveAnswer, Status,
+    budget::Stop,
     judged::{Judged, told},
-    meter::Stop,
     problem::Problem,
     search::{Aim, Before, Bounded, Contact, Extent, ForEver, Reach, Verdict, closest, solve},
     walk::Walk,
 };
 
 /// What a method found, with the agents that it freed.
-struct Found {
+struct MethodFound {
     problem: Problem,
     bounded: Bounded,
     verdict: Verdict,
@@ -47,7 +47,7 @@ pub(super) fn run(case: &Case<'_, '_>) -> MethodAnswer {
     };
     let bounded = case.bounded(&problem);
     let verdict = search(case, &problem, &bounded, &freed);
-    let found = Found {
+    let found = MethodFound {
         problem,
         bounded,
         verdict,
@@ -80,18 +80,18 @@ fn search(
 ) -> Verdict {
     let on_better = |walks: &[Walk]| {
         if let Some((plan, costs)) = judged(case, problem, freed, walks, &[]) {
-            case.meter.report(&Progress::Plan { costs, plan });
+            case.budget.report(&Progress::Plan { costs, plan });
         }
     };
     let contact = Contact {
         start: None,
         on_better: &on_better,
     };
-    solve(problem, case.objective, bounded, &contact, &case.meter)
+    solve(problem, case.objective, bounded, &contact, &case.budget)
 }
 
 /// The same, ended by the budget.
-fn stopped(mut found: Found, stop: Stop) -> Found {
+fn stopped(mut found: MethodFound, stop: Stop) -> MethodFound {
     found.verdict.stop = Some(stop);
     found.fewest = false;
     found
@@ -132,14 +132,18 @@ fn free_hopeless(
 }
 
 /// The best plan of those with the fewest agents freed.
-fn free_fewest(case: &Case<'_, '_>, before: &Found, fewest: Fewest) -> Result<Found, Stop> {
+fn free_fewest(
+    case: &Case<'_, '_>,
+    before: &MethodFound,
+    fewest: Fewest,
+) -> Result<MethodFound, Stop> {
     let shown = before.verdict.reach.and_then(Reach::within);
     let within = match shown {
         Some(within) if !case.is_deadlocked(&before.freed)? => Some(case.world.at + within),
         _ => None,
     };
     let cause = blocked(case, &fewest.core, within);
-    let mut best: Option<Found> = None;
+    let mut best: Option<MethodFound> = None;
     let mut stop = fewest.left;
     let mut reach: Option<Reach> = None;
     for freed in fewest.sets {
@@ -169,7 +173,7 @@ fn free_fewest(case: &Case<'_, '_>, before: &Found, fewest: Fewest) -> Result<Fo
             (Some(best), own) => own < vector(&best.verdict),
         };
         if better {
-            best = Some(Found {
+            best = Some(MethodFound {
                 problem,
                 bounded,
                 verdict,
@@ -222,7 +226,7 @@ fn without_search(case: &Case<'_, '_>, trouble: Trouble) -> MethodAnswer {
             complete,
             reason: Some(reason),
             plan: None,
-            stats: case.meter.stats(),
+            stats: case.budget.stats(),
         },
         kept: Vec::new(),
         retimed: Vec::new(),
@@ -237,7 +241,7 @@ fn without_search(case: &Case<'_, '_>, trouble: Trouble) -> MethodAnswer {
 
 /// A verdict as an answer: the plan with the fewest agents disturbed, put behind
 /// the past and judged.
-fn answer(case: &Case<'_, '_>, found: &Found) -> MethodAnswer {
+fn answer(case: &Case<'_, '_>, found: &MethodFound) -> MethodAnswer {
     let names = |agents: &mut dyn Iterator<Item = usize>| -> Vec<String> {
         let members = agents.filter_map(|agent| case.member(agent));
         members.map(|member| member.name.clone()).collect()
@@ -293,7 +297,7 @@ fn answer(case: &Case<'_, '_>, found: &Found) -> MethodAnswer {
             complete,
             reason,
             plan,
-            stats: case.meter.stats(),
+            stats: case.budget.stats(),
         },
         kept,
         retimed,
@@ -310,7 +314,7 @@ fn answer(case: &Case<'_, '_>, found: &Found) -> MethodAnswer {
 /// walks, who does the same, and whether none disturbs fewer.
 fn disturb_few(
     case: &Case<'_, '_>,
-    found: &Found,
+    found: &MethodFound,
     costs: Costs,
 ) -> Option<(Vec<Walk>, Vec<bool>, bool)> {
     let problem = &found.problem;
@@ -323,7 +327,7 @@ fn disturb_few(
         horizon: found.bounded.horizon.up_to(costs.makespan),
         limits: sorting::map(objective.map(|&cost| (cost, costs.get(cost)))),
     };
-    let near = closest(problem, &before, &bounded, Extent::Agents, &case.meter);
+    let near = closest(problem, &before, &bounded, Extent::Agents, &case.budget);
     let near = near.ok().flatten()?;
     Some((near.walks, near.same, near.proved.is_some()))
 }
@@ -356,7 +360,7 @@ fn judged(
 
 /// The proved bounds as costs from time 0: what is past, and that times count
 /// from the change, is the same in every plan.
-fn bounds(case: &Case<'_, '_>, found: &Found, costs: Option<&Costs>) -> BTreeMap<Cost, u32> {
+fn bounds(case: &Case<'_, '_>, found: &MethodFound, costs: Option<&Costs>) -> BTreeMap<Cost, u32> {
     let at = case.world.at;
     let own = found.verdict.best.as_ref().map(|(_, costs)| costs);
     let bounds = found.verdict.bounds.iter();

@@ -12,7 +12,7 @@ use super::{
     ChangeAnswer, ChangeRequest, Method, MethodAnswer, Methods, Step, freed::Case, horizon, method,
     world::World,
 };
-use crate::{Host, meter::Meter, service::Refusal};
+use crate::{Host, budget::Budget, service::Refusal};
 
 /// Serves a change request.
 ///
@@ -42,7 +42,7 @@ pub(crate) fn serve(request: &ChangeRequest, host: &dyn Host) -> Result<ChangeAn
                 method,
                 objective: &objective,
                 within: request.within.map(|within| within.saturating_sub(at)),
-                meter: Rc::new(Meter::new(host, request.limits)),
+                budget: Rc::new(Budget::new(host, request.limits)),
             };
             let answer = horizon::hold_to(request.within, method::run(&case));
             methods.push((method, answer));

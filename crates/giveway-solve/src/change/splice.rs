@@ -2,7 +2,7 @@
 
 use giveway_model::{
     Cell, Plan,
-    change::{Life, Whereabouts},
+    change::{Trajectory, Whereabouts},
 };
 
 use super::world::World;
@@ -51,11 +51,11 @@ pub(super) fn splice(world: &World<'_>, problem: &Problem, walks: &[Walk], same:
         listed.extend(own);
     }
     plan.charges.retain(|_, charges| !charges.is_empty());
-    for career in world.after.careers() {
-        let life = Life::of(world.after, career, &plan);
-        let cut = life.map(|life| life.path.to_vec());
-        if let (Some(cut), None) = (cut, career.until) {
-            plan.paths.insert(career.name().to_owned(), cut);
+    for timeline in world.after.timelines() {
+        let trajectory = Trajectory::of(world.after, timeline, &plan);
+        let cut = trajectory.map(|trajectory| trajectory.path.to_vec());
+        if let (Some(cut), None) = (cut, timeline.until) {
+            plan.paths.insert(timeline.name().to_owned(), cut);
         }
     }
     plan
@@ -64,11 +64,12 @@ pub(super) fn splice(world: &World<'_>, problem: &Problem, walks: &[Walk], same:
 /// An agent that has arrived and goes on sleeping: its path ended with its
 /// arrival.
 fn sleep_on(world: &World<'_>, name: &str, plan: &mut Plan) {
-    let mut careers = world.before.careers().iter();
-    let career = careers.find(|career| career.name() == name);
-    let life = career.and_then(|career| Life::of(world.before, career, world.plan));
-    if let Some(life) = life {
-        plan.paths.insert(name.to_owned(), life.path.to_vec());
+    let mut timelines = world.before.timelines().iter();
+    let timeline = timelines.find(|timeline| timeline.name() == name);
+    let trajectory =
+        timeline.and_then(|timeline| Trajectory::of(world.before, timeline, world.plan));
+    if let Some(trajectory) = trajectory {
+        plan.paths.insert(name.to_owned(), trajectory.path.to_vec());
     }
 }
 
@@ -82,30 +83,33 @@ fn past(world: &World<'_>) -> Plan {
         knows: Some(world.at),
         ..Plan::default()
     };
-    for career in world.after.careers() {
-        let name = career.name();
+    for timeline in world.after.timelines() {
+        let name = timeline.name();
         let goes_on = world.members.iter().any(|member| member.name == name);
-        let removed = career.until == Some(world.at);
+        let removed = timeline.until == Some(world.at);
         if !goes_on && !removed {
-            let life = Life::of(world.after, career, world.plan);
-            let path = life.map_or(world.plan.path(name), |life| life.path);
+            let trajectory = Trajectory::of(world.after, timeline, world.plan);
+            let path = trajectory.map_or(world.plan.path(name), |trajectory| trajectory.path);
             plan.paths.insert(name.to_owned(), path.to_vec());
             plan.charges
                 .insert(name.to_owned(), world.plan.charges(name).to_vec());
             continue;
         }
-        if career.from > 0 {
-            plan.from.insert(name.to_owned(), career.from);
+        if timeline.from > 0 {
+            plan.from.insert(name.to_owned(), timeline.from);
         }
-        let before = world.before.careers().iter().find(|c| c.name() == name);
-        let life = before.and_then(|career| Life::of(world.before, career, world.plan));
+        let before = world.before.timelines().iter().find(|c| c.name() == name);
+        let trajectory =
+            before.and_then(|timeline| Trajectory::of(world.before, timeline, world.plan));
         let mut path: Vec<Option<Cell>> = Vec::new();
-        if let Some(life) = life {
-            path.extend((career.from..world.at).map(|time| match life.place(time) {
-                Whereabouts::At(cell) => Some(cell),
-                _ => None,
-            }));
-            let mut charges = life.charges.to_vec();
+        if let Some(trajectory) = trajectory {
+            path.extend(
+                (timeline.from..world.at).map(|time| match trajectory.place(time) {
+                    Whereabouts::At(cell) => Some(cell),
+                    _ => None,
+                }),
+            );
+            let mut charges = trajectory.charges.to_vec();
             charges.retain(|&time| time < world.at);
             plan.charges.insert(name.to_owned(), charges);
         }

@@ -5,7 +5,7 @@ use std::ops::Range;
 
 use giveway_model::{
     Cell, Plan,
-    change::{Career, Duty, History, Life, Whereabouts},
+    change::{History, TimedWaypoint, Timeline, Trajectory, Whereabouts},
     check::level_over_time,
     sorting,
 };
@@ -61,19 +61,19 @@ impl<'a> World<'a> {
     /// The world of a plan at a time; `before` has not the changes of that
     /// time, `after` has.
     pub(super) fn new(at: u32, before: &'a History, after: &'a History, plan: &'a Plan) -> Self {
-        let lives = before.lives(plan, at);
+        let trajectories = before.trajectories(plan, at);
         let mut members = Vec::new();
-        for (index, career) in after.careers().iter().enumerate() {
-            if career.until.is_some() {
+        for (index, timeline) in after.timelines().iter().enumerate() {
+            if timeline.until.is_some() {
                 continue;
             }
-            let old = lives
+            let old = trajectories
                 .iter()
-                .find(|life| life.career.name() == career.name());
-            if let Some(life) = old {
-                members.extend(Member::old(career, life, before, at));
-            } else if before.careers().len() <= index {
-                members.push(Member::new(career, at));
+                .find(|trajectory| trajectory.timeline.name() == timeline.name());
+            if let Some(trajectory) = old {
+                members.extend(Member::old(timeline, trajectory, before, at));
+            } else if before.timelines().len() <= index {
+                members.push(Member::new(timeline, at));
             }
         }
         Self {
@@ -148,10 +148,10 @@ impl Member {
         self.battery.is_some()
     }
 
-    fn new(career: &Career, at: u32) -> Self {
-        let agent = &career.agent;
-        let level = level_set(career, at);
-        let mut waypoints: Vec<Cell> = career.duties().map(|duty| duty.cell).collect();
+    fn new(timeline: &Timeline, at: u32) -> Self {
+        let agent = &timeline.agent;
+        let level = level_set(timeline, at);
+        let mut waypoints: Vec<Cell> = timeline.waypoints().map(|waypoint| waypoint.cell).collect();
         sorting::sort(&mut waypoints);
         waypoints.dedup();
         Self {
@@ -159,12 +159,12 @@ impl Member {
             is_old: false,
             here: agent.start,
             tail: None,
-            goal: career.goal(),
+            goal: timeline.goal(),
             waypoints,
             battery: agent
                 .battery
                 .map(|battery| (level.unwrap_or(battery.initial), battery.capacity)),
-            held: held(career, at),
+            held: held(timeline, at),
             rested: 0,
             stood: 0,
             arrived: None,
@@ -174,55 +174,70 @@ impl Member {
         }
     }
 
-    fn old(career: &Career, life: &Life<'_>, before: &History, at: u32) -> Option<Self> {
-        let (here, tail) = match life.place(at) {
+    fn old(
+        timeline: &Timeline,
+        trajectory: &Trajectory<'_>,
+        before: &History,
+        at: u32,
+    ) -> Option<Self> {
+        let (here, tail) = match trajectory.place(at) {
             Whereabouts::At(cell) => (cell, None),
             Whereabouts::Transit { from, to } => (to, Some(from)),
             Whereabouts::Absent => return None,
         };
-        let entries: Vec<Option<Cell>> = (at..=life.end().max(at)).map(|t| life.at(t)).collect();
+        let entries: Vec<Option<Cell>> = (at..=trajectory.end().max(at))
+            .map(|t| trajectory.at(t))
+            .collect();
         let mut rest: Vec<Cell> = entries.iter().copied().flatten().collect();
         rest.dedup();
-        let pending = |duty: &&Duty| {
-            let is_new = duty.since == Some(at);
-            is_new || life.visit(duty).is_none_or(|visit| visit > at)
+        let pending = |waypoint: &&TimedWaypoint| {
+            let is_new = waypoint.since == Some(at);
+            is_new || trajectory.visit(waypoint).is_none_or(|visit| visit > at)
         };
-        let mut waypoints: Vec<Cell> = career.duties().filter(pending).map(|d| d.cell).collect();
+        let mut waypoints: Vec<Cell> = timeline
+            .waypoints()
+            .filter(pending)
+            .map(|d| d.cell)
+            .collect();
         sorting::sort(&mut waypoints);
         waypoints.dedup();
-        let level = career.agent.battery.map(|battery| {
-            let level = level_over_time(before, life, at).unwrap_or(0);
-            let set = level_set(career, at);
+        let level = timeline.agent.battery.map(|battery| {
+            let level = level_over_time(before, trajectory, at).unwrap_or(0);
+            let set = level_set(timeline, at);
             let level = set.unwrap_or(u32::try_from(level).unwrap_or(0));
             (level, battery.capacity)
         });
         // Who goes on later has not arrived, even if it stands at its goal.
-        let arrived = (before.stays() && life.end() < at).then(|| life.end());
+        let arrived = (before.stays() && trajectory.end() < at).then(|| trajectory.end());
         // It may stay for good where nothing new is to be done.
-        let unchanged = career.goals.last().is_none_or(|(since, _)| *since < at)
-            && career.duties().all(|duty| duty.since != Some(at));
+        let unchanged = timeline.goals.last().is_none_or(|(since, _)| *since < at)
+            && timeline
+                .waypoints()
+                .all(|waypoint| waypoint.since != Some(at));
         let stays = before.stays() && unchanged;
-        let since = arrived.or_else(|| life.rests_since(at)).filter(|_| stays);
+        let since = arrived
+            .or_else(|| trajectory.rests_since(at))
+            .filter(|_| stays);
         let rested = since.map_or(0, |since| at.saturating_sub(since));
         Some(Self {
-            name: career.name().to_owned(),
+            name: timeline.name().to_owned(),
             is_old: true,
             here,
             tail,
-            goal: career.goal(),
+            goal: timeline.goal(),
             waypoints,
             battery: level,
-            held: held(career, at),
+            held: held(timeline, at),
             rested,
             stood: match since {
-                Some(since) if arrived.is_none() => awake(life, before, since..at),
+                Some(since) if arrived.is_none() => awake(trajectory, before, since..at),
                 _ => 0,
             },
             arrived,
             rest,
             entries,
             charges: {
-                let later = life.charges.iter().filter(|&&time| time >= at);
+                let later = trajectory.charges.iter().filter(|&&time| time >= at);
                 later.map(|&time| time - at).collect()
             },
         })
@@ -260,21 +275,23 @@ impl Member {
 }
 
 /// For how many of these steps at its goal an agent did not sleep.
-fn awake(life: &Life<'_>, before: &History, steps: Range<u32>) -> u32 {
-    let times = before.times().filter(|&time| life.career.from < time);
-    let slept = life.sleeps(times);
+fn awake(trajectory: &Trajectory<'_>, before: &History, steps: Range<u32>) -> u32 {
+    let times = before
+        .times()
+        .filter(|&time| trajectory.timeline.from < time);
+    let slept = trajectory.sleeps(times);
     let awake = steps.filter(|&time| !slept.iter().any(|&(from, to)| from <= time && time < to));
     awake.count() as u32
 }
 
 /// The level that a battery is set to at a time.
-fn level_set(career: &Career, at: u32) -> Option<u32> {
-    let last = career.levels.last().filter(|(time, _)| *time == at);
+fn level_set(timeline: &Timeline, at: u32) -> Option<u32> {
+    let last = timeline.levels.last().filter(|(time, _)| *time == at);
     last.map(|&(_, level)| level)
 }
 
 /// How long it must still wait.
-fn held(career: &Career, at: u32) -> u32 {
-    let ends = career.held.iter().map(|&(_, end)| end);
+fn held(timeline: &Timeline, at: u32) -> u32 {
+    let ends = timeline.held.iter().map(|&(_, end)| end);
     ends.max().unwrap_or(0).saturating_sub(at)
 }

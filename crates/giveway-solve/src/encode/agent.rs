@@ -1,8 +1,8 @@
-//! One agent in clauses: its diagram, its deadlines, its positions.
+//! One agent in clauses: its MDD, its deadlines, its positions.
 //!
-//! Variables are the nodes of the diagram, `by(d)` ("arrived by d", a chain),
+//! Variables are the nodes of the MDD, `by(d)` ("arrived by d", a chain),
 //! and, under `stay`, `rest(t)` ("arrived before t"). A node implies one of its
-//! steps; where steps of a higher level are not in the diagram yet, it does so
+//! steps; where steps of a higher level are not in the MDD yet, it does so
 //! only under the deadline that excludes them, so growing adds clauses and
 //! takes none back. No clause says that an agent is in one place only: of
 //! several that are true at once, those that follow each other from the start
@@ -19,10 +19,10 @@ use std::collections::BTreeMap;
 
 use super::{at_most_one::AtMostOne, battery::BatteryCode, collisions::AgentId};
 use crate::{
-    meter::{Meter, Stop},
+    budget::{Budget, Stop},
     problem::Problem,
     sat::{Clauses, Lit},
-    single::{Demand, Diagram, Node, NodeId, Place, Task},
+    single::{Mdd, Node, NodeId, Place, Task, TaskConstraint},
     terrain::{Arc, Terrain, Vertex},
 };
 
@@ -37,18 +37,18 @@ pub(crate) struct Added {
     pub(crate) steps: Vec<TakenStep>,
 }
 
-/// A step between two nodes of the diagram.
+/// A step between two nodes of the MDD.
 pub(crate) struct TakenStep {
     pub(crate) from: NodeId,
     pub(crate) to: NodeId,
 }
 
 /// One agent inside the solver.
-pub(crate) struct AgentCode {
+pub(crate) struct MddEncoding {
     id: AgentId,
     stays: bool,
     optimum: u32,
-    diagram: Diagram,
+    mdd: Mdd,
     nodes: Vec<Lit>,
     /// How many steps of each node are in its successor clause.
     written: Vec<u8>,
@@ -63,15 +63,15 @@ pub(crate) struct AgentCode {
     battery: Option<BatteryCode>,
 }
 
-impl AgentCode {
-    /// An agent without any node; the first [`AgentCode::grow`] writes it.
+impl MddEncoding {
+    /// An agent without any node; the first [`MddEncoding::grow`] writes it.
     pub(crate) fn new(id: AgentId, problem: &Problem) -> Self {
         let task = &problem.tasks[id];
         Self {
             id,
             stays: problem.rests(id),
             optimum: problem.optima[id],
-            diagram: Diagram::new(task, problem.optima[id]),
+            mdd: Mdd::new(task, problem.optima[id]),
             nodes: Vec::new(),
             written: Vec::new(),
             due: BTreeMap::new(),
@@ -85,11 +85,11 @@ impl AgentCode {
 
     /// The deadline that the clauses cover.
     pub(crate) fn deadline(&self) -> Option<u32> {
-        self.diagram.deadline()
+        self.mdd.deadline()
     }
 
-    pub(crate) fn diagram(&self) -> &Diagram {
-        &self.diagram
+    pub(crate) fn mdd(&self) -> &Mdd {
+        &self.mdd
     }
 
     /// The literal of a node.
@@ -110,9 +110,9 @@ impl AgentCode {
     pub(crate) fn taken_steps(&self) -> Vec<TakenStep> {
         let mut steps = Vec::new();
         for (from, &written) in self.written.iter().enumerate() {
-            let node = self.diagram.node(from as NodeId);
+            let node = self.mdd.node(from as NodeId);
             for step in node.steps.iter().take(written as usize) {
-                if let Some(to) = self.diagram.find(node.time + 1, step.place, step.mask) {
+                if let Some(to) = self.mdd.find(node.time + 1, step.place, step.mask) {
                     let from = from as NodeId;
                     steps.push(TakenStep { from, to });
                 }
@@ -134,21 +134,21 @@ impl AgentCode {
         &mut self,
         deadline: u32,
         problem: &Problem,
-        meter: &Meter,
+        budget: &Budget,
         out: &mut impl Clauses,
     ) -> Result<Added, Stop> {
         let mut added = Added::default();
-        let before = self.diagram.deadline();
+        let before = self.mdd.deadline();
         if before >= Some(deadline) {
             return Ok(added);
         }
         let task = &problem.tasks[self.id];
-        let old = self.diagram.len();
-        let to_go = &problem.to_go[self.id];
-        self.diagram
-            .grow(deadline, task, &problem.terrain, to_go, meter)?;
-        for id in old..self.diagram.len() {
-            meter.tick()?;
+        let old = self.mdd.len();
+        let cost_to_go = &problem.cost_to_go[self.id];
+        self.mdd
+            .grow(deadline, task, &problem.terrain, cost_to_go, budget)?;
+        for id in old..self.mdd.len() {
+            budget.tick()?;
             self.write_node(id, task, &problem.terrain, &mut added, out);
             self.due.entry(0).or_default().push(id);
         }
@@ -158,7 +158,7 @@ impl AgentCode {
                 break;
             }
             for id in entry.remove() {
-                meter.tick()?;
+                budget.tick()?;
                 self.write_steps(id, deadline, task, &problem.terrain, &mut added, out);
             }
         }
@@ -170,7 +170,7 @@ impl AgentCode {
         if let Some(demand) = &task.demand {
             self.write_waits(old, demand, out);
         }
-        meter.check()?;
+        budget.check()?;
         Ok(added)
     }
 
@@ -183,16 +183,16 @@ impl AgentCode {
         added: &mut Added,
         out: &mut impl Clauses,
     ) {
-        let node = self.diagram.node(id);
-        let (place, time, level) = (node.place, node.time, node.level);
+        let node = self.mdd.node(id);
+        let (place, time, f_value) = (node.place, node.time, node.f_value);
         let lit = out.fresh();
         self.nodes.push(lit);
         self.written.push(0);
         if id == 0 {
             out.clause(&[lit]);
         }
-        if level > self.optimum
-            && let Some(sooner) = self.by(level - 1, out)
+        if f_value > self.optimum
+            && let Some(sooner) = self.by(f_value - 1, out)
         {
             out.clause(&[!lit, !sooner]);
         }
@@ -207,7 +207,8 @@ impl AgentCode {
                     && task.may_charge(terrain, v, Some(time))
                 {
                     battery.place(time, lit);
-                    if matches!(task.demand, Some(Demand::Charge { v: there, .. }) if there == v) {
+                    if matches!(task.demand, Some(TaskConstraint::Charge { v: there, .. }) if there == v)
+                    {
                         battery.demand(time, lit);
                     }
                 }
@@ -291,7 +292,7 @@ impl AgentCode {
         added: &mut Added,
         out: &mut impl Clauses,
     ) {
-        let node = self.diagram.node(id);
+        let node = self.mdd.node(id);
         let time = node.time;
         let mut clause = vec![!self.nodes[id as usize]];
         if self.is_end(node, task) {
@@ -304,12 +305,12 @@ impl AgentCode {
             }
             clause.extend(self.rest(time + 1));
         }
-        let within = node.steps.iter().take_while(|s| s.level <= deadline);
+        let within = node.steps.iter().take_while(|s| s.f_value <= deadline);
         let targets: Vec<NodeId> = within
-            .filter_map(|s| self.diagram.find(time + 1, s.place, s.mask))
+            .filter_map(|s| self.mdd.find(time + 1, s.place, s.mask))
             .collect();
         clause.extend(targets.iter().map(|&to| self.nodes[to as usize]));
-        let next = node.steps.get(targets.len()).map(|step| step.level);
+        let next = node.steps.get(targets.len()).map(|step| step.f_value);
         let new = self.written[id as usize] as usize;
         self.written[id as usize] = targets.len() as u8;
         for &to in &targets[new..] {
@@ -336,7 +337,7 @@ impl AgentCode {
     }
 
     fn cross(&self, from: NodeId, to: NodeId, terrain: &Terrain, added: &mut Added) {
-        let (from, to) = (self.diagram.node(from), self.diagram.node(to));
+        let (from, to) = (self.mdd.node(from), self.mdd.node(to));
         let (Place::At(u), Place::At(v)) = (from.place, to.place) else {
             return; // a slow move is seen by its node half way
         };

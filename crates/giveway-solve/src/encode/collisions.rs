@@ -41,9 +41,9 @@ pub(crate) struct Meeting {
     pub(crate) pair: (AgentId, AgentId),
 }
 
-/// Soft collisions, each with the literal that says that it happens.
+/// Collisions that may happen, each with the literal that says that it happens.
 #[derive(Default)]
-struct Soft {
+struct SoftCollision {
     meetings: BTreeMap<Meeting, Lit>,
     /// Two slow moves overlap in two steps, which is one collision.
     slow: BTreeMap<(Lit, Lit), Lit>,
@@ -58,7 +58,7 @@ pub(crate) struct Collisions {
     ignored: BTreeSet<(AgentId, AgentId)>,
     /// Who may be where, where pairs ignore each other.
     members: BTreeMap<(u32, Vertex), Vec<(AgentId, Lit)>>,
-    soft: Option<Soft>,
+    soft: Option<SoftCollision>,
 }
 
 impl Collisions {
@@ -73,7 +73,7 @@ impl Collisions {
     /// Collisions that may happen, and are told.
     pub(crate) fn soft() -> Self {
         Self {
-            soft: Some(Soft::default()),
+            soft: Some(SoftCollision::default()),
             ..Self::default()
         }
     }

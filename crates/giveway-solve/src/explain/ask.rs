@@ -15,10 +15,10 @@ use giveway_model::{
 use super::past::Past;
 use crate::{
     Status,
-    condition::Condition,
+    budget::Budget,
+    counterfactual::Counterfactual,
     judged::Judged,
-    meter::Meter,
-    problem::{Problem, Relaxed, Setback},
+    problem::{Problem, ProblemError, Relaxed},
     search::{Aim, Bounded, ForEver, Horizon, Reach, Verdict, find},
     walk::to_plan,
 };
@@ -31,7 +31,7 @@ pub(crate) struct Ask<'a> {
     /// Rules between agents that do not count.
     pub(crate) relaxed: &'a Relaxed,
     /// What a question asks for beside the rules.
-    pub(crate) condition: Option<&'a Condition>,
+    pub(crate) condition: Option<&'a Counterfactual>,
     /// What is minimised.
     pub(crate) objective: &'a Objective,
     /// The most that a plan may have of some costs.
@@ -63,22 +63,22 @@ pub(crate) struct Found {
 }
 
 /// The lexicographic optimum.
-pub(crate) fn best(ask: &Ask, meter: &Rc<Meter>) -> Found {
-    run(ask, &Aim::Best, meter)
+pub(crate) fn best(ask: &Ask, budget: &Rc<Budget>) -> Found {
+    run(ask, &Aim::Best, budget)
 }
 
 /// Any plan, or the proof that there is none.
-pub(crate) fn any(ask: &Ask, meter: &Rc<Meter>) -> Found {
-    run(ask, &Aim::Any, meter)
+pub(crate) fn any(ask: &Ask, budget: &Rc<Budget>) -> Found {
+    run(ask, &Aim::Any, budget)
 }
 
 /// A plan that costs no more than this in the order of the objective, or the
 /// proof that there is none.
-pub(crate) fn at_most(ask: &Ask, vector: Vec<u32>, meter: &Rc<Meter>) -> Found {
-    run(ask, &Aim::AtMost(vector), meter)
+pub(crate) fn at_most(ask: &Ask, vector: Vec<u32>, budget: &Rc<Budget>) -> Found {
+    run(ask, &Aim::AtMost(vector), budget)
 }
 
-fn run(ask: &Ask, aim: &Aim, meter: &Rc<Meter>) -> Found {
+fn run(ask: &Ask, aim: &Aim, budget: &Rc<Budget>) -> Found {
     let nothing = Found {
         status: Status::Unknown,
         plan: None,
@@ -90,9 +90,10 @@ fn run(ask: &Ask, aim: &Aim, meter: &Rc<Meter>) -> Found {
     let Ok(instance) = Instance::new(ask.scene.clone()) else {
         return nothing;
     };
-    let mut problem = match Problem::relaxed(&instance, ask.relaxed.clone(), ask.condition, meter) {
+    let mut problem = match Problem::relaxed(&instance, ask.relaxed.clone(), ask.condition, budget)
+    {
         Ok(problem) => problem,
-        Err(Setback::Alone(agent)) => {
+        Err(ProblemError::Alone(agent)) => {
             let agent = instance.agents().get(agent);
             return Found {
                 status: Status::Impossible,
@@ -117,7 +118,7 @@ fn run(ask: &Ask, aim: &Aim, meter: &Rc<Meter>) -> Found {
         };
     }
     let bounded = Bounded { horizon, limits };
-    let verdict = find(&problem, ask.objective, &bounded, aim, meter);
+    let verdict = find(&problem, ask.objective, &bounded, aim, budget);
     judged(&instance, &problem, ask, aim, horizon.latest(), verdict)
 }
 

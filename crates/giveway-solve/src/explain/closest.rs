@@ -7,8 +7,8 @@ use giveway_model::{Cell, Costs, Instance, Plan, check::check};
 use super::verdict::Case;
 use crate::{
     Limits,
-    condition::Condition,
-    meter::Meter,
+    budget::Budget,
+    counterfactual::Counterfactual,
     problem::{Problem, Relaxed},
     search::{Before, Bounded, Extent, Horizon, Reach, closest as search_closest},
     single::Place,
@@ -22,9 +22,9 @@ const SECONDS: f64 = 3.0;
 
 /// Of the plans that cost as much as the best other one, that which is closest
 /// to the plan asked about, and whether that is proved.
-pub(crate) fn closest(case: &Case, best: (&Plan, Costs), meter: &Rc<Meter>) -> (Plan, bool) {
+pub(crate) fn closest(case: &Case, best: (&Plan, Costs), budget: &Rc<Budget>) -> (Plan, bool) {
     let part = Rc::new(
-        meter
+        budget
             .part(Limits {
                 seconds: Some(SECONDS),
                 ..Limits::default()
@@ -35,23 +35,23 @@ pub(crate) fn closest(case: &Case, best: (&Plan, Costs), meter: &Rc<Meter>) -> (
     let mut nearest = (distance(case, best.0), best.0.clone());
     for condition in &case.conditions {
         match with(case, condition, best.1, &part) {
-            Tried::Plan(plan, is_proved) => {
+            Attempt::Plan(plan, is_proved) => {
                 proved &= is_proved;
                 let distance = distance(case, &plan);
                 if distance < nearest.0 {
                     nearest = (distance, plan);
                 }
             }
-            Tried::None => {}
-            Tried::Unknown => proved = false,
+            Attempt::None => {}
+            Attempt::Unknown => proved = false,
         }
     }
-    meter.absorb(&part);
+    budget.absorb(&part);
     (nearest.1, proved)
 }
 
 /// What one way to be as asked for gives.
-enum Tried {
+enum Attempt {
     /// A plan, and whether none is closer.
     Plan(Plan, bool),
     /// None costs so little.
@@ -59,13 +59,13 @@ enum Tried {
     Unknown,
 }
 
-fn with(case: &Case, condition: &Condition, costs: Costs, meter: &Rc<Meter>) -> Tried {
+fn with(case: &Case, condition: &Counterfactual, costs: Costs, budget: &Rc<Budget>) -> Attempt {
     let instance = case.instance;
-    let problem = Problem::relaxed(instance, Relaxed::default(), Some(condition), meter);
+    let problem = Problem::relaxed(instance, Relaxed::default(), Some(condition), budget);
     let Ok(mut problem) = problem else {
-        return match meter.check() {
-            Ok(()) => Tried::None, // the agent alone cannot
-            Err(_) => Tried::Unknown,
+        return match budget.check() {
+            Ok(()) => Attempt::None, // the agent alone cannot
+            Err(_) => Attempt::Unknown,
         };
     };
     case.past.wake(instance, &mut problem);
@@ -80,19 +80,19 @@ fn with(case: &Case, condition: &Condition, costs: Costs, meter: &Rc<Meter>) -> 
     let objective = case.objective().costs().iter();
     let mut limits = map(objective.map(|&cost| (cost, costs.get(cost))));
     if !condition.limit_costs(&mut limits) {
-        return Tried::None;
+        return Attempt::None;
     }
     let Some(before) = before(&problem, instance, case.plan) else {
-        return Tried::Unknown;
+        return Attempt::Unknown;
     };
     let bounded = Bounded { horizon, limits };
     if (0..problem.agents()).any(|a| problem.optima[a] > problem.not_after(a).min(horizon.latest()))
     {
-        return Tried::None;
+        return Attempt::None;
     }
-    match search_closest(&problem, &before, &bounded, Extent::Entries, meter) {
-        Ok(None) => Tried::None,
-        Err(_) => Tried::Unknown,
+    match search_closest(&problem, &before, &bounded, Extent::Entries, budget) {
+        Ok(None) => Attempt::None,
+        Err(_) => Attempt::Unknown,
         Ok(Some(close)) => {
             let names: Vec<String> = instance.agents().iter().map(|a| a.name.clone()).collect();
             let mut plan = to_plan(&problem, &names, &close.walks);
@@ -109,9 +109,9 @@ fn with(case: &Case, condition: &Condition, costs: Costs, meter: &Rc<Meter>) -> 
                 .is_some_and(|own| own.vector(case.objective()) == costs.vector(case.objective()));
             if report.is_valid() && as_good && condition.is_met_by(instance, &plan) {
                 let far = |proved: Reach| case.shown.is_some_and(|shown| proved.covers(shown));
-                Tried::Plan(plan, close.proved.is_some_and(far))
+                Attempt::Plan(plan, close.proved.is_some_and(far))
             } else {
-                Tried::Unknown
+                Attempt::Unknown
             }
         }
     }

@@ -8,17 +8,17 @@ use giveway_model::{Costs, Instance, Plan};
 
 use super::{
     ask::{Ask, Found, any, at_most, best, violations},
-    core::{Inquiry, Tried},
+    group::{Variant, fit},
+    group_mus::{Inquiry, Tried},
     own_way::walk_of,
-    relax::{Variant, fit},
     repairs::{Best, Solver},
     unsolvable::{one_search, tried},
     verdict::Case,
 };
 use crate::{
-    condition::Condition,
-    local::Improver,
-    meter::Meter,
+    budget::Budget,
+    counterfactual::Counterfactual,
+    local::Lns,
     problem::Problem,
     search::Reach,
     walk::{Walk, to_plan},
@@ -37,12 +37,12 @@ pub(crate) struct Contrasted<'a, 'h> {
     pub(crate) near: Option<&'a Plan>,
     /// The horizon of the instance as it is.
     pub(crate) horizon: u32,
-    pub(crate) meter: Rc<Meter<'h>>,
+    pub(crate) budget: Rc<Budget<'h>>,
 }
 
 impl Contrasted<'_, '_> {
     /// What must hold, one of these: those about agents that are still there.
-    fn conditions(&self, variant: &Variant) -> impl Iterator<Item = &Condition> {
+    fn conditions(&self, variant: &Variant) -> impl Iterator<Item = &Counterfactual> {
         let agents = variant.scene.agents.iter();
         let names: Vec<String> = agents.map(|agent| agent.name.clone()).collect();
         let there = move |name: &str| names.iter().any(|there| there == name);
@@ -53,10 +53,10 @@ impl Contrasted<'_, '_> {
     fn with<T>(
         &self,
         variant: &Variant,
-        condition: &Condition,
-        run: impl Fn(&Ask, &Rc<Meter>) -> T,
+        condition: &Counterfactual,
+        run: impl Fn(&Ask, &Rc<Budget>) -> T,
     ) -> T {
-        let part = one_search(&self.meter);
+        let part = one_search(&self.budget);
         let ask = Ask {
             scene: &variant.scene,
             relaxed: &variant.relaxed,
@@ -68,26 +68,26 @@ impl Contrasted<'_, '_> {
             past: self.case.past,
         };
         let result = run(&ask, &part);
-        self.meter.absorb(&part);
+        self.budget.absorb(&part);
         result
     }
 
-    fn find(&self, variant: &Variant, condition: &Condition) -> Found {
+    fn find(&self, variant: &Variant, condition: &Counterfactual) -> Found {
         match &self.most {
-            Some(most) => self.with(variant, condition, |ask, meter| {
-                at_most(ask, most.clone(), meter)
+            Some(most) => self.with(variant, condition, |ask, budget| {
+                at_most(ask, most.clone(), budget)
             }),
             None => self.with(variant, condition, any),
         }
     }
 
     /// A plan near to the known one, improved by what was left out.
-    fn nearby(&self, variant: &Variant, condition: &Condition) -> Option<Plan> {
+    fn nearby(&self, variant: &Variant, condition: &Counterfactual) -> Option<Plan> {
         let near = fit(self.near?, &variant.scene);
         let instance = Instance::new(variant.scene.clone()).ok()?;
         let relaxed = variant.relaxed.clone();
-        let meter = &self.meter;
-        let mut problem = Problem::relaxed(&instance, relaxed, Some(condition), meter).ok()?;
+        let budget = &self.budget;
+        let mut problem = Problem::relaxed(&instance, relaxed, Some(condition), budget).ok()?;
         self.case.past.wake(&instance, &mut problem);
         let agents = instance.agents().iter();
         let walks: Option<Vec<Walk>> = agents
@@ -96,13 +96,13 @@ impl Contrasted<'_, '_> {
         let mut walks = walks?;
         let latest = variant.within.unwrap_or(self.horizon);
         let objective = self.case.objective();
-        let improved = Improver::new().improve(
+        let improved = Lns::new().improve(
             &problem,
             &mut walks,
             latest,
             objective,
             NEARBY_ROUNDS,
-            meter,
+            budget,
         );
         improved.ok()?;
         let names: Vec<String> = instance.agents().iter().map(|a| a.name.clone()).collect();

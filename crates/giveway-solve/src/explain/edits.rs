@@ -6,7 +6,7 @@ use giveway_model::{AtGoal, Battery, Ground, Instance, Scene};
 
 use super::{
     answer::Edit,
-    relax::{Variant, redraw},
+    group::{Variant, redraw},
 };
 use crate::problem::Relaxed;
 

@@ -23,8 +23,8 @@ use super::{
 };
 use crate::{
     Host, Progress, Refusal, Status,
+    budget::Budget,
     judged::told,
-    meter::Meter,
     problem::Relaxed,
     solve::{self, Solved, Task},
 };
@@ -39,7 +39,7 @@ pub(crate) fn explain(request: &ExplainRequest, host: &dyn Host) -> Result<Expla
     if let Some(objective) = &request.objective {
         instance = instance.with_objective(objective.clone());
     }
-    let meter = Rc::new(Meter::new(host, request.limits));
+    let budget = Rc::new(Budget::new(host, request.limits));
     let Some(changes) = counting(request) else {
         let asked = Asked {
             instance,
@@ -48,7 +48,7 @@ pub(crate) fn explain(request: &ExplainRequest, host: &dyn Host) -> Result<Expla
             within: request.within,
             past: Past::default(),
         };
-        return answered(&asked, &meter, host);
+        return answered(&asked, &budget, host);
     };
     let Some(plan) = &request.plan else {
         let fault = Fault::at("plan", "none", "the plan that ran while the world changed");
@@ -59,7 +59,7 @@ pub(crate) fn explain(request: &ExplainRequest, host: &dyn Host) -> Result<Expla
     if !matches!(request.question, Question::Unsolvable) {
         let report = check_history(&world.history, plan);
         if !report.is_valid() && matches!(request.question, Question::Plan) {
-            return Ok(broken(report, instance.objective(), &meter));
+            return Ok(broken(report, instance.objective(), &budget));
         }
         if !report.is_valid() {
             let violations = report.violations;
@@ -67,11 +67,11 @@ pub(crate) fn explain(request: &ExplainRequest, host: &dyn Host) -> Result<Expla
         }
     }
     let asked = rest_of(&instance, world, plan, request)?;
-    answered(&asked, &meter, host)
+    answered(&asked, &budget, host)
 }
 
 /// What there is to say of a plan that breaks rules while the world changes.
-fn broken(report: Report, objective: &Objective, meter: &Rc<Meter>) -> ExplainAnswer {
+fn broken(report: Report, objective: &Objective, budget: &Rc<Budget>) -> ExplainAnswer {
     let costs = report.costs.unwrap_or_default();
     let judged = Judged::new(report.violations, report.costs);
     ExplainAnswer {
@@ -79,13 +79,13 @@ fn broken(report: Report, objective: &Objective, meter: &Rc<Meter>) -> ExplainAn
         valid: Some(false),
         words: words::own_plan(&judged, objective, &costs, None),
         violations: Some(judged.violations),
-        stats: meter.stats(),
+        stats: budget.stats(),
         ..empty(&Question::Plan)
     }
 }
 
 /// The answer to what is asked.
-fn answered(asked: &Asked, meter: &Rc<Meter>, host: &dyn Host) -> Result<ExplainAnswer, Refusal> {
+fn answered(asked: &Asked, budget: &Rc<Budget>, host: &dyn Host) -> Result<ExplainAnswer, Refusal> {
     let Asked {
         instance,
         plan,
@@ -96,7 +96,7 @@ fn answered(asked: &Asked, meter: &Rc<Meter>, host: &dyn Host) -> Result<Explain
     let (within, costs) = (*within, plan.as_ref());
     let costs = costs.and_then(|plan| past.told_costs(instance, plan));
     let telling = Telling {
-        meter,
+        budget,
         host,
         past,
         costs,
@@ -110,20 +110,20 @@ fn answered(asked: &Asked, meter: &Rc<Meter>, host: &dyn Host) -> Result<Explain
     }
     let solved = match plan {
         Some(_) => None,
-        None => Some(solved(instance, within, meter)?),
+        None => Some(solved(instance, within, budget)?),
     };
     let best = solved.as_ref().and_then(|it| it.answer.plan.clone());
     let Some(plan) = plan.clone().or_else(|| best.clone()) else {
         answer
             .words
             .push_str("The search ended before there was a plan to ask about.");
-        answer.stats = meter.stats();
+        answer.stats = budget.stats();
         return Ok(answer);
     };
     if matches!(question, Question::Plan) {
-        reasons::of_own_plan(instance, &plan, within, past, &mut answer, meter);
+        reasons::of_own_plan(instance, &plan, within, past, &mut answer, budget);
         answer.plan = best;
-        answer.stats = meter.stats();
+        answer.stats = budget.stats();
         return Ok(past.told(answer, costs));
     }
     let violations = past.check(instance, &plan);
@@ -146,7 +146,7 @@ fn answered(asked: &Asked, meter: &Rc<Meter>, host: &dyn Host) -> Result<Explain
         Part::Repairs,
     ];
     tell_verdict(&mut case, &mut answer, &telling);
-    reasons::of_case(&case, &mut answer, meter, &mut |answer, part| {
+    reasons::of_case(&case, &mut answer, budget, &mut |answer, part| {
         telling.tell(answer, part);
     });
     Ok(past.told(answer, telling.costs))
@@ -154,7 +154,7 @@ fn answered(asked: &Asked, meter: &Rc<Meter>, host: &dyn Host) -> Result<Explain
 
 /// The verdict with an other plan: the first part.
 fn tell_verdict(case: &mut Case, answer: &mut ExplainAnswer, telling: &Telling) {
-    let compared = compare(case, telling.meter);
+    let compared = compare(case, telling.budget);
     answer.verdict = compared.verdict;
     answer.deltas = compared.deltas;
     case.shown = compared.reach;
@@ -172,7 +172,7 @@ fn tell_verdict(case: &mut Case, answer: &mut ExplainAnswer, telling: &Telling) 
 /// The closest other plan, where the one at hand is proved best.
 fn tell_closest(case: &Case, answer: &mut ExplainAnswer, telling: &Telling) {
     if let (Some(other), Some(costs)) = (&answer.alternative, answer.costs) {
-        let (plan, proved) = closest(case, (other, costs), telling.meter);
+        let (plan, proved) = closest(case, (other, costs), telling.budget);
         answer.costs = case.past.costs(case.instance, &plan);
         answer.alternative = Some(plan);
         answer.closest = proved;
@@ -182,7 +182,7 @@ fn tell_closest(case: &Case, answer: &mut ExplainAnswer, telling: &Telling) {
 
 /// Whom to tell of what becomes known.
 struct Telling<'a, 'h> {
-    meter: &'a Rc<Meter<'h>>,
+    budget: &'a Rc<Budget<'h>>,
     host: &'a dyn Host,
     past: &'a Past,
     /// The costs of the whole plan that is asked about.
@@ -193,7 +193,7 @@ impl Telling<'_, '_> {
     /// Tells that a part of the answer is there.
     fn tell(&self, answer: &mut ExplainAnswer, part: Part) {
         answer.pending.retain(|&pending| pending != part);
-        answer.stats = self.meter.stats();
+        answer.stats = self.budget.stats();
         if !answer.pending.is_empty() {
             let answer = self.past.told(answer.clone(), self.costs);
             let answer = Box::new(answer);
@@ -220,7 +220,7 @@ fn no_plan(
             at_least_within: 0,
             past: telling.past,
         },
-        telling.meter,
+        telling.budget,
     );
     if let (Some(costs), Some(plan)) = (found.costs, &found.plan) {
         let costs = telling.past.whole_costs(costs, plan);
@@ -234,24 +234,28 @@ fn no_plan(
         answer
             .words
             .push_str("The search ended early. There may be a plan; none was found yet.");
-        answer.stats = telling.meter.stats();
+        answer.stats = telling.budget.stats();
         return Ok(());
     }
     answer.pending = vec![Part::Verdict, Part::Witness, Part::Core, Part::Repairs];
     let tell = &mut |answer: &mut ExplainAnswer, part| telling.tell(answer, part);
-    let (past, meter) = (telling.past, telling.meter);
-    reasons::of_no_plan(instance, within, &found, past, answer, meter, tell);
+    let (past, budget) = (telling.past, telling.budget);
+    reasons::of_no_plan(instance, within, &found, past, answer, budget, tell);
     Ok(())
 }
 
 /// The plan that is asked about, where none was given: the best one.
-fn solved(instance: &Instance, within: Option<u32>, meter: &Rc<Meter>) -> Result<Solved, Refusal> {
+fn solved(
+    instance: &Instance,
+    within: Option<u32>,
+    budget: &Rc<Budget>,
+) -> Result<Solved, Refusal> {
     let task = Task {
         instance: instance.clone(),
         objective: instance.objective().clone(),
         within,
         start: None,
-        meter: Rc::clone(meter),
+        budget: Rc::clone(budget),
     };
     let solved = solve::solve(&task);
     if solved.answer.status == Status::Impossible {

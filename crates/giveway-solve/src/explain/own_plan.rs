@@ -10,7 +10,7 @@ use super::{
     ask::{Ask, Found, best},
     past::Past,
 };
-use crate::{Status, meter::Meter, problem::Relaxed};
+use crate::{Status, budget::Budget, problem::Relaxed};
 
 /// What is known of a plan.
 pub(crate) struct Judged {
@@ -49,7 +49,7 @@ pub(crate) fn judge(
     objective: &Objective,
     within: Option<u32>,
     past: &Past,
-    meter: &Rc<Meter>,
+    budget: &Rc<Budget>,
 ) -> Judged {
     let violations = past.check(instance, plan);
     let mut judged = Judged::new(violations, past.costs(instance, plan));
@@ -68,7 +68,7 @@ pub(crate) fn judge(
             at_least_within: costs.makespan,
             past,
         },
-        meter,
+        budget,
     );
     let vector = |costs: &Costs| costs.vector(objective);
     if let (Some(other), Some(least)) = (&found.plan, &found.costs) {

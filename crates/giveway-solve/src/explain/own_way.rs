@@ -11,9 +11,9 @@ use giveway_model::{
 
 use super::{ask::Ask, ask::best, own_plan::own_costs, verdict::Case, waits};
 use crate::{
-    condition::Condition,
+    budget::Budget,
+    counterfactual::Counterfactual,
     local::{Query, Reservations, plan_one},
-    meter::Meter,
     problem::{Problem, Relaxed},
     single::Place,
     terrain::Terrain,
@@ -22,13 +22,13 @@ use crate::{
 
 /// What would happen, and to whom; `None` where the agent alone cannot do what
 /// is asked for, or nobody is asked about.
-pub(crate) fn witness(case: &Case, meter: &Rc<Meter>) -> Option<(String, Vec<Violation>)> {
+pub(crate) fn witness(case: &Case, budget: &Rc<Budget>) -> Option<(String, Vec<Violation>)> {
     if let Question::Wait { agent, .. } = case.question {
         let violations = waits::witness(case.instance, case.question, case.plan, case.past);
         return Some((agent.clone(), violations));
     }
     let conditions = match about_agent(case) {
-        Some(question) => Condition::of(&question, case.instance, case.plan, case.past),
+        Some(question) => Counterfactual::of(&question, case.instance, case.plan, case.past),
         None => case.conditions.clone(),
     };
     let mut found: Option<(usize, String, Vec<Violation>)> = None;
@@ -36,7 +36,7 @@ pub(crate) fn witness(case: &Case, meter: &Rc<Meter>) -> Option<(String, Vec<Vio
         let Some(agent) = condition.agent() else {
             continue;
         };
-        let Some(other) = moved(case, condition, agent, meter) else {
+        let Some(other) = moved(case, condition, agent, budget) else {
             continue;
         };
         let violations = case.past.check(case.instance, &other);
@@ -80,24 +80,29 @@ fn about_agent(case: &Case) -> Option<Question> {
 }
 
 /// The plan with another walk of one agent that is as asked for.
-fn moved(case: &Case, condition: &Condition, agent: &str, meter: &Rc<Meter>) -> Option<Plan> {
-    let among = among_others(case, condition, agent, meter);
+fn moved(
+    case: &Case,
+    condition: &Counterfactual,
+    agent: &str,
+    budget: &Rc<Budget>,
+) -> Option<Plan> {
+    let among = among_others(case, condition, agent, budget);
     let is_met = |plan: &Plan| condition.is_met_by(case.instance, plan);
     among
         .filter(is_met)
-        .or_else(|| alone(case, condition, agent, meter).filter(is_met))
+        .or_else(|| alone(case, condition, agent, budget).filter(is_met))
 }
 
 /// The earliest walk with the fewest collisions. What counts over a whole walk
 /// it keeps by chance only.
 fn among_others(
     case: &Case,
-    condition: &Condition,
+    condition: &Counterfactual,
     agent: &str,
-    meter: &Rc<Meter>,
+    budget: &Rc<Budget>,
 ) -> Option<Plan> {
     let instance = case.instance;
-    let problem = Problem::relaxed(instance, Relaxed::default(), Some(condition), meter).ok()?;
+    let problem = Problem::relaxed(instance, Relaxed::default(), Some(condition), budget).ok()?;
     let index = instance.agents().iter().position(|a| a.name == agent)?;
     let mut others = Reservations::new(&problem);
     let mut walks: Vec<Walk> = Vec::new();
@@ -115,10 +120,10 @@ fn among_others(
         latest: latest
             .unwrap_or(0)
             .max(problem.default_horizon(instance.grid())),
-        price: Some(0),
-        effort: u32::MAX,
+        conflict_penalty: Some(0),
+        expansion_limit: u32::MAX,
     };
-    let (walk, _) = plan_one(&problem, &others, query, meter).ok()??;
+    let (walk, _) = plan_one(&problem, &others, query, budget).ok()??;
     walks[index] = walk;
     let names: Vec<String> = instance.agents().iter().map(|a| a.name.clone()).collect();
     Some(replaced(
@@ -129,7 +134,12 @@ fn among_others(
 }
 
 /// The best walk of the agent alone, whatever it meets.
-fn alone(case: &Case, condition: &Condition, agent: &str, meter: &Rc<Meter>) -> Option<Plan> {
+fn alone(
+    case: &Case,
+    condition: &Counterfactual,
+    agent: &str,
+    budget: &Rc<Budget>,
+) -> Option<Plan> {
     let mut scene: Scene = case.instance.to_scene();
     scene.agents.retain(|other| other.name == agent);
     let objective: &Objective = case.objective();
@@ -144,7 +154,7 @@ fn alone(case: &Case, condition: &Condition, agent: &str, meter: &Rc<Meter>) -> 
             at_least_within: case.costs.makespan,
             past: case.past,
         },
-        meter,
+        budget,
     );
     Some(replaced(case.plan, agent, &found.plan?))
 }

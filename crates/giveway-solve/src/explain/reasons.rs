@@ -9,17 +9,17 @@ use super::{
     ExplainAnswer, Part, Verdict, WitnessEntry,
     ask::Found,
     contrasted::Contrasted,
-    core::{CoreFound, Tried, minimal_set},
+    group::Group,
+    group_mus::{CoreFound, Tried, group_mus},
     own_plan::{Judged, judge},
     own_way,
     past::Past,
-    relax::Part as FactPart,
     repairs::repairs,
     unsolvable::{self, AnyPlan},
     verdict::Case,
     words,
 };
-use crate::{Limits, Status, judged::told, meter::Meter};
+use crate::{Limits, Status, budget::Budget, judged::told};
 
 /// Clauses that one part may derive and write, and joint steps that it may take.
 const DERIVED: u64 = 15_000;
@@ -29,13 +29,13 @@ const JOINT_STEPS: u64 = 600_000;
 const SHARE: f64 = 0.4;
 
 /// The budget of one part.
-fn part<'h>(meter: &Meter<'h>) -> Rc<Meter<'h>> {
+fn part<'h>(budget: &Budget<'h>) -> Rc<Budget<'h>> {
     let limits = Limits {
-        seconds: meter.seconds_left().map(|seconds| seconds * SHARE),
+        seconds: budget.seconds_left().map(|seconds| seconds * SHARE),
         ..Limits::default()
     };
     Rc::new(
-        meter
+        budget
             .part(limits)
             .with_derived(DERIVED)
             .with_work(CLAUSES, JOINT_STEPS),
@@ -46,10 +46,10 @@ fn part<'h>(meter: &Meter<'h>) -> Rc<Meter<'h>> {
 pub(crate) type Tell<'a> = &'a mut dyn FnMut(&mut ExplainAnswer, Part);
 
 /// Why, where the verdict is known.
-pub(crate) fn of_case(case: &Case, answer: &mut ExplainAnswer, meter: &Rc<Meter>, tell: Tell) {
+pub(crate) fn of_case(case: &Case, answer: &mut ExplainAnswer, budget: &Rc<Budget>, tell: Tell) {
     let mut about = String::new();
-    let budget = part(meter);
-    if let Some((agent, violations)) = own_way::witness(case, &budget) {
+    let own = part(budget);
+    if let Some((agent, violations)) = own_way::witness(case, &own) {
         about = agent;
         let entries = violations.into_iter().map(|violation| WitnessEntry {
             violation,
@@ -57,19 +57,19 @@ pub(crate) fn of_case(case: &Case, answer: &mut ExplainAnswer, meter: &Rc<Meter>
         });
         answer.witness = entries.collect();
     }
-    meter.absorb(&budget);
+    budget.absorb(&own);
     word(case, &about, answer);
     tell(answer, Part::Witness);
 
     let refuted = matches!(answer.verdict, Verdict::Necessary | Verdict::Costly);
     if refuted {
-        let core = core_of_case(case, answer, meter);
-        let facts = core.as_ref().map_or(Vec::new(), |core| core.parts.clone());
+        let core = core_of_case(case, answer, budget);
+        let facts = core.as_ref().map_or(Vec::new(), |core| core.groups.clone());
         answer.core =
             core.map(|core| core.core(case.instance, case.within.map(|time| case.past.time(time))));
         word(case, &about, answer);
         tell(answer, Part::Core);
-        help_case(case, &facts, answer, meter);
+        help_case(case, &facts, answer, budget);
         word(case, &about, answer);
     } else {
         tell(answer, Part::Core);
@@ -104,9 +104,9 @@ fn asked(case: &Case) -> Vec<usize> {
 
 /// Whether what is asked for could be done by an agent of which the facts say
 /// nothing. Then an edit may help it that weakens none of the facts.
-fn another_could(case: &Case, facts: &[FactPart]) -> bool {
+fn another_could(case: &Case, facts: &[Group]) -> bool {
     let agents = case.instance.agents().iter().enumerate();
-    let mut unsaid = agents.filter(|(index, _)| !facts.contains(&FactPart::Task(*index)));
+    let mut unsaid = agents.filter(|(index, _)| !facts.contains(&Group::Task(*index)));
     unsaid.any(|(_, agent)| {
         let mut conditions = case.conditions.iter();
         let could = conditions.any(|condition| condition.agent() == Some(&agent.name));
@@ -118,7 +118,7 @@ fn another_could(case: &Case, facts: &[FactPart]) -> bool {
 fn contrasted<'a, 'h>(
     case: &'a Case<'a>,
     answer: &'a ExplainAnswer,
-    meter: &Rc<Meter<'h>>,
+    budget: &Rc<Budget<'h>>,
 ) -> Contrasted<'a, 'h> {
     let costly = answer.verdict == Verdict::Costly;
     Contrasted {
@@ -126,29 +126,29 @@ fn contrasted<'a, 'h>(
         most: costly.then(|| case.costs.vector(case.objective())),
         near: answer.alternative.as_ref().filter(|_| costly),
         horizon: answer.within.unwrap_or(case.costs.makespan),
-        meter: part(meter),
+        budget: part(budget),
     }
 }
 
-fn core_of_case(case: &Case, answer: &ExplainAnswer, meter: &Rc<Meter>) -> Option<CoreFound> {
-    let mut contrasted = contrasted(case, answer, meter);
+fn core_of_case(case: &Case, answer: &ExplainAnswer, budget: &Rc<Budget>) -> Option<CoreFound> {
+    let mut contrasted = contrasted(case, answer, budget);
     let refuted = Tried::None {
         reach: case.shown?,
         clash: Vec::new(),
     };
-    let core = minimal_set(
+    let core = group_mus(
         case.instance,
         &asked(case),
         case.within,
         refuted,
         &mut contrasted,
     );
-    meter.absorb(&contrasted.meter);
+    budget.absorb(&contrasted.budget);
     core
 }
 
-fn help_case(case: &Case, facts: &[FactPart], answer: &mut ExplainAnswer, meter: &Rc<Meter>) {
-    let mut contrasted = contrasted(case, answer, meter);
+fn help_case(case: &Case, facts: &[Group], answer: &mut ExplainAnswer, budget: &Rc<Budget>) {
+    let mut contrasted = contrasted(case, answer, budget);
     let found = repairs(
         case.instance,
         case.within,
@@ -157,7 +157,7 @@ fn help_case(case: &Case, facts: &[FactPart], answer: &mut ExplainAnswer, meter:
         case.objective(),
         &mut contrasted,
     );
-    meter.absorb(&contrasted.meter);
+    budget.absorb(&contrasted.budget);
     answer.exhaustive = found.exhaustive && !another_could(case, facts);
     answer.repairs = found.repairs;
 }
@@ -169,7 +169,7 @@ pub(crate) fn of_no_plan(
     found: &Found,
     past: &Past,
     answer: &mut ExplainAnswer,
-    meter: &Rc<Meter>,
+    budget: &Rc<Budget>,
     tell: Tell,
 ) {
     answer.verdict = Verdict::Necessary;
@@ -178,24 +178,24 @@ pub(crate) fn of_no_plan(
     let searching = || AnyPlan {
         objective: instance.objective(),
         horizon: found.horizon,
-        meter: part(meter),
+        budget: part(budget),
         past,
     };
     let mut any_plan = searching();
     (answer.witness, _) = unsolvable::witness(instance, within, &mut any_plan);
-    meter.absorb(&any_plan.meter);
+    budget.absorb(&any_plan.budget);
     tell_no_plan(answer, past, Part::Witness, tell);
 
     let mut any_plan = searching();
     let core = unsolvable::core(instance, within, found, &mut any_plan);
-    meter.absorb(&any_plan.meter);
-    let facts = core.as_ref().map_or(Vec::new(), |core| core.parts.clone());
+    budget.absorb(&any_plan.budget);
+    let facts = core.as_ref().map_or(Vec::new(), |core| core.groups.clone());
     answer.core = core.map(|core| core.core(instance, within.map(|time| past.time(time))));
     tell_no_plan(answer, past, Part::Core, tell);
 
     let mut any_plan = searching();
     let helps = unsolvable::helps(instance, within, &facts, &mut any_plan);
-    meter.absorb(&any_plan.meter);
+    budget.absorb(&any_plan.budget);
     (answer.repairs, answer.exhaustive) = (helps.repairs, helps.exhaustive);
     tell_no_plan(answer, past, Part::Repairs, tell);
 }
@@ -217,10 +217,10 @@ pub(crate) fn of_own_plan(
     within: Option<u32>,
     past: &Past,
     answer: &mut ExplainAnswer,
-    meter: &Rc<Meter>,
+    budget: &Rc<Budget>,
 ) {
     let objective = instance.objective();
-    let judged: Judged = judge(instance, plan, objective, within, past, meter);
+    let judged: Judged = judge(instance, plan, objective, within, past, budget);
     let whole = |plan: &Plan| past.told_costs(instance, plan).unwrap_or_default();
     let better = judged.better.as_ref().map(|(better, _)| whole(better));
     answer.words = words::own_plan(&judged, objective, &whole(plan), better.as_ref());

@@ -3,7 +3,7 @@
 //! A minimal set of facts tells what is worth trying. Where an edit weakens no
 //! fact of the set, the set excludes a plan after the edit as before; so single
 //! edits outside of it cannot help. One fact is an exception: a slow zone that
-//! becomes normal is no mere relaxation (see `core.rs`), so where a set holds
+//! becomes normal is no mere relaxation (see `group_mus.rs`), so where a set holds
 //! without the slow zones, edits outside of it may still help.
 
 use std::collections::BTreeSet;
@@ -12,9 +12,9 @@ use giveway_model::{Cell, Costs, Instance, MAX_CAPACITY, Objective, Plan};
 
 use super::{
     answer::{Edit, Repair},
-    core::{Inquiry, Tried},
     edits::edited,
-    relax::{Part, Variant, has_slow_edge},
+    group::{Group, Variant, has_slow_edge},
+    group_mus::{Inquiry, Tried},
     words,
 };
 use giveway_model::sorting::sort_by_key;
@@ -50,17 +50,17 @@ pub(crate) struct Repairs {
 pub(crate) fn repairs(
     instance: &Instance,
     within: Option<u32>,
-    facts: &[Part],
+    facts: &[Group],
     asked: &[usize],
     objective: &Objective,
     solver: &mut dyn Solver,
 ) -> Repairs {
-    let mut search = Search {
+    let mut search = RepairSearch {
         instance,
         within,
         objective,
         solver,
-        exhaustive: facts.contains(&Part::Slow) || !has_slow_edge(instance.grid()),
+        exhaustive: facts.contains(&Group::Slow) || !has_slow_edge(instance.grid()),
         found: Vec::new(),
     };
     let singles = search.candidates(facts, asked);
@@ -133,7 +133,7 @@ enum Candidate {
     Deadline,
 }
 
-struct Search<'a> {
+struct RepairSearch<'a> {
     instance: &'a Instance,
     within: Option<u32>,
     objective: &'a Objective,
@@ -142,31 +142,31 @@ struct Search<'a> {
     found: Vec<Repair>,
 }
 
-impl Search<'_> {
+impl RepairSearch<'_> {
     /// Every edit that weakens one of the facts.
-    fn candidates(&mut self, facts: &[Part], asked: &[usize]) -> Vec<Candidate> {
+    fn candidates(&mut self, facts: &[Group], asked: &[usize]) -> Vec<Candidate> {
         let agents = self.instance.agents();
         let name = |a: usize| agents.get(a).map_or_else(String::new, |a| a.name.clone());
         let mut candidates = Vec::new();
-        let any = |test: fn(&Part) -> bool| facts.iter().any(test);
+        let any = |test: fn(&Group) -> bool| facts.iter().any(test);
         for &fact in facts {
             match fact {
-                Part::Obstacle(cell) => {
+                Group::Obstacle(cell) => {
                     candidates.push(Candidate::Edit(Edit::RemoveObstacle { cell }));
                 }
-                Part::Battery(a) => candidates.push(Candidate::Battery(a)),
-                Part::Deadline => candidates.push(Candidate::Deadline),
-                Part::Waypoint(a, cell) => {
+                Group::Battery(a) => candidates.push(Candidate::Battery(a)),
+                Group::Deadline => candidates.push(Candidate::Deadline),
+                Group::Waypoint(a, cell) => {
                     let agent = name(a);
                     candidates.push(Candidate::Edit(Edit::DropWaypoint { agent, cell }));
                 }
-                Part::Task(a) if !asked.contains(&a) => {
+                Group::Task(a) if !asked.contains(&a) => {
                     candidates.push(Candidate::Edit(Edit::LeaveOut { agent: name(a) }));
                 }
-                Part::Task(_) | Part::Collision(..) | Part::Stay(_) | Part::Slow => {}
+                Group::Task(_) | Group::Collision(..) | Group::Stay(_) | Group::Slow => {}
             }
         }
-        if any(|fact| matches!(fact, Part::Battery(_))) {
+        if any(|fact| matches!(fact, Group::Battery(_))) {
             let grid = self.instance.grid();
             let cells = grid.cells();
             let free = cells.filter(|(_, ground)| ground.is_vertex() && !ground.is_charger());
@@ -174,14 +174,14 @@ impl Search<'_> {
             let edits = cells.into_iter().map(|cell| Edit::AddCharger { cell });
             candidates.extend(edits.map(Candidate::Edit));
         }
-        if any(|fact| matches!(fact, Part::Slow)) {
+        if any(|fact| matches!(fact, Group::Slow)) {
             let cells = self.instance.grid().cells();
             let slow = cells.filter(|(_, ground)| ground.is_slow());
             let cells = self.limited(slow.map(|(cell, _)| cell).collect());
             let edits = cells.into_iter().map(|cell| Edit::MakeNormal { cell });
             candidates.extend(edits.map(Candidate::Edit));
         }
-        if any(|fact| matches!(fact, Part::Stay(_))) {
+        if any(|fact| matches!(fact, Group::Stay(_))) {
             candidates.push(Candidate::Edit(Edit::Vanish));
         }
         candidates

@@ -8,7 +8,7 @@
 
 use giveway_model::{
     Costs, Instance, Objective, Plan, Question, Scene, Version,
-    change::{Changes, History, Life, MAX_TIME, Whereabouts},
+    change::{Changes, History, MAX_TIME, Trajectory, Whereabouts},
     check::{Rule, check_history, costs_over_time, costs_until},
     question::Misfit,
     sorting,
@@ -192,9 +192,16 @@ fn first_standing(
 ) -> Result<u32, Refusal> {
     let mut why = String::new();
     let mut time = changed;
-    let lives: Vec<Life<'_>> = history.lives(plan, changed);
-    let last = lives.iter().map(Life::end).max().unwrap_or(changed);
-    let held = history.careers().iter().flat_map(|career| &career.held);
+    let trajectories: Vec<Trajectory<'_>> = history.trajectories(plan, changed);
+    let last = trajectories
+        .iter()
+        .map(Trajectory::end)
+        .max()
+        .unwrap_or(changed);
+    let held = history
+        .timelines()
+        .iter()
+        .flat_map(|timeline| &timeline.held);
     let last = held
         .map(|&(_, to)| to)
         .max()
@@ -202,14 +209,17 @@ fn first_standing(
         .max(last)
         .max(changed);
     while time <= last.min(MAX_TIME) {
-        let away = history.lives(plan, time).into_iter().find_map(|life| {
-            let name = life.career.name();
-            if !matches!(life.place(time), Whereabouts::At(_)) {
-                return Some(format!("{name} is in the middle of a slow move"));
-            }
-            let held = life.career.is_held(time);
-            held.then(|| format!("{name} has broken down"))
-        });
+        let away = history
+            .trajectories(plan, time)
+            .into_iter()
+            .find_map(|trajectory| {
+                let name = trajectory.timeline.name();
+                if !matches!(trajectory.place(time), Whereabouts::At(_)) {
+                    return Some(format!("{name} is in the middle of a slow move"));
+                }
+                let held = trajectory.timeline.is_held(time);
+                held.then(|| format!("{name} has broken down"))
+            });
         let Some(away) = away else { return Ok(time) };
         why = away;
         if !solvable {
@@ -254,12 +264,19 @@ impl Resting<'_> {
     fn plan(&self, members: &[Member<'_>]) -> Plan {
         let mut plan = Plan::default();
         for member in members {
-            let Some(life) = &member.life else { continue };
+            let Some(trajectory) = &member.trajectory else {
+                continue;
+            };
             let name = member.agent.name.clone();
-            let times = self.since..=life.end().max(self.since);
-            plan.paths
-                .insert(name.clone(), times.map(|time| life.at(time)).collect());
-            let later = life.charges.iter().filter(|&&time| time >= self.since);
+            let times = self.since..=trajectory.end().max(self.since);
+            plan.paths.insert(
+                name.clone(),
+                times.map(|time| trajectory.at(time)).collect(),
+            );
+            let later = trajectory
+                .charges
+                .iter()
+                .filter(|&&time| time >= self.since);
             let charges: Vec<u32> = later.map(|time| time - self.since).collect();
             if !charges.is_empty() {
                 plan.charges.insert(name, charges);
@@ -271,15 +288,16 @@ impl Resting<'_> {
     /// What those that have vanished add to all costs.
     fn gone(&self, members: &[Member<'_>]) -> Costs {
         let mut gone = Costs::default();
-        for career in self.history.careers() {
-            let goes_on = members.iter().any(|m| m.agent.name == career.name());
-            let life = Life::of(self.history, career, self.plan);
-            let Some(life) = life.filter(|_| !goes_on && career.until.is_none()) else {
+        for timeline in self.history.timelines() {
+            let goes_on = members.iter().any(|m| m.agent.name == timeline.name());
+            let trajectory = Trajectory::of(self.history, timeline, self.plan);
+            let Some(trajectory) = trajectory.filter(|_| !goes_on && timeline.until.is_none())
+            else {
                 continue;
             };
-            let spent = costs_until(self.history, &life, life.end());
-            gone.makespan = gone.makespan.max(life.end());
-            gone.sum_of_costs += life.end();
+            let spent = costs_until(self.history, &trajectory, trajectory.end());
+            gone.makespan = gone.makespan.max(trajectory.end());
+            gone.sum_of_costs += trajectory.end();
             gone.charges += spent.charges;
             gone.moves += spent.moves;
             gone.waits += spent.waits;
@@ -292,8 +310,8 @@ impl Resting<'_> {
         let since = self.since;
         for name in question.agents() {
             let is_there = members.iter().any(|member| member.agent.name == name);
-            let mut careers = self.history.careers().iter();
-            if !is_there && careers.any(|career| career.name() == name) {
+            let mut timelines = self.history.timelines().iter();
+            if !is_there && timelines.any(|timeline| timeline.name() == name) {
                 return Err(refused(format!(
                     "{name} is no longer there at time {since}."
                 )));
@@ -322,8 +340,8 @@ impl Resting<'_> {
             && from.unwrap_or(0) < since
             && *steps > 1
             && let Some(member) = members.iter().find(|member| member.agent.name == *agent)
-            && let (Some(life), Some(before)) = (&member.life, since.checked_sub(1))
-            && life.at(before) == life.at(since)
+            && let (Some(trajectory), Some(before)) = (&member.trajectory, since.checked_sub(1))
+            && trajectory.at(before) == trajectory.at(since)
         {
             return Err(refused(format!(
                 "{agent} was already waiting before the change. Ask about its wait from time \

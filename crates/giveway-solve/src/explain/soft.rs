@@ -9,14 +9,14 @@ use std::rc::Rc;
 
 use giveway_model::{Instance, Plan, Scene, check::Rule};
 
-use super::relax::redraw;
+use super::group::redraw;
 use crate::{
+    budget::{Budget, Stop},
     encode::{
         collisions::AgentId,
         totalizer::{capped, totalizer},
     },
     local::apart,
-    meter::{Meter, Stop},
     problem::Problem,
     sat::{Clauses, Lit, Outcome},
     search::{Horizon, Team},
@@ -45,19 +45,19 @@ pub(crate) fn collisions(
     instance: &Instance,
     within: Option<u32>,
     at_least_within: u32,
-    meter: &Rc<Meter>,
+    budget: &Rc<Budget>,
 ) -> Option<Broken> {
-    let problem = Problem::new(instance, meter).ok()?;
+    let problem = Problem::new(instance, budget).ok()?;
     let horizon = horizon(instance, &problem, within, at_least_within);
-    let walks = apart(&problem, meter).ok()?;
-    let team = Team::colliding(&problem, walks, Rc::clone(meter));
+    let walks = apart(&problem, budget).ok()?;
+    let team = Team::colliding(&problem, walks, Rc::clone(budget));
     let breaches = |team: &Team, _: &Problem| {
         let meetings = team.meetings();
         let name = |m: crate::encode::collisions::Meeting| (m.time, m.place, m.pair.0, m.pair.1);
         meetings.map(|(m, lit)| (name(m), lit)).collect()
     };
     let rules = [Rule::Vertex, Rule::Swap, Rule::SlowSwap];
-    Soft::new(&problem, team, &breaches, horizon, instance, &rules).run()
+    SoftRules::new(&problem, team, &breaches, horizon, instance, &rules).run()
 }
 
 /// The plan with the fewest steps in obstacles; `None` as for collisions.
@@ -65,7 +65,7 @@ pub(crate) fn obstacles(
     instance: &Instance,
     within: Option<u32>,
     at_least_within: u32,
-    meter: &Rc<Meter>,
+    budget: &Rc<Budget>,
 ) -> Option<Broken> {
     let free = |_, ground: giveway_model::Ground| match ground {
         giveway_model::Ground::Obstacle => giveway_model::Ground::Free,
@@ -76,10 +76,10 @@ pub(crate) fn obstacles(
         ..instance.to_scene()
     };
     let open = Instance::new(scene).ok()?;
-    let problem = Problem::new(&open, meter).ok()?;
+    let problem = Problem::new(&open, budget).ok()?;
     let horizon = horizon(&open, &problem, within, at_least_within);
     let walks = vec![Walk::new(); problem.agents()];
-    let team = Team::new(&problem, walks, Rc::clone(meter));
+    let team = Team::new(&problem, walks, Rc::clone(budget));
     let breaches = |team: &Team, problem: &Problem| {
         let mut breaches = Vec::new();
         for agent in 0..problem.agents() {
@@ -91,7 +91,7 @@ pub(crate) fn obstacles(
         }
         breaches
     };
-    Soft::new(
+    SoftRules::new(
         &problem,
         team,
         &breaches,
@@ -113,7 +113,7 @@ fn horizon(
 
 type Breaches<'a> = &'a dyn Fn(&Team, &Problem) -> Vec<Breach>;
 
-struct Soft<'a, 'p, 'h> {
+struct SoftRules<'a, 'p, 'h> {
     problem: &'p Problem,
     team: Team<'p, 'h>,
     breaches: Breaches<'a>,
@@ -124,7 +124,7 @@ struct Soft<'a, 'p, 'h> {
     best: Option<(usize, u32, u32, Vec<Walk>)>,
 }
 
-impl<'a, 'p, 'h> Soft<'a, 'p, 'h> {
+impl<'a, 'p, 'h> SoftRules<'a, 'p, 'h> {
     fn new(
         problem: &'p Problem,
         team: Team<'p, 'h>,

@@ -2,7 +2,7 @@
 
 use giveway_model::{
     Cell, Cost, Costs, Plan,
-    change::{Career, Life},
+    change::{Timeline, Trajectory},
     check::check_history,
     sorting,
 };
@@ -102,16 +102,16 @@ impl Course {
     pub(super) fn whole(&self, rest: &Plan) -> Plan {
         let mut plan = self.plan.clone();
         plan.knows = self.history.times().last().max(plan.knows);
-        for career in self.history.careers() {
-            let name = career.name();
+        for timeline in self.history.timelines() {
+            let name = timeline.name();
             let Some(share) = self.shares.get(name) else {
                 continue;
             };
-            let before = (self.since - career.from.min(self.since)) as usize;
+            let before = (self.since - timeline.from.min(self.since)) as usize;
             let own = rest.path(name);
             let path = plan.paths.entry(name.to_owned()).or_default();
             if stays(own) && !path.is_empty() {
-                path.truncate((share.base - career.from.min(share.base)) as usize + 1);
+                path.truncate((share.base - timeline.from.min(share.base)) as usize + 1);
                 // What follows its arrival it sleeps through anyway.
                 if let Some(slept) = plan.slept.get_mut(name) {
                     slept.retain(|&[_, to]| to <= share.base);
@@ -122,17 +122,17 @@ impl Course {
                 path.resize(before.max(path.len()), last);
                 path.truncate(before);
                 path.extend(own);
-                let goal = Some(career.goal());
+                let goal = Some(timeline.goal());
                 while path.len() > before + 1 && path.ends_with(&[goal, goal]) {
                     path.pop();
                 }
-                plan.slept.insert(name.to_owned(), self.slept(career));
+                plan.slept.insert(name.to_owned(), self.slept(timeline));
             }
             let charges = plan.charges.entry(name.to_owned()).or_default();
             charges.retain(|&time| time < self.since);
             charges.extend(rest.charges(name).iter().map(|time| time + self.since));
-            if career.from > 0 {
-                plan.from.insert(name.to_owned(), career.from);
+            if timeline.from > 0 {
+                plan.from.insert(name.to_owned(), timeline.from);
             }
             if !rest.paths.contains_key(name) {
                 plan.until.insert(name.to_owned(), self.since);
@@ -145,12 +145,12 @@ impl Course {
 
     /// What an agent slept through up to the last change, told of one whose
     /// path goes on.
-    fn slept(&self, career: &Career) -> Vec<[u32; 2]> {
-        let Some(life) = Life::of(&self.history, career, &self.plan) else {
+    fn slept(&self, timeline: &Timeline) -> Vec<[u32; 2]> {
+        let Some(trajectory) = Trajectory::of(&self.history, timeline, &self.plan) else {
             return Vec::new();
         };
-        let times = self.history.times().filter(|&time| career.from < time);
-        let spans = life.sleeps(times.filter(|&time| time <= self.since));
+        let times = self.history.times().filter(|&time| timeline.from < time);
+        let spans = trajectory.sleeps(times.filter(|&time| time <= self.since));
         let spans = sorting::set(spans.into_iter().map(|(from, to)| [from, to]));
         spans.into_iter().collect()
     }

@@ -12,13 +12,13 @@ use giveway_model::{
 use super::{
     answer::{Class, WitnessEntry},
     ask::{Ask, Found, any, best, violations},
-    core::{CoreFound, Inquiry, Tried, minimal_set},
+    group::{Group, Variant, groups, without},
+    group_mus::{CoreFound, Inquiry, Tried, group_mus},
     past::Past,
-    relax::{Part, Variant, parts, without},
     repairs::{Best, Repairs, Solver, repairs},
     soft::{self, Broken},
 };
-use crate::{Limits, meter::Meter};
+use crate::{Limits, budget::Budget};
 use giveway_model::sorting::set;
 
 /// Clauses that one of many searches may derive.
@@ -31,10 +31,10 @@ const JOINT_STEPS_EACH: u64 = 150_000;
 const MOST_SETS: usize = 400;
 
 /// The budget of one search of many.
-pub(crate) fn one_search<'h>(meter: &Meter<'h>) -> Rc<Meter<'h>> {
-    let clauses = CLAUSES_EACH.min(meter.clauses_left());
+pub(crate) fn one_search<'h>(budget: &Budget<'h>) -> Rc<Budget<'h>> {
+    let clauses = CLAUSES_EACH.min(budget.clauses_left());
     Rc::new(
-        meter
+        budget
             .part(Limits::default())
             .with_derived(DERIVED_EACH)
             .with_work(clauses, JOINT_STEPS_EACH),
@@ -46,14 +46,14 @@ pub(crate) struct AnyPlan<'a, 'h> {
     pub(crate) objective: &'a Objective,
     /// The horizon of the instance as it is.
     pub(crate) horizon: u32,
-    pub(crate) meter: Rc<Meter<'h>>,
+    pub(crate) budget: Rc<Budget<'h>>,
     /// What is past already.
     pub(crate) past: &'a Past,
 }
 
 impl AnyPlan<'_, '_> {
-    fn with<T>(&self, variant: &Variant, run: impl Fn(&Ask, &Rc<Meter>) -> T) -> T {
-        let part = one_search(&self.meter);
+    fn with<T>(&self, variant: &Variant, run: impl Fn(&Ask, &Rc<Budget>) -> T) -> T {
+        let part = one_search(&self.budget);
         let ask = Ask {
             scene: &variant.scene,
             relaxed: &variant.relaxed,
@@ -65,7 +65,7 @@ impl AnyPlan<'_, '_> {
             past: self.past,
         };
         let result = run(&ask, &part);
-        self.meter.absorb(&part);
+        self.budget.absorb(&part);
         result
     }
 }
@@ -120,14 +120,14 @@ pub(crate) fn core(
     found: &Found,
     any_plan: &mut AnyPlan,
 ) -> Option<CoreFound> {
-    minimal_set(instance, &[], within, tried(found.clone()), any_plan)
+    group_mus(instance, &[], within, tried(found.clone()), any_plan)
 }
 
 /// What would help.
 pub(crate) fn helps(
     instance: &Instance,
     within: Option<u32>,
-    facts: &[Part],
+    facts: &[Group],
     any_plan: &mut AnyPlan,
 ) -> Repairs {
     let objective = any_plan.objective;
@@ -150,18 +150,18 @@ pub(crate) fn witness(
         Class::Waypoint,
     ] {
         let horizon = any_plan.horizon;
-        let part = one_search(&any_plan.meter);
+        let part = one_search(&any_plan.budget);
         let broken = match class {
             Class::Collision => soft::collisions(instance, within, horizon, &part),
             Class::Obstacle => soft::obstacles(instance, within, horizon, &part),
-            Class::Battery => fewest_left_out(instance, within, any_plan, |part| {
-                matches!(part, Part::Battery(_))
+            Class::Battery => fewest_left_out(instance, within, any_plan, |group| {
+                matches!(group, Group::Battery(_))
             }),
-            Class::Waypoint => fewest_left_out(instance, within, any_plan, |part| {
-                matches!(part, Part::Waypoint(..))
+            Class::Waypoint => fewest_left_out(instance, within, any_plan, |group| {
+                matches!(group, Group::Waypoint(..))
             }),
         };
-        any_plan.meter.absorb(&part);
+        any_plan.budget.absorb(&part);
         settled &= part.check().is_ok();
         if let Some(broken) = broken {
             settled &= broken.fewest;
@@ -204,9 +204,9 @@ fn fewest_left_out(
     instance: &Instance,
     within: Option<u32>,
     any_plan: &mut AnyPlan,
-    of_class: impl Fn(&Part) -> bool,
+    of_class: impl Fn(&Group) -> bool,
 ) -> Option<Broken> {
-    let mut class = parts(instance, &[], false);
+    let mut class = groups(instance, &[], false);
     class.retain(of_class);
     let all = set(class.iter().copied());
     if all.is_empty()
@@ -264,7 +264,7 @@ const fn broken(plan: Plan, count: usize, fewest: bool) -> Broken {
 }
 
 /// All subsets of a size, in order.
-fn subsets(class: &[Part], count: usize) -> impl Iterator<Item = BTreeSet<Part>> + '_ {
+fn subsets(class: &[Group], count: usize) -> impl Iterator<Item = BTreeSet<Group>> + '_ {
     let mut chosen: Option<Vec<usize>> = Some((0..count).collect());
     std::iter::from_fn(move || {
         let now = chosen.clone()?;

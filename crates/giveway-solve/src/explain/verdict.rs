@@ -13,8 +13,8 @@ use super::{
 };
 use crate::{
     Status,
-    condition::Condition,
-    meter::Meter,
+    budget::Budget,
+    counterfactual::Counterfactual,
     problem::Relaxed,
     search::{ForEver, Reach},
 };
@@ -33,7 +33,7 @@ pub(crate) struct Case<'a> {
     /// How far the verdict is proved, once it is.
     pub(crate) shown: Option<Reach>,
     /// What must hold in the other plan: one of these.
-    pub(crate) conditions: Vec<Condition>,
+    pub(crate) conditions: Vec<Counterfactual>,
     /// The horizon, where a person set one.
     pub(crate) within: Option<u32>,
     /// What is past already.
@@ -56,7 +56,7 @@ impl<'a> Case<'a> {
             costs,
             optimal: None,
             shown: None,
-            conditions: Condition::of(question, instance, plan, past),
+            conditions: Counterfactual::of(question, instance, plan, past),
             past,
             // What is at hand is never beyond what is looked at.
             within: within.map(|within| within.max(costs.makespan)),
@@ -97,8 +97,8 @@ pub(crate) struct Compared {
 }
 
 /// Compares the plan with the best one that is as asked for.
-pub(crate) fn compare(case: &Case, meter: &Rc<Meter>) -> Compared {
-    let found = best_with(case, meter);
+pub(crate) fn compare(case: &Case, budget: &Rc<Budget>) -> Compared {
+    let found = best_with(case, budget);
     let objective = case.objective();
     let before = case.costs.vector(objective);
     let other = found.plan.zip(found.costs);
@@ -134,24 +134,24 @@ pub(crate) fn compare(case: &Case, meter: &Rc<Meter>) -> Compared {
 }
 
 /// The best plan with any of the conditions.
-fn best_with(case: &Case, meter: &Rc<Meter>) -> Found {
+fn best_with(case: &Case, budget: &Rc<Budget>) -> Found {
     let objective = case.objective();
     let mut all: Option<Found> = None;
     case.each(|ask| {
         let Some(so_far) = all.take() else {
-            all = Some(best(ask, meter));
+            all = Some(best(ask, budget));
             return;
         };
         // Only what is better than the best so far is of interest.
         let vector = so_far.costs.map(|costs| costs.vector(objective));
         let better = match vector.map(just_below) {
-            None => best(ask, meter),
+            None => best(ask, budget),
             Some(None) => {
                 all = Some(so_far);
                 return; // nothing costs less than nothing
             }
-            Some(Some(most)) => match at_most(ask, most, meter) {
-                found if found.plan.is_some() => best(ask, meter),
+            Some(Some(most)) => match at_most(ask, most, budget) {
+                found if found.plan.is_some() => best(ask, budget),
                 found => found,
             },
         };

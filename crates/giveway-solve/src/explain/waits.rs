@@ -24,7 +24,7 @@ pub(crate) fn witness(
     };
     let mut other = plan.clone();
     other.cut_trailing_goals(instance);
-    let asked = Asked {
+    let asked = AskedWaits {
         at: *at,
         from: from.unwrap_or(0) as usize,
         to: to.map_or(usize::MAX, |to| to as usize),
@@ -47,7 +47,7 @@ pub(crate) fn witness(
 }
 
 /// The wait steps that are asked about.
-struct Asked {
+struct AskedWaits {
     at: Option<Cell>,
     from: usize,
     to: usize,
@@ -55,7 +55,7 @@ struct Asked {
     spared: u32,
 }
 
-impl Asked {
+impl AskedWaits {
     /// Takes them out of a path; for each time of it, the time that it becomes.
     fn take_out(&self, path: &mut Path) -> Vec<u32> {
         let mut shorter = Path::new();

@@ -2,7 +2,7 @@
 
 use giveway_model::Cost;
 
-use crate::single::{Demand, Place, Task};
+use crate::single::{Place, Task, TaskConstraint};
 
 /// What happens to one agent in a step.
 #[derive(Clone, Copy, Debug)]
@@ -40,17 +40,17 @@ pub(super) fn follow(
     event: Event,
 ) -> Option<(u32, u32)> {
     match (&task.demand, event.from) {
-        (Some(demand @ Demand::Wait { steps, .. }), Place::At(v)) => {
+        (Some(demand @ TaskConstraint::Wait { steps, .. }), Place::At(v)) => {
             let counts = event.waits() && demand.counts_wait(v, event.clock);
             let run = if counts { count + 1 } else { 0 };
             (run < *steps).then_some((run, mask))
         }
-        (Some(Demand::AtMost { cost, most }), _) => {
+        (Some(TaskConstraint::AtMost { cost, most }), _) => {
             let count = count + event.costs(*cost);
             (count <= *most).then_some((count, mask))
         }
         // Leaving sets the bit just where it charged while it was there.
-        (Some(Demand::Charge { v, .. }), Place::At(u)) if u == *v => {
+        (Some(TaskConstraint::Charge { v, .. }), Place::At(u)) if u == *v => {
             let charged = count.max(u32::from(event.charged));
             if event.waits() {
                 return Some((charged, mask));

@@ -12,8 +12,8 @@ use giveway_model::{Cost, Objective};
 
 use self::{agent::Single, event::Event};
 use crate::{
+    budget::{Budget, Stop},
     encode::collisions::AgentId,
-    meter::{Meter, Stop},
     problem::Problem,
     single::Place,
     walk::Walk,
@@ -64,7 +64,7 @@ impl Paid {
 }
 
 /// What exhausting the states has shown.
-enum Outcome {
+enum Ended {
     /// The best plan at any horizon: what it costs, and its states over time.
     Best(Paid, Vec<Vec<Single>>),
     /// There is no plan at any horizon.
@@ -75,7 +75,7 @@ enum Outcome {
 
 /// What is known of some agents among themselves, at any horizon.
 #[derive(Clone, Debug, PartialEq, Eq)]
-pub(crate) enum Found<T> {
+pub(crate) enum Exhausted<T> {
     /// The best plan, or its cost.
     Best(T),
     /// There is no plan.
@@ -86,7 +86,7 @@ pub(crate) enum Found<T> {
 
 /// The best plan of all agents, at any horizon.
 #[derive(Clone, Debug, PartialEq, Eq)]
-pub(crate) struct Best {
+pub(crate) struct BestPlan {
     /// Its costs, in the order of the objective.
     pub(crate) vector: Vec<u32>,
     pub(crate) walks: Vec<Walk>,
@@ -96,8 +96,12 @@ pub(crate) struct Best {
 ///
 /// # Errors
 /// When the budget is spent.
-pub(crate) fn any(problem: &Problem, agents: &[AgentId], meter: &Meter) -> Result<Found<()>, Stop> {
-    let outcome = run(problem, agents, &[], meter)?;
+pub(crate) fn any(
+    problem: &Problem,
+    agents: &[AgentId],
+    budget: &Budget,
+) -> Result<Exhausted<()>, Stop> {
+    let outcome = run(problem, agents, &[], budget)?;
     Ok(outcome.map(|_, _| ()))
 }
 
@@ -109,9 +113,9 @@ pub(crate) fn least(
     problem: &Problem,
     agents: &[AgentId],
     cost: Cost,
-    meter: &Meter,
-) -> Result<Found<u32>, Stop> {
-    let outcome = run(problem, agents, &[cost], meter)?;
+    budget: &Budget,
+) -> Result<Exhausted<u32>, Stop> {
+    let outcome = run(problem, agents, &[cost], budget)?;
     Ok(outcome.map(|paid, _| paid.0[0]))
 }
 
@@ -122,12 +126,12 @@ pub(crate) fn least(
 pub(crate) fn best(
     problem: &Problem,
     objective: &Objective,
-    meter: &Meter,
-) -> Result<Found<Best>, Stop> {
+    budget: &Budget,
+) -> Result<Exhausted<BestPlan>, Stop> {
     let all: Vec<AgentId> = (0..problem.agents()).collect();
     let costs = objective.costs();
-    let outcome = run(problem, &all, costs, meter)?;
-    Ok(outcome.map(|paid, way| Best {
+    let outcome = run(problem, &all, costs, budget)?;
+    Ok(outcome.map(|paid, way| BestPlan {
         vector: paid.0[..costs.len()].to_vec(),
         walks: all.iter().map(|&agent| walk(problem, agent, way)).collect(),
     }))
@@ -137,29 +141,29 @@ fn run(
     problem: &Problem,
     agents: &[AgentId],
     costs: &[Cost],
-    meter: &Meter,
-) -> Result<Outcome, Stop> {
+    budget: &Budget,
+) -> Result<Ended, Stop> {
     if !may_be_exhausted(problem, agents) {
-        return Ok(Outcome::TooMany);
+        return Ok(Ended::TooMany);
     }
     let search = Joint {
         problem,
         agents,
         costs,
     };
-    let most = MOST_STEPS.min(usize::try_from(meter.joint_left()).unwrap_or(MOST_STEPS));
+    let most = MOST_STEPS.min(usize::try_from(budget.joint_left()).unwrap_or(MOST_STEPS));
     let mut steps = 0;
-    let outcome = search.run(most, &mut steps, meter);
-    meter.count_joint(steps as u64);
+    let outcome = search.run(most, &mut steps, budget);
+    budget.count_joint(steps as u64);
     outcome
 }
 
-impl Outcome {
-    fn map<T>(self, best: impl FnOnce(Paid, &[Vec<Single>]) -> T) -> Found<T> {
+impl Ended {
+    fn map<T>(self, best: impl FnOnce(Paid, &[Vec<Single>]) -> T) -> Exhausted<T> {
         match self {
-            Self::Best(paid, way) => Found::Best(best(paid, &way)),
-            Self::None => Found::None,
-            Self::TooMany => Found::TooMany,
+            Self::Best(paid, way) => Exhausted::Best(best(paid, &way)),
+            Self::None => Exhausted::None,
+            Self::TooMany => Exhausted::TooMany,
         }
     }
 }

@@ -9,12 +9,12 @@ use std::rc::Rc;
 use giveway_model::Cost;
 
 use super::{
-    Joint, Outcome, Paid,
+    Ended, Joint, Paid,
     agent::{Move, Single},
 };
 use crate::{
-    condition::Precedence,
-    meter::{Meter, Stop},
+    budget::{Budget, Stop},
+    counterfactual::Precedence,
     single::Task,
 };
 
@@ -33,8 +33,8 @@ impl Joint<'_> {
         &self,
         most: usize,
         steps: &mut usize,
-        meter: &Meter,
-    ) -> Result<Outcome, Stop> {
+        budget: &Budget,
+    ) -> Result<Ended, Stop> {
         let mut reached: BTreeMap<States, Reached> = BTreeMap::new();
         let mut heap = BinaryHeap::new();
         for (start, paid) in self.starts() {
@@ -44,13 +44,13 @@ impl Joint<'_> {
             heap.push(Reverse((paid, start)));
         }
         while let Some(Reverse((paid, states))) = heap.pop() {
-            meter.tick()?;
+            budget.tick()?;
             if reached.get(&states).is_some_and(|best| best.paid < paid) {
                 continue;
             }
             if states.iter().all(|state| state.has_arrived()) {
                 let way = way(&reached, states);
-                return Ok(Outcome::Best(paid, way));
+                return Ok(Ended::Best(paid, way));
             }
             let successors = self.successors(&states);
             *steps += successors.len();
@@ -64,10 +64,10 @@ impl Joint<'_> {
                 }
             }
             if *steps > most {
-                return Ok(Outcome::TooMany);
+                return Ok(Ended::TooMany);
             }
         }
-        Ok(Outcome::None)
+        Ok(Ended::None)
     }
 
     pub(super) fn task(&self, i: usize) -> &Task {

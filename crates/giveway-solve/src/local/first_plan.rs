@@ -15,8 +15,8 @@ use super::{
     space_time::DEAR,
 };
 use crate::{
+    budget::{Budget, Stop},
     encode::collisions::AgentId,
-    meter::{Meter, Stop},
     problem::Problem,
     walk::Walk,
 };
@@ -24,7 +24,7 @@ use crate::{
 /// Agents planned anew at once.
 const GROUP: usize = 8;
 /// States to look at for one agent.
-const EFFORT: u32 = 30_000;
+const EXPANSION_LIMIT: u32 = 30_000;
 
 /// Rounds without success after which twice as many are looked at.
 const STUCK: u32 = 30;
@@ -33,17 +33,17 @@ const STUCK: u32 = 30;
 ///
 /// # Errors
 /// When the budget is spent.
-pub(crate) fn apart(problem: &Problem, meter: &Meter) -> Result<Vec<Walk>, Stop> {
+pub(crate) fn apart(problem: &Problem, budget: &Budget) -> Result<Vec<Walk>, Stop> {
     let mut others = Reservations::new(problem);
     let mut walks = Vec::with_capacity(problem.agents());
     for agent in 0..problem.agents() {
         let query = Query {
             agent,
             latest: problem.optima[agent],
-            price: Some(1),
-            effort: u32::MAX,
+            conflict_penalty: Some(1),
+            expansion_limit: u32::MAX,
         };
-        let walk = plan_one(problem, &others, query, meter)?;
+        let walk = plan_one(problem, &others, query, budget)?;
         let walk = walk.map(|(walk, _)| walk).unwrap_or_default();
         others.add(agent, &walk);
         walks.push(walk);
@@ -60,7 +60,7 @@ pub(crate) fn first_plan(
     problem: &Problem,
     walks: Vec<Walk>,
     horizon: u32,
-    meter: &Meter,
+    budget: &Budget,
 ) -> Result<Option<Vec<Walk>>, Stop> {
     let mut repair = Repair::new(problem, walks, horizon);
     let mut rng = Rng::with_seed(problem.agents() as u64);
@@ -73,9 +73,9 @@ pub(crate) fn first_plan(
         }
         let before = colliding.len();
         let seed = colliding[below(&mut rng, colliding.len())];
-        let group = repair.choose_group(seed, &mut rng, meter)?;
-        repair.effort = EFFORT << (stuck / STUCK).min(2);
-        repair.replan(&group, meter)?;
+        let group = repair.choose_group(seed, &mut rng, budget)?;
+        repair.expansion_limit = EXPANSION_LIMIT << (stuck / STUCK).min(2);
+        repair.replan(&group, budget)?;
         stuck = if repair.pairs.len() < before {
             0
         } else {
@@ -89,7 +89,7 @@ pub(crate) fn first_plan(
 struct Repair<'p> {
     problem: &'p Problem,
     horizon: u32,
-    effort: u32,
+    expansion_limit: u32,
     walks: Vec<Walk>,
     others: Reservations<'p>,
     /// Which agents collide: both orders of each pair.
@@ -102,7 +102,7 @@ impl<'p> Repair<'p> {
         let mut repair = Self {
             problem,
             horizon,
-            effort: EFFORT,
+            expansion_limit: EXPANSION_LIMIT,
             walks,
             others,
             pairs: BTreeSet::new(),
@@ -149,7 +149,7 @@ impl<'p> Repair<'p> {
         &self,
         seed: AgentId,
         rng: &mut Rng,
-        meter: &Meter,
+        budget: &Budget,
     ) -> Result<Vec<AgentId>, Stop> {
         let mut candidates = self.met(seed);
         if rng.u8(..4) > 0 {
@@ -163,11 +163,11 @@ impl<'p> Repair<'p> {
             let query = Query {
                 agent: seed,
                 latest: self.problem.optima[seed],
-                price: Some(0),
-                effort: EFFORT,
+                conflict_penalty: Some(0),
+                expansion_limit: EXPANSION_LIMIT,
             };
             let alone = Reservations::new(self.problem);
-            if let Some((walk, _)) = plan_one(self.problem, &alone, query, meter)? {
+            if let Some((walk, _)) = plan_one(self.problem, &alone, query, budget)? {
                 candidates.extend(self.others.met_by(seed, &walk));
             }
             shuffle(rng, &mut candidates);
@@ -185,7 +185,7 @@ impl<'p> Repair<'p> {
 
     /// Plans a group anew, one after the other; keeps the old walks where the
     /// new ones would collide more.
-    fn replan(&mut self, group: &[AgentId], meter: &Meter) -> Result<(), Stop> {
+    fn replan(&mut self, group: &[AgentId], budget: &Budget) -> Result<(), Stop> {
         let before = self.pairs.len();
         let old: Vec<Walk> = group.iter().map(|&a| self.walks[a].clone()).collect();
         for &agent in group {
@@ -195,10 +195,10 @@ impl<'p> Repair<'p> {
             let query = Query {
                 agent,
                 latest: self.horizon,
-                price: Some(DEAR),
-                effort: self.effort,
+                conflict_penalty: Some(DEAR),
+                expansion_limit: self.expansion_limit,
             };
-            let found = plan_one(self.problem, &self.others, query, meter)?;
+            let found = plan_one(self.problem, &self.others, query, budget)?;
             self.lay(agent, found.map_or_else(|| old.clone(), |(walk, _)| walk));
         }
         if self.pairs.len() > before {

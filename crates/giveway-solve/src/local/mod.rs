@@ -12,6 +12,6 @@ mod space_time;
 mod tests;
 
 pub(crate) use first_plan::{apart, first_plan};
-pub(crate) use neighbourhood::Improver;
+pub(crate) use neighbourhood::Lns;
 pub(crate) use reservations::Reservations;
 pub(crate) use space_time::{Query, plan_one};

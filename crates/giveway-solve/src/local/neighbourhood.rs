@@ -13,21 +13,21 @@ use super::{
     plan_one,
 };
 use crate::{
+    budget::{Budget, Stop},
     encode::collisions::AgentId,
-    meter::{Meter, Stop},
     problem::Problem,
     walk::{Walk, arrival, costs},
 };
 
 /// States to look at for one agent.
-const EFFORT: u32 = 20_000;
+const EXPANSION_LIMIT: u32 = 20_000;
 
 /// A search that can be continued; the same calls give the same plans.
-pub(crate) struct Improver {
+pub(crate) struct Lns {
     rng: Rng,
 }
 
-impl Improver {
+impl Lns {
     pub(crate) fn new() -> Self {
         Self {
             rng: Rng::with_seed(7),
@@ -46,13 +46,13 @@ impl Improver {
         horizon: u32,
         objective: &Objective,
         rounds: usize,
-        meter: &Meter,
+        budget: &Budget,
     ) -> Result<bool, Stop> {
         let mut others = Reservations::of(problem, walks);
         let first = costs(problem, walks).vector(objective);
         let mut best = first.clone();
         for _ in 0..rounds {
-            let Some(group) = self.choose_group(problem, walks, &others, horizon, meter)? else {
+            let Some(group) = self.choose_group(problem, walks, &others, horizon, budget)? else {
                 break;
             };
             let old: Vec<Walk> = group.iter().map(|&a| walks[a].clone()).collect();
@@ -64,7 +64,7 @@ impl Improver {
                 Some(Cost::Makespan) => Room::each(horizon.min(best[0])),
                 _ => Room::each(horizon),
             };
-            let planned = replan(problem, walks, &mut others, &group, room, meter);
+            let planned = replan(problem, walks, &mut others, &group, room, budget);
             let vector = costs(problem, walks).vector(objective);
             if matches!(planned, Ok(true)) && vector <= best {
                 best = vector;
@@ -90,7 +90,7 @@ impl Improver {
         walks: &[Walk],
         others: &Reservations,
         horizon: u32,
-        meter: &Meter,
+        budget: &Budget,
     ) -> Result<Option<Vec<AgentId>>, Stop> {
         let delayed: Vec<AgentId> = (0..walks.len())
             .filter(|&a| arrival(&walks[a]) > problem.optima[a])
@@ -113,11 +113,11 @@ impl Improver {
         let query = Query {
             agent: seed,
             latest: sooner.min(horizon),
-            price: Some(1),
-            effort: EFFORT,
+            conflict_penalty: Some(1),
+            expansion_limit: EXPANSION_LIMIT,
         };
         let mut group = vec![seed];
-        if let Some((walk, _)) = plan_one(problem, others, query, meter)? {
+        if let Some((walk, _)) = plan_one(problem, others, query, budget)? {
             group.extend(others.met_by(seed, &walk));
         }
         let size = (2 + below(&mut self.rng, 7)).max(group.len().min(10));
@@ -171,7 +171,7 @@ fn replan(
     others: &mut Reservations,
     group: &[AgentId],
     room: Room,
-    meter: &Meter,
+    budget: &Budget,
 ) -> Result<bool, Stop> {
     let least: u32 = group.iter().map(|&agent| problem.optima[agent]).sum();
     let mut spare = room.sum.saturating_sub(least);
@@ -180,10 +180,10 @@ fn replan(
         let query = Query {
             agent,
             latest: room.each.min(optimum.saturating_add(spare)),
-            price: None,
-            effort: EFFORT,
+            conflict_penalty: None,
+            expansion_limit: EXPANSION_LIMIT,
         };
-        match plan_one(problem, others, query, meter)? {
+        match plan_one(problem, others, query, budget)? {
             Some((walk, _)) => {
                 spare = spare.saturating_sub(arrival(&walk).saturating_sub(optimum));
                 walks[agent] = walk;

@@ -11,8 +11,8 @@ use rustc_hash::FxBuildHasher;
 
 use super::Reservations;
 use crate::{
+    budget::{Budget, Stop},
     encode::collisions::AgentId,
-    meter::{Meter, Stop},
     problem::Problem,
     single::{self as task, Place},
     walk::Walk,
@@ -25,12 +25,12 @@ pub(crate) struct Query {
     /// It must arrive by this time.
     pub(crate) latest: u32,
     /// How many steps of delay a collision is worth; `None` forbids them.
-    pub(crate) price: Option<u32>,
+    pub(crate) conflict_penalty: Option<u32>,
     /// States to look at before giving up.
-    pub(crate) effort: u32,
+    pub(crate) expansion_limit: u32,
 }
 
-struct State {
+struct Label {
     place: Place,
     mask: u32,
     battery: u32,
@@ -59,7 +59,7 @@ pub(crate) fn plan_one(
     problem: &Problem,
     others: &Reservations,
     query: Query,
-    meter: &Meter,
+    budget: &Budget,
 ) -> Result<Option<(Walk, u32)>, Stop> {
     // Under `stay` nobody can rest at a goal that others still pass. To know
     // that from the beginning spares all tries to arrive sooner.
@@ -72,13 +72,16 @@ pub(crate) fn plan_one(
     // Some of those that pass may not count, where pairs ignore each other.
     let all_count = problem.relaxed.ignored.is_empty();
     let rests = problem.rests(query.agent) && all_count;
-    let waits = rests && query.price.is_none_or(|price| price >= DEAR);
+    let waits = rests
+        && query
+            .conflict_penalty
+            .is_none_or(|conflict_penalty| conflict_penalty >= DEAR);
     let passed = others.last_visit(goal).filter(|_| waits);
     let earliest = passed.map_or(0, |time| time + 1);
-    if earliest > query.latest && query.price.is_none() {
+    if earliest > query.latest && query.conflict_penalty.is_none() {
         return Ok(None);
     }
-    let mut search = Search {
+    let mut search = SpaceTimeAStar {
         problem,
         others,
         query,
@@ -87,19 +90,19 @@ pub(crate) fn plan_one(
         heap: BinaryHeap::new(),
         seen: Seen::default(),
     };
-    search.run(meter)
+    search.run(budget)
 }
 
 /// A collision that any detour is better than, in steps of delay.
 pub(crate) const DEAR: u32 = 10_000;
 
-struct Search<'a, 'p> {
+struct SpaceTimeAStar<'a, 'p> {
     problem: &'p Problem,
     others: &'a Reservations<'p>,
     query: Query,
     /// It does not arrive sooner, except into a collision.
     earliest: u32,
-    states: Vec<State>,
+    states: Vec<Label>,
     /// Whether the entry ends the walk, and the state's number.
     heap: BinaryHeap<Reverse<(Key, bool)>>,
     seen: Seen,
@@ -107,14 +110,14 @@ struct Search<'a, 'p> {
 
 const NO_PARENT: u32 = u32::MAX;
 
-impl Search<'_, '_> {
-    fn run(&mut self, meter: &Meter) -> Result<Option<(Walk, u32)>, Stop> {
+impl SpaceTimeAStar<'_, '_> {
+    fn run(&mut self, budget: &Budget) -> Result<Option<(Walk, u32)>, Stop> {
         let task = &self.problem.tasks[self.query.agent];
         let collisions = match task.first_place() {
             Place::At(v) => self.count(self.others.at(0, v)),
             Place::Along(_) => 0,
         };
-        if collisions > 0 && self.query.price.is_none() {
+        if collisions > 0 && self.query.conflict_penalty.is_none() {
             return Ok(None);
         }
         let Some(first) = task.first() else {
@@ -123,16 +126,16 @@ impl Search<'_, '_> {
         if let Some(bound) = self.bound(first, 0) {
             self.push(first, (0, bound), collisions, NO_PARENT);
         }
-        let mut effort = self.query.effort;
+        let mut expansion_limit = self.query.expansion_limit;
         while let Some(Reverse(((_, collisions, _, id), ends))) = self.heap.pop() {
-            meter.tick()?;
+            budget.tick()?;
             if ends {
                 return Ok(Some((self.walk_to(id), collisions)));
             }
-            if effort == 0 {
+            if expansion_limit == 0 {
                 break;
             }
-            effort -= 1;
+            expansion_limit -= 1;
             self.try_to_end(id);
             self.expand(id);
         }
@@ -159,7 +162,7 @@ impl Search<'_, '_> {
         } else {
             0
         };
-        if later == 0 || self.query.price.is_some() {
+        if later == 0 || self.query.conflict_penalty.is_some() {
             let (time, collisions) = (state.time, state.collisions + later);
             let key = (self.total(time, collisions), collisions, Reverse(time), id);
             self.heap.push(Reverse((key, true)));
@@ -196,7 +199,7 @@ impl Search<'_, '_> {
             Place::At(v) => self.count(self.others.at(time, v)),
             Place::Along(_) => 0,
         };
-        if self.query.price.is_some() || collisions + met == 0 {
+        if self.query.conflict_penalty.is_some() || collisions + met == 0 {
             self.push(to, (time, bound), collisions + met, parent);
         }
     }
@@ -208,8 +211,8 @@ impl Search<'_, '_> {
             Place::At(v) => (v, 0),
             Place::Along(arc) => (self.problem.terrain.ends(arc).1, 1),
         };
-        let to_go = &self.problem.to_go[self.query.agent];
-        let rest = to_go.from(arrival, to.mask | task.bit(arrival), to.battery)?;
+        let cost_to_go = &self.problem.cost_to_go[self.query.agent];
+        let rest = cost_to_go.from(arrival, to.mask | task.bit(arrival), to.battery)?;
         let bound = (time + delay + rest).max(self.earliest);
         (bound <= self.query.latest).then_some(bound)
     }
@@ -231,7 +234,7 @@ impl Search<'_, '_> {
         } = to;
         self.seen.insert((time, place, mask), (collisions, battery));
         let id = self.states.len() as u32;
-        self.states.push(State {
+        self.states.push(Label {
             place,
             mask,
             battery,
@@ -244,8 +247,8 @@ impl Search<'_, '_> {
     }
 
     fn total(&self, arrival: u32, collisions: u32) -> u32 {
-        let price = self.query.price.unwrap_or(0);
-        arrival.saturating_add(price.saturating_mul(collisions))
+        let conflict_penalty = self.query.conflict_penalty.unwrap_or(0);
+        arrival.saturating_add(conflict_penalty.saturating_mul(collisions))
     }
 
     fn walk_to(&self, mut id: u32) -> Walk {

@@ -1,13 +1,13 @@
 //! Large cores made smaller, by leaving out one assumption after the other.
 //!
 //! Deletion-based extraction of a minimal core (Marques-Silva 2010), given up
-//! soon: every agent of a core gets a larger diagram and every core a
+//! soon: every agent of a core gets a larger MDD and every core a
 //! totalizer, so a large core makes all later calls dearer; but a call with a
 //! model is dear too, as it decides every variable, and varisat cannot be
 //! stopped within one.
 
 use super::{Lit, Sat};
-use crate::meter::Stop;
+use crate::budget::Stop;
 
 /// Cores of so many literals are not worth a try.
 const SMALL_CORE: usize = 4;

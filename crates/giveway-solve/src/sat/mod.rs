@@ -5,8 +5,8 @@
 
 mod lit;
 mod minimise;
+mod proof_listener;
 mod solver;
-mod tap;
 #[cfg(test)]
 mod tests;
 

@@ -4,9 +4,9 @@ use std::rc::Rc;
 
 use varisat::{ExtendFormula, ProofFormat, Solver, config::SolverConfigUpdate};
 
-use super::{Clauses, Lit, tap::Tap};
+use super::{Clauses, Lit, proof_listener::ProofListener};
+use crate::budget::{Budget, Stop};
 use crate::held::Held;
-use crate::meter::{Meter, Stop};
 
 /// Bytes that varisat takes for a clause beside its literals, and for a
 /// variable; measured with a margin.
@@ -42,7 +42,7 @@ pub(crate) enum Outcome {
 /// a call ended with [`Stop`] no further call succeeds.
 pub(crate) struct Sat<'h> {
     solver: Solver<'h>,
-    meter: Rc<Meter<'h>>,
+    budget: Rc<Budget<'h>>,
     variables: u32,
     held: Held,
     model: Vec<bool>,
@@ -53,17 +53,17 @@ pub(crate) struct Sat<'h> {
 }
 
 impl<'h> Sat<'h> {
-    pub(crate) fn new(meter: Rc<Meter<'h>>) -> Self {
+    pub(crate) fn new(budget: Rc<Budget<'h>>) -> Self {
         let mut solver = Solver::new();
         // Restarts are cheap beside the many short calls that a search makes.
         let mut config = SolverConfigUpdate::new();
         config.luby_restart_interval_scale = Some(RESTART_INTERVAL);
         let accepted = solver.config(&config);
         debug_assert!(accepted.is_ok(), "the interval is within its range");
-        solver.write_proof(Tap::new(Rc::clone(&meter)), ProofFormat::Varisat);
+        solver.write_proof(ProofListener::new(Rc::clone(&budget)), ProofFormat::Varisat);
         Self {
             solver,
-            meter,
+            budget,
             variables: 0,
             held: Held::default(),
             model: Vec::new(),
@@ -75,8 +75,8 @@ impl<'h> Sat<'h> {
 
     /// A solver that hands varisat's cores on as they are.
     #[cfg(test)]
-    pub(super) fn trusting(meter: Rc<Meter<'h>>) -> Self {
-        let mut sat = Self::new(meter);
+    pub(super) fn trusting(budget: Rc<Budget<'h>>) -> Self {
+        let mut sat = Self::new(budget);
         sat.verify = false;
         sat
     }
@@ -148,13 +148,13 @@ impl<'h> Sat<'h> {
 
     /// The clauses derived in the whole request so far.
     pub(super) fn derived(&self) -> u64 {
-        self.meter.derived()
+        self.budget.derived()
     }
 
     /// One call: `None` for a model, else the core as varisat states it.
     pub(super) fn call(&mut self, assumptions: &[Lit]) -> Result<Option<Vec<Lit>>, Stop> {
-        self.meter.check()?;
-        self.meter.count_call();
+        self.budget.check()?;
+        self.budget.count_call();
         self.buffer.clear();
         self.buffer.extend(assumptions.iter().map(|&l| outward(l)));
         self.solver.assume(&self.buffer);
@@ -164,7 +164,7 @@ impl<'h> Sat<'h> {
                 let core = self.solver.failed_core().unwrap_or(&[]);
                 Ok(Some(core.iter().map(|&l| inward(l)).collect()))
             }
-            Err(_) => Err(self.meter.check().err().unwrap_or(Stop::Cancelled)),
+            Err(_) => Err(self.budget.check().err().unwrap_or(Stop::Cancelled)),
         }
     }
 
@@ -185,7 +185,7 @@ impl<'h> Sat<'h> {
     }
 
     fn hold(&mut self, bytes: usize) {
-        self.meter.hold_more(&mut self.held, bytes);
+        self.budget.hold_more(&mut self.held, bytes);
     }
 }
 
@@ -193,13 +193,13 @@ impl Clauses for Sat<'_> {
     fn fresh(&mut self) -> Lit {
         let lit = Lit::positive(self.variables);
         self.variables += 1;
-        self.meter.count_variable();
+        self.budget.count_variable();
         self.hold(VARIABLE_BYTES);
         lit
     }
 
     fn clause(&mut self, lits: &[Lit]) {
-        self.meter.count_clause();
+        self.budget.count_clause();
         self.hold(CLAUSE_BYTES + LITERAL_BYTES * lits.len());
         self.buffer.clear();
         self.buffer.extend(lits.iter().map(|&l| outward(l)));

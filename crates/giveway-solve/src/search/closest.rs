@@ -2,7 +2,7 @@
 //!
 //! First as few agents as can be do something else ([`agents`]); then as few
 //! entries as can be differ ([`entries`]). What either needs of the agents inside
-//! the SAT solver is written by [`clauses`], as their diagrams grow.
+//! the SAT solver is written by [`clauses`], as their MDDs grow.
 
 mod agents;
 mod clauses;
@@ -21,14 +21,14 @@ use super::{
     stage::Search,
 };
 use crate::{
+    budget::{Budget, Stop},
     encode::{agent::Added, collisions::AgentId},
-    meter::{Meter, Stop},
     problem::Problem,
     sat::{Clauses, Lit},
-    single::{Demand, Place},
+    single::{Place, TaskConstraint},
     walk::{Walk, arrival, costs_of, crossed},
 };
-use agents::Soft;
+use agents::SoftAgent;
 use clauses::Written;
 
 /// What is to be as small as can be.
@@ -67,7 +67,7 @@ pub(crate) fn closest(
     before: &[Before],
     bounded: &Bounded,
     extent: Extent,
-    meter: &Rc<Meter>,
+    budget: &Rc<Budget>,
 ) -> Result<Option<Close>, Stop> {
     let objective = giveway_model::Objective::default();
     let latest = bounded.horizon.latest();
@@ -79,7 +79,7 @@ pub(crate) fn closest(
         bounded,
         Keeping::Hard,
         &mut incumbent,
-        Rc::clone(meter),
+        Rc::clone(budget),
     );
     let agents = problem.agents();
     let mut near = Near {
@@ -106,7 +106,7 @@ pub(crate) fn closest(
     Ok(Some(close))
 }
 
-/// The given walk of an inside agent, as nodes of its diagram.
+/// The given walk of an inside agent, as nodes of its MDD.
 struct Trace {
     nodes: Vec<(Place, u32)>,
     /// It does as before.
@@ -121,7 +121,7 @@ struct Near<'p, 'h> {
     written: Vec<Written>,
     /// "Its entry at this time differs", of inside agents, once they count.
     differs: BTreeMap<AgentId, Vec<Lit>>,
-    softs: BTreeMap<Lit, Soft>,
+    softs: BTreeMap<Lit, SoftAgent>,
     cores: Vec<Vec<Lit>>,
 }
 
@@ -162,12 +162,12 @@ impl Near<'_, '_> {
             } else {
                 let lit = self.search.team.clauses().fresh();
                 self.fix(agent, lit);
-                self.softs.insert(lit, Soft::Outside(agent));
+                self.softs.insert(lit, SoftAgent::Outside(agent));
             }
         }
         for agent in entering {
             if let Some(same) = self.enter(agent)? {
-                self.softs.insert(same, Soft::Inside);
+                self.softs.insert(same, SoftAgent::Inside);
             }
         }
         Ok(())
@@ -196,7 +196,7 @@ impl Near<'_, '_> {
             times.any(|&time| walk.get(time as usize) == Some(&Place::At(v)))
         };
         let demanded = match task.demand {
-            Some(Demand::Charge { v, .. }) => charged(v),
+            Some(TaskConstraint::Charge { v, .. }) => charged(v),
             _ => true,
         };
         if !(allowed && demanded) {

@@ -14,7 +14,7 @@ use crate::{encode::collisions::AgentId, problem::Problem};
 pub(crate) enum Keeping {
     /// As assumptions: cores tell whose they are.
     Assumed,
-    /// As clauses, from when a diagram reaches them.
+    /// As clauses, from when an MDD reaches them.
     Hard,
 }
 
@@ -106,7 +106,7 @@ impl Deadlines {
         true
     }
 
-    /// The cap of an agent that is to become a clause now, its diagram covering
+    /// The cap of an agent that is to become a clause now, its MDD covering
     /// arrivals up to `covered`.
     pub(super) fn harden(&mut self, agent: AgentId, covered: u32) -> Option<u32> {
         let cap = &mut self.caps[agent];
@@ -118,7 +118,7 @@ impl Deadlines {
         Some(cap.latest)
     }
 
-    /// The deadline to assume of an agent whose diagram covers arrivals up to
+    /// The deadline to assume of an agent whose MDD covers arrivals up to
     /// `covered`, where arrivals up to `until` matter; `None` where a clause
     /// says so already.
     pub(super) fn assumed(&self, agent: AgentId, covered: u32, until: u32) -> Option<u32> {
@@ -127,7 +127,7 @@ impl Deadlines {
         open.then_some(deadline)
     }
 
-    /// The deadline up to which a diagram grows next, with twice the delay, and
+    /// The deadline up to which an MDD grows next, with twice the delay, and
     /// not beyond `until`; `None` where it reaches so far already.
     pub(super) fn next(
         &self,

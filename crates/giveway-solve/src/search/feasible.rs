@@ -9,7 +9,7 @@ use super::{
     growing::{Growing, Until},
     stage::Search,
 };
-use crate::{encode::collisions::AgentId, meter::Stop};
+use crate::{budget::Stop, encode::collisions::AgentId};
 
 /// Looks for any plan; where there is none, the agents that cannot all arrive
 /// within the horizon, none named where they cannot at any horizon.

@@ -12,8 +12,8 @@ use giveway_model::{Cost, sorting};
 
 use super::{incumbent::Incumbent, lexicographic::Bounded, stage::Search, tally::least};
 use crate::{
+    budget::{Budget, Stop},
     joint,
-    meter::{Meter, Stop},
     problem::Problem,
 };
 
@@ -174,7 +174,7 @@ pub(super) fn known_for_ever(
     problem: &Problem,
     bounded: &Bounded,
     incumbent: &Incumbent,
-    meter: &Meter,
+    budget: &Budget,
 ) -> Result<Option<(Cost, Known)>, Stop> {
     let cost = incumbent.objective().costs().first().copied();
     let (Some(cost), Some(costs)) = (cost, incumbent.costs()) else {
@@ -186,14 +186,14 @@ pub(super) fn known_for_ever(
     }
     let mut minima = 0;
     for agent in 0..problem.agents() {
-        minima += least(problem, agent, cost, meter)?;
+        minima += least(problem, agent, cost, budget)?;
     }
     if costs.get(cost) == minima {
         return Ok(None);
     }
     let all: Vec<usize> = (0..problem.agents()).collect();
-    match joint::least(problem, &all, cost, meter)? {
-        joint::Found::Best(least) => {
+    match joint::least(problem, &all, cost, budget)? {
+        joint::Exhausted::Best(least) => {
             let reason = ForEver(());
             Ok(Some((cost, Known { least, reason })))
         }
@@ -205,10 +205,10 @@ pub(super) fn known_for_ever(
 pub(super) fn exhausted(
     problem: &Problem,
     agents: &[usize],
-    meter: &Meter,
+    budget: &Budget,
 ) -> Result<Option<ForEver>, Stop> {
-    let found = joint::any(problem, agents, meter)?;
-    Ok((found == joint::Found::None).then_some(ForEver(())))
+    let found = joint::any(problem, agents, budget)?;
+    Ok((found == joint::Exhausted::None).then_some(ForEver(())))
 }
 
 /// A refutation of every plan, whose core names the caps of these agents:
@@ -219,27 +219,27 @@ pub(super) fn impossible(
     bounded: &Bounded,
     clash: &[usize],
 ) -> Result<Option<ForEver>, Stop> {
-    let (problem, meter) = (search.problem, &search.meter);
+    let (problem, budget) = (search.problem, &search.budget);
     if search.deadlines.free_of_horizon(clash) {
         return Ok(Some(ForEver(())));
     }
-    if let Some(reason) = limits_time(problem, bounded).or(exhausted(problem, clash, meter)?) {
+    if let Some(reason) = limits_time(problem, bounded).or(exhausted(problem, clash, budget)?) {
         return Ok(Some(reason));
     }
-    above_limits(problem, bounded, meter)
+    above_limits(problem, bounded, budget)
 }
 
 /// No plan keeps the limits of charges, moves or waits, as the joint states show.
 pub(super) fn above_limits(
     problem: &Problem,
     bounded: &Bounded,
-    meter: &Meter,
+    budget: &Budget,
 ) -> Result<Option<ForEver>, Stop> {
     let all: Vec<usize> = (0..problem.agents()).collect();
     for (&cost, &most) in &bounded.limits {
         let counted = !matches!(cost, Cost::Makespan | Cost::SumOfCosts);
         if counted
-            && let joint::Found::Best(least) = joint::least(problem, &all, cost, meter)?
+            && let joint::Exhausted::Best(least) = joint::least(problem, &all, cost, budget)?
             && least > most
         {
             return Ok(Some(ForEver(())));
@@ -259,10 +259,10 @@ pub(super) struct Optima {
 pub(super) fn best(
     problem: &Problem,
     incumbent: &mut Incumbent,
-    meter: &Meter,
+    budget: &Budget,
 ) -> Result<Option<Optima>, Stop> {
     let objective = incumbent.objective().clone();
-    let joint::Found::Best(best) = joint::best(problem, &objective, meter)? else {
+    let joint::Exhausted::Best(best) = joint::best(problem, &objective, budget)? else {
         return Ok(None);
     };
     incumbent.offer(problem, &best.walks);

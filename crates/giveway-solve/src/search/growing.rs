@@ -1,30 +1,30 @@
-//! Calls under assumptions, in which diagrams grow.
+//! Calls under assumptions, in which MDDs grow.
 //!
 //! Every stage does the same: it assumes what it would like to hold, and the
-//! deadlines of all diagrams; a core that names deadlines is no proof yet, but
-//! tells whose diagrams must grow. So this is the one place that tells a core
+//! deadlines of all MDDs; a core that names deadlines is no proof yet, but
+//! tells whose MDDs must grow. So this is the one place that tells a core
 //! that proves something from one that does not.
 
 use std::collections::BTreeMap;
 
 use super::stage::Search;
 use crate::{
+    budget::Stop,
     encode::collisions::AgentId,
-    meter::Stop,
     sat::{Lit, Outcome},
 };
 
 /// Which deadlines are assumed beside what is assumed anyway.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Until {
-    /// Those of all diagrams, as far as arrivals up to this time matter.
+    /// Those of all MDDs, as far as arrivals up to this time matter.
     Time(u32),
-    /// None: the assumptions guard the diagrams themselves.
+    /// None: the assumptions guard the MDDs themselves.
     Guarded,
 }
 
 impl Until {
-    /// Those of all diagrams.
+    /// Those of all MDDs.
     pub(crate) const EVER: Self = Self::Time(u32::MAX);
 }
 
@@ -33,22 +33,22 @@ impl Until {
 pub(crate) enum Growing {
     /// There is a model.
     Model,
-    /// There is none yet: diagrams have grown, by a core of so many literals.
+    /// There is none yet: MDDs have grown, by a core of so many literals.
     Grown(usize),
     /// There is none, however late the deadlines are that can still grow.
-    Core(Core),
+    Core(AssumptionCore),
 }
 
 /// Assumptions that exclude each other.
 #[derive(Clone, Debug)]
-pub(crate) struct Core {
+pub(crate) struct AssumptionCore {
     pub(crate) lits: Vec<Lit>,
     /// The agents whose deadlines are among them.
     pub(crate) agents: Vec<AgentId>,
 }
 
 impl Search<'_, '_, '_> {
-    /// The guards of the diagrams, as far as arrivals up to `until` matter:
+    /// The guards of the MDDs, as far as arrivals up to `until` matter:
     /// under these literals the clauses are as they would be if nothing were
     /// left out.
     fn guards(&mut self, until: u32) -> BTreeMap<Lit, AgentId> {
@@ -64,9 +64,9 @@ impl Search<'_, '_, '_> {
         guards
     }
 
-    /// Solves under assumptions, and under the deadlines of all diagrams, as
+    /// Solves under assumptions, and under the deadlines of all MDDs, as
     /// far as arrivals up to `until` matter. Where a core names deadlines that
-    /// can be later, its agents' diagrams grow; otherwise it is told.
+    /// can be later, its agents' MDDs grow; otherwise it is told.
     pub(crate) fn solve_growing(
         &mut self,
         assumptions: Vec<Lit>,
@@ -102,6 +102,6 @@ impl Search<'_, '_, '_> {
         if grown {
             return Ok(Growing::Grown(core.len()));
         }
-        Ok(Growing::Core(Core { lits: core, agents }))
+        Ok(Growing::Core(AssumptionCore { lits: core, agents }))
     }
 }

@@ -17,11 +17,12 @@ use super::{
     tally::least,
 };
 use crate::{
-    Limits, joint,
+    Limits,
+    budget::{Budget, Stop},
+    joint,
     local::{apart, first_plan},
-    meter::{Meter, Stop},
     problem::Problem,
-    single::Demand,
+    single::TaskConstraint,
     walk::Walk,
 };
 
@@ -104,9 +105,9 @@ pub(crate) fn solve(
     objective: &Objective,
     bounded: &Bounded,
     contact: &Contact,
-    meter: &Rc<Meter>,
+    budget: &Rc<Budget>,
 ) -> Verdict {
-    find_from(problem, objective, bounded, &Aim::Best, contact, meter)
+    find_from(problem, objective, bounded, &Aim::Best, contact, budget)
 }
 
 /// Finds what is looked for, or proves that there is nothing like it.
@@ -115,13 +116,13 @@ pub(crate) fn find(
     objective: &Objective,
     bounded: &Bounded,
     aim: &Aim,
-    meter: &Rc<Meter>,
+    budget: &Rc<Budget>,
 ) -> Verdict {
     let contact = Contact {
         start: None,
         on_better: &|_| {},
     };
-    find_from(problem, objective, bounded, aim, &contact, meter)
+    find_from(problem, objective, bounded, aim, &contact, budget)
 }
 
 fn find_from(
@@ -130,7 +131,7 @@ fn find_from(
     bounded: &Bounded,
     aim: &Aim,
     contact: &Contact,
-    meter: &Rc<Meter>,
+    budget: &Rc<Budget>,
 ) -> Verdict {
     let mut bounded = bounded.clone();
     if let Aim::AtMost(most) = aim
@@ -156,7 +157,7 @@ fn find_from(
         stop: None,
         clash: Vec::new(),
     };
-    let end = run(problem, bounded, aim, &mut incumbent, &mut verdict, meter);
+    let end = run(problem, bounded, aim, &mut incumbent, &mut verdict, budget);
     match end {
         Ok(Shown::Plan) => {}
         Ok(Shown::Claim(reason)) => {
@@ -190,7 +191,7 @@ fn run(
     aim: &Aim,
     incumbent: &mut Incumbent,
     verdict: &mut Verdict,
-    meter: &Rc<Meter>,
+    budget: &Rc<Budget>,
 ) -> Result<Shown, Stop> {
     let horizon = bounded.latest();
     let latest = |agent: usize| horizon.min(problem.not_after(agent));
@@ -199,17 +200,17 @@ fn run(
         verdict.clash = vec![agent];
         return Ok(Shown::Claim(for_ever::too_late(problem, bounded, agent)));
     }
-    if let Some(agent) = above_least(problem, meter)? {
+    if let Some(agent) = above_least(problem, budget)? {
         verdict.clash = vec![agent];
         return Ok(Shown::Claim(Some(for_ever::above_minima())));
     }
-    let walks = apart(problem, meter)?;
+    let walks = apart(problem, budget)?;
     if free_of_collisions(problem, &walks) {
         incumbent.offer(problem, &walks);
     } else if *aim == Aim::Best
         && incumbent.costs().is_none()
         // (Where any will do, SAT finds one as soon, and else refutes it.)
-        && let Some(plan) = first_plan(problem, walks.clone(), horizon, meter)?
+        && let Some(plan) = first_plan(problem, walks.clone(), horizon, budget)?
     {
         incumbent.offer(problem, &plan);
     }
@@ -220,13 +221,13 @@ fn run(
         let all: Vec<usize> = (0..problem.agents()).collect();
         if !for_ever::have_limited_time(problem, bounded) // (else SAT is quick, and its proof complete)
             && (!problem.is_asked() || joint::is_small(problem))
-            && let Some(reason) = for_ever::exhausted(problem, &all, meter)?
+            && let Some(reason) = for_ever::exhausted(problem, &all, budget)?
         {
             verdict.clash = all;
             return Ok(Shown::Claim(Some(reason)));
         }
         if joint::is_small(problem)
-            && let Some(reason) = for_ever::above_limits(problem, bounded, meter)?
+            && let Some(reason) = for_ever::above_limits(problem, bounded, budget)?
         {
             verdict.clash = all;
             return Ok(Shown::Claim(Some(reason)));
@@ -237,7 +238,7 @@ fn run(
             bounded,
             Keeping::Assumed,
             incumbent,
-            Rc::clone(meter),
+            Rc::clone(budget),
         );
         if !keep_limits(&mut search, bounded)? {
             // Each agent alone needs too much already.
@@ -252,14 +253,14 @@ fn run(
     if is_met(aim, incumbent) {
         return Ok(Shown::Plan);
     }
-    prove(problem, &walks, bounded, aim, incumbent, verdict, meter)
+    prove(problem, &walks, bounded, aim, incumbent, verdict, budget)
 }
 
 /// An agent of which a question asks for less than it could have alone.
-fn above_least(problem: &Problem, meter: &Meter) -> Result<Option<usize>, Stop> {
+fn above_least(problem: &Problem, budget: &Budget) -> Result<Option<usize>, Stop> {
     for (agent, task) in problem.tasks.iter().enumerate() {
-        if let Some(Demand::AtMost { cost, most }) = task.demand
-            && least(problem, agent, cost, meter)? > most
+        if let Some(TaskConstraint::AtMost { cost, most }) = task.demand
+            && least(problem, agent, cost, budget)? > most
         {
             return Ok(Some(agent));
         }
@@ -285,27 +286,27 @@ fn prove(
     aim: &Aim,
     incumbent: &mut Incumbent,
     verdict: &mut Verdict,
-    meter: &Rc<Meter>,
+    budget: &Rc<Budget>,
 ) -> Result<Shown, Stop> {
     if !(joint::is_small(problem) && bounded.limits.is_empty()) {
-        return prove_by_sat(problem, walks, bounded, aim, incumbent, verdict, meter);
+        return prove_by_sat(problem, walks, bounded, aim, incumbent, verdict, budget);
     }
     let patience = Limits {
         conflicts: Some(PATIENCE),
         ..Limits::default()
     };
-    let part = Rc::new(meter.part(patience));
+    let part = Rc::new(budget.part(patience));
     let shown = prove_by_sat(problem, walks, bounded, aim, incumbent, verdict, &part);
-    meter.absorb(&part);
+    budget.absorb(&part);
     if !matches!(shown, Err(Stop::Conflicts)) {
         return shown;
     }
-    meter.check()?;
-    if let Some(optima) = for_ever::best(problem, incumbent, meter)? {
+    budget.check()?;
+    if let Some(optima) = for_ever::best(problem, incumbent, budget)? {
         verdict.bounds = optima.bounds;
         return Ok(Shown::Claim(Some(optima.reason)));
     }
-    prove_by_sat(problem, walks, bounded, aim, incumbent, verdict, meter)
+    prove_by_sat(problem, walks, bounded, aim, incumbent, verdict, budget)
 }
 
 /// The stages, one for each cost of the objective.
@@ -316,15 +317,15 @@ fn prove_by_sat(
     aim: &Aim,
     incumbent: &mut Incumbent,
     verdict: &mut Verdict,
-    meter: &Rc<Meter>,
+    budget: &Rc<Budget>,
 ) -> Result<Shown, Stop> {
-    if let Some((cost, known)) = for_ever::known_for_ever(problem, bounded, incumbent, meter)? {
+    if let Some((cost, known)) = for_ever::known_for_ever(problem, bounded, incumbent, budget)? {
         let mut limited = bounded.clone();
         limited.limits.insert(cost, known.least);
         let known = Some(known);
         let limited = &limited;
         if let Some(shown) = stages(
-            problem, walks, limited, aim, known, incumbent, verdict, meter,
+            problem, walks, limited, aim, known, incumbent, verdict, budget,
         )? {
             return Ok(shown);
         }
@@ -332,7 +333,7 @@ fn prove_by_sat(
         verdict.bounds.clear();
     }
     let shown = stages(
-        problem, walks, bounded, aim, None, incumbent, verdict, meter,
+        problem, walks, bounded, aim, None, incumbent, verdict, budget,
     )?;
     shown.ok_or(Stop::Contradiction) // a plan is at hand, so there is one
 }
@@ -348,7 +349,7 @@ fn stages(
     known: Option<Known>,
     incumbent: &mut Incumbent,
     verdict: &mut Verdict,
-    meter: &Rc<Meter>,
+    budget: &Rc<Budget>,
 ) -> Result<Option<Shown>, Stop> {
     let objective = incumbent.objective().clone();
     let mut search = Search::new(
@@ -357,7 +358,7 @@ fn stages(
         bounded,
         Keeping::Hard,
         incumbent,
-        Rc::clone(meter),
+        Rc::clone(budget),
     );
     keep_limits(&mut search, bounded)?;
     // Once the makespan or the sum of costs is bounded, no later plan counts.

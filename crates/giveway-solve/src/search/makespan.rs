@@ -11,7 +11,7 @@ use super::{
     growing::{Growing, Until},
     stage::{End, Search},
 };
-use crate::meter::Stop;
+use crate::budget::Stop;
 
 /// Minimises the makespan.
 ///

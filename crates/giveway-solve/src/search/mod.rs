@@ -1,7 +1,7 @@
 //! The search for the best plan, and the proof that it is.
 //!
 //! - [`team`]: agents inside the SAT solver, and those that need no place there;
-//! - [`growing`]: calls in which diagrams grow as cores name their deadlines;
+//! - [`growing`]: calls in which MDDs grow as cores name their deadlines;
 //! - [`stage`]: one cost at a time, in the order of the objective: core-guided
 //!   for sums ([`sum`]), step by step for the makespan ([`makespan`]);
 //! - [`feasible`]: any plan at all, or the proof that there is none;

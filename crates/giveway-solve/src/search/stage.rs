@@ -18,13 +18,13 @@ use super::{
     team::Team,
 };
 use crate::{
+    budget::{Budget, Stop},
     encode::{collisions::AgentId, limit::SumLimit},
-    local::Improver,
-    meter::{Meter, Stop},
+    local::Lns,
     problem::Problem,
     progress::Progress,
     sat::Lit,
-    single::Demand,
+    single::TaskConstraint,
     walk::Walk,
 };
 
@@ -46,7 +46,7 @@ pub(crate) enum End {
 /// A lexicographic search under way.
 pub(crate) struct Search<'p, 'h, 'b> {
     pub(crate) problem: &'p Problem,
-    pub(crate) meter: Rc<Meter<'h>>,
+    pub(crate) budget: Rc<Budget<'h>>,
     pub(crate) team: Team<'p, 'h>,
     pub(crate) incumbent: &'p mut Incumbent<'b>,
     /// The latest arrivals that are still of interest.
@@ -54,7 +54,7 @@ pub(crate) struct Search<'p, 'h, 'b> {
     limits: BTreeMap<Cost, SumLimit>,
     /// The costs whose optimum holds for good.
     done: BTreeMap<Cost, u32>,
-    improver: Improver,
+    lns: Lns,
     /// Whether cores are made smaller.
     pub(super) minimises: bool,
     /// Derived clauses from which on the best plan is to be improved again.
@@ -72,20 +72,20 @@ impl<'p, 'h, 'b> Search<'p, 'h, 'b> {
         bounded: &Bounded,
         keeping: Keeping,
         incumbent: &'p mut Incumbent<'b>,
-        meter: Rc<Meter<'h>>,
+        budget: Rc<Budget<'h>>,
     ) -> Self {
         let makespan = bounded.limits.get(&Cost::Makespan).copied();
         Self {
             problem,
-            team: Team::new(problem, walks, Rc::clone(&meter)),
-            meter,
+            team: Team::new(problem, walks, Rc::clone(&budget)),
+            budget,
             incumbent,
             deadlines: Deadlines::new(problem, bounded.horizon, makespan, keeping),
             limits: BTreeMap::new(),
             done: BTreeMap::new(),
             at_minima: Vec::new(),
             begun: Vec::new(),
-            improver: Improver::new(),
+            lns: Lns::new(),
             minimises: false,
             polish_at: FIRST_POLISH,
         }
@@ -94,7 +94,7 @@ impl<'p, 'h, 'b> Search<'p, 'h, 'b> {
     /// Improves the best plan, now and then: as the proof gets longer by a
     /// part of it, so that both get their share of the time.
     pub(crate) fn polish(&mut self, cost: Cost, bound: u32) -> Result<(), Stop> {
-        let derived = self.meter.derived();
+        let derived = self.budget.derived();
         if derived < self.polish_at {
             return Ok(());
         }
@@ -119,13 +119,13 @@ impl<'p, 'h, 'b> Search<'p, 'h, 'b> {
     pub(crate) fn improve(&mut self, mut walks: Vec<Walk>) -> Result<bool, Stop> {
         let latest = self.deadlines.last_cap();
         let objective = self.incumbent.objective().clone();
-        let improved = self.improver.improve(
+        let improved = self.lns.improve(
             self.problem,
             &mut walks,
             latest,
             &objective,
             POLISH_ROUNDS,
-            &self.meter,
+            &self.budget,
         );
         self.incumbent.offer(self.problem, &walks);
         improved
@@ -148,7 +148,7 @@ impl<'p, 'h, 'b> Search<'p, 'h, 'b> {
         }
     }
 
-    /// Makes the cap a clause, once the diagram reaches it.
+    /// Makes the cap a clause, once the MDD reaches it.
     fn harden_cap(&mut self, agent: AgentId) {
         if self.team.is_inside(agent)
             && let Some(cap) = self.deadlines.harden(agent, self.team.deadline(agent))
@@ -184,7 +184,7 @@ impl<'p, 'h, 'b> Search<'p, 'h, 'b> {
         }
         self.team.enter(agent)?;
         self.harden_cap(agent);
-        if let Some(Demand::AtMost { cost, most }) = self.problem.tasks[agent].demand {
+        if let Some(TaskConstraint::AtMost { cost, most }) = self.problem.tasks[agent].demand {
             // No agent is asked for less than it could have alone.
             if let Some(more) = self.team.more_than(agent, cost, most)? {
                 self.team.harden(!more);
@@ -318,7 +318,7 @@ impl<'p, 'h, 'b> Search<'p, 'h, 'b> {
     }
 
     /// The same search after its first stage, the makespan, with an empty
-    /// formula: the later stages need much smaller diagrams than the proof of
+    /// formula: the later stages need much smaller MDDs than the proof of
     /// the makespan did.
     pub(crate) fn afresh(self, makespan: u32, walks: Vec<Walk>) -> Self {
         let bounded = Bounded {
@@ -331,10 +331,10 @@ impl<'p, 'h, 'b> Search<'p, 'h, 'b> {
             &bounded,
             Keeping::Hard,
             self.incumbent,
-            self.meter,
+            self.budget,
         );
         fresh.minimises = self.minimises;
-        fresh.improver = self.improver;
+        fresh.lns = self.lns;
         fresh.finish(Cost::Makespan, makespan);
         fresh.begin(Cost::Makespan);
         fresh
@@ -371,6 +371,6 @@ impl<'p, 'h, 'b> Search<'p, 'h, 'b> {
 
     /// Tells the host a proved bound.
     pub(crate) fn report_bound(&self, cost: Cost, at_least: u32) {
-        self.meter.report(&Progress::Bound { cost, at_least });
+        self.budget.report(&Progress::Bound { cost, at_least });
     }
 }

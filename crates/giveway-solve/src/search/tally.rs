@@ -7,14 +7,14 @@
 use giveway_model::Cost;
 
 use crate::{
+    budget::{Budget, Stop},
     encode::{
-        agent::{AgentCode, TakenStep},
+        agent::{MddEncoding, TakenStep},
         count::Count,
     },
-    meter::{Meter, Stop},
     problem::Problem,
     sat::{Clauses, Lit},
-    single::{Metric, Node, Place, Task, ToGo},
+    single::{CostToGo, Metric, Node, Place, Task},
 };
 
 /// The least number of a cost's events in a plan of one agent alone.
@@ -25,7 +25,7 @@ pub(crate) fn least(
     problem: &Problem,
     agent: usize,
     cost: Cost,
-    meter: &Meter,
+    budget: &Budget,
 ) -> Result<u32, Stop> {
     let task = &problem.tasks[agent];
     let metric = match cost {
@@ -33,7 +33,7 @@ pub(crate) fn least(
         Cost::Moves => Metric::Moves,
         _ => return Ok(0),
     };
-    let table = ToGo::new(task, &problem.terrain, metric, meter)?;
+    let table = CostToGo::new(task, &problem.terrain, metric, budget)?;
     let least = table.from(task.start, task.first_mask(), task.first_level());
     Ok(least.unwrap_or(0))
 }
@@ -45,7 +45,7 @@ pub(crate) struct Tally {
     /// What is there without any counted event.
     base: u32,
     /// The moves still to make, batteries aside.
-    potential: Option<ToGo>,
+    potential: Option<CostToGo>,
     /// The literal "it does not stay where it is", of an agent that stood at its
     /// goal: then these waits count too, before the first step.
     goes_on: Option<Lit>,
@@ -56,13 +56,13 @@ impl Tally {
         problem: &Problem,
         agent: usize,
         cost: Cost,
-        meter: &Meter,
+        budget: &Budget,
     ) -> Result<Self, Stop> {
         let mut base = 0;
         let mut potential = None;
         if cost == Cost::Moves {
             let task = problem.tasks[agent].for_moves();
-            let table = ToGo::new(&task, &problem.terrain, Metric::Moves, meter)?;
+            let table = CostToGo::new(&task, &problem.terrain, Metric::Moves, budget)?;
             base = table.from(task.start, task.first_mask(), 0).unwrap_or(0);
             potential = Some(table);
         }
@@ -81,12 +81,12 @@ impl Tally {
         Some(self.count.more_than(j as usize, out))
     }
 
-    /// Counts the steps that an agent's diagram has gained.
+    /// Counts the steps that an agent's MDD has gained.
     pub(crate) fn grow(
         &mut self,
         problem: &Problem,
         task: &Task,
-        code: &AgentCode,
+        code: &MddEncoding,
         steps: &[TakenStep],
         out: &mut impl Clauses,
     ) {
@@ -98,7 +98,7 @@ impl Tally {
         } else {
             let before = self.before(task, out);
             for step in steps {
-                let (from, to) = (code.diagram().node(step.from), code.diagram().node(step.to));
+                let (from, to) = (code.mdd().node(step.from), code.mdd().node(step.to));
                 let taken = [!code.node(step.from), !code.node(step.to)];
                 let first = self.goes_on.filter(|_| from.time == 0);
                 if let Some(goes_on) = first {

@@ -13,13 +13,13 @@ use giveway_model::sorting::map;
 
 use super::tally::{Tally, least};
 use crate::{
-    condition::Precedence,
+    budget::{Budget, Stop},
+    counterfactual::Precedence,
     encode::{
-        agent::{Added, AgentCode},
+        agent::{Added, MddEncoding},
         collisions::{AgentId, Collisions, Meeting},
     },
     local::{Query, Reservations, plan_one},
-    meter::{Meter, Stop},
     problem::Problem,
     sat::{Clauses, Lit, Outcome, Sat},
     single::NodeId,
@@ -30,10 +30,10 @@ use crate::{
 /// All agents of a problem around one SAT solver.
 pub(crate) struct Team<'p, 'h> {
     pub(crate) problem: &'p Problem,
-    pub(crate) meter: Rc<Meter<'h>>,
+    pub(crate) budget: Rc<Budget<'h>>,
     sat: Sat<'h>,
     collisions: Collisions,
-    inside: Vec<Option<AgentCode>>,
+    inside: Vec<Option<MddEncoding>>,
     /// A walk of every agent: from the last model, or fixed outside.
     pub(crate) walks: Vec<Walk>,
     /// Under `stay`: whose goal a vertex is.
@@ -48,12 +48,12 @@ pub(crate) struct Team<'p, 'h> {
 
 impl<'p, 'h> Team<'p, 'h> {
     /// A team with everyone outside, on walks at their own optima.
-    pub(crate) fn new(problem: &'p Problem, walks: Vec<Walk>, meter: Rc<Meter<'h>>) -> Self {
+    pub(crate) fn new(problem: &'p Problem, walks: Vec<Walk>, budget: Rc<Budget<'h>>) -> Self {
         let goals = problem.tasks.iter().enumerate();
         Self {
             problem,
-            sat: Sat::new(Rc::clone(&meter)),
-            meter,
+            sat: Sat::new(Rc::clone(&budget)),
+            budget,
             collisions: Collisions::new(problem.relaxed.ignored.clone()),
             inside: problem.tasks.iter().map(|_| None).collect(),
             walks,
@@ -66,12 +66,16 @@ impl<'p, 'h> Team<'p, 'h> {
     }
 
     /// A team whose agents may collide, and tell when they do.
-    pub(crate) fn colliding(problem: &'p Problem, walks: Vec<Walk>, meter: Rc<Meter<'h>>) -> Self {
+    pub(crate) fn colliding(
+        problem: &'p Problem,
+        walks: Vec<Walk>,
+        budget: Rc<Budget<'h>>,
+    ) -> Self {
         Self {
             collisions: Collisions::soft(),
             // Nobody is kept from a goal.
             owners: BTreeMap::new(),
-            ..Self::new(problem, walks, meter)
+            ..Self::new(problem, walks, budget)
         }
     }
 
@@ -86,7 +90,7 @@ impl<'p, 'h> Team<'p, 'h> {
         agent: AgentId,
     ) -> impl Iterator<Item = ((u32, Vertex), Lit)> + '_ {
         let code = self.inside[agent].iter();
-        code.flat_map(AgentCode::positions)
+        code.flat_map(MddEncoding::positions)
     }
 
     /// Whether a literal holds in the last model.
@@ -108,7 +112,7 @@ impl<'p, 'h> Team<'p, 'h> {
     /// The deadline that the clauses of an agent cover; its optimum outside.
     pub(crate) fn deadline(&self, agent: AgentId) -> u32 {
         let code = self.inside[agent].as_ref();
-        let deadline = code.and_then(AgentCode::deadline);
+        let deadline = code.and_then(MddEncoding::deadline);
         deadline.unwrap_or(self.problem.optima[agent])
     }
 
@@ -118,7 +122,7 @@ impl<'p, 'h> Team<'p, 'h> {
             return Ok(());
         }
         let problem = self.problem;
-        self.inside[agent] = Some(AgentCode::new(agent, problem));
+        self.inside[agent] = Some(MddEncoding::new(agent, problem));
         self.grow(agent, problem.optima[agent])?;
         if problem.rests(agent) {
             // Whoever is on its goal later than it may arrive keeps it away.
@@ -138,8 +142,8 @@ impl<'p, 'h> Team<'p, 'h> {
         let Some(code) = &mut self.inside[agent] else {
             return Ok(());
         };
-        let old = code.diagram().len();
-        let added = code.grow(deadline, problem, &self.meter, &mut self.sat)?;
+        let old = code.mdd().len();
+        let added = code.grow(deadline, problem, &self.budget, &mut self.sat)?;
         self.absorb(agent, &added);
         self.precede(agent, old, &added);
         let Some(code) = &self.inside[agent] else {
@@ -160,7 +164,7 @@ impl<'p, 'h> Team<'p, 'h> {
     }
 
     /// The clauses of an inside agent.
-    pub(crate) fn code(&self, agent: AgentId) -> Option<&AgentCode> {
+    pub(crate) fn code(&self, agent: AgentId) -> Option<&MddEncoding> {
         self.inside[agent].as_ref()
     }
 
@@ -204,10 +208,10 @@ impl<'p, 'h> Team<'p, 'h> {
             let Some(code) = self.inside[first].as_ref() else {
                 return;
             };
-            let diagram = code.diagram();
-            let nodes: Vec<(u32, Lit)> = (old..diagram.len())
-                .filter(|&id| diagram.node(id).mask & visited == 0)
-                .map(|id| (diagram.node(id).time, code.node(id)))
+            let mdd = code.mdd();
+            let nodes: Vec<(u32, Lit)> = (old..mdd.len())
+                .filter(|&id| mdd.node(id).mask & visited == 0)
+                .map(|id| (mdd.node(id).time, code.node(id)))
                 .collect();
             for (time, node) in nodes {
                 let not_yet = self.not_yet(time);
@@ -249,7 +253,7 @@ impl<'p, 'h> Team<'p, 'h> {
             return Ok(None);
         };
         if !self.tallies.contains_key(&(agent, cost)) {
-            let mut tally = Tally::new(self.problem, agent, cost, &self.meter)?;
+            let mut tally = Tally::new(self.problem, agent, cost, &self.budget)?;
             let steps = code.taken_steps();
             let task = &self.problem.tasks[agent];
             tally.grow(self.problem, task, code, &steps, &mut self.sat);
@@ -264,7 +268,7 @@ impl<'p, 'h> Team<'p, 'h> {
         if let Some(&least) = self.minima.get(&(agent, cost)) {
             return Ok(least);
         }
-        let least = least(self.problem, agent, cost, &self.meter)?;
+        let least = least(self.problem, agent, cost, &self.budget)?;
         self.minima.insert((agent, cost), least);
         Ok(least)
     }
@@ -281,13 +285,13 @@ impl<'p, 'h> Team<'p, 'h> {
 
     /// Solves under assumptions; a model becomes the walks of the inside agents.
     pub(crate) fn solve(&mut self, assumptions: &[Lit]) -> Result<Outcome, Stop> {
-        self.meter.report_size();
+        self.budget.report_size();
         self.sat.solve(assumptions)
     }
 
     /// As [`Team::solve`], for the core alone; `None` where there is a model.
     pub(crate) fn refute(&mut self, assumptions: &[Lit]) -> Result<Option<Vec<Lit>>, Stop> {
-        self.meter.report_size();
+        self.budget.report_size();
         self.sat.refute(assumptions)
     }
 
@@ -318,10 +322,10 @@ impl<'p, 'h> Team<'p, 'h> {
             let query = Query {
                 agent,
                 latest: self.problem.optima[agent],
-                price: Some(1),
-                effort: u32::MAX,
+                conflict_penalty: Some(1),
+                expansion_limit: u32::MAX,
             };
-            if let Some((walk, _)) = plan_one(self.problem, &all, query, &self.meter)? {
+            if let Some((walk, _)) = plan_one(self.problem, &all, query, &self.budget)? {
                 self.walks[agent] = walk;
             }
             all.add(agent, &self.walks[agent]);

@@ -1,7 +1,7 @@
 //! What the contrast of a question demands of one agent beside its task.
 //!
 //! Whatever forbids or asks for places, crossings and waits is part of the
-//! agent's own task: its tables, its diagram and its searches keep to it by
+//! agent's own task: its tables, its MDD and its searches keep to it by
 //! construction, and bounds of the agent alone are bounds with the demand. What
 //! counts over a whole walk (fewer moves, no long wait) is a clause inside the
 //! SAT solver and a check on plans found without it.
@@ -13,7 +13,7 @@ use crate::terrain::Vertex;
 
 /// A demand on one agent. Where a time is `None` it is about all times.
 #[derive(Clone, Debug, PartialEq, Eq)]
-pub(crate) enum Demand {
+pub(crate) enum TaskConstraint {
     /// It is not at a vertex.
     Avoid { v: Vertex, time: Option<u32> },
     /// It visits a vertex only after a waypoint, which is the set of one.
@@ -50,7 +50,7 @@ fn is_now(demanded: Option<u32>, time: Option<u32>) -> bool {
     demanded.is_none() || demanded == time
 }
 
-impl Demand {
+impl TaskConstraint {
     /// Whether it may be at a vertex, the waypoints of the mask visited.
     pub(crate) fn may_stand(&self, at: Vertex, mask: Mask, now: Option<u32>) -> bool {
         match *self {

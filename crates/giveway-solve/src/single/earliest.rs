@@ -6,9 +6,9 @@
 
 use std::collections::BTreeMap;
 
-use super::{Place, State, Task, ToGo, task::Mask};
+use super::{CostToGo, Place, State, Task, task::Mask};
 use crate::{
-    meter::{Meter, Stop},
+    budget::{Budget, Stop},
     terrain::Terrain,
 };
 
@@ -16,9 +16,9 @@ use crate::{
 const MOST_TIMES: u32 = 20_000;
 
 /// The same by the tables alone, after what it has to wait for at first.
-fn at_rest(task: &Task, terrain: &Terrain, to_go: &ToGo, first: State) -> Option<u32> {
+fn at_rest(task: &Task, terrain: &Terrain, cost_to_go: &CostToGo, first: State) -> Option<u32> {
     let (v, delay) = (task.start, task.delay());
-    let steps = to_go.from(v, first.mask, first.battery);
+    let steps = cost_to_go.from(v, first.mask, first.battery);
     let held = task.held.saturating_sub(delay);
     if held == 0 || steps == Some(0) {
         return Some(delay + steps?);
@@ -29,7 +29,7 @@ fn at_rest(task: &Task, terrain: &Terrain, to_go: &ToGo, first: State) -> Option
         Some(reserve) if task.may_charge(terrain, v, None) => reserve.full,
         Some(_) => first.battery.checked_sub(held)?,
     };
-    Some(delay + held + to_go.from(v, first.mask, level)?)
+    Some(delay + held + cost_to_go.from(v, first.mask, level)?)
 }
 
 /// The earliest arrival; `None` where there is no plan whatever the horizon. For
@@ -40,24 +40,28 @@ fn at_rest(task: &Task, terrain: &Terrain, to_go: &ToGo, first: State) -> Option
 pub(crate) fn earliest(
     task: &Task,
     terrain: &Terrain,
-    to_go: &ToGo,
-    meter: &Meter,
+    cost_to_go: &CostToGo,
+    budget: &Budget,
 ) -> Result<Option<u32>, Stop> {
     let Some(first) = task.first() else {
         return Ok(None);
     };
-    let table = at_rest(task, terrain, to_go, first);
+    let table = at_rest(task, terrain, cost_to_go, first);
     let Some(table) = table.map(|table| table.max(task.not_before)) else {
         return Ok(None);
     };
     let demand = task.demand.as_ref();
-    if matches!(demand, Some(super::Demand::Wait { .. })) {
+    if matches!(demand, Some(super::TaskConstraint::Wait { .. })) {
         return Ok(Some(table)); // alone it has no need to wait
     }
-    let Some(last) = demand.and_then(super::Demand::last_time) else {
+    let Some(last) = demand.and_then(super::TaskConstraint::last_time) else {
         return Ok(Some(table));
     };
-    let bound = table.max(demand.and_then(super::Demand::set_from).unwrap_or(0));
+    let bound = table.max(
+        demand
+            .and_then(super::TaskConstraint::set_from)
+            .unwrap_or(0),
+    );
     if task.not_after() < bound {
         return Ok(None);
     }
@@ -70,7 +74,7 @@ pub(crate) fn earliest(
     for now in 0..=last {
         let mut next = BTreeMap::new();
         for ((place, mask), battery) in layer {
-            meter.tick()?;
+            budget.tick()?;
             let is_end = matches!(place, Place::At(v) if task.is_end(v, mask));
             if is_end && now >= task.not_before {
                 best = Some(best.map_or(now, |best| best.min(now)));
@@ -93,7 +97,7 @@ pub(crate) fn earliest(
             Place::At(v) => (v, 0),
             Place::Along(arc) => (terrain.ends(arc).1, 1),
         };
-        let rest = to_go.from(v, mask | task.bit(v), battery);
+        let rest = cost_to_go.from(v, mask | task.bit(v), battery);
         let arrival = rest.map(|rest| (last + 1 + delay + rest).max(task.not_before));
         best = best.into_iter().chain(arrival).min();
     }

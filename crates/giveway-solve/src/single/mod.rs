@@ -1,15 +1,15 @@
-//! One agent alone: its task, its exact distances, its diagram of good plans.
+//! One agent alone: its task, its exact distances, its MDD of good plans.
 
+mod cost_to_go;
 mod demand;
-mod diagram;
 mod earliest;
+mod mdd;
 mod task;
 #[cfg(test)]
 mod tests;
-mod to_go;
 
-pub(crate) use demand::Demand;
-pub(crate) use diagram::{Diagram, Node, NodeId, Place};
+pub(crate) use cost_to_go::{CostToGo, Metric};
+pub(crate) use demand::TaskConstraint;
 pub(crate) use earliest::earliest;
+pub(crate) use mdd::{Mdd, Node, NodeId, Place};
 pub(crate) use task::{Bounds, MAX_WAYPOINTS, Reserve, State, Task};
-pub(crate) use to_go::{Metric, ToGo};

@@ -4,7 +4,7 @@ use std::rc::Rc;
 
 use giveway_model::{Agent, Rules};
 
-use super::{Demand, Place};
+use super::{Place, TaskConstraint};
 use crate::terrain::{Arc, Terrain, Vertex};
 
 /// A set of visited waypoints, one bit each in the order of the agent's list;
@@ -47,7 +47,7 @@ pub(crate) struct Task {
     /// `None` is unlimited.
     pub(crate) reserve: Option<Reserve>,
     /// What a question asks of it beside the task.
-    pub(crate) demand: Option<Demand>,
+    pub(crate) demand: Option<TaskConstraint>,
     /// It must not have arrived before this time.
     pub(crate) not_before: u32,
     /// Where it may go.
@@ -113,7 +113,7 @@ impl Task {
 
     /// The number of bits of a mask.
     fn bits(&self) -> usize {
-        let demanded = self.demand.as_ref().is_some_and(Demand::has_bit);
+        let demanded = self.demand.as_ref().is_some_and(TaskConstraint::has_bit);
         self.waypoints.len() + usize::from(demanded)
     }
 
@@ -145,8 +145,8 @@ impl Task {
     /// The number of counts by which its demand tells one way from another.
     pub(crate) fn counted(&self) -> usize {
         match self.demand {
-            Some(Demand::Wait { steps, .. }) => steps as usize + 1,
-            Some(Demand::Charge { .. }) => 2,
+            Some(TaskConstraint::Wait { steps, .. }) => steps as usize + 1,
+            Some(TaskConstraint::Charge { .. }) => 2,
             _ => 1,
         }
     }
@@ -191,7 +191,7 @@ impl Task {
 
     /// The last time at which what it may do differs from later ones.
     pub(crate) fn last_time(&self) -> Option<u32> {
-        let demanded = self.demand.as_ref().and_then(Demand::last_time);
+        let demanded = self.demand.as_ref().and_then(TaskConstraint::last_time);
         demanded.max((self.held > 0).then_some(self.held))
     }
 
@@ -252,14 +252,14 @@ impl Task {
 
     /// Whether the mask has what it must have from some time on.
     pub(crate) fn is_on_time(&self, mask: Mask, now: u32) -> bool {
-        let from = self.demand.as_ref().and_then(Demand::set_from);
+        let from = self.demand.as_ref().and_then(TaskConstraint::set_from);
         from.is_none_or(|from| now < from || mask & self.demanded_bit() != 0)
     }
 
     /// The latest arrival that is allowed.
     pub(crate) fn not_after(&self) -> u32 {
         match self.demand {
-            Some(Demand::ArriveBy(time)) => time,
+            Some(TaskConstraint::ArriveBy(time)) => time,
             _ => u32::MAX,
         }
     }
@@ -353,7 +353,7 @@ impl Task {
     pub(crate) fn for_moves(&self) -> Self {
         Self {
             reserve: None,
-            demand: self.demand.clone().filter(Demand::has_bit),
+            demand: self.demand.clone().filter(TaskConstraint::has_bit),
             ..self.clone()
         }
     }

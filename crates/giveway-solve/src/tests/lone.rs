@@ -155,10 +155,10 @@ impl<'i> Lone<'i> {
 
     /// What each state still has to pay; those without an end are left out.
     /// Said again and again to the states before, until nothing changes.
-    pub(crate) fn to_go(&self, metric: Metric) -> BTreeMap<State, u32> {
+    pub(crate) fn cost_to_go(&self, metric: Metric) -> BTreeMap<State, u32> {
         let states = self.states();
         let ends = states.iter().filter(|state| self.is_end(state));
-        let mut to_go: BTreeMap<State, u32> = ends.map(|&state| (state, 0)).collect();
+        let mut cost_to_go: BTreeMap<State, u32> = ends.map(|&state| (state, 0)).collect();
         loop {
             let mut changed = false;
             for state in &states {
@@ -169,16 +169,16 @@ impl<'i> Lone<'i> {
                         Metric::Charges => charges,
                         Metric::Moves => moves,
                     };
-                    Some(toll + to_go.get(&to)?)
+                    Some(toll + cost_to_go.get(&to)?)
                 });
                 let Some(best) = best.min() else { continue };
-                if to_go.get(state).is_none_or(|&known| best < known) {
-                    to_go.insert(*state, best);
+                if cost_to_go.get(state).is_none_or(|&known| best < known) {
+                    cost_to_go.insert(*state, best);
                     changed = true;
                 }
             }
             if !changed {
-                return to_go;
+                return cost_to_go;
             }
         }
     }

@@ -11,7 +11,7 @@ mod together;
 
 use super::findings::Findings;
 use super::{Report, Step, steps};
-use crate::change::{Career, Changes, History, Life};
+use crate::change::{Changes, History, Timeline, Trajectory};
 use crate::{Costs, Fault, Instance, Plan};
 
 pub use battery::{level_at, levels};
@@ -53,19 +53,19 @@ pub fn check_changes(
 
 /// Judges a plan in a history that was made from it.
 pub fn check_history(history: &History, plan: &Plan) -> Report {
-    let careers = history.careers();
-    let mut findings = Findings::named(careers.iter().map(Career::name).collect());
+    let timelines = history.timelines();
+    let mut findings = Findings::named(timelines.iter().map(Timeline::name).collect());
     shape::find(history, plan, &mut findings);
-    let lives: Vec<(usize, Life<'_>)> = careers
+    let trajectories: Vec<(usize, Trajectory<'_>)> = timelines
         .iter()
         .enumerate()
-        .filter_map(|(index, career)| Some((index, Life::of(history, career, plan)?)))
+        .filter_map(|(index, timeline)| Some((index, Trajectory::of(history, timeline, plan)?)))
         .collect();
-    for &(index, life) in &lives {
-        alone::find(history, index, &life, &mut findings);
-        battery::find(history, index, &life, &mut findings);
+    for &(index, trajectory) in &trajectories {
+        alone::find(history, index, &trajectory, &mut findings);
+        battery::find(history, index, &trajectory, &mut findings);
     }
-    together::find(history, &lives, &mut findings);
+    together::find(history, &trajectories, &mut findings);
     Report {
         violations: findings.into_violations(),
         costs: costs(history, plan),
@@ -79,23 +79,27 @@ pub fn costs_over_time(history: &History, plan: &Plan) -> Option<Costs> {
 
 /// The charges, moves and waits of an agent that begin before a time; nothing
 /// else of its costs is known by then.
-pub fn costs_until(history: &History, life: &Life<'_>, until: u32) -> Costs {
-    let asleep = asleep(history, life);
+pub fn costs_until(history: &History, trajectory: &Trajectory<'_>, until: u32) -> Costs {
+    let asleep = asleep(history, trajectory);
     let slept = |time: u32| asleep.iter().any(|&(a, b)| a <= time && time < b);
     let mut costs = Costs {
-        charges: life.charges.iter().filter(|&&time| time < until).count() as u32,
+        charges: trajectory
+            .charges
+            .iter()
+            .filter(|&&time| time < until)
+            .count() as u32,
         ..Costs::default()
     };
-    for (begin, step) in steps(history.grid(0), life.path) {
-        let time = begin as u32 + life.career.from;
+    for (begin, step) in steps(history.grid(0), trajectory.path) {
+        let time = begin as u32 + trajectory.timeline.from;
         match step {
             _ if time >= until => {}
             Step::Wait => costs.waits += u32::from(!slept(time)),
             _ => costs.moves += 1,
         }
     }
-    let listed = life.path.len() as u32 + life.career.from;
-    for time in listed.saturating_sub(1)..life.end().min(until) {
+    let listed = trajectory.path.len() as u32 + trajectory.timeline.from;
+    for time in listed.saturating_sub(1)..trajectory.end().min(until) {
         costs.waits += u32::from(!slept(time));
     }
     costs
@@ -103,17 +107,19 @@ pub fn costs_until(history: &History, life: &Life<'_>, until: u32) -> Costs {
 
 fn costs(history: &History, plan: &Plan) -> Option<Costs> {
     let mut costs = Costs::default();
-    for career in history.careers() {
-        if career.until.is_some() {
+    for timeline in history.timelines() {
+        if timeline.until.is_some() {
             continue;
         }
-        let life = Life::of(history, career, plan)?;
-        costs.makespan = costs.makespan.max(life.end());
-        costs.sum_of_costs = costs.sum_of_costs.saturating_add(life.end());
-        costs.charges = costs.charges.saturating_add(life.charges.len() as u32);
-        let asleep = asleep(history, &life);
-        for (begin, step) in steps(history.grid(0), life.path) {
-            let time = begin as u32 + career.from;
+        let trajectory = Trajectory::of(history, timeline, plan)?;
+        costs.makespan = costs.makespan.max(trajectory.end());
+        costs.sum_of_costs = costs.sum_of_costs.saturating_add(trajectory.end());
+        costs.charges = costs
+            .charges
+            .saturating_add(trajectory.charges.len() as u32);
+        let asleep = asleep(history, &trajectory);
+        for (begin, step) in steps(history.grid(0), trajectory.path) {
+            let time = begin as u32 + timeline.from;
             match step {
                 Step::Wait if asleep.iter().any(|&(a, b)| a <= time && time < b) => {}
                 Step::Wait => costs.waits = costs.waits.saturating_add(1),
@@ -122,8 +128,8 @@ fn costs(history: &History, plan: &Plan) -> Option<Costs> {
         }
         // An agent that waits for a goal or a waypoint of its own cell need not
         // have it listed.
-        let listed = life.path.len() as u32 + career.from;
-        for time in listed.saturating_sub(1)..life.end() {
+        let listed = trajectory.path.len() as u32 + timeline.from;
+        for time in listed.saturating_sub(1)..trajectory.end() {
             let slept = asleep.iter().any(|&(a, b)| a <= time && time < b);
             costs.waits = costs.waits.saturating_add(u32::from(!slept));
         }
@@ -132,7 +138,7 @@ fn costs(history: &History, plan: &Plan) -> Option<Costs> {
 }
 
 /// The times that an agent slept through, up to a change each.
-fn asleep(history: &History, life: &Life<'_>) -> Vec<(u32, u32)> {
-    let from = life.career.from;
-    life.sleeps(history.times().filter(|&time| from < time))
+fn asleep(history: &History, trajectory: &Trajectory<'_>) -> Vec<(u32, u32)> {
+    let from = trajectory.timeline.from;
+    trajectory.sleeps(history.times().filter(|&time| from < time))
 }

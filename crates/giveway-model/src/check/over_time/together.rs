@@ -10,7 +10,7 @@ use super::super::findings::{Findings, Place};
 use super::super::{Rule, Step, sentence};
 use super::alone::steps_of;
 use crate::Cell;
-use crate::change::{History, Life};
+use crate::change::{History, Trajectory};
 
 /// A move on an edge.
 #[derive(Clone, Copy)]
@@ -23,29 +23,37 @@ struct Crossing {
 /// Who goes from a cell to its neighbour in a step.
 type Crossings = BTreeMap<(u32, Cell, Cell), Vec<Crossing>>;
 
-pub(super) fn find(history: &History, lives: &[(usize, Life<'_>)], findings: &mut Findings<'_>) {
-    find_vertices(history, lives, findings);
-    find_swaps(history, lives, findings);
+pub(super) fn find(
+    history: &History,
+    trajectories: &[(usize, Trajectory<'_>)],
+    findings: &mut Findings<'_>,
+) {
+    find_vertices(history, trajectories, findings);
+    find_swaps(history, trajectories, findings);
 }
 
-fn find_vertices(history: &History, lives: &[(usize, Life<'_>)], findings: &mut Findings<'_>) {
+fn find_vertices(
+    history: &History,
+    trajectories: &[(usize, Trajectory<'_>)],
+    findings: &mut Findings<'_>,
+) {
     // Who is at a cell on its way, and who rests there from a time to another.
     let mut at: BTreeMap<(u32, Cell), Vec<usize>> = BTreeMap::new();
     let mut resting: BTreeMap<Cell, Vec<(usize, u32, u32)>> = BTreeMap::new();
-    for (index, life) in lives {
-        let from = life.career.from;
-        for (i, cell) in life.path.iter().enumerate() {
+    for (index, trajectory) in trajectories {
+        let from = trajectory.timeline.from;
+        for (i, cell) in trajectory.path.iter().enumerate() {
             if let Some(cell) = *cell {
                 at.entry((from + i as u32, cell)).or_default().push(*index);
             }
         }
-        let after = from + life.path.len() as u32;
-        let until = match life.career.until {
+        let after = from + trajectory.path.len() as u32;
+        let until = match trajectory.timeline.until {
             Some(until) => until,
             None if history.stays() => u32::MAX,
-            None => life.end() + 1,
+            None => trajectory.end() + 1,
         };
-        if let Some(last) = life.path.last().copied().flatten()
+        if let Some(last) = trajectory.path.last().copied().flatten()
             && after < until
         {
             resting
@@ -83,9 +91,13 @@ fn find_vertices(history: &History, lives: &[(usize, Life<'_>)], findings: &mut 
     // Of two that rest, the later one's last entry has met the other.
 }
 
-fn find_swaps(history: &History, lives: &[(usize, Life<'_>)], findings: &mut Findings<'_>) {
+fn find_swaps(
+    history: &History,
+    trajectories: &[(usize, Trajectory<'_>)],
+    findings: &mut Findings<'_>,
+) {
     let mut crossings = Crossings::new();
-    for (index, life) in lives {
+    for (index, trajectory) in trajectories {
         let agent = *index;
         let mut add = |begin: u32, (from, to): (Cell, Cell), slow: bool| {
             for time in begin..=begin + u32::from(slow) {
@@ -96,7 +108,7 @@ fn find_swaps(history: &History, lives: &[(usize, Life<'_>)], findings: &mut Fin
                     .push(crossing);
             }
         };
-        for (begin, step) in steps_of(history, life) {
+        for (begin, step) in steps_of(history, trajectory) {
             match step {
                 Step::Move { from, to } => add(begin, (from, to), false),
                 Step::SlowMove { from, to } => add(begin, (from, to), true),

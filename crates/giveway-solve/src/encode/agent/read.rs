@@ -1,12 +1,12 @@
 //! The agent's walk in a model of its clauses.
 
-use super::AgentCode;
+use super::MddEncoding;
 use crate::{
     sat::Lit,
     single::{Place, Task},
 };
 
-impl AgentCode {
+impl MddEncoding {
     /// The places of the agent at each time up to its arrival, in a model.
     pub(crate) fn walk(&self, task: &Task, is_true: impl Fn(Lit) -> bool) -> Vec<Place> {
         let mut walk = self.read(task, is_true);
@@ -22,7 +22,7 @@ impl AgentCode {
         let mut walk = Vec::new();
         let mut id = 0;
         loop {
-            let node = self.diagram.node(id);
+            let node = self.mdd.node(id);
             walk.push(node.place);
             let resting = self.rest(node.time + 1);
             if self.is_end(node, task) && (!self.stays || resting.is_none_or(&is_true)) {
@@ -30,7 +30,7 @@ impl AgentCode {
             }
             let written = self.written[id as usize] as usize;
             let next = node.steps.iter().take(written).find_map(|step| {
-                let to = self.diagram.find(node.time + 1, step.place, step.mask)?;
+                let to = self.mdd.find(node.time + 1, step.place, step.mask)?;
                 is_true(self.nodes[to as usize]).then_some(to)
             });
             match next {

@@ -1,30 +1,30 @@
 //! A question's demand that an agent does not wait so long.
 
-use super::AgentCode;
+use super::MddEncoding;
 use crate::{
     sat::{Clauses, Lit},
-    single::{Demand, NodeId, Place},
+    single::{NodeId, Place, TaskConstraint},
 };
 
-impl AgentCode {
+impl MddEncoding {
     /// No wait of so many steps on end: of every row of nodes at one vertex that
     /// a new node is part of, one is left out.
-    pub(super) fn write_waits(&self, old: NodeId, demand: &Demand, out: &mut impl Clauses) {
-        let Demand::Wait {
+    pub(super) fn write_waits(&self, old: NodeId, demand: &TaskConstraint, out: &mut impl Clauses) {
+        let TaskConstraint::Wait {
             steps: steps @ 2.., ..
         } = *demand
         else {
             return;
         };
-        for id in old..self.diagram.len() {
-            let node = self.diagram.node(id);
+        for id in old..self.mdd.len() {
+            let node = self.mdd.node(id);
             let Place::At(v) = node.place else { continue };
             for first in node.time.saturating_sub(steps)..=node.time {
                 if !(first..first + steps).all(|time| demand.counts_wait(v, time)) {
                     continue;
                 }
-                let row = (first..=first + steps)
-                    .map(|time| self.diagram.find(time, node.place, node.mask));
+                let row =
+                    (first..=first + steps).map(|time| self.mdd.find(time, node.place, node.mask));
                 let Some(row) = row.collect::<Option<Vec<NodeId>>>() else {
                     continue;
                 };

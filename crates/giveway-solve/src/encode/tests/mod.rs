@@ -10,13 +10,13 @@ use std::rc::Rc;
 
 use crate::{
     Limits, SilentHost,
-    meter::Meter,
+    budget::Budget,
     sat::{Clauses, Lit, Outcome, Sat},
 };
 
 /// A solver without limits.
 fn solver() -> Sat<'static> {
-    Sat::new(Rc::new(Meter::new(&SilentHost, Limits::default())))
+    Sat::new(Rc::new(Budget::new(&SilentHost, Limits::default())))
 }
 
 /// Whether the clauses so far can hold together with some literals.

@@ -8,19 +8,19 @@ use giveway_model::{Cost, Instance, Objective};
 
 use crate::{
     Limits, SilentHost, Status,
+    budget::Budget,
     explain::{
         ask::{Ask, Found, any, at_most, best},
         past::Past,
     },
     joint,
-    meter::Meter,
     problem::{Problem, Relaxed},
     search::Reach,
     tests::{instance, random},
 };
 
-fn meter() -> Rc<Meter<'static>> {
-    Rc::new(Meter::new(&SilentHost, Limits::default()))
+fn budget() -> Rc<Budget<'static>> {
+    Rc::new(Budget::new(&SilentHost, Limits::default()))
 }
 
 fn ask<T>(
@@ -42,7 +42,7 @@ fn ask<T>(
 }
 
 fn by_any(instance: &Instance, relaxed: &Relaxed) -> Found {
-    ask(instance, relaxed, "makespan", |ask| any(ask, &meter()))
+    ask(instance, relaxed, "makespan", |ask| any(ask, &budget()))
 }
 
 #[test]
@@ -58,7 +58,7 @@ fn a_corridor_is_free_for_two_that_ignore_each_other() {
         ..Relaxed::default()
     };
     let found = ask(&corridor, &relaxed, "makespan,waits", |ask| {
-        best(ask, &meter())
+        best(ask, &budget())
     });
     assert_eq!(found.status, Status::Optimal);
     assert_eq!(found.costs.map(|c| (c.makespan, c.waits)), Some((2, 0)));
@@ -77,7 +77,7 @@ fn one_that_is_gone_blocks_nobody() {
         ..Relaxed::default()
     };
     let found = ask(&passage, &relaxed, "makespan,sum-of-costs", |ask| {
-        best(ask, &meter())
+        best(ask, &budget())
     });
     let costs = found.costs.map(|c| (c.makespan, c.sum_of_costs));
     assert_eq!((found.status, costs), (Status::Optimal, Some((3, 4))));
@@ -94,23 +94,23 @@ fn relaxed_optima_are_those_of_the_joint_states() {
             ignored: pairs.filter(|_| rng.bool()).collect(),
             gone: (0..3).filter(|_| rng.bool()).collect(),
         };
-        let found = ask(&instance, &relaxed, "moves", |ask| best(ask, &meter()));
+        let found = ask(&instance, &relaxed, "moves", |ask| best(ask, &budget()));
         let any = by_any(&instance, &relaxed);
-        let problem = Problem::relaxed(&instance, relaxed.clone(), None, &meter()).ok();
+        let problem = Problem::relaxed(&instance, relaxed.clone(), None, &budget()).ok();
         let all = [0, 1, 2];
-        let least = problem.map(|p| joint::least(&p, &all, Cost::Moves, &meter()).unwrap());
+        let least = problem.map(|p| joint::least(&p, &all, Cost::Moves, &budget()).unwrap());
         let found = match least {
-            None | Some(joint::Found::None) => {
+            None | Some(joint::Exhausted::None) => {
                 assert_eq!(any.status, Status::Impossible, "{seed}");
                 (found.status, found.reach.is_some_and(Reach::is_complete))
             }
-            Some(joint::Found::Best(least)) => {
+            Some(joint::Exhausted::Best(least)) => {
                 assert_eq!(any.status, Status::Feasible, "{seed}");
                 assert!(any.plan.is_some(), "{seed}");
                 assert_eq!(found.costs.map(|c| c.moves), Some(least), "{seed}");
                 (found.status, true)
             }
-            Some(joint::Found::TooMany) => continue,
+            Some(joint::Exhausted::TooMany) => continue,
         };
         *seen.entry(format!("{found:?}")).or_insert(0) += 1;
     }
@@ -129,11 +129,11 @@ fn at_most_is_met_by_the_optimum_and_by_nothing_less() {
         let instance = random(seed, 3);
         let relaxed = Relaxed::default();
         let costs = "makespan,sum-of-costs,charges";
-        let found = ask(&instance, &relaxed, costs, |ask| best(ask, &meter()));
+        let found = ask(&instance, &relaxed, costs, |ask| best(ask, &budget()));
         let Some(optimum) = found.costs else { continue };
         let vector = optimum.vector(&objective);
         let met = ask(&instance, &relaxed, costs, |ask| {
-            at_most(ask, vector.clone(), &meter())
+            at_most(ask, vector.clone(), &budget())
         });
         assert_eq!(met.status, Status::Feasible, "{seed}");
         let met = met.costs.map(|c| c.vector(&objective));
@@ -146,7 +146,7 @@ fn at_most_is_met_by_the_optimum_and_by_nothing_less() {
             less[i] = one;
             less[i + 1..].fill(u32::MAX / 4);
             let none = ask(&instance, &relaxed, costs, |ask| {
-                at_most(ask, less, &meter())
+                at_most(ask, less, &budget())
             });
             assert_eq!(none.status, Status::Impossible, "{seed}");
             assert!(none.reach.is_some_and(Reach::is_complete), "{seed}");

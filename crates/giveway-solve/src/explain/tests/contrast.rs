@@ -12,24 +12,24 @@ use giveway_model::{
 use super::{read, scenario_1};
 use crate::{
     Limits, Request, Response, SilentHost,
+    budget::Budget,
     explain::{
         ExplainAnswer, ExplainRequest, FactKind, Verdict,
         ask::{Ask, best},
         contrasted::Contrasted,
-        core::{Inquiry, Tried, minimal_set},
         edits::edited,
+        group::{groups, without},
+        group_mus::{Inquiry, Tried, group_mus},
         past::Past,
-        relax::{parts, without},
         verdict::{Case, compare},
     },
-    meter::Meter,
     problem::Relaxed,
     serve,
     tests::random,
 };
 
-fn meter() -> Rc<Meter<'static>> {
-    Rc::new(Meter::new(&SilentHost, Limits::default()))
+fn budget() -> Rc<Budget<'static>> {
+    Rc::new(Budget::new(&SilentHost, Limits::default()))
 }
 
 fn asked(words: &str) -> Question {
@@ -155,7 +155,7 @@ fn of_what_excludes_a_contrast_no_fact_can_be_left_out() {
                 at_least_within: 0,
                 past: &Past::default(),
             },
-            &meter(),
+            &budget(),
         );
         let Some((plan, costs)) = found.plan.zip(found.costs) else {
             continue;
@@ -165,7 +165,7 @@ fn of_what_excludes_a_contrast_no_fact_can_be_left_out() {
         for question in all.iter().skip(seed as usize % 5).step_by(5) {
             let past = Past::default();
             let case = Case::new(&instance, question, &plan, costs, None, &past);
-            let compared = compare(&case, &meter());
+            let compared = compare(&case, &budget());
             let verdict = compared.verdict;
             if !matches!(verdict, Verdict::Necessary | Verdict::Costly) {
                 continue;
@@ -176,7 +176,7 @@ fn of_what_excludes_a_contrast_no_fact_can_be_left_out() {
                 most: most.clone(),
                 near: compared.other.as_ref().map(|(plan, _)| plan),
                 horizon: costs.makespan,
-                meter: meter(),
+                budget: budget(),
             };
             let asked: Vec<usize> = (0..instance.agents().len())
                 .filter(|&i| question.agent() == Some(instance.agents()[i].name.as_str()))
@@ -185,9 +185,9 @@ fn of_what_excludes_a_contrast_no_fact_can_be_left_out() {
                 reach: compared.reach.unwrap(),
                 clash: Vec::new(),
             };
-            let core = minimal_set(&instance, &asked, None, refuted, &mut searching()).unwrap();
-            let mut left_out: BTreeSet<_> = parts(&instance, &asked, false).into_iter().collect();
-            for part in &core.parts {
+            let core = group_mus(&instance, &asked, None, refuted, &mut searching()).unwrap();
+            let mut left_out: BTreeSet<_> = groups(&instance, &asked, false).into_iter().collect();
+            for part in &core.groups {
                 left_out.remove(part);
             }
             let tried = searching().search(&without(&instance, &left_out, None));
@@ -195,7 +195,7 @@ fn of_what_excludes_a_contrast_no_fact_can_be_left_out() {
                 matches!(tried, Tried::None { .. }),
                 "{seed} {question:?}: {tried:?}"
             );
-            for &part in &core.parts {
+            for &part in &core.groups {
                 let mut less = left_out.clone();
                 less.insert(part);
                 let tried = searching().search(&without(&instance, &less, None));

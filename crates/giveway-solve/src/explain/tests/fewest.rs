@@ -8,13 +8,13 @@ use giveway_model::{Cell, Ground, Instance, Scene};
 
 use crate::{
     Limits, SilentHost,
-    explain::{relax::redraw, soft},
-    meter::Meter,
+    budget::Budget,
+    explain::{group::redraw, soft},
     tests::{Lone, Spot, State, random},
 };
 
-fn meter() -> Rc<Meter<'static>> {
-    Rc::new(Meter::new(&SilentHost, Limits::default()))
+fn budget() -> Rc<Budget<'static>> {
+    Rc::new(Budget::new(&SilentHost, Limits::default()))
 }
 
 /// One agent: on its way, holding its goal for the last time, or gone.
@@ -140,7 +140,7 @@ fn no_plan_has_fewer_collisions() {
         if least == 0 {
             continue; // never asked: there is a plan
         }
-        let broken = soft::collisions(&instance, None, 0, &meter()).unwrap();
+        let broken = soft::collisions(&instance, None, 0, &budget()).unwrap();
         assert!(broken.fewest, "{seed}");
         assert_eq!(broken.count as u32, least, "{seed}");
         *counts.entry(least).or_default() += 1;
@@ -177,7 +177,7 @@ fn no_plan_has_fewer_steps_in_obstacles() {
         if least == Some(0) {
             continue;
         }
-        let broken = soft::obstacles(&instance, None, 0, &meter());
+        let broken = soft::obstacles(&instance, None, 0, &budget());
         let count = broken.as_ref().map(|broken| broken.count as u32);
         assert_eq!(count, least, "{seed}");
         if let Some(broken) = broken {

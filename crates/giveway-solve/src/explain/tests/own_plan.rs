@@ -7,19 +7,19 @@ use giveway_model::{Cost, Instance, Plan};
 use super::{read, scenario_1};
 use crate::{
     Limits, SilentHost,
+    budget::Budget,
     explain::{
         answer::Excess,
         own_plan::{Judged, judge},
         past::Past,
         words::own_plan,
     },
-    meter::Meter,
 };
 
 fn judged(instance: &Instance, plan: &Plan) -> (Judged, String) {
-    let meter = Rc::new(Meter::new(&SilentHost, Limits::default()));
+    let budget = Rc::new(Budget::new(&SilentHost, Limits::default()));
     let past = Past::default();
-    let judged = judge(instance, plan, instance.objective(), None, &past, &meter);
+    let judged = judge(instance, plan, instance.objective(), None, &past, &budget);
     let costs = judged.costs.unwrap_or_default();
     let better = judged.better.as_ref().map(|(_, costs)| costs);
     let words = own_plan(&judged, instance.objective(), &costs, better);

@@ -4,8 +4,8 @@ use giveway_model::{Cell, Plan};
 
 use crate::{
     explain::{
-        core::{Inquiry, Tried},
-        relax::{Part, Variant},
+        group::{Group, Variant},
+        group_mus::{Inquiry, Tried},
         repairs::{Best, Solver, repairs},
     },
     tests::instance,
@@ -41,7 +41,7 @@ impl Solver for Finds {
 fn repairs_whose_plans_may_not_be_the_best_are_not_all_that_is_to_say() {
     let instance = instance("a # A");
     for proves in [true, false] {
-        let facts = [Part::Obstacle(Cell::new(1, 0))];
+        let facts = [Group::Obstacle(Cell::new(1, 0))];
         let objective = instance.objective();
         let found = repairs(
             &instance,

@@ -10,23 +10,23 @@ use giveway_model::{
 
 use crate::{
     Limits, Request, Response, SilentHost, Status,
+    budget::Budget,
     explain::{
         ExplainAnswer, ExplainRequest, Verdict,
         answer::{Class, Edit, FactKind},
         ask::{Ask, Found, any},
         edits::edited,
+        group::{groups, without},
         past::Past,
-        relax::{parts, without},
         unsolvable::{AnyPlan, core, of_class},
     },
-    meter::Meter,
     problem::Relaxed,
     serve,
     tests::{instance, random},
 };
 
-fn meter() -> Rc<Meter<'static>> {
-    Rc::new(Meter::new(&SilentHost, Limits::default()))
+fn budget() -> Rc<Budget<'static>> {
+    Rc::new(Budget::new(&SilentHost, Limits::default()))
 }
 
 fn find(instance: &Instance, within: Option<u32>) -> Found {
@@ -40,7 +40,7 @@ fn find(instance: &Instance, within: Option<u32>) -> Found {
         at_least_within: 0,
         past: &Past::default(),
     };
-    any(&ask, &meter())
+    any(&ask, &budget())
 }
 
 /// The whole answer, as the service gives it.
@@ -180,15 +180,15 @@ fn of_a_minimal_set_no_fact_can_be_left_out() {
         let mut any_plan = AnyPlan {
             objective: instance.objective(),
             horizon: found.horizon,
-            meter: meter(),
+            budget: budget(),
             past: &Past::default(),
         };
         let core = core(&instance, None, &found, &mut any_plan).unwrap();
         assert!(core.minimal, "{seed}");
         assert_eq!(core.reach.within(), None, "{seed}");
         let mut left_out: std::collections::BTreeSet<_> =
-            parts(&instance, &[], false).into_iter().collect();
-        for part in &core.parts {
+            groups(&instance, &[], false).into_iter().collect();
+        for part in &core.groups {
             left_out.remove(part);
         }
         let status = |left_out: &std::collections::BTreeSet<_>| {
@@ -203,15 +203,15 @@ fn of_a_minimal_set_no_fact_can_be_left_out() {
                 at_least_within: 0,
                 past: &Past::default(),
             };
-            any(&ask, &meter()).status
+            any(&ask, &budget()).status
         };
         assert_eq!(
             status(&left_out),
             Status::Impossible,
             "{seed}: {:?}",
-            core.parts
+            core.groups
         );
-        for &part in &core.parts {
+        for &part in &core.groups {
             let mut less = left_out.clone();
             less.insert(part);
             assert_eq!(status(&less), Status::Feasible, "{seed}: without {part:?}");

@@ -5,8 +5,8 @@ use giveway_model::{Instance, Plan, Question, question::from_words};
 use super::{read, scenario_1};
 use crate::explain::{
     Core, Edit, Repair, Verdict, WitnessEntry,
+    group::groups,
     past::Past,
-    relax::parts,
     waits,
     words::{Telling, verdict},
 };
@@ -184,7 +184,7 @@ fn each_kind_of_question_has_its_contrast() {
 #[test]
 fn what_a_set_excludes_and_what_helps_is_told_at_the_end() {
     let (instance, plan, _) = scenario_1();
-    let all = parts(&instance, &[], false);
+    let all = groups(&instance, &[], false);
     let facts = all.iter().take(2).map(|part| part.fact(&instance, None));
     let core = Core {
         facts: facts.collect(),

@@ -7,7 +7,7 @@ use giveway_model::{Cell, Instance};
 
 use crate::{
     Limits, SilentHost,
-    meter::Meter,
+    budget::Budget,
     problem::Problem,
     single::{Metric, Place},
     tests::{Lone, Spot, State, random},
@@ -26,8 +26,8 @@ impl Crowd {
     /// A crowd; `None` where an agent has no way even alone.
     pub(super) fn random(seed: u64, agents: usize) -> Option<Self> {
         let instance = random(seed, agents);
-        let meter = Meter::new(&SilentHost, Limits::default());
-        let problem = Problem::new(&instance, &meter).ok()?;
+        let budget = Budget::new(&SilentHost, Limits::default());
+        let problem = Problem::new(&instance, &budget).ok()?;
         let mut rng = Rng::with_seed(seed);
         let ways = (0..agents).map(|i| wander(&instance, i, &mut rng));
         Some(Self {
@@ -90,11 +90,11 @@ impl Crowd {
 /// Steps by chance, then a shortest way to the end.
 fn wander(instance: &Instance, agent: usize, rng: &mut Rng) -> Vec<Spot> {
     let lone = Lone::new(instance, agent);
-    let to_go = lone.to_go(Metric::Time);
-    let mut choose = |state: &State, to_go: &BTreeMap<State, u32>, most: u32| {
+    let cost_to_go = lone.cost_to_go(Metric::Time);
+    let mut choose = |state: &State, cost_to_go: &BTreeMap<State, u32>, most: u32| {
         let onward = lone.onward(state).into_iter().map(|(to, _)| to);
         let onward: Vec<State> = onward
-            .filter(|to| to_go.get(to).is_some_and(|&rest| rest <= most))
+            .filter(|to| cost_to_go.get(to).is_some_and(|&rest| rest <= most))
             .collect();
         onward[rng.usize(..onward.len())]
     };
@@ -106,11 +106,11 @@ fn wander(instance: &Instance, agent: usize, rng: &mut Rng) -> Vec<Spot> {
         if lone.is_end(&state) {
             break;
         }
-        state = choose(&state, &to_go, u32::MAX);
+        state = choose(&state, &cost_to_go, u32::MAX);
         way.push(state.spot);
     }
     while !lone.is_end(&state) {
-        state = choose(&state, &to_go, to_go[&state] - 1);
+        state = choose(&state, &cost_to_go, cost_to_go[&state] - 1);
         way.push(state.spot);
     }
     way

@@ -7,8 +7,8 @@ use giveway_model::Cell;
 use super::crowd::Crowd;
 use crate::{
     Limits, SilentHost,
+    budget::Budget,
     local::{Query, Reservations, plan_one, space_time::DEAR},
-    meter::Meter,
     problem::Problem,
     single::Place,
     tests::{Lone, Spot, State, instance},
@@ -17,8 +17,8 @@ use crate::{
 /// The agent that is planned; all others are in its way.
 const AGENT: usize = 0;
 
-fn meter() -> Meter<'static> {
-    Meter::new(&SilentHost, Limits::default())
+fn budget() -> Budget<'static> {
+    Budget::new(&SilentHost, Limits::default())
 }
 
 fn others(crowd: &Crowd) -> Vec<usize> {
@@ -26,7 +26,7 @@ fn others(crowd: &Crowd) -> Vec<usize> {
 }
 
 /// What `plan_one` finds: the walk, and the collisions that it states.
-fn found(crowd: &Crowd, latest: u32, price: Option<u32>) -> Option<(Vec<Spot>, u32)> {
+fn found(crowd: &Crowd, latest: u32, conflict_penalty: Option<u32>) -> Option<(Vec<Spot>, u32)> {
     let mut reserved = Reservations::new(&crowd.problem);
     for other in others(crowd) {
         reserved.add(other, &crowd.walk(&crowd.ways[other]));
@@ -34,19 +34,19 @@ fn found(crowd: &Crowd, latest: u32, price: Option<u32>) -> Option<(Vec<Spot>, u
     let query = Query {
         agent: AGENT,
         latest,
-        price,
-        effort: u32::MAX,
+        conflict_penalty,
+        expansion_limit: u32::MAX,
     };
-    let found = plan_one(&crowd.problem, &reserved, query, &meter()).unwrap();
+    let found = plan_one(&crowd.problem, &reserved, query, &budget()).unwrap();
     found.map(|(walk, collisions)| (crowd.way(&walk), collisions))
 }
 
 /// The least arrival plus price for collisions, of all walks by the latest
 /// time; without a price, of those that do not collide.
-fn least(crowd: &Crowd, latest: u32, price: Option<u32>) -> Option<u32> {
+fn least(crowd: &Crowd, latest: u32, conflict_penalty: Option<u32>) -> Option<u32> {
     let lone = Lone::new(&crowd.instance, AGENT);
     let others = others(crowd);
-    let allowed = |collisions: &u32| price.is_some() || *collisions == 0;
+    let allowed = |collisions: &u32| conflict_penalty.is_some() || *collisions == 0;
     // Of each state the fewest collisions, and a way there that has them; what
     // is to come depends on the state alone, as long as that way goes on.
     let mut reached: BTreeMap<State, (u32, Vec<Spot>)> = BTreeMap::new();
@@ -59,7 +59,7 @@ fn least(crowd: &Crowd, latest: u32, price: Option<u32>) -> Option<u32> {
             if lone.is_end(state) {
                 let collisions = crowd.met(way, &others);
                 if allowed(&collisions) {
-                    let total = time + price.unwrap_or(0) * collisions;
+                    let total = time + conflict_penalty.unwrap_or(0) * collisions;
                     least = Some(least.map_or(total, |least| least.min(total)));
                 }
             }
@@ -98,7 +98,11 @@ fn met_so_far(crowd: &Crowd, way: &[Spot], others: &[usize]) -> u32 {
 
 /// Plays crowds of three; returns how many there were, and how many of them
 /// had to go out of the way.
-fn check(seeds: std::ops::Range<u64>, price: Option<u32>, batteries: bool) -> (u32, u32) {
+fn check(
+    seeds: std::ops::Range<u64>,
+    conflict_penalty: Option<u32>,
+    batteries: bool,
+) -> (u32, u32) {
     let (mut checked, mut delayed) = (0, 0);
     for seed in seeds {
         let Some(mut crowd) = Crowd::random(seed, 3) else {
@@ -109,8 +113,8 @@ fn check(seeds: std::ops::Range<u64>, price: Option<u32>, batteries: bool) -> (u
         }
         let optimum = crowd.problem.optima[AGENT];
         let latest = optimum + crowd.rng.u32(0..=6);
-        let found = found(&crowd, latest, price);
-        let least = least(&crowd, latest, price);
+        let found = found(&crowd, latest, conflict_penalty);
+        let least = least(&crowd, latest, conflict_penalty);
         let what = format!(
             "seed {seed}: {:#?} {:#?}",
             crowd.instance.to_scene(),
@@ -129,16 +133,19 @@ fn check(seeds: std::ops::Range<u64>, price: Option<u32>, batteries: bool) -> (u
         let arrival = way.len() as u32 - 1;
         assert!(arrival <= latest, "{way:?} {what}");
         let collisions = crowd.met(&way, &others(&crowd));
-        let total = arrival + price.unwrap_or(0) * collisions;
-        if price == Some(DEAR) {
+        let total = arrival + conflict_penalty.unwrap_or(0) * collisions;
+        if conflict_penalty == Some(DEAR) {
             // Where a collision cannot be avoided it may arrive later than it could.
             let fewest = least.map(|least| least / DEAR);
             assert_eq!(Some(collisions), fewest, "{way:?} {what}");
         } else {
             assert_eq!(Some(total), least, "{way:?} {what}");
         }
-        assert!(price.is_some() || collisions == 0, "{way:?} {what}");
-        if price.is_some() {
+        assert!(
+            conflict_penalty.is_some() || collisions == 0,
+            "{way:?} {what}"
+        );
+        if conflict_penalty.is_some() {
             assert_eq!(stated, collisions, "{way:?} {what}");
         }
     }
@@ -153,16 +160,20 @@ fn without_collisions_it_arrives_as_soon_as_can_be() {
 
 #[test]
 fn at_a_price_it_weighs_collisions_against_delay() {
-    for price in [1, 3, DEAR] {
-        let (checked, delayed) = check(2_000..3_000, Some(price), false);
+    for conflict_penalty in [1, 3, DEAR] {
+        let (checked, delayed) = check(2_000..3_000, Some(conflict_penalty), false);
         assert!(checked > 50 && delayed > 20, "{checked}, {delayed}");
     }
 }
 
 /// Walks of the other agents, in their order, by cell; then the arrival of a
 /// within time 10, and the collisions.
-fn arrival(picture: &str, walks: &[&[(u32, u32)]], price: Option<u32>) -> Option<(usize, u32)> {
-    let problem = Problem::new(&instance(picture), &meter()).ok().unwrap();
+fn arrival(
+    picture: &str,
+    walks: &[&[(u32, u32)]],
+    conflict_penalty: Option<u32>,
+) -> Option<(usize, u32)> {
+    let problem = Problem::new(&instance(picture), &budget()).ok().unwrap();
     let place = |&(x, y): &(u32, u32)| {
         let vertex = problem.terrain.vertex(Cell::new(x, y));
         Place::At(vertex.unwrap())
@@ -174,10 +185,10 @@ fn arrival(picture: &str, walks: &[&[(u32, u32)]], price: Option<u32>) -> Option
     let query = Query {
         agent: AGENT,
         latest: 10,
-        price,
-        effort: u32::MAX,
+        conflict_penalty,
+        expansion_limit: u32::MAX,
     };
-    let found = plan_one(&problem, &reserved, query, &meter()).unwrap();
+    let found = plan_one(&problem, &reserved, query, &budget()).unwrap();
     found.map(|(walk, collisions)| (walk.len() - 1, collisions))
 }
 

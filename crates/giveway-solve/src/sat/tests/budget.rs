@@ -5,7 +5,7 @@ use std::rc::Rc;
 
 use crate::{
     Host, Limits, Progress, SilentHost,
-    meter::{Meter, Stop},
+    budget::{Budget, Stop},
     sat::{Clauses, Lit, Outcome, Sat},
 };
 
@@ -27,9 +27,9 @@ fn add_pigeons(sat: &mut Sat, pigeons: usize) {
 
 /// Solves eleven pigeons, expects the stop, and tries what may come after it.
 #[track_caller]
-fn check_stop(host: &dyn Host, limits: Limits, expect: Stop) -> Rc<Meter<'_>> {
-    let meter = Rc::new(Meter::new(host, limits));
-    let mut sat = Sat::new(Rc::clone(&meter));
+fn check_stop(host: &dyn Host, limits: Limits, expect: Stop) -> Rc<Budget<'_>> {
+    let budget = Rc::new(Budget::new(host, limits));
+    let mut sat = Sat::new(Rc::clone(&budget));
     let early = sat.fresh();
     add_pigeons(&mut sat, 11);
     for _ in 0..3 {
@@ -41,7 +41,7 @@ fn check_stop(host: &dyn Host, limits: Limits, expect: Stop) -> Rc<Meter<'_>> {
         assert_eq!(stop, expect);
     }
     assert!(!sat.is_true(Lit::positive(1_000_000)));
-    meter
+    budget
 }
 
 #[test]
@@ -50,28 +50,28 @@ fn conflicts_stop_a_hard_formula() {
         conflicts: Some(2_000),
         ..Limits::default()
     };
-    let meter = check_stop(&SilentHost, limits, Stop::Conflicts);
-    let spent = meter.stats().conflicts;
+    let budget = check_stop(&SilentHost, limits, Stop::Conflicts);
+    let spent = budget.stats().conflicts;
     // Proofs are written, and so read, some kilobytes at a time.
     assert!((2_001..2_500).contains(&spent), "{spent} conflicts");
 }
 
 #[test]
 fn derived_clauses_stop_it_too() {
-    let meter = Rc::new(Meter::new(&SilentHost, Limits::default()).with_derived(500));
-    let mut sat = Sat::new(Rc::clone(&meter));
+    let budget = Rc::new(Budget::new(&SilentHost, Limits::default()).with_derived(500));
+    let mut sat = Sat::new(Rc::clone(&budget));
     add_pigeons(&mut sat, 11);
     assert_eq!(sat.solve(&[]).unwrap_err(), Stop::Conflicts);
-    assert!((501..1_000).contains(&meter.derived()));
-    let part = meter.part(Limits::default());
+    assert!((501..1_000).contains(&budget.derived()));
+    let part = budget.part(Limits::default());
     part.count_derived(1);
     assert_eq!(part.check(), Err(Stop::Conflicts), "nothing is left");
 }
 
 #[test]
 fn clauses_that_are_only_rewritten_are_no_conflicts() {
-    let meter = Rc::new(Meter::new(&SilentHost, Limits::default()));
-    let mut sat = Sat::new(Rc::clone(&meter));
+    let budget = Rc::new(Budget::new(&SilentHost, Limits::default()));
+    let mut sat = Sat::new(Rc::clone(&budget));
     let shared = sat.fresh();
     for _ in 0..100 {
         let [a, b, c] = [sat.fresh(), sat.fresh(), sat.fresh()];
@@ -80,8 +80,8 @@ fn clauses_that_are_only_rewritten_are_no_conflicts() {
     assert!(matches!(sat.solve(&[]), Ok(Outcome::Sat)));
     sat.clause(&[!shared]);
     assert!(matches!(sat.solve(&[]), Ok(Outcome::Sat)));
-    assert_eq!(meter.stats().conflicts, 0);
-    assert!(meter.derived() >= 100, "the clauses were rewritten");
+    assert_eq!(budget.stats().conflicts, 0);
+    assert!(budget.derived() >= 100, "the clauses were rewritten");
 }
 
 #[test]
@@ -91,10 +91,10 @@ fn a_limit_that_is_just_enough_does_not_stop() {
             conflicts,
             ..Limits::default()
         };
-        let meter = Rc::new(Meter::new(&SilentHost, limits));
-        let mut sat = Sat::new(Rc::clone(&meter));
+        let budget = Rc::new(Budget::new(&SilentHost, limits));
+        let mut sat = Sat::new(Rc::clone(&budget));
         add_pigeons(&mut sat, 7);
-        (sat.solve(&[]), meter.stats().conflicts)
+        (sat.solve(&[]), budget.stats().conflicts)
     };
     let (outcome, needed) = solve(None);
     assert!(matches!(outcome, Ok(Outcome::Unsat(core)) if core.is_empty()));
@@ -112,8 +112,8 @@ fn memory_stops_before_the_call() {
         memory_bytes: Some(10_000),
         ..Limits::default()
     };
-    let meter = check_stop(&SilentHost, limits, Stop::Memory);
-    assert_eq!(meter.stats().solver_calls, 0);
+    let budget = check_stop(&SilentHost, limits, Stop::Memory);
+    assert_eq!(budget.stats().solver_calls, 0);
 }
 
 #[test]
@@ -122,9 +122,9 @@ fn a_dropped_solver_gives_its_memory_back() {
         memory_bytes: Some(10_000),
         ..Limits::default()
     };
-    let meter = Rc::new(Meter::new(&SilentHost, limits));
+    let budget = Rc::new(Budget::new(&SilentHost, limits));
     let fill = || {
-        let mut sat = Sat::new(Rc::clone(&meter));
+        let mut sat = Sat::new(Rc::clone(&budget));
         add_pigeons(&mut sat, 4);
         sat
     };
@@ -181,8 +181,8 @@ fn the_host_is_asked_often() {
         conflicts: Some(2_000),
         ..Limits::default()
     };
-    let meter = check_stop(&host, limits, Stop::Conflicts);
-    let each = meter.stats().conflicts / u64::from(host.asked.get());
+    let budget = check_stop(&host, limits, Stop::Conflicts);
+    let each = budget.stats().conflicts / u64::from(host.asked.get());
     assert!(each < 200, "once in {each} conflicts");
 }
 

@@ -8,7 +8,7 @@ use fastrand::Rng;
 use super::second::satisfiable;
 use crate::{
     Limits, SilentHost,
-    meter::Meter,
+    budget::Budget,
     sat::{Clauses, Lit, Outcome, Sat},
 };
 
@@ -94,11 +94,11 @@ impl Session {
     /// # Errors
     /// The first wrong answer, as a sentence.
     pub(super) fn play(&self, verify: bool) -> Result<Ends, String> {
-        let meter = Rc::new(Meter::new(&SilentHost, Limits::default()));
+        let budget = Rc::new(Budget::new(&SilentHost, Limits::default()));
         let mut sat = if verify {
-            Sat::new(meter)
+            Sat::new(budget)
         } else {
-            Sat::trusting(meter)
+            Sat::trusting(budget)
         };
         let mut made = 0;
         let mut clauses: Vec<&[i32]> = Vec::new();

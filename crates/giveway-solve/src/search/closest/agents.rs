@@ -6,15 +6,15 @@
 
 use super::Near;
 use crate::{
+    budget::Stop,
     encode::{collisions::AgentId, totalizer::totalizer},
-    meter::Stop,
     sat::Lit,
     search::growing::{Growing, Until},
 };
 
 /// An agent that does as before, or does not.
 #[derive(Clone, Copy, Debug)]
-pub(super) enum Soft {
+pub(super) enum SoftAgent {
     /// An agent that is not inside the SAT solver.
     Outside(AgentId),
     /// One that is.
@@ -34,7 +34,7 @@ impl Near<'_, '_> {
                 Growing::Model => break,
                 Growing::Grown(_) => {}
                 Growing::Core(core) if core.lits.is_empty() => return Ok(false),
-                Growing::Core(core) => self.learn(&core.lits)?,
+                Growing::Core(core) => self.add_core(&core.lits)?,
             }
         }
         // Whoever does something else in any plan with so few has been named.
@@ -45,18 +45,18 @@ impl Near<'_, '_> {
     }
 
     /// One of those that a core names does something else.
-    fn learn(&mut self, core: &[Lit]) -> Result<(), Stop> {
+    fn add_core(&mut self, core: &[Lit]) -> Result<(), Stop> {
         let mut violations = Vec::new();
         for lit in core {
             match self.softs.remove(lit) {
-                Some(Soft::Outside(agent)) => {
+                Some(SoftAgent::Outside(agent)) => {
                     // From now on its place inside says where it is.
                     self.search.team.harden(!*lit);
                     if let Some(same) = self.enter(agent)? {
                         violations.push(!same);
                     }
                 }
-                Some(Soft::Inside | Soft::Total) => violations.push(!*lit),
+                Some(SoftAgent::Inside | SoftAgent::Total) => violations.push(!*lit),
                 None => {}
             }
         }
@@ -72,7 +72,7 @@ impl Near<'_, '_> {
             let outputs = totalizer(&violations, self.search.team.clauses());
             // One of them is paid for; every further one costs as much again.
             for &more in outputs.iter().skip(1) {
-                self.softs.insert(!more, Soft::Total);
+                self.softs.insert(!more, SoftAgent::Total);
             }
         }
     }

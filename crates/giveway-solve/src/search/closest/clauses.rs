@@ -1,9 +1,9 @@
-//! What an inside agent does and did, in clauses, as far as its diagram reaches.
+//! What an inside agent does and did, in clauses, as far as its MDD reaches.
 
 use super::{Before, Near, Trace, entries::is_same_entry};
 use crate::{
+    budget::Stop,
     encode::collisions::AgentId,
-    meter::Stop,
     sat::{Clauses, Lit},
     single::{NodeId, Place},
     walk::arrival,
@@ -23,7 +23,7 @@ impl Near<'_, '_> {
     /// Writes what is missing about the inside agents.
     pub(super) fn extend(&mut self) -> Result<(), Stop> {
         for agent in self.search.team.insiders() {
-            self.search.meter.check()?;
+            self.search.budget.check()?;
             let clauses = self.missing(agent);
             for clause in clauses {
                 self.search.team.clauses().clause(&clause);
@@ -42,13 +42,13 @@ impl Near<'_, '_> {
         let arrival = arrival(walk);
         let task = &self.problem.tasks[agent];
         if let Some(Trace { nodes, same }) = &self.traces[agent] {
-            for id in written.nodes..code.diagram().len() {
-                let node = code.diagram().node(id);
+            for id in written.nodes..code.mdd().len() {
+                let node = code.mdd().node(id);
                 if nodes.get(node.time as usize) != Some(&(node.place, node.mask)) {
                     clauses.push(vec![!*same, !code.node(id)]);
                 }
             }
-            written.nodes = code.diagram().len();
+            written.nodes = code.mdd().len();
             for time in written.rest..=arrival {
                 clauses.extend(code.resting(time).map(|rest| vec![!*same, !rest]));
             }
@@ -65,8 +65,8 @@ impl Near<'_, '_> {
         };
         let goal = Place::At(task.goal);
         let was = |time: u32| walk.get(time as usize).copied().unwrap_or(goal);
-        for id in written.entries..code.diagram().len() {
-            let node = code.diagram().node(id);
+        for id in written.entries..code.mdd().len() {
+            let node = code.mdd().node(id);
             let Some(&differs) = differs.get(node.time as usize) else {
                 continue;
             };
@@ -76,8 +76,8 @@ impl Near<'_, '_> {
         }
         // Where agents vanish an end is an end: it is missing from then on.
         if !self.problem.rests(agent) {
-            for id in written.entries..code.diagram().len() {
-                let node = code.diagram().node(id);
+            for id in written.entries..code.mdd().len() {
+                let node = code.mdd().node(id);
                 if !code.is_end(node, task) {
                     continue;
                 }
@@ -90,7 +90,7 @@ impl Near<'_, '_> {
                 }
             }
         }
-        written.entries = code.diagram().len();
+        written.entries = code.mdd().len();
         while let Some(&differs) = differs.get(written.rest_entries as usize) {
             let time = written.rest_entries;
             match code.resting(time) {

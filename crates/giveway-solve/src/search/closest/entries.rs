@@ -2,8 +2,8 @@
 
 use super::{Close, Near};
 use crate::{
+    budget::Stop,
     encode::totalizer::merge,
-    meter::Stop,
     sat::{Clauses, Lit},
     search::growing::{Growing, Until},
     single::Place,

@@ -5,7 +5,7 @@
 //! cannot all have it; so the bound rises by one, each of them may have one
 //! more, and a totalizer allows one violation among them, which is assumed in
 //! turn. When the assumptions hold together, the bound is met. Only agents that
-//! a core names ever get larger diagrams.
+//! a core names ever get larger MDDs.
 //!
 //! Cores that share nothing are collected first: what a core sets free stays
 //! free until no further core is found. A core that comes again with the next
@@ -16,9 +16,9 @@
 //! excludes is made clauses ([`narrow`]); better plans come out of models
 //! ([`guess`]).
 
-mod exhaust;
-mod guess;
-mod narrow;
+mod core_exhaustion;
+mod hardening;
+mod upper_bound;
 
 use std::collections::BTreeMap;
 
@@ -28,7 +28,7 @@ use super::{
     growing::{Growing, Until},
     stage::{End, Search},
 };
-use crate::{encode::collisions::AgentId, meter::Stop, sat::Lit};
+use crate::{budget::Stop, encode::collisions::AgentId, sat::Lit};
 use giveway_model::sorting::{sort, sort_by_key};
 
 /// What an assumption bounds.
@@ -87,7 +87,7 @@ pub(crate) struct SumStage {
     /// How often some agents have been a core.
     seen: BTreeMap<Vec<AgentId>, u32>,
     /// The best plan's cost and the bound of when levels were last excluded.
-    narrowed: Option<(u32, u32)>,
+    hardened: Option<(u32, u32)>,
 }
 
 impl SumStage {
@@ -115,7 +115,7 @@ impl SumStage {
             cores: Vec::new(),
             totalizers: Vec::new(),
             seen: BTreeMap::new(),
-            narrowed: None,
+            hardened: None,
         };
         *bound = stage.bound;
         search.report_bound(cost, stage.bound);
@@ -129,20 +129,20 @@ impl SumStage {
         }
         loop {
             if search.incumbent_meets(cost, stage.bound) {
-                stage.assume_waiting(search)?;
+                stage.begin_phase(search)?;
                 stage.harden(search);
                 return Ok(End::Least(stage.bound));
             }
-            stage.narrow(search);
-            // The deadlines of a sum of costs guard the diagrams themselves.
+            stage.harden_by_gap(search);
+            // The deadlines of a sum of costs guard the MDDs themselves.
             let until = match cost {
                 Cost::SumOfCosts => Until::Guarded,
                 _ => Until::EVER,
             };
             match search.solve_growing(stage.in_order(), until)? {
                 Growing::Model if stage.is_waiting() => {
-                    stage.guess(search)?;
-                    stage.assume_waiting(search)?;
+                    stage.improve_upper_bound(search)?;
+                    stage.begin_phase(search)?;
                 }
                 Growing::Model => {
                     let entered = search.settle()?;
@@ -156,7 +156,7 @@ impl SumStage {
                 Growing::Grown(literals) => {
                     search.polish(cost, stage.bound)?;
                     if literals > LARGE_CORE {
-                        stage.assume_waiting(search)?;
+                        stage.begin_phase(search)?;
                     }
                 }
                 Growing::Core(core) => {
@@ -166,12 +166,12 @@ impl SumStage {
                         *bound = best.unwrap_or(stage.bound);
                         return Ok(best.map_or(End::None, End::Least));
                     }
-                    let learnt = stage.learn(search, &core);
+                    let learnt = stage.add_core(search, &core);
                     *bound = stage.bound;
                     learnt?;
                     search.polish(cost, stage.bound)?;
                     if core.len() > LARGE_CORE {
-                        stage.assume_waiting(search)?;
+                        stage.begin_phase(search)?;
                     }
                 }
             }
@@ -180,7 +180,7 @@ impl SumStage {
 
     /// The best plan's cost, where plans that are not better are excluded.
     fn excluded(&self) -> Option<u32> {
-        self.narrowed.filter(|_| self.last).map(|(best, _)| best)
+        self.hardened.filter(|_| self.last).map(|(best, _)| best)
     }
 
     /// All that is assumed. Assumptions are made in this order. Without
@@ -240,7 +240,7 @@ impl SumStage {
     }
 
     /// Takes a core in: raises the bound.
-    fn learn(&mut self, search: &mut Search, core: &[Lit]) -> Result<(), Stop> {
+    fn add_core(&mut self, search: &mut Search, core: &[Lit]) -> Result<(), Stop> {
         if self.known {
             return Err(Stop::Contradiction);
         }
@@ -250,7 +250,7 @@ impl SumStage {
             .collect();
         let first = self.cores.len();
         self.pay(search, core);
-        let further = self.stretch(search, &softs)?;
+        let further = self.exhaust_core(search, &softs)?;
         let raised = softs.iter().map(|soft| soft.raised(further + 1));
         let softs = self.exhaust(search, raised.collect(), first)?;
         self.waiting.extend(softs);
@@ -271,7 +271,7 @@ impl SumStage {
     /// Learns the cores of the same agents at higher levels, where there are
     /// any; by how many levels. Tried only for agents that have been a core
     /// before, and twice as far each time that it succeeds.
-    fn stretch(&mut self, search: &mut Search, softs: &[Soft]) -> Result<u32, Stop> {
+    fn exhaust_core(&mut self, search: &mut Search, softs: &[Soft]) -> Result<u32, Stop> {
         let agents: Option<Vec<AgentId>> = softs.iter().map(Soft::agent).collect();
         let Some(mut agents) = agents.filter(|agents| agents.len() <= STRETCHED) else {
             return Ok(0);
@@ -307,7 +307,7 @@ impl SumStage {
     }
 
     /// Begins a new round: all that cores set free is bounded again.
-    fn assume_waiting(&mut self, search: &mut Search) -> Result<(), Stop> {
+    fn begin_phase(&mut self, search: &mut Search) -> Result<(), Stop> {
         for soft in std::mem::take(&mut self.waiting) {
             self.assume(search, soft)?;
         }

@@ -1,7 +1,7 @@
-//! Tables and diagrams of one agent against the rules, step by step.
+//! Tables and MDDs of one agent against the rules, step by step.
 
-mod diagram;
-mod to_go;
+mod cost_to_go;
+mod mdd;
 
 /// One agent each, with slow zones, chargers, waypoints and batteries.
 const PICTURES: [&str; 9] = [

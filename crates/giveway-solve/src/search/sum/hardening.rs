@@ -2,7 +2,7 @@
 //!
 //! Each level above an assumption costs one more than the bound, so a plan that
 //! is to be better keeps all levels within the gap between bound and best plan
-//! (hardening; Ansótegui, Bonet and Levy 2013). Made clauses, they keep diagrams
+//! (hardening; Ansótegui, Bonet and Levy 2013). Made clauses, they keep MDDs
 //! small; and at a gap of one nothing is left to be assumed.
 
 use giveway_model::Cost;
@@ -13,17 +13,17 @@ use crate::search::stage::Search;
 impl SumStage {
     /// Excludes levels that only plans worse than the best one have, or, where
     /// no further cost is minimised, plans that are not better.
-    pub(super) fn narrow(&mut self, search: &mut Search) {
+    pub(super) fn harden_by_gap(&mut self, search: &mut Search) {
         if self.cost != Cost::SumOfCosts || self.known {
-            return; // diagrams are limited by no other cost
+            return; // MDDs are limited by no other cost
         }
         let Some(best) = search.best(self.cost) else {
             return;
         };
-        if self.narrowed == Some((best, self.bound)) {
+        if self.hardened == Some((best, self.bound)) {
             return;
         }
-        self.narrowed = Some((best, self.bound));
+        self.hardened = Some((best, self.bound));
         let gap = best.saturating_sub(self.bound);
         let slack = gap.saturating_sub(u32::from(self.last));
         for agent in 0..search.problem.agents() {

@@ -2,26 +2,26 @@
 //!
 //! A multi-valued decision diagram (MDD; Sharon et al. 2013), generalised to
 //! waypoints, batteries and slow moves. A node is a place at a time with the
-//! waypoints visited; its *level* is the least arrival of a plan of the agent
-//! alone that goes through it. The diagram for a deadline holds the nodes whose
-//! level is at most the deadline. Levels do not depend on the deadline, so a
+//! waypoints visited; its *f-value* (cost so far plus cost to go, as in A*) is the least arrival of a plan of the agent
+//! alone that goes through it. The MDD for a deadline holds the nodes whose
+//! f-value is at most the deadline. F-values do not depend on the deadline, so a
 //! later deadline adds nodes and changes none.
 //!
 //! Of the battery each node keeps the best level with which it can be reached.
-//! That is exact for levels: a fuller battery is never worse, and a way that
-//! brings a fuller battery has a level no higher.
+//! That is exact for f-values: a fuller battery is never worse, and a way that
+//! brings a fuller battery has an f-value no higher.
 
 use std::collections::BTreeMap;
 
 use rustc_hash::FxBuildHasher;
 
 use super::{
-    ToGo,
+    CostToGo,
     task::{Mask, State, Task},
 };
 use crate::{
+    budget::{Budget, Stop},
     held::Held,
-    meter::{Meter, Stop},
     terrain::{Terrain, Vertex},
 };
 use giveway_model::sorting::{map, sort_by_key};
@@ -35,7 +35,7 @@ pub(crate) enum Place {
     Along(u32),
 }
 
-/// A node by its number in the diagram.
+/// A node by its number in the MDD.
 pub(crate) type NodeId = u32;
 
 /// A way on from a node.
@@ -48,7 +48,7 @@ pub(crate) struct Step {
     /// The best battery level there by this way.
     battery: u32,
     /// The least arrival of a plan that takes this way.
-    pub(crate) level: u32,
+    pub(crate) f_value: u32,
 }
 
 /// A place at a time with waypoints visited.
@@ -58,8 +58,8 @@ pub(crate) struct Node {
     pub(crate) mask: Mask,
     pub(crate) time: u32,
     /// The least arrival of a plan through here.
-    pub(crate) level: u32,
-    /// The ways on, by level; empty where the agent is in no need of any.
+    pub(crate) f_value: u32,
+    /// The ways on, by f-value; empty where the agent is in no need of any.
     pub(crate) steps: Vec<Step>,
 }
 
@@ -69,11 +69,11 @@ pub(crate) struct Node {
 )]
 type Index = std::collections::HashMap<(u32, Place, Mask), NodeId, FxBuildHasher>;
 
-/// The diagram of one agent.
-pub(crate) struct Diagram {
+/// The MDD of one agent.
+pub(crate) struct Mdd {
     nodes: Vec<Node>,
     index: Index,
-    /// Steps that lead to no node yet, by level, then by the time they lead to.
+    /// Steps that lead to no node yet, by f-value, then by the time they lead to.
     open: BTreeMap<(u32, u32), Vec<Step>>,
     deadline: Option<u32>,
     /// No plan arrives earlier, whatever the tables say, which know no times.
@@ -81,14 +81,14 @@ pub(crate) struct Diagram {
     held: Held,
 }
 
-impl Diagram {
-    /// An empty diagram that knows its first node.
+impl Mdd {
+    /// An empty MDD that knows its first node.
     pub(crate) fn new(task: &Task, optimum: u32) -> Self {
         let first = Step {
             place: task.first_place(),
             mask: task.first_mask(),
             battery: task.first_level(),
-            level: optimum,
+            f_value: optimum,
         };
         Self {
             nodes: Vec::new(),
@@ -105,7 +105,7 @@ impl Diagram {
         self.deadline
     }
 
-    /// The node at a place, time and set of waypoints, if the diagram has it.
+    /// The node at a place, time and set of waypoints, if the MDD has it.
     pub(crate) fn find(&self, time: u32, place: Place, mask: Mask) -> Option<NodeId> {
         self.index.get(&(time, place, mask)).copied()
     }
@@ -120,33 +120,33 @@ impl Diagram {
         self.nodes.len() as NodeId
     }
 
-    /// Adds the nodes of levels up to `deadline`.
+    /// Adds the nodes of f-values up to `deadline`.
     ///
     /// # Errors
-    /// When the budget is spent; the diagram is of no use then.
+    /// When the budget is spent; the MDD is of no use then.
     pub(crate) fn grow(
         &mut self,
         deadline: u32,
         task: &Task,
         terrain: &Terrain,
-        to_go: &ToGo,
-        meter: &Meter,
+        cost_to_go: &CostToGo,
+        budget: &Budget,
     ) -> Result<(), Stop> {
         self.deadline = self.deadline.max(Some(deadline));
         while let Some(entry) = self.open.first_entry() {
-            let (level, time) = *entry.key();
-            if level > deadline {
+            let (f_value, time) = *entry.key();
+            if f_value > deadline {
                 break;
             }
-            // All ways of this level into this time are known: their parents
-            // are earlier, of no higher level. The fullest battery counts.
+            // All ways of this f-value into this time are known: their parents
+            // are earlier, of no higher f-value. The fullest battery counts.
             let mut steps = entry.remove();
             sort_by_key(&mut steps, |s| (s.place, s.mask, u32::MAX - s.battery));
             steps.dedup_by_key(|s| (s.place, s.mask));
             for step in steps {
-                meter.tick()?;
+                budget.tick()?;
                 if self.find(time, step.place, step.mask).is_none() {
-                    self.insert(time, &step, task, terrain, to_go, meter);
+                    self.insert(time, &step, task, terrain, cost_to_go, budget);
                 }
             }
         }
@@ -159,8 +159,8 @@ impl Diagram {
         at: &Step,
         task: &Task,
         terrain: &Terrain,
-        to_go: &ToGo,
-        meter: &Meter,
+        cost_to_go: &CostToGo,
+        budget: &Budget,
     ) {
         let mut steps = Vec::new();
         let state = State {
@@ -174,25 +174,25 @@ impl Diagram {
                 mask,
                 battery,
             } = step.to;
-            // A place half way counts with the level that it leads to.
+            // A place half way counts with the battery level that it leads to.
             let (arrival, delay) = match place {
                 Place::At(v) => (v, 0),
                 Place::Along(arc) => (terrain.ends(arc).1, 1),
             };
-            let Some(rest) = to_go.from(arrival, mask | task.bit(arrival), battery) else {
+            let Some(rest) = cost_to_go.from(arrival, mask | task.bit(arrival), battery) else {
                 return;
             };
             steps.push(Step {
                 place,
                 mask,
                 battery,
-                level: (time + 1 + delay + rest).max(self.optimum),
+                f_value: (time + 1 + delay + rest).max(self.optimum),
             });
         });
-        sort_by_key(&mut steps, |s| s.level);
-        meter.hold_more(&mut self.held, 96 + steps.len() * 48);
+        sort_by_key(&mut steps, |s| s.f_value);
+        budget.hold_more(&mut self.held, 96 + steps.len() * 48);
         for step in &steps {
-            let slot = self.open.entry((step.level, time + 1)).or_default();
+            let slot = self.open.entry((step.f_value, time + 1)).or_default();
             slot.push(*step);
         }
         let id = self.nodes.len() as NodeId;
@@ -201,7 +201,7 @@ impl Diagram {
             place: at.place,
             mask: at.mask,
             time,
-            level: at.level,
+            f_value: at.f_value,
             steps,
         });
     }

@@ -5,15 +5,15 @@ use giveway_model::Instance;
 use super::PICTURES;
 use crate::{
     Limits, SilentHost,
-    meter::Meter,
-    single::{Metric, Task, ToGo},
+    budget::Budget,
+    single::{CostToGo, Metric, Task},
     terrain::Terrain,
     tests::{Lone, Spot, instance, random},
 };
 
 /// Compares a table with the rules; returns how many states have an end.
 fn check(instance: &Instance, metric: Metric) -> usize {
-    let meter = Meter::new(&SilentHost, Limits::default());
+    let budget = Budget::new(&SilentHost, Limits::default());
     let terrain = Terrain::new(instance.grid());
     let floor = instance.rules().battery_floor;
     let mut ends = 0;
@@ -23,8 +23,8 @@ fn check(instance: &Instance, metric: Metric) -> usize {
             assert_eq!(lone.start(), None);
             continue;
         };
-        let table = ToGo::new(&task, &terrain, metric, &meter).unwrap();
-        let expect = lone.to_go(metric);
+        let table = CostToGo::new(&task, &terrain, metric, &budget).unwrap();
+        let expect = lone.cost_to_go(metric);
         for state in lone.states() {
             let Spot::At(cell) = state.spot else { continue };
             let level = state.level.map_or(0, |level| level - floor);
@@ -79,7 +79,7 @@ fn a_known_value() {
         "a . + . A
          battery a 2/4",
     );
-    let meter = Meter::new(&SilentHost, Limits::default());
+    let budget = Budget::new(&SilentHost, Limits::default());
     let terrain = Terrain::new(instance.grid());
     let task = Task::new(&instance.agents()[0], instance.rules(), &terrain).unwrap();
     for (metric, most, least) in [
@@ -87,7 +87,7 @@ fn a_known_value() {
         (Metric::Charges, 1, 0),
         (Metric::Moves, 4, 4),
     ] {
-        let table = ToGo::new(&task, &terrain, metric, &meter).unwrap();
+        let table = CostToGo::new(&task, &terrain, metric, &budget).unwrap();
         assert_eq!(table.from(task.start, 0, 2), Some(most));
         assert_eq!(table.from(task.start, 0, 4), Some(least));
         assert_eq!(table.from(task.start, 0, 1), None);

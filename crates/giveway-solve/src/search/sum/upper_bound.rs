@@ -11,9 +11,9 @@ use giveway_model::Cost;
 
 use super::{Soft, SumStage};
 use crate::{
+    budget::Stop,
     encode::collisions::AgentId,
     local::{Query, Reservations, plan_one},
-    meter::Stop,
     search::{incumbent::free_of_collisions, stage::Search},
 };
 
@@ -21,14 +21,14 @@ use crate::{
 /// needs none.
 const FIRST_GUESS: u64 = 300;
 /// States to look at for one agent.
-const EFFORT: u32 = 20_000;
+const EXPANSION_LIMIT: u32 = 20_000;
 /// Times that a plan is improved, as long as it becomes better.
 const MOST_IMPROVEMENTS: usize = 20;
 
 impl SumStage {
     /// Makes a plan of the last model, if agents find a way around the others.
-    pub(super) fn guess(&self, search: &mut Search) -> Result<(), Stop> {
-        let early = search.meter.derived() < FIRST_GUESS;
+    pub(super) fn improve_upper_bound(&self, search: &mut Search) -> Result<(), Stop> {
+        let early = search.budget.derived() < FIRST_GUESS;
         if early || self.known || self.cost != Cost::SumOfCosts {
             return Ok(());
         }
@@ -50,10 +50,10 @@ impl SumStage {
             let query = Query {
                 agent,
                 latest: search.cap(agent),
-                price: None,
-                effort: EFFORT,
+                conflict_penalty: None,
+                expansion_limit: EXPANSION_LIMIT,
             };
-            let Some((walk, _)) = plan_one(problem, &others, query, &search.meter)? else {
+            let Some((walk, _)) = plan_one(problem, &others, query, &search.budget)? else {
                 return Ok(());
             };
             walks[agent] = walk;

@@ -1,6 +1,6 @@
 //! The budget of one request, and the tally of its work.
 //!
-//! One meter goes with a request. Whoever works asks it, often, whether to go
+//! One budget goes with a request. Whoever works asks it, often, whether to go
 //! on; it never decides anything else, so that time cannot change an answer but
 //! only cut it short.
 
@@ -8,7 +8,7 @@ use std::cell::Cell;
 
 use crate::{
     Host, Limits, Progress, Stats,
-    held::{Count, Held},
+    held::{Held, HeldBytes},
 };
 
 /// Bytes that a request may hold where its limits say nothing: a browser tab
@@ -58,7 +58,7 @@ impl Stop {
 }
 
 /// The budget and the tally; shared by all parts of one request.
-pub(crate) struct Meter<'h> {
+pub(crate) struct Budget<'h> {
     host: &'h dyn Host,
     limits: Limits,
     wall_start: f64,
@@ -69,7 +69,7 @@ pub(crate) struct Meter<'h> {
     clauses: Cell<u64>,
     conflicts: Cell<u64>,
     derived: Cell<u64>,
-    held: Count,
+    held: HeldBytes,
     until_clock: Cell<u32>,
     reported_at: Cell<u64>,
     stopped: Cell<Option<Stop>>,
@@ -85,7 +85,7 @@ pub(crate) struct Meter<'h> {
     most_derived: u64,
 }
 
-impl<'h> Meter<'h> {
+impl<'h> Budget<'h> {
     pub(crate) fn new(host: &'h dyn Host, limits: Limits) -> Self {
         Self {
             host,
@@ -98,7 +98,7 @@ impl<'h> Meter<'h> {
             clauses: Cell::new(0),
             conflicts: Cell::new(0),
             derived: Cell::new(0),
-            held: Count::default(),
+            held: HeldBytes::default(),
             until_clock: Cell::new(CLOCK_INTERVAL),
             reported_at: Cell::new(0),
             stopped: Cell::new(None),
@@ -110,7 +110,7 @@ impl<'h> Meter<'h> {
         }
     }
 
-    /// A meter for one part of the work: with limits of its own, which are never
+    /// A budget for one part of the work: with limits of its own, which are never
     /// more than what is left here. The host hears nothing of it, since bounds
     /// and plans of a part are not those of the whole.
     pub(crate) fn part(&self, limits: Limits) -> Self {
@@ -144,13 +144,13 @@ impl<'h> Meter<'h> {
             .set(self.joint_left.get().saturating_sub(steps));
     }
 
-    /// The same meter with a limit of clauses that the SAT solver may derive.
+    /// The same budget with a limit of clauses that the SAT solver may derive.
     pub(crate) fn with_derived(mut self, clauses: u64) -> Self {
         self.most_derived = self.most_derived.min(clauses);
         self
     }
 
-    /// The same meter with a limit of clauses, and one of joint steps.
+    /// The same budget with a limit of clauses, and one of joint steps.
     pub(crate) fn with_work(mut self, clauses: u64, joint_steps: u64) -> Self {
         self.most_clauses = clauses;
         self.joint_given = self.joint_given.min(joint_steps);
@@ -216,7 +216,7 @@ impl<'h> Meter<'h> {
         self.held.get() > most || size > most.max(self.memory_start)
     }
 
-    /// As [`Meter::check`], but looks at the clock only now and then: for the
+    /// As [`Budget::check`], but looks at the clock only now and then: for the
     /// inner loops.
     pub(crate) fn tick(&self) -> Result<(), Stop> {
         let left = self.until_clock.get();

@@ -1,4 +1,4 @@
-//! Nodes, levels and steps of the diagram: all states of all times.
+//! Nodes, levels and steps of the MDD: all states of all times.
 
 use std::collections::{BTreeMap, BTreeSet};
 
@@ -7,9 +7,9 @@ use giveway_model::Instance;
 use super::PICTURES;
 use crate::{
     Limits, SilentHost,
-    meter::Meter,
+    budget::Budget,
     problem::Problem,
-    single::{Diagram, Metric, Place},
+    single::{Mdd, Metric, Place},
     tests::{Lone, State, instance, random},
 };
 
@@ -19,21 +19,21 @@ type Key = (Place, u32);
 /// What is said of a node: its level, and the levels of its steps.
 type Node = (u32, BTreeMap<Key, u32>);
 
-/// All nodes of a diagram, by time.
+/// All nodes of an MDD, by time.
 type Nodes = BTreeMap<(u32, Key), Node>;
 
 /// The nodes up to a deadline, by the rules: of every state that can be reached
 /// at a time, the time plus what it has still to go.
 fn expected(instance: &Instance, problem: &Problem, deadline: u32) -> Nodes {
     let lone = Lone::new(instance, 0);
-    let to_go = lone.to_go(Metric::Time);
+    let cost_to_go = lone.cost_to_go(Metric::Time);
     let key = |state: &State| (state.spot.place(&problem.terrain), state.visited);
     let mut nodes = Nodes::new();
     let mut reached: BTreeSet<State> = lone.start().into_iter().collect();
     for time in 0..=deadline {
         let mut next = BTreeSet::new();
         for state in &reached {
-            let Some(rest) = to_go.get(state) else {
+            let Some(rest) = cost_to_go.get(state) else {
                 continue;
             };
             let node = nodes.entry((time, key(state)));
@@ -41,7 +41,7 @@ fn expected(instance: &Instance, problem: &Problem, deadline: u32) -> Nodes {
             *level = (*level).min(time + rest);
             for (to, _) in lone.onward(state) {
                 next.insert(to);
-                if let Some(rest) = to_go.get(&to) {
+                if let Some(rest) = cost_to_go.get(&to) {
                     let level = steps.entry(key(&to)).or_insert(u32::MAX);
                     *level = (*level).min(time + 1 + rest);
                 }
@@ -53,42 +53,43 @@ fn expected(instance: &Instance, problem: &Problem, deadline: u32) -> Nodes {
     nodes
 }
 
-/// What the diagram says.
-fn nodes(diagram: &Diagram) -> Nodes {
+/// What the MDD says.
+fn nodes(mdd: &Mdd) -> Nodes {
     let mut nodes = Nodes::new();
-    for id in 0..diagram.len() {
-        let node = diagram.node(id);
-        assert_eq!(diagram.find(node.time, node.place, node.mask), Some(id));
-        let levels: Vec<u32> = node.steps.iter().map(|step| step.level).collect();
+    for id in 0..mdd.len() {
+        let node = mdd.node(id);
+        assert_eq!(mdd.find(node.time, node.place, node.mask), Some(id));
+        let levels: Vec<u32> = node.steps.iter().map(|step| step.f_value).collect();
         assert!(levels.is_sorted(), "{node:?}");
         let steps = node.steps.iter();
-        let steps: BTreeMap<Key, u32> = steps.map(|s| ((s.place, s.mask), s.level)).collect();
+        let steps: BTreeMap<Key, u32> = steps.map(|s| ((s.place, s.mask), s.f_value)).collect();
         assert_eq!(steps.len(), levels.len(), "a step twice in {node:?}");
         let key = (node.time, (node.place, node.mask));
-        let before = nodes.insert(key, (node.level, steps));
+        let before = nodes.insert(key, (node.f_value, steps));
         assert_eq!(before, None, "{key:?} twice");
     }
     nodes
 }
 
-/// Grows a diagram step by step, and others at once; false if there is no plan.
+/// Grows an MDD step by step, and others at once; false if there is no plan.
 fn check(instance: &Instance, delays: u32) -> bool {
-    let meter = Meter::new(&SilentHost, Limits::default());
-    let Ok(problem) = Problem::new(instance, &meter) else {
+    let budget = Budget::new(&SilentHost, Limits::default());
+    let Ok(problem) = Problem::new(instance, &budget) else {
         return false;
     };
-    let (task, to_go, optimum) = (&problem.tasks[0], &problem.to_go[0], problem.optima[0]);
-    let mut grown = Diagram::new(task, optimum);
+    let (task, cost_to_go, optimum) =
+        (&problem.tasks[0], &problem.cost_to_go[0], problem.optima[0]);
+    let mut grown = Mdd::new(task, optimum);
     assert_eq!(grown.deadline(), None);
     for deadline in optimum..=optimum + delays {
-        let grow = |diagram: &mut Diagram| {
-            let grown = diagram.grow(deadline, task, &problem.terrain, to_go, &meter);
+        let grow = |mdd: &mut Mdd| {
+            let grown = mdd.grow(deadline, task, &problem.terrain, cost_to_go, &budget);
             grown.unwrap();
-            assert_eq!(diagram.deadline(), Some(deadline));
-            nodes(diagram)
+            assert_eq!(mdd.deadline(), Some(deadline));
+            nodes(mdd)
         };
         let in_steps = grow(&mut grown);
-        let at_once = grow(&mut Diagram::new(task, optimum));
+        let at_once = grow(&mut Mdd::new(task, optimum));
         let what = format!("deadline {deadline}, {:#?}", instance.to_scene());
         assert_eq!(in_steps, expected(instance, &problem, deadline), "{what}");
         assert_eq!(at_once, in_steps, "{what}");
@@ -113,21 +114,21 @@ fn random_instances() {
 fn a_known_diagram() {
     // Straight on at level 2, and a wait or a step back at most at level 4.
     let instance = instance("a . A");
-    let meter = Meter::new(&SilentHost, Limits::default());
-    let problem = Problem::new(&instance, &meter).ok().unwrap();
-    let mut diagram = Diagram::new(&problem.tasks[0], problem.optima[0]);
+    let budget = Budget::new(&SilentHost, Limits::default());
+    let problem = Problem::new(&instance, &budget).ok().unwrap();
+    let mut mdd = Mdd::new(&problem.tasks[0], problem.optima[0]);
     let mut sizes = Vec::new();
     for deadline in 2..=3 {
-        let grown = diagram.grow(
+        let grown = mdd.grow(
             deadline,
             &problem.tasks[0],
             &problem.terrain,
-            &problem.to_go[0],
-            &meter,
+            &problem.cost_to_go[0],
+            &budget,
         );
         grown.unwrap();
-        sizes.push(diagram.len());
+        sizes.push(mdd.len());
     }
     assert_eq!(sizes, [3, 6]);
-    assert_eq!(diagram.find(1, Place::At(2), 0), None);
+    assert_eq!(mdd.find(1, Place::At(2), 0), None);
 }

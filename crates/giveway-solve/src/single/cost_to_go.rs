@@ -9,8 +9,8 @@
 
 use super::task::{Mask, Task};
 use crate::{
+    budget::{Budget, Stop},
     held::Held,
-    meter::{Meter, Stop},
     terrain::{Terrain, Vertex},
 };
 
@@ -46,7 +46,7 @@ struct Label {
 }
 
 /// The table of one agent and metric.
-pub(crate) struct ToGo {
+pub(crate) struct CostToGo {
     /// States from one vertex to the next; none where the mask tells the vertex.
     stride: usize,
     /// Where the labels of each state begin; one more entry than states.
@@ -55,7 +55,7 @@ pub(crate) struct ToGo {
     _held: Held,
 }
 
-impl ToGo {
+impl CostToGo {
     /// Computes the table.
     ///
     /// # Errors
@@ -64,7 +64,7 @@ impl ToGo {
         task: &Task,
         terrain: &Terrain,
         metric: Metric,
-        meter: &Meter,
+        budget: &Budget,
     ) -> Result<Self, Stop> {
         // Where this overflows, as it can in 32 bits, no memory is enough.
         let vertices = if task.along().is_some() {
@@ -77,9 +77,9 @@ impl ToGo {
         let (Some(states), Some(bytes)) = (states, bytes) else {
             return Err(Stop::Memory);
         };
-        let mut held = meter.hold(bytes);
-        meter.check()?;
-        let mut search = Search {
+        let mut held = budget.hold(bytes);
+        budget.check()?;
+        let mut search = BackwardSearch {
             task,
             terrain,
             metric,
@@ -87,7 +87,7 @@ impl ToGo {
             buckets: vec![Vec::new()],
             found: Vec::new(),
         };
-        search.run(meter)?;
+        search.run(budget)?;
         held.less(states * 4);
         Ok(Self::collect(stride(task), states, &search.found, held))
     }
@@ -146,7 +146,7 @@ fn stride(task: &Task) -> usize {
     }
 }
 
-struct Search<'a> {
+struct BackwardSearch<'a> {
     task: &'a Task,
     terrain: &'a Terrain,
     metric: Metric,
@@ -157,8 +157,8 @@ struct Search<'a> {
     found: Vec<(u32, Label)>,
 }
 
-impl Search<'_> {
-    fn run(&mut self, meter: &Meter) -> Result<(), Stop> {
+impl BackwardSearch<'_> {
+    fn run(&mut self, budget: &Budget) -> Result<(), Stop> {
         if self.task.may_stand(self.task.goal, self.task.all(), None) {
             self.push(self.task.goal, self.task.all(), 0, 0);
         }
@@ -169,7 +169,7 @@ impl Search<'_> {
             let mut next = 0;
             while let Some(&(v, mask, need)) = self.buckets[cost].get(next) {
                 next += 1;
-                meter.tick()?;
+                budget.tick()?;
                 let state = self.state(v, mask);
                 if need < self.least_need[state] {
                     self.least_need[state] = need;

@@ -12,7 +12,7 @@ use giveway_model::sorting::sort;
 /// A fact; agents by their numbers. The order is that in which facts are tried:
 /// without agents everything else is quickly tried.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
-pub(crate) enum Part {
+pub(crate) enum Group {
     /// The agent is there.
     Task(usize),
     /// It must visit the waypoint.
@@ -31,7 +31,7 @@ pub(crate) enum Part {
     Deadline,
 }
 
-impl Part {
+impl Group {
     pub(crate) const fn kind(self) -> FactKind {
         match self {
             Self::Task(_) => FactKind::Task,
@@ -73,30 +73,30 @@ impl Part {
 
 /// Every fact of an instance that can be left out. `asked` is never left out;
 /// a deadline is a fact only where a person set one.
-pub(crate) fn parts(instance: &Instance, asked: &[usize], deadline: bool) -> Vec<Part> {
-    let mut parts = Vec::new();
+pub(crate) fn groups(instance: &Instance, asked: &[usize], deadline: bool) -> Vec<Group> {
+    let mut groups = Vec::new();
     let agents = instance.agents().iter().enumerate();
     for (i, agent) in agents {
         if !asked.contains(&i) {
-            parts.push(Part::Task(i));
+            groups.push(Group::Task(i));
         }
-        parts.extend(agent.waypoints.iter().map(|&w| Part::Waypoint(i, w)));
-        parts.extend(agent.battery.map(|_| Part::Battery(i)));
-        parts.extend(instance.stays().then_some(Part::Stay(i)));
-        parts.extend((0..i).map(|other| Part::Collision(other, i)));
+        groups.extend(agent.waypoints.iter().map(|&w| Group::Waypoint(i, w)));
+        groups.extend(agent.battery.map(|_| Group::Battery(i)));
+        groups.extend(instance.stays().then_some(Group::Stay(i)));
+        groups.extend((0..i).map(|other| Group::Collision(other, i)));
     }
     let cells = instance.grid().cells();
-    parts.extend(
+    groups.extend(
         cells
             .filter(|(_, ground)| !ground.is_vertex())
-            .map(|(cell, _)| Part::Obstacle(cell)),
+            .map(|(cell, _)| Group::Obstacle(cell)),
     );
     if has_slow_edge(instance.grid()) {
-        parts.push(Part::Slow);
+        groups.push(Group::Slow);
     }
-    parts.extend(deadline.then_some(Part::Deadline));
-    sort(&mut parts);
-    parts
+    groups.extend(deadline.then_some(Group::Deadline));
+    sort(&mut groups);
+    groups
 }
 
 /// Whether some move is slow.
@@ -117,7 +117,7 @@ pub(crate) struct Variant {
 /// The instance without some facts.
 pub(crate) fn without(
     instance: &Instance,
-    left_out: &BTreeSet<Part>,
+    left_out: &BTreeSet<Group>,
     within: Option<u32>,
 ) -> Variant {
     let mut scene = instance.to_scene();
@@ -126,36 +126,36 @@ pub(crate) fn without(
     let mut within = within;
     let mut all_normal = false;
     // Agents that are left out move the numbers of those behind them.
-    let gone = |a: usize| left_out.contains(&Part::Task(a));
+    let gone = |a: usize| left_out.contains(&Group::Task(a));
     let number = |a: usize| a - (0..a).filter(|&b| gone(b)).count();
-    for &part in left_out {
-        match part {
-            Part::Task(_) => {}
-            Part::Waypoint(a, cell) => {
+    for &group in left_out {
+        match group {
+            Group::Task(_) => {}
+            Group::Waypoint(a, cell) => {
                 if let Some(agent) = scene.agents.get_mut(a) {
                     agent.waypoints.retain(|&w| w != cell);
                 }
             }
-            Part::Battery(a) => {
+            Group::Battery(a) => {
                 if let Some(agent) = scene.agents.get_mut(a) {
                     agent.battery = None;
                 }
             }
-            Part::Obstacle(cell) => {
+            Group::Obstacle(cell) => {
                 free.insert(cell);
             }
-            Part::Collision(a, b) => {
+            Group::Collision(a, b) => {
                 if !gone(a) && !gone(b) {
                     relaxed.ignored.insert((number(a), number(b)));
                 }
             }
-            Part::Stay(a) => {
+            Group::Stay(a) => {
                 if !gone(a) {
                     relaxed.gone.insert(number(a));
                 }
             }
-            Part::Slow => all_normal = true,
-            Part::Deadline => within = None,
+            Group::Slow => all_normal = true,
+            Group::Deadline => within = None,
         }
     }
     scene.map = redraw(instance.grid(), |cell, ground| match ground {

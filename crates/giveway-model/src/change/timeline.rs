@@ -4,7 +4,7 @@ use crate::{Agent, Cell};
 
 /// A waypoint of an agent, for as long as it is one.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub struct Duty {
+pub struct TimedWaypoint {
     /// The waypoint.
     pub cell: Cell,
     /// From when on it must be visited; `None`: from the agent's beginning.
@@ -15,7 +15,7 @@ pub struct Duty {
 
 /// An agent over time. Where several things are of one time, the last counts.
 #[derive(Clone, Debug, PartialEq, Eq)]
-pub struct Career {
+pub struct Timeline {
     /// The agent as it began; its goal and waypoints may have changed since.
     pub agent: Agent,
     /// The time at which it appeared.
@@ -25,7 +25,7 @@ pub struct Career {
     /// Other goals than the agent's first, each with its time; ascending.
     pub goals: Vec<(u32, Cell)>,
     /// All waypoints that it ever had.
-    pub duties: Vec<Duty>,
+    pub waypoints: Vec<TimedWaypoint>,
     /// Levels that its battery was set to, by time; ascending.
     pub levels: Vec<(u32, u32)>,
     /// Times at which it may not begin a move: from the first up to, not
@@ -33,9 +33,9 @@ pub struct Career {
     pub held: Vec<(u32, u32)>,
 }
 
-impl Career {
+impl Timeline {
     pub(super) fn new(agent: Agent, from: u32) -> Self {
-        let duty = |&cell: &Cell| Duty {
+        let waypoint = |&cell: &Cell| TimedWaypoint {
             cell,
             since: None,
             dropped: None,
@@ -44,7 +44,7 @@ impl Career {
             from,
             until: None,
             goals: Vec::new(),
-            duties: agent.waypoints.iter().map(duty).collect(),
+            waypoints: agent.waypoints.iter().map(waypoint).collect(),
             levels: Vec::new(),
             held: Vec::new(),
             agent,
@@ -71,8 +71,10 @@ impl Career {
     }
 
     /// The waypoints that it has to visit, after all changes.
-    pub fn duties(&self) -> impl Iterator<Item = &Duty> {
-        self.duties.iter().filter(|duty| duty.dropped.is_none())
+    pub fn waypoints(&self) -> impl Iterator<Item = &TimedWaypoint> {
+        self.waypoints
+            .iter()
+            .filter(|waypoint| waypoint.dropped.is_none())
     }
 
     /// Whether a breakdown keeps it from beginning a move at a time.

@@ -12,7 +12,7 @@ use giveway_model::{Cell, Instance, Plan};
 
 use super::{
     answer::{Core, FactKind},
-    relax::{Part, Variant, parts, without},
+    group::{Group, Variant, groups, without},
 };
 use crate::search::Reach;
 use giveway_model::sorting::sort_by_key;
@@ -42,7 +42,7 @@ pub(crate) trait Inquiry {
 /// Facts without which there is a plan.
 pub(crate) struct CoreFound {
     /// Together they exclude a plan.
-    pub(crate) parts: Vec<Part>,
+    pub(crate) groups: Vec<Group>,
     /// Whether each of them was shown to be needed.
     pub(crate) minimal: bool,
     /// How far they exclude one.
@@ -52,7 +52,7 @@ pub(crate) struct CoreFound {
 impl CoreFound {
     /// The facts for people.
     pub(crate) fn core(&self, instance: &Instance, within: Option<u32>) -> Core {
-        let facts = self.parts.iter().map(|part| part.fact(instance, within));
+        let facts = self.groups.iter().map(|group| group.fact(instance, within));
         Core {
             facts: facts.collect(),
             minimal: self.minimal,
@@ -64,7 +64,7 @@ impl CoreFound {
 
 /// Facts that exclude a plan, where the instance as it is has none (up to a
 /// horizon). The agents `asked` about are never left out.
-pub(crate) fn minimal_set(
+pub(crate) fn group_mus(
     instance: &Instance,
     asked: &[usize],
     deadline: Option<u32>,
@@ -83,7 +83,7 @@ pub(crate) fn minimal_set(
         plans: Vec::new(),
         reach,
     };
-    let all = parts(instance, asked, deadline.is_some());
+    let all = groups(instance, asked, deadline.is_some());
     shrinking.leave_out_strangers(&all, &clash);
     for kind in [
         FactKind::Task,
@@ -95,16 +95,16 @@ pub(crate) fn minimal_set(
         FactKind::Slow,
         FactKind::Deadline,
     ] {
-        let mut class: Vec<Part> = all.iter().copied().filter(|p| p.kind() == kind).collect();
-        class.retain(|&part| shrinking.matters(part));
+        let mut class: Vec<Group> = all.iter().copied().filter(|p| p.kind() == kind).collect();
+        class.retain(|&group| shrinking.matters(group));
         if kind == FactKind::Obstacle {
             shrinking.sort_by_distance(&mut class);
         }
         shrinking.shrink(&class, false);
     }
-    let minimal = shrinking.look_again();
+    let minimal = shrinking.check_minimality();
     Some(CoreFound {
-        parts: shrinking.kept.iter().copied().collect(),
+        groups: shrinking.kept.iter().copied().collect(),
         minimal,
         reach: shrinking.reach,
     })
@@ -114,8 +114,8 @@ struct Shrinking<'a> {
     instance: &'a Instance,
     deadline: Option<u32>,
     inquiry: &'a mut dyn Inquiry,
-    left_out: BTreeSet<Part>,
-    kept: BTreeSet<Part>,
+    left_out: BTreeSet<Group>,
+    kept: BTreeSet<Group>,
     /// Plans that some variant had.
     plans: Vec<Plan>,
     /// How far the last refutation reaches.
@@ -124,7 +124,7 @@ struct Shrinking<'a> {
 
 impl Shrinking<'_> {
     /// Tries to leave out all agents at once but those that clash.
-    fn leave_out_strangers(&mut self, all: &[Part], clash: &[String]) {
+    fn leave_out_strangers(&mut self, all: &[Group], clash: &[String]) {
         if clash.is_empty() {
             return;
         }
@@ -132,10 +132,10 @@ impl Shrinking<'_> {
             let agent = self.instance.agents().get(a);
             agent.is_some_and(|agent| clash.contains(&agent.name))
         };
-        let strangers: Vec<Part> = all
+        let strangers: Vec<Group> = all
             .iter()
             .copied()
-            .filter(|part| matches!(part, Part::Task(a) if !clashes(a)))
+            .filter(|group| matches!(group, Group::Task(a) if !clashes(a)))
             .collect();
         if !strangers.is_empty() {
             self.leave_out(&strangers);
@@ -143,35 +143,35 @@ impl Shrinking<'_> {
     }
 
     /// Whether a fact still says anything: it does not where its agent is gone.
-    fn matters(&self, part: Part) -> bool {
-        let gone = |&a: &usize| self.left_out.contains(&Part::Task(a));
-        !self.left_out.contains(&part) && !part.agents().iter().any(gone)
+    fn matters(&self, group: Group) -> bool {
+        let gone = |&a: &usize| self.left_out.contains(&Group::Task(a));
+        !self.left_out.contains(&group) && !group.agents().iter().any(gone)
     }
 
     /// Obstacles far from the agents first: they matter least.
-    fn sort_by_distance(&self, obstacles: &mut [Part]) {
+    fn sort_by_distance(&self, obstacles: &mut [Group]) {
         let agents = self.instance.agents().iter().enumerate();
         let cells: Vec<Cell> = agents
-            .filter(|&(a, _)| !self.left_out.contains(&Part::Task(a)))
+            .filter(|&(a, _)| !self.left_out.contains(&Group::Task(a)))
             .flat_map(|(_, agent)| {
                 let ends = [agent.start, agent.goal];
                 agent.waypoints.iter().copied().chain(ends)
             })
             .collect();
-        let distance = |part: &Part| match part {
-            Part::Obstacle(o) => {
+        let distance = |group: &Group| match group {
+            Group::Obstacle(o) => {
                 let to = |c: &Cell| o.x.abs_diff(c.x) + o.y.abs_diff(c.y);
                 cells.iter().map(to).min().unwrap_or(0)
             }
             _ => 0,
         };
-        sort_by_key(obstacles, |part| std::cmp::Reverse(distance(part)));
+        sort_by_key(obstacles, |group| std::cmp::Reverse(distance(group)));
     }
 
     /// Leaves out what can be left out of a block; true if something of it is
     /// needed. Where it is `known` that not all of it can be left out, that is
     /// not tried.
-    fn shrink(&mut self, block: &[Part], known: bool) -> bool {
+    fn shrink(&mut self, block: &[Group], known: bool) -> bool {
         if block.is_empty() || (!known && self.leave_out(block)) {
             return false;
         }
@@ -186,7 +186,7 @@ impl Shrinking<'_> {
     }
 
     /// Leaves facts out if there is still no plan without them.
-    fn leave_out(&mut self, block: &[Part]) -> bool {
+    fn leave_out(&mut self, block: &[Group]) -> bool {
         let mut less = self.left_out.clone();
         less.extend(block);
         match self.attempt(&less) {
@@ -199,7 +199,7 @@ impl Shrinking<'_> {
         }
     }
 
-    fn attempt(&mut self, left_out: &BTreeSet<Part>) -> Tried {
+    fn attempt(&mut self, left_out: &BTreeSet<Group>) -> Tried {
         let variant = without(self.instance, left_out, self.deadline);
         if let Some(plan) = self.known(&variant) {
             return Tried::Plan(plan);
@@ -218,23 +218,23 @@ impl Shrinking<'_> {
             .iter()
             .rev()
             .take(KNOWN)
-            .map(|plan| super::relax::fit(plan, &variant.scene));
+            .map(|plan| super::group::fit(plan, &variant.scene));
         let mut fits = fits.filter(|plan| self.inquiry.accepts(variant, plan));
         fits.next()
     }
 
     /// Looks at every fact that is kept: true where all are needed for sure.
-    fn look_again(&mut self) -> bool {
+    fn check_minimality(&mut self) -> bool {
         let mut minimal = true;
         let mut next = 0;
-        let kept: Vec<Part> = self.kept.iter().copied().collect();
-        while let Some(&part) = kept.get(next) {
+        let kept: Vec<Group> = self.kept.iter().copied().collect();
+        while let Some(&group) = kept.get(next) {
             next += 1;
-            if !self.kept.contains(&part) {
+            if !self.kept.contains(&group) {
                 continue;
             }
             let mut less = self.left_out.clone();
-            less.insert(part);
+            less.insert(group);
             match self.attempt(&less) {
                 Tried::Plan(_) => {}
                 Tried::Unknown => minimal = false,
@@ -242,7 +242,7 @@ impl Shrinking<'_> {
                     // With it gone, others may be needed no longer.
                     self.left_out = less;
                     self.reach = reach;
-                    self.kept.remove(&part);
+                    self.kept.remove(&group);
                     minimal = true;
                     next = 0;
                 }

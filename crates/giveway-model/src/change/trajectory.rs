@@ -1,6 +1,6 @@
 //! Where a plan has one agent, over the whole of its time.
 
-use super::{Career, Duty, History};
+use super::{History, TimedWaypoint, Timeline};
 use crate::{Cell, Plan};
 
 /// Where an agent is at a time.
@@ -21,10 +21,10 @@ pub enum Whereabouts {
 
 /// One agent in a plan, in absolute times. The path may break any rule.
 #[derive(Clone, Copy, Debug)]
-pub struct Life<'a> {
+pub struct Trajectory<'a> {
     /// The agent over time.
-    pub career: &'a Career,
-    /// Where it is from [`Career::from`] on, up to its arrival or removal.
+    pub timeline: &'a Timeline,
+    /// Where it is from [`Timeline::from`] on, up to its arrival or removal.
     pub path: &'a [Option<Cell>],
     /// The times at which the plan says that it charges, as listed.
     pub charges: &'a [u32],
@@ -34,40 +34,40 @@ pub struct Life<'a> {
     end: u32,
 }
 
-impl<'a> Life<'a> {
-    /// The life of an agent; `None` where the plan gives it no cell at all.
-    pub fn of(history: &'a History, career: &'a Career, plan: &'a Plan) -> Option<Self> {
-        let mut path = plan.path(career.name());
-        let charges = plan.charges(career.name());
-        let mut life = Self {
-            career,
+impl<'a> Trajectory<'a> {
+    /// The trajectory of an agent; `None` where the plan gives it no cell at all.
+    pub fn of(history: &'a History, timeline: &'a Timeline, plan: &'a Plan) -> Option<Self> {
+        let mut path = plan.path(timeline.name());
+        let charges = plan.charges(timeline.name());
+        let mut trajectory = Self {
+            timeline,
             path,
             charges,
-            slept: plan.slept(career.name()),
+            slept: plan.slept(timeline.name()),
             stays: history.stays(),
             end: 0,
         };
-        if let Some(until) = career.until {
-            let length = until.saturating_sub(career.from) as usize;
-            life.path = path.get(..length).unwrap_or(path);
-            life.end = until.saturating_sub(1);
-            return path.iter().any(Option::is_some).then_some(life);
+        if let Some(until) = timeline.until {
+            let length = until.saturating_sub(timeline.from) as usize;
+            trajectory.path = path.get(..length).unwrap_or(path);
+            trajectory.end = until.saturating_sub(1);
+            return path.iter().any(Option::is_some).then_some(trajectory);
         }
         while let [rest @ .., None] = path {
             path = rest;
         }
-        life.path = path;
+        trajectory.path = path;
         let last = path.len().checked_sub(1)?;
-        let last = career.from.saturating_add(last as u32);
-        life.end = last;
+        let last = timeline.from.saturating_add(last as u32);
+        trajectory.end = last;
         // An agent that vanishes at its goal and is still listed there has not
         // arrived. One that stays has, as soon as it stays for good.
         let past = plan.knows.map_or(0, |knows| knows.min(last));
-        let past = if life.stays { 0 } else { past };
-        life.end = life.arrival_in_path().max(past);
-        let length = (life.end - career.from) as usize + 1;
-        life.path = path.get(..length).unwrap_or(path);
-        Some(life)
+        let past = if trajectory.stays { 0 } else { past };
+        trajectory.end = trajectory.arrival_in_path().max(past);
+        let length = (trajectory.end - timeline.from) as usize + 1;
+        trajectory.path = path.get(..length).unwrap_or(path);
+        Some(trajectory)
     }
 
     /// The last time at which it matters where it is: of an agent that was
@@ -78,16 +78,16 @@ impl<'a> Life<'a> {
 
     /// Whether it was removed: then it never arrives.
     pub const fn is_removed(&self) -> bool {
-        self.career.until.is_some()
+        self.timeline.until.is_some()
     }
 
     /// The cell at a time; `None` in transit and where it is not there.
     pub fn at(&self, time: u32) -> Option<Cell> {
-        let index = time.checked_sub(self.career.from)? as usize;
+        let index = time.checked_sub(self.timeline.from)? as usize;
         if let Some(entry) = self.path.get(index) {
             return *entry;
         }
-        let there = match self.career.until {
+        let there = match self.timeline.until {
             Some(until) => time < until,
             None => self.stays || time <= self.end,
         };
@@ -107,7 +107,7 @@ impl<'a> Life<'a> {
     }
 
     fn is_listed(&self, time: u32) -> bool {
-        let index = time.checked_sub(self.career.from);
+        let index = time.checked_sub(self.timeline.from);
         index.is_some_and(|index| (index as usize) < self.path.len())
     }
 
@@ -123,8 +123,8 @@ impl<'a> Life<'a> {
         let times: Vec<u32> = times.collect();
         let said = self.slept.iter().filter(|[_, to]| times.contains(to));
         let said = said.filter_map(|&[from, to]| Some((from.max(self.rests_since(to)?), to)));
-        let listed = self.career.from.saturating_add(self.path.len() as u32);
-        let removed = self.career.until;
+        let listed = self.timeline.from.saturating_add(self.path.len() as u32);
+        let removed = self.timeline.until;
         let unlisted = times.iter().copied();
         let unlisted = unlisted.filter(|&time| removed.is_none() && time >= listed);
         let ends = unlisted.chain(removed);
@@ -135,67 +135,67 @@ impl<'a> Life<'a> {
     /// Since when it stands at its goal with every waypoint visited and without
     /// charging, before what changes at a time; `None` where it does not.
     pub fn rests_since(&self, time: u32) -> Option<u32> {
-        let (goal, goal_since) = self.career.goal_before(time);
+        let (goal, goal_since) = self.timeline.goal_before(time);
         // Who is removed at that time is there no more.
-        let gone = self.career.until == Some(time);
+        let gone = self.timeline.until == Some(time);
         let last = time.checked_sub(u32::from(gone))?;
         if self.at(last) != Some(goal) {
             return None;
         }
         // Nothing happens after what the path lists.
-        let listed = (self.path.len() as u32).saturating_sub(1) + self.career.from;
+        let listed = (self.path.len() as u32).saturating_sub(1) + self.timeline.from;
         let mut since = last.min(listed);
-        while since > self.career.from
+        while since > self.timeline.from
             && self.at(since - 1) == Some(goal)
             && !self.charges.contains(&(since - 1))
         {
             since -= 1;
         }
         since = since.max(goal_since.unwrap_or(0));
-        let before = |duty: &&Duty| {
-            duty.since.is_none_or(|since| since < time)
-                && duty.dropped.is_none_or(|dropped| dropped >= time)
+        let before = |waypoint: &&TimedWaypoint| {
+            waypoint.since.is_none_or(|since| since < time)
+                && waypoint.dropped.is_none_or(|dropped| dropped >= time)
         };
-        for duty in self.career.duties.iter().filter(before) {
-            since = since.max(self.visit(duty).filter(|&visit| visit <= time)?);
+        for waypoint in self.timeline.waypoints.iter().filter(before) {
+            since = since.max(self.visit(waypoint).filter(|&visit| visit <= time)?);
         }
         Some(since)
     }
 
-    /// When a waypoint is first visited, as its duty asks for.
-    pub fn visit(&self, duty: &Duty) -> Option<u32> {
-        let from = duty.since.unwrap_or(0).max(self.career.from);
+    /// When a waypoint is first visited, as its waypoint asks for.
+    pub fn visit(&self, waypoint: &TimedWaypoint) -> Option<u32> {
+        let from = waypoint.since.unwrap_or(0).max(self.timeline.from);
         let mut times = from..=self.end.max(from);
-        times.find(|&time| self.at(time) == Some(duty.cell))
+        times.find(|&time| self.at(time) == Some(waypoint.cell))
     }
 
     /// The first time from which it stands where it ends, that cell being its
     /// goal and every waypoint visited.
     fn arrival_in_path(&self) -> u32 {
-        let from = self.career.from;
+        let from = self.timeline.from;
         let last = self.path.last().copied().flatten();
-        let goal = self.career.goal();
+        let goal = self.timeline.goal();
         let mut arrival = self.end;
         if last == Some(goal) {
             while arrival > from && self.at(arrival - 1) == last {
                 arrival -= 1;
             }
-            let since = self.career.goals.last().map_or(from, |&(since, _)| since);
+            let since = self.timeline.goals.last().map_or(from, |&(since, _)| since);
             arrival = arrival.max(since);
         }
-        let visits = self.career.duties();
-        let visits = visits.filter_map(|duty| {
+        let visits = self.timeline.waypoints();
+        let visits = visits.filter_map(|waypoint| {
             let wait = Self {
-                end: self.end.max(duty.since.unwrap_or(0)),
+                end: self.end.max(waypoint.since.unwrap_or(0)),
                 ..*self
             };
-            wait.visit(duty)
+            wait.visit(waypoint)
         });
         let arrival = visits.fold(arrival, u32::max);
         // What had to be visited until it was dropped was in its way up to then.
-        let dropped = self.career.duties.iter().filter_map(|duty| {
-            let dropped = duty.dropped?;
-            let visit = self.visit(duty);
+        let dropped = self.timeline.waypoints.iter().filter_map(|waypoint| {
+            let dropped = waypoint.dropped?;
+            let visit = self.visit(waypoint);
             visit.is_none_or(|visit| visit > dropped).then_some(dropped)
         });
         dropped.fold(arrival, u32::max)

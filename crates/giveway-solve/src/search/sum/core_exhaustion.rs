@@ -5,14 +5,14 @@
 //! together with what is shared among them, the bound rises. All other agents
 //! are free meanwhile, so that what a few agents cost each other is learnt in
 //! cores of few literals. Otherwise much of it would come out later in cores
-//! that name many agents, each of which would get a larger diagram.
+//! that name many agents, each of which would get a larger MDD.
 
 use std::collections::BTreeMap;
 
 use giveway_model::sorting;
 
 use super::{Soft, SumStage};
-use crate::{encode::totalizer::totalizer, meter::Stop, sat::Lit, search::stage::Search};
+use crate::{budget::Stop, encode::totalizer::totalizer, sat::Lit, search::stage::Search};
 
 /// Cores of more literals are not gone on with.
 const MOST_LITERALS: usize = 8;

@@ -1,6 +1,6 @@
 //! What a question contrasts the plan with, as the search sees it.
 //!
-//! Most of it is a demand on one agent ([`Demand`]) or a limit on a cost; who
+//! Most of it is a demand on one agent ([`TaskConstraint`]) or a limit on a cost; who
 //! comes first at a cell is the one thing between two agents. Names and cells
 //! are looked up anew in each instance, since explanations ask about edited
 //! ones, too, with other agents and other obstacles.
@@ -14,17 +14,17 @@ use giveway_model::{
 };
 
 use crate::{
+    budget::Budget,
     explain::past::Past,
-    meter::Meter,
-    problem::{Problem, Setback},
-    single::{Demand, Place, Task},
+    problem::{Problem, ProblemError},
+    single::{Place, Task, TaskConstraint},
     terrain::Vertex,
     walk::Walk,
 };
 
 /// A constraint on the other plan.
 #[derive(Clone, Debug, PartialEq, Eq)]
-pub(crate) struct Condition {
+pub(crate) struct Counterfactual {
     /// The question; where it is about whichever agent, about one of them.
     question: Question,
     /// The plan that is asked about.
@@ -59,7 +59,7 @@ impl Precedence {
     }
 }
 
-impl Condition {
+impl Counterfactual {
     /// What must hold in the other plan, one way or another: there are several
     /// where a question is about whichever agent, and none where it has no
     /// contrast. The question fits the plan.
@@ -172,12 +172,12 @@ impl Condition {
         &self,
         instance: &Instance,
         problem: &mut Problem,
-        meter: &Meter,
-    ) -> Result<(), Setback> {
+        budget: &Budget,
+    ) -> Result<(), ProblemError> {
         let Some(agent) = self.agent().and_then(|name| index(instance, name)) else {
             return Ok(());
         };
-        let impossible = Setback::Alone(agent);
+        let impossible = ProblemError::Alone(agent);
         let mut task = problem.tasks[agent].clone();
         let to = match &self.question {
             Question::Yield { to, .. } => index(instance, to),
@@ -194,7 +194,7 @@ impl Condition {
                 at,
             });
         }
-        problem.add(agent, task, meter)
+        problem.add(agent, task, budget)
     }
 
     /// Puts the demand into the agent's task; `None` where it cannot be kept.
@@ -208,7 +208,7 @@ impl Condition {
         };
         let fewer = |cost| {
             let most = self.below.checked_sub(1)?;
-            Some(Demand::AtMost { cost, most })
+            Some(TaskConstraint::AtMost { cost, most })
         };
         task.demand = match self.question {
             Question::Wait {
@@ -219,14 +219,14 @@ impl Condition {
                 ..
             } => match at.map(vertex) {
                 Some(None) => None, // nobody waits in an obstacle
-                v => Some(Demand::Wait {
+                v => Some(TaskConstraint::Wait {
                     v: v.flatten(),
                     from: from.unwrap_or(0),
                     to: to.unwrap_or(u32::MAX),
                     steps: at_least.unwrap_or(1).max(1),
                 }),
             },
-            Question::Charge { at, time, .. } => Some(Demand::NotCharge {
+            Question::Charge { at, time, .. } => Some(TaskConstraint::NotCharge {
                 v: at.and_then(vertex),
                 time,
             }),
@@ -234,7 +234,7 @@ impl Condition {
                 task.reserve?;
                 let v = vertex(at)?;
                 let leaving = terrain.arcs(v).iter().map(|arc| arc.id).collect();
-                Some(Demand::Charge { v, leaving })
+                Some(TaskConstraint::Charge { v, leaving })
             }
             Question::Visit { at, time, .. } => {
                 let v = vertex(at);
@@ -246,7 +246,7 @@ impl Condition {
                     // (Nothing is looked for at the end of time.)
                     task.not_before = time.saturating_add(1);
                 }
-                v.map(|v| Demand::Avoid { v, time })
+                v.map(|v| TaskConstraint::Avoid { v, time })
             }
             Question::NoVisit { at, .. } | Question::Yield { at, .. } => {
                 task.visit(vertex(at)?);
@@ -257,7 +257,7 @@ impl Condition {
                 to_cell,
                 time,
                 ..
-            } => Some(Demand::NotCross {
+            } => Some(TaskConstraint::NotCross {
                 arcs: arc(from_cell, to_cell).into_iter().collect(),
                 time,
             }),
@@ -266,7 +266,7 @@ impl Condition {
                 to_cell,
                 time,
                 ..
-            } => Some(Demand::Cross {
+            } => Some(TaskConstraint::Cross {
                 arcs: vec![arc(from_cell, to_cell)?],
                 time,
             }),
@@ -281,7 +281,7 @@ impl Condition {
                 };
                 let arcs = (0..terrain.len() as Vertex).flat_map(|u| terrain.arcs(u));
                 let slow = arcs.filter(|arc| arc.slow && is_asked(arc.id));
-                Some(Demand::NotCross {
+                Some(TaskConstraint::NotCross {
                     arcs: slow.map(|arc| arc.id).collect(),
                     time: None,
                 })
@@ -289,9 +289,9 @@ impl Condition {
             Question::Order { first, second, .. } => {
                 let waypoint = task.visit(vertex(second)?);
                 let v = vertex(first);
-                v.map(|v| Demand::After { v, waypoint })
+                v.map(|v| TaskConstraint::After { v, waypoint })
             }
-            Question::Arrival { .. } => Some(Demand::ArriveBy(self.below.checked_sub(1)?)),
+            Question::Arrival { .. } => Some(TaskConstraint::ArriveBy(self.below.checked_sub(1)?)),
             Question::Length { .. } | Question::Moves { .. } => Some(fewer(Cost::Moves)?),
             Question::Charges { .. } => Some(fewer(Cost::Charges)?),
             Question::Waits { .. } => Some(fewer(Cost::Waits)?),

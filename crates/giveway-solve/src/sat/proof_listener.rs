@@ -2,7 +2,7 @@
 //!
 //! varisat 0.2 has neither a conflict count nor an interrupt. It writes its
 //! proof as it goes, though, and gives up as soon as the writer fails: so the
-//! tap reads the learnt clauses off the proof, and fails when the budget is
+//! listener reads the learnt clauses off the proof, and fails when the budget is
 //! spent. Not every clause that is derived was learnt from a conflict: where a
 //! literal holds for good, clauses are rewritten without it, and the proof tells
 //! these apart only by what follows, which is the deletion of the old one.
@@ -12,11 +12,11 @@ use std::rc::Rc;
 
 use varisat_internal_proof::{ProofStep, binary_format::Parser};
 
-use crate::meter::{Meter, Stop};
+use crate::budget::{Budget, Stop};
 
 /// The writer that varisat's proof goes to; the bytes are read and thrown away.
-pub(crate) struct Tap<'h> {
-    meter: Rc<Meter<'h>>,
+pub(crate) struct ProofListener<'h> {
+    budget: Rc<Budget<'h>>,
     parser: Parser,
     /// The head of a step whose tail has not been written yet.
     rest: Vec<u8>,
@@ -28,10 +28,10 @@ pub(crate) struct Tap<'h> {
     derived: bool,
 }
 
-impl<'h> Tap<'h> {
-    pub(crate) fn new(meter: Rc<Meter<'h>>) -> Self {
+impl<'h> ProofListener<'h> {
+    pub(crate) fn new(budget: Rc<Budget<'h>>) -> Self {
         Self {
-            meter,
+            budget,
             parser: Parser::default(),
             rest: Vec::new(),
             wait: 0,
@@ -44,16 +44,16 @@ fn stopped(stop: Stop) -> io::Error {
     io::Error::other(stop.sentence())
 }
 
-impl Write for Tap<'_> {
+impl Write for ProofListener<'_> {
     fn write(&mut self, bytes: &[u8]) -> io::Result<usize> {
         // After an error the same bytes may come again; they are of no use then.
-        self.meter.check().map_err(stopped)?;
+        self.budget.check().map_err(stopped)?;
         self.rest.extend_from_slice(bytes);
         if self.rest.len() >= self.wait {
             self.read();
         }
-        self.meter.report_size();
-        self.meter.check().map_err(stopped)?;
+        self.budget.report_size();
+        self.budget.check().map_err(stopped)?;
         Ok(bytes.len())
     }
 
@@ -61,12 +61,12 @@ impl Write for Tap<'_> {
     fn flush(&mut self) -> io::Result<()> {
         self.read();
         let learnt = std::mem::take(&mut self.derived);
-        self.meter.count_conflicts(u64::from(learnt));
+        self.budget.count_conflicts(u64::from(learnt));
         Ok(())
     }
 }
 
-impl Tap<'_> {
+impl ProofListener<'_> {
     /// Reads the steps that are whole.
     fn read(&mut self) {
         let (mut conflicts, mut derived) = (0, 0);
@@ -81,7 +81,7 @@ impl Tap<'_> {
         }
         self.rest.drain(..whole);
         self.wait = 2 * self.rest.len();
-        self.meter.count_conflicts(conflicts);
-        self.meter.count_derived(derived);
+        self.budget.count_conflicts(conflicts);
+        self.budget.count_derived(derived);
     }
 }
