@@ -168,5 +168,5 @@ fn every_answer_is_certified() {
 #[test]
 fn every_answer_within_a_horizon_is_certified() {
     let tally = certify_all(100, |number| Some((number % 9) as u32));
-    assert!(tally.last_lines.contains_key("proved"));
+    assert!(tally.last_lines.contains_key("Proved"));
 }

@@ -373,3 +373,31 @@ fn who_was_woken_and_stays_after_all_has_waited_since_it_was_woken() {
         assert_eq!(bounds.get(&Cost::Waits), Some(&waits), "{bounds:?}");
     }
 }
+
+/// A waypoint that was dropped was in the way up to then: who waited for that
+/// has waited, and sleeps from then on.
+#[test]
+fn who_waited_for_a_waypoint_to_be_dropped_has_waited() {
+    let scene = r#"{ "giveway": 1, "map": ["..."],
+        "agents": [{ "name": "A", "start": [0, 0], "goal": [0, 0] }] }"#;
+    let changes = r#"{ "giveway": 1, "changes": [
+        { "at": 1, "change": "add-waypoint", "agent": "A", "cell": [2, 0] },
+        { "at": 1, "change": "delay-agent", "agent": "A", "steps": 2 },
+        { "at": 3, "change": "drop-waypoint", "agent": "A", "cell": [2, 0] },
+        { "at": 5, "change": "add-charger", "cell": [1, 0] }] }"#;
+    let plan = r#"{ "giveway": 1, "knows": 3, "slept": { "A": [[0, 1]] },
+        "paths": { "A": [[0, 0], [0, 0], [0, 0], [0, 0]] } }"#;
+    let request = ChangeRequest {
+        scene: native::read_instance(scene).unwrap().to_scene(),
+        plan: native::read_plan(plan).unwrap(),
+        changes: native::read_changes(changes).unwrap(),
+        since: None,
+        methods: vec![Method::Replan],
+        objective: None,
+        within: None,
+        limits: Limits::default(),
+    };
+    let answer = answer(request).unwrap();
+    let costs = optimal(&answer, Method::Replan);
+    assert_eq!((costs.makespan, costs.waits), (3, 2));
+}

@@ -200,7 +200,12 @@ fn only_regular_files_that_belong_to_it_are_read() {
     fs::create_dir(&file).unwrap();
     let run = folder.run("verify certificate");
     assert_eq!((run.exit, run.out.as_str()), (Some(1), ""));
-    assert!(run.err.contains("found no regular file"), "{}", run.err);
+    assert!(
+        run.err
+            .contains("found something other than a regular file"),
+        "{}",
+        run.err
+    );
     fs::remove_dir(&file).unwrap();
     fs::write(&file, bytes).unwrap();
     let manifest = folder.read("certificate/manifest.json");

@@ -159,10 +159,18 @@ impl<'a> Trajectory<'a> {
         for waypoint in self.timeline.waypoints.iter().filter(before) {
             since = since.max(self.visit(waypoint).filter(|&visit| visit <= time)?);
         }
+        // What had to be visited until it was dropped was in its way up to then.
+        for waypoint in &self.timeline.waypoints {
+            if let Some(dropped) = waypoint.dropped.filter(|&dropped| dropped < time)
+                && self.visit(waypoint).is_none_or(|visit| visit > dropped)
+            {
+                since = since.max(dropped);
+            }
+        }
         Some(since)
     }
 
-    /// When a waypoint is first visited, as its waypoint asks for.
+    /// When a waypoint is first visited, as the timeline asks for.
     pub fn visit(&self, waypoint: &TimedWaypoint) -> Option<u32> {
         let from = waypoint.since.unwrap_or(0).max(self.timeline.from);
         let mut times = from..=self.end.max(from);
