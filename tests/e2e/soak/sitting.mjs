@@ -74,6 +74,50 @@ export class Sitting {
     let steps = 0;
     while (await this.#step("Undo")) {
       steps += 1;
+      if (this.document === before || await shared(this.playground) === before) {
+        break;
+      }
+      assert.ok(steps < STEPS, "Undo does not bring back the document of before");
+    }
+    if (this.document !== before) {
+      assert.equal(await shared(this.playground), before, "Undo brings back another document than the one of before");
+    }
+    for (let step = 0; step < steps; step += 1) {
+      assert.ok(await this.#step("Redo"), `Redo goes ${step} steps forth, Undo went ${steps} back`);
+    }
+    await tellsAgain(this.page, "after Undo and Redo", now);
+  }
+
+  /**
+   * What the page tells once it is calm. While a robot is led or the world changes, Undo and Redo come back to the
+   * time that this is about, wherever the person has looked in between.
+   */
+  async #settled() {
+    const now = await this.calm();
+    if (!/^(Steering|Changing)/.test(now.status)) {
+      return now;
+    }
+    await this.#step("Undo");
+    await this.#step("Redo");
+    await tellsAgain(this.page, "after Undo and Redo", now, ({ name, size, status }) => ({ name, size, status }));
+    return look(this.page);
+  }
+
+  async #step(name) {
+    const button = this.playground.button(name);
+    if (await button.isDisabled()) {
+      return false;
+    }
+    await button.click();
+    return true;
+  }
+
+  /** Takes all back, and does all again. */
+  async allTheWay() {
+    const now = await this.#settled();
+    let steps = 0;
+    while (await this.#step("Undo")) {
+      steps += 1;
     }
     // There may have been steps to redo before, which stay undone.
     for (let step = 0; step < steps; step += 1) {
