@@ -31,6 +31,7 @@ describe("what is kept", () => {
     // An edit right before leaving, too.
     await playground.pick("Obstacle");
     await playground.stroke([9, 1]);
+    await playground.cellTells(9, 1, /^obstacle/);
     await playground.reload();
     await playground.cellTells(9, 1, /^obstacle/);
     await playground.says(/^The scene has changed since this plan/);

@@ -75,6 +75,7 @@ describe("a reload", () => {
     await edit(playground);
     await playground.pick("Charger");
     await playground.stroke([9, 1]);
+    await playground.cellTells(9, 1, /^charger/);
     await playground.reload();
     await playground.cellTells(9, 1, /^charger/);
     await playground.press("Undo");
