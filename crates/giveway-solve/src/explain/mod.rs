@@ -7,10 +7,10 @@
 //! - [`closest`]: of these, one that is close to it;
 //! - [`rest`]: what is left of a plan once the world has changed (`going_on`: by whom); [`past`] and
 //!   `told` make an answer about it one about the whole;
-//! - [`relax`], [`edits`]: facts left out, edits made;
+//! - [`group`], [`edits`]: facts left out, edits made;
 //! - [`reasons`]: the parts that say why, in their order;
 //! - [`contrasted`]: the search for what a question asks for, with facts left out;
-//! - [`core`]: facts that together make it impossible;
+//! - [`group_mus`]: facts that together make it impossible;
 //! - [`soft`]: plans that break as few rules as can be;
 //! - [`repairs`]: edits that help;
 //! - [`waits`], [`own_way`]: what would happen;

@@ -11,10 +11,10 @@
 //! free until no further core is found. A core that comes again with the next
 //! levels of the same agents is *stretched*: two agents that meet in a corridor
 //! are a core for as many levels as the corridor is long, and all of these are
-//! learnt at once. A small core is *exhausted* ([`exhaust`]): its agents are
+//! learnt at once. A small core is *exhausted* ([`core_exhaustion`]): its agents are
 //! looked at by themselves until they hold together. What the best plan so far
-//! excludes is made clauses ([`narrow`]); better plans come out of models
-//! ([`guess`]).
+//! excludes is made clauses ([`hardening`]); better plans come out of models
+//! ([`upper_bound`]).
 
 mod core_exhaustion;
 mod hardening;
