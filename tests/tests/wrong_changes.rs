@@ -9,7 +9,7 @@
 use giveway_model::change::Changes;
 use giveway_model::check::{Report, check_changes};
 use giveway_model::format::native;
-use giveway_model::{Cost, Costs, Plan};
+use giveway_model::{Cost, Costs, Plan, Scene};
 use giveway_solve::change::{ChangeAnswer, ChangeRequest, Method, MethodAnswer};
 use giveway_solve::{
     Host, Limits, Progress, Refusal, Request, Response, SilentHost, Status, serve,
@@ -32,18 +32,28 @@ fn files(case: &str) -> [String; 3] {
     }
 }
 
-fn request(case: &str) -> ChangeRequest {
-    let [i, p, c] = files(case);
+/// The request for these methods, and nothing else asked for.
+fn request_of(scene: Scene, plan: Plan, changes: Changes, methods: &[Method]) -> ChangeRequest {
     ChangeRequest {
-        scene: instance(&i).to_scene(),
-        plan: plan(&p),
-        changes: changes(&c),
+        scene,
+        plan,
+        changes,
         since: None,
-        methods: vec![Method::Revise, Method::Replan],
+        methods: methods.to_vec(),
         objective: None,
         within: None,
         limits: Limits::default(),
     }
+}
+
+fn request(case: &str) -> ChangeRequest {
+    let [i, p, c] = files(case);
+    request_of(
+        instance(&i).to_scene(),
+        plan(&p),
+        changes(&c),
+        &[Method::Revise, Method::Replan],
+    )
 }
 
 fn answer(request: ChangeRequest) -> Result<ChangeAnswer, Refusal> {
@@ -300,16 +310,12 @@ fn who_stands_at_its_goal_has_waited_only_if_it_goes_on() {
         let scene = native::read_instance(scene).unwrap();
         let changes = format!(r#"{{ "giveway": 1, "changes": [{change}] }}"#);
         let changes = native::read_changes(&changes).unwrap();
-        let request = ChangeRequest {
-            scene: scene.to_scene(),
-            plan: native::read_plan(plan).unwrap(),
-            changes: changes.clone(),
-            since: None,
-            methods: vec![Method::Replan],
-            objective: None,
-            within: None,
-            limits: Limits::default(),
-        };
+        let request = request_of(
+            scene.to_scene(),
+            native::read_plan(plan).unwrap(),
+            changes.clone(),
+            &[Method::Replan],
+        );
         let answer = answer(request).unwrap();
         let found = &answer.methods.get(Method::Replan).unwrap().result;
         let costs = found.costs.unwrap();
@@ -331,16 +337,12 @@ fn a_battery_that_is_set_in_sleep_lasts() {
         { "at": 3, "change": "set-battery", "agent": "A", "level": 6 },
         { "at": 5, "change": "add-waypoint", "agent": "A", "cell": [2, 0] }] }"#;
     let plan = r#"{ "giveway": 1, "knows": 3, "paths": { "A": [[0, 0], [1, 0]] } }"#;
-    let request = ChangeRequest {
-        scene: native::read_instance(scene).unwrap().to_scene(),
-        plan: native::read_plan(plan).unwrap(),
-        changes: native::read_changes(changes).unwrap(),
-        since: None,
-        methods: vec![Method::Replan],
-        objective: None,
-        within: None,
-        limits: Limits::default(),
-    };
+    let request = request_of(
+        native::read_instance(scene).unwrap().to_scene(),
+        native::read_plan(plan).unwrap(),
+        native::read_changes(changes).unwrap(),
+        &[Method::Replan],
+    );
     let answer = answer(request).unwrap();
     assert_eq!(optimal(&answer, Method::Replan).makespan, 7);
 }
@@ -355,15 +357,13 @@ fn who_was_woken_and_stays_after_all_has_waited_since_it_was_woken() {
     let changes = r#"{ "giveway": 1, "changes": [
         { "at": 3, "change": "add-charger", "cell": [0, 0] },
         { "at": 4, "change": "add-charger", "cell": [2, 0] }] }"#;
-    let request = |method| ChangeRequest {
-        scene: native::read_instance(scene).unwrap().to_scene(),
-        plan: native::read_plan(plan).unwrap(),
-        changes: native::read_changes(changes).unwrap(),
-        since: None,
-        methods: vec![method],
-        objective: None,
-        within: None,
-        limits: Limits::default(),
+    let request = |method| {
+        request_of(
+            native::read_instance(scene).unwrap().to_scene(),
+            native::read_plan(plan).unwrap(),
+            native::read_changes(changes).unwrap(),
+            &[method],
+        )
     };
     for (method, makespan, waits) in [(Method::Revise, 6, 1), (Method::Replan, 0, 0)] {
         let answer = answer(request(method)).unwrap();
@@ -387,16 +387,12 @@ fn who_waited_for_a_waypoint_to_be_dropped_has_waited() {
         { "at": 5, "change": "add-charger", "cell": [1, 0] }] }"#;
     let plan = r#"{ "giveway": 1, "knows": 3, "slept": { "A": [[0, 1]] },
         "paths": { "A": [[0, 0], [0, 0], [0, 0], [0, 0]] } }"#;
-    let request = ChangeRequest {
-        scene: native::read_instance(scene).unwrap().to_scene(),
-        plan: native::read_plan(plan).unwrap(),
-        changes: native::read_changes(changes).unwrap(),
-        since: None,
-        methods: vec![Method::Replan],
-        objective: None,
-        within: None,
-        limits: Limits::default(),
-    };
+    let request = request_of(
+        native::read_instance(scene).unwrap().to_scene(),
+        native::read_plan(plan).unwrap(),
+        native::read_changes(changes).unwrap(),
+        &[Method::Replan],
+    );
     let answer = answer(request).unwrap();
     let costs = optimal(&answer, Method::Replan);
     assert_eq!((costs.makespan, costs.waits), (3, 2));
