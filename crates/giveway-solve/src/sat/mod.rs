@@ -5,6 +5,7 @@
 
 mod lit;
 mod minimise;
+mod placeholders;
 mod proof_listener;
 mod solver;
 #[cfg(test)]

@@ -12,6 +12,7 @@ use std::rc::Rc;
 
 use varisat_internal_proof::{ProofStep, binary_format::Parser};
 
+use super::placeholders::Freed;
 use crate::budget::{Budget, Stop};
 
 /// The writer that varisat's proof goes to; the bytes are read and thrown away.
@@ -26,12 +27,14 @@ pub(crate) struct ProofListener<'h> {
     /// The last step derived a clause, which counts as learnt if no deletion
     /// comes next.
     derived: bool,
+    freed: Freed,
 }
 
 impl<'h> ProofListener<'h> {
-    pub(crate) fn new(budget: Rc<Budget<'h>>) -> Self {
+    pub(crate) fn new(budget: Rc<Budget<'h>>, freed: Freed) -> Self {
         Self {
             budget,
+            freed,
             parser: Parser::default(),
             rest: Vec::new(),
             wait: 0,
@@ -74,6 +77,7 @@ impl ProofListener<'_> {
         let mut whole = 0;
         while let Ok(step) = self.parser.parse_step(&mut cursor) {
             whole = cursor.position() as usize;
+            self.freed.read(&step);
             let rewritten = matches!(step, ProofStep::DeleteClause { .. });
             conflicts += u64::from(self.derived && !rewritten);
             self.derived = matches!(step, ProofStep::AtClause { .. });

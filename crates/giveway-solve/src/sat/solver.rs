@@ -4,6 +4,7 @@ use std::rc::Rc;
 
 use varisat::{ExtendFormula, ProofFormat, Solver, config::SolverConfigUpdate};
 
+use super::placeholders::{Freed, Placeholders};
 use super::{Clauses, Lit, proof_listener::ProofListener};
 use crate::budget::{Budget, Stop};
 use crate::held::Held;
@@ -44,6 +45,7 @@ pub(crate) struct Sat<'h> {
     solver: Solver<'h>,
     budget: Rc<Budget<'h>>,
     variables: u32,
+    placeholders: Placeholders,
     held: Held,
     model: Vec<bool>,
     buffer: Vec<varisat::Lit>,
@@ -60,11 +62,14 @@ impl<'h> Sat<'h> {
         config.luby_restart_interval_scale = Some(RESTART_INTERVAL);
         let accepted = solver.config(&config);
         debug_assert!(accepted.is_ok(), "the interval is within its range");
-        solver.write_proof(ProofListener::new(Rc::clone(&budget)), ProofFormat::Varisat);
+        let freed = Freed::default();
+        let listener = ProofListener::new(Rc::clone(&budget), freed.clone());
+        solver.write_proof(listener, ProofFormat::Varisat);
         Self {
             solver,
             budget,
             variables: 0,
+            placeholders: Placeholders::new(freed),
             held: Held::default(),
             model: Vec::new(),
             buffer: Vec::new(),
@@ -73,11 +78,13 @@ impl<'h> Sat<'h> {
         }
     }
 
-    /// A solver that hands varisat's cores on as they are.
+    /// A solver that hands varisat's cores on as they are, or lets varisat choose the
+    /// places of variables.
     #[cfg(test)]
-    pub(super) fn trusting(budget: Rc<Budget<'h>>) -> Self {
+    pub(super) fn with_care(budget: Rc<Budget<'h>>, care: super::tests::Care) -> Self {
         let mut sat = Self::new(budget);
-        sat.verify = false;
+        sat.verify = care.verify;
+        sat.placeholders.in_use = care.placeholders;
         sat
     }
 
@@ -155,6 +162,7 @@ impl<'h> Sat<'h> {
     pub(super) fn call(&mut self, assumptions: &[Lit]) -> Result<Option<Vec<Lit>>, Stop> {
         self.budget.check()?;
         self.budget.count_call();
+        self.take_freed();
         self.buffer.clear();
         self.buffer.extend(assumptions.iter().map(|&l| outward(l)));
         self.solver.assume(&self.buffer);
@@ -184,6 +192,22 @@ impl<'h> Sat<'h> {
         }
     }
 
+    /// See [`Placeholders::told`].
+    #[cfg(test)]
+    pub(super) fn places(&self) -> Vec<(u32, Option<u32>)> {
+        self.placeholders.told()
+    }
+
+    /// Before variables are named: see [`Placeholders`].
+    fn take_freed(&mut self) {
+        while let Some(clause) = self.placeholders.next(&mut self.variables) {
+            self.hold(VARIABLE_BYTES);
+            self.buffer.clear();
+            self.buffer.extend(clause.iter().map(|&l| outward(l)));
+            self.solver.add_clause(&self.buffer);
+        }
+    }
+
     fn hold(&mut self, bytes: usize) {
         self.budget.hold_more(&mut self.held, bytes);
     }
@@ -201,6 +225,7 @@ impl Clauses for Sat<'_> {
     fn clause(&mut self, lits: &[Lit]) {
         self.budget.count_clause();
         self.hold(CLAUSE_BYTES + LITERAL_BYTES * lits.len());
+        self.take_freed();
         self.buffer.clear();
         self.buffer.extend(lits.iter().map(|&l| outward(l)));
         self.solver.add_clause(&self.buffer);

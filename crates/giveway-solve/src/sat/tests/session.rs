@@ -5,7 +5,7 @@ use std::rc::Rc;
 
 use fastrand::Rng;
 
-use super::second::satisfiable;
+use super::{Care, places, second::satisfiable};
 use crate::{
     Limits, SilentHost,
     budget::Budget,
@@ -33,6 +33,10 @@ pub(super) struct Ends {
     pub(super) smaller: u32,
     /// Cores made smaller still by leaving assumptions out.
     pub(super) minimised: u32,
+    /// Freed places that placeholders took.
+    pub(super) taken: u32,
+    /// Freed places that variables of the formula took.
+    pub(super) chosen: u32,
 }
 
 impl Session {
@@ -93,24 +97,25 @@ impl Session {
     ///
     /// # Errors
     /// The first wrong answer, as a sentence.
-    pub(super) fn play(&self, verify: bool) -> Result<Ends, String> {
+    pub(super) fn play(&self, care: Care) -> Result<Ends, String> {
         let budget = Rc::new(Budget::new(&SilentHost, Limits::default()));
-        let mut sat = if verify {
-            Sat::new(budget)
-        } else {
-            Sat::trusting(budget)
-        };
-        let mut made = 0;
+        let mut sat = Sat::with_care(budget, care);
+        let mut made: Vec<Lit> = Vec::new();
         let mut clauses: Vec<&[i32]> = Vec::new();
         let mut ends = Ends::default();
+        let mut told = None;
         for step in &self.0 {
             let (Step::Add(numbers) | Step::Ask(numbers)) = step;
             let highest = numbers.iter().map(|n| n.unsigned_abs()).max().unwrap_or(0);
-            while made < highest {
-                sat.fresh();
-                made += 1;
+            while made.len() < highest as usize {
+                made.push(sat.fresh());
             }
+            let to_lit = |number: i32| to_lit(&made, number);
             let lits: Vec<Lit> = numbers.iter().copied().map(to_lit).collect();
+            // A formula without a model takes no clauses any more.
+            if told.is_none() && !satisfiable(clauses.iter().copied()) {
+                told = Some(sat.places().len());
+            }
             match step {
                 Step::Add(clause) => {
                     sat.clause(&lits);
@@ -132,7 +137,7 @@ impl Session {
                         ends.unsat += 1;
                         ends.smaller += u32::from(core.len() < assumed.len());
                         let trimmed = core.len();
-                        let core = if verify {
+                        let core = if care.verify {
                             let core = sat.leave_out(core);
                             core.map_err(|stop| format!("stopped: {stop:?}"))?
                         } else {
@@ -143,7 +148,7 @@ impl Session {
                             return Err(format!("a core with {wrong:?}, which is not assumed"));
                         }
                         let core: Vec<[i32; 1]> =
-                            core.into_iter().map(|l| [to_number(l)]).collect();
+                            core.into_iter().map(|l| [to_number(&made, l)]).collect();
                         let all = clauses.iter().copied();
                         if satisfiable(all.chain(core.iter().map(<[i32; 1]>::as_slice))) {
                             return Err(format!("under {assumed:?} a core too small, {core:?}"));
@@ -152,6 +157,9 @@ impl Session {
                 },
             }
         }
+        let mut places = sat.places();
+        places.truncate(told.unwrap_or(places.len()));
+        (ends.taken, ends.chosen) = places::taken_again(&places, &made);
         Ok(ends)
     }
 }
@@ -173,11 +181,14 @@ impl fmt::Display for Session {
     }
 }
 
-fn to_lit(number: i32) -> Lit {
-    Lit::new(number.unsigned_abs() - 1, number > 0)
+/// The literal of a number, by the variables that were made, in order.
+fn to_lit(made: &[Lit], number: i32) -> Lit {
+    let variable = made[number.unsigned_abs() as usize - 1];
+    if number > 0 { variable } else { !variable }
 }
 
-fn to_number(lit: Lit) -> i32 {
-    let number = lit.variable().cast_signed() + 1;
+fn to_number(made: &[Lit], lit: Lit) -> i32 {
+    let place = made.iter().position(|v| v.variable() == lit.variable());
+    let number = i32::try_from(place.unwrap() + 1).unwrap();
     if lit.is_positive() { number } else { -number }
 }
