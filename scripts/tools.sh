@@ -11,7 +11,19 @@ readonly rate_version=0.3.0
 wasm_bindgen_version=$(sed -n '/^name = "wasm-bindgen"$/{n;s/^version = "\(.*\)"$/\1/p}' Cargo.lock)
 readonly wasm_bindgen_version
 
-step() { printf '\n==> %s\n' "$*"; }
+# Says what begins. Where `times` names a file, the seconds that the last step took go there.
+step() {
+    note_time
+    step_name=$* step_start=$SECONDS
+    printf '\n==> %s\n' "$*"
+}
+
+note_time() {
+    if [[ -n ${times:-} && -n ${step_name:-} ]]; then
+        printf '%d\t%s\n' "$((SECONDS - step_start))" "$step_name" >>"$times"
+    fi
+    step_name=
+}
 
 fail() {
     printf 'x: %s\n' "$*" >&2
@@ -69,24 +81,65 @@ unlock_cache() {
     if [[ -n ${cache_lock:-} ]]; then exec {cache_lock}>&-; fi
 }
 
-# cargo_tool COMMAND PACKAGE VERSION [OPTION...]
+# install_tool PACKAGE VERSION OPTION... puts the commands of a package into the cache and
+# onto the PATH: as somebody built them before (scripts/prebuilt.txt), else by
+# `cargo install` with these options.
+install_tool() {
+    local package=$1 version=$2
+    shift 2
+    local home=$cache/tools/$package-$version
+    if [[ ! -d $home ]]; then
+        local why
+        if why=$(node scripts/prebuilt.mjs "$package" "$version" "$home" 2>&1); then
+            step "Fetched $package $version into $cache"
+        else
+            step "Building $package $version into $cache, once (some minutes at most; ${why:-no prebuilt one})"
+            # Little is gained by optimising a command that runs for a second, and much
+            # time is lost. One folder for all, so that what they share is compiled once.
+            rm -rf "$home.part"
+            CARGO_TARGET_DIR=$cache/tools/build CARGO_PROFILE_RELEASE_OPT_LEVEL=1 \
+                CARGO_PROFILE_RELEASE_LTO=off CARGO_PROFILE_RELEASE_CODEGEN_UNITS=16 \
+                cargo install --quiet --locked --root "$home.part" "$@" ||
+                fail "cargo could not install $package $version"
+            mv "$home.part" "$home"
+        fi
+    fi
+    PATH=$home/bin:$PATH
+}
+
+# cargo_tool COMMAND PACKAGE VERSION [OPTION...] finds a command in this version on the
+# PATH, or installs it.
 cargo_tool() {
     local command=$1 package=$2 version=$3
     shift 3
-    local home=$cache/tools/$package-$version
-    if [[ ! -d $home ]]; then
+    if [[ ! -d $cache/tools/$package-$version ]]; then
         if [[ $("$command" --version 2>/dev/null) == "$command $version"* ]]; then return; fi
-        step "Installing $package $version into $cache (some minutes, once)"
-        # Little is gained by optimising a command that runs for a second, and much
-        # time is lost. One folder for all, so that what they share is compiled once.
-        rm -rf "$home.part"
-        CARGO_TARGET_DIR=$cache/tools/build CARGO_PROFILE_RELEASE_OPT_LEVEL=1 \
-            CARGO_PROFILE_RELEASE_LTO=off CARGO_PROFILE_RELEASE_CODEGEN_UNITS=16 \
-            cargo install --quiet --locked --root "$home.part" --version "=$version" "$@" "$package" ||
-            fail "cargo could not install $package $version"
-        mv "$home.part" "$home"
     fi
-    PATH=$home/bin:$PATH
+    install_tool "$package" "$version" --version "=$version" "$@" "$package"
+}
+
+# What makes of Wasm what a page loads: a part of wasm-bindgen's command, which takes three
+# times as long to build. It is new where the version or its own source is.
+bind_tool() {
+    local source
+    source=$(cat scripts/bind/Cargo.lock scripts/bind/src/main.rs | sha256sum | cut -c 1-8)
+    install_tool giveway-bind "$wasm_bindgen_version-$source" --path scripts/bind
+}
+
+# Writes the tools that are there as archives into target/tools/, with their lines for
+# scripts/prebuilt.txt, so that others need not build them.
+publish_tools() {
+    local machine home name package version file
+    machine=$(node --print '`${process.platform}-${process.arch}`')
+    mkdir -p target/tools
+    for home in "$cache"/tools/*/; do
+        name=$(basename "$home")
+        if [[ ! -d $home/bin || ! $name =~ ^([a-z-]+)-([0-9].*)$ ]]; then continue; fi
+        package=${BASH_REMATCH[1]} version=${BASH_REMATCH[2]} file=$name-$machine.tar.gz
+        # Without owners and times, so that the same commands make the same archive.
+        tar --sort=name --owner=0 --group=0 --numeric-owner --mtime=@0 -C "$home" -cf - bin | gzip -9n > "target/tools/$file"
+        printf '%s %s %s %s %s\n' "$package" "$version" "$machine" "$(sha256sum "target/tools/$file" | cut -c 1-64)" "$file"
+    done
 }
 
 # wasm-opt, and the drivers of the browsers for the end-to-end tests.
@@ -115,7 +168,17 @@ need_node() {
     ((major >= 20)) || fail "found Node $(node --version), expected 20 or later"
 }
 
-# What builds the page.
+# What serves the page to somebody who works on it.
+set_up_serving() {
+    set_up_rust
+    need_node
+    lock_cache
+    bind_tool
+    rm -rf "$cache/tools/build"
+    unlock_cache
+}
+
+# What builds the page for a host.
 set_up_page() {
     set_up_rust
     need_node
@@ -129,6 +192,7 @@ set_up_page() {
 
 # The checker of somebody else that must accept the proofs of certificates.
 set_up_checker() {
+    need_node
     lock_cache
     cargo_tool rate rate "$rate_version"
     rm -rf "$cache/tools/build"
