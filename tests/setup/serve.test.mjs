@@ -85,3 +85,8 @@ test("a port in use is said, with another to take", async () => {
   const port = Number(new URL(host.url).port);
   await assert.rejects(serve(folder, { address: "127.0.0.1", port }), new RegExp(`port ${port} is in use; ./x serve --port ${port + 1} `));
 });
+
+test("what binds the Wasm is of the version that it was compiled for", () => {
+  const locked = readFileSync("Cargo.lock", "utf8").match(/name = "wasm-bindgen"\nversion = "([^"]+)"/)[1];
+  assert.match(readFileSync("scripts/bind/Cargo.toml", "utf8"), new RegExp(`wasm-bindgen-cli-support = "=${locked.replaceAll(".", "\\.")}"`));
+});
