@@ -36,3 +36,8 @@ pub use release::release;
 pub use rules::{AtGoal, Rules};
 pub use scene::Scene;
 pub use version::Version;
+
+/// The examples of the README are tests.
+#[cfg(doctest)]
+#[doc = include_str!("../README.md")]
+struct Readme;
