@@ -8,7 +8,7 @@ import { createHash } from "node:crypto";
 import { copyFileSync, mkdirSync, readFileSync, rmSync, writeFileSync } from "node:fs";
 import { join } from "node:path";
 
-import { root, settings } from "./settings.mjs";
+import { built, releaseFiles, root, settings } from "./settings.mjs";
 
 const [target] = process.argv.slice(2);
 if (!/^[a-z0-9_]+(-[a-z0-9_]+)+$/.test(target ?? "")) {
@@ -20,8 +20,7 @@ const run = (command, ...args) => execFileSync(command, args, { cwd: root, stdio
 const isWindows = target.includes("-windows-");
 const { version } = settings();
 const name = `giveway-${version}-${target}`;
-const built = process.env.CARGO_TARGET_DIR ?? join(root, "target");
-const out = join(root, "target/release-files");
+const out = releaseFiles;
 
 run("rustup", "target", "add", target);
 // All of a library that belongs to the system is inside, so that the command runs on a bare machine.

@@ -3,11 +3,11 @@
 // what has been published before is left alone, so that a release can be taken up again.
 
 import { execFileSync, spawnSync } from "node:child_process";
-import { appendFileSync, mkdtempSync, readdirSync, rmSync, writeFileSync } from "node:fs";
+import { appendFileSync, existsSync, mkdtempSync, readdirSync, rmSync, writeFileSync } from "node:fs";
 import { tmpdir } from "node:os";
 import { join } from "node:path";
 
-import { notes, root, settings } from "./settings.mjs";
+import { notes, releaseFiles, root, settings } from "./settings.mjs";
 import { CRATES } from "./stamp.mjs";
 
 const { version, address } = settings();
@@ -92,10 +92,10 @@ function npm() {
 
 /** The forge's release, with the binaries and their sums. */
 function files() {
-  const folder = join(root, "target/release-files");
-  const paths = readdirSync(folder).sort().map((name) => join(folder, name));
+  const names = existsSync(releaseFiles) ? readdirSync(releaseFiles) : [];
+  const paths = names.sort().map((name) => join(releaseFiles, name));
   if (paths.length === 0) {
-    fail(`${folder} is empty`);
+    fail(`there is nothing in ${releaseFiles}`);
   }
   const gh = (...args) => execFileSync("gh", args, { cwd: root, stdio: ["ignore", "inherit", "inherit"] });
   const isThere = spawnSync("gh", ["release", "view", `v${version}`], { cwd: root }).status === 0;

@@ -8,6 +8,12 @@ import { fileURLToPath } from "node:url";
 /** The folder of the clone. */
 export const root = fileURLToPath(new URL("../..", import.meta.url));
 
+/** Where Cargo builds to. */
+export const built = process.env.CARGO_TARGET_DIR ?? join(root, "target");
+
+/** The files of a release, with their sums. */
+export const releaseFiles = join(built, "release-files");
+
 /** `{ version, address }` of the workspace in a folder. */
 export function settings(folder = root) {
   const manifest = readFileSync(join(folder, "Cargo.toml"), "utf8");

@@ -2,13 +2,11 @@
 // them is written from there, and equals it.
 
 import assert from "node:assert/strict";
-import { execFileSync } from "node:child_process";
 import { cpSync, mkdtempSync, readFileSync, rmSync, symlinkSync } from "node:fs";
 import { tmpdir } from "node:os";
 import { dirname, join, relative } from "node:path";
 import { after, beforeEach, describe, test } from "node:test";
 
-import { reason, verdict } from "../../scripts/release/audit.mjs";
 import { PICTURE, withAddress } from "../../scripts/release/head.mjs";
 import { notes, settings } from "../../scripts/release/settings.mjs";
 import { CRATES, setAddress, setVersion } from "../../scripts/release/stamp.mjs";
@@ -138,31 +136,5 @@ describe("x version and x address", () => {
     for (const wrong of ["giveway", "http://example.org/", "https://example.org/#a", "https://example.org/\"x", "https://example.org/$&"]) {
       assert.throws(() => setAddress(wrong, copy), /expected an address/, wrong);
     }
-  });
-});
-
-describe("a release", () => {
-  const publish = (part, env = {}) => execFileSync(process.execPath, [join(root, "scripts/release/publish.mjs"), part], {
-    encoding: "utf8", stdio: ["ignore", "pipe", "pipe"], env: { PATH: process.env.PATH, ...env },
-  });
-
-  test("is refused where the tag is not that of the version", () => {
-    assert.throws(() => publish("tag", { GITHUB_REF_NAME: "v0.0.0" }), /expected v\d+\.\d+\.\d+/);
-    assert.throws(() => publish("tag"), /found the tag ""/);
-  });
-
-  test("says what it does not publish for want of a secret or an address", () => {
-    assert.match(publish("crates"), /not published: the secret CARGO_REGISTRY_TOKEN is not set/);
-    assert.match(publish("npm"), /not published: the secret NPM_TOKEN is not set/);
-    assert.match(publish("page"), address ? /^$/ : /not deployed: no address is set/);
-    assert.throws(() => publish("all"), /expected one of/);
-  });
-
-  test("an audit tells faults from a registry that does not answer", () => {
-    assert.deepEqual(verdict('{"metadata":{"vulnerabilities":{"total":0}}}'), { faults: 0 });
-    assert.deepEqual(verdict('{"metadata":{"vulnerabilities":{"total":3}}}'), { faults: 3 });
-    assert.deepEqual(verdict('{"message":"405 Method Not Allowed"}'), { missing: "405 Method Not Allowed" });
-    assert.deepEqual(verdict(""), { missing: "npm gave no report" });
-    assert.equal(reason("error: a\n\nCaused by: b\n"), "Caused by: b");
   });
 });
