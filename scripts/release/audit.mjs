@@ -52,7 +52,7 @@ function main() {
   told("Licences and sources of the crates", run("cargo", "deny", "--locked", "check", "licenses", "bans", "sources"));
   const fetched = run("cargo", "deny", "--locked", "fetch", "db");
   if (fetched.isFine) {
-    told("Advisories about the crates", run("cargo", "deny", "--locked", "check", "--disable-fetch", "advisories"));
+    told("Advisories about the crates", run("cargo", "deny", "--locked", "check", "advisories"));
   } else {
     missed("Advisories about the crates", reason(fetched.stderr));
   }
