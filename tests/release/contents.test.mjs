@@ -1,10 +1,13 @@
 // The crates that are published: which they are, what they say of themselves, what they hold.
 
 import assert from "node:assert/strict";
+import { mkdtempSync, readFileSync, rmSync } from "node:fs";
+import { tmpdir } from "node:os";
+import { join } from "node:path";
 import { describe, test } from "node:test";
 
 import { CRATES } from "../../scripts/release/stamp.mjs";
-import { expectFile, metadata, output, read } from "./house.mjs";
+import { cargo, expectFile, metadata, output, read } from "./house.mjs";
 
 const { packages } = metadata(["--no-deps"]);
 // An empty list of registries is what `publish = false` becomes.
@@ -19,6 +22,27 @@ describe("the published crates", () => {
         assert.ok(CRATES.indexOf(needed.name) < CRATES.indexOf(name), `${name} needs ${needed.name}`);
         assert.ok(CRATES.includes(needed.name), `${name} needs ${needed.name}, which is not published`);
       }
+    }
+  });
+
+  // Building what was packed takes minutes: ./x test --long does it.
+  test("are packed, and ask for each other by version in what is packed", () => {
+    const folder = mkdtempSync(join(tmpdir(), "giveway-packed-"));
+    try {
+      const chosen = CRATES.map((name) => `--package=${name}`);
+      cargo(["package", "--locked", "--no-verify", "--allow-dirty", `--target-dir=${folder}`, ...chosen]);
+      for (const { name, version, dependencies } of published) {
+        const packed = join(folder, "package", `${name}-${version}`);
+        output("tar", ["-xzf", `${packed}.crate`], join(folder, "package"));
+        const manifest = readFileSync(join(packed, "Cargo.toml"), "utf8");
+        for (const needed of dependencies.filter(({ path }) => path)) {
+          assert.ok(manifest.includes(`[dependencies.${needed.name}]\nversion = "=${version}"`), `${name} and ${needed.name}`);
+        }
+        assert.doesNotMatch(manifest, /^path = "\.\./m, name);
+        assert.ok(readFileSync(join(packed, "LICENSE-MIT"), "utf8").startsWith("Copyright"), `${name} has a link for a licence`);
+      }
+    } finally {
+      rmSync(folder, { recursive: true });
     }
   });
 

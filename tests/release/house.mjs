@@ -18,14 +18,18 @@ export function output(command, args, cwd = root) {
   return execFileSync(command, args, { cwd, encoding: "utf8", stdio: ["ignore", "pipe", "pipe"], maxBuffer: 2 ** 28 });
 }
 
-/** `cargo metadata` of a folder: fetched only where something is missing. */
-export function metadata(options = [], cwd = root) {
-  const args = ["metadata", "--format-version", "1", "--locked", ...options];
+/** What a command of Cargo prints; it fetches only where something is missing. */
+export function cargo(args, cwd = root) {
   try {
-    return JSON.parse(output("cargo", [...args, "--offline"], cwd));
+    return output("cargo", [...args, "--offline"], cwd);
   } catch {
-    return JSON.parse(output("cargo", args, cwd));
+    return output("cargo", args, cwd);
   }
+}
+
+/** `cargo metadata` of a folder. */
+export function metadata(options = [], cwd = root) {
+  return JSON.parse(cargo(["metadata", "--format-version", "1", "--locked", ...options], cwd));
 }
 
 /** A package of package-lock.json, which `x` keeps outside of the clone. */
