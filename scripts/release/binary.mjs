@@ -16,18 +16,18 @@ if (!/^[a-z0-9_]+(-[a-z0-9_]+)+$/.test(target ?? "")) {
   process.exit(1);
 }
 
-const run = (command, ...args) => execFileSync(command, args, { cwd: root, stdio: ["ignore", "inherit", "inherit"] });
+const run = (command, args, env = {}) => execFileSync(command, args, {
+  cwd: root, stdio: ["ignore", "inherit", "inherit"], env: { ...process.env, ...env },
+});
 const isWindows = target.includes("-windows-");
 const { version } = settings();
 const name = `giveway-${version}-${target}`;
 const out = releaseFiles;
 
-run("rustup", "target", "add", target);
+run("rustup", ["target", "add", target]);
 // All of a library that belongs to the system is inside, so that the command runs on a bare machine.
 const flags = isWindows ? { RUSTFLAGS: "-C target-feature=+crt-static" } : {};
-execFileSync("cargo", ["build", "--locked", "--release", "--package", "giveway-cli", "--target", target], {
-  cwd: root, stdio: ["ignore", "inherit", "inherit"], env: { ...process.env, ...flags },
-});
+run("cargo", ["build", "--locked", "--release", "--package", "giveway-cli", "--target", target], flags);
 
 const folder = join(out, name);
 rmSync(folder, { recursive: true, force: true });
@@ -41,7 +41,8 @@ for (const file of ["LICENSE-MIT", "LICENSE-APACHE", "CHANGELOG.md"]) {
 // The tar of Windows writes ZIP, too, which more people there can open.
 const archive = `${name}.${isWindows ? "zip" : "tar.gz"}`;
 const tar = isWindows ? join(process.env.SystemRoot, "System32/tar.exe") : "tar";
-run(tar, isWindows ? "-acf" : "-czf", join(out, archive), "-C", out, name);
+// That of macOS would add files of its own for attributes.
+run(tar, [isWindows ? "-acf" : "-czf", join(out, archive), "-C", out, name], { COPYFILE_DISABLE: "1" });
 rmSync(folder, { recursive: true });
 
 const sum = createHash("sha256").update(readFileSync(join(out, archive))).digest("hex");
