@@ -5,13 +5,17 @@
 // 2. The style sheets become one, in their order: fewer requests before the first paint.
 // 3. The page is told how large its Wasm is.
 // 4. The policy loses the nonce, which only `trunk serve` needs.
-// 5. The service worker gets the list of files.
+// 5. The page's head gets the address where it is published, if that is set in Cargo.toml.
+// 6. The service worker gets the list of files.
 //
 // While `trunk serve` runs, none of it is done, so that nothing old is ever shown.
 
 import { createHash } from "node:crypto";
-import { readFileSync, readdirSync, rmSync, writeFileSync } from "node:fs";
+import { copyFileSync, readFileSync, readdirSync, rmSync, writeFileSync } from "node:fs";
 import { join } from "node:path";
+
+import { PICTURE, withAddress } from "./release/head.mjs";
+import { settings } from "./release/settings.mjs";
 
 const NONCE = "trunk-nonce";
 const PAGE = "index.html";
@@ -77,7 +81,11 @@ function finishPage() {
       fail(`${PAGE} has ${found[0]}, which its policy does not allow`);
     }
   }
-  writeFileSync(join(built, PAGE), finished);
+  const { address } = settings(source);
+  if (address) {
+    copyFileSync(join(source, "docs", PICTURE), join(built, PICTURE));
+  }
+  writeFileSync(join(built, PAGE), withAddress(finished, address));
 }
 
 /** The page with one style sheet in the place of the first, without comments and indentation. */
@@ -112,6 +120,7 @@ function writeServiceWorker() {
   const names = readdirSync(built, { recursive: true, withFileTypes: true })
     .filter((entry) => entry.isFile())
     .map((entry) => join(entry.parentPath ?? entry.path, entry.name).slice(built.length + 1).replaceAll("\\", "/"))
+    .filter((name) => name !== PICTURE)
     .sort();
   const version = hash(names.flatMap((name) => [name, "\0", read(name)]));
   const files = names.map((name) => (name === PAGE ? "./" : name));

@@ -8,13 +8,15 @@ import { join } from "node:path";
 import { fileURLToPath } from "node:url";
 import { brotliCompressSync } from "node:zlib";
 
+import { settings } from "./release/settings.mjs";
+
 const root = fileURLToPath(new URL("..", import.meta.url));
 const crate = join(root, "crates/giveway-wasm");
 const out = process.argv[2] ?? join(root, "target/package");
 const WASM = "giveway_wasm_bg.wasm";
 
 const run = (command, ...args) => execFileSync(command, args, { cwd: root, stdio: ["ignore", "inherit", "inherit"] });
-const version = /^version = "(.*)"$/m.exec(readFileSync(join(root, "Cargo.toml"), "utf8"))[1];
+const { version, address } = settings(root);
 
 rmSync(out, { recursive: true, force: true });
 mkdirSync(out, { recursive: true });
@@ -64,6 +66,7 @@ writeFileSync(join(out, "package.json"), `${JSON.stringify({
   version,
   description: "Plans for several robots on a grid, proved best, and explained",
   license: "MIT OR Apache-2.0",
+  ...(address && { homepage: address }),
   keywords: ["multi-agent path finding", "MAPF", "SAT", "explanation", "WebAssembly"],
   types: "./types/types.d.ts",
   main: "./nodejs/giveway_wasm.js",

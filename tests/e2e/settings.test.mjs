@@ -1,6 +1,7 @@
 // The settings: each changes what is solved.
 
 import assert from "node:assert/strict";
+import { readFileSync } from "node:fs";
 import { describe } from "node:test";
 
 import { flows } from "./flow.mjs";
@@ -98,6 +99,14 @@ describe("settings", () => {
     await playground.press("Undo");
     await playground.says(OPENING);
   });
+
+  flow("tells the version of the workspace", async (playground) => {
+    await playground.openSettings();
+    const manifest = readFileSync(new URL("../../Cargo.toml", import.meta.url), "utf8");
+    const [, version] = /^version = "(.*)"$/m.exec(manifest);
+    const commit = process.env.GIVEWAY_COMMIT ? ` (${process.env.GIVEWAY_COMMIT.slice(0, 7)})` : "";
+    await playground.settings.getByText(`Giveway ${version}${commit}`, { exact: true }).waitFor();
+  }, { screens: ["desktop"] });
 
   flow("closes by Escape and by a press elsewhere", async (playground) => {
     await playground.openSettings();

@@ -10,9 +10,11 @@ import { after, before, describe, test } from "node:test";
 import { fileURLToPath } from "node:url";
 import { brotliCompressSync } from "node:zlib";
 
+import { settings } from "../../scripts/release/settings.mjs";
 import { assertQuiet, launch, open } from "../e2e/browser.mjs";
 import { serve } from "../e2e/server.mjs";
 import { eventually } from "../e2e/wait.mjs";
+import { expectFile } from "../release/house.mjs";
 
 const root = fileURLToPath(new URL("../..", import.meta.url));
 const folder = process.env.GIVEWAY_PACKAGE ?? join(root, "target/package");
@@ -46,6 +48,12 @@ describe("the package", () => {
     assert.equal(license, "MIT OR Apache-2.0");
     assert.equal(read("README.md").match(/^```(js|html)$/gm).length, 3);
     assert.match(read("README.md"), /\d+ kB, compressed by brotli/);
+  });
+
+  test("holds what is listed, under the version of the workspace", () => {
+    const [packed] = JSON.parse(execFileSync("npm", ["pack", "--dry-run", "--json", "--ignore-scripts"], { cwd: folder, encoding: "utf8" }));
+    assert.equal(`${packed.name} ${packed.version}`, `giveway ${settings().version}`);
+    expectFile("tests/release/contents/npm.txt", `${packed.files.map(({ path }) => path).sort().join("\n")}\n`);
   });
 
   test("has types without any", () => {

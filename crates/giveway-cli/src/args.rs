@@ -2,6 +2,7 @@
 
 use std::path::PathBuf;
 use std::str::FromStr;
+use std::sync::LazyLock;
 
 use clap::{Args as ClapArgs, Parser, Subcommand, ValueEnum};
 use clap_complete::Shell;
@@ -32,9 +33,12 @@ Exit status
   2   the command line is wrong
   3   the budget ran out without any answer (unknown)";
 
+/// The version as `--version` tells it: the same as on the page.
+static RELEASE: LazyLock<String> = LazyLock::new(giveway_model::release);
+
 /// The command `giveway`.
 #[derive(Debug, Parser)]
-#[command(name = "giveway", version, about = ABOUT, long_about = LONG_ABOUT, after_help = AFTER_HELP)]
+#[command(name = "giveway", version = RELEASE.as_str(), about = ABOUT, long_about = LONG_ABOUT, after_help = AFTER_HELP)]
 pub(crate) struct Args {
     #[command(subcommand)]
     pub(crate) command: Command,

@@ -17,6 +17,7 @@ pub mod message;
 mod object;
 mod plan;
 pub mod question;
+mod release;
 mod rules;
 mod scene;
 pub mod sorting;
@@ -31,6 +32,12 @@ pub use grid::{Grid, GridError, Ground};
 pub use instance::{Instance, MAX_AGENTS, MAX_CAPACITY, MAX_SIDE};
 pub use plan::{Path, Plan};
 pub use question::Question;
+pub use release::release;
 pub use rules::{AtGoal, Rules};
 pub use scene::Scene;
 pub use version::Version;
+
+/// The examples of the README are tests.
+#[cfg(doctest)]
+#[doc = include_str!("../README.md")]
+struct Readme;

@@ -38,3 +38,8 @@ pub use host::{Host, SilentHost};
 pub use progress::Progress;
 pub use request::{CheckRequest, Limits, Request, SolveRequest};
 pub use service::{Refusal, Response, serve};
+
+/// The examples of the README are tests.
+#[cfg(doctest)]
+#[doc = include_str!("../README.md")]
+struct Readme;

@@ -61,6 +61,7 @@ pub(crate) fn show(state: &State, send: &Callback<Action>, on_close: &Callback<(
                 { switch("Solve on every change", settings.solve_on_change, send, ViewAction::SetSolveOnChange) }
                 { switch("Single letters are keys", settings.letter_keys, send, ViewAction::SetLetterKeys) }
             </fieldset>
+            <p class="hint">{ format!("Giveway {}", giveway_model::release()) }</p>
         </div>
     }
 }

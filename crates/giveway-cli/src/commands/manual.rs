@@ -26,7 +26,7 @@ pub(crate) fn man(command: Option<&str>) -> Result<Exit, Failure> {
     };
     let mut text = Vec::new();
     clap_mangen::Man::new(page)
-        .source(concat!("giveway ", env!("CARGO_PKG_VERSION")))
+        .source(format!("giveway {}", giveway_model::release()))
         .render(&mut text)
         .map_err(|error| Failure::output("standard output", error))?;
     stream::file(&text)?;
