@@ -706,4 +706,22 @@ mod claims {
             "optimal: sum-of-costs 4, waits 0, charges 0, moves 4, makespan 3; complete",
         );
     }
+
+    /// SAT finds these hard, so that their few joint states are exhausted. Standing at
+    /// the goal is free there, and must not be told as going on.
+    #[test]
+    fn time_that_costs_nothing() {
+        check(
+            "~c  ~aA
+             ~bC ~Bc!
+             minimise moves",
+            "optimal: moves 8; complete",
+        );
+        check(
+            "#    #  .   ~C
+             ~bc! .B ~a  ~cA
+             minimise charges,moves",
+            "optimal: charges 0, moves 17; complete",
+        );
+    }
 }

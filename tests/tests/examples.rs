@@ -49,7 +49,7 @@ const WAITS: [(&str, u32); 6] = [
     ("roundabout", 0),
     ("ring", 0),
     ("shelves", 3),
-    ("rooms", 0),
+    ("rooms", 2),
 ];
 
 /// The one whose proof takes longer than most will wait.

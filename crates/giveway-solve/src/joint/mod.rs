@@ -169,14 +169,22 @@ impl Ended {
 }
 
 /// The walk of one of all agents, up to its arrival.
+///
+/// Where no cost counts time, nothing tells an agent that stands at its goal from one that
+/// has arrived there: it has arrived as soon as it stays.
 fn walk(problem: &Problem, agent: AgentId, way: &[Vec<Single>]) -> Walk {
+    let task = &problem.tasks[agent];
+    let goal = Place::At(task.goal);
     let mut walk = Walk::new();
     for states in way {
         let Some(Single::Going { place, .. }) = states.get(agent) else {
-            walk.push(Place::At(problem.tasks[agent].goal));
+            walk.push(goal);
             break;
         };
         walk.push(*place);
+    }
+    while walk.len() > task.not_before as usize + 1 && walk.ends_with(&[goal, goal]) {
+        walk.pop();
     }
     walk
 }
