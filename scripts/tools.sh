@@ -208,15 +208,18 @@ set_up_browser() {
     set_up_other_browsers
 }
 
-# Firefox and WebKitGTK, in which the main flows run, too. Where they cannot be had, those
-# tests are skipped, and what older browsers lack is tested in Chromium alone.
+# Firefox and WebKitGTK, in which the main flows run, too. Where one of them cannot be had,
+# its tests are skipped, and what older browsers lack is tested in Chromium alone.
 set_up_other_browsers() {
-    local missing=()
-    command -v firefox-esr >/dev/null || missing+=(firefox-esr)
-    command -v WebKitWebDriver >/dev/null || missing+=(webkit2gtk-driver)
-    command -v Xvfb >/dev/null || missing+=(xvfb)
-    if ((${#missing[@]})); then
-        (install_packages "${missing[@]}") || step "Without ${missing[*]}: their tests are skipped"
+    install_browser firefox-esr firefox-esr
+    install_browser WebKitWebDriver webkit2gtk-driver
+    install_browser Xvfb xvfb
+}
+
+install_browser() {
+    local command=$1 package=$2
+    if ! command -v "$command" >/dev/null; then
+        (install_packages "$package") || step "Without $package: its tests are skipped"
     fi
 }
 
