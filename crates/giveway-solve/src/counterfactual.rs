@@ -316,12 +316,10 @@ fn own(instance: &Instance, plan: &Plan, name: &str, cost: Cost) -> u32 {
         return 0;
     };
     let arrival = arrivals(instance, plan).get(agent).copied().flatten();
-    let mut scene = instance.to_scene();
-    scene.agents.retain(|other| other.name == name);
     match cost {
         Cost::Makespan => arrival.unwrap_or(0),
-        _ => Instance::new(scene)
-            .ok()
+        _ => instance
+            .alone(name)
             .and_then(|alone| costs(&alone, plan))
             .map_or(0, |costs| costs.get(cost)),
     }

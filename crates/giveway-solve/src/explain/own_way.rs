@@ -5,7 +5,7 @@ use std::collections::BTreeMap;
 use std::rc::Rc;
 
 use giveway_model::{
-    Cell, Cost, Objective, Path, Plan, Question, Scene,
+    Cell, Cost, Objective, Path, Plan, Question,
     check::{Violation, arrivals},
 };
 
@@ -140,12 +140,11 @@ fn alone(
     agent: &str,
     budget: &Rc<Budget>,
 ) -> Option<Plan> {
-    let mut scene: Scene = case.instance.to_scene();
-    scene.agents.retain(|other| other.name == agent);
+    let instance = case.instance.alone(agent)?;
     let objective: &Objective = case.objective();
     let found = best(
         &Ask {
-            scene: &scene,
+            instance: &instance,
             relaxed: &Relaxed::default(),
             condition: condition.limit().is_none().then_some(condition),
             objective,

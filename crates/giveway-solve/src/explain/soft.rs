@@ -7,9 +7,8 @@
 
 use std::rc::Rc;
 
-use giveway_model::{Instance, Plan, Scene, check::Rule};
+use giveway_model::{Instance, Plan, check::Rule};
 
-use super::group::redraw;
 use crate::{
     budget::{Budget, Stop},
     encode::{
@@ -67,15 +66,8 @@ pub(crate) fn obstacles(
     at_least_within: u32,
     budget: &Rc<Budget>,
 ) -> Option<Broken> {
-    let free = |_, ground: giveway_model::Ground| match ground {
-        giveway_model::Ground::Obstacle => giveway_model::Ground::Free,
-        ground => ground,
-    };
-    let scene = Scene {
-        map: redraw(instance.grid(), free),
-        ..instance.to_scene()
-    };
-    let open = Instance::new(scene).ok()?;
+    let mut open = instance.clone();
+    open.remove_obstacles(|_| true);
     let problem = Problem::new(&open, budget).ok()?;
     let horizon = horizon(&open, &problem, within, at_least_within);
     let walks = vec![Walk::new(); problem.agents()];

@@ -69,10 +69,9 @@ impl<'a> Case<'a> {
 
     /// Calls the search with each of the conditions in turn.
     fn each(&self, mut with: impl FnMut(&Ask)) {
-        let scene = self.instance.to_scene();
         for condition in &self.conditions {
             with(&Ask {
-                scene: &scene,
+                instance: self.instance,
                 relaxed: &Relaxed::default(),
                 condition: Some(condition),
                 objective: self.objective(),

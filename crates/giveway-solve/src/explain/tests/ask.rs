@@ -30,7 +30,7 @@ fn ask<T>(
     with: impl FnOnce(&Ask) -> T,
 ) -> T {
     with(&Ask {
-        scene: &instance.to_scene(),
+        instance,
         relaxed,
         condition: None,
         objective: &objective.parse().unwrap(),
