@@ -59,16 +59,23 @@ impl Precedence {
     }
 }
 
-impl Counterfactual {
-    /// What must hold in the other plan, one way or another: there are several
-    /// where a question is about whichever agent, and none where it has no
-    /// contrast. The question fits the plan.
-    pub(crate) fn of(
-        question: &Question,
-        instance: &Instance,
-        plan: &Plan,
-        past: &Past,
-    ) -> Vec<Self> {
+/// What must hold in the other plan, one way or another.
+#[derive(Clone, Debug)]
+pub(crate) struct Counterfactuals {
+    ways: Vec<Counterfactual>,
+    nobody_could: Option<Unmeetable>,
+}
+
+/// The proof that no plan, of whatever makespan, is as asked for: it would have
+/// to be where nobody can be, or cost less than nothing.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) struct Unmeetable(());
+
+impl Counterfactuals {
+    /// What a question asks for: there are several ways where it is about
+    /// whichever agent, and none where it has no contrast. The question fits the
+    /// plan.
+    pub(crate) fn of(question: &Question, instance: &Instance, plan: &Plan, past: &Past) -> Self {
         let whole = |agent: &Option<String>| agent.is_none();
         let costs = past.costs(instance, plan).unwrap_or_default();
         let total = |cost: Cost| costs.get(cost);
@@ -90,16 +97,18 @@ impl Counterfactual {
             }
             _ => 0,
         };
-        let about = |question: Question| Self {
+        let about = |question: Question| Counterfactual {
             question,
             plan: plan.clone(),
             below,
             past: past.clone(),
         };
-        match question {
+        let mut nobody_could = None;
+        let ways = match question {
             Question::Unsolvable | Question::Plan => Vec::new(),
             Question::NoVisit { agent: None, at } => {
                 let agents = instance.agents().iter();
+                nobody_could = instance.agents().is_empty().then_some(Unmeetable(()));
                 agents
                     .map(|agent| {
                         about(Question::NoVisit {
@@ -110,9 +119,22 @@ impl Counterfactual {
                     .collect()
             }
             question => vec![about(question.clone())],
-        }
+        };
+        Self { ways, nobody_could }
     }
 
+    /// The ways, in order.
+    pub(crate) fn iter(&self) -> impl Iterator<Item = &Counterfactual> {
+        self.ways.iter()
+    }
+
+    /// Where there is no way: that there is nobody who could be as asked for.
+    pub(crate) const fn nobody_could(&self) -> Option<Unmeetable> {
+        self.nobody_could
+    }
+}
+
+impl Counterfactual {
     /// The agent that is asked about, if there is one.
     pub(crate) fn agent(&self) -> Option<&str> {
         self.question.agent()
@@ -131,17 +153,18 @@ impl Counterfactual {
         Some((cost, self.below))
     }
 
-    /// Adds the limit on a cost to others; false where no plan can keep it.
-    pub(crate) fn limit_costs(&self, limits: &mut BTreeMap<Cost, u32>) -> bool {
+    /// Adds the limit on a cost to others.
+    ///
+    /// # Errors
+    /// Where no plan can keep it: nothing costs less than nothing.
+    pub(crate) fn limit_costs(&self, limits: &mut BTreeMap<Cost, u32>) -> Result<(), Unmeetable> {
         let Some((cost, below)) = self.limit() else {
-            return true;
+            return Ok(());
         };
-        let Some(most) = below.checked_sub(1) else {
-            return false;
-        };
+        let most = below.checked_sub(1).ok_or(Unmeetable(()))?;
         let limit = limits.entry(cost).or_insert(most);
         *limit = most.min(*limit);
-        true
+        Ok(())
     }
 
     /// Whether a plan of an instance, edited maybe, is what is asked for. The
@@ -177,17 +200,17 @@ impl Counterfactual {
         let Some(agent) = self.agent().and_then(|name| index(instance, name)) else {
             return Ok(());
         };
-        let impossible = ProblemError::Alone(agent);
+        let impossible = || ProblemError::Alone(agent, Unmeetable(()).into());
         let mut task = problem.tasks[agent].clone();
         let to = match &self.question {
             Question::Yield { to, .. } => index(instance, to),
             _ => None,
         };
         if self.demand(problem, agent, &mut task).is_none() {
-            return Err(impossible);
+            return Err(impossible());
         }
         if let (Some(second), Question::Yield { at, .. }) = (to, &self.question) {
-            let at = problem.terrain.vertex(*at).ok_or(impossible)?;
+            let at = problem.terrain.vertex(*at).ok_or_else(impossible)?;
             problem.precedence = Some(Precedence {
                 first: agent,
                 second,

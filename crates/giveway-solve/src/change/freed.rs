@@ -19,8 +19,8 @@ use super::{
 use crate::{
     budget::{Budget, Stop},
     problem::{Problem, ProblemError},
-    search::{Aim, Bounded, Horizon, find},
-    single::{Bounds, Task},
+    search::{Aim, Bounded, ForEver, Horizon, find},
+    single::{Bounds, Hopeless, Task},
 };
 
 /// Equally small sets that are compared by their costs.
@@ -39,8 +39,11 @@ pub(super) struct Case<'a, 'h> {
 /// Why there is nothing to search in.
 #[derive(Clone, Copy, Debug)]
 pub(super) enum Trouble {
-    /// An agent cannot do what is asked of it, whatever the others do.
-    Alone(usize, Fault),
+    /// An agent cannot be held to what the method asks of it.
+    Held(usize, Fault),
+    /// An agent cannot do what is asked of it, whatever the others do; and why
+    /// that holds whatever the horizon.
+    Alone(usize, Fault, ForEver),
     /// An agent has more waypoints than can be planned for.
     TooManyWaypoints(usize),
     Stopped(Stop),
@@ -70,26 +73,28 @@ impl Case<'_, '_> {
     pub(super) fn problem(&self, freed: &BTreeSet<usize>) -> Result<Problem, Trouble> {
         let mut terrain = self.world.terrain();
         let mut tasks: Vec<Task> = Vec::new();
-        let battery = |agent| {
+        let battery = |agent, hopeless: Hopeless| {
             let kind = CauseKind::Battery;
-            Trouble::Alone(agent, Fault { kind, cell: None })
+            Trouble::Alone(agent, Fault { kind, cell: None }, hopeless.into())
         };
         for (agent, member) in self.world.members.iter().enumerate() {
-            if let Some(fault) = keep::blocked(member, &terrain) {
-                return Err(Trouble::Alone(agent, fault));
+            if let Some((fault, hopeless)) = keep::blocked(member, &terrain) {
+                return Err(Trouble::Alone(agent, fault, hopeless.into()));
             }
             let bounds = if freed.contains(&agent) {
                 Bounds::Free
             } else {
                 keep::bounds(self.method, member, &terrain)
-                    .map_err(|fault| Trouble::Alone(agent, fault))?
+                    .map_err(|fault| Trouble::Held(agent, fault))?
             };
             let task = self.world.task(member, bounds, &mut terrain);
-            tasks.push(task.ok_or_else(|| battery(agent))?);
+            tasks.push(task.map_err(|hopeless| battery(agent, hopeless))?);
         }
         let stays = self.world.after.stays();
         Problem::of_tasks(terrain, stays, tasks, &self.budget).map_err(|error| match error {
-            ProblemError::Alone(agent) => Trouble::Alone(agent, self.alone(agent, freed)),
+            ProblemError::Alone(agent, reason) => {
+                Trouble::Alone(agent, self.alone(agent, freed), reason)
+            }
             ProblemError::TooManyWaypoints(agent) => Trouble::TooManyWaypoints(agent),
             ProblemError::Stopped(stop) => Trouble::Stopped(stop),
         })
@@ -160,7 +165,7 @@ impl Case<'_, '_> {
             let Ok(bounds) = keep::bounds(self.method, member, &terrain) else {
                 return Ok(false);
             };
-            let Some(task) = self.world.task(member, bounds, &mut terrain) else {
+            let Ok(task) = self.world.task(member, bounds, &mut terrain) else {
                 return Ok(false);
             };
             let edges = task.along().map_or(0, |path| path.len().saturating_sub(1));

@@ -21,7 +21,7 @@ use crate::{
     budget::Stop,
     judged::{Judged, told},
     problem::Problem,
-    search::{Aim, Before, Bounded, Contact, Extent, ForEver, Reach, Verdict, closest, solve},
+    search::{Aim, Before, Bounded, Contact, Extent, Reach, Verdict, closest, solve},
     walk::Walk,
 };
 
@@ -115,10 +115,12 @@ fn free_hopeless(
     loop {
         match case.problem(&freed) {
             Ok(_) => break,
-            Err(Trouble::Alone(agent, fault)) if case.held(&freed).contains(&agent) => {
+            Err(trouble @ (Trouble::Alone(agent, fault, _) | Trouble::Held(agent, fault)))
+                if case.held(&freed).contains(&agent) =>
+            {
                 let member = case.member(agent);
                 if member.is_some_and(|member| keep::blocked(member, &terrain).is_some()) {
-                    return Err(Box::new(without_search(case, Trouble::Alone(agent, fault))));
+                    return Err(Box::new(without_search(case, trouble)));
                 }
                 freed.insert(agent);
                 causes.insert(agent, fault);
@@ -193,7 +195,7 @@ fn free_fewest(
 fn without_search(case: &Case<'_, '_>, trouble: Trouble) -> MethodAnswer {
     let name = |agent| case.member(agent).map_or("", |member| member.name.as_str());
     let (status, reach, reason, cause) = match trouble {
-        Trouble::Alone(agent, fault) => {
+        Trouble::Alone(agent, fault, reason) => {
             // However it is bound, it cannot.
             let free = Method::Replan;
             let text = words::cause(free, name(agent), fault.kind, fault.cell, &[]);
@@ -205,8 +207,13 @@ fn without_search(case: &Case<'_, '_>, trouble: Trouble) -> MethodAnswer {
                 within: None,
                 text: text.clone(),
             };
-            let reach = Reach::ForEver(ForEver::alone());
+            let reach = Reach::ForEver(reason);
             (Status::Impossible, Some(reach), text, Some(cause))
+        }
+        // (Whoever cannot be held to the method is freed before.)
+        Trouble::Held(..) => {
+            let reason = Stop::Contradiction.sentence().to_owned();
+            (Status::Unknown, None, reason, None)
         }
         Trouble::TooManyWaypoints(agent) => {
             let name = name(agent);

@@ -19,7 +19,7 @@ use crate::{
     counterfactual::Counterfactual,
     judged::Judged,
     problem::{Problem, ProblemError, Relaxed},
-    search::{Aim, Bounded, ForEver, Horizon, Reach, Verdict, find},
+    search::{Aim, Bounded, Horizon, Reach, Verdict, find},
     walk::to_plan,
 };
 
@@ -90,11 +90,11 @@ fn run(ask: &Ask, aim: &Aim, budget: &Rc<Budget>) -> Found {
     let instance = ask.instance;
     let mut problem = match Problem::relaxed(instance, ask.relaxed.clone(), ask.condition, budget) {
         Ok(problem) => problem,
-        Err(ProblemError::Alone(agent)) => {
+        Err(ProblemError::Alone(agent, reason)) => {
             let agent = instance.agents().get(agent);
             return Found {
                 status: Status::Impossible,
-                reach: Some(Reach::ForEver(ForEver::alone())),
+                reach: Some(Reach::ForEver(reason)),
                 clash: agent.map(|a| a.name.clone()).into_iter().collect(),
                 ..nothing
             };
@@ -105,11 +105,12 @@ fn run(ask: &Ask, aim: &Aim, budget: &Rc<Budget>) -> Found {
     let grid = instance.grid();
     let horizon = Horizon::of(&problem, grid, ask.within, ask.at_least_within);
     let mut limits = ask.caps.clone();
-    if !ask.condition.is_none_or(|it| it.limit_costs(&mut limits)) {
-        // Nothing costs less than nothing.
+    if let Some(condition) = ask.condition
+        && let Err(unmeetable) = condition.limit_costs(&mut limits)
+    {
         return Found {
             status: Status::Impossible,
-            reach: Some(Reach::ForEver(ForEver::less_than_nothing())),
+            reach: Some(Reach::ForEver(unmeetable.into())),
             horizon: horizon.latest(),
             ..nothing
         };

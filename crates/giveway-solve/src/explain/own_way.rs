@@ -12,7 +12,7 @@ use giveway_model::{
 use super::{ask::Ask, ask::best, own_plan::own_costs, verdict::Case, waits};
 use crate::{
     budget::Budget,
-    counterfactual::Counterfactual,
+    counterfactual::{Counterfactual, Counterfactuals},
     local::{Query, Reservations, plan_one},
     problem::{Problem, Relaxed},
     single::Place,
@@ -28,11 +28,11 @@ pub(crate) fn witness(case: &Case, budget: &Rc<Budget>) -> Option<(String, Vec<V
         return Some((agent.clone(), violations));
     }
     let conditions = match about_agent(case) {
-        Some(question) => Counterfactual::of(&question, case.instance, case.plan, case.past),
+        Some(question) => Counterfactuals::of(&question, case.instance, case.plan, case.past),
         None => case.conditions.clone(),
     };
     let mut found: Option<(usize, String, Vec<Violation>)> = None;
-    for condition in &conditions {
+    for condition in conditions.iter() {
         let Some(agent) = condition.agent() else {
             continue;
         };

@@ -14,11 +14,11 @@ use std::rc::Rc;
 use giveway_model::Cost;
 
 use super::{
+    aim::Bounded,
     deadlines::Keeping,
     for_ever::{self, Reach},
     incumbent::Incumbent,
-    lexicographic::{Bounded, keep_limits},
-    stage::Search,
+    stage::{Search, Subject},
 };
 use crate::{
     budget::{Budget, Stop},
@@ -57,6 +57,11 @@ pub(crate) struct Close {
     pub(crate) proved: Option<Reach>,
 }
 
+/// The proof that no plan within the limits is closer. Only the search for the
+/// closest one makes it, when it has come to its end.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct NoneCloser(());
+
 /// The closest plan within the limits, which the best plan meets; `None` where
 /// the budget ran out before any was found.
 ///
@@ -73,14 +78,12 @@ pub(crate) fn closest(
     let latest = bounded.horizon.latest();
     let mut incumbent = Incumbent::new(objective, latest, bounded.limits.clone(), &|_| {});
     let walks: Vec<Walk> = before.iter().map(|it| it.walk.clone()).collect();
-    let search = Search::new(
+    let subject = Subject {
         problem,
-        walks,
+        walks: &walks,
         bounded,
-        Keeping::Hard,
-        &mut incumbent,
-        Rc::clone(budget),
-    );
+    };
+    let search = Search::new(subject, Keeping::Hard, &mut incumbent, Rc::clone(budget));
     let agents = problem.agents();
     let mut near = Near {
         problem,
@@ -92,17 +95,17 @@ pub(crate) fn closest(
         softs: BTreeMap::new(),
         cores: Vec::new(),
     };
-    if !near.find(bounded)? {
+    let Some(shown) = near.find(bounded)? else {
         return Ok(None);
-    }
+    };
     let mut close = near.read();
     if extent == Extent::Agents {
-        close.proved = near.reach(true);
+        close.proved = near.reach(Some(shown));
         return Ok(Some(close));
     }
     // What is found later is only better.
-    let end = near.few_entries(&mut close);
-    close.proved = near.reach(matches!(end, Ok(true)));
+    let shown = near.few_entries(&mut close).ok().flatten();
+    close.proved = near.reach(shown);
     Ok(Some(close))
 }
 
@@ -126,11 +129,11 @@ struct Near<'p, 'h> {
 }
 
 impl Near<'_, '_> {
-    /// Finds a plan in which as few agents as can be do something else; false
+    /// Finds a plan in which as few agents as can be do something else; `None`
     /// where there is none.
-    fn find(&mut self, bounded: &Bounded) -> Result<bool, Stop> {
-        if !keep_limits(&mut self.search, bounded)? {
-            return Ok(false);
+    fn find(&mut self, bounded: &Bounded) -> Result<Option<NoneCloser>, Stop> {
+        if self.search.keep_limits(bounded)?.is_some() {
+            return Ok(None);
         }
         self.begin(bounded)?;
         self.few_agents()
@@ -284,9 +287,10 @@ impl Near<'_, '_> {
         }
     }
 
-    /// How far what was found is proved, where the search came to its end.
-    fn reach(&self, ended: bool) -> Option<Reach> {
-        (ended && self.is_exact()).then(|| for_ever::of_refutation(&self.search))
+    /// How far what was found is proved, where it is.
+    fn reach(&self, shown: Option<NoneCloser>) -> Option<Reach> {
+        let shown = shown.filter(|_| self.is_exact())?;
+        Some(for_ever::none_closer(&self.search, shown))
     }
 
     /// Whether the clauses know every plan: where agents vanish they know none
