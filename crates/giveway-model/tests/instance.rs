@@ -248,6 +248,7 @@ fn a_scene_comes_back_as_it_was() {
 
 #[test]
 fn every_variant_keeps_the_promises_of_an_instance() {
+    type Change<'a> = &'a dyn Fn(&mut Instance);
     let whole = Instance::new(scene(
         ".#~+ *..#",
         &[
@@ -259,7 +260,7 @@ fn every_variant_keeps_the_promises_of_an_instance() {
     .unwrap();
     let cell = Cell::new(2, 0);
     let battery = |capacity, initial| Battery { capacity, initial };
-    let changes: [(&str, &dyn Fn(&mut Instance)); 11] = [
+    let changes: [(&str, Change); 11] = [
         ("agents", &|it| it.retain_agents(|agent| agent.name == "B")),
         ("first", &|it| it.truncate_agents(1)),
         ("nobody", &|it| it.truncate_agents(0)),

@@ -13,6 +13,7 @@ use giveway_model::{Objective, sorting};
 
 use super::{
     CauseKind, Method,
+    hitting::{MOST_SETS, hitting},
     keep::{self, Fault},
     world::{Member, World},
 };
@@ -22,9 +23,6 @@ use crate::{
     search::{Aim, Bounded, ForEver, Horizon, find},
     single::{Bounds, Hopeless, Task},
 };
-
-/// Equally small sets that are compared by their costs.
-const MOST_SETS: usize = 1000;
 
 /// A method at the time of a change.
 pub(super) struct Case<'a, 'h> {
@@ -274,43 +272,4 @@ pub(super) struct Fewest {
     pub(super) core: Vec<usize>,
     /// Why some sets were not looked at, where some were not.
     pub(super) left: Option<Stop>,
-}
-
-/// All sets of so many agents that meet every core, in order; one too many where
-/// there are more than are looked at.
-fn hitting(
-    cores: &[BTreeSet<usize>],
-    size: usize,
-    budget: &Budget,
-) -> Result<BTreeSet<BTreeSet<usize>>, Stop> {
-    let mut found = BTreeSet::new();
-    extend(cores, size, &BTreeSet::new(), &mut found, budget)?;
-    Ok(found)
-}
-
-/// A core that a set does not meet yet needs one of its agents.
-fn extend(
-    cores: &[BTreeSet<usize>],
-    size: usize,
-    set: &BTreeSet<usize>,
-    found: &mut BTreeSet<BTreeSet<usize>>,
-    budget: &Budget,
-) -> Result<(), Stop> {
-    budget.tick()?;
-    if found.len() > MOST_SETS {
-        return Ok(());
-    }
-    let Some(missed) = cores.iter().find(|core| core.is_disjoint(set)) else {
-        // A smaller set would have been found before.
-        found.insert(set.clone());
-        return Ok(());
-    };
-    if set.len() < size {
-        for &agent in missed {
-            let mut larger = set.clone();
-            larger.insert(agent);
-            extend(cores, size, &larger, found, budget)?;
-        }
-    }
-    Ok(())
 }
