@@ -62,7 +62,7 @@ fn latest_of_sum(problem: &Problem, sum: u32) -> u32 {
 
 /// Every plan that keeps the limits arrives within the horizon, or has a
 /// counterpart that does.
-pub(super) fn limits_time(problem: &Problem, bounded: &Bounded) -> Option<ForEver> {
+fn limits_time(problem: &Problem, bounded: &Bounded) -> Option<ForEver> {
     let limited = bounded.horizon.is_beyond_use() || have_limited_time(problem, bounded);
     limited.then_some(ForEver(()))
 }
