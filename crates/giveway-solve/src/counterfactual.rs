@@ -1,6 +1,7 @@
 //! What a question contrasts the plan with, as the search sees it.
 //!
-//! Most of it is a demand on one agent ([`TaskConstraint`]) or a limit on a cost; who
+//! Most of it is a demand on one agent
+//! ([`TaskConstraint`](crate::single::TaskConstraint)) or a limit on a cost; who
 //! comes first at a cell is the one thing between two agents. Names and cells
 //! are looked up anew in each instance, since explanations ask about edited
 //! ones, too, with other agents and other obstacles.
