@@ -9,10 +9,10 @@ use giveway_model::{Battery, Cell, Instance};
 fn every_variant_keeps_the_promises_of_an_instance() {
     type Change<'a> = &'a dyn Fn(&mut Instance);
     let whole = native::read_instance(
-        r##"{ "giveway": 1, "map": [".#~+", "*..#"], "agents": [
+        r#"{ "giveway": 1, "map": [".#~+", "*..#"], "agents": [
             { "name": "A", "start": [0, 0], "goal": [3, 0], "waypoints": [[2, 0], [1, 1]],
               "battery": { "capacity": 9, "initial": 4 } },
-            { "name": "B", "start": [0, 1], "goal": [2, 1] }] }"##,
+            { "name": "B", "start": [0, 1], "goal": [2, 1] }] }"#,
     )
     .unwrap();
     let cell = Cell::new(2, 0);
@@ -52,7 +52,7 @@ fn every_variant_keeps_the_promises_of_an_instance() {
 
 #[test]
 fn a_variant_opens_only_what_it_is_told_to() {
-    let text = r##"{ "giveway": 1, "map": [".#~", "*+#"], "agents": [] }"##;
+    let text = r#"{ "giveway": 1, "map": [".#~", "*+#"], "agents": [] }"#;
     let mut instance = native::read_instance(text).unwrap();
     instance.add_chargers(|cell| cell.y == 0);
     assert_eq!(instance.grid().rows(), ["+#*", "*+#"]);
