@@ -9,7 +9,7 @@
 use std::collections::BTreeSet;
 
 use giveway_model::Instance;
-use giveway_solve::explain::{Edit, edited_scene};
+use giveway_solve::explain::{Edit, edited_instance};
 use giveway_tests::oracle::{self, Verdict};
 use giveway_tests::{ask, random};
 
@@ -62,7 +62,7 @@ fn repairs_are_those_that_help() {
         };
         looked_at += 1;
         for repair in &answer.repairs {
-            let after = Instance::new(edited_scene(&instance, &repair.edits)).unwrap();
+            let after = edited_instance(&instance, &repair.edits);
             match best(&after) {
                 Verdict::Best(point) => {
                     let objective = instance.objective();
@@ -83,8 +83,7 @@ fn repairs_are_those_that_help() {
             if told.contains(&edit) {
                 continue;
             }
-            let after =
-                Instance::new(edited_scene(&instance, std::slice::from_ref(&edit))).unwrap();
+            let after = edited_instance(&instance, std::slice::from_ref(&edit));
             let verdict = best(&after);
             assert!(
                 !matches!(verdict, Verdict::Best(_)),

@@ -6,11 +6,16 @@ use std::sync::LazyLock;
 
 use clap::{Args as ClapArgs, Parser, Subcommand, ValueEnum};
 use clap_complete::Shell;
-use giveway_model::{Cell, Objective};
 
 mod change;
+mod convert;
+mod explain;
+mod solve;
 
 pub(crate) use change::Change;
+pub(crate) use convert::{Convert, Target};
+pub(crate) use explain::Explain;
+pub(crate) use solve::Solve;
 
 const ABOUT: &str = "Plans for several robots on a grid, proved best";
 
@@ -122,45 +127,6 @@ pub(crate) struct First {
 
 #[derive(Debug, ClapArgs)]
 #[command(after_help = "\
-The answer is one of
-  optimal      a plan, and a proof that none is better
-  feasible     a plan, and the bounds proved when the time ran out
-  impossible   no plan exists
-  unknown      the time ran out with neither (exit status 3)
-A claim holds no matter how many steps you allow, or it names the makespan up to which it holds.
-
-Examples
-  giveway solve warehouse.json
-  giveway solve warehouse.json --objective charges,makespan --format json
-  giveway solve empty-16-16-even-1.scen --agents 20 --time-limit 30
-  giveway solve warehouse.json --pareto --objective makespan,charges")]
-pub(crate) struct Solve {
-    #[command(flatten)]
-    pub(crate) source: Source,
-    /// The costs to minimise, the most important first: makespan, sum-of-costs, charges,
-    /// moves, waits, separated by commas [default: the instance's own, or
-    /// makespan,sum-of-costs,charges]
-    #[arg(long, value_name = "LIST")]
-    pub(crate) objective: Option<Objective>,
-    /// Find all plans that no other plan beats in one cost without being worse in another; the
-    /// objective must have two or three costs
-    #[arg(long)]
-    pub(crate) pareto: bool,
-    /// Look only for plans of at most this makespan; 0 is allowed [default: the longest time that a
-    /// robot needs alone + 4 (width + height) + 10]
-    #[arg(long, value_name = "N", value_parser = whole::<u32>, allow_negative_numbers = true)]
-    pub(crate) within: Option<u32>,
-    /// Stop the whole command after so many seconds; 0.5 is allowed
-    #[arg(long, value_name = "SECONDS", value_parser = seconds, allow_negative_numbers = true)]
-    pub(crate) time_limit: Option<f64>,
-    /// Write a certificate of what is proved into a new or empty folder: formulas, proofs, and
-    /// a README; giveway verify checks it again
-    #[arg(long, value_name = "DIR", conflicts_with = "pareto")]
-    pub(crate) proof: Option<PathBuf>,
-}
-
-#[derive(Debug, ClapArgs)]
-#[command(after_help = "\
 Every file is compared with its fingerprint, the plan is checked against the rules, every formula
 is written again from the instance and compared byte for byte, every proof is checked, and every
 search that stands in for a proof is repeated. None of this relies on the solver. The exit status
@@ -192,148 +158,6 @@ pub(crate) struct Check {
     /// What changes while the plan runs: the plan is checked at each time in the world of that time
     #[arg(long, value_name = "FILE")]
     pub(crate) changes: Option<PathBuf>,
-}
-
-#[derive(Debug, ClapArgs)]
-#[command(after_help = "\
-A QUESTION is one of
-  wait A [--at X,Y] [--from T] [--to T] [--at-least N]    why does A wait (so long)?
-  charge A [--at X,Y] [--time T]                          why does A charge?
-  no-charge A --at X,Y                                    why does A not charge there?
-  visit A --at X,Y [--time T]                             why does A pass there?
-  no-visit A|any --at X,Y                                 why does A, or anybody, not pass there?
-  move A --from-cell X,Y --to-cell X,Y [--time T]         why does A go that way?
-  no-move A --from-cell X,Y --to-cell X,Y [--time T]      why does A not go that way?
-  slow A [--from-cell X,Y --to-cell X,Y]                  why does A take the slow way?
-  order A --first X,Y --second X,Y                        why does A visit one before the other?
-  arrival A                                               why does A not arrive sooner?
-  length A [--fewer-than N]                               why is the path of A this long?
-  makespan, sum-of-costs                                  why is it not less?
-  charges [A], moves [A], waits [A]                       why are there not fewer (of A)?
-  yield A B --at X,Y                                      why does A give way to B there?
-  unsolvable                                              why is there no plan?
-  plan                                                    is this plan valid, and the best?
-
-The answer is one of
-  needless     a plan without it costs the same
-  improvable   a plan without it costs less: the plan asked about is not the best
-  costly       every plan without it costs more
-  necessary    there is no plan without it
-  unknown      the time ran out (exit status 3)
-
-Examples
-  giveway explain scenario-1.json --plan plan-1.json wait A2 --at 3,1
-  giveway explain warehouse.json charge A1 --at 6,2
-  giveway explain scenario-6.json unsolvable
-  giveway explain warehouse.json --plan adopted.json --changes changes.json arrival A1")]
-pub(crate) struct Explain {
-    #[command(flatten)]
-    pub(crate) source: Source,
-    #[command(flatten)]
-    pub(crate) question: Typed,
-    /// The plan that the question is about: a plan, or a result of solve with a plan in it; or -
-    /// for standard input [default: the instance is solved first]
-    #[arg(long, value_name = "PLAN")]
-    pub(crate) plan: Option<PathBuf>,
-    /// What changed while the plan ran: the question is about the plan from the last of these
-    /// changes on; times count from the beginning of the whole plan
-    #[arg(long, value_name = "FILE", requires = "plan", conflicts_with = "proof")]
-    pub(crate) changes: Option<PathBuf>,
-    /// Ask as of this time: later changes do not count, and the plan must be valid without them
-    /// [default: all changes count]
-    #[arg(long, value_name = "T", requires = "changes", value_parser = whole::<u32>, allow_negative_numbers = true)]
-    pub(crate) at_time: Option<u32>,
-    /// The costs in which plans compare, the most important first [default: the instance's own,
-    /// or makespan,sum-of-costs,charges]
-    #[arg(long, value_name = "LIST")]
-    pub(crate) objective: Option<Objective>,
-    /// Look only for plans of at most this makespan, or that of the plan asked about [default: the
-    /// longest time that a robot needs alone + 4 (width + height) + 10]
-    #[arg(long, value_name = "N", value_parser = whole::<u32>, allow_negative_numbers = true)]
-    pub(crate) within: Option<u32>,
-    /// Stop the whole command after so many seconds; 0.5 is allowed
-    #[arg(long, value_name = "SECONDS", value_parser = seconds, allow_negative_numbers = true)]
-    pub(crate) time_limit: Option<f64>,
-    /// Write a certificate of what is proved into a new or empty folder; giveway verify checks it
-    /// again
-    #[arg(long, value_name = "DIR")]
-    pub(crate) proof: Option<PathBuf>,
-}
-
-/// A question as it is typed.
-#[derive(Debug, ClapArgs)]
-pub(crate) struct Typed {
-    /// What is asked: wait, charge, no-charge, visit, no-visit, move, no-move, slow, order,
-    /// arrival, length, makespan, sum-of-costs, charges, moves, waits, yield, unsolvable, plan
-    #[arg(value_name = "QUESTION")]
-    pub(crate) kind: String,
-    /// The robots that it is about
-    #[arg(value_name = "AGENT")]
-    pub(crate) who: Vec<String>,
-    /// The cell
-    #[arg(long, value_name = "X,Y")]
-    pub(crate) at: Option<Cell>,
-    /// The first time of an interval
-    #[arg(long, value_name = "T", value_parser = whole::<u32>, allow_negative_numbers = true)]
-    pub(crate) from: Option<u32>,
-    /// The last time of an interval
-    #[arg(long, value_name = "T", value_parser = whole::<u32>, allow_negative_numbers = true)]
-    pub(crate) to: Option<u32>,
-    /// The time
-    #[arg(long, value_name = "T", value_parser = whole::<u32>, allow_negative_numbers = true)]
-    pub(crate) time: Option<u32>,
-    /// How many wait steps in a row count as long
-    #[arg(long, value_name = "N", value_parser = whole::<u32>, allow_negative_numbers = true)]
-    pub(crate) at_least: Option<u32>,
-    /// The moves that would be too many
-    #[arg(long, value_name = "N", value_parser = whole::<u32>, allow_negative_numbers = true)]
-    pub(crate) fewer_than: Option<u32>,
-    /// The cell that the robot leaves
-    #[arg(long, value_name = "X,Y")]
-    pub(crate) from_cell: Option<Cell>,
-    /// The cell that the robot goes to
-    #[arg(long, value_name = "X,Y")]
-    pub(crate) to_cell: Option<Cell>,
-    /// The cell that is visited first
-    #[arg(long, value_name = "X,Y")]
-    pub(crate) first: Option<Cell>,
-    /// The cell that is visited after that
-    #[arg(long, value_name = "X,Y")]
-    pub(crate) second: Option<Cell>,
-}
-
-#[derive(Debug, ClapArgs)]
-#[command(after_help = "\
-A scenario uses the map that is given with it and has the name in the scenario; otherwise the map
-of --map; otherwise the map in the same folder. A map that no scenario uses becomes an instance
-without robots. What the target format cannot hold is listed on standard error.
-
-Examples
-  giveway convert empty-8-8-even-1.scen --agents 4 --to giveway > small.json
-  giveway convert warehouse.json --to movingai -o maps")]
-pub(crate) struct Convert {
-    /// Native instances or plans, scenarios, maps; or - for standard input
-    #[arg(required = true, value_name = "FILE")]
-    pub(crate) files: Vec<PathBuf>,
-    /// The format to write
-    #[arg(long, value_enum, value_name = "FORMAT")]
-    pub(crate) to: Target,
-    /// The folder to write to; it is created if it is missing. Without it a single file goes to
-    /// standard output
-    #[arg(short, long, value_name = "DIR")]
-    pub(crate) output: Option<PathBuf>,
-    #[command(flatten)]
-    pub(crate) first: First,
-}
-
-/// What `convert` writes.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
-pub(crate) enum Target {
-    /// The project's own JSON
-    Giveway,
-    /// A MovingAI .map and .scen
-    #[value(name = "movingai")]
-    MovingAi,
 }
 
 /// A number of agents or time steps.

@@ -236,6 +236,15 @@ impl Grid {
         self.cells.get_mut(index).map(|it| *it = ground).is_some()
     }
 
+    /// Changes what lies on each of the cells.
+    pub fn change(&mut self, change: impl Fn(Cell, Ground) -> Ground) {
+        let width = self.width as usize;
+        for (i, ground) in self.cells.iter_mut().enumerate() {
+            let cell = Cell::new((i % width) as u32, (i / width) as u32);
+            *ground = change(cell, *ground);
+        }
+    }
+
     /// The map as text, one string a row.
     pub fn rows(&self) -> Vec<String> {
         self.cells

@@ -101,9 +101,7 @@ fn fewer(agent: &str, cost: Cost, than: u32) -> Option<Condition> {
 
 /// What a plan costs one agent.
 fn one(instance: &Instance, plan: &Plan, agent: &str) -> Option<giveway_model::Costs> {
-    let mut scene = instance.to_scene();
-    scene.agents.retain(|other| other.name == agent);
-    let instance = Instance::new(scene).ok()?;
+    let instance = instance.alone(agent)?;
     let mut plan = plan.clone();
     plan.paths.retain(|name, _| name == agent);
     plan.charges.retain(|name, _| name == agent);

@@ -1,26 +1,22 @@
 //! What a question contrasts the plan with, as the search sees it.
 //!
-//! Most of it is a demand on one agent ([`TaskConstraint`]) or a limit on a cost; who
+//! Most of it is a demand on one agent
+//! ([`TaskConstraint`](crate::single::TaskConstraint)) or a limit on a cost; who
 //! comes first at a cell is the one thing between two agents. Names and cells
 //! are looked up anew in each instance, since explanations ask about edited
 //! ones, too, with other agents and other obstacles.
 
+mod impose;
+
 use std::collections::BTreeMap;
 
 use giveway_model::{
-    Cell, Cost, Instance, Plan, Question,
+    Cost, Instance, Plan, Question,
     check::{arrivals, costs},
     question::holds,
 };
 
-use crate::{
-    budget::Budget,
-    explain::past::Past,
-    problem::{Problem, ProblemError},
-    single::{Place, Task, TaskConstraint},
-    terrain::Vertex,
-    walk::Walk,
-};
+use crate::{explain::past::Past, single::Place, terrain::Vertex, walk::Walk};
 
 /// A constraint on the other plan.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -59,16 +55,23 @@ impl Precedence {
     }
 }
 
-impl Counterfactual {
-    /// What must hold in the other plan, one way or another: there are several
-    /// where a question is about whichever agent, and none where it has no
-    /// contrast. The question fits the plan.
-    pub(crate) fn of(
-        question: &Question,
-        instance: &Instance,
-        plan: &Plan,
-        past: &Past,
-    ) -> Vec<Self> {
+/// What must hold in the other plan, one way or another.
+#[derive(Clone, Debug)]
+pub(crate) struct Counterfactuals {
+    ways: Vec<Counterfactual>,
+    nobody_could: Option<Unmeetable>,
+}
+
+/// The proof that no plan, of whatever makespan, is as asked for: it would have
+/// to be where nobody can be, or cost less than nothing.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) struct Unmeetable(());
+
+impl Counterfactuals {
+    /// What a question asks for: there are several ways where it is about
+    /// whichever agent, and none where it has no contrast. The question fits the
+    /// plan.
+    pub(crate) fn of(question: &Question, instance: &Instance, plan: &Plan, past: &Past) -> Self {
         let whole = |agent: &Option<String>| agent.is_none();
         let costs = past.costs(instance, plan).unwrap_or_default();
         let total = |cost: Cost| costs.get(cost);
@@ -90,16 +93,18 @@ impl Counterfactual {
             }
             _ => 0,
         };
-        let about = |question: Question| Self {
+        let about = |question: Question| Counterfactual {
             question,
             plan: plan.clone(),
             below,
             past: past.clone(),
         };
-        match question {
+        let mut nobody_could = None;
+        let ways = match question {
             Question::Unsolvable | Question::Plan => Vec::new(),
             Question::NoVisit { agent: None, at } => {
                 let agents = instance.agents().iter();
+                nobody_could = instance.agents().is_empty().then_some(Unmeetable(()));
                 agents
                     .map(|agent| {
                         about(Question::NoVisit {
@@ -110,9 +115,22 @@ impl Counterfactual {
                     .collect()
             }
             question => vec![about(question.clone())],
-        }
+        };
+        Self { ways, nobody_could }
     }
 
+    /// The ways, in order.
+    pub(crate) fn iter(&self) -> impl Iterator<Item = &Counterfactual> {
+        self.ways.iter()
+    }
+
+    /// Where there is no way: that there is nobody who could be as asked for.
+    pub(crate) const fn nobody_could(&self) -> Option<Unmeetable> {
+        self.nobody_could
+    }
+}
+
+impl Counterfactual {
     /// The agent that is asked about, if there is one.
     pub(crate) fn agent(&self) -> Option<&str> {
         self.question.agent()
@@ -131,17 +149,18 @@ impl Counterfactual {
         Some((cost, self.below))
     }
 
-    /// Adds the limit on a cost to others; false where no plan can keep it.
-    pub(crate) fn limit_costs(&self, limits: &mut BTreeMap<Cost, u32>) -> bool {
+    /// Adds the limit on a cost to others.
+    ///
+    /// # Errors
+    /// Where no plan can keep it: nothing costs less than nothing.
+    pub(crate) fn limit_costs(&self, limits: &mut BTreeMap<Cost, u32>) -> Result<(), Unmeetable> {
         let Some((cost, below)) = self.limit() else {
-            return true;
+            return Ok(());
         };
-        let Some(most) = below.checked_sub(1) else {
-            return false;
-        };
+        let most = below.checked_sub(1).ok_or(Unmeetable(()))?;
         let limit = limits.entry(cost).or_insert(most);
         *limit = most.min(*limit);
-        true
+        Ok(())
     }
 
     /// Whether a plan of an instance, edited maybe, is what is asked for. The
@@ -163,144 +182,6 @@ impl Counterfactual {
         };
         holds(&question, instance, &self.plan, other) == Some(true)
     }
-
-    /// Makes a problem keep to it.
-    ///
-    /// # Errors
-    /// Where the agent alone cannot, or the budget is spent.
-    pub(crate) fn impose(
-        &self,
-        instance: &Instance,
-        problem: &mut Problem,
-        budget: &Budget,
-    ) -> Result<(), ProblemError> {
-        let Some(agent) = self.agent().and_then(|name| index(instance, name)) else {
-            return Ok(());
-        };
-        let impossible = ProblemError::Alone(agent);
-        let mut task = problem.tasks[agent].clone();
-        let to = match &self.question {
-            Question::Yield { to, .. } => index(instance, to),
-            _ => None,
-        };
-        if self.demand(problem, agent, &mut task).is_none() {
-            return Err(impossible);
-        }
-        if let (Some(second), Question::Yield { at, .. }) = (to, &self.question) {
-            let at = problem.terrain.vertex(*at).ok_or(impossible)?;
-            problem.precedence = Some(Precedence {
-                first: agent,
-                second,
-                at,
-            });
-        }
-        problem.add(agent, task, budget)
-    }
-
-    /// Puts the demand into the agent's task; `None` where it cannot be kept.
-    fn demand(&self, problem: &Problem, agent: usize, task: &mut Task) -> Option<()> {
-        let terrain = &problem.terrain;
-        let vertex = |cell: Cell| terrain.vertex(cell);
-        let arc = |from: Cell, to: Cell| {
-            let (u, v) = (vertex(from)?, vertex(to)?);
-            let arc = terrain.arcs(u).iter().find(|arc| arc.to == v)?;
-            Some(arc.id)
-        };
-        let fewer = |cost| {
-            let most = self.below.checked_sub(1)?;
-            Some(TaskConstraint::AtMost { cost, most })
-        };
-        task.demand = match self.question {
-            Question::Wait {
-                at,
-                from,
-                to,
-                at_least,
-                ..
-            } => match at.map(vertex) {
-                Some(None) => None, // nobody waits in an obstacle
-                v => Some(TaskConstraint::Wait {
-                    v: v.flatten(),
-                    from: from.unwrap_or(0),
-                    to: to.unwrap_or(u32::MAX),
-                    steps: at_least.unwrap_or(1).max(1),
-                }),
-            },
-            Question::Charge { at, time, .. } => Some(TaskConstraint::NotCharge {
-                v: at.and_then(vertex),
-                time,
-            }),
-            Question::NoCharge { at, .. } => {
-                task.reserve?;
-                let v = vertex(at)?;
-                let leaving = terrain.arcs(v).iter().map(|arc| arc.id).collect();
-                Some(TaskConstraint::Charge { v, leaving })
-            }
-            Question::Visit { at, time, .. } => {
-                let v = vertex(at);
-                if let (Some(time), Some(v)) = (time, v)
-                    && v == task.goal
-                    && problem.rests(agent)
-                {
-                    // Resting there is being there.
-                    // (Nothing is looked for at the end of time.)
-                    task.not_before = time.saturating_add(1);
-                }
-                v.map(|v| TaskConstraint::Avoid { v, time })
-            }
-            Question::NoVisit { at, .. } | Question::Yield { at, .. } => {
-                task.visit(vertex(at)?);
-                None
-            }
-            Question::Move {
-                from_cell,
-                to_cell,
-                time,
-                ..
-            } => Some(TaskConstraint::NotCross {
-                arcs: arc(from_cell, to_cell).into_iter().collect(),
-                time,
-            }),
-            Question::NoMove {
-                from_cell,
-                to_cell,
-                time,
-                ..
-            } => Some(TaskConstraint::Cross {
-                arcs: vec![arc(from_cell, to_cell)?],
-                time,
-            }),
-            Question::Slow {
-                from_cell, to_cell, ..
-            } => {
-                let edge = from_cell.zip(to_cell);
-                let is_asked = |id: u32| {
-                    let (u, v) = terrain.ends(id);
-                    let ends = (terrain.cell(u), terrain.cell(v));
-                    edge.is_none_or(|(u, v)| ends == (u, v) || ends == (v, u))
-                };
-                let arcs = (0..terrain.len() as Vertex).flat_map(|u| terrain.arcs(u));
-                let slow = arcs.filter(|arc| arc.slow && is_asked(arc.id));
-                Some(TaskConstraint::NotCross {
-                    arcs: slow.map(|arc| arc.id).collect(),
-                    time: None,
-                })
-            }
-            Question::Order { first, second, .. } => {
-                let waypoint = task.visit(vertex(second)?);
-                let v = vertex(first);
-                v.map(|v| TaskConstraint::After { v, waypoint })
-            }
-            Question::Arrival { .. } => Some(TaskConstraint::ArriveBy(self.below.checked_sub(1)?)),
-            Question::Length { .. } | Question::Moves { .. } => Some(fewer(Cost::Moves)?),
-            Question::Charges { .. } => Some(fewer(Cost::Charges)?),
-            Question::Waits { .. } => Some(fewer(Cost::Waits)?),
-            Question::Makespan | Question::SumOfCosts | Question::Unsolvable | Question::Plan => {
-                None
-            }
-        };
-        Some(())
-    }
 }
 
 fn index(instance: &Instance, name: &str) -> Option<usize> {
@@ -316,12 +197,10 @@ fn own(instance: &Instance, plan: &Plan, name: &str, cost: Cost) -> u32 {
         return 0;
     };
     let arrival = arrivals(instance, plan).get(agent).copied().flatten();
-    let mut scene = instance.to_scene();
-    scene.agents.retain(|other| other.name == name);
     match cost {
         Cost::Makespan => arrival.unwrap_or(0),
-        _ => Instance::new(scene)
-            .ok()
+        _ => instance
+            .alone(name)
             .and_then(|alone| costs(&alone, plan))
             .map_or(0, |costs| costs.get(cost)),
     }

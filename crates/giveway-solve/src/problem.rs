@@ -7,6 +7,7 @@ use giveway_model::{Costs, Grid, Instance};
 use crate::{
     budget::{Budget, Stop},
     counterfactual::{Counterfactual, Precedence},
+    search::ForEver,
     single::{CostToGo, MAX_WAYPOINTS, Metric, Task, TaskConstraint, earliest},
     terrain::Terrain,
     walk::{Walk, costs_of},
@@ -50,8 +51,9 @@ pub(crate) struct Problem {
 
 /// Why an instance has no [`Problem`].
 pub(crate) enum ProblemError {
-    /// This agent cannot do its task even alone.
-    Alone(usize),
+    /// This agent cannot do its task, or what a question asks of it, even alone;
+    /// and why that holds whatever the horizon.
+    Alone(usize, ForEver),
     /// This agent has more waypoints than the exact tables can bear.
     TooManyWaypoints(usize),
     /// The budget was spent.
@@ -93,7 +95,7 @@ impl Problem {
                 return Err(ProblemError::TooManyWaypoints(i));
             }
             let task = Task::new(agent, instance.rules(), &problem.terrain)
-                .ok_or(ProblemError::Alone(i))?;
+                .map_err(|hopeless| ProblemError::Alone(i, hopeless.into()))?;
             problem.add(i, task, budget)?;
         }
         problem.longest = problem.optima.iter().copied().max().unwrap_or(0);
@@ -153,7 +155,7 @@ impl Problem {
         }
         let cost_to_go = CostToGo::new(&task, &self.terrain, Metric::Time, budget)?;
         let optimum = earliest(&task, &self.terrain, &cost_to_go, budget)?;
-        let optimum = optimum.ok_or(ProblemError::Alone(agent))?;
+        let optimum = optimum.map_err(|hopeless| ProblemError::Alone(agent, hopeless.into()))?;
         if agent < self.tasks.len() {
             self.tasks[agent] = task;
             self.cost_to_go[agent] = cost_to_go;

@@ -10,7 +10,7 @@ use crate::{
     budget::Budget,
     judged::{Judged, told},
     problem::{Problem, ProblemError},
-    search::{self, Aim, Bounded, Contact, ForEver, Horizon, Reach, Verdict},
+    search::{self, Aim, Bounded, Contact, Horizon, Reach, Verdict},
     walk::{Walk, of_plan, to_plan},
 };
 
@@ -123,9 +123,9 @@ pub(crate) fn without_search(task: &Task, error: &ProblemError) -> Solved {
             .map_or("", |a| a.name.as_str())
     };
     let (status, reach, reason) = match *error {
-        ProblemError::Alone(i) => (
+        ProblemError::Alone(i, reason) => (
             Status::Impossible,
-            Some(Reach::ForEver(ForEver::alone())),
+            Some(Reach::ForEver(reason)),
             format!("{} cannot do its task, even alone.", name(i)),
         ),
         ProblemError::TooManyWaypoints(i) => (

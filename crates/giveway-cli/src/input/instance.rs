@@ -41,16 +41,17 @@ pub(crate) fn instance(source: &args::Source, common: &args::Common) -> Result<I
 /// # Errors
 /// Every fault of the whole file, or too few agents.
 pub(crate) fn native(source: &Source, first: Option<usize>) -> Result<Instance, Failure> {
-    let instance = native::read_instance(&source.text).map_err(|faults| source.faults(faults))?;
+    let mut instance =
+        native::read_instance(&source.text).map_err(|faults| source.faults(faults))?;
     let Some(first) = first else {
         return Ok(instance);
     };
-    let mut scene = instance.to_scene();
-    if scene.agents.len() < first {
-        let found = count(scene.agents.len(), "robot");
+    let there = instance.agents().len();
+    if there < first {
+        let found = count(there, "robot");
         let fault = Fault::at("agents", found, format!("{first}, as asked with --agents"));
         return Err(source.faults(native::in_text(&source.text, vec![fault])));
     }
-    scene.agents.truncate(first);
-    Instance::new(scene).map_err(|faults| source.faults(faults))
+    instance.truncate_agents(first);
+    Ok(instance)
 }

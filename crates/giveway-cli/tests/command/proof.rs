@@ -154,6 +154,20 @@ fn answers_to_questions_are_certified() {
     assert!(text.ends_with("1 claim could not be checked.\n"), "{text}");
 }
 
+/// Checks that a certificate is refused since a file of it is no regular one.
+#[cfg(unix)]
+#[track_caller]
+fn refused_as_no_file(folder: &Folder) {
+    let run = folder.run("verify certificate");
+    assert_eq!((run.exit, run.out.as_str()), (Some(1), ""));
+    assert!(
+        run.err
+            .contains("found something other than a regular file"),
+        "{}",
+        run.err
+    );
+}
+
 /// A folder of somebody else holds anything: what no certificate has is not even
 /// read, and nothing in it is waited for.
 #[cfg(unix)]
@@ -176,14 +190,7 @@ fn only_regular_files_that_belong_to_it_are_read() {
         let bytes = fs::read(&file).unwrap();
         fs::remove_file(&file).unwrap();
         symlink("/dev/zero", &file).unwrap();
-        let run = folder.run("verify certificate");
-        assert_eq!((run.exit, run.out.as_str()), (Some(1), ""));
-        assert!(
-            run.err
-                .contains("found something other than a regular file"),
-            "{}",
-            run.err
-        );
+        refused_as_no_file(&folder);
         fs::remove_file(&file).unwrap();
         let made = std::process::Command::new("mkfifo").arg(&file).status();
         if made.is_ok_and(|made| made.success()) {
@@ -198,14 +205,7 @@ fn only_regular_files_that_belong_to_it_are_read() {
     let bytes = fs::read(&file).unwrap();
     fs::remove_file(&file).unwrap();
     fs::create_dir(&file).unwrap();
-    let run = folder.run("verify certificate");
-    assert_eq!((run.exit, run.out.as_str()), (Some(1), ""));
-    assert!(
-        run.err
-            .contains("found something other than a regular file"),
-        "{}",
-        run.err
-    );
+    refused_as_no_file(&folder);
     fs::remove_dir(&file).unwrap();
     fs::write(&file, bytes).unwrap();
     let manifest = folder.read("certificate/manifest.json");

@@ -13,18 +13,16 @@ use giveway_model::{Objective, sorting};
 
 use super::{
     CauseKind, Method,
+    hitting::{MOST_SETS, hitting},
     keep::{self, Fault},
     world::{Member, World},
 };
 use crate::{
     budget::{Budget, Stop},
     problem::{Problem, ProblemError},
-    search::{Aim, Bounded, Horizon, find},
-    single::{Bounds, Task},
+    search::{Aim, Bounded, ForEver, Horizon, find},
+    single::{Bounds, Hopeless, Task},
 };
-
-/// Equally small sets that are compared by their costs.
-const MOST_SETS: usize = 1000;
 
 /// A method at the time of a change.
 pub(super) struct Case<'a, 'h> {
@@ -39,8 +37,11 @@ pub(super) struct Case<'a, 'h> {
 /// Why there is nothing to search in.
 #[derive(Clone, Copy, Debug)]
 pub(super) enum Trouble {
-    /// An agent cannot do what is asked of it, whatever the others do.
-    Alone(usize, Fault),
+    /// An agent cannot be held to what the method asks of it.
+    Held(usize, Fault),
+    /// An agent cannot do what is asked of it, whatever the others do; and why
+    /// that holds whatever the horizon.
+    Alone(usize, Fault, ForEver),
     /// An agent has more waypoints than can be planned for.
     TooManyWaypoints(usize),
     Stopped(Stop),
@@ -70,26 +71,28 @@ impl Case<'_, '_> {
     pub(super) fn problem(&self, freed: &BTreeSet<usize>) -> Result<Problem, Trouble> {
         let mut terrain = self.world.terrain();
         let mut tasks: Vec<Task> = Vec::new();
-        let battery = |agent| {
+        let battery = |agent, hopeless: Hopeless| {
             let kind = CauseKind::Battery;
-            Trouble::Alone(agent, Fault { kind, cell: None })
+            Trouble::Alone(agent, Fault { kind, cell: None }, hopeless.into())
         };
         for (agent, member) in self.world.members.iter().enumerate() {
-            if let Some(fault) = keep::blocked(member, &terrain) {
-                return Err(Trouble::Alone(agent, fault));
+            if let Some((fault, hopeless)) = keep::blocked(member, &terrain) {
+                return Err(Trouble::Alone(agent, fault, hopeless.into()));
             }
             let bounds = if freed.contains(&agent) {
                 Bounds::Free
             } else {
                 keep::bounds(self.method, member, &terrain)
-                    .map_err(|fault| Trouble::Alone(agent, fault))?
+                    .map_err(|fault| Trouble::Held(agent, fault))?
             };
             let task = self.world.task(member, bounds, &mut terrain);
-            tasks.push(task.ok_or_else(|| battery(agent))?);
+            tasks.push(task.map_err(|hopeless| battery(agent, hopeless))?);
         }
         let stays = self.world.after.stays();
         Problem::of_tasks(terrain, stays, tasks, &self.budget).map_err(|error| match error {
-            ProblemError::Alone(agent) => Trouble::Alone(agent, self.alone(agent, freed)),
+            ProblemError::Alone(agent, reason) => {
+                Trouble::Alone(agent, self.alone(agent, freed), reason)
+            }
             ProblemError::TooManyWaypoints(agent) => Trouble::TooManyWaypoints(agent),
             ProblemError::Stopped(stop) => Trouble::Stopped(stop),
         })
@@ -160,7 +163,7 @@ impl Case<'_, '_> {
             let Ok(bounds) = keep::bounds(self.method, member, &terrain) else {
                 return Ok(false);
             };
-            let Some(task) = self.world.task(member, bounds, &mut terrain) else {
+            let Ok(task) = self.world.task(member, bounds, &mut terrain) else {
                 return Ok(false);
             };
             let edges = task.along().map_or(0, |path| path.len().saturating_sub(1));
@@ -269,43 +272,4 @@ pub(super) struct Fewest {
     pub(super) core: Vec<usize>,
     /// Why some sets were not looked at, where some were not.
     pub(super) left: Option<Stop>,
-}
-
-/// All sets of so many agents that meet every core, in order; one too many where
-/// there are more than are looked at.
-fn hitting(
-    cores: &[BTreeSet<usize>],
-    size: usize,
-    budget: &Budget,
-) -> Result<BTreeSet<BTreeSet<usize>>, Stop> {
-    let mut found = BTreeSet::new();
-    extend(cores, size, &BTreeSet::new(), &mut found, budget)?;
-    Ok(found)
-}
-
-/// A core that a set does not meet yet needs one of its agents.
-fn extend(
-    cores: &[BTreeSet<usize>],
-    size: usize,
-    set: &BTreeSet<usize>,
-    found: &mut BTreeSet<BTreeSet<usize>>,
-    budget: &Budget,
-) -> Result<(), Stop> {
-    budget.tick()?;
-    if found.len() > MOST_SETS {
-        return Ok(());
-    }
-    let Some(missed) = cores.iter().find(|core| core.is_disjoint(set)) else {
-        // A smaller set would have been found before.
-        found.insert(set.clone());
-        return Ok(());
-    };
-    if set.len() < size {
-        for &agent in missed {
-            let mut larger = set.clone();
-            larger.insert(agent);
-            extend(cores, size, &larger, found, budget)?;
-        }
-    }
-    Ok(())
 }

@@ -7,7 +7,7 @@ use giveway_model::Cell;
 
 use super::{CauseKind, Method, world::Member};
 use crate::{
-    single::Bounds,
+    single::{Bounds, Hopeless, has_to_be_at},
     terrain::{Terrain, Vertex},
 };
 
@@ -28,10 +28,12 @@ impl Fault {
 }
 
 /// What an agent cannot do by any method: go to an obstacle.
-pub(super) fn blocked(member: &Member, terrain: &Terrain) -> Option<Fault> {
+pub(super) fn blocked(member: &Member, terrain: &Terrain) -> Option<(Fault, Hopeless)> {
     let mut cells = member.waypoints.iter().chain([&member.goal]);
-    let blocked = cells.find(|&&cell| terrain.vertex(cell).is_none());
-    blocked.map(|&cell| Fault::at(CauseKind::Obstacle, cell))
+    cells.find_map(|&cell| {
+        let hopeless = has_to_be_at(cell, terrain).err()?;
+        Some((Fault::at(CauseKind::Obstacle, cell), hopeless))
+    })
 }
 
 /// The bounds of an agent under a method.

@@ -1,29 +1,28 @@
 //! One method at one time: its problem, its search, its answer.
 
+mod answer;
+mod cause;
+mod judged;
+
 use std::collections::{BTreeMap, BTreeSet};
 
-use giveway_model::{
-    Cost, Costs, Plan, Version,
-    check::{check_history, costs_over_time},
-    sorting,
-};
+use giveway_model::{Costs, check::costs_over_time};
 
 use super::{
-    Cause, CauseKind, Method, MethodAnswer,
-    compare::{Comparison, compare},
+    Cause, MethodAnswer,
     freed::{Case, Fewest, Trouble},
     keep::{self, Fault},
-    splice::splice,
-    words,
 };
 use crate::{
-    Progress, SolveAnswer, Status,
+    Progress,
     budget::Stop,
-    judged::{Judged, told},
     problem::Problem,
-    search::{Aim, Before, Bounded, Contact, Extent, ForEver, Reach, Verdict, closest, solve},
+    search::{Bounded, Contact, Reach, Verdict, solve},
     walk::Walk,
 };
+use answer::{answer, without_search};
+use cause::{blocked, cause_of};
+use judged::judged;
 
 /// What a method found, with the agents that it freed.
 struct MethodFound {
@@ -115,10 +114,12 @@ fn free_hopeless(
     loop {
         match case.problem(&freed) {
             Ok(_) => break,
-            Err(Trouble::Alone(agent, fault)) if case.held(&freed).contains(&agent) => {
+            Err(trouble @ (Trouble::Alone(agent, fault, _) | Trouble::Held(agent, fault)))
+                if case.held(&freed).contains(&agent) =>
+            {
                 let member = case.member(agent);
                 if member.is_some_and(|member| keep::blocked(member, &terrain).is_some()) {
-                    return Err(Box::new(without_search(case, Trouble::Alone(agent, fault))));
+                    return Err(Box::new(without_search(case, trouble)));
                 }
                 freed.insert(agent);
                 causes.insert(agent, fault);
@@ -187,228 +188,6 @@ fn free_fewest(
     best.verdict.reach = reach;
     best.verdict.stop = stop;
     Ok(best)
-}
-
-/// The answer where there is nothing to search in.
-fn without_search(case: &Case<'_, '_>, trouble: Trouble) -> MethodAnswer {
-    let name = |agent| case.member(agent).map_or("", |member| member.name.as_str());
-    let (status, reach, reason, cause) = match trouble {
-        Trouble::Alone(agent, fault) => {
-            // However it is bound, it cannot.
-            let free = Method::Replan;
-            let text = words::cause(free, name(agent), fault.kind, fault.cell, &[]);
-            let cause = Cause {
-                agent: name(agent).to_owned(),
-                kind: fault.kind,
-                cell: fault.cell,
-                agents: Vec::new(),
-                within: None,
-                text: text.clone(),
-            };
-            let reach = Reach::ForEver(ForEver::alone());
-            (Status::Impossible, Some(reach), text, Some(cause))
-        }
-        Trouble::TooManyWaypoints(agent) => {
-            let name = name(agent);
-            let reason = format!("{name} has more waypoints than can be planned for.");
-            (Status::Unknown, None, reason, None)
-        }
-        Trouble::Stopped(stop) => (Status::Unknown, None, stop.sentence().to_owned(), None),
-    };
-    let (complete, within) = told(reach);
-    MethodAnswer {
-        result: SolveAnswer {
-            giveway: Version,
-            status,
-            costs: None,
-            bounds: BTreeMap::new(),
-            within,
-            complete,
-            reason: Some(reason),
-            plan: None,
-            stats: case.budget.stats(),
-        },
-        kept: Vec::new(),
-        retimed: Vec::new(),
-        rerouted: Vec::new(),
-        added: Vec::new(),
-        freed: Vec::new(),
-        fewest: false,
-        cause,
-        closest: false,
-    }
-}
-
-/// A verdict as an answer: the plan with the fewest agents disturbed, put behind
-/// the past and judged.
-fn answer(case: &Case<'_, '_>, found: &MethodFound) -> MethodAnswer {
-    let names = |agents: &mut dyn Iterator<Item = usize>| -> Vec<String> {
-        let members = agents.filter_map(|agent| case.member(agent));
-        members.map(|member| member.name.clone()).collect()
-    };
-    let stop = found.verdict.stop;
-    let mut closest = false;
-    let best = found.verdict.best.as_ref();
-    let claim = (found.verdict.reach, stop);
-    let judged = Judged::new(best, &Aim::Best, claim, |(walks, costs)| {
-        let near = stop.is_none().then(|| disturb_few(case, found, *costs));
-        let near = near.flatten();
-        closest = near.as_ref().is_some_and(|near| near.2);
-        let near = near
-            .as_ref()
-            .map(|(walks, same, _)| (walks.as_slice(), same.as_slice()));
-        let judge =
-            |walks: &[Walk], same: &[bool]| judged(case, &found.problem, &found.freed, walks, same);
-        let judged = near.and_then(|(walks, same)| judge(walks, same));
-        closest &= judged.is_some();
-        judged.or_else(|| judge(walks, &[]))
-    });
-    let Judged {
-        plan, status, stop, ..
-    } = judged;
-    let (complete, within) = told(judged.reach);
-    let within = within.map(|within| case.world.at.saturating_add(within));
-    let clash = &found.verdict.clash;
-    let cause = match status {
-        Status::Impossible => Some(blocked(case, clash, within)),
-        _ => found.cause.clone(),
-    };
-    let reason = match (stop, &cause) {
-        (Some(stop), _) => Some(stop.sentence().to_owned()),
-        (None, Some(cause)) if status == Status::Impossible => Some(cause.text.clone()),
-        _ => None,
-    };
-    let comparison = plan.as_ref().map(|(plan, _)| compare(case.world, plan));
-    let Comparison {
-        kept,
-        retimed,
-        rerouted,
-        added,
-    } = comparison.unwrap_or_default();
-    let bounds = bounds(case, found, plan.as_ref().map(|(_, costs)| costs));
-    let (plan, costs) = plan.unzip();
-    MethodAnswer {
-        result: SolveAnswer {
-            giveway: Version,
-            status,
-            costs,
-            bounds,
-            within,
-            complete,
-            reason,
-            plan,
-            stats: case.budget.stats(),
-        },
-        kept,
-        retimed,
-        rerouted,
-        added,
-        freed: names(&mut found.freed.iter().copied()),
-        fewest: found.fewest,
-        cause,
-        closest,
-    }
-}
-
-/// Of all plans as good as the best, one that disturbs few old agents: its
-/// walks, who does the same, and whether none disturbs fewer.
-fn disturb_few(
-    case: &Case<'_, '_>,
-    found: &MethodFound,
-    costs: Costs,
-) -> Option<(Vec<Walk>, Vec<bool>, bool)> {
-    let problem = &found.problem;
-    let members = case.world.members.iter().zip(&problem.tasks);
-    let before: Vec<Before> = members
-        .map(|(member, task)| member.before(task, &problem.terrain))
-        .collect();
-    let objective = case.objective.costs().iter();
-    let bounded = Bounded {
-        horizon: found.bounded.horizon.up_to(costs.makespan),
-        limits: sorting::map(objective.map(|&cost| (cost, costs.get(cost)))),
-    };
-    let near = closest(problem, &before, &bounded, Extent::Agents, &case.budget);
-    let near = near.ok().flatten()?;
-    Some((near.walks, near.same, near.proved.is_some()))
-}
-
-/// The plan behind the past with its costs, where the judge passes it and every
-/// agent that is held to the method keeps to it.
-fn judged(
-    case: &Case<'_, '_>,
-    problem: &Problem,
-    freed: &BTreeSet<usize>,
-    walks: &[Walk],
-    same: &[bool],
-) -> Option<(Plan, Costs)> {
-    let plan = splice(case.world, problem, walks, same);
-    let report = check_history(case.world.after, &plan);
-    let costs = report.costs.filter(|_| report.is_valid())?;
-    if case.method == Method::Revise {
-        let held = case.held(freed);
-        let rerouted = compare(case.world, &plan).rerouted;
-        let strays = |agent: usize| {
-            let member = case.member(agent);
-            member.is_some_and(|member| rerouted.contains(&member.name))
-        };
-        if held.into_iter().any(strays) {
-            return None;
-        }
-    }
-    Some((plan, costs))
-}
-
-/// The proved bounds as costs from time 0: what is past, and that times count
-/// from the change, is the same in every plan.
-fn bounds(case: &Case<'_, '_>, found: &MethodFound, costs: Option<&Costs>) -> BTreeMap<Cost, u32> {
-    let at = case.world.at;
-    let own = found.verdict.best.as_ref().map(|(_, costs)| costs);
-    let bounds = found.verdict.bounds.iter();
-    let bounds = bounds.filter_map(|(&cost, &bound)| {
-        if cost == Cost::Makespan && bound > 0 {
-            return Some((cost, bound + at));
-        }
-        let (own, costs) = (own?, costs?);
-        let past = costs.get(cost).checked_sub(own.get(cost))?;
-        Some((cost, past + bound))
-    });
-    sorting::map(bounds)
-}
-
-fn cause_of(case: &Case<'_, '_>, agent: usize, fault: Fault) -> Cause {
-    let name = case.member(agent).map_or("", |member| member.name.as_str());
-    Cause {
-        agent: name.to_owned(),
-        kind: fault.kind,
-        cell: fault.cell,
-        agents: Vec::new(),
-        within: None,
-        text: words::cause(case.method, name, fault.kind, fault.cell, &[]),
-    }
-}
-
-/// Agents that block each other, and where the first of them first meets
-/// another of them if nobody waits.
-fn blocked(case: &Case<'_, '_>, agents: &[usize], within: Option<u32>) -> Cause {
-    let members = agents.iter().filter_map(|&agent| case.member(agent));
-    let names: Vec<String> = members.clone().map(|member| member.name.clone()).collect();
-    let first = members.clone().next();
-    let others: Vec<_> = members.skip(1).collect();
-    let cell = first.and_then(|first| {
-        let mut cells = first.rest.iter();
-        let met = |cell: &&giveway_model::Cell| others.iter().any(|it| it.rest.contains(cell));
-        cells.find(met).copied()
-    });
-    let agent = names.first().cloned().unwrap_or_default();
-    let text = words::cause(case.method, &agent, CauseKind::Blocked, cell, &names);
-    Cause {
-        agent,
-        kind: CauseKind::Blocked,
-        cell,
-        agents: names,
-        within,
-        text,
-    }
 }
 
 /// The costs of the plan before the changes.

@@ -13,6 +13,7 @@
 mod answer;
 mod compare;
 mod freed;
+mod hitting;
 mod horizon;
 mod keep;
 mod method;

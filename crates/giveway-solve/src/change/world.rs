@@ -12,7 +12,7 @@ use giveway_model::{
 
 use crate::{
     search::Before,
-    single::{Bounds, MAX_WAYPOINTS, Place, Reserve, Task},
+    single::{Bounds, Hopeless, MAX_WAYPOINTS, Place, Reserve, Task, has_to_be_at},
     terrain::{Terrain, Vertex},
     walk::Walk,
 };
@@ -90,47 +90,47 @@ impl<'a> World<'a> {
         Terrain::new(self.after.grid(self.at))
     }
 
-    /// The task of an agent within bounds; `None` where it can do nothing.
+    /// The task of an agent within bounds.
+    ///
+    /// # Errors
+    /// Where it can do nothing.
     pub(super) fn task(
         &self,
         member: &Member,
         bounds: Bounds,
         terrain: &mut Terrain,
-    ) -> Option<Task> {
+    ) -> Result<Task, Hopeless> {
         let floor = self.after.rules().battery_floor;
         // Who is held to a path that leads on has to go on.
         let may_stay = !matches!(&bounds, Bounds::Along(path) if path.len() > 1);
         let mut bounds = bounds;
-        let mut waypoints: Option<Vec<Vertex>> = None;
+        let mut waypoints: Vec<Vertex> = Vec::new();
         let mut reserve = None;
         if let Some((level, capacity)) = member.battery {
-            let levels = level.checked_sub(floor).zip(capacity.checked_sub(floor));
-            match levels {
-                Some((initial, full)) => reserve = Some(Reserve { full, initial }),
+            match Reserve::above(floor, capacity, level) {
+                Ok(above) => reserve = Some(above),
                 // Who has arrived needs no battery, as long as it stays.
-                None if may_stay && member.rested > 0 => {
-                    bounds = Bounds::Along(vec![terrain.vertex(member.here)?].into());
+                Err(_) if may_stay && member.rested > 0 => {
+                    bounds = Bounds::Along(vec![has_to_be_at(member.here, terrain)?].into());
                 }
-                None => return None,
+                Err(hopeless) => return Err(hopeless),
             }
         }
         if !matches!(bounds, Bounds::Along(_)) {
             let cells = member.waypoints.iter().take(MAX_WAYPOINTS + 1);
-            waypoints = Some(
-                cells
-                    .map(|&cell| terrain.vertex(cell))
-                    .collect::<Option<_>>()?,
-            );
+            waypoints = cells
+                .map(|&cell| has_to_be_at(cell, terrain))
+                .collect::<Result<_, _>>()?;
         }
-        let start = terrain.vertex(member.here)?;
+        let start = has_to_be_at(member.here, terrain)?;
         let transit = member.tail.map(|tail| {
             let from = terrain.vertex(tail);
             terrain.transit(from, start)
         });
-        Some(Task {
+        Ok(Task {
             start,
-            goal: terrain.vertex(member.goal)?,
-            waypoints: waypoints.unwrap_or_default(),
+            goal: has_to_be_at(member.goal, terrain)?,
+            waypoints,
             reserve,
             demand: None,
             not_before: 0,

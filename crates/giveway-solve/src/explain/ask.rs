@@ -8,7 +8,7 @@ use std::collections::BTreeMap;
 use std::rc::Rc;
 
 use giveway_model::{
-    Cost, Costs, Instance, Objective, Plan, Scene,
+    Cost, Costs, Instance, Objective, Plan,
     check::{Rule, Violation, arrivals, check},
 };
 
@@ -19,15 +19,15 @@ use crate::{
     counterfactual::Counterfactual,
     judged::Judged,
     problem::{Problem, ProblemError, Relaxed},
-    search::{Aim, Bounded, ForEver, Horizon, Reach, Verdict, find},
+    search::{Aim, Bounded, Horizon, Reach, Verdict, find},
     walk::to_plan,
 };
 
 /// A question to the search.
 #[derive(Clone, Copy)]
 pub(crate) struct Ask<'a> {
-    /// The instance, after all edits. It keeps the promises of an instance.
-    pub(crate) scene: &'a Scene,
+    /// The instance, after all edits.
+    pub(crate) instance: &'a Instance,
     /// Rules between agents that do not count.
     pub(crate) relaxed: &'a Relaxed,
     /// What a question asks for beside the rules.
@@ -87,50 +87,42 @@ fn run(ask: &Ask, aim: &Aim, budget: &Rc<Budget>) -> Found {
         clash: Vec::new(),
         horizon: ask.within.unwrap_or(ask.at_least_within),
     };
-    let Ok(instance) = Instance::new(ask.scene.clone()) else {
-        return nothing;
-    };
-    let mut problem = match Problem::relaxed(&instance, ask.relaxed.clone(), ask.condition, budget)
-    {
+    let instance = ask.instance;
+    let mut problem = match Problem::relaxed(instance, ask.relaxed.clone(), ask.condition, budget) {
         Ok(problem) => problem,
-        Err(ProblemError::Alone(agent)) => {
+        Err(ProblemError::Alone(agent, reason)) => {
             let agent = instance.agents().get(agent);
             return Found {
                 status: Status::Impossible,
-                reach: Some(Reach::ForEver(ForEver::alone())),
+                reach: Some(Reach::ForEver(reason)),
                 clash: agent.map(|a| a.name.clone()).into_iter().collect(),
                 ..nothing
             };
         }
         Err(_) => return nothing,
     };
-    ask.past.wake(&instance, &mut problem);
+    ask.past.wake(instance, &mut problem);
     let grid = instance.grid();
     let horizon = Horizon::of(&problem, grid, ask.within, ask.at_least_within);
     let mut limits = ask.caps.clone();
-    if !ask.condition.is_none_or(|it| it.limit_costs(&mut limits)) {
-        // Nothing costs less than nothing.
+    if let Some(condition) = ask.condition
+        && let Err(unmeetable) = condition.limit_costs(&mut limits)
+    {
         return Found {
             status: Status::Impossible,
-            reach: Some(Reach::ForEver(ForEver::less_than_nothing())),
+            reach: Some(Reach::ForEver(unmeetable.into())),
             horizon: horizon.latest(),
             ..nothing
         };
     }
     let bounded = Bounded { horizon, limits };
     let verdict = find(&problem, ask.objective, &bounded, aim, budget);
-    judged(&instance, &problem, ask, aim, horizon.latest(), verdict)
+    judged(&problem, ask, aim, horizon.latest(), verdict)
 }
 
 /// A verdict with its plan judged.
-fn judged(
-    instance: &Instance,
-    problem: &Problem,
-    ask: &Ask,
-    aim: &Aim,
-    horizon: u32,
-    verdict: Verdict,
-) -> Found {
+fn judged(problem: &Problem, ask: &Ask, aim: &Aim, horizon: u32, verdict: Verdict) -> Found {
+    let instance = ask.instance;
     let names: Vec<String> = instance.agents().iter().map(|a| a.name.clone()).collect();
     let claim = (verdict.reach, verdict.stop);
     let judged = Judged::new(verdict.best, aim, claim, |(walks, costs)| {

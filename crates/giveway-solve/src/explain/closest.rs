@@ -33,7 +33,7 @@ pub(crate) fn closest(case: &Case, best: (&Plan, Costs), budget: &Rc<Budget>) ->
     );
     let mut proved = true;
     let mut nearest = (distance(case, best.0), best.0.clone());
-    for condition in &case.conditions {
+    for condition in case.conditions.iter() {
         match with(case, condition, best.1, &part) {
             Attempt::Plan(plan, is_proved) => {
                 proved &= is_proved;
@@ -79,7 +79,7 @@ fn with(case: &Case, condition: &Counterfactual, costs: Costs, budget: &Rc<Budge
     let horizon = Horizon::of(&problem, grid, case.within, case.costs.makespan).up_to(near);
     let objective = case.objective().costs().iter();
     let mut limits = map(objective.map(|&cost| (cost, costs.get(cost))));
-    if !condition.limit_costs(&mut limits) {
+    if condition.limit_costs(&mut limits).is_err() {
         return Attempt::None;
     }
     let Some(before) = before(&problem, instance, case.plan) else {

@@ -4,7 +4,7 @@
 use std::collections::BTreeMap;
 use std::rc::Rc;
 
-use giveway_model::{Costs, Instance, Plan};
+use giveway_model::{Costs, Plan};
 
 use super::{
     ask::{Ask, Found, any, at_most, best, violations},
@@ -43,7 +43,7 @@ pub(crate) struct Contrasted<'a, 'h> {
 impl Contrasted<'_, '_> {
     /// What must hold, one of these: those about agents that are still there.
     fn conditions(&self, variant: &Variant) -> impl Iterator<Item = &Counterfactual> {
-        let agents = variant.scene.agents.iter();
+        let agents = variant.instance.agents().iter();
         let names: Vec<String> = agents.map(|agent| agent.name.clone()).collect();
         let there = move |name: &str| names.iter().any(|there| there == name);
         let conditions = self.case.conditions.iter();
@@ -58,7 +58,7 @@ impl Contrasted<'_, '_> {
     ) -> T {
         let part = one_search(&self.budget);
         let ask = Ask {
-            scene: &variant.scene,
+            instance: &variant.instance,
             relaxed: &variant.relaxed,
             condition: Some(condition),
             objective: self.case.objective(),
@@ -83,12 +83,12 @@ impl Contrasted<'_, '_> {
 
     /// A plan near to the known one, improved by what was left out.
     fn nearby(&self, variant: &Variant, condition: &Counterfactual) -> Option<Plan> {
-        let near = fit(self.near?, &variant.scene);
-        let instance = Instance::new(variant.scene.clone()).ok()?;
+        let near = fit(self.near?, &variant.instance);
+        let instance = &variant.instance;
         let relaxed = variant.relaxed.clone();
         let budget = &self.budget;
-        let mut problem = Problem::relaxed(&instance, relaxed, Some(condition), budget).ok()?;
-        self.case.past.wake(&instance, &mut problem);
+        let mut problem = Problem::relaxed(instance, relaxed, Some(condition), budget).ok()?;
+        self.case.past.wake(instance, &mut problem);
         let agents = instance.agents().iter();
         let walks: Option<Vec<Walk>> = agents
             .map(|agent| walk_of(&problem.terrain, near.path(&agent.name), agent.goal))
@@ -146,17 +146,15 @@ impl Inquiry for Contrasted<'_, '_> {
     }
 
     fn accepts(&self, variant: &Variant, plan: &Plan) -> bool {
-        let Ok(instance) = Instance::new(variant.scene.clone()) else {
-            return false;
-        };
-        let Some(costs) = self.case.past.costs(&instance, plan) else {
+        let instance = &variant.instance;
+        let Some(costs) = self.case.past.costs(instance, plan) else {
             return false;
         };
         let mut conditions = self.conditions(variant);
         variant.within.is_none_or(|within| costs.makespan <= within)
             && self.is_cheap(&costs)
-            && violations(&instance, &variant.relaxed, plan).is_empty()
-            && conditions.any(|condition| condition.is_met_by(&instance, plan))
+            && violations(instance, &variant.relaxed, plan).is_empty()
+            && conditions.any(|condition| condition.is_met_by(instance, plan))
     }
 }
 

@@ -2,36 +2,34 @@
 
 use std::collections::BTreeSet;
 
-use giveway_model::{AtGoal, Battery, Ground, Instance, Scene};
+use giveway_model::{Battery, Cell, Instance};
 
-use super::{
-    answer::Edit,
-    group::{Variant, redraw},
-};
+use super::{answer::Edit, group::Variant};
 use crate::problem::Relaxed;
 
-/// The scene after some edits, deadlines apart, which are no part of it.
+/// The instance after some edits, deadlines apart, which are no part of it.
 ///
 /// ```
 /// use giveway_model::{Cell, format::native};
-/// use giveway_solve::explain::{Edit, edited_scene};
+/// use giveway_solve::explain::{Edit, edited_instance};
 /// let instance = native::read_instance(r#"{ "giveway": 1, "map": [".#."],
 ///     "agents": [{ "name": "A1", "start": [0, 0], "goal": [2, 0] }] }"#).unwrap();
 /// let edit = Edit::RemoveObstacle { cell: Cell::new(1, 0) };
-/// assert_eq!(edited_scene(&instance, &[edit]).map, ["..."]);
+/// assert_eq!(edited_instance(&instance, &[edit]).grid().rows(), ["..."]);
 /// ```
-pub fn edited_scene(instance: &Instance, edits: &[Edit]) -> Scene {
-    edited(instance, edits, None).scene
+pub fn edited_instance(instance: &Instance, edits: &[Edit]) -> Instance {
+    edited(instance, edits, None).instance
 }
 
 /// The instance after some edits.
 pub(crate) fn edited(instance: &Instance, edits: &[Edit], within: Option<u32>) -> Variant {
-    let mut scene = instance.to_scene();
+    let mut after = instance.clone();
     let mut within = within;
-    let mut free = BTreeSet::new();
-    let mut chargers = BTreeSet::new();
-    let mut normal = BTreeSet::new();
+    let mut free: BTreeSet<Cell> = BTreeSet::new();
+    let mut chargers: BTreeSet<Cell> = BTreeSet::new();
+    let mut normal: BTreeSet<Cell> = BTreeSet::new();
     for edit in edits {
+        let number = |name: &String| after.agents().iter().position(|a| a.name == *name);
         match edit {
             Edit::RemoveObstacle { cell } => {
                 free.insert(*cell);
@@ -47,38 +45,26 @@ pub(crate) fn edited(instance: &Instance, edits: &[Edit], within: Option<u32>) -
                 capacity,
                 initial,
             } => {
-                if let Some(agent) = scene.agents.iter_mut().find(|a| a.name == *agent) {
-                    agent.battery = Some(Battery {
-                        capacity: *capacity,
-                        initial: *initial,
-                    });
+                if let Some(agent) = number(agent) {
+                    let (capacity, initial) = (*capacity, *initial);
+                    after.replace_battery(agent, Battery { capacity, initial });
                 }
             }
             Edit::Deadline { within: later } => within = Some(*later),
             Edit::DropWaypoint { agent, cell } => {
-                if let Some(agent) = scene.agents.iter_mut().find(|a| a.name == *agent) {
-                    agent.waypoints.retain(|w| w != cell);
+                if let Some(agent) = number(agent) {
+                    after.drop_waypoint(agent, *cell);
                 }
             }
-            Edit::Vanish => scene.rules.at_goal = AtGoal::Vanish,
-            Edit::LeaveOut { agent } => scene.agents.retain(|a| a.name != *agent),
+            Edit::Vanish => after.let_agents_vanish(),
+            Edit::LeaveOut { agent } => after.retain_agents(|a| a.name != *agent),
         }
     }
-    scene.map = redraw(instance.grid(), |cell, ground| {
-        let freed = ground == Ground::Obstacle && free.contains(&cell);
-        let ground = if freed { Ground::Free } else { ground };
-        let slow = ground.is_slow() && !normal.contains(&cell);
-        let charger = ground.is_charger() || (ground.is_vertex() && chargers.contains(&cell));
-        match (ground, slow, charger) {
-            (Ground::Obstacle, ..) => Ground::Obstacle,
-            (_, false, false) => Ground::Free,
-            (_, false, true) => Ground::Charger,
-            (_, true, false) => Ground::Slow,
-            (_, true, true) => Ground::SlowCharger,
-        }
-    });
+    after.remove_obstacles(|cell| free.contains(&cell));
+    after.make_normal(|cell| normal.contains(&cell));
+    after.add_chargers(|cell| chargers.contains(&cell));
     Variant {
-        scene,
+        instance: after,
         relaxed: Relaxed::default(),
         within,
     }

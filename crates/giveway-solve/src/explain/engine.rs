@@ -211,7 +211,7 @@ fn no_plan(
 ) -> Result<(), Refusal> {
     let found = any(
         &Ask {
-            scene: &instance.to_scene(),
+            instance,
             relaxed: &Relaxed::default(),
             condition: None,
             objective: instance.objective(),

@@ -2,7 +2,7 @@
 
 use std::collections::BTreeSet;
 
-use giveway_model::{AtGoal, Cell, Grid, Ground, Instance, Plan, Scene};
+use giveway_model::{Cell, Grid, Instance, Plan};
 
 use super::answer::{Fact, FactKind};
 use super::words;
@@ -108,7 +108,7 @@ pub(crate) fn has_slow_edge(grid: &Grid) -> bool {
 /// An instance without some facts.
 #[derive(Clone, Debug)]
 pub(crate) struct Variant {
-    pub(crate) scene: Scene,
+    pub(crate) instance: Instance,
     pub(crate) relaxed: Relaxed,
     /// The horizon, where a person set one and it is not left out.
     pub(crate) within: Option<u32>,
@@ -120,27 +120,18 @@ pub(crate) fn without(
     left_out: &BTreeSet<Group>,
     within: Option<u32>,
 ) -> Variant {
-    let mut scene = instance.to_scene();
+    let mut variant = instance.clone();
     let mut relaxed = Relaxed::default();
     let mut free = BTreeSet::new();
     let mut within = within;
-    let mut all_normal = false;
     // Agents that are left out move the numbers of those behind them.
     let gone = |a: usize| left_out.contains(&Group::Task(a));
     let number = |a: usize| a - (0..a).filter(|&b| gone(b)).count();
     for &group in left_out {
         match group {
             Group::Task(_) => {}
-            Group::Waypoint(a, cell) => {
-                if let Some(agent) = scene.agents.get_mut(a) {
-                    agent.waypoints.retain(|&w| w != cell);
-                }
-            }
-            Group::Battery(a) => {
-                if let Some(agent) = scene.agents.get_mut(a) {
-                    agent.battery = None;
-                }
-            }
+            Group::Waypoint(a, cell) => variant.drop_waypoint(a, cell),
+            Group::Battery(a) => variant.drop_battery(a),
             Group::Obstacle(cell) => {
                 free.insert(cell);
             }
@@ -149,51 +140,35 @@ pub(crate) fn without(
                     relaxed.ignored.insert((number(a), number(b)));
                 }
             }
+            // (Where all agents vanish, there is no such fact.)
             Group::Stay(a) => {
-                if !gone(a) {
+                if !gone(a) && instance.stays() {
                     relaxed.gone.insert(number(a));
                 }
             }
-            Group::Slow => all_normal = true,
+            Group::Slow => variant.make_normal(|_| true),
             Group::Deadline => within = None,
         }
     }
-    scene.map = redraw(instance.grid(), |cell, ground| match ground {
-        Ground::Obstacle if free.contains(&cell) => Ground::Free,
-        Ground::Slow if all_normal => Ground::Free,
-        Ground::SlowCharger if all_normal => Ground::Charger,
-        ground => ground,
-    });
+    if !free.is_empty() {
+        variant.remove_obstacles(|cell| free.contains(&cell));
+    }
     let mut index = 0;
-    scene.agents.retain(|_| {
+    variant.retain_agents(|_| {
         index += 1;
         !gone(index - 1)
     });
-    if scene.rules.at_goal == AtGoal::Vanish {
-        relaxed.gone.clear();
-    }
     Variant {
-        scene,
+        instance: variant,
         relaxed,
         within,
     }
 }
 
-/// A map with some grounds changed.
-pub(crate) fn redraw(grid: &Grid, change: impl Fn(Cell, Ground) -> Ground) -> Vec<String> {
-    let mut rows = vec![String::new(); grid.height() as usize];
-    for (cell, ground) in grid.cells() {
-        if let Some(row) = rows.get_mut(cell.y as usize) {
-            row.push(change(cell, ground).to_char());
-        }
-    }
-    rows
-}
-
 /// A plan without what a variant has no place for: agents that are not there,
 /// charges of batteries that are unlimited.
-pub(crate) fn fit(plan: &Plan, scene: &Scene) -> Plan {
-    let agent = |name: &String| scene.agents.iter().find(|a| a.name == *name);
+pub(crate) fn fit(plan: &Plan, instance: &Instance) -> Plan {
+    let agent = |name: &String| instance.agents().iter().find(|a| a.name == *name);
     let mut plan = plan.clone();
     plan.paths.retain(|name, _| agent(name).is_some());
     plan.charges

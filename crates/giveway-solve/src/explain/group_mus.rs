@@ -218,7 +218,7 @@ impl Shrinking<'_> {
             .iter()
             .rev()
             .take(KNOWN)
-            .map(|plan| super::group::fit(plan, &variant.scene));
+            .map(|plan| super::group::fit(plan, &variant.instance));
         let mut fits = fits.filter(|plan| self.inquiry.accepts(variant, plan));
         fits.next()
     }

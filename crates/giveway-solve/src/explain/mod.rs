@@ -45,6 +45,6 @@ pub(crate) mod waits;
 pub(crate) mod words;
 
 pub use answer::{Class, Core, Edit, Excess, Fact, FactKind, Repair, WitnessEntry};
-pub use edits::edited_scene;
+pub use edits::edited_instance;
 pub use explanation::{ExplainAnswer, ExplainRequest, Part, Verdict};
 pub use words::{edits_in_words, facts_claim, facts_title, verdict_word, witness_title};

@@ -3,7 +3,7 @@
 use std::collections::BTreeMap;
 use std::rc::Rc;
 
-use giveway_model::{Cost, Costs, Instance, Objective, Plan, Scene, check::Violation};
+use giveway_model::{Cost, Costs, Instance, Objective, Plan, check::Violation};
 
 use super::{
     answer::Excess,
@@ -58,7 +58,7 @@ pub(crate) fn judge(
     };
     let found = best(
         &Ask {
-            scene: &instance.to_scene(),
+            instance,
             relaxed: &Relaxed::default(),
             condition: None,
             objective,
@@ -88,7 +88,7 @@ pub(crate) fn judge(
 fn excess(instance: &Instance, plan: &Plan, other: &Plan, past: &Past) -> Vec<Excess> {
     let mut excess = Vec::new();
     for agent in instance.agents() {
-        let Some(alone) = alone(instance, &agent.name) else {
+        let Some(alone) = instance.alone(&agent.name) else {
             continue;
         };
         let costs = [plan, other].map(|plan| past.costs(&alone, plan));
@@ -108,16 +108,5 @@ fn excess(instance: &Instance, plan: &Plan, other: &Plan, past: &Past) -> Vec<Ex
 
 /// The costs of one agent in a plan.
 pub(crate) fn own_costs(instance: &Instance, name: &str, plan: &Plan) -> Option<Costs> {
-    giveway_model::check::costs(&alone(instance, name)?, plan)
-}
-
-/// The instance with one agent only.
-fn alone(instance: &Instance, name: &str) -> Option<Instance> {
-    let scene = instance.to_scene();
-    let agents = scene.agents.into_iter().filter(|a| a.name == name);
-    let alone = Scene {
-        agents: agents.collect(),
-        ..scene
-    };
-    Instance::new(alone).ok()
+    giveway_model::check::costs(&instance.alone(name)?, plan)
 }

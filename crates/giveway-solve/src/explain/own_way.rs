@@ -5,14 +5,14 @@ use std::collections::BTreeMap;
 use std::rc::Rc;
 
 use giveway_model::{
-    Cell, Cost, Objective, Path, Plan, Question, Scene,
+    Cell, Cost, Objective, Path, Plan, Question,
     check::{Violation, arrivals},
 };
 
 use super::{ask::Ask, ask::best, own_plan::own_costs, verdict::Case, waits};
 use crate::{
     budget::Budget,
-    counterfactual::Counterfactual,
+    counterfactual::{Counterfactual, Counterfactuals},
     local::{Query, Reservations, plan_one},
     problem::{Problem, Relaxed},
     single::Place,
@@ -28,11 +28,11 @@ pub(crate) fn witness(case: &Case, budget: &Rc<Budget>) -> Option<(String, Vec<V
         return Some((agent.clone(), violations));
     }
     let conditions = match about_agent(case) {
-        Some(question) => Counterfactual::of(&question, case.instance, case.plan, case.past),
+        Some(question) => Counterfactuals::of(&question, case.instance, case.plan, case.past),
         None => case.conditions.clone(),
     };
     let mut found: Option<(usize, String, Vec<Violation>)> = None;
-    for condition in &conditions {
+    for condition in conditions.iter() {
         let Some(agent) = condition.agent() else {
             continue;
         };
@@ -140,12 +140,11 @@ fn alone(
     agent: &str,
     budget: &Rc<Budget>,
 ) -> Option<Plan> {
-    let mut scene: Scene = case.instance.to_scene();
-    scene.agents.retain(|other| other.name == agent);
+    let instance = case.instance.alone(agent)?;
     let objective: &Objective = case.objective();
     let found = best(
         &Ask {
-            scene: &scene,
+            instance: &instance,
             relaxed: &Relaxed::default(),
             condition: condition.limit().is_none().then_some(condition),
             objective,

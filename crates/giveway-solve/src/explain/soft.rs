@@ -5,27 +5,22 @@
 //! cannot be lower; then the deadline, then the sum of costs, and of what is
 //! left the earliest breaches, so that the same question has one answer.
 
+mod lower;
+mod order;
+
 use std::rc::Rc;
 
-use giveway_model::{Instance, Plan, Scene, check::Rule};
+use giveway_model::{Instance, Plan, check::Rule};
 
-use super::group::redraw;
 use crate::{
     budget::{Budget, Stop},
-    encode::{
-        collisions::AgentId,
-        totalizer::{capped, totalizer},
-    },
+    encode::collisions::AgentId,
     local::apart,
     problem::Problem,
-    sat::{Clauses, Lit, Outcome},
+    sat::{Lit, Outcome},
     search::{Horizon, Team},
     walk::{Walk, arrival, to_plan},
 };
-use giveway_model::sorting::sort;
-
-/// The most broken rules that are counted: more explain nothing.
-const MOST_BROKEN: usize = 12;
 
 /// A plan that breaks rules of one class only.
 pub(crate) struct Broken {
@@ -67,15 +62,8 @@ pub(crate) fn obstacles(
     at_least_within: u32,
     budget: &Rc<Budget>,
 ) -> Option<Broken> {
-    let free = |_, ground: giveway_model::Ground| match ground {
-        giveway_model::Ground::Obstacle => giveway_model::Ground::Free,
-        ground => ground,
-    };
-    let scene = Scene {
-        map: redraw(instance.grid(), free),
-        ..instance.to_scene()
-    };
-    let open = Instance::new(scene).ok()?;
+    let mut open = instance.clone();
+    open.remove_obstacles(|_| true);
     let problem = Problem::new(&open, budget).ok()?;
     let horizon = horizon(&open, &problem, within, at_least_within);
     let walks = vec![Walk::new(); problem.agents()];
@@ -165,73 +153,6 @@ impl<'a, 'p, 'h> SoftRules<'a, 'p, 'h> {
         to_plan(self.problem, &names, walks)
     }
 
-    /// Lowers one thing after the other; an error leaves the best so far.
-    fn lower_all(&mut self, first: u32) -> Result<(), Stop> {
-        for agent in 0..self.problem.agents() {
-            self.team.enter(agent)?;
-        }
-        // Deadlines with twice the delay each time.
-        let (mut before, mut deadline) = (None, first);
-        let mut sooner = None;
-        loop {
-            let found = self.best.as_ref().map(|best| best.0);
-            self.lower_count(deadline)?;
-            let now = self.best.as_ref().map(|best| best.0);
-            if now != found {
-                sooner = before;
-            }
-            if now == Some(1) || deadline == self.horizon {
-                break;
-            }
-            before = Some(deadline);
-            let delay = (deadline - first).max(1);
-            deadline = (deadline + delay).min(self.horizon);
-        }
-        let Some((count, latest, ..)) = self.best else {
-            return Ok(());
-        };
-        let breaches = (self.breaches)(&self.team, self.problem);
-        let lits: Vec<Lit> = breaches.iter().map(|&(_, lit)| lit).collect();
-        let counted = capped(&lits, count + 1, self.team.clauses());
-        let mut fixed: Vec<Lit> = counted.get(count).map(|&more| !more).into_iter().collect();
-        self.lower_deadline(sooner.map_or(first, |d| d + 1), latest, &fixed)?;
-        let Some((_, latest, ..)) = self.best else {
-            return Ok(());
-        };
-        fixed.extend(self.deadlines(latest));
-        self.lower_sum(latest, &mut fixed)?;
-        self.order_breaches(breaches, fixed)
-    }
-
-    /// All agents arrive by a time.
-    fn deadlines(&mut self, time: u32) -> Vec<Lit> {
-        let agents = 0..self.problem.agents();
-        let by = |agent| self.team.by(agent, time);
-        agents.filter_map(by).collect()
-    }
-
-    /// The fewest breaches at a deadline.
-    fn lower_count(&mut self, deadline: u32) -> Result<(), Stop> {
-        for agent in 0..self.problem.agents() {
-            self.team.grow(agent, deadline)?;
-        }
-        let most = self.best.as_ref().map_or(MOST_BROKEN, |best| best.0 - 1);
-        let breaches = (self.breaches)(&self.team, self.problem);
-        let lits: Vec<Lit> = breaches.iter().map(|&(_, lit)| lit).collect();
-        let counted = capped(&lits, most + 1, self.team.clauses());
-        let by = self.deadlines(deadline);
-        let mut most = Some(most);
-        while let Some(k) = most.filter(|&k| k > 0) {
-            let mut assumptions = by.clone();
-            assumptions.extend(counted.get(k).map(|&more| !more));
-            let Some(found) = self.model(&assumptions)? else {
-                break;
-            };
-            most = found.checked_sub(1);
-        }
-        Ok(())
-    }
-
     /// Solves; keeps a model that is better, and tells its number of breaches.
     fn model(&mut self, assumptions: &[Lit]) -> Result<Option<usize>, Stop> {
         if let Outcome::Unsat(_) = self.team.solve(assumptions)? {
@@ -255,93 +176,6 @@ impl<'a, 'p, 'h> SoftRules<'a, 'p, 'h> {
             self.best = Some((count, makespan, sum, walks));
         }
         Ok(Some(count))
-    }
-
-    /// The earliest deadline for the fewest breaches.
-    fn lower_deadline(&mut self, from: u32, latest: u32, fixed: &[Lit]) -> Result<(), Stop> {
-        for deadline in from..latest {
-            let mut assumptions = self.deadlines(deadline);
-            assumptions.extend(fixed);
-            if self.model(&assumptions)?.is_some() {
-                return Ok(());
-            }
-        }
-        Ok(())
-    }
-
-    /// The least sum of costs with the fewest breaches by a deadline.
-    fn lower_sum(&mut self, latest: u32, fixed: &mut Vec<Lit>) -> Result<(), Stop> {
-        let mut delays = Vec::new();
-        for agent in 0..self.problem.agents() {
-            for time in self.problem.optima[agent]..latest {
-                delays.extend(self.team.by(agent, time).map(|by| !by));
-            }
-        }
-        let least: u32 = self.problem.optima.iter().sum();
-        let outputs = totalizer(&delays, self.team.clauses());
-        loop {
-            let Some(&(_, _, sum, _)) = self.best.as_ref() else {
-                return Ok(());
-            };
-            let delay = (sum - least) as usize;
-            let fewer = delay.checked_sub(1).and_then(|d| outputs.get(d));
-            let mut assumptions = fixed.clone();
-            assumptions.extend(fewer.map(|&more| !more));
-            if fewer.is_none() || self.model(&assumptions)?.is_none() {
-                fixed.extend(outputs.get(delay).map(|&more| !more));
-                return Ok(());
-            }
-        }
-    }
-
-    /// Of all that is equally good, that with the earliest breaches.
-    fn order_breaches(
-        &mut self,
-        mut breaches: Vec<Breach>,
-        mut fixed: Vec<Lit>,
-    ) -> Result<(), Stop> {
-        sort(&mut breaches);
-        let Some(count) = self.best.as_ref().map(|best| best.0) else {
-            return Ok(());
-        };
-        if matches!(self.team.solve(&fixed)?, Outcome::Unsat(_)) {
-            return Err(Stop::Contradiction);
-        }
-        let mut from = 0;
-        for _ in 0..count {
-            let holds = |team: &Team, from: usize| {
-                let mut rest = breaches.iter().enumerate().skip(from);
-                rest.find(|(_, (_, lit))| team.is_true(*lit))
-                    .map(|(i, _)| i)
-            };
-            let Some(mut first) = holds(&self.team, from) else {
-                break;
-            };
-            self.keep_model();
-            while first > from {
-                let sooner = self.team.clauses().fresh();
-                let mut clause = vec![!sooner];
-                clause.extend(breaches[from..first].iter().map(|&(_, lit)| lit));
-                self.team.clauses().clause(&clause);
-                let mut assumptions = fixed.clone();
-                assumptions.push(sooner);
-                if matches!(self.team.solve(&assumptions)?, Outcome::Unsat(_)) {
-                    break;
-                }
-                let Some(found) = holds(&self.team, from) else {
-                    break;
-                };
-                first = found;
-                self.keep_model();
-            }
-            fixed.push(breaches[first].1);
-            from = first + 1;
-            if matches!(self.team.solve(&fixed)?, Outcome::Unsat(_)) {
-                return Err(Stop::Contradiction);
-            }
-        }
-        self.keep_model();
-        Ok(())
     }
 
     /// Takes over the last model, which is as good as the best.

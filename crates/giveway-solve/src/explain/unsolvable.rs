@@ -55,7 +55,7 @@ impl AnyPlan<'_, '_> {
     fn with<T>(&self, variant: &Variant, run: impl Fn(&Ask, &Rc<Budget>) -> T) -> T {
         let part = one_search(&self.budget);
         let ask = Ask {
-            scene: &variant.scene,
+            instance: &variant.instance,
             relaxed: &variant.relaxed,
             condition: None,
             objective: self.objective,
@@ -76,14 +76,12 @@ impl Inquiry for AnyPlan<'_, '_> {
     }
 
     fn accepts(&self, variant: &Variant, plan: &Plan) -> bool {
-        let Ok(instance) = Instance::new(variant.scene.clone()) else {
-            return false;
-        };
+        let instance = &variant.instance;
         let arrives = |within: u32| {
-            let costs = giveway_model::check::costs(&instance, plan);
+            let costs = giveway_model::check::costs(instance, plan);
             costs.is_some_and(|costs| costs.makespan <= within)
         };
-        violations(&instance, &variant.relaxed, plan).is_empty()
+        violations(instance, &variant.relaxed, plan).is_empty()
             && variant.within.is_none_or(arrives)
     }
 }

@@ -12,11 +12,7 @@ use super::{
     past::Past,
 };
 use crate::{
-    Status,
-    budget::Budget,
-    counterfactual::Counterfactual,
-    problem::Relaxed,
-    search::{ForEver, Reach},
+    Status, budget::Budget, counterfactual::Counterfactuals, problem::Relaxed, search::Reach,
 };
 
 /// A question that fits a valid plan, and what is to be known of both.
@@ -33,7 +29,7 @@ pub(crate) struct Case<'a> {
     /// How far the verdict is proved, once it is.
     pub(crate) shown: Option<Reach>,
     /// What must hold in the other plan: one of these.
-    pub(crate) conditions: Vec<Counterfactual>,
+    pub(crate) conditions: Counterfactuals,
     /// The horizon, where a person set one.
     pub(crate) within: Option<u32>,
     /// What is past already.
@@ -56,7 +52,7 @@ impl<'a> Case<'a> {
             costs,
             optimal: None,
             shown: None,
-            conditions: Counterfactual::of(question, instance, plan, past),
+            conditions: Counterfactuals::of(question, instance, plan, past),
             past,
             // What is at hand is never beyond what is looked at.
             within: within.map(|within| within.max(costs.makespan)),
@@ -69,10 +65,9 @@ impl<'a> Case<'a> {
 
     /// Calls the search with each of the conditions in turn.
     fn each(&self, mut with: impl FnMut(&Ask)) {
-        let scene = self.instance.to_scene();
-        for condition in &self.conditions {
+        for condition in self.conditions.iter() {
             with(&Ask {
-                scene: &scene,
+                instance: self.instance,
                 relaxed: &Relaxed::default(),
                 condition: Some(condition),
                 objective: self.objective(),
@@ -158,11 +153,16 @@ fn best_with(case: &Case, budget: &Rc<Budget>) -> Found {
         all = Some(join(so_far, better));
     });
     // Where there is nobody who could, nobody can.
+    let nobody = case.conditions.nobody_could();
     all.unwrap_or(Found {
-        status: Status::Impossible,
+        status: if nobody.is_some() {
+            Status::Impossible
+        } else {
+            Status::Unknown
+        },
         plan: None,
         costs: None,
-        reach: Some(Reach::ForEver(ForEver::alone())),
+        reach: nobody.map(|nobody| Reach::ForEver(nobody.into())),
         clash: Vec::new(),
         horizon: case.costs.makespan,
     })

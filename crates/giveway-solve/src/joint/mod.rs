@@ -67,7 +67,7 @@ impl Paid {
 enum Ended {
     /// The best plan at any horizon: what it costs, and its states over time.
     Best(Paid, Vec<Vec<Single>>),
-    /// There is no plan at any horizon.
+    /// There is no plan at any horizon: no state is left to look at.
     None,
     /// There were too many states.
     TooMany,
@@ -77,12 +77,17 @@ enum Ended {
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub(crate) enum Exhausted<T> {
     /// The best plan, or its cost.
-    Best(T),
+    Best(T, AllStates),
     /// There is no plan.
-    None,
+    None(AllStates),
     /// There were too many states.
     TooMany,
 }
+
+/// The proof of it: all joint states were looked at that could be reached for
+/// less. Only the search of joint states makes it.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) struct AllStates(());
 
 /// The best plan of all agents, at any horizon.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -161,8 +166,8 @@ fn run(
 impl Ended {
     fn map<T>(self, best: impl FnOnce(Paid, &[Vec<Single>]) -> T) -> Exhausted<T> {
         match self {
-            Self::Best(paid, way) => Exhausted::Best(best(paid, &way)),
-            Self::None => Exhausted::None,
+            Self::Best(paid, way) => Exhausted::Best(best(paid, &way), AllStates(())),
+            Self::None => Exhausted::None(AllStates(())),
             Self::TooMany => Exhausted::TooMany,
         }
     }

@@ -6,17 +6,17 @@
 //! without any shows that no deadline would help.
 
 use super::{
-    growing::{Growing, Until},
+    growing::{AssumptionCore, Growing, Until},
     stage::Search,
 };
-use crate::{budget::Stop, encode::collisions::AgentId};
+use crate::budget::Stop;
 
-/// Looks for any plan; where there is none, the agents that cannot all arrive
-/// within the horizon, none named where they cannot at any horizon.
+/// Looks for any plan; where there is none, the core of deadlines: the agents that
+/// cannot all arrive within the horizon, none named where they cannot at any.
 ///
 /// # Errors
 /// When the budget is spent.
-pub(crate) fn run(search: &mut Search) -> Result<Option<Vec<AgentId>>, Stop> {
+pub(crate) fn run(search: &mut Search) -> Result<Option<AssumptionCore>, Stop> {
     loop {
         match search.solve_growing(Vec::new(), Until::EVER)? {
             Growing::Model => {
@@ -25,7 +25,7 @@ pub(crate) fn run(search: &mut Search) -> Result<Option<Vec<AgentId>>, Stop> {
                 }
             }
             Growing::Grown(_) => {}
-            Growing::Core(core) => return Ok(Some(core.agents)),
+            Growing::Core(core) => return Ok(Some(core)),
         }
     }
 }

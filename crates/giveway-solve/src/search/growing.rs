@@ -42,9 +42,21 @@ pub(crate) enum Growing {
 /// Assumptions that exclude each other.
 #[derive(Clone, Debug)]
 pub(crate) struct AssumptionCore {
-    pub(crate) lits: Vec<Lit>,
+    lits: Vec<Lit>,
+    agents: Vec<AgentId>,
+}
+
+/// Only [`Search::solve_growing`] makes one, so that a core is a proof.
+impl AssumptionCore {
+    /// The assumptions; none where nothing has to be assumed.
+    pub(crate) fn lits(&self) -> &[Lit] {
+        &self.lits
+    }
+
     /// The agents whose deadlines are among them.
-    pub(crate) agents: Vec<AgentId>,
+    pub(crate) fn agents(&self) -> &[AgentId] {
+        &self.agents
+    }
 }
 
 impl Search<'_, '_, '_> {
@@ -55,7 +67,7 @@ impl Search<'_, '_, '_> {
         let mut guards = BTreeMap::new();
         for agent in self.team.insiders() {
             let covered = self.team.deadline(agent);
-            if let Some(deadline) = self.deadlines.assumed(agent, covered, until)
+            if let Some(deadline) = self.allowed.deadlines.assumed(agent, covered, until)
                 && let Some(by) = self.team.by(agent, deadline)
             {
                 guards.insert(by, agent);
@@ -84,7 +96,7 @@ impl Search<'_, '_, '_> {
         let Outcome::Unsat(mut core) = self.team.solve(&assumptions)? else {
             return Ok(Growing::Model);
         };
-        if self.minimises {
+        if self.minimises_cores() {
             core = self.team.minimise(core)?;
         }
         let agents: Vec<AgentId> = core

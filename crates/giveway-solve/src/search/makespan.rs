@@ -22,7 +22,7 @@ pub(crate) fn run(search: &mut Search, bound: &mut u32) -> Result<End, Stop> {
     *bound = trial;
     search.report_bound(Cost::Makespan, trial);
     search.begin(Cost::Makespan);
-    search.minimises = false;
+    search.minimise_cores(false);
     loop {
         if search.incumbent_meets(Cost::Makespan, trial) {
             for agent in 0..search.problem.agents() {
@@ -38,7 +38,7 @@ pub(crate) fn run(search: &mut Search, bound: &mut u32) -> Result<End, Stop> {
                 }
             }
             Growing::Grown(_) => {}
-            Growing::Core(core) if core.lits.is_empty() => return Ok(End::None),
+            Growing::Core(core) if core.lits().is_empty() => return Ok(End::None),
             Growing::Core(_) => {
                 trial += 1;
                 *bound = trial;

@@ -7,11 +7,13 @@
 //! - [`feasible`]: any plan at all, or the proof that there is none;
 //! - [`mod@closest`]: of the best plans one that is close to a given one;
 //! - [`incumbent`]: the best plan so far;
-//! - [`lexicographic`]: all of it in order;
+//! - [`aim`]: what is asked for and answered;
+//! - [`lexicographic`]: all of it in order; [`prove`]: the part after a first plan;
 //! - [`deadlines`]: the latest arrivals that are looked at, and why;
 //! - [`mod@horizon`]: the makespan beyond which nothing is looked for;
 //! - [`for_ever`]: what is so whatever the horizon.
 
+mod aim;
 mod closest;
 mod deadlines;
 mod feasible;
@@ -21,13 +23,15 @@ mod horizon;
 mod incumbent;
 mod lexicographic;
 mod makespan;
+mod prove;
 mod stage;
 mod sum;
 mod tally;
 mod team;
 
+pub(crate) use aim::{Aim, Bounded, Contact, Verdict};
 pub(crate) use closest::{Before, Extent, closest};
 pub(crate) use for_ever::{ForEver, Reach};
 pub(crate) use horizon::Horizon;
-pub(crate) use lexicographic::{Aim, Bounded, Contact, Verdict, find, solve};
+pub(crate) use lexicographic::{find, solve};
 pub(crate) use team::Team;

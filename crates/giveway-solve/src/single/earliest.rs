@@ -6,7 +6,7 @@
 
 use std::collections::BTreeMap;
 
-use super::{CostToGo, Place, State, Task, task::Mask};
+use super::{CostToGo, Hopeless, Place, State, Task, task::Mask};
 use crate::{
     budget::{Budget, Stop},
     terrain::Terrain,
@@ -32,8 +32,8 @@ fn at_rest(task: &Task, terrain: &Terrain, cost_to_go: &CostToGo, first: State) 
     Some(delay + held + cost_to_go.from(v, first.mask, level)?)
 }
 
-/// The earliest arrival; `None` where there is no plan whatever the horizon. For
-/// a demand about very late times it is a lower bound.
+/// The earliest arrival, or the proof that there is no plan whatever the horizon.
+/// For a demand about very late times it is a lower bound.
 ///
 /// # Errors
 /// When the budget is spent.
@@ -42,20 +42,21 @@ pub(crate) fn earliest(
     terrain: &Terrain,
     cost_to_go: &CostToGo,
     budget: &Budget,
-) -> Result<Option<u32>, Stop> {
+) -> Result<Result<u32, Hopeless>, Stop> {
+    let hopeless = Hopeless::by_exact_tables();
     let Some(first) = task.first() else {
-        return Ok(None);
+        return Ok(Err(hopeless));
     };
     let table = at_rest(task, terrain, cost_to_go, first);
     let Some(table) = table.map(|table| table.max(task.not_before)) else {
-        return Ok(None);
+        return Ok(Err(hopeless));
     };
     let demand = task.demand.as_ref();
     if matches!(demand, Some(super::TaskConstraint::Wait { .. })) {
-        return Ok(Some(table)); // alone it has no need to wait
+        return Ok(Ok(table)); // alone it has no need to wait
     }
     let Some(last) = demand.and_then(super::TaskConstraint::last_time) else {
-        return Ok(Some(table));
+        return Ok(Ok(table));
     };
     let bound = table.max(
         demand
@@ -63,10 +64,10 @@ pub(crate) fn earliest(
             .unwrap_or(0),
     );
     if task.not_after() < bound {
-        return Ok(None);
+        return Ok(Err(hopeless));
     }
     if last > MOST_TIMES || task.not_after() < u32::MAX {
-        return Ok(Some(bound));
+        return Ok(Ok(bound));
     }
     let mut layer: BTreeMap<(Place, Mask), u32> = BTreeMap::new();
     layer.insert((first.place, first.mask), first.battery);
@@ -101,5 +102,5 @@ pub(crate) fn earliest(
         let arrival = rest.map(|rest| (last + 1 + delay + rest).max(task.not_before));
         best = best.into_iter().chain(arrival).min();
     }
-    Ok(best)
+    Ok(best.ok_or(hopeless))
 }

@@ -3,6 +3,7 @@
 mod cost_to_go;
 mod demand;
 mod earliest;
+mod hopeless;
 mod mdd;
 mod task;
 #[cfg(test)]
@@ -11,5 +12,6 @@ mod tests;
 pub(crate) use cost_to_go::{CostToGo, Metric};
 pub(crate) use demand::TaskConstraint;
 pub(crate) use earliest::earliest;
+pub(crate) use hopeless::{Hopeless, has_to_be_at};
 pub(crate) use mdd::{Mdd, Node, NodeId, Place};
 pub(crate) use task::{Bounds, MAX_WAYPOINTS, Reserve, State, Task};

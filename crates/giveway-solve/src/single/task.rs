@@ -2,9 +2,9 @@
 
 use std::rc::Rc;
 
-use giveway_model::{Agent, Rules};
+use giveway_model::{Agent, Battery, Rules};
 
-use super::{Place, TaskConstraint};
+use super::{Hopeless, Place, TaskConstraint, has_to_be_at};
 use crate::terrain::{Arc, Terrain, Vertex};
 
 /// A set of visited waypoints, one bit each in the order of the agent's list;
@@ -84,21 +84,26 @@ pub(crate) struct Onward {
 }
 
 impl Task {
-    /// The task of an agent; `None` where its battery begins below the floor
-    /// or a cell is no vertex, so that no plan exists.
-    pub(crate) fn new(agent: &Agent, rules: Rules, terrain: &Terrain) -> Option<Self> {
+    /// The task of an agent.
+    ///
+    /// # Errors
+    /// Where its battery begins below the floor or a cell is no vertex, so that no
+    /// plan exists.
+    pub(crate) fn new(agent: &Agent, rules: Rules, terrain: &Terrain) -> Result<Self, Hopeless> {
         let reserve = match agent.battery {
             None => None,
-            Some(battery) => Some(Reserve {
-                full: battery.capacity.checked_sub(rules.battery_floor)?,
-                initial: battery.initial.checked_sub(rules.battery_floor)?,
-            }),
+            Some(Battery { capacity, initial }) => {
+                Some(Reserve::above(rules.battery_floor, capacity, initial)?)
+            }
         };
-        let waypoints: Option<Vec<Vertex>> =
-            agent.waypoints.iter().map(|&w| terrain.vertex(w)).collect();
-        Some(Self {
-            start: terrain.vertex(agent.start)?,
-            goal: terrain.vertex(agent.goal)?,
+        let waypoints: Result<Vec<Vertex>, Hopeless> = agent
+            .waypoints
+            .iter()
+            .map(|&cell| has_to_be_at(cell, terrain))
+            .collect();
+        Ok(Self {
+            start: has_to_be_at(agent.start, terrain)?,
+            goal: has_to_be_at(agent.goal, terrain)?,
             waypoints: waypoints?,
             reserve,
             demand: None,

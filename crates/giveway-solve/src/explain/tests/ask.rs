@@ -30,7 +30,7 @@ fn ask<T>(
     with: impl FnOnce(&Ask) -> T,
 ) -> T {
     with(&Ask {
-        scene: &instance.to_scene(),
+        instance,
         relaxed,
         condition: None,
         objective: &objective.parse().unwrap(),
@@ -100,11 +100,11 @@ fn relaxed_optima_are_those_of_the_joint_states() {
         let all = [0, 1, 2];
         let least = problem.map(|p| joint::least(&p, &all, Cost::Moves, &budget()).unwrap());
         let found = match least {
-            None | Some(joint::Exhausted::None) => {
+            None | Some(joint::Exhausted::None(_)) => {
                 assert_eq!(any.status, Status::Impossible, "{seed}");
                 (found.status, found.reach.is_some_and(Reach::is_complete))
             }
-            Some(joint::Exhausted::Best(least)) => {
+            Some(joint::Exhausted::Best(least, _)) => {
                 assert_eq!(any.status, Status::Feasible, "{seed}");
                 assert!(any.plan.is_some(), "{seed}");
                 assert_eq!(found.costs.map(|c| c.moves), Some(least), "{seed}");

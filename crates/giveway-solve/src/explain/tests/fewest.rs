@@ -4,12 +4,12 @@ use std::cmp::Reverse;
 use std::collections::{BTreeMap, BinaryHeap};
 use std::rc::Rc;
 
-use giveway_model::{Cell, Ground, Instance, Scene};
+use giveway_model::{Cell, Instance, Scene};
 
 use crate::{
     Limits, SilentHost,
     budget::Budget,
-    explain::{group::redraw, soft},
+    explain::soft,
     tests::{Lone, Spot, State, random},
 };
 
@@ -153,15 +153,8 @@ fn no_plan_has_fewer_steps_in_obstacles() {
     let mut counts: BTreeMap<u32, u32> = BTreeMap::new();
     for seed in 0..400 {
         let instance = random(seed, 2);
-        let open = |_, ground| match ground {
-            Ground::Obstacle => Ground::Free,
-            ground => ground,
-        };
-        let scene = Scene {
-            map: redraw(instance.grid(), open),
-            ..instance.to_scene()
-        };
-        let open = Instance::new(scene).unwrap();
+        let mut open = instance.clone();
+        open.remove_obstacles(|_| true);
         let hit = |one: One| match spot(one) {
             Some(Spot::At(cell)) => u32::from(!instance.grid().is_vertex(cell)),
             _ => 0,

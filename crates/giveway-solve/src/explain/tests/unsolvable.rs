@@ -31,7 +31,7 @@ fn budget() -> Rc<Budget<'static>> {
 
 fn find(instance: &Instance, within: Option<u32>) -> Found {
     let ask = Ask {
-        scene: &instance.to_scene(),
+        instance,
         relaxed: &Relaxed::default(),
         condition: None,
         objective: instance.objective(),
@@ -132,8 +132,7 @@ fn every_repair_has_a_plan_that_the_judge_passes() {
     let repairs = &why.repairs;
     for repair in repairs {
         let variant = edited(&empty, &repair.edits, None);
-        let after = Instance::new(variant.scene).unwrap();
-        let report = check(&after, &repair.plan);
+        let report = check(&variant.instance, &repair.plan);
         assert_eq!(
             (report.violations, report.costs),
             (vec![], Some(repair.costs))
@@ -194,7 +193,7 @@ fn of_a_minimal_set_no_fact_can_be_left_out() {
         let status = |left_out: &std::collections::BTreeSet<_>| {
             let variant = without(&instance, left_out, None);
             let ask = Ask {
-                scene: &variant.scene,
+                instance: &variant.instance,
                 relaxed: &variant.relaxed,
                 condition: None,
                 objective: instance.objective(),

@@ -4,7 +4,7 @@
 //! agent that no core names is not inside the SAT solver at all, but in everyone's
 //! way where it was before.
 
-use super::Near;
+use super::{Near, NoneCloser};
 use crate::{
     budget::Stop,
     encode::{collisions::AgentId, totalizer::totalizer},
@@ -24,8 +24,8 @@ pub(super) enum SoftAgent {
 }
 
 impl Near<'_, '_> {
-    /// As few agents as can be do something else; false where there is no plan.
-    pub(super) fn few_agents(&mut self) -> Result<bool, Stop> {
+    /// As few agents as can be do something else; `None` where there is no plan.
+    pub(super) fn few_agents(&mut self) -> Result<Option<NoneCloser>, Stop> {
         loop {
             self.extend()?;
             let assumptions: Vec<Lit> = self.softs.keys().copied().collect();
@@ -33,15 +33,15 @@ impl Near<'_, '_> {
                 Growing::Model if !self.cores.is_empty() => self.assume_totals(),
                 Growing::Model => break,
                 Growing::Grown(_) => {}
-                Growing::Core(core) if core.lits.is_empty() => return Ok(false),
-                Growing::Core(core) => self.add_core(&core.lits)?,
+                Growing::Core(core) if core.lits().is_empty() => return Ok(None),
+                Growing::Core(core) => self.add_core(core.lits())?,
             }
         }
         // Whoever does something else in any plan with so few has been named.
         for &lit in self.softs.keys() {
             self.search.team.harden(lit);
         }
-        Ok(true)
+        Ok(Some(NoneCloser(())))
     }
 
     /// One of those that a core names does something else.

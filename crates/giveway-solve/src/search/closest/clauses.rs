@@ -23,7 +23,7 @@ impl Near<'_, '_> {
     /// Writes what is missing about the inside agents.
     pub(super) fn extend(&mut self) -> Result<(), Stop> {
         for agent in self.search.team.insiders() {
-            self.search.budget.check()?;
+            self.search.allowed.budget.check()?;
             let clauses = self.missing(agent);
             for clause in clauses {
                 self.search.team.clauses().clause(&clause);

@@ -1,6 +1,6 @@
 //! As few entries as can be differ, from above, until one fewer is refuted.
 
-use super::{Close, Near};
+use super::{Close, Near, NoneCloser};
 use crate::{
     budget::Stop,
     encode::totalizer::merge,
@@ -14,8 +14,8 @@ use crate::{
 const MOST_ENTRIES: usize = 1500;
 
 impl Near<'_, '_> {
-    /// As few entries as can be differ; whether that is proved.
-    pub(super) fn few_entries(&mut self, close: &mut Close) -> Result<bool, Stop> {
+    /// As few entries as can be differ; the proof of it, where there is one.
+    pub(super) fn few_entries(&mut self, close: &mut Close) -> Result<Option<NoneCloser>, Stop> {
         let insiders = self.search.team.insiders();
         let latest: Vec<u32> = insiders
             .iter()
@@ -27,7 +27,7 @@ impl Near<'_, '_> {
             .collect();
         let entries: usize = latest.iter().map(|&cap| cap as usize + 1).sum();
         if entries > MOST_ENTRIES {
-            return Ok(false);
+            return Ok(None);
         }
         let mut best = self.entries(&close.walks);
         let mut sum: Vec<Lit> = Vec::new();
@@ -47,7 +47,7 @@ impl Near<'_, '_> {
                 match self.search.solve_growing(Vec::new(), Until::EVER)? {
                     Growing::Model => break,
                     Growing::Grown(_) => {}
-                    Growing::Core(_) => return Ok(true),
+                    Growing::Core(_) => return Ok(Some(NoneCloser(()))),
                 }
             }
             let found = self.read();
@@ -58,7 +58,7 @@ impl Near<'_, '_> {
             best = fewer;
             *close = found;
         }
-        Ok(true)
+        Ok(Some(NoneCloser(())))
     }
 
     /// Entries that differ, arrived agents padded with their goals.

@@ -120,7 +120,7 @@ impl SumStage {
         *bound = stage.bound;
         search.report_bound(cost, stage.bound);
         search.begin(cost);
-        search.minimises = stage.light;
+        search.minimise_cores(stage.light);
         for agent in search.above_minimum(cost)? {
             search.enter(agent)?;
         }
@@ -160,13 +160,13 @@ impl SumStage {
                     }
                 }
                 Growing::Core(core) => {
-                    let core = core.lits;
+                    let core = core.lits();
                     if core.is_empty() {
                         let best = stage.excluded();
                         *bound = best.unwrap_or(stage.bound);
                         return Ok(best.map_or(End::None, End::Least));
                     }
-                    let learnt = stage.add_core(search, &core);
+                    let learnt = stage.add_core(search, core);
                     *bound = stage.bound;
                     learnt?;
                     search.polish(cost, stage.bound)?;

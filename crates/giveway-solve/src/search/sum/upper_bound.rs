@@ -28,7 +28,7 @@ const MOST_IMPROVEMENTS: usize = 20;
 impl SumStage {
     /// Makes a plan of the last model, if agents find a way around the others.
     pub(super) fn improve_upper_bound(&self, search: &mut Search) -> Result<(), Stop> {
-        let early = search.budget.derived() < FIRST_GUESS;
+        let early = search.allowed.budget.derived() < FIRST_GUESS;
         if early || self.known || self.cost != Cost::SumOfCosts {
             return Ok(());
         }
@@ -53,7 +53,7 @@ impl SumStage {
                 conflict_penalty: None,
                 expansion_limit: EXPANSION_LIMIT,
             };
-            let Some((walk, _)) = plan_one(problem, &others, query, &search.budget)? else {
+            let Some((walk, _)) = plan_one(problem, &others, query, &search.allowed.budget)? else {
                 return Ok(());
             };
             walks[agent] = walk;

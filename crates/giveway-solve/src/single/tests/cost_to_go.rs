@@ -19,7 +19,7 @@ fn check(instance: &Instance, metric: Metric) -> usize {
     let mut ends = 0;
     for (i, agent) in instance.agents().iter().enumerate() {
         let lone = Lone::new(instance, i);
-        let Some(task) = Task::new(agent, instance.rules(), &terrain) else {
+        let Ok(task) = Task::new(agent, instance.rules(), &terrain) else {
             assert_eq!(lone.start(), None);
             continue;
         };

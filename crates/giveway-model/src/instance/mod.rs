@@ -1,5 +1,7 @@
 //! A checked instance of the problem.
 
+mod variant;
+
 use std::collections::{BTreeMap, BTreeSet};
 
 use crate::{
@@ -15,7 +17,8 @@ pub const MAX_CAPACITY: u32 = 1_000_000;
 
 /// An instance that keeps all the promises of the problem: names are unique,
 /// starts (and goals, where agents stay) are pairwise different, and every
-/// start, goal and waypoint is a vertex. It is only built through [`Instance::new`].
+/// start, goal and waypoint is a vertex. It is only built through [`Instance::new`];
+/// its other methods keep the promises, so that a variant needs no second check.
 ///
 /// ```
 /// use giveway_model::{Instance, Scene};

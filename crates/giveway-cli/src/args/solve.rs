@@ -1,0 +1,48 @@
+//! The arguments of `giveway solve`.
+
+use std::path::PathBuf;
+
+use clap::Args as ClapArgs;
+use giveway_model::Objective;
+
+use super::{Source, seconds, whole};
+
+/// An instance to solve, and how.
+#[derive(Debug, ClapArgs)]
+#[command(after_help = "\
+The answer is one of
+  optimal      a plan, and a proof that none is better
+  feasible     a plan, and the bounds proved when the time ran out
+  impossible   no plan exists
+  unknown      the time ran out with neither (exit status 3)
+A claim holds no matter how many steps you allow, or it names the makespan up to which it holds.
+
+Examples
+  giveway solve warehouse.json
+  giveway solve warehouse.json --objective charges,makespan --format json
+  giveway solve empty-16-16-even-1.scen --agents 20 --time-limit 30
+  giveway solve warehouse.json --pareto --objective makespan,charges")]
+pub(crate) struct Solve {
+    #[command(flatten)]
+    pub(crate) source: Source,
+    /// The costs to minimise, the most important first: makespan, sum-of-costs, charges,
+    /// moves, waits, separated by commas [default: the instance's own, or
+    /// makespan,sum-of-costs,charges]
+    #[arg(long, value_name = "LIST")]
+    pub(crate) objective: Option<Objective>,
+    /// Find all plans that no other plan beats in one cost without being worse in another; the
+    /// objective must have two or three costs
+    #[arg(long)]
+    pub(crate) pareto: bool,
+    /// Look only for plans of at most this makespan; 0 is allowed [default: the longest time that a
+    /// robot needs alone + 4 (width + height) + 10]
+    #[arg(long, value_name = "N", value_parser = whole::<u32>, allow_negative_numbers = true)]
+    pub(crate) within: Option<u32>,
+    /// Stop the whole command after so many seconds; 0.5 is allowed
+    #[arg(long, value_name = "SECONDS", value_parser = seconds, allow_negative_numbers = true)]
+    pub(crate) time_limit: Option<f64>,
+    /// Write a certificate of what is proved into a new or empty folder: formulas, proofs, and
+    /// a README; giveway verify checks it again
+    #[arg(long, value_name = "DIR", conflicts_with = "pareto")]
+    pub(crate) proof: Option<PathBuf>,
+}

@@ -1,0 +1,101 @@
+//! An instance with less in it, or with more room: changes that keep every
+//! promise of an instance, so that nothing has to be checked again.
+//!
+//! Questions are answered by asking about hundreds of variants of one instance.
+//! What is left out or opened here can break no promise: names, starts and goals
+//! of fewer agents are as different as before, and a vertex stays a vertex.
+
+use super::{Instance, MAX_CAPACITY};
+use crate::{Agent, AtGoal, Battery, Cell, Ground};
+
+impl Instance {
+    /// Keeps some of the agents, and their order.
+    ///
+    /// ```
+    /// use giveway_model::format::native;
+    /// let mut instance = native::read_instance(r#"{ "giveway": 1, "map": [".#."],
+    ///     "agents": [{ "name": "a", "start": [0, 0], "goal": [0, 0] },
+    ///                { "name": "b", "start": [2, 0], "goal": [2, 0] }] }"#).unwrap();
+    /// instance.retain_agents(|agent| agent.name == "b");
+    /// assert_eq!(instance.agents().len(), 1);
+    /// ```
+    pub fn retain_agents(&mut self, keep: impl FnMut(&Agent) -> bool) {
+        self.agents.retain(keep);
+    }
+
+    /// Keeps the first agents only, so many of them.
+    pub fn truncate_agents(&mut self, count: usize) {
+        self.agents.truncate(count);
+    }
+
+    /// The same instance with one agent only; `None` where nobody has the name.
+    #[must_use]
+    pub fn alone(&self, name: &str) -> Option<Self> {
+        let agent = self.agents.iter().find(|agent| agent.name == name)?;
+        Some(Self {
+            name: self.name.clone(),
+            grid: self.grid.clone(),
+            rules: self.rules,
+            objective: self.objective.clone(),
+            agents: vec![agent.clone()],
+        })
+    }
+
+    /// Leaves out a waypoint of an agent, by its number.
+    pub fn drop_waypoint(&mut self, agent: usize, cell: Cell) {
+        if let Some(agent) = self.agents.get_mut(agent) {
+            agent.waypoints.retain(|&waypoint| waypoint != cell);
+        }
+    }
+
+    /// Takes away the limit on an agent's battery, by its number.
+    pub fn drop_battery(&mut self, agent: usize) {
+        if let Some(agent) = self.agents.get_mut(agent) {
+            agent.battery = None;
+        }
+    }
+
+    /// Gives an agent another battery, by its number: of the largest capacity
+    /// that is accepted where it would have more, and full where it would be
+    /// fuller than that.
+    pub fn replace_battery(&mut self, agent: usize, battery: Battery) {
+        if let Some(agent) = self.agents.get_mut(agent) {
+            let capacity = battery.capacity.min(MAX_CAPACITY);
+            agent.battery = Some(Battery {
+                capacity,
+                initial: battery.initial.min(capacity),
+            });
+        }
+    }
+
+    /// Lets agents vanish at their goals.
+    pub const fn let_agents_vanish(&mut self) {
+        self.rules.at_goal = AtGoal::Vanish;
+    }
+
+    /// Takes obstacles away.
+    pub fn remove_obstacles(&mut self, is_removed: impl Fn(Cell) -> bool) {
+        self.grid.change(|cell, ground| match ground {
+            Ground::Obstacle if is_removed(cell) => Ground::Free,
+            ground => ground,
+        });
+    }
+
+    /// Takes cells out of the slow zone.
+    pub fn make_normal(&mut self, is_normal: impl Fn(Cell) -> bool) {
+        self.grid.change(|cell, ground| match ground {
+            Ground::Slow if is_normal(cell) => Ground::Free,
+            Ground::SlowCharger if is_normal(cell) => Ground::Charger,
+            ground => ground,
+        });
+    }
+
+    /// Puts chargers on cells that are vertices.
+    pub fn add_chargers(&mut self, is_charger: impl Fn(Cell) -> bool) {
+        self.grid.change(|cell, ground| match ground {
+            Ground::Free if is_charger(cell) => Ground::Charger,
+            Ground::Slow if is_charger(cell) => Ground::SlowCharger,
+            ground => ground,
+        });
+    }
+}

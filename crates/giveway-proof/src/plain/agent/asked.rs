@@ -1,0 +1,108 @@
+//! The literals of one agent that others ask for: conditions, and agents that meet.
+
+use giveway_model::Cell;
+
+use super::{Cnf, Lit, Walker};
+
+impl Walker<'_> {
+    /// The literal that it is at a cell at a time, where it can be.
+    pub(in crate::plain) fn at(&self, cell: Cell, time: u32) -> Option<Lit> {
+        self.at.get(time as usize)?.get(&cell).copied()
+    }
+
+    /// The literal that it is half way of a slow move at a time, where it can be.
+    pub(in crate::plain) fn transit(&self, u: Cell, v: Cell, time: u32) -> Option<Lit> {
+        self.transit.get(time as usize)?.get(&(u, v)).copied()
+    }
+
+    /// The literal that it has vanished at a time, where agents vanish: it
+    /// arrived before.
+    pub(super) fn gone(&self, time: u32) -> Option<Lit> {
+        if self.world.instance.stays() {
+            return None;
+        }
+        self.done.get((time as usize).checked_sub(1)?).copied()
+    }
+
+    /// The last time.
+    pub(in crate::plain) fn last(&self) -> u32 {
+        self.world.last
+    }
+
+    /// The literal that it has arrived at a time or before; later than the last
+    /// time it has in any case, as it has then.
+    pub(in crate::plain) fn done_by(&self, time: u32) -> Option<Lit> {
+        self.done.get(time.min(self.world.last) as usize).copied()
+    }
+
+    /// Whether it stays at this cell in the end.
+    pub(in crate::plain) fn rests_at(&self, cell: Cell) -> bool {
+        self.world.instance.stays() && self.agent.goal == cell
+    }
+
+    /// The literals that it is at a cell, at one time or at any.
+    pub(in crate::plain) fn visits(&self, cell: Cell, time: Option<u32>) -> Vec<Lit> {
+        match time {
+            Some(time) => self.at(cell, time).into_iter().collect(),
+            None => (0..=self.world.last)
+                .filter_map(|time| self.at(cell, time))
+                .collect(),
+        }
+    }
+
+    /// The literals that it charges, with their times.
+    pub(in crate::plain) fn charging(&self) -> Vec<(Lit, u32)> {
+        let charges = self.charge.iter().zip(0..);
+        charges
+            .filter_map(|(charge, time)| Some(((*charge)?, time)))
+            .collect()
+    }
+
+    /// It does not wait at a cell for so many steps from a time on, before its
+    /// arrival.
+    pub(in crate::plain) fn exclude_wait(&self, cnf: &mut Cnf, cell: Cell, begin: u32, steps: u32) {
+        let there: Option<Vec<Lit>> = (begin..=begin + steps)
+            .map(|time| self.at(cell, time))
+            .collect();
+        if let Some(there) = there {
+            cnf.implies(&there, [self.done[(begin + steps) as usize - 1]]);
+        }
+    }
+
+    /// What holds where it begins to go from one cell to another, at one time or
+    /// at any; all literals of an entry together.
+    pub(in crate::plain) fn moves_between(
+        &self,
+        u: Cell,
+        v: Cell,
+        time: Option<u32>,
+    ) -> Vec<(Vec<Lit>, u32)> {
+        let grid = self.world.instance.grid();
+        let mut moves = Vec::new();
+        if !u.touches(v) {
+            return moves;
+        }
+        for begin in 0..self.world.last {
+            if time.is_some_and(|time| time != begin) {
+                continue;
+            }
+            if grid.is_slow_edge(u, v) {
+                let half = self.transit(u, v, begin + 1);
+                moves.extend(half.map(|half| (vec![half], begin)));
+            } else if let (Some(here), Some(there)) = (self.at(u, begin), self.at(v, begin + 1)) {
+                moves.push((vec![here, there], begin));
+            }
+        }
+        moves
+    }
+
+    /// The literals of its slow moves, over one edge either way or over any.
+    pub(in crate::plain) fn slow_moves(&self, edge: Option<(Cell, Cell)>) -> Vec<Lit> {
+        let asked = |&(u, v): &(Cell, Cell)| edge.is_none_or(|e| e == (u, v) || e == (v, u));
+        let moves = self.transit.iter().flatten();
+        moves
+            .filter(|(edge, _)| asked(edge))
+            .map(|(_, &half)| half)
+            .collect()
+    }
+}

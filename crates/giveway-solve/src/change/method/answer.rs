@@ -1,0 +1,166 @@
+//! What a method answers.
+
+use std::collections::BTreeMap;
+
+use giveway_model::{Cost, Costs, Version, sorting};
+
+use super::{
+    MethodFound, blocked,
+    judged::{disturb_few, judged},
+};
+use crate::{
+    SolveAnswer, Status,
+    budget::Stop,
+    change::{
+        Cause, Method, MethodAnswer,
+        compare::{Comparison, compare},
+        freed::{Case, Trouble},
+        words,
+    },
+    judged::{Judged, told},
+    search::{Aim, Reach},
+    walk::Walk,
+};
+
+/// The answer where there is nothing to search in.
+pub(super) fn without_search(case: &Case<'_, '_>, trouble: Trouble) -> MethodAnswer {
+    let name = |agent| case.member(agent).map_or("", |member| member.name.as_str());
+    let (status, reach, reason, cause) = match trouble {
+        Trouble::Alone(agent, fault, reason) => {
+            // However it is bound, it cannot.
+            let free = Method::Replan;
+            let text = words::cause(free, name(agent), fault.kind, fault.cell, &[]);
+            let cause = Cause {
+                agent: name(agent).to_owned(),
+                kind: fault.kind,
+                cell: fault.cell,
+                agents: Vec::new(),
+                within: None,
+                text: text.clone(),
+            };
+            let reach = Reach::ForEver(reason);
+            (Status::Impossible, Some(reach), text, Some(cause))
+        }
+        // (Whoever cannot be held to the method is freed before.)
+        Trouble::Held(..) => {
+            let reason = Stop::Contradiction.sentence().to_owned();
+            (Status::Unknown, None, reason, None)
+        }
+        Trouble::TooManyWaypoints(agent) => {
+            let name = name(agent);
+            let reason = format!("{name} has more waypoints than can be planned for.");
+            (Status::Unknown, None, reason, None)
+        }
+        Trouble::Stopped(stop) => (Status::Unknown, None, stop.sentence().to_owned(), None),
+    };
+    let (complete, within) = told(reach);
+    MethodAnswer {
+        result: SolveAnswer {
+            giveway: Version,
+            status,
+            costs: None,
+            bounds: BTreeMap::new(),
+            within,
+            complete,
+            reason: Some(reason),
+            plan: None,
+            stats: case.budget.stats(),
+        },
+        kept: Vec::new(),
+        retimed: Vec::new(),
+        rerouted: Vec::new(),
+        added: Vec::new(),
+        freed: Vec::new(),
+        fewest: false,
+        cause,
+        closest: false,
+    }
+}
+
+/// A verdict as an answer: the plan with the fewest agents disturbed, put behind
+/// the past and judged.
+pub(super) fn answer(case: &Case<'_, '_>, found: &MethodFound) -> MethodAnswer {
+    let names = |agents: &mut dyn Iterator<Item = usize>| -> Vec<String> {
+        let members = agents.filter_map(|agent| case.member(agent));
+        members.map(|member| member.name.clone()).collect()
+    };
+    let stop = found.verdict.stop;
+    let mut closest = false;
+    let best = found.verdict.best.as_ref();
+    let claim = (found.verdict.reach, stop);
+    let judged = Judged::new(best, &Aim::Best, claim, |(walks, costs)| {
+        let near = stop.is_none().then(|| disturb_few(case, found, *costs));
+        let near = near.flatten();
+        closest = near.as_ref().is_some_and(|near| near.2);
+        let near = near
+            .as_ref()
+            .map(|(walks, same, _)| (walks.as_slice(), same.as_slice()));
+        let judge =
+            |walks: &[Walk], same: &[bool]| judged(case, &found.problem, &found.freed, walks, same);
+        let judged = near.and_then(|(walks, same)| judge(walks, same));
+        closest &= judged.is_some();
+        judged.or_else(|| judge(walks, &[]))
+    });
+    let Judged {
+        plan, status, stop, ..
+    } = judged;
+    let (complete, within) = told(judged.reach);
+    let within = within.map(|within| case.world.at.saturating_add(within));
+    let clash = &found.verdict.clash;
+    let cause = match status {
+        Status::Impossible => Some(blocked(case, clash, within)),
+        _ => found.cause.clone(),
+    };
+    let reason = match (stop, &cause) {
+        (Some(stop), _) => Some(stop.sentence().to_owned()),
+        (None, Some(cause)) if status == Status::Impossible => Some(cause.text.clone()),
+        _ => None,
+    };
+    let comparison = plan.as_ref().map(|(plan, _)| compare(case.world, plan));
+    let Comparison {
+        kept,
+        retimed,
+        rerouted,
+        added,
+    } = comparison.unwrap_or_default();
+    let bounds = bounds(case, found, plan.as_ref().map(|(_, costs)| costs));
+    let (plan, costs) = plan.unzip();
+    MethodAnswer {
+        result: SolveAnswer {
+            giveway: Version,
+            status,
+            costs,
+            bounds,
+            within,
+            complete,
+            reason,
+            plan,
+            stats: case.budget.stats(),
+        },
+        kept,
+        retimed,
+        rerouted,
+        added,
+        freed: names(&mut found.freed.iter().copied()),
+        fewest: found.fewest,
+        cause,
+        closest,
+    }
+}
+
+/// The proved bounds as costs from time 0: what is past, and that times count
+/// from the change, is the same in every plan.
+fn bounds(case: &Case<'_, '_>, found: &MethodFound, costs: Option<&Costs>) -> BTreeMap<Cost, u32> {
+    let at = case.world.at;
+    let own = found.verdict.best.as_ref().map(|(_, costs)| costs);
+    let bounds = found.verdict.bounds.iter();
+    let bounds = bounds.filter_map(|(&cost, &bound)| {
+        if cost == Cost::Makespan && bound > 0 {
+            return Some((cost, bound + at));
+        }
+        let (own, costs) = (own?, costs?);
+        let past = costs.get(cost).checked_sub(own.get(cost))?;
+        Some((cost, past + bound))
+    });
+    sorting::map(bounds)
+}

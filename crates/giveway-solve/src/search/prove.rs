@@ -1,0 +1,167 @@
+//! The proof that no plan is better: the optima of all costs, one stage each.
+
+use std::rc::Rc;
+
+use giveway_model::Cost;
+
+use super::{
+    aim::{Aim, Bounded, Verdict},
+    deadlines::Keeping,
+    for_ever::{self, ForEver, Known, OfOptima},
+    incumbent::Incumbent,
+    makespan,
+    stage::{End, Search, Subject},
+    sum::SumStage,
+};
+use crate::{
+    Limits,
+    budget::{Budget, Stop},
+    joint,
+    problem::Problem,
+    walk::Walk,
+};
+
+/// What a search is given, and never changes.
+#[derive(Clone, Copy)]
+pub(super) struct Given<'a, 'h> {
+    pub(super) problem: &'a Problem,
+    pub(super) bounded: &'a Bounded,
+    pub(super) aim: &'a Aim,
+    pub(super) budget: &'a Rc<Budget<'h>>,
+}
+
+/// What a search has shown in the end.
+#[derive(Clone, Copy, Debug)]
+pub(super) enum Shown {
+    /// No more than the plan at hand, which is all that was looked for.
+    Plan,
+    /// That there is no plan, or no better one: within the horizon, or for this
+    /// reason at any.
+    Claim(Option<ForEver>),
+}
+
+/// Whether the best plan is all that is looked for.
+pub(super) fn is_met(aim: &Aim, incumbent: &Incumbent) -> bool {
+    let vector = incumbent.costs().map(|c| c.vector(incumbent.objective()));
+    vector.is_some_and(|vector| aim.is_met(&vector))
+}
+
+/// Conflicts after which few joint states are exhausted instead.
+const PATIENCE: u64 = 4_000;
+
+/// The optima of all costs, one after the other. Where there are few joint
+/// states and SAT finds it hard, they are exhausted.
+pub(super) fn prove(
+    given: Given,
+    walks: &[Walk],
+    incumbent: &mut Incumbent,
+    verdict: &mut Verdict,
+) -> Result<Shown, Stop> {
+    let Given {
+        problem, budget, ..
+    } = given;
+    if !(joint::is_small(problem) && given.bounded.limits.is_empty()) {
+        return prove_by_sat(given, walks, incumbent, verdict);
+    }
+    let patience = Limits {
+        conflicts: Some(PATIENCE),
+        ..Limits::default()
+    };
+    let part = Rc::new(budget.part(patience));
+    let patient = Given {
+        budget: &part,
+        ..given
+    };
+    let shown = prove_by_sat(patient, walks, incumbent, verdict);
+    budget.absorb(&part);
+    if !matches!(shown, Err(Stop::Conflicts)) {
+        return shown;
+    }
+    budget.check()?;
+    if let Some(optima) = for_ever::best(problem, incumbent, budget)? {
+        verdict.bounds = optima.bounds;
+        return Ok(Shown::Claim(Some(optima.reason)));
+    }
+    prove_by_sat(given, walks, incumbent, verdict)
+}
+
+/// The stages, one for each cost of the objective.
+fn prove_by_sat(
+    given: Given,
+    walks: &[Walk],
+    incumbent: &mut Incumbent,
+    verdict: &mut Verdict,
+) -> Result<Shown, Stop> {
+    let Given {
+        problem,
+        bounded,
+        budget,
+        ..
+    } = given;
+    if let Some((cost, known)) = for_ever::known_for_ever(problem, bounded, incumbent, budget)? {
+        let mut limited = bounded.clone();
+        limited.limits.insert(cost, known.least);
+        let limited = Given {
+            bounded: &limited,
+            ..given
+        };
+        if let Some(shown) = stages(limited, walks, Some(known), incumbent, verdict)? {
+            return Ok(shown);
+        }
+        // Its plans all need more time than the horizon allows.
+        verdict.bounds.clear();
+    }
+    let shown = stages(given, walks, None, incumbent, verdict)?;
+    shown.ok_or(Stop::Contradiction) // a plan is at hand, so there is one
+}
+
+/// One stage after the other; `None` where there is no plan. The optimum of the
+/// first cost may be `known`, and a limit.
+fn stages(
+    given: Given,
+    walks: &[Walk],
+    mut known: Option<Known>,
+    incumbent: &mut Incumbent,
+    verdict: &mut Verdict,
+) -> Result<Option<Shown>, Stop> {
+    let Given {
+        problem, bounded, ..
+    } = given;
+    let objective = incumbent.objective().clone();
+    let subject = Subject {
+        problem,
+        walks,
+        bounded,
+    };
+    let budget = Rc::clone(given.budget);
+    let mut search = Search::new(subject, Keeping::Hard, incumbent, budget);
+    search.keep_limits(bounded)?;
+    let mut for_ever = OfOptima::new(problem, bounded);
+    let mut optima = Vec::new();
+    for (i, &cost) in objective.costs().iter().enumerate() {
+        let mut bound = 0;
+        let known = known.take();
+        let last = i + 1 == objective.costs().len();
+        let end = if cost == Cost::Makespan {
+            makespan::run(&mut search, &mut bound)
+        } else {
+            SumStage::run(&mut search, cost, known.map(|k| k.least), last, &mut bound)
+        };
+        verdict.bounds.insert(cost, bound);
+        let End::Least(least) = end? else {
+            return Ok(None);
+        };
+        search.finish(cost, least);
+        if i == 0 && cost == Cost::Makespan {
+            search = search.afresh(least, walks);
+            search.keep_limits(bounded)?;
+        }
+        let known = known.map(|known| known.reason);
+        for_ever.and(&mut search, (cost, least), known, bounded)?;
+        optima.push(least);
+        if given.aim.is_missed(&optima) || is_met(given.aim, search.incumbent) {
+            break;
+        }
+    }
+    Ok(Some(Shown::Claim(for_ever.reason())))
+}

@@ -1,0 +1,55 @@
+//! How late the agents of a search may arrive.
+
+use super::Search;
+use crate::{budget::Stop, encode::collisions::AgentId};
+
+impl Search<'_, '_, '_> {
+    /// The latest arrival of an agent that is still of interest.
+    pub(crate) fn cap(&self, agent: AgentId) -> u32 {
+        self.allowed.deadlines.cap(agent)
+    }
+
+    /// The latest arrival of any agent.
+    pub(crate) const fn latest(&self) -> u32 {
+        self.allowed.deadlines.latest()
+    }
+
+    /// Allows no plan in which an agent arrives later.
+    pub(crate) fn lower_cap(&mut self, agent: AgentId, cap: u32) {
+        if self.allowed.deadlines.lower(agent, cap) {
+            self.harden_cap(agent);
+        }
+    }
+
+    /// Makes the cap a clause, once the MDD reaches it.
+    pub(super) fn harden_cap(&mut self, agent: AgentId) {
+        if self.team.is_inside(agent)
+            && let Some(cap) = self
+                .allowed
+                .deadlines
+                .harden(agent, self.team.deadline(agent))
+            && let Some(by) = self.team.by(agent, cap)
+        {
+            self.team.harden(by);
+        }
+    }
+
+    /// Lets an inside agent arrive up to a time, or up to its cap.
+    pub(crate) fn grow(&mut self, agent: AgentId, deadline: u32) -> Result<(), Stop> {
+        self.team.grow(agent, deadline.min(self.cap(agent)))?;
+        self.harden_cap(agent);
+        Ok(())
+    }
+
+    /// Doubles the delay that an agent may have, up to a latest arrival; false
+    /// where it may arrive so late already.
+    pub(crate) fn grow_further(&mut self, agent: AgentId, latest: u32) -> Result<bool, Stop> {
+        let covered = self.team.deadline(agent);
+        let optimum = self.problem.optima[agent];
+        let Some(next) = self.allowed.deadlines.next(agent, covered, optimum, latest) else {
+            return Ok(false);
+        };
+        self.grow(agent, next)?;
+        Ok(true)
+    }
+}
