@@ -724,4 +724,16 @@ mod claims {
             "optimal: charges 0, moves 17; complete",
         );
     }
+
+    /// The same, where already a first plan is hard to find among so many steps.
+    #[test]
+    fn far_more_time_than_is_needed() {
+        check_within(
+            "~c ~a ~  ~Ab
+             ~  .C #  .Ba!
+             minimise sum-of-costs,moves,charges",
+            1000,
+            "optimal: sum-of-costs 59, moves 21, charges 0; complete",
+        );
+    }
 }

@@ -12,7 +12,7 @@ use super::{
     feasible,
     for_ever::{self, Reach},
     incumbent::{Incumbent, free_of_collisions},
-    prove::{Given, Shown, is_met, prove},
+    prove::{Given, Shown, is_met, or_exhausted, prove},
     stage::{Search, Subject, asked_below_minimum},
 };
 use crate::{
@@ -20,6 +20,7 @@ use crate::{
     joint,
     local::{apart, first_plan},
     problem::Problem,
+    walk::Walk,
 };
 
 /// Finds and proves the lexicographic optimum.
@@ -147,23 +148,45 @@ fn run(given: Given, incumbent: &mut Incumbent, verdict: &mut Verdict) -> Result
             verdict.clash = all;
             return Ok(Shown::Claim(Some(reason)));
         }
-        let subject = Subject {
-            problem,
-            walks: &walks,
-            bounded,
+        let by_sat = |given: Given, incumbent: &mut Incumbent, verdict: &mut Verdict| {
+            first_by_sat(given, &walks, incumbent, verdict)
         };
-        let mut search = Search::new(subject, Keeping::Assumed, incumbent, Rc::clone(budget));
-        if let Some(too_low) = search.keep_limits(bounded)? {
-            return Ok(Shown::Claim(Some(too_low.into())));
-        }
-        if let Some(core) = feasible::run(&mut search)? {
-            let reason = for_ever::impossible(&search, bounded, &core)?;
-            verdict.clash = core.agents().to_vec();
-            return Ok(Shown::Claim(reason));
+        if let Some(shown) = or_exhausted(given, incumbent, verdict, by_sat, Some)? {
+            return Ok(shown);
         }
     }
     if is_met(aim, incumbent) {
         return Ok(Shown::Plan);
     }
     prove(given, &walks, incumbent, verdict)
+}
+
+/// A first plan; none where that there is none was shown.
+fn first_by_sat(
+    given: Given,
+    walks: &[Walk],
+    incumbent: &mut Incumbent,
+    verdict: &mut Verdict,
+) -> Result<Option<Shown>, Stop> {
+    let Given {
+        problem,
+        bounded,
+        budget,
+        ..
+    } = given;
+    let subject = Subject {
+        problem,
+        walks,
+        bounded,
+    };
+    let mut search = Search::new(subject, Keeping::Assumed, incumbent, Rc::clone(budget));
+    if let Some(too_low) = search.keep_limits(bounded)? {
+        return Ok(Some(Shown::Claim(Some(too_low.into()))));
+    }
+    let Some(core) = feasible::run(&mut search)? else {
+        return Ok(None);
+    };
+    let reason = for_ever::impossible(&search, bounded, &core)?;
+    verdict.clash = core.agents().to_vec();
+    Ok(Some(Shown::Claim(reason)))
 }

@@ -49,19 +49,33 @@ pub(super) fn is_met(aim: &Aim, incumbent: &Incumbent) -> bool {
 /// Conflicts after which few joint states are exhausted instead.
 const PATIENCE: u64 = 4_000;
 
-/// The optima of all costs, one after the other. Where there are few joint
-/// states and SAT finds it hard, they are exhausted.
+/// The optima of all costs, one after the other.
 pub(super) fn prove(
     given: Given,
     walks: &[Walk],
     incumbent: &mut Incumbent,
     verdict: &mut Verdict,
 ) -> Result<Shown, Stop> {
+    let by_sat = |given: Given, incumbent: &mut Incumbent, verdict: &mut Verdict| {
+        prove_by_sat(given, walks, incumbent, verdict)
+    };
+    or_exhausted(given, incumbent, verdict, by_sat, |shown| shown)
+}
+
+/// What SAT shows. Where it finds that hard and there are few joint states, these are
+/// exhausted: they show the best plan, so that nothing is left to show.
+pub(super) fn or_exhausted<T>(
+    given: Given,
+    incumbent: &mut Incumbent,
+    verdict: &mut Verdict,
+    by_sat: impl Fn(Given, &mut Incumbent, &mut Verdict) -> Result<T, Stop>,
+    all_shown: impl FnOnce(Shown) -> T,
+) -> Result<T, Stop> {
     let Given {
         problem, budget, ..
     } = given;
     if !(joint::is_small(problem) && given.bounded.limits.is_empty()) {
-        return prove_by_sat(given, walks, incumbent, verdict);
+        return by_sat(given, incumbent, verdict);
     }
     let patience = Limits {
         conflicts: Some(PATIENCE),
@@ -72,7 +86,7 @@ pub(super) fn prove(
         budget: &part,
         ..given
     };
-    let shown = prove_by_sat(patient, walks, incumbent, verdict);
+    let shown = by_sat(patient, incumbent, verdict);
     budget.absorb(&part);
     if !matches!(shown, Err(Stop::Conflicts)) {
         return shown;
@@ -80,9 +94,9 @@ pub(super) fn prove(
     budget.check()?;
     if let Some(optima) = for_ever::best(problem, incumbent, budget)? {
         verdict.bounds = optima.bounds;
-        return Ok(Shown::Claim(Some(optima.reason)));
+        return Ok(all_shown(Shown::Claim(Some(optima.reason))));
     }
-    prove_by_sat(given, walks, incumbent, verdict)
+    by_sat(given, incumbent, verdict)
 }
 
 /// The stages, one for each cost of the objective.
