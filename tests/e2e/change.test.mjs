@@ -6,7 +6,7 @@ import { readFileSync } from "node:fs";
 import { describe } from "node:test";
 
 import { adapt, begin, join, running } from "./change.mjs";
-import { flows } from "./flow.mjs";
+import { BOTH, flows, MOVING } from "./flow.mjs";
 import { eventually } from "./wait.mjs";
 
 function changes(playground) {
@@ -62,7 +62,7 @@ describe("the world changes", () => {
     await playground.says(/^The world changed at time 1; the plan went on by replan: makespan 4/);
     const names = (await playground.planRows()).map((row) => row[0]);
     assert.ok(names.some((name) => name.startsWith("A3")), names.join());
-  });
+  }, { screens: BOTH, ...MOVING });
 
   flow("undo takes an adoption back, and each change", async (playground) => {
     await running(playground);
