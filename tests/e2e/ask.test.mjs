@@ -3,7 +3,7 @@
 import assert from "node:assert/strict";
 import { describe } from "node:test";
 
-import { flows, sample } from "./flow.mjs";
+import { BOTH, flows, sample } from "./flow.mjs";
 import { eventually } from "./wait.mjs";
 
 describe("asking why", () => {
@@ -41,7 +41,7 @@ describe("asking why", () => {
     await playground.other.waitFor({ state: "detached" });
     await playground.cellTells(2, 2, /A1/);
     await playground.says(/^Optimal: makespan 4, sum of costs 7/);
-  });
+  }, { screens: BOTH });
 
   flow("shows the other plan on a board of its own, dark and on a tablet too", async (playground, { page }) => {
     await playground.example("Who waits?");

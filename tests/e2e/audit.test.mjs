@@ -4,7 +4,7 @@ import { describe } from "node:test";
 
 import { audit } from "./audit.mjs";
 import { adapt, begin, join, running } from "./change.mjs";
-import { flows, sample } from "./flow.mjs";
+import { flows, LOOKS, sample } from "./flow.mjs";
 import { lead, rows, steps } from "./steer.mjs";
 
 const OPENING = /^Optimal: makespan 18/;
@@ -14,9 +14,9 @@ const HARD = sample("mmapf/A17_mm_20x20_o15_a30.json");
 describe("the audit finds nothing", () => {
   const flow = flows();
 
-  for (const theme of ["light", "dark"]) {
+  for (const { theme, screens } of LOOKS) {
     // Nothing fades while it is looked at: colours are judged as they stay.
-    const options = { theme, reducedMotion: "reduce" };
+    const options = { theme, screens, reducedMotion: "reduce" };
 
     flow(`playing, planned, with a selection, stale, and in dialogs, ${theme}`, async (playground) => {
       await playground.says(OPENING);

@@ -4,13 +4,13 @@ import assert from "node:assert/strict";
 import { readFileSync } from "node:fs";
 import { describe } from "node:test";
 
-import { flows, sample } from "./flow.mjs";
-import { drop, OPENING, save, stroke, THEMES } from "./recover.mjs";
+import { flows, LOOKS, sample } from "./flow.mjs";
+import { drop, OPENING, save, stroke } from "./recover.mjs";
 
 describe("new and dropped", () => {
   const flow = flows();
 
-  for (const theme of THEMES) {
+  for (const { theme, screens } of LOOKS) {
     flow(`a new scene of a size, as one step, ${theme}`, async (playground, { page }) => {
       await playground.says(OPENING);
       await (playground.isPhone() ? playground.act("New scene") : playground.press("New"));
@@ -26,7 +26,7 @@ describe("new and dropped", () => {
       await playground.press("Undo");
       await playground.shows("warehouse");
       await playground.says(OPENING);
-    }, { theme });
+    }, { theme, screens });
   }
 
   flow("a plan for the scene on the board is judged", async (playground, { page }) => {

@@ -4,14 +4,14 @@ import assert from "node:assert/strict";
 import { readFileSync } from "node:fs";
 import { describe } from "node:test";
 
-import { flows } from "./flow.mjs";
-import { breakDown, edit, look, OPENING, THEMES } from "./recover.mjs";
+import { flows, LOOKS } from "./flow.mjs";
+import { breakDown, edit, look, OPENING } from "./recover.mjs";
 import { eventually } from "./wait.mjs";
 
 describe("a page that breaks down", () => {
   const flow = flows();
 
-  for (const theme of THEMES) {
+  for (const { theme, screens } of LOOKS) {
     flow(`saves, says so, and goes on, ${theme}`, async (playground, { page }) => {
       await edit(playground);
       await breakDown(playground);
@@ -27,7 +27,7 @@ describe("a page that breaks down", () => {
       await playground.tells(/^$/);
       await playground.press("Undo");
       await playground.cellTells(0, 1, /^(?!obstacle)/);
-    }, { theme, complains: true });
+    }, { theme, screens, complains: true });
   }
 
   flow("as it opens puts aside what it opened", async (playground, { context, page }) => {
@@ -54,5 +54,5 @@ describe("a page that breaks down", () => {
     const download = page.waitForEvent("download");
     await playground.press("Download it");
     assert.match(readFileSync(await (await download).path(), "utf8"), /^giveway-kept=2\n/);
-  }, { complains: true, screens: ["desktop"] });
+  }, { complains: true, fresh: true, screens: ["desktop"] });
 });

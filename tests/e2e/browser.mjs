@@ -28,15 +28,16 @@ export function launch(flags = []) {
  * A page in a browser context of its own: nothing is kept from one test to the next.
  * @param browser what `launch` gave
  * @param options `width`, `height`, `theme` ("light" or "dark"), and what a context takes
+ * @param heard where complaints go
  */
-export async function open(browser, { width = 1440, height = 900, theme = "light", ...options } = {}) {
+export async function open(browser, { width = 1440, height = 900, theme = "light", ...options } = {}, heard = []) {
   const context = await browser.newContext({
     viewport: { width, height },
     colorScheme: theme,
     ...options,
   });
   const page = await context.newPage();
-  return { context, page, complaints: complaintsOf(page) };
+  return { context, page, complaints: complaintsOf(page, heard) };
 }
 
 /** Every error on the console, uncaught or printed; violations of the policy are among them. They join others, if there are. */

@@ -6,7 +6,7 @@ import { readFileSync } from "node:fs";
 import { describe } from "node:test";
 
 import { adapt, begin, join, running } from "./change.mjs";
-import { flows } from "./flow.mjs";
+import { BOTH, flows, MOVING } from "./flow.mjs";
 import { eventually } from "./wait.mjs";
 
 function changes(playground) {
@@ -62,7 +62,7 @@ describe("the world changes", () => {
     await playground.says(/^The world changed at time 1; the plan went on by replan: makespan 4/);
     const names = (await playground.planRows()).map((row) => row[0]);
     assert.ok(names.some((name) => name.startsWith("A3")), names.join());
-  });
+  }, { screens: BOTH, ...MOVING });
 
   flow("undo takes an adoption back, and each change", async (playground) => {
     await running(playground);
@@ -112,7 +112,8 @@ describe("the world changes", () => {
     await inspect(playground);
     await lists(playground, "New charger at (1, 0)");
     await playground.press("Find new plans");
-    await playground.press("Cancel").catch(() => undefined);
+    // It may be done already: that is not waited for.
+    await playground.button("Cancel").click({ timeout: 2000 }).catch(() => undefined);
     await playground.page.getByRole("button", { name: /^Find (new plans|again)$/ }).waitFor();
     await playground.inspector.getByRole("button", { name: "Discard" }).or(playground.button("Discard")).first().click();
     await playground.says(/^Optimal: makespan 18/);

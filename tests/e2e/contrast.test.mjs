@@ -4,13 +4,13 @@
 import assert from "node:assert/strict";
 import { describe } from "node:test";
 
-import { flows } from "./flow.mjs";
+import { flows, LOOKS } from "./flow.mjs";
 
 describe("forced colours", () => {
   const flow = flows();
 
-  for (const theme of ["light", "dark"]) {
-    const options = { forcedColors: "active", reducedMotion: "reduce", theme };
+  for (const { theme, screens } of LOOKS) {
+    const options = { forcedColors: "active", reducedMotion: "reduce", theme, screens };
 
     flow(`what is pressed or selected is seen, ${theme}`, async (playground, { page }) => {
       await playground.says(/\b18\b/);

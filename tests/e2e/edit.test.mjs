@@ -3,7 +3,7 @@
 import assert from "node:assert/strict";
 import { describe } from "node:test";
 
-import { flows } from "./flow.mjs";
+import { BOTH, flows, MOVING } from "./flow.mjs";
 
 const OPENING = /^Optimal: makespan 18/;
 const STALE = /^The scene has changed since this plan/;
@@ -21,7 +21,7 @@ describe("editing", () => {
     await playground.press("Solve");
     // Proved by the command, too.
     await playground.says(/^Optimal: makespan 23, sum of costs 40, 3 charges\.$/);
-  });
+  }, { screens: BOTH, ...MOVING });
 
   flow("takes a stroke back as one, and forth again", async (playground) => {
     await playground.says(OPENING);
@@ -135,7 +135,7 @@ describe("editing", () => {
     await playground.key("Escape");
     await playground.inspector.getByRole("table", { name: "Costs" }).waitFor();
     // An agent is pressed where it is seen, and on the way to a time it is elsewhere.
-  }, { reducedMotion: "reduce" });
+  }, { screens: BOTH, reducedMotion: "reduce" });
 });
 
 /** The name of the cell that the keyboard is on. */

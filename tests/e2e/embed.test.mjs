@@ -4,7 +4,7 @@ import assert from "node:assert/strict";
 import { describe } from "node:test";
 
 import { audit } from "./audit.mjs";
-import { flows } from "./flow.mjs";
+import { flows, LOOKS, MOVING } from "./flow.mjs";
 import { eventually } from "./wait.mjs";
 
 const OPENING = /^Optimal: makespan 18/;
@@ -15,7 +15,7 @@ const OTHERS = ["o", "x", "?", "a", "Control+z", "Control+Enter", "ArrowDown", "
 describe("inside another page", () => {
   const flow = flows();
 
-  for (const theme of ["light", "dark"]) {
+  for (const { theme, screens } of LOOKS) {
     flow(`shows the plan, plays, and keeps nothing, ${theme}`, async (playground, { context, host, page, screen }) => {
       await playground.says(OPENING);
       await playground.pause();
@@ -67,7 +67,7 @@ describe("inside another page", () => {
       assert.deepEqual(await frame.evaluate(() => window.touched), [], "it touched the storage");
       assert.deepEqual(await frame.evaluate(() => caches.keys()), []);
       assert.ok(ofTabs(kept).includes("name=scenario"));
-    }, { theme, ...CLIPBOARD, before: watchStorage });
+    }, { theme, screens, ...CLIPBOARD, before: watchStorage, ...MOVING });
   }
 
   flow("shows the same after it is loaded anew, and refuses a broken link with a sentence", async (playground, { host, page }) => {

@@ -5,7 +5,7 @@ import assert from "node:assert/strict";
 import { readFileSync } from "node:fs";
 import { describe } from "node:test";
 
-import { flows, sample, scene } from "./flow.mjs";
+import { BOTH, flows, sample, scene } from "./flow.mjs";
 
 const OPENING = /^Optimal: makespan 18/;
 const MAP = sample("movingai/empty-8-8.map");
@@ -69,7 +69,7 @@ describe("files", () => {
     await playground.shows("scenario 6");
     await playground.open({ name: saved.name, bytes: saved.text });
     await playground.shows("warehouse");
-  });
+  }, { screens: BOTH });
 
   const refused = [
     ["a JSON file that breaks off", "broken.json", '{\n  "giveway": 1,\n  "map": [".."', /broken\.json.*line 3.*column \d+/s],
@@ -97,7 +97,7 @@ describe("files", () => {
     await playground.press("Dismiss");
     await playground.warns(/^\s*$/);
     await staysAsItWas(playground);
-  });
+  }, { screens: BOTH });
 });
 
 async function chooseAgents(playground, count) {

@@ -3,12 +3,12 @@
 
 import { mkdirSync, readFileSync } from "node:fs";
 import { join } from "node:path";
-import { after, before, test } from "node:test";
+import { after, test } from "node:test";
 
-import { assertQuiet, launch, open } from "./browser.mjs";
-import { dist, root } from "./dist.mjs";
+import { assertQuiet } from "./browser.mjs";
+import { root } from "./dist.mjs";
 import { Playground } from "./page.mjs";
-import { serve } from "./server.mjs";
+import { Stage } from "./stage.mjs";
 
 /** Where pictures are left, to be looked at. */
 const PICTURES = join(root, "target/e2e");
@@ -31,47 +31,56 @@ export function scene(path) {
   return JSON.parse(readFileSync(sample(path), "utf8"));
 }
 
+/** Whether all is run, also what takes long. */
+export const isLong = Boolean(process.env.GIVEWAY_LONG);
+
+/** Both forms of the page. */
+export const BOTH = Object.keys(SCREENS);
+
+/** Each theme in one form of the page: what depends on both together is rare, and found where all is run. */
+export const LOOKS = [
+  { theme: "light", screens: isLong ? BOTH : ["desktop"] },
+  { theme: "dark", screens: isLong ? BOTH : ["phone"] },
+];
+
+/** For flows about what moves: the others do without, since drawing each frame takes half a processor, but where all is run. */
+export const MOVING = { reducedMotion: "no-preference" };
+const STILL = { reducedMotion: "reduce" };
+
+const stage = new Stage();
+after(() => stage.close());
+
 /**
- * Gives the function that declares flows; they share a browser and a host.
+ * Gives the function that declares flows.
  * @returns {(name: string, act: (playground: Playground, surroundings: object) => Promise<void>, options?: object) => void}
- *   `options.screens` are those of a desktop and a phone unless told, `timeout` is in milliseconds; what else is in
- *   `options` is for the browser's context. With `complains` the page may complain, which
- *   `act` judges. `before` is called before the page is opened.
+ *   `options.screens` is a desktop unless told, and both forms where all is run; `timeout` is in milliseconds; what
+ *   else is in `options` is for `Stage.visit`. With `complains` the page may complain, which `act` judges. `before`
+ *   is called before the page is opened; what it adds to every page is taken away by the `dispose` of what it gives.
  */
 export function flows() {
-  let host;
-  let browser;
-  before(async () => {
-    mkdirSync(PICTURES, { recursive: true });
-    host = await serve(dist);
-    browser = await launch();
-  });
-  after(async () => {
-    await browser?.close();
-    await host?.close();
-  });
-
-  return (name, act, { screens = Object.keys(SCREENS), complains = false, before: prepare, timeout = PATIENCE, ...options } = {}) => {
+  return (name, act, { screens = isLong ? BOTH : ["desktop"], complains = false, before: prepare, timeout = PATIENCE, ...options } = {}) => {
     for (const screen of screens) {
       test(`${name} (${screen})`, { timeout }, async () => {
-        // What a service worker fetches cannot be changed on its way.
-        const opened = await open(browser, { serviceWorkers: "block", ...SCREENS[screen], ...options });
-        const { context, page, complaints } = opened;
+        mkdirSync(PICTURES, { recursive: true });
+        const visit = await stage.visit({ ...SCREENS[screen], ...(isLong ? MOVING : STILL), ...options });
+        const { context, page, host, complaints } = visit;
         const playground = new Playground(page, (title) => join(PICTURES, `${title}-${screen}.png`));
+        let isWell = false;
         try {
-          await prepare?.(context);
+          const added = await prepare?.(context);
           await playground.goto(host.url);
-          await act(playground, { ...opened, host, screen });
+          await act(playground, { context, page, host, complaints, screen });
           if (!complains) {
             assertQuiet(complaints);
           }
           await playground.fits();
+          await added?.dispose();
+          isWell = true;
         } catch (error) {
           await playground.picture(`failed-${name.replaceAll(/\W+/g, "-")}`).catch(() => undefined);
           throw error;
         } finally {
-          await context.unrouteAll({ behavior: "ignoreErrors" });
-          await context.close();
+          await visit.end(isWell);
         }
       });
     }

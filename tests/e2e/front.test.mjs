@@ -3,7 +3,7 @@
 import assert from "node:assert/strict";
 import { describe } from "node:test";
 
-import { flows } from "./flow.mjs";
+import { BOTH, flows } from "./flow.mjs";
 
 /** Straight on there are fewer moves, round the slow zone fewer steps. */
 const TRADE_OFF = {
@@ -49,5 +49,5 @@ describe("the Pareto front", () => {
     await points.first().waitFor({ state: "detached" });
     await playground.press("Undo");
     await points.first().waitFor();
-  });
+  }, { screens: BOTH });
 });

@@ -9,7 +9,7 @@ import { describe } from "node:test";
 
 import { adapt, begin, join as joins, running } from "./change.mjs";
 import { root } from "./dist.mjs";
-import { flows } from "./flow.mjs";
+import { flows, isLong } from "./flow.mjs";
 import { geometry } from "./geometry.mjs";
 import { lead, rows, steps } from "./steer.mjs";
 
@@ -26,6 +26,9 @@ const FONTS = [
   { name: "narrow", family: "", spacing: "-0.4px" },
   { name: "wide", family: '"DejaVu Sans", system-ui, sans-serif', spacing: "0.6px" },
 ];
+
+/** Themes move nothing but colours: each screen is looked at in both, each font on it in one, but for the long run. */
+const THEMES = ["light", "dark"];
 
 /** The form that is made for fingers: as in the style sheets. */
 const isTouch = ([width, height]) => width <= 720 || height <= 480;
@@ -186,19 +189,19 @@ function scene(name, map, agent) {
 async function everywhere(playground, name, tabs, screens) {
   const { page } = playground;
   const found = new Map();
-  for (const screen of screens) {
+  for (const [s, screen] of screens.entries()) {
     const [width, height] = screen;
     await page.setViewportSize({ width, height });
     await settled(page);
     const list = page.getByRole("tab");
     const some = await list.count() > 0 ? tabs : [""];
-    for (const tab of some) {
+    for (const [t, tab] of some.entries()) {
       if (tab) {
         await page.getByRole("tab", { name: tab, exact: true }).evaluate((button) => button.click());
       }
-      for (const font of FONTS) {
+      for (const [f, font] of FONTS.entries()) {
         await put(page, font);
-        for (const theme of ["light", "dark"]) {
+        for (const theme of isLong ? THEMES : [THEMES[(s + t + f) % THEMES.length]]) {
           await page.emulateMedia({ colorScheme: theme });
           const where = [`${width}x${height}`, tab, theme, font.name].filter(Boolean).join(" ");
           for (const line of await geometry(page, { touch: isTouch(screen) })) {
@@ -210,7 +213,6 @@ async function everywhere(playground, name, tabs, screens) {
           }
         }
       }
-      await put(page, FONTS[0]);
     }
   }
   return [...found].map(([line, where]) => `${line} (${where.slice(0, 3).join("; ")}${where.length > 3 ? ` and ${where.length - 3} more` : ""})`);

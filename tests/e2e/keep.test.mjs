@@ -4,7 +4,7 @@
 import assert from "node:assert/strict";
 import { describe } from "node:test";
 
-import { flows } from "./flow.mjs";
+import { BOTH, flows } from "./flow.mjs";
 import { eventually } from "./wait.mjs";
 
 const OPENING = /^Optimal: makespan 18/;
@@ -70,7 +70,7 @@ describe("what is kept", () => {
     await scenes(playground);
     await dialog.getByRole("button", { name: "Forget scenario 6" }).click();
     await dialog.getByRole("button", { name: "scenario 6", exact: true }).waitFor({ state: "detached" });
-  });
+  }, { screens: BOTH });
 });
 
 describe("links", () => {
@@ -113,7 +113,7 @@ describe("links", () => {
     await other.getByRole("button", { name: "Undo", exact: true }).click();
     await other.getByRole("heading", { level: 1, name: "scenario 6" }).waitFor();
     await other.close();
-  }, WITH_TIME);
+  }, { screens: BOTH, ...WITH_TIME });
 
   flow("hold the question, which is asked again", async (playground, { context, page }) => {
     await playground.example("Who waits?");

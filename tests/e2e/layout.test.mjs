@@ -42,9 +42,9 @@ describe("the layout", () => {
     await playground.pause();
     const board = await playground.board.boundingBox();
     assert.ok(board.height >= 190 && board.width >= 400, `the board is ${board.width} by ${board.height}`);
-    const inspector = await playground.inspector.boundingBox().catch(() => null);
-    const lanes = inspector ?? await page.getByRole("group", { name: "Lanes" }).boundingBox();
-    assert.ok(lanes.x >= board.x + board.width, "what is told is beside it");
+    // Whichever of the two is there: the inspector, or the lanes.
+    const told = await playground.inspector.or(page.getByRole("group", { name: "Lanes" })).first().boundingBox();
+    assert.ok(told.x >= board.x + board.width, "what is told is beside it");
     const tools = await playground.tools.boundingBox();
     const play = await playground.button("To start").boundingBox();
     assert.ok(tools.x + tools.width <= play.x, "the tools cover the transport");

@@ -6,7 +6,7 @@ import { join } from "node:path";
 import { describe } from "node:test";
 
 import { root } from "./dist.mjs";
-import { flows } from "./flow.mjs";
+import { BOTH, flows, LOOKS } from "./flow.mjs";
 import { Playground } from "./page.mjs";
 import { lead, rows, steps } from "./steer.mjs";
 
@@ -16,7 +16,7 @@ const EXAMPLES = JSON.parse(readFileSync(join(root, "static/examples/index.json"
 describe("the look", () => {
   const flow = flows();
 
-  for (const theme of ["light", "dark"]) {
+  for (const { theme, screens } of LOOKS) {
     flow(`follows a ${theme} system, until another theme is chosen`, async (playground) => {
       await playground.says(OPENING);
       await playground.pause();
@@ -31,7 +31,7 @@ describe("the look", () => {
       assert.equal(await isDark(playground), system, "what was chosen stays");
       await turnTheme(playground);
       assert.equal(await isDark(playground), !system, "the system decides again");
-    }, { theme });
+    }, { theme, screens });
 
     flow(`shows its dialogs, ${theme}`, async (playground) => {
       await playground.act("Examples");
@@ -49,10 +49,10 @@ describe("the look", () => {
       await playground.key("Escape");
       await playground.act(playground.isPhone() ? "Settings" : "Save");
       await playground.picture(`menu-${theme}`);
-    }, { theme });
+    }, { theme, screens });
   }
 
-  for (const theme of ["light", "dark"]) {
+  for (const { theme, screens } of LOOKS) {
     flow(`shows an agent that is led by hand into another, ${theme}`, async (playground) => {
       await rows(playground);
       await lead(playground, "A1", 0, 0);
@@ -63,7 +63,7 @@ describe("the look", () => {
       await playground.press("Check my plan");
       await playground.inspector.getByRole("heading", { name: "What is against the rules" }).waitFor();
       await playground.picture(`steering-checked-${theme}`);
-    }, { colorScheme: theme, reducedMotion: "reduce" });
+    }, { theme, screens, reducedMotion: "reduce" });
   }
 
   // docs/playground.png is a copy of this picture.
@@ -108,7 +108,7 @@ describe("the look", () => {
     const seen = nodes.filter((node) => !node.ignored && roles.includes(node.role?.value));
     assert.ok(seen.length > 20, `found ${seen.length} of them`);
     assert.deepEqual(seen.filter((node) => !node.name?.value?.trim()), [], "without a name");
-  });
+  }, { screens: BOTH });
 });
 
 async function turnTheme(playground) {

@@ -4,7 +4,7 @@
 import assert from "node:assert/strict";
 import { describe } from "node:test";
 
-import { flows } from "./flow.mjs";
+import { flows, MOVING } from "./flow.mjs";
 import { eventually } from "./wait.mjs";
 import { Playground } from "./page.mjs";
 
@@ -66,7 +66,7 @@ describe("the main flow", () => {
     await playground.cellTells(0, 2, /^free$/);
     await playground.key("Control+z");
     await playground.cellTells(0, 0, /^free$/);
-  }, { screens: ["desktop"] });
+  }, { screens: ["desktop"], ...MOVING });
 
   flow("goes by fingers alone", async (playground, { page }) => {
     const { inspector, tools } = playground;

@@ -10,7 +10,7 @@ import { after, before, describe, test } from "node:test";
 import { plainTokens } from "../../scripts/plain-tokens.mjs";
 import { assertQuiet, launch, open } from "./browser.mjs";
 import { dist, root } from "./dist.mjs";
-import { flows } from "./flow.mjs";
+import { flows, MOVING } from "./flow.mjs";
 import { Playground } from "./page.mjs";
 import { serve } from "./server.mjs";
 
@@ -40,6 +40,7 @@ describe("what older browsers lack", () => {
 
   flow("the places between two frames (Safari before 18.2)", works, {
     screens,
+    ...MOVING,
     before: (context) => context.addInitScript(() => {
       delete PointerEvent.prototype.getCoalescedEvents;
     }),
@@ -47,6 +48,7 @@ describe("what older browsers lack", () => {
 
   flow("time limits, copies and what else is new", works, {
     screens,
+    ...MOVING,
     before: (context) => context.addInitScript(() => {
       delete AbortSignal.timeout;
       delete AbortSignal.any;

@@ -4,7 +4,7 @@ import assert from "node:assert/strict";
 import { describe } from "node:test";
 
 import { draw, drawn } from "../../scripts/draw-opening.mjs";
-import { flows } from "./flow.mjs";
+import { BOTH, flows, MOVING } from "./flow.mjs";
 import { Playground } from "./page.mjs";
 import { eventually } from "./wait.mjs";
 
@@ -37,7 +37,7 @@ describe("before the application", () => {
     for (const side of ["x", "y", "width", "height"]) {
       assert.ok(Math.abs(before[side] - after[side]) <= JUMP_PX, `the board jumps: ${JSON.stringify([before, after])}`);
     }
-  });
+  }, { screens: BOTH, ...MOVING });
 
   flow("a scene of one's own and a link are not covered by it", async (playground, { context, page, host }) => {
     await playground.press("Pause");

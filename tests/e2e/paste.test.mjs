@@ -4,7 +4,7 @@ import assert from "node:assert/strict";
 import { readFileSync } from "node:fs";
 import { describe } from "node:test";
 
-import { flows, sample, scene } from "./flow.mjs";
+import { BOTH, flows, sample, scene } from "./flow.mjs";
 import { eventually } from "./wait.mjs";
 
 const OPENING = /^Optimal: makespan 18/;
@@ -35,7 +35,7 @@ describe("copying and pasting", () => {
     await playground.shows("warehouse");
     await playground.press("Undo");
     await playground.shows("scenario 6");
-  }, CLIPBOARD);
+  }, { screens: BOTH, ...CLIPBOARD });
 
   flow("opens a plan, a map and a link that are pasted", async (playground, { page }) => {
     await playground.says(OPENING);

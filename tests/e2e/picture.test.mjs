@@ -4,7 +4,7 @@ import assert from "node:assert/strict";
 import { readFileSync } from "node:fs";
 import { describe } from "node:test";
 
-import { flows } from "./flow.mjs";
+import { flows, LOOKS } from "./flow.mjs";
 
 const OPENING = /^Optimal: makespan 18/;
 /** The side of a cell and the space around the map in an SVG, in pixels. */
@@ -14,7 +14,7 @@ const SPACE = 54;
 describe("pictures of the board", () => {
   const flow = flows();
 
-  for (const theme of ["light", "dark"]) {
+  for (const { theme, screens } of LOOKS) {
     flow(`stand by themselves, ${theme}`, async (playground, { context, screen }) => {
       await at(playground, 4);
       const svg = await save(playground, "Save picture (SVG)", "warehouse-4.svg");
@@ -36,7 +36,7 @@ describe("pictures of the board", () => {
       // Floor, obstacles, agents, their rings and flags: and the ground is the theme's.
       assert.ok(fine.colours > 40, `${fine.colours} colours`);
       assert.equal(fine.corner, theme === "light" ? "244,245,243,255" : "18,20,23,255");
-    }, { theme, reducedMotion: "reduce" });
+    }, { theme, screens, reducedMotion: "reduce" });
   }
 
   flow("hold names as text, whatever they are", async (playground) => {

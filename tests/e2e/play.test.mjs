@@ -3,10 +3,14 @@
 import assert from "node:assert/strict";
 import { describe } from "node:test";
 
-import { flows } from "./flow.mjs";
+import { BOTH, flows, MOVING } from "./flow.mjs";
 import { eventually } from "./wait.mjs";
 
 const OPENING = /^Optimal: makespan 18, sum of costs 35, 3 charges\.$/;
+/** What a step takes at speed 1, in milliseconds. */
+const STEP_MS = 480;
+/** The page has a clock that can be put forward: nobody waits until a plan has been played. */
+const CLOCK = { ...MOVING, fresh: true, before: (context) => context.clock.install() };
 
 describe("playing", () => {
   const flow = flows();
@@ -19,17 +23,19 @@ describe("playing", () => {
     await playground.picture("opening");
     await playground.reaches(`later than ${time}`, (now) => now > time);
     assert.equal(await playground.time.getAttribute("aria-valuemax"), "18");
-  });
+  }, { screens: BOTH, ...MOVING });
 
-  flow("stops at the end by itself, and starts anew from there", async (playground) => {
+  flow("stops at the end by itself, and starts anew from there", async (playground, { page }) => {
     await playground.says(OPENING);
+    await playground.button("Pause").waitFor();
+    await page.clock.runFor(20 * STEP_MS);
     await playground.button("Play").waitFor();
     assert.equal(await playground.now(), 18);
     await playground.picture("end");
     await playground.press("Play");
     await playground.reaches("an early one", (now) => now < 9);
     await playground.button("Pause").waitFor();
-  });
+  }, CLOCK);
 
   flow("shows on the board what the plan says, at every time", async (playground) => {
     await playground.says(OPENING);
@@ -51,7 +57,7 @@ describe("playing", () => {
         await playground.press("Step forward");
       }
     }
-  });
+  }, MOVING);
 
   flow("goes by buttons", async (playground) => {
     await playground.says(OPENING);
@@ -67,7 +73,7 @@ describe("playing", () => {
     assert.equal(await playground.button("Step back").isDisabled(), true);
     await playground.press("Play");
     await playground.reaches("1 or later", (now) => now >= 1);
-  });
+  }, { screens: BOTH, ...MOVING });
 
   flow("goes by keys", async (playground) => {
     await playground.says(OPENING);
@@ -85,7 +91,7 @@ describe("playing", () => {
     await playground.key("Space");
     await playground.button("Pause").waitFor();
     await playground.reaches("an early one", (now) => now < 9);
-  });
+  }, MOVING);
 
   flow("goes where the slider is put", async (playground) => {
     await playground.says(OPENING);
@@ -110,15 +116,16 @@ describe("playing", () => {
     await mouse.move(track.x + 160, middle, { steps: 5 });
     await mouse.up();
     await playground.reaches("a later one", (now) => now > from);
-  });
+  }, { screens: BOTH, ...MOVING });
 
   flow("goes as fast as it is told to", async (playground) => {
     await playground.says(OPENING);
     await playground.pause();
-    const slow = await secondsFor(playground, "\u{bd}", 3);
-    const fast = await secondsFor(playground, "4\u{d7}", 3);
-    assert.ok(fast < slow / 2, `3 steps took ${slow} s at half the speed and ${fast} s at four times of it`);
-  });
+    const slow = await timeFor(playground, "\u{bd}", 3);
+    const fast = await timeFor(playground, "4\u{d7}", 3);
+    assert.ok(slow > 5.5 * STEP_MS && slow < 7 * STEP_MS, `3 steps took ${slow} ms at half the speed`);
+    assert.ok(fast < slow / 6, `3 steps took ${slow} ms at half the speed and ${fast} ms at four times of it`);
+  }, { ...CLOCK, screens: BOTH });
 });
 
 /** That an agent is on the board where the table has it. */
@@ -136,19 +143,27 @@ async function agrees(playground, agent, entry, time) {
   await playground.cellTells(x, y, new RegExp(here));
 }
 
-/** Plays some steps from the start at a speed. */
-async function secondsFor(playground, speed, steps) {
+/** Plays some steps from the start at a speed; how long that takes by the page's clock, in milliseconds. */
+async function timeFor(playground, speed, steps) {
+  const { clock } = playground.page;
   await setSpeed(playground, speed);
   await playground.press("To start");
   await playground.reaches(0);
+  // The robots are there, too.
+  await clock.runFor(4 * STEP_MS);
+  await clock.pauseAt(await playground.page.evaluate(() => Date.now() + 1000));
   await playground.press("Play");
-  const begin = performance.now();
-  await playground.reaches(`${steps} or later`, (now) => now >= steps);
-  const seconds = (performance.now() - begin) / 1000;
+  let time = 0;
+  while (await playground.now() < steps) {
+    assert.ok(time < 20 * STEP_MS, `it plays no ${steps} steps`);
+    await clock.runFor(80);
+    time += 80;
+  }
+  await clock.resume();
   if (await playground.button("Pause").isVisible()) {
     await playground.pause();
   }
-  return seconds;
+  return time;
 }
 
 /** On a phone one button goes from speed to speed. */

@@ -8,7 +8,6 @@ import { eventually } from "./wait.mjs";
 export const OPENING = /^Optimal: makespan 18/;
 export const LINK = "giveway=1&map=3.9f&name=sent&rules=0.0&costs=0&agents=A.0.0.2.2&plan=2r2d";
 export const NEWER = "giveway-kept=3\nnobody knows what this is\n";
-export const THEMES = ["light", "dark"];
 
 /** A picture of what is said, once it stands still. */
 export async function look(playground, title) {
@@ -57,6 +56,12 @@ export function deafen(context) {
   return context.addInitScript(() => {
     addEventListener("storage", (event) => window.hears || event.stopImmediatePropagation(), true);
   });
+}
+
+/** Waits until a page has kept what it opened, which it does once it is calm. */
+export function opened({ page }) {
+  const mark = () => page.evaluate(() => sessionStorage.getItem("giveway.opening"));
+  return eventually("the page to have kept what it opened", mark, (mark) => mark === null);
 }
 
 /** Opens another tab, and edits in both before either hears of the other. */

@@ -5,14 +5,14 @@ import assert from "node:assert/strict";
 import { readFileSync } from "node:fs";
 import { describe } from "node:test";
 
-import { flows } from "./flow.mjs";
-import { edit, follow, LINK, look, NEWER, OPENING, planted, scenes, stroke, THEMES } from "./recover.mjs";
+import { BOTH, flows, LOOKS } from "./flow.mjs";
+import { edit, follow, LINK, look, NEWER, OPENING, planted, scenes, stroke } from "./recover.mjs";
 import { eventually } from "./wait.mjs";
 
 describe("a link", () => {
   const flow = flows();
 
-  for (const theme of THEMES) {
+  for (const { theme, screens } of LOOKS) {
     flow(`keeps what it takes the place of, ${theme}`, async (playground, { page }) => {
       await edit(playground);
       await follow(page, LINK);
@@ -21,7 +21,7 @@ describe("a link", () => {
       await look(playground, `slot-link-${theme}`);
       await page.setViewportSize({ width: 1024, height: 768 });
       await look(playground, `slot-link-tablet-${theme}`);
-    }, { theme });
+    }, { theme, screens });
   }
 
   flow("is left by one press, and comes back by another", async (playground, { page }) => {
@@ -38,7 +38,7 @@ describe("a link", () => {
     await playground.tells(/^$/);
     await playground.press("Undo");
     await playground.cellTells(0, 1, /^obstacle/);
-  });
+  }, { screens: BOTH });
 
   flow("may be loaded again: the press is still there, and the scene among the others", async (playground, { page, host }) => {
     await edit(playground);
@@ -117,7 +117,7 @@ describe("a reload", () => {
 describe("what cannot be read", () => {
   const flow = flows();
 
-  for (const theme of THEMES) {
+  for (const { theme, screens } of LOOKS) {
     flow(`is offered and not overwritten, ${theme}`, async (playground, { page }) => {
       await edit(playground);
       await playground.reloadOn(NEWER);
@@ -149,7 +149,7 @@ describe("what cannot be read", () => {
       await playground.cellTells(0, 1, /^obstacle/);
       await playground.tells(/^$/);
       assert.equal(await planted(page, NEWER), 1, "a newer page may still read it");
-    }, { theme });
+    }, { theme, screens });
   }
 
   for (const damaged of ["{", "giveway-kept=2\n+0.-.0", "giveway=1&map=5.7f", "\u0000"]) {
@@ -171,7 +171,7 @@ describe("what cannot be read", () => {
 describe("a browser that keeps nothing", () => {
   const flow = flows();
 
-  for (const theme of THEMES) {
+  for (const { theme, screens } of LOOKS) {
     flow(`is told of once, with a download, ${theme}`, async (playground, { page }) => {
       await playground.says(OPENING);
       await page.evaluate(() => {
@@ -200,6 +200,6 @@ describe("a browser that keeps nothing", () => {
       await playground.open({ name: "warehouse.giveway", bytes });
       await playground.cellTells(9, 1, /^(?!charger)/);
       await playground.cellTells(0, 1, /^obstacle/);
-    }, { theme });
+    }, { theme, screens });
   }
 });

@@ -4,7 +4,7 @@
 import assert from "node:assert/strict";
 import { describe } from "node:test";
 
-import { flows } from "./flow.mjs";
+import { BOTH, flows, LOOKS, MOVING } from "./flow.mjs";
 import { eventually } from "./wait.mjs";
 
 const OPENING = /^Optimal: makespan 18/;
@@ -39,7 +39,7 @@ describe("a scene by hand", () => {
     await playground.press("Redo");
     await playground.press("Solve");
     await playground.says(/^Optimal: makespan 18, sum of costs 51, 3 charges\.$/);
-  });
+  }, { screens: BOTH, ...MOVING });
 
   flow("builds a scene by keyboard alone", async (playground) => {
     await playground.says(OPENING);
@@ -116,7 +116,7 @@ describe("a scene by hand", () => {
     await playground.cellTells(0, 0, /^goal of A2$/);
     await undo(playground, 5);
     await playground.says(OPENING);
-  });
+  }, { screens: BOTH });
 
   flow("gives an agent another colour", async (playground) => {
     await playground.says(OPENING);
@@ -166,7 +166,7 @@ describe("a scene by hand", () => {
     await playground.says(OPENING);
   });
 
-  for (const theme of ["light", "dark"]) {
+  for (const { theme, screens } of LOOKS) {
     flow(`tells at once what is wrong, on its cell, ${theme}`, async (playground) => {
       await playground.says(OPENING);
       await playground.pick("Obstacle");
@@ -181,7 +181,7 @@ describe("a scene by hand", () => {
       await playground.inspector.getByRole("heading", { name: "9, 2" }).waitFor();
       await playground.press("Undo");
       await playground.says(STALE);
-    }, { theme });
+    }, { theme, screens });
   }
 });
 

@@ -4,7 +4,7 @@ import assert from "node:assert/strict";
 import { readFileSync } from "node:fs";
 import { describe } from "node:test";
 
-import { flows } from "./flow.mjs";
+import { BOTH, flows, MOVING } from "./flow.mjs";
 
 const OPENING = /^Optimal: makespan 18, sum of costs 35, 3 charges\.$/;
 const STALE = /^The scene has changed since this plan/;
@@ -29,7 +29,7 @@ describe("settings", () => {
     await playground.says(STALE);
     await playground.press("Solve");
     await playground.says(/^Optimal: 3 charges, makespan 18, \d+ waits?\.$/);
-  });
+  }, { screens: BOTH });
 
   // Proved by the command, too: giveway solve on the warehouse with rules.battery_floor.
   flow("keeps a floor under the batteries", async (playground) => {
@@ -86,7 +86,7 @@ describe("settings", () => {
     const now = await playground.now();
     await playground.reaches(`later than ${now}`, (time) => time > now);
     assert.equal(await field.inputValue(), "7");
-  });
+  }, MOVING);
 
   flow("solves on every change, where that is wanted", async (playground) => {
     await playground.says(OPENING);
@@ -115,7 +115,7 @@ describe("settings", () => {
     await playground.openSettings();
     await playground.page.mouse.click(20, 20);
     await playground.settings.waitFor({ state: "detached" });
-  });
+  }, { screens: BOTH });
 });
 
 /** Changes one number and solves. */

@@ -54,7 +54,7 @@ describe("a long sitting", () => {
       await sitting.allTheWay();
       const grown = await memory(context, page) - half;
       assert.ok(grown < GROWTH, `the tab grew by ${Math.round(grown / 1e6)} MB in the second half`);
-    }, { screens: ["desktop"], reducedMotion: "reduce", timeout: 1_800_000 });
+    }, { screens: ["desktop"], fresh: true, reducedMotion: "reduce", timeout: 1_800_000 });
   }
 });
 

@@ -3,7 +3,7 @@
 import assert from "node:assert/strict";
 import { describe } from "node:test";
 
-import { flows, sample } from "./flow.mjs";
+import { BOTH, flows, sample } from "./flow.mjs";
 
 const HARD = sample("mmapf/A17_mm_20x20_o15_a30.json");
 
@@ -26,7 +26,7 @@ describe("solving", () => {
     assert.ok(seconds < 3, `it took ${seconds} s to cancel`);
     await playground.says(/You stopped the search\./);
     await isAlive(playground);
-  });
+  }, { screens: BOTH });
 
   flow("is cancelled by Escape, and by an edit", async (playground) => {
     await open(playground, HARD);

@@ -4,7 +4,7 @@
 import assert from "node:assert/strict";
 import { describe } from "node:test";
 
-import { flows } from "./flow.mjs";
+import { BOTH, flows } from "./flow.mjs";
 import { lead, rows, steps } from "./steer.mjs";
 import { eventually } from "./wait.mjs";
 
@@ -51,7 +51,7 @@ describe("an agent is led by hand", () => {
     await playground.says(/^Optimal: makespan 3/);
     await playground.act("Undo");
     await playground.says(/^A1 is at \(0, 1\) at time 1/);
-  });
+  }, { screens: BOTH });
 
   flow("a plan that is as good is confirmed, and comes back after a reload", async (playground) => {
     await rows(playground);

@@ -3,14 +3,14 @@
 
 import { describe } from "node:test";
 
-import { flows } from "./flow.mjs";
-import { deafen, edit, follow, goApart, look, OPENING, scenes, stroke, tab, THEMES } from "./recover.mjs";
+import { flows, LOOKS } from "./flow.mjs";
+import { deafen, edit, follow, goApart, look, opened, OPENING, scenes, stroke, tab } from "./recover.mjs";
 import { eventually } from "./wait.mjs";
 
 describe("two tabs", () => {
   const flow = flows();
 
-  for (const theme of THEMES) {
+  for (const { theme, screens } of LOOKS) {
     flow(`that both go on ask, ${theme}`, async (playground, { context, host }) => {
       const other = await goApart(playground, context, host);
       await playground.tells(/Another tab changed this scene.*Undo brings back the one you do not take\./s);
@@ -23,7 +23,7 @@ describe("two tabs", () => {
       await playground.press("Undo");
       await playground.cellTells(9, 1, /^obstacle/);
       await other.page.close();
-    }, { theme, before: deafen });
+    }, { theme, screens, before: deafen });
   }
 
   flow("that both go on may keep their own", async (playground, { context, host }) => {
@@ -37,7 +37,7 @@ describe("two tabs", () => {
     await other.page.close();
   }, { screens: ["desktop"], before: deafen });
 
-  for (const theme of THEMES) {
+  for (const { theme, screens } of LOOKS) {
     flow(`of which one only watches follow the other, ${theme}`, async (playground, { context, host }) => {
       await playground.says(OPENING);
       const other = await tab(playground, context, host);
@@ -52,7 +52,7 @@ describe("two tabs", () => {
       // The other one stays as it is.
       await other.cellTells(0, 1, /^obstacle/);
       await other.page.close();
-    }, { theme });
+    }, { theme, screens });
   }
 
   flow("keep a scene each, and come back to their own", async (playground, { context, host }) => {
@@ -66,10 +66,11 @@ describe("two tabs", () => {
     await other.shows("scenario 1");
     await eventually("it to be kept", () => other.keeps(), (text) => text.includes("scenario%201"));
     await playground.tells(/^$/);
-    await playground.reload();
-    await playground.shows("scenario 6");
-    await other.reload();
-    await other.shows("scenario 1");
+    for (const [each, name] of [[playground, "scenario 6"], [other, "scenario 1"]]) {
+      await each.reload();
+      await each.shows(name);
+      await opened(each);
+    }
     // A new tab opens what was kept last.
     const before = await playground.keeps();
     await stroke(playground, "Obstacle", [1, 2]);

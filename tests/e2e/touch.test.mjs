@@ -3,7 +3,7 @@
 import assert from "node:assert/strict";
 import { describe } from "node:test";
 
-import { flows } from "./flow.mjs";
+import { flows, MOVING } from "./flow.mjs";
 import { eventually } from "./wait.mjs";
 
 const OPENING = /^Optimal: makespan 18/;
@@ -45,7 +45,7 @@ describe("touch", () => {
     await playground.press("Undo");
     await playground.cellTells(0, 1, /^free$/);
     assert.equal(await playground.button("Undo").isDisabled(), true);
-  }, { screens });
+  }, { screens, ...MOVING });
 
   flow("two fingers enlarge the map, and paint nothing", async (playground, surroundings) => {
     await playground.says(OPENING);
@@ -63,7 +63,7 @@ describe("touch", () => {
     await eventually("larger cells", wide, (now) => now > before * 1.5);
     await playground.cellTells(4, 0, /^slow zone/);
     await playground.picture("pinched");
-  }, { screens });
+  }, { screens, ...MOVING });
 
   flow("a finger moves the time", async (playground, surroundings) => {
     await playground.says(OPENING);
@@ -76,7 +76,7 @@ describe("touch", () => {
     await touch("touchMove", { x: track.x + 120, y });
     await touch("touchEnd");
     await playground.reaches("a later one", (now) => now > from);
-  }, { screens });
+  }, { screens, ...MOVING });
 });
 
 async function tap(playground, column, row) {

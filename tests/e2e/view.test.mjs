@@ -3,7 +3,7 @@
 import assert from "node:assert/strict";
 import { describe } from "node:test";
 
-import { flows } from "./flow.mjs";
+import { flows, MOVING } from "./flow.mjs";
 import { eventually } from "./wait.mjs";
 
 describe("the view", () => {
@@ -50,7 +50,7 @@ describe("the view", () => {
     await playground.picture("following");
     await playground.key("f");
     await eventually("to be let go", () => follow.getAttribute("aria-pressed"), (pressed) => pressed === "false");
-  }, { screens: ["desktop"] });
+  }, { screens: ["desktop"], ...MOVING });
 
   flow("is chosen on a phone by touch", async (playground, { page }) => {
     await playground.says(/^Optimal: makespan 18/);

@@ -11,13 +11,21 @@ const WebSocket = createRequire(import.meta.url)("ws");
 
 const PATH = process.env.GIVEWAY_FIREFOX ?? "/usr/bin/firefox-esr";
 
-/** It asks the network for nothing, and for nothing of a person. */
+/** It asks the network for nothing, and for nothing of a person; it prepares nothing that no test opens. */
 const PREFERENCES = {
   "app.normandy.enabled": false,
   "app.update.disabledForTesting": true,
   "browser.aboutwelcome.enabled": false,
+  "browser.newtabpage.enabled": false,
+  "browser.region.network.url": "",
+  "browser.safebrowsing.malware.enabled": false,
+  "browser.safebrowsing.phishing.enabled": false,
+  "browser.search.update": false,
   "browser.shell.checkDefaultBrowser": false,
+  "browser.startup.page": 0,
   "datareporting.policy.dataSubmissionEnabled": false,
+  "dom.ipc.processPrelaunch.enabled": false,
+  "extensions.enabledScopes": 0,
   "extensions.update.enabled": false,
   "network.captive-portal-service.enabled": false,
   "network.connectivity-service.enabled": false,
