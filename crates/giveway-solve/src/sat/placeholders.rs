@@ -20,13 +20,16 @@ use varisat_internal_proof::ProofStep;
 
 use super::Lit;
 
+/// A variable with the place that it got, or that it lost its own.
+#[cfg(test)]
+pub(super) type Told = (u32, Option<u32>);
+
 /// The places that became free and are not taken yet, as the proof tells them.
 #[derive(Clone, Default)]
 pub(super) struct Freed {
     count: Rc<Cell<u32>>,
-    /// Each variable with the place that it got, or that it lost its own.
     #[cfg(test)]
-    told: Rc<RefCell<Vec<(u32, Option<u32>)>>>,
+    told: Rc<RefCell<Vec<Told>>>,
 }
 
 impl Freed {
@@ -76,9 +79,9 @@ impl Placeholders {
         }
     }
 
-    /// Each variable with the place that it got, or that it lost its own, in order.
+    /// What happened to places, in order.
     #[cfg(test)]
-    pub(super) fn told(&self) -> Vec<(u32, Option<u32>)> {
+    pub(super) fn told(&self) -> Vec<Told> {
         self.freed.told.borrow().clone()
     }
 

@@ -194,7 +194,7 @@ impl<'h> Sat<'h> {
 
     /// See [`Placeholders::told`].
     #[cfg(test)]
-    pub(super) fn places(&self) -> Vec<(u32, Option<u32>)> {
+    pub(super) fn places(&self) -> Vec<super::placeholders::Told> {
         self.placeholders.told()
     }
 

@@ -3,12 +3,12 @@
 
 use std::collections::{BTreeMap, BTreeSet};
 
-use crate::sat::Lit;
+use crate::sat::{Lit, placeholders::Told};
 
 /// How many of the freed places were taken again by placeholders, and how many by the
 /// variables made for the formula. The proof of a session told each variable with the
 /// place that it got, or that it lost its own.
-pub(super) fn taken_again(told: &[(u32, Option<u32>)], made: &[Lit]) -> (u32, u32) {
+pub(super) fn taken_again(told: &[Told], made: &[Lit]) -> (u32, u32) {
     let mut free = BTreeSet::new();
     let mut place_of = BTreeMap::new();
     let (mut taken, mut chosen) = (0, 0);
