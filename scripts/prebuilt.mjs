@@ -40,7 +40,7 @@ function entry() {
   const rows = readFileSync(list, "utf8").split("\n").filter((line) => line && !line.startsWith("#"));
   const found = rows.map((row) => row.split(/\s+/)).find((row) => row[0] === name && row[1] === version && row[2] === machine);
   if (!found) {
-    throw new Error(`none of ${name} ${version} for ${machine}`);
+    throw new Error(`no ${name} ${version} for ${machine} is published`);
   }
   const [, , , sha256, file] = found;
   return { sha256, file };
@@ -50,7 +50,7 @@ function address() {
   const manifest = readFileSync(join(PROJECT, "Cargo.toml"), "utf8");
   const found = process.env.GIVEWAY_TOOLS_URL ?? manifest.match(/^tools-address = "([^"]*)"$/m)?.[1];
   if (!found) {
-    throw new Error("nobody has published any (tools-address in Cargo.toml is empty)");
+    throw new Error("no address of published tools is set (tools-address in Cargo.toml)");
   }
   return found.endsWith("/") ? found : `${found}/`;
 }

@@ -93,7 +93,7 @@ install_tool() {
         if why=$(node scripts/prebuilt.mjs "$package" "$version" "$home" 2>&1); then
             step "Fetched $package $version into $cache"
         else
-            step "Building $package $version into $cache: some minutes, once (built before: ${why#prebuilt: })"
+            step "Building $package $version into $cache: some minutes, once (${why#prebuilt: })"
             # Little is gained by optimising a command that runs for a second, and much
             # time is lost. One folder for all, so that what they share is compiled once.
             rm -rf "$home.part"

@@ -76,9 +76,9 @@ for (const [what, rows, pattern, environment] of [
   ["an answer that is cut off", () => [row(right(), "cut.tar.gz")], /./],
   ["a host that says nothing", () => [row(right(), "silent.tar.gz")], /said nothing/],
   ["no host at all", () => [row(right(), "hammer.tar.gz")], /./, { GIVEWAY_TOOLS_URL: "http://127.0.0.1:1/" }],
-  ["another machine", () => [row(right(), "hammer.tar.gz", "none-none")], /none of hammer 1\.2\.3/],
-  ["another version", () => [row(right(), "hammer.tar.gz", MACHINE, "1.2.4")], /none of hammer 1\.2\.3/],
-  ["no address", () => [row(right(), "hammer.tar.gz")], /nobody has published/, { GIVEWAY_TOOLS_URL: "" }],
+  ["another machine", () => [row(right(), "hammer.tar.gz", "none-none")], /no hammer 1\.2\.3 for .* is published/],
+  ["another version", () => [row(right(), "hammer.tar.gz", MACHINE, "1.2.4")], /no hammer 1\.2\.3 for .* is published/],
+  ["no address", () => [row(right(), "hammer.tar.gz")], /no address of published tools/, { GIVEWAY_TOOLS_URL: "" }],
 ]) {
   test(`${what}: nothing is taken, and why is said`, async () => {
     const { status, told, left } = await ask(rows(), environment);
