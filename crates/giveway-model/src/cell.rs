@@ -8,7 +8,9 @@ use serde::{Deserialize, Deserializer, Serialize};
 
 /// A cell: `x` to the right, `y` down, both from 0 at the top left.
 ///
-/// In JSON it is the pair `[x, y]`; in sentences it is written `(x, y)`.
+/// In JSON it is the pair `[x, y]`; in sentences it is written `(x, y)`. A cell
+/// left of or above every map, which only a plan of elsewhere may name, wraps
+/// around; sentences write it with the negative number that it was.
 ///
 /// ```
 /// use giveway_model::Cell;
@@ -99,6 +101,6 @@ impl<'de> Deserialize<'de> for Cell {
 
 impl fmt::Display for Cell {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        write!(f, "({}, {})", self.x, self.y)
+        write!(f, "({}, {})", self.x.cast_signed(), self.y.cast_signed())
     }
 }

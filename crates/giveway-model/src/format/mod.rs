@@ -1,7 +1,10 @@
 //! Files as text: the project's own JSON, and foreign formats.
 
+mod file_name;
+pub mod foreign;
 mod json;
 mod layout;
+mod lines;
 mod locate;
 pub mod movingai;
 pub mod native;
@@ -10,5 +13,6 @@ mod schema;
 mod text;
 
 pub use crate::object::from_object;
+pub use file_name::{base_name, stem};
 pub use schema::schema;
 pub use text::read_text;

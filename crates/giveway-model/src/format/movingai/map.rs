@@ -1,6 +1,6 @@
 //! Reads a `.map`.
 
-use super::lines::{Line, lines};
+use crate::format::lines::{Line, lines};
 use crate::{Fault, Grid, MAX_SIDE};
 
 /// Reads a map: `.` and `G` are free, `@`, `O`, `T` and `W` are obstacles.

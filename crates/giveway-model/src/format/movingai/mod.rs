@@ -5,7 +5,6 @@
 //! its width before its height. Lines may end in CR LF, and the last may lack
 //! its end.
 
-mod lines;
 mod loss;
 mod map;
 mod scenario;

@@ -1,6 +1,6 @@
 //! Reads a `.scen`.
 
-use super::lines::{Line, decimal, lines};
+use crate::format::lines::{Line, decimal, lines};
 use crate::{Cell, Fault};
 
 /// The agents of a scenario, in the order of its lines.

@@ -7,13 +7,13 @@ use crate::format::text::shorten;
 
 /// A line without its end, and its number from 1.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Line<'a> {
-    pub(super) number: usize,
-    pub(super) text: &'a str,
+pub(in crate::format) struct Line<'a> {
+    pub(in crate::format) number: usize,
+    pub(in crate::format) text: &'a str,
 }
 
 /// The lines of a text, without blanks and CR at their ends.
-pub(super) fn lines(text: &str) -> impl Iterator<Item = Line<'_>> {
+pub(in crate::format) fn lines(text: &str) -> impl Iterator<Item = Line<'_>> {
     crate::format::text::without_mark(text)
         .lines()
         .enumerate()
@@ -25,7 +25,7 @@ pub(super) fn lines(text: &str) -> impl Iterator<Item = Line<'_>> {
 
 impl<'a> Line<'a> {
     /// A fault at a part of this line, which must be a slice of its text.
-    pub(super) fn fault(&self, part: &str, expected: impl Into<String>) -> Fault {
+    pub(in crate::format) fn fault(&self, part: &str, expected: impl Into<String>) -> Fault {
         let found = if part.is_empty() {
             "the end of the line".to_owned()
         } else {
@@ -35,7 +35,7 @@ impl<'a> Line<'a> {
     }
 
     /// A fault at a part of this line, with words of its own for what was found.
-    pub(super) fn fault_saying(
+    pub(in crate::format) fn fault_saying(
         &self,
         part: &str,
         found: impl Into<String>,
@@ -51,7 +51,7 @@ impl<'a> Line<'a> {
 
     /// The columns: split at tabs where that gives as many as wanted, so that a
     /// map's name may hold blanks, else at blanks and tabs.
-    pub(super) fn columns(&self, wanted: usize) -> Vec<&'a str> {
+    pub(in crate::format) fn columns(&self, wanted: usize) -> Vec<&'a str> {
         let tabs: Vec<&str> = self.text.split('\t').map(str::trim).collect();
         if tabs.len() == wanted {
             return tabs;
@@ -60,7 +60,11 @@ impl<'a> Line<'a> {
     }
 
     /// Reads a part of this line as a number.
-    pub(super) fn number<T: FromStr>(&self, part: &str, expected: &str) -> Result<T, Fault> {
+    pub(in crate::format) fn number<T: FromStr>(
+        &self,
+        part: &str,
+        expected: &str,
+    ) -> Result<T, Fault> {
         part.parse().map_err(|_| self.fault(part, expected))
     }
 }
@@ -69,7 +73,7 @@ impl<'a> Line<'a> {
 ///
 /// The standard library reads every float there is to the last bit, by a table of
 /// twelve kilobytes. What is written with up to 15 digits comes out the same here.
-pub(super) fn decimal(text: &str) -> Option<f64> {
+pub(in crate::format) fn decimal(text: &str) -> Option<f64> {
     let (whole, fraction) = text.split_once('.').unwrap_or((text, ""));
     let (mut number, mut unit) = (0.0, 1.0);
     for digit in whole.chars().chain(fraction.chars()) {

@@ -1,0 +1,221 @@
+//! Files that belong together: a map, tasks and plans made one scene with its plans.
+
+mod scene;
+
+use std::collections::BTreeMap;
+
+use borsh::{BorshDeserialize, BorshSerialize};
+use serde::{Deserialize, Serialize};
+
+use super::decide::{self, Decision, Task};
+use super::{
+    Alternative, Claimed, Conventions, Fit, Format, Heading, Held, Source, WrittenPlan, place,
+    recognise,
+};
+use crate::format::base_name;
+use crate::{Fault, Instance, Plan, words};
+use scene::Base;
+
+/// What a person chose.
+#[derive(Clone, Copy, Debug, Default)]
+pub struct Options {
+    /// How plans are to be read, instead of what fits best.
+    pub conventions: Option<Conventions>,
+    /// Only the first agents of a scenario, where no plan says how many there are.
+    pub agents: Option<usize>,
+}
+
+/// A plan of elsewhere, read.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, BorshSerialize, BorshDeserialize)]
+pub struct ForeignPlan {
+    /// The name of its file.
+    pub file: String,
+    /// Its format.
+    pub format: Format,
+    /// How it was read, where that is a matter of convention: what it is about
+    /// (`cells`, `up`), and how.
+    pub words: Vec<(String, String)>,
+    /// The same as data.
+    pub conventions: Conventions,
+    /// Why it was read so, a sentence.
+    pub why: String,
+    /// The other ways to read it.
+    pub alternatives: Vec<Alternative>,
+    /// How well it fits the scene.
+    pub fit: Fit,
+    /// What its file says that it costs.
+    pub claimed: Claimed,
+    /// Where agents that turn look at each time; empty where none does.
+    pub headings: BTreeMap<String, Vec<Heading>>,
+    /// What a person should know, each a sentence.
+    pub notes: Vec<String>,
+    /// The plan; it may break any rule.
+    pub plan: Plan,
+}
+
+/// A scene and the plans for it.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Gathered {
+    /// The scene.
+    pub instance: Instance,
+    /// The plans, in the order of the files.
+    pub plans: Vec<ForeignPlan>,
+    /// What a person should know about the scene, each a sentence.
+    pub notes: Vec<String>,
+}
+
+/// A file that is not there.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub enum Missing {
+    /// A map, by its name without folders where it is known.
+    Map(Option<String>),
+    /// The starts (and goals) of the agents, in a scenario.
+    Scenario,
+}
+
+/// Why files make no scene.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub enum Refused {
+    /// A file is wrong.
+    File {
+        /// Its name.
+        file: String,
+        /// What is wrong with it.
+        faults: Vec<Fault>,
+    },
+    /// A file of another kind is needed beside them.
+    Missing {
+        /// The file that needs it.
+        file: String,
+        /// What is missing.
+        what: Missing,
+        /// That in a sentence, with what to do.
+        sentence: String,
+    },
+    /// The files do not belong together; a sentence.
+    Apart(String),
+}
+
+/// Matches files to each other.
+///
+/// # Errors
+/// When one of them is wrong, when another is missing, or when they hold more
+/// than one scene.
+pub fn gather(sources: &[Source<'_>], options: &Options) -> Result<Gathered, Refused> {
+    let mut base = Base::default();
+    let mut plans = Vec::new();
+    for source in sources {
+        let file = base_name(source.name).to_owned();
+        let (format, held) = recognise::read(source.text).map_err(|faults| Refused::File {
+            file: file.clone(),
+            faults,
+        })?;
+        match held {
+            Held::Map(grid) => base.take_map(file, grid)?,
+            Held::Scenario(scenario) => base.take_scenario(file, scenario)?,
+            Held::Scene(scene, notes) => base.take_scene(file, scene, notes)?,
+            Held::OwnPlan(plan) => plans.push((file, format, Body::Own(plan))),
+            Held::Plan(plan) => plans.push((file, format, Body::Written(plan))),
+            Held::Both(scene, plan) => {
+                base.take_scene(file.clone(), scene, Vec::new())?;
+                plans.push((file, format, Body::Written(plan)));
+            }
+        }
+    }
+    let first = plans
+        .iter()
+        .find_map(|(file, _, body)| body.written().map(|plan| (&**file, plan)));
+    let settled = base.settle(first, options)?;
+    let plans = plans
+        .into_iter()
+        .map(|(file, format, body)| match body {
+            Body::Own(plan) => Ok(own(file, format, plan)),
+            Body::Written(plan) => written(file, format, &plan, &settled, options.conventions),
+        })
+        .collect::<Result<_, Refused>>()?;
+    Ok(Gathered {
+        instance: settled.instance,
+        plans,
+        notes: settled.notes,
+    })
+}
+
+/// A plan by names, or one by the order of its agents.
+enum Body {
+    Own(Plan),
+    Written(WrittenPlan),
+}
+
+impl Body {
+    const fn written(&self) -> Option<&WrittenPlan> {
+        match self {
+            Self::Own(_) => None,
+            Self::Written(plan) => Some(plan),
+        }
+    }
+}
+
+fn own(file: String, format: Format, plan: Plan) -> ForeignPlan {
+    ForeignPlan {
+        file,
+        format,
+        words: Vec::new(),
+        conventions: Conventions::OWN,
+        why: "There is only one way to read it.".to_owned(),
+        alternatives: Vec::new(),
+        fit: Fit::default(),
+        claimed: Claimed::default(),
+        headings: BTreeMap::new(),
+        notes: Vec::new(),
+        plan,
+    }
+}
+
+fn written(
+    file: String,
+    format: Format,
+    plan: &WrittenPlan,
+    settled: &scene::Settled,
+    chosen: Option<Conventions>,
+) -> Result<ForeignPlan, Refused> {
+    let agents = settled.instance.agents();
+    if plan.agents.len() > agents.len() {
+        return Err(Refused::Apart(format!(
+            "{file} has a plan for {}, and the scene has {}.",
+            words::count(plan.agents.len(), "robot"),
+            words::count(agents.len(), "robot")
+        )));
+    }
+    let tasks: Vec<Task> = agents
+        .iter()
+        .map(|agent| (agent.start, agent.goal))
+        .collect();
+    let Decision {
+        conventions,
+        fit,
+        why,
+        alternatives,
+    } = decide::decide(plan, settled.instance.grid(), Some(&tasks), chosen);
+    let mut made = Plan::default();
+    let mut headings = BTreeMap::new();
+    for (walking, agent) in plan.agents.iter().zip(agents) {
+        let (path, looks) = place::path(walking, Some(agent.start), conventions);
+        made.paths.insert(agent.name.clone(), path);
+        headings.extend(looks.map(|looks| (agent.name.clone(), looks)));
+    }
+    made.cut_trailing_goals(&settled.instance);
+    let words = conventions.words(plan).into_iter();
+    Ok(ForeignPlan {
+        file,
+        format,
+        words: words.map(|(about, how)| (about.to_owned(), how)).collect(),
+        conventions,
+        why,
+        alternatives,
+        fit,
+        claimed: plan.claimed,
+        headings,
+        notes: plan.notes.clone(),
+        plan: made,
+    })
+}

@@ -1,0 +1,214 @@
+//! The scene that plans are for: a whole one, a map with a scenario, or a map and
+//! the ends of the first plan's paths.
+
+use std::collections::BTreeSet;
+
+use super::{Missing, Options, Refused};
+use crate::format::foreign::{Conventions, Walk, WrittenPlan, decide, place};
+use crate::format::movingai::{self, Scenario};
+use crate::format::{base_name, stem};
+use crate::{Agent, Cell, Cost, Grid, Instance, Objective, Scene};
+
+/// What was found of a scene so far, each part with the name of its file.
+#[derive(Default)]
+pub(super) struct Base {
+    scene: Option<(String, Scene, Vec<String>)>,
+    map: Option<(String, Grid)>,
+    scenario: Option<(String, Scenario)>,
+}
+
+/// A scene, checked.
+pub(super) struct Settled {
+    pub(super) instance: Instance,
+    pub(super) notes: Vec<String>,
+}
+
+fn one_at_a_time(one: &str, other: &str) -> Refused {
+    Refused::Apart(format!(
+        "Open one scene at a time: {one} and {other} are of the same kind."
+    ))
+}
+
+impl Base {
+    pub(super) fn take_map(&mut self, file: String, grid: Grid) -> Result<(), Refused> {
+        if let Some((other, _)) = &self.map {
+            return Err(one_at_a_time(other, &file));
+        }
+        self.map = Some((file, grid));
+        Ok(())
+    }
+
+    pub(super) fn take_scenario(&mut self, file: String, tasks: Scenario) -> Result<(), Refused> {
+        if let Some((other, _)) = &self.scenario {
+            return Err(one_at_a_time(other, &file));
+        }
+        self.scenario = Some((file, tasks));
+        Ok(())
+    }
+
+    pub(super) fn take_scene(
+        &mut self,
+        file: String,
+        scene: Scene,
+        notes: Vec<String>,
+    ) -> Result<(), Refused> {
+        if let Some((other, ..)) = &self.scene {
+            return Err(one_at_a_time(other, &file));
+        }
+        self.scene = Some((file, scene, notes));
+        Ok(())
+    }
+
+    /// Makes the scene; `plan` is the first one that is not by names, with its file.
+    pub(super) fn settle(
+        self,
+        plan: Option<(&str, &WrittenPlan)>,
+        options: &Options,
+    ) -> Result<Settled, Refused> {
+        if let Some((file, mut scene, notes)) = self.scene {
+            if let Some((other, _)) = self.map {
+                return Err(one_at_a_time(&file, &other));
+            }
+            scene.agents.truncate(options.agents.unwrap_or(usize::MAX));
+            return settled(&file, scene, notes);
+        }
+        let (grid, scenario) = match (self.map, self.scenario) {
+            (Some(map), scenario) => (map, scenario),
+            (None, Some((file, scenario))) => return Err(missing_map(file, scenario.map_name())),
+            (None, None) => {
+                return Err(match plan {
+                    Some((file, plan)) => missing_map(file.to_owned(), plan.map.as_deref()),
+                    None => Refused::Apart("There is no scene in these files.".to_owned()),
+                });
+            }
+        };
+        let (map_file, grid) = grid;
+        match (scenario, plan) {
+            (Some((file, scenario)), plan) => {
+                let agents = plan.map(|(_, plan)| plan.agents.len()).or(options.agents);
+                let name = stem(&file).to_owned();
+                let mut scene =
+                    movingai::to_scene(&name, &grid, &scenario, agents).map_err(|fault| {
+                        Refused::File {
+                            file: file.clone(),
+                            faults: vec![fault],
+                        }
+                    })?;
+                if plan.is_some() {
+                    scene.objective = sum_first();
+                }
+                settled(&file, scene, Vec::new())
+            }
+            (None, Some((file, plan))) => {
+                of_plan(&map_file, &grid, file, plan, options.conventions)
+            }
+            (None, None) => {
+                let scene = Scene {
+                    name: stem(&map_file).to_owned(),
+                    map: grid.rows(),
+                    ..Scene::default()
+                };
+                settled(&map_file, scene, Vec::new())
+            }
+        }
+    }
+}
+
+/// What the makers of most planners minimise.
+fn sum_first() -> Objective {
+    Objective::new(vec![Cost::SumOfCosts, Cost::Makespan]).unwrap_or_default()
+}
+
+fn settled(file: &str, scene: Scene, notes: Vec<String>) -> Result<Settled, Refused> {
+    let instance = Instance::new(scene).map_err(|faults| Refused::File {
+        file: file.to_owned(),
+        faults,
+    })?;
+    Ok(Settled { instance, notes })
+}
+
+fn missing_map(file: String, map: Option<&str>) -> Refused {
+    let map = map
+        .map(|map| base_name(map).to_owned())
+        .filter(|map| !map.is_empty());
+    let sentence = match &map {
+        Some(map) => format!("{file} is for the map {}: open that map, too.", stem(map)),
+        None => format!("{file} needs a map: open its map, too."),
+    };
+    Refused::Missing {
+        file,
+        what: Missing::Map(map),
+        sentence,
+    }
+}
+
+/// A scene whose tasks are what a plan says of them, else the ends of its paths.
+fn of_plan(
+    map_file: &str,
+    grid: &Grid,
+    file: &str,
+    plan: &WrittenPlan,
+    chosen: Option<Conventions>,
+) -> Result<Settled, Refused> {
+    let lacks_start = plan
+        .agents
+        .iter()
+        .any(|agent| agent.start.is_none() && !matches!(agent.walk, Walk::Cells(_)));
+    if lacks_start {
+        return Err(Refused::Missing {
+            file: file.to_owned(),
+            what: Missing::Scenario,
+            sentence: format!(
+                "{file} does not say where its robots start: open the scenario (.scen) of the plan, too."
+            ),
+        });
+    }
+    let conventions = decide::decide(plan, grid, None, chosen).conventions;
+    let mut notes = Vec::new();
+    let mut goals = BTreeSet::new();
+    let mut agents = Vec::with_capacity(plan.agents.len());
+    for (i, written) in plan.agents.iter().enumerate() {
+        let name = decide::name(written, i);
+        let (path, _) = place::path(written, None, conventions);
+        let cells: Vec<Cell> = path.into_iter().flatten().collect();
+        let of = |pair| place::cell(pair, conventions);
+        let (Some(&first), Some(&last)) = (cells.first(), cells.last()) else {
+            return Err(Refused::Apart(format!("{file} has no path for {name}.")));
+        };
+        let told = written.goal.map(of);
+        // Two that end at one cell cannot both have it as their goal.
+        let end = cells
+            .iter()
+            .rev()
+            .find(|cell| !goals.contains(*cell) && grid.is_vertex(**cell));
+        let goal = told.or(end.copied()).unwrap_or(last);
+        if told.is_none() && goal != last {
+            notes.push(format!(
+                "{name} ends at {last} like another robot; its goal is taken to be {goal}, where it was before."
+            ));
+        }
+        goals.insert(goal);
+        let start = written.start.map_or(first, of);
+        let mut waypoints: Vec<Cell> = Vec::new();
+        for cell in written.waypoints.iter().copied().map(of) {
+            if !waypoints.contains(&cell) {
+                waypoints.push(cell);
+            }
+        }
+        agents.push(Agent {
+            name,
+            start,
+            goal,
+            waypoints,
+            battery: None,
+        });
+    }
+    let scene = Scene {
+        name: stem(map_file).to_owned(),
+        map: grid.rows(),
+        objective: sum_first(),
+        agents,
+        ..Scene::default()
+    };
+    settled(file, scene, notes)
+}

@@ -1,0 +1,131 @@
+//! A plan as a file writes it, before anybody decides what its numbers and
+//! letters mean.
+
+use borsh::{BorshDeserialize, BorshSerialize};
+use serde::{Deserialize, Serialize};
+
+use super::Conventions;
+
+/// Two numbers of a file that stand for a cell, in the order of the file.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+pub struct Pair {
+    /// The number that is written first.
+    pub first: i32,
+    /// The number that is written second.
+    pub second: i32,
+}
+
+impl Pair {
+    /// A pair of numbers.
+    pub const fn new(first: i32, second: i32) -> Self {
+        Self { first, second }
+    }
+}
+
+/// A step that is named by its direction, for an agent that may go everywhere
+/// at once.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Move {
+    /// `u`; whether that raises or lowers `y` is a matter of convention.
+    Up,
+    /// `d`, the opposite.
+    Down,
+    /// `l`: `x - 1`.
+    Left,
+    /// `r`: `x + 1`.
+    Right,
+    /// `w`: stays.
+    Wait,
+}
+
+/// An action of an agent that must turn before it goes elsewhere (the action
+/// model `MAPF_T`).
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Action {
+    /// One cell ahead.
+    Forward,
+    /// A quarter turn clockwise, at its cell.
+    Clockwise,
+    /// A quarter turn counterclockwise, at its cell.
+    Counterclockwise,
+    /// Stays as it is.
+    Wait,
+}
+
+/// How a file writes where an agent goes.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub enum Walk {
+    /// A cell at each time from 0.
+    Cells(Vec<Pair>),
+    /// A move a step, from its start.
+    Moves(Vec<Move>),
+    /// An action a step, from its start; it faces this direction at time 0.
+    Turns(super::Heading, Vec<Action>),
+}
+
+/// An agent of a written plan.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct WrittenAgent {
+    /// Its name, where the file gives one.
+    pub name: Option<String>,
+    /// Where it starts, where the file says so.
+    pub start: Option<Pair>,
+    /// Where it is to go, where the file says so.
+    pub goal: Option<Pair>,
+    /// Cells that it is to visit on the way.
+    pub waypoints: Vec<Pair>,
+    /// Where it goes.
+    pub walk: Walk,
+}
+
+impl WrittenAgent {
+    /// An agent of which the file gives nothing but its walk.
+    pub const fn walking(walk: Walk) -> Self {
+        Self {
+            name: None,
+            start: None,
+            goal: None,
+            waypoints: Vec::new(),
+            walk,
+        }
+    }
+}
+
+/// What a file says that its plan costs, by its maker's definitions.
+#[derive(
+    Clone,
+    Copy,
+    Debug,
+    Default,
+    PartialEq,
+    Eq,
+    Serialize,
+    Deserialize,
+    BorshSerialize,
+    BorshDeserialize,
+)]
+#[serde(rename_all = "kebab-case")]
+pub struct Claimed {
+    /// The largest arrival.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub makespan: Option<u64>,
+    /// The sum of arrivals (`soc`, `solution_cost`).
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub sum_of_costs: Option<u64>,
+}
+
+/// A plan as a file writes it.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct WrittenPlan {
+    /// The name of the map that it is for, as it is written, where the file says so.
+    pub map: Option<String>,
+    /// The agents, in the order of the file.
+    pub agents: Vec<WrittenAgent>,
+    /// What it says that it costs.
+    pub claimed: Claimed,
+    /// The conventions that the format's makers document.
+    pub documented: Conventions,
+    /// What a person should know, each a sentence: `The file says itself that
+    /// the plan is not valid.`
+    pub notes: Vec<String>,
+}
