@@ -6,6 +6,8 @@ use borsh::{BorshDeserialize, BorshSerialize};
 use giveway_model::{Cost, Costs, Plan, Version, check::Violation, message::read_map};
 use serde::{Deserialize, Serialize};
 
+use crate::{judged::told, search::Reach};
+
 /// What is known at the end. Running out is never "no solution".
 #[derive(
     Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize, BorshSerialize, BorshDeserialize,
@@ -63,6 +65,29 @@ pub struct SolveAnswer {
     pub plan: Option<Plan>,
     /// How much work it took.
     pub stats: Stats,
+}
+
+impl SolveAnswer {
+    /// An answer without a plan.
+    pub(crate) fn without_plan(
+        status: Status,
+        reach: Option<Reach>,
+        reason: String,
+        stats: Stats,
+    ) -> Self {
+        let (complete, within) = told(reach);
+        Self {
+            giveway: Version,
+            status,
+            costs: None,
+            bounds: BTreeMap::new(),
+            within,
+            complete,
+            reason: Some(reason),
+            plan: None,
+            stats,
+        }
+    }
 }
 
 /// The answer to a request for a Pareto front.

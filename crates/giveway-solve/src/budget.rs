@@ -4,12 +4,16 @@
 //! on; it never decides anything else, so that time cannot change an answer but
 //! only cut it short.
 
+mod stop;
+
 use std::cell::Cell;
 
 use crate::{
     Host, Limits, Progress, Stats,
     held::{Held, HeldBytes},
 };
+
+pub(crate) use stop::Stop;
 
 /// Bytes that a request may hold where its limits say nothing: a browser tab
 /// stands it, and so does a small machine.
@@ -22,40 +26,6 @@ const CLOCK_INTERVAL: u32 = 1024;
 /// Steps of joint states that a request may look at, and a part of one.
 const JOINT_STEPS: u64 = 12_000_000;
 const PART_JOINT_STEPS: u64 = 2_000_000;
-
-/// Why the work stopped early.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(crate) enum Stop {
-    /// The seconds ran out.
-    Time,
-    /// The conflicts ran out.
-    Conflicts,
-    /// The memory ran out.
-    Memory,
-    /// There were more sets of agents to compare than are looked at.
-    Sets,
-    /// The person asked to stop.
-    Cancelled,
-    /// A plan and a proved bound contradict each other: a fault of the program,
-    /// reported instead of an answer that might be wrong.
-    Contradiction,
-}
-
-impl Stop {
-    /// The stop as a sentence.
-    pub(crate) const fn sentence(self) -> &'static str {
-        match self {
-            Self::Time => "The time limit was reached.",
-            Self::Conflicts => "The conflict limit was reached.",
-            Self::Memory => "The memory limit was reached.",
-            Self::Sets => "There were too many sets of robots to free to compare them all.",
-            Self::Cancelled => "The search was cancelled.",
-            Self::Contradiction => {
-                "A plan and a bound contradicted each other, which is a fault of this program."
-            }
-        }
-    }
-}
 
 /// The budget and the tally; shared by all parts of one request.
 pub(crate) struct Budget<'h> {

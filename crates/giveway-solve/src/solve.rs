@@ -135,18 +135,7 @@ pub(crate) fn without_search(task: &Task, error: &ProblemError) -> Solved {
         ),
         ProblemError::Stopped(stop) => (Status::Unknown, None, stop.sentence().to_owned()),
     };
-    let (complete, within) = told(reach);
-    let answer = SolveAnswer {
-        giveway: Version,
-        status,
-        costs: None,
-        bounds: BTreeMap::new(),
-        within,
-        complete,
-        reason: Some(reason),
-        plan: None,
-        stats: task.budget.stats(),
-    };
+    let answer = SolveAnswer::without_plan(status, reach, reason, task.budget.stats());
     Solved { answer, reach }
 }
 

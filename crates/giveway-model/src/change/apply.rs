@@ -1,12 +1,14 @@
 //! The changes of one time, applied together to the world as a plan has it.
 
+mod look_over;
+
 use std::collections::BTreeMap;
 
 use super::{
     Change, Epoch, History, MAX_DELAY, MAX_TIME, TimedWaypoint, Timeline, Trajectory, What,
     Whereabouts, refuse,
 };
-use crate::{Agent, Battery, Cell, Fault, Grid, Ground, MAX_AGENTS, MAX_CAPACITY, Plan, sorting};
+use crate::{Agent, Battery, Cell, Fault, Grid, Ground, MAX_AGENTS, MAX_CAPACITY, Plan};
 
 impl History {
     /// Applies the changes of one time, each with its place in the list of
@@ -302,60 +304,5 @@ impl World<'_> {
         };
         timeline.held.push((from, from + steps));
         Ok(())
-    }
-
-    /// What can only be seen once everything has changed.
-    fn look_over(&mut self) {
-        let mut taken: BTreeMap<Cell, &str> = BTreeMap::new();
-        let mut reasons: Vec<(usize, Reason)> = Vec::new();
-        let (after, at) = (&self.after, self.at);
-        let there = |name: &str| {
-            let mut timelines = after.timelines.iter();
-            timelines.any(|timeline| timeline.name() == name && timeline.until.is_none())
-        };
-        for trajectory in &self.trajectories {
-            let name = trajectory.timeline.name();
-            match trajectory.place(at) {
-                Whereabouts::At(cell) | Whereabouts::Transit { to: cell, .. } if there(name) => {
-                    taken.insert(cell, name);
-                }
-                _ => {}
-            }
-        }
-        for (index, name, cell) in &self.placed {
-            if let Some(other) = taken.insert(*cell, name.as_str()) {
-                reasons.push((*index, refuse::occupied(name, *cell, other, at)));
-            }
-        }
-        for (&cell, &index) in &self.obstacles {
-            if let Some(other) = taken.get(&cell) {
-                reasons.push((index, refuse::obstacle_on(cell, other, at)));
-            }
-        }
-        for &(index, cell) in &self.aimed {
-            // An obstacle of the same time is one on somebody's goal.
-            if !self.grid.is_vertex(cell) && !self.obstacles.contains_key(&cell) {
-                reasons.push((index, refuse::in_obstacle(cell)));
-            }
-        }
-        if after.stays() {
-            let mut goals: BTreeMap<Cell, &str> = BTreeMap::new();
-            let timelines = after.timelines.iter();
-            for timeline in timelines.filter(|timeline| timeline.until.is_none()) {
-                if let Some(other) = goals.insert(timeline.goal(), timeline.name()) {
-                    let changed = self.aimed.iter().rev();
-                    let index = changed
-                        .filter(|(_, cell)| *cell == timeline.goal())
-                        .map(|&(index, _)| index)
-                        .next();
-                    let reason = refuse::shared_goal(timeline.goal(), other, timeline.name());
-                    reasons.push((index.unwrap_or(0), reason));
-                }
-            }
-        }
-        sorting::sort_by_key(&mut reasons, |(index, _)| *index);
-        for (index, reason) in reasons {
-            self.refuse(index, reason);
-        }
     }
 }

@@ -1,70 +1,15 @@
 //! Whether a question can be asked of a plan: it names what exists, and what it
 //! asks about is so.
 
-use std::fmt;
-
-use borsh::{BorshDeserialize, BorshSerialize};
-use serde::{Deserialize, Serialize};
-
 use super::holds::{first_visit, holds, is_at, walk};
 use super::least::already_least;
 use super::not_so::not_so;
-use super::{Question, sentence, so, to_words};
+use super::{Misfit, Question, so};
 use crate::check::Walk;
 use crate::{Cell, Fault, Ground, Instance, Plan};
 
 /// Agents that a fault lists by name.
 const NAMED: usize = 8;
-
-/// Why a question cannot be answered.
-#[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize, BorshSerialize, BorshDeserialize)]
-#[serde(tag = "misfit", rename_all = "kebab-case")]
-pub enum Misfit {
-    /// It names what does not exist, or not where it could be.
-    Fault {
-        /// What was found and what was expected.
-        fault: Fault,
-    },
-    /// It asks about what is not so.
-    NotSo {
-        /// What is so, as sentences.
-        is_so: String,
-        /// What can be asked, in the words of a question; there need be nothing.
-        #[serde(default, skip_serializing_if = "Option::is_none")]
-        ask: Option<Question>,
-    },
-}
-
-impl fmt::Display for Misfit {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        match self {
-            Self::Fault { fault } => fault.fmt(f),
-            Self::NotSo { is_so, ask: None } => f.write_str(is_so),
-            Self::NotSo {
-                is_so,
-                ask: Some(ask),
-            } => {
-                write!(f, "{is_so} You can ask: {}", to_words(ask))
-            }
-        }
-    }
-}
-
-impl Misfit {
-    /// The same, with the question that can be asked as a sentence rather than as
-    /// it is typed.
-    pub fn in_sentences(&self) -> String {
-        match self {
-            Self::NotSo {
-                is_so,
-                ask: Some(ask),
-            } => format!("{is_so} You can ask: {}", sentence(ask)),
-            other => other.to_string(),
-        }
-    }
-}
-
-impl std::error::Error for Misfit {}
 
 /// Checks that a question names agents and cells of the instance, whatever the
 /// plan.

@@ -11,6 +11,7 @@ mod contrast;
 mod fits;
 mod holds;
 mod least;
+mod misfit;
 mod not_so;
 mod sentence;
 mod so;
@@ -23,8 +24,9 @@ use crate::Cell;
 
 pub use asked::Asked;
 pub use contrast::{Contrast, contrast};
-pub use fits::{Misfit, fits, names_exist};
+pub use fits::{fits, names_exist};
 pub use holds::holds;
+pub use misfit::Misfit;
 pub use sentence::sentence;
 pub use words::{WordsError, from_words, to_words};
 

@@ -1,6 +1,6 @@
 //! What is so instead of what a question about one agent asks about.
 
-use super::fits::Misfit;
+use super::Misfit;
 use super::holds::{first_visit, goes, moves};
 use super::{Question, so};
 use crate::Instance;

@@ -17,9 +17,10 @@ use super::{
     own_plan::Judged,
     past::Past,
     reasons,
-    rest::{Asked, World, counting, rest_of, up_to},
+    rest::{Asked, rest_of},
     verdict::{Case, compare},
     words,
+    world::{World, counting, up_to},
 };
 use crate::{
     Host, Progress, Refusal, Status,

@@ -5,7 +5,7 @@
 //! - [`engine`]: the order of the parts;
 //! - [`verdict`]: the best other plan beside the one asked about;
 //! - [`closest`]: of these, one that is close to it;
-//! - [`rest`]: what is left of a plan once the world has changed (`going_on`: by whom); [`past`] and
+//! - [`rest`]: what is left of a plan once the world has changed (`going_on`: by whom, `world`: where); [`past`] and
 //!   `told` make an answer about it one about the whole;
 //! - [`group`], [`edits`]: facts left out, edits made;
 //! - [`reasons`]: the parts that say why, in their order;
@@ -43,6 +43,7 @@ pub(crate) mod unsolvable;
 pub(crate) mod verdict;
 pub(crate) mod waits;
 pub(crate) mod words;
+mod world;
 
 pub use answer::{Class, Core, Edit, Excess, Fact, FactKind, Repair, WitnessEntry};
 pub use edits::edited_instance;

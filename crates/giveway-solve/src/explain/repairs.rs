@@ -6,7 +6,7 @@
 //! becomes normal is no mere relaxation (see `group_mus.rs`), so where a set holds
 //! without the slow zones, edits outside of it may still help.
 
-use std::collections::BTreeSet;
+mod told;
 
 use giveway_model::{Cell, Costs, Instance, MAX_CAPACITY, Objective, Plan};
 
@@ -18,9 +18,8 @@ use super::{
     words,
 };
 use giveway_model::sorting::sort_by_key;
+use told::{at_most, rank};
 
-/// The most repairs that are told.
-const MOST: usize = 12;
 /// Cells beyond which new chargers and normal cells are not all tried.
 const MOST_CELLS: usize = 64;
 
@@ -87,42 +86,6 @@ pub(crate) fn repairs(
         repairs: at_most(found),
         exhaustive,
     }
-}
-
-/// The place of an edit in the order in which repairs are told.
-const fn rank(edit: &Edit) -> u8 {
-    match edit {
-        Edit::RemoveObstacle { .. } => 0,
-        Edit::AddCharger { .. } => 1,
-        Edit::Battery { .. } => 2,
-        Edit::Deadline { .. } => 3,
-        Edit::MakeNormal { .. } => 4,
-        Edit::DropWaypoint { .. } => 5,
-        Edit::Vanish => 6,
-        Edit::LeaveOut { .. } => 7,
-    }
-}
-
-/// The first of them, the best of each kind among these.
-fn at_most(found: Vec<Repair>) -> Vec<Repair> {
-    let kinds = |repair: &Repair| repair.edits.iter().map(rank).collect::<Vec<_>>();
-    let mut seen = BTreeSet::new();
-    let best: Vec<bool> = found
-        .iter()
-        .map(|repair| seen.insert(kinds(repair)))
-        .collect();
-    let mut spare = MOST.saturating_sub(seen.len());
-    let mut kept = Vec::new();
-    for (repair, best) in found.into_iter().zip(best) {
-        if best {
-            kept.push(repair);
-        } else if spare > 0 {
-            spare -= 1;
-            kept.push(repair);
-        }
-    }
-    kept.truncate(MOST);
-    kept
 }
 
 /// An edit to try; a battery or a deadline as large as is needed.

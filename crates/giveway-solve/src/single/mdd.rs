@@ -17,7 +17,8 @@ use rustc_hash::FxBuildHasher;
 
 use super::{
     CostToGo,
-    task::{Mask, State, Task},
+    onward::State,
+    task::{Mask, Task},
 };
 use crate::{
     budget::{Budget, Stop},

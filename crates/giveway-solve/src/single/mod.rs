@@ -5,6 +5,7 @@ mod demand;
 mod earliest;
 mod hopeless;
 mod mdd;
+mod onward;
 mod task;
 #[cfg(test)]
 mod tests;
@@ -14,4 +15,5 @@ pub(crate) use demand::TaskConstraint;
 pub(crate) use earliest::earliest;
 pub(crate) use hopeless::{Hopeless, has_to_be_at};
 pub(crate) use mdd::{Mdd, Node, NodeId, Place};
-pub(crate) use task::{Bounds, MAX_WAYPOINTS, Reserve, State, Task};
+pub(crate) use onward::State;
+pub(crate) use task::{Bounds, MAX_WAYPOINTS, Reserve, Task};

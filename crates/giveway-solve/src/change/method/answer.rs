@@ -53,19 +53,8 @@ pub(super) fn without_search(case: &Case<'_, '_>, trouble: Trouble) -> MethodAns
         }
         Trouble::Stopped(stop) => (Status::Unknown, None, stop.sentence().to_owned(), None),
     };
-    let (complete, within) = told(reach);
     MethodAnswer {
-        result: SolveAnswer {
-            giveway: Version,
-            status,
-            costs: None,
-            bounds: BTreeMap::new(),
-            within,
-            complete,
-            reason: Some(reason),
-            plan: None,
-            stats: case.budget.stats(),
-        },
+        result: SolveAnswer::without_plan(status, reach, reason, case.budget.stats()),
         kept: Vec::new(),
         retimed: Vec::new(),
         rerouted: Vec::new(),

@@ -18,6 +18,7 @@
 
 mod core_exhaustion;
 mod hardening;
+mod soft;
 mod upper_bound;
 
 use std::collections::BTreeMap;
@@ -30,36 +31,7 @@ use super::{
 };
 use crate::{budget::Stop, encode::collisions::AgentId, sat::Lit};
 use giveway_model::sorting::{sort, sort_by_key};
-
-/// What an assumption bounds.
-#[derive(Clone, Copy, Debug)]
-enum Soft {
-    /// The cost of an agent is at most this.
-    Agent(AgentId, u32),
-    /// At most `k` inputs of a totalizer are true.
-    Total { totalizer: usize, k: usize },
-}
-
-impl Soft {
-    /// The same at a higher level.
-    const fn raised(self, by: u32) -> Self {
-        match self {
-            Self::Agent(agent, most) => Self::Agent(agent, most + by),
-            Self::Total { totalizer, k } => Self::Total {
-                totalizer,
-                k: k + by as usize,
-            },
-        }
-    }
-
-    /// The agent that it bounds, if it is one alone.
-    const fn agent(&self) -> Option<AgentId> {
-        match self {
-            Self::Agent(agent, _) => Some(*agent),
-            Self::Total { .. } => None,
-        }
-    }
-}
+use soft::Soft;
 
 /// A core of more literals ends a round: little is left to be unsatisfiable
 /// without them, and asking takes as long as going on.

@@ -1,0 +1,59 @@
+//! Why a question cannot be answered.
+
+use std::fmt;
+
+use borsh::{BorshDeserialize, BorshSerialize};
+use serde::{Deserialize, Serialize};
+
+use super::{Question, sentence, to_words};
+use crate::Fault;
+
+/// Why a question cannot be answered.
+#[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize, BorshSerialize, BorshDeserialize)]
+#[serde(tag = "misfit", rename_all = "kebab-case")]
+pub enum Misfit {
+    /// It names what does not exist, or not where it could be.
+    Fault {
+        /// What was found and what was expected.
+        fault: Fault,
+    },
+    /// It asks about what is not so.
+    NotSo {
+        /// What is so, as sentences.
+        is_so: String,
+        /// What can be asked, in the words of a question; there need be nothing.
+        #[serde(default, skip_serializing_if = "Option::is_none")]
+        ask: Option<Question>,
+    },
+}
+
+impl fmt::Display for Misfit {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::Fault { fault } => fault.fmt(f),
+            Self::NotSo { is_so, ask: None } => f.write_str(is_so),
+            Self::NotSo {
+                is_so,
+                ask: Some(ask),
+            } => {
+                write!(f, "{is_so} You can ask: {}", to_words(ask))
+            }
+        }
+    }
+}
+
+impl Misfit {
+    /// The same, with the question that can be asked as a sentence rather than as
+    /// it is typed.
+    pub fn in_sentences(&self) -> String {
+        match self {
+            Self::NotSo {
+                is_so,
+                ask: Some(ask),
+            } => format!("{is_so} You can ask: {}", sentence(ask)),
+            other => other.to_string(),
+        }
+    }
+}
+
+impl std::error::Error for Misfit {}
