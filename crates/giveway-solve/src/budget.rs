@@ -134,6 +134,11 @@ impl<'h> Budget<'h> {
         self.limits.seconds.map(|limit| (limit - used).max(0.0))
     }
 
+    /// Clauses that the SAT solver may still derive.
+    pub(crate) fn derived_left(&self) -> u64 {
+        self.most_derived.saturating_sub(self.derived.get())
+    }
+
     /// Clauses that are left, where they are limited.
     pub(crate) fn clauses_left(&self) -> u64 {
         self.most_clauses.saturating_sub(self.clauses.get())

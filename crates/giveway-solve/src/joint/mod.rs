@@ -2,11 +2,13 @@
 //!
 //! Practical for two or three agents on small maps. It proves what a horizon
 //! cannot: that there is no plan at all, or which plan is best whatever the
-//! makespan.
+//! makespan. Where costs are limited, what is used of them is part of a state.
 
 mod agent;
 mod event;
 mod search;
+
+use std::collections::BTreeMap;
 
 use giveway_model::{Cost, Objective};
 
@@ -25,7 +27,7 @@ const MOST_STEPS: usize = 1_500_000;
 const MOST_AGENTS: usize = 3;
 
 /// Joint states up to which they are exhausted before anything else is tried.
-const FEW_STATES: usize = 50_000;
+const FEW_STATES: usize = 200_000;
 
 /// Whether there are so few joint states that they are best exhausted at once.
 pub(crate) fn is_small(problem: &Problem) -> bool {
@@ -50,17 +52,32 @@ fn may_be_exhausted(problem: &Problem, agents: &[AgentId]) -> bool {
     few && !agents.is_empty()
 }
 
-/// What is paid so far: costs in the order of an objective, the rest 0.
+/// What is paid so far.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, PartialOrd, Ord)]
-struct Paid([u32; 5]);
+struct Paid {
+    /// Costs in the order of an objective, the rest 0.
+    costs: [u32; 5],
+    /// Costs that are limited, the rest 0.
+    used: [u32; 5],
+}
 
 impl Paid {
     fn and(mut self, more: Self) -> Self {
-        for (paid, more) in self.0.iter_mut().zip(more.0) {
+        let more_of_all = more.costs.into_iter().chain(more.used);
+        for (paid, more) in self.costs.iter_mut().chain(&mut self.used).zip(more_of_all) {
             *paid = paid.saturating_add(more);
         }
         self
     }
+}
+
+/// The values of up to five costs, the rest 0.
+fn each(costs: impl Iterator<Item = Cost>, of: impl Fn(Cost) -> u32) -> [u32; 5] {
+    let mut values = [0; 5];
+    for (value, cost) in values.iter_mut().zip(costs) {
+        *value = of(cost);
+    }
+    values
 }
 
 /// What exhausting the states has shown.
@@ -106,7 +123,7 @@ pub(crate) fn any(
     agents: &[AgentId],
     budget: &Budget,
 ) -> Result<Exhausted<()>, Stop> {
-    let outcome = run(problem, agents, &[], budget)?;
+    let outcome = run(problem, agents, &[], &NO_LIMITS, budget)?;
     Ok(outcome.map(|_, _| ()))
 }
 
@@ -120,32 +137,53 @@ pub(crate) fn least(
     cost: Cost,
     budget: &Budget,
 ) -> Result<Exhausted<u32>, Stop> {
-    let outcome = run(problem, agents, &[cost], budget)?;
-    Ok(outcome.map(|paid, _| paid.0[0]))
+    let outcome = run(problem, agents, &[cost], &NO_LIMITS, budget)?;
+    Ok(outcome.map(|paid, _| paid.costs[0]))
 }
 
-/// The best plan of all agents.
+/// The plan of all agents with the least makespan.
+///
+/// # Errors
+/// When the budget is spent.
+pub(crate) fn soonest(problem: &Problem, budget: &Budget) -> Result<Exhausted<BestPlan>, Stop> {
+    best_of(problem, &[Cost::Makespan], &NO_LIMITS, budget)
+}
+
+/// The best plan of all agents of those that keep within limits of their costs.
 ///
 /// # Errors
 /// When the budget is spent.
 pub(crate) fn best(
     problem: &Problem,
     objective: &Objective,
+    limits: &BTreeMap<Cost, u32>,
+    budget: &Budget,
+) -> Result<Exhausted<BestPlan>, Stop> {
+    best_of(problem, objective.costs(), limits, budget)
+}
+
+fn best_of(
+    problem: &Problem,
+    costs: &[Cost],
+    limits: &BTreeMap<Cost, u32>,
     budget: &Budget,
 ) -> Result<Exhausted<BestPlan>, Stop> {
     let all: Vec<AgentId> = (0..problem.agents()).collect();
-    let costs = objective.costs();
-    let outcome = run(problem, &all, costs, budget)?;
+    let outcome = run(problem, &all, costs, limits, budget)?;
     Ok(outcome.map(|paid, way| BestPlan {
-        vector: paid.0[..costs.len()].to_vec(),
+        vector: paid.costs[..costs.len()].to_vec(),
         walks: all.iter().map(|&agent| walk(problem, agent, way)).collect(),
     }))
 }
+
+/// Where nothing is limited.
+const NO_LIMITS: BTreeMap<Cost, u32> = BTreeMap::new();
 
 fn run(
     problem: &Problem,
     agents: &[AgentId],
     costs: &[Cost],
+    limits: &BTreeMap<Cost, u32>,
     budget: &Budget,
 ) -> Result<Ended, Stop> {
     if !may_be_exhausted(problem, agents) {
@@ -155,6 +193,7 @@ fn run(
         problem,
         agents,
         costs,
+        limits: limits.iter().map(|(&cost, &most)| (cost, most)).collect(),
     };
     let most = MOST_STEPS.min(usize::try_from(budget.joint_left()).unwrap_or(MOST_STEPS));
     let mut steps = 0;
@@ -199,6 +238,8 @@ struct Joint<'a> {
     problem: &'a Problem,
     agents: &'a [AgentId],
     costs: &'a [Cost],
+    /// The most that all of them together may pay of some costs.
+    limits: Vec<(Cost, u32)>,
 }
 
 impl Joint<'_> {
@@ -208,10 +249,16 @@ impl Joint<'_> {
     }
 
     fn paid(&self, of: impl Fn(Cost) -> u32) -> Paid {
-        let mut paid = Paid::default();
-        for (paid, &cost) in paid.0.iter_mut().zip(self.costs) {
-            *paid = of(cost);
+        let of_limits = self.limits.iter().map(|&(cost, _)| cost);
+        Paid {
+            costs: each(self.costs.iter().copied(), &of),
+            used: each(of_limits, &of),
         }
-        paid
+    }
+
+    /// Whether no more is used of a cost than its limit allows.
+    fn keeps_limits(&self, used: [u32; 5]) -> bool {
+        let mut limits = self.limits.iter().zip(used);
+        limits.all(|(&(_, most), used)| used <= most)
     }
 }

@@ -18,7 +18,8 @@ use crate::{
     single::Task,
 };
 
-type States = Rc<Vec<Single>>;
+/// A joint state: those of the agents, and what is used of limited costs.
+type States = Rc<(Vec<Single>, [u32; 5])>;
 
 /// The least paid for a state, and the state before it.
 struct Reached {
@@ -38,7 +39,10 @@ impl Joint<'_> {
         let mut reached: BTreeMap<States, Reached> = BTreeMap::new();
         let mut heap = BinaryHeap::new();
         for (start, paid) in self.starts() {
-            let start = Rc::new(start);
+            if !self.keeps_limits(paid.used) {
+                continue;
+            }
+            let start = Rc::new((start, paid.used));
             let before = None;
             reached.insert(Rc::clone(&start), Reached { paid, before });
             heap.push(Reverse((paid, start)));
@@ -48,14 +52,18 @@ impl Joint<'_> {
             if reached.get(&states).is_some_and(|best| best.paid < paid) {
                 continue;
             }
-            if states.iter().all(|state| state.has_arrived()) {
+            if states.0.iter().all(|state| state.has_arrived()) {
                 let way = way(&reached, states);
                 return Ok(Ended::Best(paid, way));
             }
-            let successors = self.successors(&states);
+            let successors = self.successors(&states.0);
             *steps += successors.len();
             for (next, cost) in successors {
                 let paid = paid.and(cost);
+                if !self.keeps_limits(paid.used) {
+                    continue;
+                }
+                let next = (next, paid.used);
                 if reached.get(&next).is_none_or(|best| paid < best.paid) {
                     let next = Rc::new(next);
                     let before = Some(Rc::clone(&states));
@@ -183,7 +191,7 @@ fn way(reached: &BTreeMap<States, Reached>, last: States) -> Vec<Vec<Single>> {
     let mut next = Some(last);
     while let Some(states) = next {
         next = reached.get(&states).and_then(|it| it.before.clone());
-        way.push(states.to_vec());
+        way.push(states.0.clone());
     }
     way.reverse();
     way

@@ -24,7 +24,7 @@ use super::{
 };
 use crate::{budget::Stop, counterfactual::Unmeetable, problem::Problem, single::Hopeless};
 
-pub(super) use exhausted::{Known, above_limits, best, exhausted, known_for_ever};
+pub(super) use exhausted::{Known, above_limits, best, exhausted, known_for_ever, soonest};
 pub(super) use optima::OfOptima;
 pub(crate) use reach::Reach;
 

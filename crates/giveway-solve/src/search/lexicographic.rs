@@ -137,10 +137,13 @@ fn run(given: Given, incumbent: &mut Incumbent, verdict: &mut Verdict) -> Result
         let all: Vec<usize> = (0..problem.agents()).collect();
         if !for_ever::have_limited_time(problem, bounded) // (else SAT is quick, and its proof complete)
             && (!problem.is_asked() || joint::is_small(problem))
-            && let Some(reason) = for_ever::exhausted(problem, &all, budget)?
+            && let Some(shown) = for_ever::soonest(problem, bounded, incumbent, budget)?
         {
             verdict.clash = all;
-            return Ok(Shown::Claim(Some(reason)));
+            return Ok(shown);
+        }
+        if incumbent.costs().is_some() {
+            return prove_or_take(given, &walks, incumbent, verdict);
         }
         if joint::is_small(problem)
             && let Some(reason) = for_ever::above_limits(problem, bounded, budget)?
@@ -155,10 +158,20 @@ fn run(given: Given, incumbent: &mut Incumbent, verdict: &mut Verdict) -> Result
             return Ok(shown);
         }
     }
-    if is_met(aim, incumbent) {
+    prove_or_take(given, &walks, incumbent, verdict)
+}
+
+/// The proof that no plan is better than the one at hand, where that is asked for.
+fn prove_or_take(
+    given: Given,
+    walks: &[Walk],
+    incumbent: &mut Incumbent,
+    verdict: &mut Verdict,
+) -> Result<Shown, Stop> {
+    if is_met(given.aim, incumbent) {
         return Ok(Shown::Plan);
     }
-    prove(given, &walks, incumbent, verdict)
+    prove(given, walks, incumbent, verdict)
 }
 
 /// A first plan; none where that there is none was shown.

@@ -74,14 +74,19 @@ pub(super) fn or_exhausted<T>(
     let Given {
         problem, budget, ..
     } = given;
-    if !(joint::is_small(problem) && given.bounded.limits.is_empty()) {
+    if !joint::is_small(problem) {
         return by_sat(given, incumbent, verdict);
     }
     let patience = Limits {
         conflicts: Some(PATIENCE),
         ..Limits::default()
     };
-    let part = Rc::new(budget.part(patience));
+    // Where little may be derived, half of it is left for what comes after.
+    let part = Rc::new(
+        budget
+            .part(patience)
+            .with_derived(budget.derived_left() / 2),
+    );
     let patient = Given {
         budget: &part,
         ..given
@@ -92,9 +97,9 @@ pub(super) fn or_exhausted<T>(
         return shown;
     }
     budget.check()?;
-    if let Some(optima) = for_ever::best(problem, incumbent, budget)? {
+    if let Some(optima) = for_ever::best(problem, given.bounded, incumbent, budget)? {
         verdict.bounds = optima.bounds;
-        return Ok(all_shown(Shown::Claim(Some(optima.reason))));
+        return Ok(all_shown(Shown::Claim(optima.reason)));
     }
     by_sat(given, incumbent, verdict)
 }

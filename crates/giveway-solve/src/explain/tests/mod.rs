@@ -2,6 +2,7 @@
 
 mod ask;
 mod contrast;
+mod few_states;
 mod fewest;
 mod own_plan;
 mod repairs;

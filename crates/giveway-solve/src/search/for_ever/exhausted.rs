@@ -9,7 +9,7 @@ use crate::{
     budget::{Budget, Stop},
     joint::{self, AllStates},
     problem::Problem,
-    search::{aim::Bounded, incumbent::Incumbent, tally::least},
+    search::{aim::Bounded, incumbent::Incumbent, prove::Shown, tally::least},
 };
 
 impl From<AllStates> for ForEver {
@@ -71,6 +71,25 @@ pub(in crate::search) fn exhausted(
     }
 }
 
+/// The plan with the least makespan, where the joint states can be exhausted: it is
+/// offered. What is returned is that there is none, or none within the horizon.
+pub(in crate::search) fn soonest(
+    problem: &Problem,
+    bounded: &Bounded,
+    incumbent: &mut Incumbent,
+    budget: &Budget,
+) -> Result<Option<Shown>, Stop> {
+    match joint::soonest(problem, budget)? {
+        joint::Exhausted::None(shown) => Ok(Some(Shown::Claim(Some(shown.into())))),
+        joint::Exhausted::Best(soonest, _) => {
+            incumbent.offer(problem, &soonest.walks);
+            let is_late = soonest.vector.first() > Some(&bounded.latest());
+            Ok(is_late.then_some(Shown::Claim(None)))
+        }
+        joint::Exhausted::TooMany => Ok(None),
+    }
+}
+
 /// No plan keeps the limits of charges, moves or waits, as the joint states show.
 pub(in crate::search) fn above_limits(
     problem: &Problem,
@@ -90,30 +109,50 @@ pub(in crate::search) fn above_limits(
     Ok(None)
 }
 
-/// The optima of all costs at any horizon.
+/// The optima of all costs under the limits: at any horizon, or within the one that
+/// is looked at.
 pub(in crate::search) struct Optima {
     pub(in crate::search) bounds: BTreeMap<Cost, u32>,
-    pub(in crate::search) reason: ForEver,
+    pub(in crate::search) reason: Option<ForEver>,
 }
 
-/// The optima of all costs, where the joint states can be
-/// exhausted and the best plan is within the horizon: then it is the one at hand.
+/// The optima of all costs, where the joint states can be exhausted. The best plan
+/// is the one at hand then, or there is none that keeps the limits.
 pub(in crate::search) fn best(
     problem: &Problem,
+    bounded: &Bounded,
     incumbent: &mut Incumbent,
     budget: &Budget,
 ) -> Result<Option<Optima>, Stop> {
     let objective = incumbent.objective().clone();
-    let joint::Exhausted::Best(best, shown) = joint::best(problem, &objective, budget)? else {
-        return Ok(None);
-    };
-    incumbent.offer(problem, &best.walks);
-    let at_hand = incumbent.costs().map(|costs| costs.vector(&objective));
-    if at_hand.is_none_or(|vector| vector != best.vector) {
-        return Ok(None);
+    // What is used of a limited cost makes states many, so first without.
+    let free = BTreeMap::new();
+    let mut within = bounded.limits.clone();
+    within.insert(Cost::Makespan, bounded.latest());
+    let mut tried = vec![(&free, true)];
+    if !bounded.limits.is_empty() {
+        tried.push((&bounded.limits, true));
     }
-    let costs = objective.costs().iter().copied();
-    let bounds = sorting::map(costs.zip(best.vector));
-    let reason = shown.into();
-    Ok(Some(Optima { bounds, reason }))
+    if within != bounded.limits {
+        tried.push((&within, false));
+    }
+    for (limits, at_any_horizon) in tried {
+        let (vector, shown) = match joint::best(problem, &objective, limits, budget)? {
+            joint::Exhausted::TooMany => return Ok(None),
+            joint::Exhausted::None(_) if incumbent.costs().is_some() => return Ok(None),
+            joint::Exhausted::None(shown) => (None, shown),
+            joint::Exhausted::Best(best, shown) => {
+                incumbent.offer(problem, &best.walks);
+                (Some(best.vector), shown)
+            }
+        };
+        let at_hand = incumbent.costs().map(|costs| costs.vector(&objective));
+        if at_hand == vector {
+            let costs = objective.costs().iter().copied();
+            let bounds = sorting::map(costs.zip(vector.into_iter().flatten()));
+            let reason = at_any_horizon.then(|| shown.into());
+            return Ok(Some(Optima { bounds, reason }));
+        }
+    }
+    Ok(None)
 }
