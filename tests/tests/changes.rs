@@ -10,147 +10,29 @@
     reason = "a test that cannot go on ends with a panic"
 )]
 
-use giveway_model::change::Changes;
-use giveway_model::check::check_changes;
-use giveway_model::{Cost, Instance, Objective, Plan, Version};
-use giveway_solve::change::{ChangeAnswer, ChangeRequest, Method, MethodAnswer};
-use giveway_solve::{Limits, Refusal, Request, Response, SilentHost, SolveRequest, Status, serve};
+use std::collections::BTreeMap;
+
+use giveway_model::change::{Change, Changes, What};
+use giveway_model::check::{check, check_changes};
+use giveway_model::{Instance, Objective, Plan, Version};
+use giveway_solve::Status;
+use giveway_solve::change::Method;
+use giveway_tests::going_on::{costs, difference, go_on, oracle, plan_of};
 use giveway_tests::loiter::loiter;
-use giveway_tests::oracle::{Changed, Held, Known};
+use giveway_tests::oracle::{Changed, Held, map_after};
 use giveway_tests::{environment, random, upheaval};
 
-/// Joint states that the oracle may look at.
-const CAP: usize = 30_000;
-
-/// An optimal plan of an instance.
-fn plan_of(instance: &Instance) -> Option<Plan> {
-    let request = Request::Solve(SolveRequest {
-        scene: instance.to_scene(),
-        limits: limits(),
-        ..SolveRequest::default()
-    });
-    match serve(&request, &SilentHost) {
-        Response::Solved(answer) => answer.plan,
-        other => panic!("{other:?}"),
-    }
-}
-
-fn limits() -> Limits {
-    Limits {
-        conflicts: Some(20_000),
-        ..Limits::default()
-    }
-}
-
-/// How to go on; `None` where the changes contradict the world.
-fn go_on(
-    instance: &Instance,
-    plan: &Plan,
-    changes: &Changes,
-    methods: &[Method],
-) -> Option<ChangeAnswer> {
-    let request = Request::Change(ChangeRequest {
-        scene: instance.to_scene(),
-        plan: plan.clone(),
-        changes: changes.clone(),
-        since: None,
-        methods: methods.to_vec(),
-        objective: None,
-        within: None,
-        limits: limits(),
-    });
-    match serve(&request, &SilentHost) {
-        Response::Changed(answer) => Some(*answer),
-        Response::Refused(Refusal::Changes { .. }) => None,
-        other => panic!("{other:?}"),
-    }
-}
-
-fn costs(instance: &Instance) -> Vec<Cost> {
-    let others = instance.objective().costs().iter().copied();
-    let others = others.filter(|&cost| cost != Cost::Makespan);
-    [Cost::Makespan].into_iter().chain(others).collect()
-}
-
-/// There were too many joint states.
-struct TooMany;
-
-/// The fewest agents freed with which there is a way, and the best of these.
-fn oracle(changed: &mut Changed, held: Held) -> Result<Option<(usize, Vec<u32>)>, TooMany> {
-    let old: Vec<String> = changed.old().into_iter().map(str::to_owned).collect();
-    let most = if held == Held::Nothing { 0 } else { old.len() };
-    for size in 0..=most {
-        let mut best: Option<Vec<u32>> = None;
-        for set in 0_u32..1 << old.len() {
-            if set.count_ones() as usize != size {
-                continue;
-            }
-            let freed: Vec<&str> = (0..old.len())
-                .filter(|i| set & 1 << i != 0)
-                .map(|i| old[i].as_str())
-                .collect();
-            match changed.best(held, &freed, CAP) {
-                Known::Capped => return Err(TooMany),
-                Known::None => {}
-                Known::Best(vector) => {
-                    best = Some(best.map_or(vector.clone(), |best| best.min(vector)));
-                }
-            }
-        }
-        if let Some(best) = best {
-            return Ok(Some((size, best)));
-        }
-    }
-    Ok(None)
-}
-
-/// What differs between an answer and the oracle.
-fn difference(
-    costs: &[Cost],
-    method: &MethodAnswer,
-    known: Option<&(usize, Vec<u32>)>,
-) -> Option<String> {
-    let result = &method.result;
-    let told = |what: &str| Some(format!("{what}: the oracle has {known:?}, not {method:?}"));
-    match (result.status, known) {
-        (Status::Impossible, Some((_, vector))) => match result.within {
-            Some(within) if vector[0] > within => None,
-            _ => told("impossible"),
-        },
-        (Status::Optimal, Some((freed, vector))) => {
-            let objective = Objective::new(costs.to_vec()).unwrap();
-            let own = result.costs.unwrap().vector(&objective);
-            let disturbed = method.retimed.len() + method.rerouted.len();
-            if own != vector[..costs.len()] {
-                told("costs")
-            } else if method.freed.len() != *freed || !method.fewest {
-                told("freed")
-            } else if *freed == 0 && method.closest && disturbed as u32 != vector[costs.len()] {
-                told("disturbed")
-            } else if result
-                .bounds
-                .iter()
-                .any(|(&cost, &bound)| result.costs.unwrap().get(cost) != bound)
-            {
-                told("bounds")
-            } else {
-                None
-            }
-        }
-        (Status::Impossible, None) | (Status::Unknown | Status::Feasible, _) => None,
-        (Status::Optimal, None) => told("optimal"),
-    }
-}
+/// The methods, and what each holds the old agents to.
+const METHODS: [(Method, Held); 3] = [
+    (Method::Revise, Held::Path),
+    (Method::Tunnel(1), Held::Tunnel(1)),
+    (Method::Replan, Held::Nothing),
+];
 
 #[test]
 fn the_oracle_agrees() {
     let seed = environment::number("GIVEWAY_RANDOM_SEED", 1);
     let count = environment::number("GIVEWAY_RANDOM_CHANGES", 150);
-    let methods = [
-        (Method::Revise, Held::Path),
-        (Method::Tunnel(1), Held::Tunnel(1)),
-        (Method::Replan, Held::Nothing),
-    ];
     let (mut agreed, mut freed, mut impossible, mut differ) = (0, 0, 0, 0);
     for number in 0.. {
         if agreed + differ >= 3 * count {
@@ -175,7 +57,7 @@ fn the_oracle_agrees() {
             giveway: Version,
             changes: list,
         };
-        let asked: Vec<Method> = methods.iter().map(|&(method, _)| method).collect();
+        let asked: Vec<Method> = METHODS.iter().map(|&(method, _)| method).collect();
         let Some(answer) = go_on(&instance, &plan, &changes, &asked) else {
             continue;
         };
@@ -183,7 +65,7 @@ fn the_oracle_agrees() {
         let at = answer.at.unwrap();
         let world = Changed::new(&instance, &costs, &plan, at, &changes.changes);
         let Some(mut world) = world else { continue };
-        for (method, held) in methods {
+        for (method, held) in METHODS {
             let Ok(known) = oracle(&mut world, held) else {
                 continue;
             };
@@ -261,4 +143,128 @@ fn more_freedom_is_never_worse() {
     }
     println!("{compared} compared");
     assert!(compared > 40, "{compared} compared");
+}
+
+/// The instance as if the changes had been so from the beginning; `None` where a change
+/// is of a kind that says more about the time when it comes.
+fn from_the_beginning(instance: &Instance, changes: &[Change]) -> Option<Instance> {
+    let mut scene = instance.to_scene();
+    scene.map = map_after(&scene.map, changes);
+    for change in changes {
+        match &change.what {
+            What::SetGoal { agent, cell } => {
+                let mut agents = scene.agents.iter_mut();
+                agents.find(|a| a.name == *agent)?.goal = *cell;
+            }
+            What::AddWaypoint { agent, cell } => {
+                let mut agents = scene.agents.iter_mut();
+                let waypoints = &mut agents.find(|a| a.name == *agent)?.waypoints;
+                waypoints.retain(|old| old != cell);
+                waypoints.push(*cell);
+            }
+            What::AddObstacle { .. }
+            | What::RemoveObstacle { .. }
+            | What::MoveObstacle { .. }
+            | What::SetSlow { .. }
+            | What::SetNormal { .. }
+            | What::AddCharger { .. }
+            | What::RemoveCharger { .. } => {}
+            _ => return None,
+        }
+    }
+    Instance::new(scene).ok()
+}
+
+/// Two times of changes, one after the other. Where the plan after the first is one of
+/// the instance that has these changes from the beginning, and costs the same, the
+/// oracle can start from there.
+#[test]
+fn the_oracle_agrees_after_two_times_of_changes() {
+    let seed = environment::number("GIVEWAY_RANDOM_SEED", 1);
+    let count = environment::number("GIVEWAY_RANDOM_CHANGES", 150) / 5;
+    let asked: Vec<Method> = METHODS.iter().map(|&(method, _)| method).collect();
+    let (mut agreed, mut differ, mut by_method) = (0, 0, BTreeMap::new());
+    for number in 0.. {
+        if agreed + differ >= 3 * count {
+            break;
+        }
+        assert!(number < 1000 * count, "too few of them can be compared");
+        let instance = random::small(seed ^ 0x2c, number);
+        if !(1..=2).contains(&instance.agents().len()) {
+            continue;
+        }
+        let Some(plan) = plan_of(&instance) else {
+            continue;
+        };
+        let longest = plan.paths.values().map(Vec::len).max().unwrap_or(1) as u32 - 1;
+        let first = upheaval::changes(&instance, longest / 2, seed, 2 * number);
+        let Some(later) = from_the_beginning(&instance, &first) else {
+            continue;
+        };
+        let since = first[0].at;
+        let mut second = upheaval::changes(&later, longest, seed, 2 * number + 1);
+        for change in &mut second {
+            change.at += since + 1;
+        }
+        let changes = |list: &[Change]| Changes {
+            giveway: Version,
+            changes: list.to_vec(),
+        };
+        let Some(between) = go_on(&instance, &plan, &changes(&first), &asked) else {
+            continue;
+        };
+        let Some(adopted) = between
+            .adopted()
+            .and_then(|method| method.result.plan.clone())
+        else {
+            continue;
+        };
+        let report = check(&later, &forgetful(&adopted));
+        let told = between.adopted().and_then(|method| method.result.costs);
+        if !report.violations.is_empty() || report.costs != told {
+            continue;
+        }
+        let both = changes(&[first, second.clone()].concat());
+        let Some(answer) = go_on(&instance, &plan, &both, &asked) else {
+            continue;
+        };
+        let costs = costs(&instance);
+        let at = answer.at.unwrap();
+        let world = Changed::new(&later, &costs, &forgetful(&adopted), at, &second);
+        let Some(mut world) = world else { continue };
+        for (method, held) in METHODS {
+            let Ok(known) = oracle(&mut world, held) else {
+                continue;
+            };
+            let answer = answer.methods.get(method).unwrap();
+            if let Some(plan) = &answer.result.plan {
+                let report = check_changes(&instance, &both, plan).unwrap();
+                assert_eq!(report.violations, []);
+                assert_eq!(report.costs, answer.result.costs);
+            }
+            match difference(&costs, answer, known.as_ref()) {
+                None => {
+                    agreed += 1;
+                    *by_method.entry(method.to_string()).or_insert(0) += 1;
+                }
+                Some(told) => {
+                    differ += 1;
+                    let scene = serde_json::to_string(&instance.to_scene()).unwrap();
+                    let plan = serde_json::to_string(&plan).unwrap();
+                    let both = serde_json::to_string(&both).unwrap();
+                    println!("{number} of seed {seed}, {method}: {told}\n{scene}\n{plan}\n{both}");
+                }
+            }
+        }
+    }
+    println!("{agreed} agreed {by_method:?}, {differ} differ");
+    assert_eq!(differ, 0, "they are printed above");
+}
+
+/// The plan as one that knows of no change.
+fn forgetful(plan: &Plan) -> Plan {
+    Plan {
+        knows: None,
+        ..plan.clone()
+    }
 }
