@@ -108,7 +108,7 @@ fn way(path: &Path) -> Vec<Segment> {
 }
 
 /// Writes a way as `agents[1].goal`; names that are no plain words are quoted.
-fn place(way: &[Segment]) -> String {
+pub(super) fn place(way: &[Segment]) -> String {
     let mut place = String::new();
     for segment in way {
         match segment {

@@ -20,6 +20,7 @@ mod place;
 mod recognise;
 mod write;
 mod written;
+mod yaml;
 
 pub use conventions::{CellOrder, Conventions, Origin, Up};
 pub use decide::Alternative;

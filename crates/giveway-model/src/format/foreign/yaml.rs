@@ -1,0 +1,240 @@
+//! Reads YAML 1.2 value by value, in the order of the text, without making a tree
+//! of it.
+//!
+//! Every fault has a line, a column and the path of keys. An alias (`*name`) is
+//! refused: a few of them may stand for more values than there is memory. So is
+//! what is nested deeper than any format does.
+
+use std::borrow::Cow;
+use std::fmt::Display;
+use std::str::FromStr;
+
+use saphyr_parser::{Event, Parser, ScalarStyle, ScanError, Span, StrInput};
+
+use crate::Fault;
+use crate::format::json::place;
+use crate::format::locate::Segment;
+use crate::format::text::shorten;
+
+/// The deepest nesting of lists and objects that is read.
+const MAX_DEPTH: usize = 32;
+
+/// What kind of value comes next.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Kind {
+    /// A text, a number, or nothing at all.
+    Scalar,
+    List,
+    Object,
+}
+
+/// Values of a YAML text, one after the other.
+pub(super) struct Yaml<'a> {
+    parser: Parser<'a, StrInput<'a>>,
+    /// The keys and indices on the way to the value that comes next.
+    way: Vec<Segment>,
+    /// The line and column at which the last event began.
+    at: (usize, usize),
+}
+
+impl<'a> Yaml<'a> {
+    pub(super) fn new(text: &'a str) -> Self {
+        Self {
+            parser: Parser::new_from_str(text),
+            way: Vec::new(),
+            at: (1, 1),
+        }
+    }
+
+    /// Goes to the next document (`---`), whose value comes next; `false` where
+    /// there is none. Call it once before the first value.
+    pub(super) fn document(&mut self) -> Result<bool, Fault> {
+        loop {
+            match self.event()? {
+                Event::DocumentStart(_) => return Ok(true),
+                Event::StreamEnd => return Ok(false),
+                _ => {}
+            }
+        }
+    }
+
+    /// The kind of the value that comes next.
+    pub(super) fn kind(&mut self) -> Result<Kind, Fault> {
+        let (kind, at) = match self.parser.peek() {
+            Some(Ok((event, span))) => {
+                let kind = match event {
+                    Event::SequenceStart(..) => Some(Kind::List),
+                    Event::MappingStart(..) => Some(Kind::Object),
+                    Event::Alias(_) => None,
+                    _ => Some(Kind::Scalar),
+                };
+                (kind, begin(span))
+            }
+            Some(Err(error)) => return Err(self.broken(&error)),
+            None => return Ok(Kind::Scalar),
+        };
+        self.at = at;
+        kind.ok_or_else(|| self.alias())
+    }
+
+    /// Reads an object; `each` is given every key and must read its value.
+    pub(super) fn object(
+        &mut self,
+        expected: &str,
+        mut each: impl FnMut(&mut Self, &str) -> Result<(), Fault>,
+    ) -> Result<(), Fault> {
+        match self.event()? {
+            Event::MappingStart(..) => self.deeper()?,
+            other => return Err(self.instead(&other, expected)),
+        }
+        loop {
+            let key = match self.event()? {
+                Event::MappingEnd => return Ok(()),
+                Event::Scalar(key, ..) => key,
+                other => return Err(self.instead(&other, "a key")),
+            };
+            self.way.push(Segment::Key(key.clone().into_owned()));
+            each(self, &key)?;
+            self.way.pop();
+        }
+    }
+
+    /// Reads a list; `each` is given every index from 0 and must read the entry.
+    pub(super) fn list(
+        &mut self,
+        expected: &str,
+        mut each: impl FnMut(&mut Self, usize) -> Result<(), Fault>,
+    ) -> Result<(), Fault> {
+        match self.event()? {
+            Event::SequenceStart(..) => self.deeper()?,
+            other => return Err(self.instead(&other, expected)),
+        }
+        for index in 0.. {
+            if let Some(Ok((Event::SequenceEnd, _))) = self.parser.peek() {
+                self.event()?;
+                break;
+            }
+            self.way.push(Segment::Index(index));
+            each(self, index)?;
+            self.way.pop();
+        }
+        Ok(())
+    }
+
+    /// Reads a text, or a number as it is written.
+    pub(super) fn text(&mut self, expected: &str) -> Result<Cow<'a, str>, Fault> {
+        match self.event()? {
+            Event::Scalar(text, ..) => Ok(text),
+            other => Err(self.instead(&other, expected)),
+        }
+    }
+
+    /// Reads a text that may be left out: `None` for `null`, `~` and nothing.
+    pub(super) fn optional(&mut self, expected: &str) -> Result<Option<Cow<'a, str>>, Fault> {
+        match self.event()? {
+            Event::Scalar(text, ScalarStyle::Plain, ..)
+                if matches!(&*text, "" | "~" | "null" | "Null" | "NULL") =>
+            {
+                Ok(None)
+            }
+            Event::Scalar(text, ..) => Ok(Some(text)),
+            other => Err(self.instead(&other, expected)),
+        }
+    }
+
+    /// Reads a number.
+    pub(super) fn number<T: FromStr>(&mut self, expected: &str) -> Result<T, Fault> {
+        let text = self.text(expected)?;
+        text.parse()
+            .map_err(|_| self.fault(quoted(&text), expected))
+    }
+
+    /// Passes over a value, whatever it is.
+    pub(super) fn skip(&mut self) -> Result<(), Fault> {
+        let mut depth = 0_usize;
+        loop {
+            match self.event()? {
+                Event::SequenceStart(..) | Event::MappingStart(..) => depth += 1,
+                Event::SequenceEnd | Event::MappingEnd => depth = depth.saturating_sub(1),
+                Event::Scalar(..) => {}
+                other => return Err(self.instead(&other, "a value")),
+            }
+            if depth == 0 {
+                return Ok(());
+            }
+            if depth + self.way.len() > MAX_DEPTH {
+                return Err(self.too_deep());
+            }
+        }
+    }
+
+    /// A fault at the value that was read last.
+    pub(super) fn fault(&self, found: impl Into<String>, expected: impl Into<String>) -> Fault {
+        let (line, column) = self.at;
+        Fault::at(place(&self.way), found, expected).in_text(line, column)
+    }
+
+    /// Line and column, both from 1, of the value that was read last.
+    pub(super) const fn at(&self) -> (usize, usize) {
+        self.at
+    }
+
+    fn event(&mut self) -> Result<Event<'a>, Fault> {
+        match self.parser.next_event() {
+            Some(Ok((event, span))) => {
+                self.at = begin(&span);
+                match event {
+                    Event::Alias(_) => Err(self.alias()),
+                    event => Ok(event),
+                }
+            }
+            Some(Err(error)) => Err(self.broken(&error)),
+            None => Ok(Event::StreamEnd),
+        }
+    }
+
+    fn deeper(&self) -> Result<(), Fault> {
+        if self.way.len() < MAX_DEPTH {
+            Ok(())
+        } else {
+            Err(self.too_deep())
+        }
+    }
+
+    fn too_deep(&self) -> Fault {
+        let expected = format!("at most {MAX_DEPTH}");
+        self.fault(
+            format!("over {MAX_DEPTH} lists and objects in each other"),
+            expected,
+        )
+    }
+
+    fn alias(&self) -> Fault {
+        self.fault("an alias (*)", "the value itself")
+    }
+
+    fn broken(&mut self, error: &ScanError) -> Fault {
+        let mark = error.marker();
+        self.at = (mark.line().max(1), mark.col() + 1);
+        self.fault(format!("broken YAML ({})", shorten(error.info())), "YAML")
+    }
+
+    fn instead(&self, event: &Event<'_>, expected: &str) -> Fault {
+        let found = match event {
+            Event::Scalar(text, ScalarStyle::Plain, ..) if text.is_empty() => "nothing".to_owned(),
+            Event::Scalar(text, ..) => quoted(text),
+            Event::SequenceStart(..) => "a list".to_owned(),
+            Event::MappingStart(..) => "an object".to_owned(),
+            _ => "the end of the value".to_owned(),
+        };
+        self.fault(found, expected)
+    }
+}
+
+fn begin(span: &Span) -> (usize, usize) {
+    (span.start.line().max(1), span.start.col() + 1)
+}
+
+fn quoted(text: impl Display) -> String {
+    format!("\"{}\"", shorten(&text.to_string()))
+}
