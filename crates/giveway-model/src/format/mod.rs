@@ -6,6 +6,7 @@ mod json;
 mod layout;
 mod lines;
 mod locate;
+mod loss;
 pub mod movingai;
 pub mod native;
 mod phrase;
@@ -14,5 +15,6 @@ mod text;
 
 pub use crate::object::from_object;
 pub use file_name::{base_name, stem};
+pub use loss::{Loss, Part, losses};
 pub use schema::schema;
 pub use text::read_text;

@@ -12,12 +12,17 @@
 //! together. Nothing here reads a disk.
 
 mod conventions;
+mod cursor;
 mod decide;
 mod format;
 mod gather;
 mod limits;
+mod paths;
 mod place;
 mod recognise;
+mod result;
+mod tracker;
+mod whole_steps;
 mod write;
 mod written;
 mod yaml;

@@ -1,6 +1,6 @@
 //! What a text is, told by what it holds and never by its name alone.
 
-use super::{Format, WrittenPlan, limits::MAX_TEXT_BYTES};
+use super::{Format, WrittenPlan, limits::MAX_TEXT_BYTES, paths, result, tracker};
 use crate::format::text::{shorten, without_mark};
 use crate::format::{movingai, native};
 use crate::{Fault, Grid, Plan, Scene};
@@ -42,6 +42,9 @@ type Reader = fn(&str) -> Result<Held, Vec<Fault>>;
 /// explains best what is wrong with JSON of no format at all.
 const READERS: &[(Format, Sniff, Reader)] = &[
     (Format::MovingAi, is_movingai, read_movingai),
+    (Format::Paths, paths::sniff, paths::read),
+    (Format::Result, result::sniff, result::read),
+    (Format::Tracker, tracker::sniff, tracker::read),
     (Format::Giveway, is_json, read_own),
 ];
 
@@ -79,7 +82,7 @@ pub fn read(text: &str) -> Result<(Format, Held), Vec<Fault>> {
     if text.len() > MAX_TEXT_BYTES {
         let found = format!("{} MB", text.len().div_ceil(1_000_000));
         let expected = format!("at most {} MB", MAX_TEXT_BYTES / 1_000_000);
-        return Err(vec![Fault::at("", found, expected)]);
+        return Err(vec![Fault::at("", found, expected).in_text(1, 1)]);
     }
     let text = without_mark(text);
     let (format, read) = reader(text).map_err(|fault| vec![fault])?;

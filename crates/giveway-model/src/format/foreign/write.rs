@@ -1,6 +1,6 @@
 //! Writes an instance or a plan in a format.
 
-use super::Format;
+use super::{Format, paths, result, tracker};
 use crate::format::{movingai, native};
 use crate::{Fault, Instance, Plan};
 
@@ -28,6 +28,9 @@ pub fn write(
     match format {
         Format::Giveway => Ok(own(stem, instance, plan)),
         Format::MovingAi => moving_ai(stem, instance, plan),
+        Format::Tracker => tracker::write(stem, instance, plan),
+        Format::Paths => paths::write(stem, instance, plan),
+        Format::Result => result::write(stem, instance, plan),
         _ => Err(Fault::at(
             "",
             format!("the format {format}"),

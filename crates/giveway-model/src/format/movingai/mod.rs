@@ -5,14 +5,13 @@
 //! its width before its height. Lines may end in CR LF, and the last may lack
 //! its end.
 
-mod loss;
 mod map;
 mod scenario;
 mod scene;
 mod write;
 
-pub use loss::{Loss, losses};
+pub use super::loss::Loss;
 pub use map::read_map;
 pub use scenario::{Route, Scenario, read_scenario};
 pub use scene::to_scene;
-pub use write::{write_map, write_scenario};
+pub use write::{losses, write_map, write_scenario};

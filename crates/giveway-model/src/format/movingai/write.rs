@@ -2,6 +2,7 @@
 
 use std::fmt::Write as _;
 
+use crate::format::loss::{self, Loss};
 use crate::format::text::shorten;
 use crate::{Fault, Grid, Instance};
 
@@ -34,7 +35,7 @@ pub fn write_map(grid: &Grid) -> String {
 ///
 /// Bucket and length are written as 0: they are octile, of a map with
 /// diagonals, and readers of multi-agent scenarios skip them. What is lost
-/// besides, [`losses`](super::losses) tells.
+/// besides, [`losses`] tells.
 ///
 /// # Errors
 /// When the map's name is empty or holds a tab or a line break, which no reader
@@ -60,4 +61,10 @@ pub fn write_scenario(map_name: &str, instance: &Instance) -> Result<String, Fau
         );
     }
     Ok(text)
+}
+
+/// What of an instance is lost in MovingAI files; empty where nothing is. The
+/// name of the instance is that of the files.
+pub fn losses(instance: &Instance) -> Vec<Loss> {
+    loss::losses(&[], Some(instance), None)
 }

@@ -1,0 +1,171 @@
+//! Walks through a text byte by byte, for formats that are not JSON or YAML. It
+//! looks at no byte twice, and knows at every time where it is.
+
+use super::Pair;
+use crate::Fault;
+use crate::format::text::{position, shorten};
+
+/// A place in a text.
+#[derive(Clone)]
+pub(super) struct Cursor<'a> {
+    text: &'a str,
+    at: usize,
+}
+
+impl<'a> Cursor<'a> {
+    pub(super) const fn new(text: &'a str) -> Self {
+        Self { text, at: 0 }
+    }
+
+    /// The byte that comes next; `None` at the end of the text.
+    pub(super) fn peek(&self) -> Option<u8> {
+        self.text.as_bytes().get(self.at).copied()
+    }
+
+    pub(super) fn is_at_end(&self) -> bool {
+        self.at >= self.text.len()
+    }
+
+    /// What comes next, up to the end of the text.
+    pub(super) fn rest(&self) -> &'a str {
+        self.text.get(self.at..).unwrap_or("")
+    }
+
+    /// Passes over a word of ASCII, if it comes next.
+    pub(super) fn eat(&mut self, word: &str) -> bool {
+        let rest = self.text.as_bytes().get(self.at..).unwrap_or_default();
+        let is_next = rest.starts_with(word.as_bytes());
+        if is_next {
+            self.at += word.len();
+        }
+        is_next
+    }
+
+    /// Passes over a word.
+    ///
+    /// # Errors
+    /// When something else comes.
+    pub(super) fn expect(&mut self, word: &str, expected: &str) -> Result<(), Fault> {
+        if self.eat(word) {
+            Ok(())
+        } else {
+            Err(self.fault(expected))
+        }
+    }
+
+    /// Passes over blanks and tabs.
+    pub(super) fn blanks(&mut self) {
+        while matches!(self.peek(), Some(b' ' | b'\t')) {
+            self.at += 1;
+        }
+    }
+
+    /// Passes over blanks, tabs and ends of lines.
+    pub(super) fn space(&mut self) {
+        while matches!(self.peek(), Some(b' ' | b'\t' | b'\r' | b'\n')) {
+            self.at += 1;
+        }
+    }
+
+    /// Passes over blanks and the end of the line, or of the text.
+    ///
+    /// # Errors
+    /// When something else comes.
+    pub(super) fn end_of_line(&mut self, expected: &str) -> Result<(), Fault> {
+        self.blanks();
+        if self.eat("\n") || self.eat("\r\n") || self.eat("\r") || self.is_at_end() {
+            Ok(())
+        } else {
+            Err(self.fault(expected))
+        }
+    }
+
+    /// What is left of the line, without blanks around it; it passes over its end.
+    pub(super) fn line(&mut self) -> &'a str {
+        let rest = self.rest();
+        let end = rest.find('\n').unwrap_or(rest.len());
+        self.at += (end + 1).min(rest.len());
+        rest.get(..end).unwrap_or("").trim()
+    }
+
+    /// Reads a number, with or without a sign.
+    ///
+    /// # Errors
+    /// When there is none, or one that 32 bits do not hold.
+    pub(super) fn number(&mut self, expected: &str) -> Result<i32, Fault> {
+        let begin = self.at;
+        let is_negative = self.eat("-");
+        let mut number: Option<i32> = None;
+        while let Some(digit @ b'0'..=b'9') = self.peek() {
+            let digit = i32::from(digit - b'0');
+            let next = number.unwrap_or(0).checked_mul(10);
+            let next = next.and_then(|next| next.checked_add(digit));
+            let Some(next) = next else {
+                self.at = begin;
+                return Err(self.fault("a number of at most 2147483647"));
+            };
+            number = Some(next);
+            self.at += 1;
+        }
+        match number {
+            Some(number) if is_negative => Ok(-number),
+            Some(number) => Ok(number),
+            None => {
+                self.at = begin;
+                Err(self.fault(expected))
+            }
+        }
+    }
+
+    /// Reads two numbers of a cell such as `(3,1)`, up to the bracket that closes it,
+    /// since some write more before it.
+    ///
+    /// # Errors
+    /// When something else comes.
+    pub(super) fn pair(&mut self) -> Result<Pair, Fault> {
+        self.blanks();
+        self.expect("(", "a cell, such as (3,1)")?;
+        self.blanks();
+        let first = self.number("a number")?;
+        self.blanks();
+        self.expect(",", "\",\"")?;
+        self.blanks();
+        let second = self.number("a number")?;
+        self.blanks();
+        Ok(Pair::new(first, second))
+    }
+
+    /// A fault at what comes next.
+    pub(super) fn fault(&self, expected: impl Into<String>) -> Fault {
+        self.fault_saying(self.found(), expected)
+    }
+
+    /// A fault at what comes next, with words of its own for what was found.
+    pub(super) fn fault_saying(
+        &self,
+        found: impl Into<String>,
+        expected: impl Into<String>,
+    ) -> Fault {
+        self.place(Fault::at("", found, expected))
+    }
+
+    /// The fault, with the line and column of what comes next.
+    pub(super) fn place(&self, fault: Fault) -> Fault {
+        let (line, column) = position(self.text, self.at);
+        fault.in_text(line, column)
+    }
+
+    fn found(&self) -> String {
+        match self.peek() {
+            None => "the end of the file".to_owned(),
+            Some(b'\n' | b'\r') => "the end of the line".to_owned(),
+            Some(_) => {
+                let rest = self.rest();
+                let mut letters = rest.char_indices();
+                let end = letters.find(|&(at, c)| c.is_whitespace() && at > 0 || at > 200);
+                let word = rest.get(..end.map_or(rest.len(), |(at, _)| at));
+                format!("\"{}\"", shorten(word.unwrap_or(rest)))
+            }
+        }
+    }
+}

@@ -1,0 +1,140 @@
+//! The lines before the steps: what the plan is for and what it costs.
+
+use crate::Fault;
+use crate::format::foreign::cursor::Cursor;
+use crate::format::foreign::limits::Steps;
+use crate::format::foreign::{Claimed, Pair};
+
+/// The keys by which such a file is known.
+pub(super) const KEYS: [&str; 12] = [
+    "agents",
+    "map_file",
+    "instance",
+    "solver",
+    "solved",
+    "soc",
+    "makespan",
+    "comp_time",
+    "seed",
+    "starts",
+    "goals",
+    "solution",
+];
+
+/// What is known before the steps.
+#[derive(Debug, Default)]
+pub(super) struct Header {
+    pub(super) agents: Option<usize>,
+    pub(super) map: Option<String>,
+    pub(super) claimed: Claimed,
+    pub(super) is_unsolved: bool,
+    pub(super) starts: Vec<Pair>,
+    pub(super) goals: Vec<Pair>,
+}
+
+impl Header {
+    /// Reads all lines up to the first step.
+    ///
+    /// # Errors
+    /// When a line is no `key=value`, a number is none, or the steps do not come.
+    pub(super) fn read(cursor: &mut Cursor<'_>) -> Result<Self, Fault> {
+        let mut header = Self::default();
+        cursor.space();
+        if cursor.peek().is_some_and(|byte| byte.is_ascii_digit()) {
+            return Ok(header);
+        }
+        let mut is_in_tasks = false;
+        loop {
+            cursor.space();
+            let begin = cursor.clone();
+            if cursor.is_at_end() {
+                return Err(cursor.fault("\"solution=\" and a line for each time step"));
+            }
+            let key = key(cursor);
+            if !cursor.eat("=") {
+                if is_in_tasks && key.is_empty() {
+                    cursor.line();
+                    continue;
+                }
+                return Err(begin.fault("a line \"key=value\""));
+            }
+            is_in_tasks = key == "task";
+            if key == "solution" {
+                cursor.end_of_line("the end of the line, with the steps below")?;
+                return header.checked(cursor);
+            }
+            header.take(key, cursor)?;
+        }
+    }
+
+    fn take(&mut self, key: &str, cursor: &mut Cursor<'_>) -> Result<(), Fault> {
+        match key {
+            "agents" => self.agents = Some(count(cursor)? as usize),
+            "soc" => self.claimed.sum_of_costs = Some(count(cursor)?),
+            "makespan" => self.claimed.makespan = Some(count(cursor)?),
+            "solved" => self.is_unsolved = cursor.line() == "0",
+            "map_file" => {
+                let map = cursor.line();
+                self.map = (!map.is_empty()).then(|| map.to_owned());
+            }
+            "starts" => self.starts = cells(cursor)?,
+            "goals" => self.goals = cells(cursor)?,
+            _ => drop(cursor.line()),
+        }
+        Ok(())
+    }
+
+    /// Whether the counts of robots agree.
+    fn checked(self, cursor: &Cursor<'_>) -> Result<Self, Fault> {
+        let lists = [("starts", &self.starts), ("goals", &self.goals)];
+        for (name, cells) in lists {
+            let agents = self.agents.unwrap_or(self.starts.len());
+            if !cells.is_empty() && cells.len() != agents {
+                let found = format!("{} {name} before the steps", cells.len());
+                let expected = format!("{agents}, one of each robot");
+                return Err(cursor.fault_saying(found, expected));
+            }
+        }
+        Ok(self)
+    }
+}
+
+/// Passes over a key: letters, digits after them, and underscores.
+fn key<'a>(cursor: &mut Cursor<'a>) -> &'a str {
+    let rest = cursor.rest();
+    let is_key = |byte: &u8| byte.is_ascii_alphanumeric() || *byte == b'_';
+    let length = rest.bytes().take_while(|byte| is_key(byte)).count();
+    let word = rest.get(..length).unwrap_or("");
+    if word.starts_with(|c: char| c.is_ascii_digit()) {
+        return "";
+    }
+    cursor.eat(word);
+    word
+}
+
+/// A number from 0, alone on the rest of its line.
+fn count(cursor: &mut Cursor<'_>) -> Result<u64, Fault> {
+    cursor.blanks();
+    let begin = cursor.clone();
+    let number = cursor.number("a number from 0")?;
+    let number = u64::try_from(number).map_err(|_| begin.fault("a number from 0"))?;
+    cursor.end_of_line("the end of the line")?;
+    Ok(number)
+}
+
+/// Cells up to the end of the line, with commas between them.
+fn cells(cursor: &mut Cursor<'_>) -> Result<Vec<Pair>, Fault> {
+    let begin = cursor.clone();
+    let mut cells = Vec::new();
+    cursor.blanks();
+    while cursor.peek() == Some(b'(') {
+        cells.push(cursor.pair()?);
+        cursor.expect(")", "\")\"")?;
+        cursor.eat(",");
+        cursor.blanks();
+    }
+    cursor.end_of_line("a cell, such as (3,1), or the end of the line")?;
+    let counted = Steps::default().add(cells.len());
+    counted.map_err(|fault| begin.place(fault))?;
+    Ok(cells)
+}

@@ -1,0 +1,195 @@
+//! Plans of the MAPF tracker: a string of letters for each robot.
+//!
+//! ```text
+//!   path = { [ run length ] letter }      "5r2d3w"; one step has no run length
+//!   letter = "u" | "d" | "l" | "r" | "w"
+//!   plan = path { end path }, or a list of paths in JSON and YAML
+//! ```
+//!
+//! A solution is an object, or a line of a CSV file, whose columns its first line
+//! names: `map_name`, `scen_type`, `type_id`, `agents`, `solution_plan`, and, not
+//! always, `lower_cost`, `solution_cost`, `flip_up_down`. A file has one solution or
+//! more: lines, a list, documents of YAML. Older files have `path` instead of
+//! `solution_plan`, and no name of the map.
+//!
+//! Sources: `client/src/docs/JSONSchema.mdx` and `format.mdx`,
+//! `server/src/validation/submissionRequestValidatorWorker.ts` (what is accepted) and
+//! `server/src/controllers/bulk.worker.ts` (what can be downloaded) of
+//! ShortestPathLab/mapf-tracker.
+//!
+//! `u` is `y - 1`, and `y + 1` where `flip_up_down` is true, as in all that is
+//! downloaded, and in older files. Robots are in the order of the scenario, which
+//! also has their starts. `solution_cost` is the number of all letters.
+
+mod csv;
+mod json;
+mod moves;
+mod write;
+mod yaml;
+
+use std::borrow::Cow;
+
+pub(super) use write::write;
+
+use super::limits::Steps;
+use super::{Claimed, Conventions, Held, Up, Walk, WrittenAgent, WrittenPlan};
+use crate::Fault;
+
+/// Whether a text is JSON or YAML with a `solution_plan`, or a table with one.
+pub(super) fn sniff(text: &str) -> bool {
+    if text.trim_start().starts_with(['{', '[']) {
+        text.contains("\"solution_plan\"")
+    } else {
+        csv::sniff(text) || text.contains("solution_plan:")
+    }
+}
+
+pub(super) fn read(text: &str) -> Result<Held, Vec<Fault>> {
+    let plan = if text.trim_start().starts_with(['{', '[']) {
+        json::read(text)
+    } else if csv::sniff(text) {
+        csv::read(text)
+    } else {
+        yaml::read(text)
+    };
+    plan.map(Held::Plan).map_err(|fault| vec![fault])
+}
+
+/// The paths of a solution, as they are written.
+#[derive(Debug)]
+enum Paths<'a> {
+    /// One text with a line for each.
+    Lines(Cow<'a, str>),
+    /// A text for each.
+    List(Vec<Cow<'a, str>>),
+}
+
+/// A solution of a file; `P` is what its reader knows of its place.
+#[derive(Debug)]
+struct Solution<'a, P> {
+    place: P,
+    map: Option<String>,
+    scenario: Option<String>,
+    agents: Option<usize>,
+    cost: Option<u64>,
+    up: Up,
+    paths: Option<Paths<'a>>,
+}
+
+/// Where something is wrong in the paths of a solution.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+struct Spot {
+    /// The number of the text in a list of them, from 0.
+    text: Option<usize>,
+    /// The byte of that text.
+    byte: usize,
+}
+
+/// The plan of the solution with the most robots among those with a path; `at`
+/// gives a fault its place.
+fn plan<P>(
+    solutions: Vec<Solution<'_, P>>,
+    at: impl Fn(&P, Spot, Fault) -> Fault,
+) -> Result<WrittenPlan, Fault> {
+    let all = solutions.len();
+    let with_paths = solutions.into_iter().filter_map(|mut solution| {
+        let paths = solution.paths.take()?.split(solution.agents);
+        (!paths.is_empty()).then_some((solution, paths))
+    });
+    // Of equals the first.
+    let largest = with_paths.reduce(|best, next| {
+        if next.1.len() > best.1.len() {
+            next
+        } else {
+            best
+        }
+    });
+    let Some((solution, paths)) = largest else {
+        let fault = Fault::at("", "no solution with a plan", "a \"solution_plan\"");
+        return Err(fault.in_text(1, 1));
+    };
+    let fault = |spot, fault| at(&solution.place, spot, fault);
+    let first = Spot {
+        text: None,
+        byte: 0,
+    };
+    if let Some(agents) = solution.agents
+        && agents != paths.len()
+    {
+        let found = format!("{} paths", paths.len());
+        let expected = format!("{agents}, as \"agents\" says");
+        return Err(fault(first, Fault::at("", found, expected)));
+    }
+    let mut notes = Vec::new();
+    if all > 1 {
+        let of = match (&solution.map, &solution.scenario) {
+            (Some(map), Some(scenario)) => format!(" of {map}-{scenario}"),
+            (Some(map), None) => format!(" of {map}"),
+            _ => String::new(),
+        };
+        notes.push(format!(
+            "The file has {all} solutions; this is the one with a plan for {}{of}.",
+            crate::words::count(paths.len(), "robot")
+        ));
+    }
+    let mut steps = Steps::default();
+    let mut agents = Vec::with_capacity(paths.len());
+    for (spot, path) in &paths {
+        let walked = moves::read(path, &mut steps).map_err(|(byte, wrong)| {
+            let byte = spot.byte + byte;
+            fault(Spot { byte, ..*spot }, wrong)
+        })?;
+        agents.push(WrittenAgent::walking(Walk::Moves(walked)));
+    }
+    Ok(WrittenPlan {
+        map: solution.map,
+        agents,
+        claimed: Claimed {
+            makespan: None,
+            sum_of_costs: solution.cost,
+        },
+        documented: Conventions {
+            up: solution.up,
+            ..Conventions::OWN
+        },
+        notes,
+    })
+}
+
+impl<'a> Paths<'a> {
+    /// The path of each robot with its place. A last line that is empty is a robot
+    /// that does not move, if there is to be one more.
+    fn split(self, agents: Option<usize>) -> Vec<(Spot, Cow<'a, str>)> {
+        let text = match self {
+            Self::List(texts) => {
+                let spot = |text| Spot {
+                    text: Some(text),
+                    byte: 0,
+                };
+                let texts = texts.into_iter().enumerate();
+                return texts.map(|(i, text)| (spot(i), text)).collect();
+            }
+            Self::Lines(text) => text,
+        };
+        let mut spots = Vec::new();
+        let mut from = 0;
+        for line in text.split_inclusive('\n') {
+            let path = line.trim_end_matches(['\n', '\r']);
+            spots.push((from, from + path.len()));
+            from += line.len();
+        }
+        let is_longer = agents.is_some_and(|agents| agents > spots.len());
+        if text.ends_with('\n') && is_longer || text.is_empty() && agents == Some(1) {
+            spots.push((from, from));
+        }
+        let spot = |byte| Spot { text: None, byte };
+        let part = |from, to| match &text {
+            Cow::Borrowed(text) => Cow::Borrowed(text.get(from..to).unwrap_or("")),
+            Cow::Owned(text) => Cow::Owned(text.get(from..to).unwrap_or("").to_owned()),
+        };
+        let paths = spots.into_iter();
+        paths
+            .map(|(from, to)| (spot(from), part(from, to)))
+            .collect()
+    }
+}

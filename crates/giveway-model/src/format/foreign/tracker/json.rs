@@ -1,0 +1,153 @@
+//! The tracker's solutions in JSON: an object, or a list of them.
+
+use std::borrow::Cow;
+use std::fmt;
+
+use serde::de::{Error, SeqAccess, Visitor};
+use serde::{Deserialize, Deserializer};
+
+use super::{Paths, Solution, Spot, plan};
+use crate::Fault;
+use crate::format::foreign::{Up, WrittenPlan};
+use crate::format::json;
+use crate::format::locate::{Locator, segments};
+use crate::format::text::position;
+
+/// A solution with what is looked at; other keys pass.
+#[derive(Deserialize)]
+struct Entry<'a> {
+    map_name: Option<String>,
+    scen_type: Option<String>,
+    type_id: Option<u64>,
+    agents: Option<u32>,
+    solution_cost: Option<u32>,
+    flip_up_down: Option<bool>,
+    #[serde(borrow)]
+    solution_plan: Option<Paths<'a>>,
+}
+
+pub(super) fn read(text: &str) -> Result<WrittenPlan, Fault> {
+    let is_list = text.trim_start().starts_with('[');
+    let entries: Vec<Entry<'_>> = if is_list {
+        json::read(text)?
+    } else {
+        vec![json::read(text)?]
+    };
+    let solutions = entries.into_iter().enumerate().map(|(i, entry)| Solution {
+        place: if is_list {
+            format!("[{i}].solution_plan")
+        } else {
+            "solution_plan".to_owned()
+        },
+        map: entry.map_name,
+        scenario: entry
+            .scen_type
+            .zip(entry.type_id)
+            .map(|(kind, number)| format!("{kind}-{number}")),
+        agents: entry.agents.map(|agents| agents as usize),
+        cost: entry.solution_cost.map(u64::from),
+        up: if entry.flip_up_down == Some(true) {
+            Up::Raises
+        } else {
+            Up::Lowers
+        },
+        paths: entry.solution_plan,
+    });
+    plan(solutions.collect(), |place, spot, fault| {
+        at(text, place, spot, fault)
+    })
+}
+
+/// Gives a fault its place.
+fn at(text: &str, place: &str, spot: Spot, fault: Fault) -> Fault {
+    let place = match spot.text {
+        Some(index) => format!("{place}[{index}]"),
+        None => place.to_owned(),
+    };
+    let mut offset = Locator::new(text)
+        .find(&segments(&place), false)
+        .unwrap_or_default();
+    if text.get(offset..).is_some_and(|rest| rest.starts_with('"')) {
+        offset += 1 + raw(text.get(offset + 1..).unwrap_or(""), spot.byte);
+    }
+    let (line, column) = position(text, offset);
+    Fault { place, ..fault }.in_text(line, column)
+}
+
+/// The byte of a text as it is written, with escapes, at which a byte of what it
+/// says stands.
+fn raw(written: &str, byte: usize) -> usize {
+    let mut said = 0;
+    let mut rest = written.char_indices();
+    while let Some((at, letter)) = rest.next() {
+        if said >= byte {
+            return at;
+        }
+        said += match letter {
+            '\\' => match rest.next() {
+                Some((_, 'u')) => {
+                    let code: String = rest.by_ref().take(4).map(|(_, digit)| digit).collect();
+                    let letter = u32::from_str_radix(&code, 16).ok();
+                    letter.and_then(char::from_u32).map_or(2, char::len_utf8)
+                }
+                _ => 1,
+            },
+            letter => letter.len_utf8(),
+        };
+    }
+    written.len()
+}
+
+impl<'de: 'a, 'a> Deserialize<'de> for Paths<'a> {
+    /// By hand, so that long texts are not copied.
+    fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
+        struct Any;
+
+        impl<'de> Visitor<'de> for Any {
+            type Value = Paths<'de>;
+
+            fn expecting(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+                f.write_str("a text with a line for each robot, or a list of texts")
+            }
+
+            fn visit_borrowed_str<E: Error>(self, text: &'de str) -> Result<Self::Value, E> {
+                Ok(Paths::Lines(Cow::Borrowed(text)))
+            }
+
+            fn visit_str<E: Error>(self, text: &str) -> Result<Self::Value, E> {
+                Ok(Paths::Lines(Cow::Owned(text.to_owned())))
+            }
+
+            fn visit_string<E: Error>(self, text: String) -> Result<Self::Value, E> {
+                Ok(Paths::Lines(Cow::Owned(text)))
+            }
+
+            fn visit_seq<A: SeqAccess<'de>>(self, mut list: A) -> Result<Self::Value, A::Error> {
+                let mut texts = Vec::new();
+                while let Some(Text(text)) = list.next_element()? {
+                    texts.push(text);
+                }
+                Ok(Paths::List(texts))
+            }
+        }
+
+        deserializer.deserialize_any(Any)
+    }
+}
+
+/// A text that is not copied where it has no escapes.
+#[derive(Deserialize)]
+struct Text<'a>(#[serde(borrow)] Cow<'a, str>);
+
+#[cfg(test)]
+mod tests {
+    use super::raw;
+
+    #[test]
+    fn escapes_are_counted_as_what_they_say() {
+        assert_eq!(raw(r"uu\nxd", 3), 4);
+        assert_eq!(raw(r"\u0075x", 1), 6);
+        assert_eq!(raw("ux", 1), 1);
+        assert_eq!(raw("u", 7), 1);
+    }
+}

@@ -1,0 +1,115 @@
+//! The tracker's solutions in YAML: objects, lists of them, or several documents.
+
+use std::borrow::Cow;
+
+use super::{Paths, Solution, Spot, plan};
+use crate::Fault;
+use crate::format::foreign::yaml::{Kind, Yaml};
+use crate::format::foreign::{Up, WrittenPlan};
+
+/// Where the plan of a solution is, as a fault without words, and where each path
+/// of a list begins.
+#[derive(Debug)]
+struct Place {
+    whole: Fault,
+    paths: Vec<(usize, usize)>,
+}
+
+pub(super) fn read(text: &str) -> Result<WrittenPlan, Fault> {
+    let mut yaml = Yaml::new(text);
+    let mut solutions = Vec::new();
+    while yaml.document()? {
+        match yaml.kind()? {
+            Kind::List => yaml.list("a list of solutions", |yaml, _| {
+                solutions.push(solution(yaml)?);
+                Ok(())
+            })?,
+            _ => solutions.push(solution(&mut yaml)?),
+        }
+    }
+    plan(solutions, at)
+}
+
+/// Gives a fault the place of the path that it is in.
+fn at(place: &Place, spot: Spot, fault: Fault) -> Fault {
+    let mut whole = place.whole.clone();
+    let index = spot.text.unwrap_or_default();
+    if let (Some(_), Some(&(line, column))) = (spot.text, place.paths.get(index)) {
+        whole.place.push_str(&format!("[{index}]"));
+        whole = whole.in_text(line, column);
+    }
+    let found = format!("{} at letter {} of the path", fault.found, spot.byte + 1);
+    Fault {
+        found,
+        expected: fault.expected,
+        ..whole
+    }
+}
+
+fn solution<'a>(yaml: &mut Yaml<'a>) -> Result<Solution<'a, Place>, Fault> {
+    let mut solution = Solution {
+        place: Place {
+            whole: yaml.fault("", ""),
+            paths: Vec::new(),
+        },
+        map: None,
+        scenario: None,
+        agents: None,
+        cost: None,
+        up: Up::Lowers,
+        paths: None,
+    };
+    let mut kind = None;
+    let mut number = None;
+    yaml.object("a solution", |yaml, key| {
+        match key {
+            "map_name" => solution.map = yaml.optional("a name")?.map(Cow::into_owned),
+            "scen_type" => kind = yaml.optional("a word")?,
+            "type_id" => number = yaml.optional("a number")?,
+            "agents" => solution.agents = Some(yaml.number::<u32>("a number from 0")? as usize),
+            "solution_cost" => solution.cost = optional_number(yaml)?,
+            "flip_up_down" => {
+                let word = yaml.text("true or false")?;
+                if word.eq_ignore_ascii_case("true") {
+                    solution.up = Up::Raises;
+                } else if !word.eq_ignore_ascii_case("false") {
+                    return Err(yaml.fault(format!("\"{word:.40}\""), "true or false"));
+                }
+            }
+            "solution_plan" => solution.paths = paths(yaml, &mut solution.place)?,
+            _ => yaml.skip()?,
+        }
+        Ok(())
+    })?;
+    solution.scenario = kind
+        .zip(number)
+        .map(|(kind, number)| format!("{kind}-{number}"));
+    Ok(solution)
+}
+
+fn optional_number(yaml: &mut Yaml<'_>) -> Result<Option<u64>, Fault> {
+    let Some(text) = yaml.optional("a number from 0")? else {
+        return Ok(None);
+    };
+    match text.parse::<u32>() {
+        Ok(number) => Ok(Some(u64::from(number))),
+        Err(_) => Err(yaml.fault(format!("\"{text:.40}\""), "a number from 0")),
+    }
+}
+
+fn paths<'a>(yaml: &mut Yaml<'a>, place: &mut Place) -> Result<Option<Paths<'a>>, Fault> {
+    let expected = "a text with a line for each robot, or a list of texts";
+    if yaml.kind()? != Kind::List {
+        let text = yaml.optional(expected)?;
+        place.whole = yaml.fault("", "");
+        return Ok(text.map(Paths::Lines));
+    }
+    place.whole = yaml.fault("", "");
+    let mut texts = Vec::new();
+    yaml.list(expected, |yaml, _| {
+        texts.push(yaml.text("the path of a robot")?);
+        place.paths.push(yaml.at());
+        Ok(())
+    })?;
+    Ok(Some(Paths::List(texts)))
+}
