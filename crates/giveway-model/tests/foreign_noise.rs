@@ -175,9 +175,8 @@ fn assert_placed(fault: &Fault, text: &str) {
 }
 
 fn steps(held: &Held) -> usize {
-    let plan = match held {
-        Held::Plan(plan) | Held::Both(_, plan) => plan,
-        _ => return 0,
+    let (Held::Plan(plan) | Held::Both(_, plan)) = held else {
+        return 0;
     };
     let walks = plan.agents.iter().map(|agent| match &agent.walk {
         Walk::Cells(cells) => cells.len(),

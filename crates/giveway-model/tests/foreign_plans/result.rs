@@ -112,7 +112,7 @@ fn faults_have_their_places() {
         (
             "agents=2\nsolution=\n0:(0,0),\n",
             (3, 1),
-            "1 cells at time 0",
+            "1 cell at time 0",
             "2, one for each robot",
         ),
         ("0:(0,0),\n2:(0,0),\n", (2, 1), "2", "1, the next time step"),
@@ -120,7 +120,7 @@ fn faults_have_their_places() {
             "0:(0,0),\n1:(0,0),(1,0),\n",
             (2, 9),
             "\"(1,0),\"",
-            "the end of the line after 1 robots",
+            "the end of the line after 1 robot",
         ),
         ("0:(0,0),\n1:(0,),\n", (2, 6), "\"),\"", "a number"),
         (

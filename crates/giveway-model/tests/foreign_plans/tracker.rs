@@ -120,11 +120,11 @@ fn faults_have_their_places() {
         "u, d, l, r or w",
     );
     assert_fault(&csv("maybe", "u"), (2, 27), "\"maybe\"", "TRUE or FALSE");
-    assert_fault(&csv("", "u"), (2, 20), "1 paths", "3, as \"agents\" says");
+    assert_fault(&csv("", "u"), (2, 21), "1 path", "3, as \"agents\" says");
     assert_fault(
         "agents,path\n3\n",
         (2, 1),
-        "1 values",
+        "1 value",
         "2, as the first line has columns",
     );
     assert_fault(
@@ -137,7 +137,7 @@ fn faults_have_their_places() {
     assert_fault(json, (3, 4), "\"?\"", letters);
     assert_fault(
         "{ \"agents\": 2,\n \"solution_plan\": \"u\\nd?\" }",
-        (2, 23),
+        (2, 24),
         "\"?\"",
         letters,
     );

@@ -34,6 +34,7 @@ pub(super) use write::write;
 use super::limits::Steps;
 use super::{Claimed, Conventions, Held, Up, Walk, WrittenAgent, WrittenPlan};
 use crate::Fault;
+use crate::words::count;
 
 /// Whether a text is JSON or YAML with a `solution_plan`, or a table with one.
 pub(super) fn sniff(text: &str) -> bool {
@@ -116,7 +117,7 @@ fn plan<P>(
     if let Some(agents) = solution.agents
         && agents != paths.len()
     {
-        let found = format!("{} paths", paths.len());
+        let found = count(paths.len(), "path");
         let expected = format!("{agents}, as \"agents\" says");
         return Err(fault(first, Fault::at("", found, expected)));
     }
@@ -129,7 +130,7 @@ fn plan<P>(
         };
         notes.push(format!(
             "The file has {all} solutions; this is the one with a plan for {}{of}.",
-            crate::words::count(paths.len(), "robot")
+            count(paths.len(), "robot")
         ));
     }
     let mut steps = Steps::default();

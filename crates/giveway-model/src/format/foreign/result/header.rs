@@ -4,6 +4,7 @@ use crate::Fault;
 use crate::format::foreign::cursor::Cursor;
 use crate::format::foreign::limits::Steps;
 use crate::format::foreign::{Claimed, Pair};
+use crate::words;
 
 /// The keys by which such a file is known.
 pub(super) const KEYS: [&str; 12] = [
@@ -86,11 +87,11 @@ impl Header {
 
     /// Whether the counts of robots agree.
     fn checked(self, cursor: &Cursor<'_>) -> Result<Self, Fault> {
-        let lists = [("starts", &self.starts), ("goals", &self.goals)];
+        let lists = [("start", &self.starts), ("goal", &self.goals)];
         for (name, cells) in lists {
             let agents = self.agents.unwrap_or(self.starts.len());
             if !cells.is_empty() && cells.len() != agents {
-                let found = format!("{} {name} before the steps", cells.len());
+                let found = format!("{} before the steps", words::count(cells.len(), name));
                 let expected = format!("{agents}, one of each robot");
                 return Err(cursor.fault_saying(found, expected));
             }

@@ -4,6 +4,7 @@ use crate::Fault;
 use crate::format::foreign::Pair;
 use crate::format::foreign::cursor::Cursor;
 use crate::format::foreign::limits::Steps;
+use crate::words::count;
 
 /// What the steps say.
 #[derive(Debug, Default)]
@@ -37,7 +38,7 @@ pub(super) fn read(cursor: &mut Cursor<'_>, agents: Option<usize>) -> Result<Rea
         let cells = read.step(cursor, time == 0)?;
         let known = agents.filter(|_| time == 0).unwrap_or(read.paths.len());
         if cells != known {
-            let found = format!("{cells} cells at time {time}");
+            let found = format!("{} at time {time}", count(cells, "cell"));
             return Err(begin.fault_saying(found, format!("{known}, one for each robot")));
         }
         // A step takes time to read even where it has no cell.
@@ -45,6 +46,9 @@ pub(super) fn read(cursor: &mut Cursor<'_>, agents: Option<usize>) -> Result<Rea
         counted.map_err(|fault| begin.place(fault))?;
         time += 1;
         cursor.space();
+    }
+    for path in &mut read.paths {
+        path.shrink_to_fit();
     }
     Ok(read)
 }
@@ -61,8 +65,8 @@ impl Read {
                 Some(path) => path.push(cell),
                 None if is_first => self.paths.push(vec![cell]),
                 None => {
-                    let robots = self.paths.len();
-                    let expected = format!("the end of the line after {robots} robots");
+                    let robots = count(self.paths.len(), "robot");
+                    let expected = format!("the end of the line after {robots}");
                     return Err(begin.fault(expected));
                 }
             }

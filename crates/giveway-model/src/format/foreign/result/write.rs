@@ -1,4 +1,4 @@
-//! Writes a line for each time step, as LaCAM does, with the map and the scenario
+//! Writes a line for each time step, as Kei18/lacam does, with the map and the scenario
 //! that it is for.
 
 use std::fmt::Write as _;

@@ -7,6 +7,7 @@ use super::{Paths, Solution, plan};
 use crate::Fault;
 use crate::format::foreign::{Up, WrittenPlan};
 use crate::format::text::{position, shorten};
+use crate::words::count;
 
 /// A value, and the byte at which it begins, after its quote.
 #[derive(Clone, Debug)]
@@ -40,7 +41,7 @@ pub(super) fn read(text: &str) -> Result<WrittenPlan, Fault> {
             continue;
         }
         if fields.len() != columns.len() {
-            let found = format!("{} values", fields.len());
+            let found = count(fields.len(), "value");
             let expected = format!("{}, as the first line has columns", columns.len());
             return Err(fault(text, begin, found, expected));
         }
@@ -81,6 +82,7 @@ fn solution<'a, 'b>(
     };
     let mut kind = None;
     let mut number = None;
+    let mut is_flipped = false;
     for (name, field) in fields {
         let is_old = name == "path";
         if name != "solution_plan" && !is_old && matches!(field.text.trim(), "" | "null") {
@@ -93,14 +95,10 @@ fn solution<'a, 'b>(
             "agents" => solution.agents = Some(field.number(text)? as usize),
             "solution_cost" => solution.cost = Some(field.number(text)?),
             "flip_up_down" => {
-                if field.flag(text)? {
-                    solution.up = Up::Raises;
-                }
+                is_flipped |= field.flag(text)?;
             }
             "solution_plan" | "path" if !is_empty(&field, solution.agents) => {
-                if is_old {
-                    solution.up = Up::Raises;
-                }
+                is_flipped |= is_old;
                 solution.place = Place {
                     at: field.at,
                     is_exact: matches!(field.text, Cow::Borrowed(_)),
@@ -110,10 +108,12 @@ fn solution<'a, 'b>(
             _ => {}
         }
     }
-    solution.scenario = match (kind, number) {
-        (Some(kind), Some(number)) => Some(format!("{kind}-{number}")),
-        _ => None,
-    };
+    solution.scenario = kind
+        .zip(number)
+        .map(|(kind, number)| format!("{kind}-{number}"));
+    if is_flipped {
+        solution.up = Up::Raises;
+    }
     Ok(solution)
 }
 

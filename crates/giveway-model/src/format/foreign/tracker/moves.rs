@@ -52,7 +52,7 @@ pub(super) fn read(path: &str, steps: &mut Steps) -> Result<Vec<Move>, (usize, F
 
 fn longer(run: u32, digit: u8) -> Option<u32> {
     let run = run.checked_mul(10)?.checked_add(u32::from(digit - b'0'))?;
-    (run <= i32::MAX as u32).then_some(run)
+    i32::try_from(run).is_ok().then_some(run)
 }
 
 fn long(from: usize) -> (usize, Fault) {

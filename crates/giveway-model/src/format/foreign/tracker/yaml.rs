@@ -1,6 +1,7 @@
 //! The tracker's solutions in YAML: objects, lists of them, or several documents.
 
 use std::borrow::Cow;
+use std::fmt::Write as _;
 
 use super::{Paths, Solution, Spot, plan};
 use crate::Fault;
@@ -35,7 +36,7 @@ fn at(place: &Place, spot: Spot, fault: Fault) -> Fault {
     let mut whole = place.whole.clone();
     let index = spot.text.unwrap_or_default();
     if let (Some(_), Some(&(line, column))) = (spot.text, place.paths.get(index)) {
-        whole.place.push_str(&format!("[{index}]"));
+        let _ = write!(whole.place, "[{index}]");
         whole = whole.in_text(line, column);
     }
     let found = format!("{} at letter {} of the path", fault.found, spot.byte + 1);

@@ -1,0 +1,142 @@
+//! Plans of 100 MB are read, gathered with their map within 2 s and 500 MB each.
+//!
+//! Ignored, since it measures: `cargo test --release -p giveway-model --test
+//! foreign_large -- --ignored --nocapture --test-threads=1`.
+
+#![allow(
+    clippy::unwrap_used,
+    clippy::panic,
+    clippy::print_stdout,
+    clippy::disallowed_types,
+    reason = "a test stops at the first surprise, and tells what it measured"
+)]
+
+use std::fmt::Write as _;
+use std::time::Instant;
+
+use giveway_model::format::foreign::{MAX_TEXT_BYTES, Options, Source, gather};
+
+const SIDE: usize = 512;
+const AGENTS: usize = 400;
+
+fn map() -> String {
+    let row = format!("{}\n", ".".repeat(SIDE));
+    format!(
+        "type octile\nheight {SIDE}\nwidth {SIDE}\nmap\n{}",
+        row.repeat(SIDE)
+    )
+}
+
+fn scenario() -> String {
+    let mut text = String::from("version 1\n");
+    for y in 0..AGENTS {
+        let _ = writeln!(text, "0\tm.map\t{SIDE}\t{SIDE}\t0\t{y}\t1\t{y}\t1");
+    }
+    text
+}
+
+/// Each agent goes to and fro in its own row, and ends at `x = 1`.
+fn x(time: usize) -> usize {
+    let round = 2 * (SIDE - 1);
+    let along = time % round;
+    along.min(round - along)
+}
+
+/// As many whole rounds and one step as fit.
+fn steps(bytes_of_a_step: usize) -> usize {
+    let round = 2 * (SIDE - 1);
+    let steps = MAX_TEXT_BYTES / bytes_of_a_step / AGENTS;
+    steps.min(24_000_000 / AGENTS - 1) / round * round + 1
+}
+
+/// The most memory that this process had, in MB, where the system tells.
+fn peak() -> Option<usize> {
+    let status = std::fs::read_to_string("/proc/self/status").ok()?;
+    let line = status.lines().find(|line| line.starts_with("VmHWM"))?;
+    let number: usize = line.split_whitespace().nth(1)?.parse().ok()?;
+    Some(number / 1000)
+}
+
+fn assert_quick(name: &str, text: &str, extra: &[(&str, &str)]) {
+    let mut sources = vec![Source { name, text }];
+    sources.extend(extra.iter().map(|&(name, text)| Source { name, text }));
+    let begin = Instant::now();
+    let gathered = gather(&sources, &Options::default()).unwrap();
+    let seconds = begin.elapsed().as_secs_f64();
+    assert!(
+        gathered.plans[0].fit.is_perfect(),
+        "{:?}",
+        gathered.plans[0].fit
+    );
+    let peak = peak();
+    println!(
+        "{name}: {} MB, {seconds:.2} s, {peak:?} MB at most",
+        text.len() / 1_000_000
+    );
+    if !cfg!(debug_assertions) {
+        assert!(seconds < 2.0, "{name}: {seconds} s");
+        assert!(peak.is_none_or(|peak| peak < 500), "{name}: {peak:?} MB");
+    }
+}
+
+#[test]
+#[ignore = "measures"]
+fn a_line_for_each_robot() {
+    let mut text = String::with_capacity(MAX_TEXT_BYTES);
+    for y in 0..AGENTS {
+        let _ = write!(text, "Agent {y}: ");
+        for time in 0..=steps(11) {
+            let _ = write!(text, "({y},{})->", x(time));
+        }
+        text.push('\n');
+    }
+    text.shrink_to_fit();
+    assert_quick(
+        "paths.txt",
+        &text,
+        &[("m.map", &map()), ("m.scen", &scenario())],
+    );
+}
+
+#[test]
+#[ignore = "measures"]
+fn a_line_for_each_time_step() {
+    let mut text = String::with_capacity(MAX_TEXT_BYTES);
+    text.push_str("solution=\n");
+    for time in 0..=steps(10) {
+        let _ = write!(text, "{time}:");
+        for y in 0..AGENTS {
+            let _ = write!(text, "({},{y}),", x(time));
+        }
+        text.push('\n');
+    }
+    text.shrink_to_fit();
+    assert_quick(
+        "result.txt",
+        &text,
+        &[("m.map", &map()), ("m.scen", &scenario())],
+    );
+}
+
+/// The letters of one agent.
+fn letters(from: char, to: char) -> String {
+    let letter = |time| if x(time + 1) > x(time) { from } else { to };
+    (0..steps(4)).map(letter).collect()
+}
+
+#[test]
+#[ignore = "measures"]
+fn letters_in_a_table_and_in_yaml() {
+    let path = letters('r', 'l');
+    let paths = vec![path; AGENTS];
+    let table = format!("agents,path\n{AGENTS},\"{}\"\n", paths.join("\n"));
+    let (map, scenario) = (map(), scenario());
+    let extra = [("m.map", &*map), ("m.scen", &*scenario)];
+    assert_quick("plan.csv", &table, &extra);
+    drop(table);
+    let yaml = format!(
+        "agents: {AGENTS}\nsolution_plan:\n- {}\n",
+        paths.join("\n- ")
+    );
+    assert_quick("plan.yaml", &yaml, &extra);
+}
