@@ -5,12 +5,12 @@ use giveway_model::format::foreign::{Format, write};
 use giveway_model::format::native::{read_instance, read_plan};
 use giveway_model::format::{Loss, Part, losses};
 
-const SCENE: &str = r##"{ "giveway": 1, "name": "n", "map": ["..+~~", "....."],
+const SCENE: &str = r#"{ "giveway": 1, "name": "n", "map": ["..+~~", "....."],
   "rules": { "at_goal": "vanish", "battery_floor": 1 }, "objective": ["moves"],
   "agents": [
     { "name": "A1", "start": [0, 0], "goal": [2, 0], "waypoints": [[1, 0]],
       "battery": { "capacity": 9, "initial": 9 } },
-    { "name": "Bob", "start": [0, 1], "goal": [2, 1] } ] }"##;
+    { "name": "Bob", "start": [0, 1], "goal": [2, 1] } ] }"#;
 const PLAN: &str = r#"{ "giveway": 1,
   "paths": { "A1": [[0, 0], [1, 0], [2, 0]], "Bob": [[0, 1], [1, 1], [2, 1]] },
   "charges": { "A1": [2] }, "from": { "Bob": 1 }, "until": { "A1": 4 },

@@ -1,5 +1,7 @@
 //! A line for each robot, as CBSH2-RTC, EECBS, PBS and MAPF-LNS2 write it.
 
+use std::fmt::Write as _;
+
 use giveway_model::check::costs;
 use giveway_model::format::foreign::{CellOrder, Format, Origin, Walk, recognise};
 
@@ -37,10 +39,10 @@ fn columns_first_and_cells_from_1_are_found_out() {
             let Walk::Cells(cells) = &agent.walk else {
                 panic!("{agent:?}")
             };
-            written.push_str(&format!("Agent {i}: "));
+            let _ = write!(written, "Agent {i}: ");
             for cell in cells {
                 let (first, second) = turn(cell.first, cell.second);
-                written.push_str(&format!("({first},{second})->"));
+                let _ = write!(written, "({first},{second})->");
             }
             written.push('\n');
         }

@@ -1,4 +1,4 @@
-//! A line for each time step, as LaCAM, pibt2 and mapf-visualizer have it.
+//! A line for each time step, as lacam, pibt2 and mapf-visualizer have it.
 
 use giveway_model::check::costs;
 use giveway_model::format::foreign::{CellOrder, Claimed, Format, recognise};
