@@ -181,3 +181,58 @@ fn nothing_deep_fills_the_memory() {
         assert!(fault.line.is_some(), "{fault}");
     }
 }
+
+#[test]
+fn nothing_long_fills_the_memory() {
+    let many = 2_000_000;
+    for (text, found) in [
+        (
+            format!("agents,path\n,\"{}\"", "\n".repeat(many)),
+            "over 4096 robots",
+        ),
+        (
+            format!("agents,path\n{}", "1,u\n".repeat(many)),
+            "over 4096 solutions",
+        ),
+        (
+            format!("agents,path\n{}", ",".repeat(many)),
+            "over 64 values",
+        ),
+        (
+            format!("{{ \"solution_plan\": [{}\"u\"] }}", "\"u\",".repeat(many)),
+            "over 4096 robots",
+        ),
+        (
+            format!("[{}{{ \"solution_plan\": null }}]", "{},".repeat(many)),
+            "over 4096 solutions",
+        ),
+        (
+            format!("solution_plan:\n{}", "- u\n".repeat(9_000)),
+            "over 4096 robots",
+        ),
+        (
+            format!("{}solution_plan: u", "---\n{}\n".repeat(9_000)),
+            "over 4096 solutions",
+        ),
+        (
+            "Agent 0:\n".to_owned()
+                + &(1..9_000)
+                    .map(|i| format!("Agent {i}:\n"))
+                    .collect::<String>(),
+            "over 4096 robots",
+        ),
+        (
+            "agents=2000000000\nsolution=\n".to_owned(),
+            "over 4096 robots",
+        ),
+        (format!("0:{}", "(0,0),".repeat(many)), "over 4096 robots"),
+        (
+            format!("starts={}", "(0,0),".repeat(many)),
+            "over 4096 robots",
+        ),
+    ] {
+        let fault = crate::support::fault(&text);
+        assert_eq!(fault.found, found);
+        assert!(fault.line.is_some(), "{fault}");
+    }
+}

@@ -1,6 +1,7 @@
 //! How much is read of a file.
 
 use crate::Fault;
+use crate::instance::MAX_AGENTS;
 
 /// The longest text that a reader takes, in bytes.
 pub const MAX_TEXT_BYTES: usize = 100_000_000;
@@ -30,4 +31,17 @@ impl Steps {
         }
         Ok(())
     }
+}
+
+/// Whether a plan has no more agents than an instance may have. Ask before there
+/// is room for them: an agent may take a byte of a text.
+///
+/// # Errors
+/// When there are more; the fault has no place yet.
+pub(crate) fn robots(agents: usize) -> Result<(), Fault> {
+    if agents > MAX_AGENTS {
+        let found = format!("over {MAX_AGENTS} robots");
+        return Err(Fault::at("", found, format!("at most {MAX_AGENTS}")));
+    }
+    Ok(())
 }

@@ -20,7 +20,7 @@ mod write;
 pub(super) use write::write;
 
 use super::cursor::Cursor;
-use super::limits::Steps;
+use super::limits::{Steps, robots};
 use super::{CellOrder, Claimed, Conventions, Held, Origin, Pair, Up, Walk};
 use super::{WrittenAgent, WrittenPlan};
 use crate::Fault;
@@ -65,10 +65,10 @@ fn plan(text: &str) -> Result<WrittenPlan, Fault> {
             has_blanks = cursor.peek() != Some(b'(');
         }
         let cells = cells(&mut cursor)?;
-        // An agent takes memory even where it has no cell.
-        steps
-            .add(cells.len().max(1))
-            .map_err(|fault| begin.place(fault))?;
+        let counted = steps
+            .add(cells.len())
+            .and_then(|()| robots(agents.len() + 1));
+        counted.map_err(|fault| begin.place(fault))?;
         agents.push(WrittenAgent::walking(Walk::Cells(cells)));
         cursor.space();
     }

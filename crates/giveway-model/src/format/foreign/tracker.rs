@@ -31,7 +31,7 @@ use std::borrow::Cow;
 
 pub(super) use write::write;
 
-use super::limits::Steps;
+use super::limits::{Steps, robots};
 use super::{Claimed, Conventions, Held, Up, Walk, WrittenAgent, WrittenPlan};
 use crate::Fault;
 use crate::words::count;
@@ -39,9 +39,9 @@ use crate::words::count;
 /// Whether a text is JSON or YAML with a `solution_plan`, or a table with one.
 pub(super) fn sniff(text: &str) -> bool {
     if text.trim_start().starts_with(['{', '[']) {
-        text.contains("\"solution_plan\"")
+        text.contains("\"solution_plan\"") && !text.contains("\"giveway\"")
     } else {
-        csv::sniff(text) || text.contains("solution_plan:")
+        csv::sniff(text) || text.contains("solution_plan")
     }
 }
 
@@ -63,6 +63,19 @@ enum Paths<'a> {
     Lines(Cow<'a, str>),
     /// A text for each.
     List(Vec<Cow<'a, str>>),
+}
+
+/// The most solutions that a file may have; a scenario has one for each number of
+/// robots.
+const MAX_SOLUTIONS: usize = 4096;
+
+/// Whether there is room for so many solutions.
+fn solutions(count: usize) -> Result<(), Fault> {
+    if count > MAX_SOLUTIONS {
+        let found = format!("over {MAX_SOLUTIONS} solutions");
+        return Err(Fault::at("", found, format!("at most {MAX_SOLUTIONS}")));
+    }
+    Ok(())
 }
 
 /// A solution of a file; `P` is what its reader knows of its place.
@@ -94,18 +107,13 @@ fn plan<P>(
 ) -> Result<WrittenPlan, Fault> {
     let all = solutions.len();
     let with_paths = solutions.into_iter().filter_map(|mut solution| {
-        let paths = solution.paths.take()?.split(solution.agents);
-        (!paths.is_empty()).then_some((solution, paths))
+        let paths = solution.paths.take()?;
+        let robots = paths.robots(solution.agents);
+        (robots > 0).then_some((robots, solution, paths))
     });
     // Of equals the first.
-    let largest = with_paths.reduce(|best, next| {
-        if next.1.len() > best.1.len() {
-            next
-        } else {
-            best
-        }
-    });
-    let Some((solution, paths)) = largest else {
+    let largest = with_paths.reduce(|best, next| if next.0 > best.0 { next } else { best });
+    let Some((count_of_paths, solution, paths)) = largest else {
         let fault = Fault::at("", "no solution with a plan", "a \"solution_plan\"");
         return Err(fault.in_text(1, 1));
     };
@@ -114,6 +122,8 @@ fn plan<P>(
         text: None,
         byte: 0,
     };
+    robots(count_of_paths).map_err(|many| fault(first, many))?;
+    let paths = paths.split(count_of_paths);
     if let Some(agents) = solution.agents
         && agents != paths.len()
     {
@@ -158,9 +168,24 @@ fn plan<P>(
 }
 
 impl<'a> Paths<'a> {
-    /// The path of each robot with its place. A last line that is empty is a robot
-    /// that does not move, if there is to be one more.
-    fn split(self, agents: Option<usize>) -> Vec<(Spot, Cow<'a, str>)> {
+    /// How many robots have a path. A last line that is empty is a robot that does
+    /// not move, if there is to be one more.
+    fn robots(&self, agents: Option<usize>) -> usize {
+        let text = match self {
+            Self::List(texts) => return texts.len(),
+            Self::Lines(text) => text,
+        };
+        let ends = text.bytes().filter(|&byte| byte == b'\n').count();
+        let has_last = if text.is_empty() {
+            agents == Some(1)
+        } else {
+            !text.ends_with('\n') || agents.is_some_and(|agents| agents > ends)
+        };
+        ends + usize::from(has_last)
+    }
+
+    /// The path of each robot with its place.
+    fn split(self, robots: usize) -> Vec<(Spot, Cow<'a, str>)> {
         let text = match self {
             Self::List(texts) => {
                 let spot = |text| Spot {
@@ -172,25 +197,23 @@ impl<'a> Paths<'a> {
             }
             Self::Lines(text) => text,
         };
-        let mut spots = Vec::new();
+        let mut paths = Vec::with_capacity(robots);
         let mut from = 0;
-        for line in text.split_inclusive('\n') {
-            let path = line.trim_end_matches(['\n', '\r']);
-            spots.push((from, from + path.len()));
-            from += line.len();
+        while paths.len() < robots {
+            let rest = text.get(from..).unwrap_or("");
+            let end = rest.find('\n').unwrap_or(rest.len());
+            let to = from + rest.get(..end).unwrap_or("").trim_end_matches('\r').len();
+            let path = match &text {
+                Cow::Borrowed(text) => Cow::Borrowed(text.get(from..to).unwrap_or("")),
+                Cow::Owned(text) => Cow::Owned(text.get(from..to).unwrap_or("").to_owned()),
+            };
+            let spot = Spot {
+                text: None,
+                byte: from,
+            };
+            paths.push((spot, path));
+            from += end + 1;
         }
-        let is_longer = agents.is_some_and(|agents| agents > spots.len());
-        if text.ends_with('\n') && is_longer || text.is_empty() && agents == Some(1) {
-            spots.push((from, from));
-        }
-        let spot = |byte| Spot { text: None, byte };
-        let part = |from, to| match &text {
-            Cow::Borrowed(text) => Cow::Borrowed(text.get(from..to).unwrap_or("")),
-            Cow::Owned(text) => Cow::Owned(text.get(from..to).unwrap_or("").to_owned()),
-        };
-        let paths = spots.into_iter();
         paths
-            .map(|(from, to)| (spot(from), part(from, to)))
-            .collect()
     }
 }

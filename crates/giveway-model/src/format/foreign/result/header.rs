@@ -2,7 +2,7 @@
 
 use crate::Fault;
 use crate::format::foreign::cursor::Cursor;
-use crate::format::foreign::limits::Steps;
+use crate::format::foreign::limits::robots;
 use crate::format::foreign::{Claimed, Pair};
 use crate::words;
 
@@ -70,7 +70,12 @@ impl Header {
 
     fn take(&mut self, key: &str, cursor: &mut Cursor<'_>) -> Result<(), Fault> {
         match key {
-            "agents" => self.agents = Some(count(cursor)? as usize),
+            "agents" => {
+                let begin = cursor.clone();
+                let agents = count(cursor)? as usize;
+                robots(agents).map_err(|fault| begin.place(fault))?;
+                self.agents = Some(agents);
+            }
             "soc" => self.claimed.sum_of_costs = Some(count(cursor)?),
             "makespan" => self.claimed.makespan = Some(count(cursor)?),
             "solved" => self.is_unsolved = cursor.line() == "0",
@@ -129,13 +134,12 @@ fn cells(cursor: &mut Cursor<'_>) -> Result<Vec<Pair>, Fault> {
     let mut cells = Vec::new();
     cursor.blanks();
     while cursor.peek() == Some(b'(') {
+        robots(cells.len() + 1).map_err(|fault| begin.place(fault))?;
         cells.push(cursor.pair()?);
         cursor.expect(")", "\")\"")?;
         cursor.eat(",");
         cursor.blanks();
     }
     cursor.end_of_line("a cell, such as (3,1), or the end of the line")?;
-    let counted = Steps::default().add(cells.len());
-    counted.map_err(|fault| begin.place(fault))?;
     Ok(cells)
 }

@@ -3,7 +3,7 @@
 use crate::Fault;
 use crate::format::foreign::Pair;
 use crate::format::foreign::cursor::Cursor;
-use crate::format::foreign::limits::Steps;
+use crate::format::foreign::limits::{Steps, robots};
 use crate::words::count;
 
 /// What the steps say.
@@ -63,7 +63,10 @@ impl Read {
             let cell = self.cell(cursor)?;
             match self.paths.get_mut(agent) {
                 Some(path) => path.push(cell),
-                None if is_first => self.paths.push(vec![cell]),
+                None if is_first => {
+                    robots(agent + 1).map_err(|fault| begin.place(fault))?;
+                    self.paths.push(vec![cell]);
+                }
                 None => {
                     let robots = count(self.paths.len(), "robot");
                     let expected = format!("the end of the line after {robots}");

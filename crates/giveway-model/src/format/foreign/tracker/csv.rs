@@ -9,6 +9,9 @@ use crate::format::foreign::{Up, WrittenPlan};
 use crate::format::text::{position, shorten};
 use crate::words::count;
 
+/// The most columns of a table.
+const MAX_COLUMNS: usize = 64;
+
 /// A value, and the byte at which it begins, after its quote.
 #[derive(Clone, Debug)]
 struct Field<'a> {
@@ -45,6 +48,10 @@ pub(super) fn read(text: &str) -> Result<WrittenPlan, Fault> {
             let expected = format!("{}, as the first line has columns", columns.len());
             return Err(fault(text, begin, found, expected));
         }
+        super::solutions(solutions.len() + 1).map_err(|many| {
+            let (line, column) = position(text, begin);
+            many.in_text(line, column)
+        })?;
         let named = columns.iter().map(String::as_str).zip(fields);
         solutions.push(solution(text, named)?);
     }
@@ -164,6 +171,11 @@ fn record<'a>(text: &'a str, at: &mut usize) -> Result<Vec<Field<'a>>, Fault> {
             *at += end;
             field
         };
+        if fields.len() == MAX_COLUMNS {
+            let found = format!("over {MAX_COLUMNS} values");
+            let expected = format!("at most {MAX_COLUMNS}");
+            return Err(fault(text, field.at, found, expected));
+        }
         fields.push(field);
         let rest = text.get(*at..).unwrap_or("");
         if rest.starts_with(',') {

@@ -8,6 +8,7 @@ use serde::{Deserialize, Deserializer};
 
 use super::{Paths, Solution, Spot, plan};
 use crate::Fault;
+use crate::format::foreign::limits::robots;
 use crate::format::foreign::{Up, WrittenPlan};
 use crate::format::json;
 use crate::format::locate::{Locator, segments};
@@ -29,7 +30,7 @@ struct Entry<'a> {
 pub(super) fn read(text: &str) -> Result<WrittenPlan, Fault> {
     let is_list = text.trim_start().starts_with('[');
     let entries: Vec<Entry<'_>> = if is_list {
-        json::read(text)?
+        json::read::<Entries<'_>>(text)?.0
     } else {
         vec![json::read(text)?]
     };
@@ -56,6 +57,43 @@ pub(super) fn read(text: &str) -> Result<WrittenPlan, Fault> {
     plan(solutions.collect(), |place, spot, fault| {
         at(text, place, spot, fault)
     })
+}
+
+/// Solutions, no more than there may be.
+struct Entries<'a>(Vec<Entry<'a>>);
+
+impl<'de: 'a, 'a> Deserialize<'de> for Entries<'a> {
+    /// By hand, so that the list is counted while it grows.
+    fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
+        struct All;
+
+        impl<'de> Visitor<'de> for All {
+            type Value = Entries<'de>;
+
+            fn expecting(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+                f.write_str("a list of solutions")
+            }
+
+            fn visit_seq<A: SeqAccess<'de>>(self, mut list: A) -> Result<Self::Value, A::Error> {
+                let mut entries = Vec::new();
+                while let Some(entry) = list.next_element()? {
+                    super::solutions(entries.len() + 1).map_err(|many| in_words(&many))?;
+                    entries.push(entry);
+                }
+                Ok(Entries(entries))
+            }
+        }
+
+        deserializer.deserialize_seq(All)
+    }
+}
+
+/// A fault as an error of the JSON library, whose words are told apart again.
+fn in_words<E: Error>(fault: &Fault) -> E {
+    E::custom(format!(
+        "found {}, expected {}",
+        fault.found, fault.expected
+    ))
 }
 
 /// Gives a fault its place.
@@ -125,6 +163,7 @@ impl<'de: 'a, 'a> Deserialize<'de> for Paths<'a> {
             fn visit_seq<A: SeqAccess<'de>>(self, mut list: A) -> Result<Self::Value, A::Error> {
                 let mut texts = Vec::new();
                 while let Some(Text(text)) = list.next_element()? {
+                    robots(texts.len() + 1).map_err(|many| in_words(&many))?;
                     texts.push(text);
                 }
                 Ok(Paths::List(texts))

@@ -5,6 +5,7 @@ use std::fmt::Write as _;
 
 use super::{Paths, Solution, Spot, plan};
 use crate::Fault;
+use crate::format::foreign::limits::robots;
 use crate::format::foreign::yaml::{Kind, Yaml};
 use crate::format::foreign::{Up, WrittenPlan};
 
@@ -19,9 +20,14 @@ struct Place {
 pub(super) fn read(text: &str) -> Result<WrittenPlan, Fault> {
     let mut yaml = Yaml::new(text);
     let mut solutions = Vec::new();
+    let counted = |yaml: &Yaml<'_>, count| {
+        super::solutions(count).map_err(|many| yaml.fault(many.found, many.expected))
+    };
     while yaml.document()? {
+        counted(&yaml, solutions.len() + 1)?;
         match yaml.kind()? {
             Kind::List => yaml.list("a list of solutions", |yaml, _| {
+                counted(yaml, solutions.len() + 1)?;
                 solutions.push(solution(yaml)?);
                 Ok(())
             })?,
@@ -107,7 +113,8 @@ fn paths<'a>(yaml: &mut Yaml<'a>, place: &mut Place) -> Result<Option<Paths<'a>>
     }
     place.whole = yaml.fault("", "");
     let mut texts = Vec::new();
-    yaml.list(expected, |yaml, _| {
+    yaml.list(expected, |yaml, index| {
+        robots(index + 1).map_err(|many| yaml.fault(many.found, many.expected))?;
         texts.push(yaml.text("the path of a robot")?);
         place.paths.push(yaml.at());
         Ok(())
