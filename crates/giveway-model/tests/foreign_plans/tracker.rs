@@ -215,10 +215,7 @@ fn nothing_long_fills_the_memory() {
             "over 4096 solutions",
         ),
         (
-            "Agent 0:\n".to_owned()
-                + &(1..9_000)
-                    .map(|i| format!("Agent {i}:\n"))
-                    .collect::<String>(),
+            (0..9_000).fold(String::new(), |text, i| text + &format!("Agent {i}:\n")),
             "over 4096 robots",
         ),
         (
