@@ -184,7 +184,7 @@ fn nothing_deep_fills_the_memory() {
 
 #[test]
 fn nothing_long_fills_the_memory() {
-    let many = 2_000_000;
+    let many = 200_000;
     for (text, found) in [
         (
             format!("agents,path\n,\"{}\"", "\n".repeat(many)),
