@@ -153,6 +153,12 @@ fn faults_have_their_places() {
         "an alias (*)",
         "the value itself",
     );
+    assert_fault(
+        "flip_up_down: |\n  yes\n  no\nsolution_plan: u\n",
+        (1, 15),
+        "\"yes\u{fffd}no\u{fffd}\"",
+        "true or false",
+    );
     let fault = crate::support::fault("agents: 2\nsolution_plan:\n  - u\n  - d?\n");
     assert_eq!(fault.place, "solution_plan[1]");
     assert_eq!(crate::support::fault(json).place, "solution_plan[1]");

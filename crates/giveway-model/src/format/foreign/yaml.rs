@@ -145,8 +145,7 @@ impl<'a> Yaml<'a> {
     /// Reads a number.
     pub(super) fn number<T: FromStr>(&mut self, expected: &str) -> Result<T, Fault> {
         let text = self.text(expected)?;
-        text.parse()
-            .map_err(|_| self.fault(quoted(&text), expected))
+        text.parse().map_err(|_| self.unlike(&text, expected))
     }
 
     /// Passes over a value, whatever it is.
@@ -172,6 +171,11 @@ impl<'a> Yaml<'a> {
     pub(super) fn fault(&self, found: impl Into<String>, expected: impl Into<String>) -> Fault {
         let (line, column) = self.at;
         Fault::at(place(&self.way), found, expected).in_text(line, column)
+    }
+
+    /// A fault at the text that was read last, which is not as it should be.
+    pub(super) fn unlike(&self, text: &str, expected: &str) -> Fault {
+        self.fault(quoted(text), expected)
     }
 
     /// Line and column, both from 1, of the value that was read last.

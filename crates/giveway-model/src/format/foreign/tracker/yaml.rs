@@ -80,7 +80,7 @@ fn solution<'a>(yaml: &mut Yaml<'a>) -> Result<Solution<'a, Place>, Fault> {
                 if word.eq_ignore_ascii_case("true") {
                     solution.up = Up::Raises;
                 } else if !word.eq_ignore_ascii_case("false") {
-                    return Err(yaml.fault(format!("\"{word:.40}\""), "true or false"));
+                    return Err(yaml.unlike(&word, "true or false"));
                 }
             }
             "solution_plan" => solution.paths = paths(yaml, &mut solution.place)?,
@@ -100,7 +100,7 @@ fn optional_number(yaml: &mut Yaml<'_>) -> Result<Option<u64>, Fault> {
     };
     match text.parse::<u32>() {
         Ok(number) => Ok(Some(u64::from(number))),
-        Err(_) => Err(yaml.fault(format!("\"{text:.40}\""), "a number from 0")),
+        Err(_) => Err(yaml.unlike(&text, "a number from 0")),
     }
 }
 
