@@ -155,9 +155,21 @@ fn faults_have_their_places() {
     );
     assert_fault(
         "flip_up_down: |\n  yes\n  no\nsolution_plan: u\n",
-        (1, 15),
+        (2, 3),
         "\"yes\u{fffd}no\u{fffd}\"",
         "true or false",
+    );
+    assert_fault(
+        "agents: 2\nsolution_plan:\n  - u\n",
+        (3, 3),
+        "1 path",
+        "2, as \"agents\" says",
+    );
+    assert_fault(
+        "agents: 2\nsolution_plan: |\n  u\n  d?\n",
+        (3, 3),
+        "\"?\" at letter 4 of all paths",
+        letters,
     );
     let fault = crate::support::fault("agents: 2\nsolution_plan:\n  - u\n  - d?\n");
     assert_eq!(fault.place, "solution_plan[1]");

@@ -100,10 +100,10 @@ struct Spot {
 }
 
 /// The plan of the solution with the most robots among those with a path; `at`
-/// gives a fault its place.
+/// gives a fault its place, which is the whole plan where it has no spot.
 fn plan<P>(
     solutions: Vec<Solution<'_, P>>,
-    at: impl Fn(&P, Spot, Fault) -> Fault,
+    at: impl Fn(&P, Option<Spot>, Fault) -> Fault,
 ) -> Result<WrittenPlan, Fault> {
     let all = solutions.len();
     let with_paths = solutions.into_iter().filter_map(|mut solution| {
@@ -118,18 +118,14 @@ fn plan<P>(
         return Err(fault.in_text(1, 1));
     };
     let fault = |spot, fault| at(&solution.place, spot, fault);
-    let first = Spot {
-        text: None,
-        byte: 0,
-    };
-    robots(count_of_paths).map_err(|many| fault(first, many))?;
+    robots(count_of_paths).map_err(|many| fault(None, many))?;
     let paths = paths.split(count_of_paths);
     if let Some(agents) = solution.agents
         && agents != paths.len()
     {
         let found = count(paths.len(), "path");
         let expected = format!("{agents}, as \"agents\" says");
-        return Err(fault(first, Fault::at("", found, expected)));
+        return Err(fault(None, Fault::at("", found, expected)));
     }
     let mut notes = Vec::new();
     if all > 1 {
@@ -148,7 +144,7 @@ fn plan<P>(
     for (spot, path) in &paths {
         let walked = moves::read(path, &mut steps).map_err(|(byte, wrong)| {
             let byte = spot.byte + byte;
-            fault(Spot { byte, ..*spot }, wrong)
+            fault(Some(Spot { byte, ..*spot }), wrong)
         })?;
         agents.push(WrittenAgent::walking(Walk::Moves(walked)));
     }

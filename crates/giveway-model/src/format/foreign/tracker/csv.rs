@@ -57,7 +57,7 @@ pub(super) fn read(text: &str) -> Result<WrittenPlan, Fault> {
     }
     plan(solutions, |place, spot, fault| {
         let at = if place.is_exact {
-            place.at + spot.byte
+            place.at + spot.map_or(0, |spot| spot.byte)
         } else {
             place.at
         };

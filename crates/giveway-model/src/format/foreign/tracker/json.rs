@@ -97,8 +97,8 @@ fn in_words<E: Error>(fault: &Fault) -> E {
 }
 
 /// Gives a fault its place.
-fn at(text: &str, place: &str, spot: Spot, fault: Fault) -> Fault {
-    let place = match spot.text {
+fn at(text: &str, place: &str, spot: Option<Spot>, fault: Fault) -> Fault {
+    let place = match spot.and_then(|spot| spot.text) {
         Some(index) => format!("{place}[{index}]"),
         None => place.to_owned(),
     };
@@ -106,7 +106,10 @@ fn at(text: &str, place: &str, spot: Spot, fault: Fault) -> Fault {
         .find(&segments(&place), false)
         .unwrap_or_default();
     if text.get(offset..).is_some_and(|rest| rest.starts_with('"')) {
-        offset += 1 + raw(text.get(offset + 1..).unwrap_or(""), spot.byte);
+        offset += 1 + raw(
+            text.get(offset + 1..).unwrap_or(""),
+            spot.map_or(0, |spot| spot.byte),
+        );
     }
     let (line, column) = position(text, offset);
     Fault { place, ..fault }.in_text(line, column)

@@ -38,14 +38,25 @@ pub(super) fn read(text: &str) -> Result<WrittenPlan, Fault> {
 }
 
 /// Gives a fault the place of the path that it is in.
-fn at(place: &Place, spot: Spot, fault: Fault) -> Fault {
+fn at(place: &Place, spot: Option<Spot>, fault: Fault) -> Fault {
     let mut whole = place.whole.clone();
+    let Some(spot) = spot else {
+        return Fault {
+            found: fault.found,
+            expected: fault.expected,
+            ..whole
+        };
+    };
     let index = spot.text.unwrap_or_default();
     if let (Some(_), Some(&(line, column))) = (spot.text, place.paths.get(index)) {
         let _ = write!(whole.place, "[{index}]");
         whole = whole.in_text(line, column);
     }
-    let found = format!("{} at letter {} of the path", fault.found, spot.byte + 1);
+    let of = match spot.text {
+        Some(_) => "the path",
+        None => "all paths",
+    };
+    let found = format!("{} at letter {} of {of}", fault.found, spot.byte + 1);
     Fault {
         found,
         expected: fault.expected,
