@@ -1,4 +1,4 @@
-//! Plans of 100 MB are read, gathered with their map within 2 s and 500 MB each.
+//! Plans of some 100 MB are gathered with their map within 2 s and 500 MB.
 //!
 //! Ignored, since it measures: `cargo test --release -p giveway-model --test
 //! foreign_large -- --ignored --nocapture --test-threads=1`.
