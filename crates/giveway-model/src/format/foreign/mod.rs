@@ -11,6 +11,7 @@
 //! `decide` tries them and says why one was taken, and [`gather`] brings files
 //! together. Nothing here reads a disk.
 
+mod asprilo;
 mod conventions;
 mod cursor;
 mod decide;

@@ -1,6 +1,6 @@
 //! What a text is, told by what it holds and never by its name alone.
 
-use super::{Format, WrittenPlan, limits::MAX_TEXT_BYTES, paths, result, tracker};
+use super::{Format, WrittenPlan, asprilo, limits::MAX_TEXT_BYTES, paths, result, tracker};
 use crate::format::text::{shorten, without_mark};
 use crate::format::{movingai, native};
 use crate::{Fault, Grid, Plan, Scene};
@@ -45,6 +45,7 @@ const READERS: &[(Format, Sniff, Reader)] = &[
     (Format::Paths, paths::sniff, paths::read),
     (Format::Result, result::sniff, result::read),
     (Format::Tracker, tracker::sniff, tracker::read),
+    (Format::Asprilo, asprilo::is_asprilo, asprilo::read),
     (Format::Giveway, is_json, read_own),
 ];
 

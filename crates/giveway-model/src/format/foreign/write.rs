@@ -1,6 +1,6 @@
 //! Writes an instance or a plan in a format.
 
-use super::{Format, paths, result, tracker};
+use super::{Format, asprilo, paths, result, tracker};
 use crate::format::{movingai, native};
 use crate::{Fault, Instance, Plan};
 
@@ -31,6 +31,7 @@ pub fn write(
         Format::Tracker => tracker::write(stem, instance, plan),
         Format::Paths => paths::write(stem, instance, plan),
         Format::Result => result::write(stem, instance, plan),
+        Format::Asprilo => asprilo::write(stem, instance, plan),
         _ => Err(Fault::at(
             "",
             format!("the format {format}"),

@@ -1,0 +1,233 @@
+//! asprilo: the published instances and the published plan.
+
+use giveway_model::check::Rule;
+use giveway_model::format::foreign::{Format, Held, read, recognise, write};
+use giveway_model::{Cell, Instance, Scene};
+
+use crate::support::{comes_back, data, opened, refused, violations};
+
+const FILES: [&str; 17] = [
+    "x10_y10_n100_r5_s20_ps6_pr5_u10_o5_N50.lp",
+    "x10_y10_n100_r70_s70_ps0_pr0_u0_o0_N1.lp",
+    "x11_y6_n66_r3_s12_ps2_pr5_u50_o3_N001.lp",
+    "x12_y5_n52_r30_s30_ps0_pr0_u0_o0_N1.lp",
+    "x19_y9_n171_r5_s45_ps3_pr10_u40_o6_N1.lp",
+    "x19_y9_n171_r6_s45_ps3_pr180_u540_o12_N1.lp",
+    "x26_y26_n676_r5_s16_ps4_pr4_u32_o8_N1.lp",
+    "x2_y2_n4_r2_s2_ps1_pr2_u4_o2_N1-ONE.lp",
+    "x2_y2_n4_r2_s2_ps1_pr2_u4_o2_N1.lp",
+    "x30_y30_n810_r20_s20_ps0_pr0_u0_o0_N1.lp",
+    "x30_y30_n900_r10_s10_ps0_pr0_u0_o0_N1.lp",
+    "x3_y3_n9_r1_s1_ps1_pr1_u1_o1_N1.lp",
+    "x46_y15_n690_r10_s160_ps10_pr5_u10_o2_N1.lp",
+    "x4_y4_n16_r2_s3_ps1_pr2_u4_o2_N1.lp",
+    "x4_y4_n16_r8_s8_ps0_pr0_u0_o0_N1.lp",
+    "x8_y8_n64_r4_s10_ps2_pr3_u16_o4_N1-THREE-ONLY.lp",
+    "x8_y8_n64_r4_s10_ps2_pr3_u16_o4_N1.lp",
+];
+
+/// The number behind a letter of a file's name: `x10_y10_n100` has 100 for `n`.
+fn told(file: &str, letter: char) -> usize {
+    let mut parts = file.split(['_', '.', '-']);
+    let number = parts.find_map(|part| part.strip_prefix(letter)?.parse().ok());
+    number.unwrap()
+}
+
+#[test]
+fn every_published_instance_is_read_written_and_read_again() {
+    for file in FILES {
+        let text = data(&format!("asprilo/{file}"));
+        assert_eq!(recognise(&text), Ok(Format::Asprilo), "{file}");
+        let read = opened(&[(file, &text)]).unwrap_or_else(|error| panic!("{file}: {error:?}"));
+        let grid = read.instance.grid();
+        assert_eq!(grid.width() as usize, told(file, 'x'), "{file}");
+        assert_eq!(grid.height() as usize, told(file, 'y'), "{file}");
+        let nodes = grid.cells().filter(|(_, ground)| ground.is_vertex());
+        assert_eq!(nodes.count(), told(file, 'n'), "{file}");
+        if !file.contains("ON") {
+            // Their names count robots that a comment takes out.
+            assert_eq!(read.instance.agents().len(), told(file, 'r'), "{file}");
+        }
+        let written = comes_back(Format::Asprilo, &read);
+        assert_eq!(written.losses, Vec::<String>::new(), "{file}");
+    }
+}
+
+#[test]
+fn orders_are_given_to_robots_in_turn() {
+    let text = data("asprilo/x4_y4_n16_r2_s3_ps1_pr2_u4_o2_N1.lp");
+    let read = opened(&[("a.lp", &text)]).unwrap();
+    let [one, two] = read.instance.agents() else {
+        panic!("two robots")
+    };
+    // One of them ends at the only station, the other passes it and returns.
+    assert_ne!(one.goal, one.start);
+    assert_eq!(two.goal, two.start);
+    assert_eq!(two.waypoints.last(), Some(&one.goal));
+    assert!(read.notes[0].starts_with("Any robot may serve an order in asprilo."));
+}
+
+#[test]
+fn a_file_without_orders_asks_for_goals() {
+    let text = data("asprilo/x4_y4_n16_r8_s8_ps0_pr0_u0_o0_N1.lp");
+    let read = opened(&[("a.lp", &text)]).unwrap();
+    assert!(read.instance.agents().iter().all(|it| it.goal == it.start));
+    assert_eq!(
+        read.notes,
+        [
+            "The file has no orders: every robot's goal is its start. Give them goals.",
+            "Not kept as such: 8 shelves."
+        ]
+    );
+}
+
+#[test]
+fn the_published_plan_is_read_with_its_instance_and_is_legal() {
+    let text = data("asprilo/small_outcome_plan.txt");
+    let read = opened(&[("small_outcome_plan.txt", &text)]).unwrap();
+    assert_eq!(read.instance.agents().len(), 3);
+    let plan = &read.plans[0];
+    assert_eq!(
+        plan.conventions.origin,
+        giveway_model::format::foreign::Origin::One
+    );
+    assert!(plan.fit.is_perfect(), "{:?}", plan.fit);
+    // Robot 1 goes four cells to the right, three up, and lifts a shelf there.
+    let path = plan.plan.path("A1");
+    assert_eq!(path[0], Some(Cell::new(0, 5)));
+    assert_eq!(path[4], Some(Cell::new(4, 5)));
+    assert_eq!(path[7], Some(Cell::new(4, 2)));
+    assert_eq!(read.instance.agents()[0].waypoints[0], Cell::new(4, 2));
+    assert_eq!(violations(&read.instance, plan), []);
+    let left: Vec<&String> = plan
+        .notes
+        .iter()
+        .filter(|note| note.contains("does not deliver"))
+        .collect();
+    assert_eq!(left.len(), 0, "{left:?}");
+    comes_back(Format::Asprilo, &read);
+}
+
+#[test]
+fn what_a_plan_does_not_deliver_is_said() {
+    let text = data("asprilo/small_outcome_plan.txt");
+    let text = text.replace("occurs(object(robot,1),action(deliver,(2,4,1)),22).\n", "");
+    let read = opened(&[("a.lp", &text)]).unwrap();
+    let said = "The plan does not deliver all of product 4 of order 2.";
+    assert!(read.plans[0].notes.iter().any(|note| note == said));
+}
+
+const CROSSING: &str = "\
+init(object(node,1),value(at,(1,1))). init(object(node,2),value(at,(2,1))). init(object(node,3),value(at,(3,1))).
+init(object(node,4),value(at,(2,2))). %* a pocket
+below *% init(object(robot,1),value(at,(1,1))). init(object(robot,2),value(at,(3,1))).
+";
+
+#[test]
+fn a_faulty_plan_shows_every_violation() {
+    let text = format!(
+        "{CROSSING}occurs(object(robot,1),action(move,(1,0)),1). \
+         occurs(object(robot,2),action(move,(-1,0)),1). \
+         occurs(object(robot,1),action(move,(0,-1)),2)."
+    );
+    let read = opened(&[("a.lp", &text)]).unwrap();
+    assert_eq!(read.instance.grid().rows(), ["...", "#.#"]);
+    let found = violations(&read.instance, &read.plans[0]);
+    let both = || vec!["A1".to_owned(), "A2".to_owned()];
+    assert!(found.contains(&(Rule::Vertex, 1, both())), "{found:?}");
+    let one = vec!["A1".to_owned()];
+    assert!(found.contains(&(Rule::Obstacle, 2, one)), "{found:?}");
+}
+
+#[test]
+fn a_plan_may_stand_apart_from_its_instance() {
+    let plan = "occurs(object(robot,2),action(move,(-1,0)),2).";
+    let Ok((Format::Asprilo, Held::Plan(held))) = read(plan) else {
+        panic!("a plan")
+    };
+    assert_eq!(held.agents.len(), 2);
+    let read = opened(&[("a.lp", CROSSING), ("plan.lp", plan)]).unwrap();
+    let path = read.plans[0].plan.path("A2");
+    let cells = [(2, 0), (2, 0), (1, 0)].map(|cell| Some(Cell::from(cell)));
+    assert_eq!(path, cells);
+}
+
+#[test]
+fn names_and_borders_that_cannot_be_written_are_losses() {
+    let scene = r#"{"giveway": 1, "map": ["..+X", "...X", "XXXX"],
+            "agents": [{"name": "Robbie", "start": [0, 0], "goal": [1, 1],
+                        "waypoints": [[2, 1], [0, 1]], "battery": {"capacity": 9, "initial": 3}},
+                       {"name": "B", "start": [1, 1], "goal": [0, 0]}]}"#;
+    let scene: Scene = serde_json::from_str(&scene.replace('X', "#")).unwrap();
+    let instance = Instance::new(scene).unwrap();
+    let written = write(Format::Asprilo, "it", Some(&instance), None).unwrap();
+    assert_eq!(
+        written.losses,
+        [
+            "the chargers (1 cell)",
+            "the batteries of 1 robot",
+            "the names of 2 robots",
+            "1 column of obstacles at the right and 1 row at the bottom"
+        ]
+    );
+    let read = opened(&[("it.lp", &written.files[0].1)]).unwrap();
+    let agents = read.instance.agents();
+    assert_eq!(agents[0].waypoints, [Cell::new(2, 1), Cell::new(0, 1)]);
+    assert_eq!(agents[0].goal, Cell::new(1, 1));
+    assert_eq!(agents[1].goal, Cell::new(0, 0));
+}
+
+#[test]
+fn faults_have_their_place() {
+    let cases = [
+        (
+            "init(object(node,1),value(at,(0,1))).",
+            "line 1, column 30: found \"(0,1))).\", expected a node (X,Y) with numbers from 1",
+        ),
+        (
+            "init(object(node,1),value(at,(2000,1))).",
+            "line 1, column 30: found the node (2000,1), expected a map of at most 1024 x 1024 nodes",
+        ),
+        (
+            "init(object(node,99999999999),value(at,(1,1))).",
+            "line 1, column 18: found \"99999999999),value(at,(1,1))).\", expected a whole number from -2147483648 to 2147483647",
+        ),
+        (
+            "init(object(robot,1),value(at,(1,1))).",
+            "line 1, column 1: found no node, expected facts init(object(node,1),value(at,(X,Y))), or a plan",
+        ),
+        (
+            "init(object(node,1),value(at,(1,1))).\ninit(object(robot,1),value(at,(2,1))).",
+            "line 2, column 1: found robot 1 at (2,1), where there is no node, expected a node",
+        ),
+        (
+            "occurs(object(robot,1),action(move,(1,1)),1).",
+            "line 1, column 36: found \"(1,1)),1).\", expected a move (1,0), (-1,0), (0,1) or (0,-1)",
+        ),
+        (
+            "occurs(object(robot,1),action(move,(1,0)),2000000000).",
+            "line 1, column 1: found a plan of over 24000000 steps, expected at most 24000000 steps of all robots",
+        ),
+        (
+            "occurs(object(robot,1),action(move,(1,0)),1).\noccurs(object(robot,1),action(move,(0,1)),1).",
+            "line 2, column 1: found a second action of robot 1 at time 1, expected one action a step",
+        ),
+        (
+            "init(object(node,1),value(at,(1,1))",
+            "line 1, column 36: found the end of the file, expected a comma or a closing )",
+        ),
+        (
+            "init(X) :- node(X).",
+            "line 1, column 6: found \"X) :- node(X).\", expected a fact, since rules are not read",
+        ),
+        (
+            "init(object(node,1),value(at,(1,1))). %* no end",
+            "line 1, column 39: found a comment without end, expected *% after it",
+        ),
+    ];
+    for (text, said) in cases {
+        assert_eq!(refused(text).to_string(), said, "{text}");
+    }
+    let deep = format!("init({}1{}).", "(".repeat(40), ")".repeat(40));
+    assert_eq!(refused(&deep).found, "terms nested very deeply");
+}

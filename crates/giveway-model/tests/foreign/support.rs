@@ -1,0 +1,74 @@
+//! What tests of several formats need.
+
+use std::path::PathBuf;
+
+use giveway_model::check::{Rule, check};
+use giveway_model::format::foreign::{
+    ForeignPlan, Format, Gathered, Options, Refused, Source, Written, gather,
+};
+use giveway_model::{Fault, Instance};
+
+/// The text of a file of the tests' data.
+pub fn data(path: &str) -> String {
+    let path = PathBuf::from(env!("CARGO_MANIFEST_DIR"))
+        .join("tests/data")
+        .join(path);
+    std::fs::read_to_string(&path).unwrap_or_else(|error| panic!("{}: {error}", path.display()))
+}
+
+/// Gathers files given as name and text.
+pub fn opened(files: &[(&str, &str)]) -> Result<Gathered, Refused> {
+    let sources: Vec<Source<'_>> = files
+        .iter()
+        .map(|&(name, text)| Source { name, text })
+        .collect();
+    gather(&sources, &Options::default())
+}
+
+/// The same for files that were written.
+pub fn reopened(written: &Written) -> Gathered {
+    let files: Vec<(&str, &str)> = written
+        .files
+        .iter()
+        .map(|(name, text)| (&**name, &**text))
+        .collect();
+    opened(&files).unwrap_or_else(|error| panic!("{error:?}\n{files:?}"))
+}
+
+/// The fault of a text that is refused.
+pub fn refused(text: &str) -> Fault {
+    match giveway_model::format::foreign::read(text) {
+        Ok(held) => panic!("{held:?}"),
+        Err(faults) => faults[0].clone(),
+    }
+}
+
+/// The rule, time and agents of every violation.
+pub fn violations(instance: &Instance, plan: &ForeignPlan) -> Vec<(Rule, usize, Vec<String>)> {
+    let report = check(instance, &plan.plan);
+    report
+        .violations
+        .into_iter()
+        .map(|found| (found.rule, found.time as usize, found.agents))
+        .collect()
+}
+
+/// Writes, reads and compares the scene (names aside where they are lost) and the plans.
+pub fn comes_back(format: Format, gathered: &Gathered) -> Written {
+    let plan = gathered.plans.first().map(|plan| &plan.plan);
+    let written =
+        giveway_model::format::foreign::write(format, "it", Some(&gathered.instance), plan)
+            .unwrap_or_else(|error| panic!("{error}"));
+    let again = reopened(&written);
+    assert_eq!(again.instance.grid(), gathered.instance.grid());
+    assert_eq!(again.instance.agents(), gathered.instance.agents());
+    let plans = |gathered: &Gathered| -> Vec<_> {
+        gathered
+            .plans
+            .iter()
+            .map(|plan| plan.plan.clone())
+            .collect()
+    };
+    assert_eq!(plans(&again), plans(gathered));
+    written
+}
