@@ -3,5 +3,11 @@
 
 #[path = "foreign/asprilo.rs"]
 mod asprilo;
+#[path = "foreign/league.rs"]
+mod league;
+#[path = "foreign/mapfw.rs"]
+mod mapfw;
+#[path = "foreign/multi_robot.rs"]
+mod multi_robot;
 #[path = "foreign/support.rs"]
 mod support;

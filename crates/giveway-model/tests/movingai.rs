@@ -109,8 +109,8 @@ fn rows_that_are_not_as_the_header_says() {
         "line 7, column 1: found \"...\", expected no row after the 2 of the header",
     );
     check_map(
-        &MAP.replace(".G@", ".S@"),
-        "line 5, column 2: found \"S\", expected one of . G @ O T W",
+        &MAP.replace(".G@", ".X@"),
+        "line 5, column 2: found \"X\", expected one of . G S E @ O T W",
     );
 }
 

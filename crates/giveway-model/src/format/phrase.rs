@@ -135,6 +135,7 @@ fn value(found: &str) -> String {
 fn expectation(expected: &str) -> String {
     match expected {
         "u32" | "u64" => format!("a whole number from 0 to {}", u32::MAX),
+        "i32" => format!("a whole number from {} to {}", i32::MIN, i32::MAX),
         "a string" => "a text in double quotes".to_owned(),
         "a sequence" => "a list".to_owned(),
         "a map" => "an object".to_owned(),

@@ -9,7 +9,7 @@ use giveway_model::format::foreign::{
 use giveway_model::{Fault, Instance};
 
 /// The text of a file of the tests' data.
-pub fn data(path: &str) -> String {
+pub(crate) fn data(path: &str) -> String {
     let path = PathBuf::from(env!("CARGO_MANIFEST_DIR"))
         .join("tests/data")
         .join(path);
@@ -17,7 +17,7 @@ pub fn data(path: &str) -> String {
 }
 
 /// Gathers files given as name and text.
-pub fn opened(files: &[(&str, &str)]) -> Result<Gathered, Refused> {
+pub(crate) fn opened(files: &[(&str, &str)]) -> Result<Gathered, Refused> {
     let sources: Vec<Source<'_>> = files
         .iter()
         .map(|&(name, text)| Source { name, text })
@@ -26,7 +26,7 @@ pub fn opened(files: &[(&str, &str)]) -> Result<Gathered, Refused> {
 }
 
 /// The same for files that were written.
-pub fn reopened(written: &Written) -> Gathered {
+pub(crate) fn reopened(written: &Written) -> Gathered {
     let files: Vec<(&str, &str)> = written
         .files
         .iter()
@@ -36,7 +36,7 @@ pub fn reopened(written: &Written) -> Gathered {
 }
 
 /// The fault of a text that is refused.
-pub fn refused(text: &str) -> Fault {
+pub(crate) fn refused(text: &str) -> Fault {
     match giveway_model::format::foreign::read(text) {
         Ok(held) => panic!("{held:?}"),
         Err(faults) => faults[0].clone(),
@@ -44,7 +44,10 @@ pub fn refused(text: &str) -> Fault {
 }
 
 /// The rule, time and agents of every violation.
-pub fn violations(instance: &Instance, plan: &ForeignPlan) -> Vec<(Rule, usize, Vec<String>)> {
+pub(crate) fn violations(
+    instance: &Instance,
+    plan: &ForeignPlan,
+) -> Vec<(Rule, usize, Vec<String>)> {
     let report = check(instance, &plan.plan);
     report
         .violations
@@ -54,7 +57,7 @@ pub fn violations(instance: &Instance, plan: &ForeignPlan) -> Vec<(Rule, usize, 
 }
 
 /// Writes, reads and compares the scene (names aside where they are lost) and the plans.
-pub fn comes_back(format: Format, gathered: &Gathered) -> Written {
+pub(crate) fn comes_back(format: Format, gathered: &Gathered) -> Written {
     let plan = gathered.plans.first().map(|plan| &plan.plan);
     let written =
         giveway_model::format::foreign::write(format, "it", Some(&gathered.instance), plan)

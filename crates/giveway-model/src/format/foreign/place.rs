@@ -118,10 +118,10 @@ pub(super) fn path(
             None,
         ),
         (_, None) => (Path::new(), None),
-        (Walk::Moves(moves), Some(from)) => {
-            let up = match conventions.up {
-                Up::Lowers => -1,
-                Up::Raises => 1,
+        (walk @ (Walk::Moves(moves) | Walk::Fixed(moves)), Some(from)) => {
+            let up = match (walk, conventions.up) {
+                (Walk::Moves(_), Up::Raises) => 1,
+                _ => -1,
             };
             let steps = moves.iter().map(|step| match step {
                 Move::Up => (0, up),

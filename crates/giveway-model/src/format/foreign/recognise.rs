@@ -1,6 +1,9 @@
 //! What a text is, told by what it holds and never by its name alone.
 
-use super::{Format, WrittenPlan, asprilo, limits::MAX_TEXT_BYTES, paths, result, tracker};
+use super::{
+    Format, WrittenPlan, asprilo, league, limits::MAX_TEXT_BYTES, mapfw, multi_robot, paths,
+    result, tracker,
+};
 use crate::format::text::{shorten, without_mark};
 use crate::format::{movingai, native};
 use crate::{Fault, Grid, Plan, Scene};
@@ -46,6 +49,9 @@ const READERS: &[(Format, Sniff, Reader)] = &[
     (Format::Result, result::sniff, result::read),
     (Format::Tracker, tracker::sniff, tracker::read),
     (Format::Asprilo, asprilo::is_asprilo, asprilo::read),
+    (Format::League, league::sniff, league::read),
+    (Format::Mapfw, mapfw::sniff, mapfw::read),
+    (Format::MultiRobot, multi_robot::sniff, multi_robot::read),
     (Format::Giveway, is_json, read_own),
 ];
 

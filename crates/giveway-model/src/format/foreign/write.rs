@@ -1,6 +1,6 @@
 //! Writes an instance or a plan in a format.
 
-use super::{Format, asprilo, paths, result, tracker};
+use super::{Format, asprilo, league, mapfw, multi_robot, paths, result, tracker};
 use crate::format::{movingai, native};
 use crate::{Fault, Instance, Plan};
 
@@ -32,11 +32,9 @@ pub fn write(
         Format::Paths => paths::write(stem, instance, plan),
         Format::Result => result::write(stem, instance, plan),
         Format::Asprilo => asprilo::write(stem, instance, plan),
-        _ => Err(Fault::at(
-            "",
-            format!("the format {format}"),
-            "one that can be written",
-        )),
+        Format::League => league::write(stem, instance, plan),
+        Format::Mapfw => mapfw::write(stem, instance, plan),
+        Format::MultiRobot => multi_robot::write(stem, instance, plan),
     }
 }
 

@@ -59,6 +59,8 @@ pub enum Walk {
     Cells(Vec<Pair>),
     /// A move a step, from its start.
     Moves(Vec<Move>),
+    /// A move a step, where the format leaves no doubt that up is to the row above.
+    Fixed(Vec<Move>),
     /// An action a step, from its start; it faces this direction at time 0.
     Turns(super::Heading, Vec<Action>),
 }

@@ -3,7 +3,9 @@
 use crate::format::lines::{Line, lines};
 use crate::{Fault, Grid, MAX_SIDE};
 
-/// Reads a map: `.` and `G` are free, `@`, `O`, `T` and `W` are obstacles.
+/// Reads a map: `.` and `G` are free, `@`, `O`, `T` and `W` are obstacles. So are
+/// `S` and `E` free: service points and emitters in maps of the League of Robot
+/// Runners, whose Start-Kit calls both traversable. Their type is `octile`, too.
 ///
 /// # Errors
 /// When the header lacks a line or a row lacks a cell, when a character is none
@@ -105,9 +107,9 @@ fn read_row(line: Line<'_>, width: usize) -> Result<String, Fault> {
             return Err(too_many(line, part, width));
         }
         row.push(match c {
-            '.' | 'G' => '.',
+            '.' | 'G' | 'S' | 'E' => '.',
             '@' | 'O' | 'T' | 'W' => '#',
-            _ => return Err(line.fault(part, "one of . G @ O T W")),
+            _ => return Err(line.fault(part, "one of . G S E @ O T W")),
         });
     }
     if row.len() < width {

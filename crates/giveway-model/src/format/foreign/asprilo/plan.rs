@@ -5,7 +5,7 @@ use std::collections::BTreeMap;
 use super::facts::{Doing, Id, Node, Warehouse};
 use crate::format::foreign::limits::Steps;
 use crate::format::foreign::{
-    CellOrder, Claimed, Conventions, Move, Origin, Pair, Up, Walk, WrittenAgent, WrittenPlan,
+    CellOrder, Claimed, Conventions, Move, Origin, Up, Walk, WrittenAgent, WrittenPlan,
 };
 use crate::format::text::position;
 use crate::words::count;
@@ -63,8 +63,7 @@ pub(super) fn plan(text: &str, warehouse: &Warehouse) -> Result<WrittenPlan, Fau
         };
         agents.push(WrittenAgent {
             name: Some(name(robot)),
-            start: warehouse.robots.get(&robot).map(|&(at, _)| pair(at)),
-            ..WrittenAgent::walking(Walk::Moves(moves))
+            ..WrittenAgent::walking(Walk::Fixed(moves))
         });
     }
     Ok(WrittenPlan {
@@ -88,10 +87,6 @@ fn fault(
     let offset = last.map_or(0, |(_, &(_, offset))| offset);
     let (line, column) = position(text, offset);
     Fault::at("", found, expected).in_text(line, column)
-}
-
-fn pair((x, y): Node) -> Pair {
-    Pair::new(x.cast_signed(), y.cast_signed())
 }
 
 fn walk(doings: &BTreeMap<i32, (Doing, usize)>, steps: &mut Steps) -> Result<Vec<Move>, Fault> {

@@ -1,0 +1,87 @@
+//! Writes a problem, a solution, or both.
+
+use serde::Serialize;
+
+use crate::format::foreign::whole_steps::{WholeSteps, both};
+use crate::format::foreign::{Format, Written};
+use crate::format::loss::{Part, losses};
+use crate::{Cell, Fault, Instance, Plan};
+
+#[derive(Serialize)]
+struct Problem<'a> {
+    grid: Vec<Vec<u8>>,
+    width: u32,
+    height: u32,
+    starts: Vec<Cell>,
+    goals: Vec<Cell>,
+    waypoints: Vec<&'a [Cell]>,
+}
+
+#[derive(Serialize)]
+struct Upload {
+    solutions: [Solved; 1],
+}
+
+#[derive(Serialize)]
+struct Solved {
+    /// The number that the server gave the problem; nobody knows it here.
+    problem: u32,
+    /// How long it took, in milliseconds.
+    time: u32,
+    solution: Vec<Vec<Cell>>,
+}
+
+/// Writes `STEM.json`, `STEM-solution.json`, or both.
+///
+/// # Errors
+/// When the instance is missing, or a path is missing or in transit.
+pub(in crate::format::foreign) fn write(
+    stem: &str,
+    instance: Option<&Instance>,
+    plan: Option<&Plan>,
+) -> Result<Written, Fault> {
+    let Some(instance) = instance else {
+        both(Format::Mapfw, instance, plan)?;
+        return Ok(Written::default());
+    };
+    let mut files = vec![(format!("{stem}.json"), text(&problem(instance))?)];
+    if let Some(plan) = plan {
+        let solution = WholeSteps::new(instance, plan, Format::Mapfw)?.paths;
+        let upload = Upload {
+            solutions: [Solved {
+                problem: 0,
+                time: 0,
+                solution,
+            }],
+        };
+        files.push((format!("{stem}-solution.json"), text(&upload)?));
+    }
+    let lost = losses(&[Part::Waypoints], Some(instance), plan);
+    Ok(Written {
+        files,
+        losses: lost.iter().map(ToString::to_string).collect(),
+    })
+}
+
+fn problem(instance: &Instance) -> Problem<'_> {
+    let grid = instance.grid();
+    let agents = instance.agents();
+    let row = |y| {
+        let cells = grid.row(y).iter();
+        cells.map(|ground| u8::from(!ground.is_vertex())).collect()
+    };
+    Problem {
+        grid: (0..grid.height()).map(row).collect(),
+        width: grid.width(),
+        height: grid.height(),
+        starts: agents.iter().map(|agent| agent.start).collect(),
+        goals: agents.iter().map(|agent| agent.goal).collect(),
+        waypoints: agents.iter().map(|agent| &*agent.waypoints).collect(),
+    }
+}
+
+fn text(value: &impl Serialize) -> Result<String, Fault> {
+    serde_json::to_string(value)
+        .map(|text| text + "\n")
+        .map_err(|error| Fault::at("", error.to_string(), "a file that can be written"))
+}

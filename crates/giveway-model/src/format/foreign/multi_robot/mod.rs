@@ -1,0 +1,43 @@
+//! Scenarios and schedules of libMultiRobotPlanning, in YAML.
+//!
+//! ```text
+//! map:                              statistics:
+//!   dimensions: [WIDTH, HEIGHT]       cost: 12
+//!   obstacles:                        makespan: 7
+//!     - [X, Y]                      schedule:
+//! agents:                             agent0:
+//!   - name: agent0                      - x: 0
+//!     start: [X, Y]                       y: 0
+//!     goal: [X, Y]                        t: 0
+//! ```
+//!
+//! Cells count from 0, the column first. Instead of a goal an agent may have
+//! `potentialGoals`, a list: it goes to any of them. The states of a schedule are in
+//! ascending time; where one is left out, as the planner with safe intervals does,
+//! the agent waits before its next move. The agents of a schedule are those of the
+//! scenario in order. `cost` is the sum of arrivals, `makespan` the largest.
+//!
+//! Source: the programs of the library (`example/cbs.cpp`, `cbs_ta.cpp`,
+//! `mapf_prioritized_sipp.cpp`) and its tests.
+
+mod goals;
+mod read;
+mod scenario;
+mod schedule;
+mod write;
+
+pub(super) use read::read;
+pub(super) use write::write;
+
+/// Whether a text has a line `schedule:`, or lines `map:` and `agents:`.
+pub(super) fn sniff(text: &str) -> bool {
+    if text.trim_start().starts_with(['{', '[']) {
+        return false;
+    }
+    let (mut has_map, mut has_agents) = (false, false);
+    text.lines().any(|line| {
+        has_map |= line.starts_with("map:");
+        has_agents |= line.starts_with("agents:");
+        line.starts_with("schedule:") || (has_map && has_agents)
+    })
+}

@@ -1,0 +1,241 @@
+//! Reads `map` and `agents`, and makes a scene of them.
+
+use std::collections::BTreeSet;
+
+use super::goals;
+use crate::format::foreign::yaml::Yaml;
+use crate::format::text::shorten;
+use crate::words::count;
+use crate::{Agent, Cell, Fault, MAX_AGENTS, MAX_SIDE, Scene};
+
+const CELL: &str = "a cell [x, y]";
+
+/// A cell, with its place in the file.
+#[derive(Clone, Debug)]
+pub(super) struct Placed {
+    x: i32,
+    y: i32,
+    /// A fault there, to be filled in.
+    place: Fault,
+}
+
+/// The map of a scenario.
+#[derive(Debug)]
+pub(super) struct Map {
+    width: u32,
+    height: u32,
+    obstacles: BTreeSet<(i32, i32)>,
+}
+
+/// An agent of a scenario.
+#[derive(Debug)]
+pub(super) struct WrittenRobot {
+    name: String,
+    start: Placed,
+    /// One, or those that it may choose from.
+    goals: Vec<Placed>,
+    chooses: bool,
+    place: Fault,
+}
+
+/// Reads two numbers.
+fn cell(y: &mut Yaml<'_>) -> Result<Placed, Fault> {
+    let mut numbers = [0; 2];
+    let mut length = 0;
+    let mut place = None;
+    y.list(CELL, |y, i| {
+        let number = y.number("a whole number")?;
+        match numbers.get_mut(i) {
+            Some(slot) => *slot = number,
+            None => return Err(y.fault("a third number", CELL)),
+        }
+        length += 1;
+        place.get_or_insert_with(|| y.fault("", ""));
+        Ok(())
+    })?;
+    match (length, place) {
+        (2, Some(mut place)) => {
+            // The place of the pair, not of its first number.
+            place.place = place.place.trim_end_matches("[0]").to_owned();
+            let [x, y] = numbers;
+            Ok(Placed { x, y, place })
+        }
+        _ => Err(y.fault(format!("a list of {length}"), CELL)),
+    }
+}
+
+/// Reads `map`.
+pub(super) fn map(y: &mut Yaml<'_>) -> Result<Map, Fault> {
+    let mut obstacles = BTreeSet::new();
+    let mut size = None;
+    y.object("an object with dimensions and obstacles", |y, key| {
+        match key {
+            "dimensions" => size = Some(dimensions(&cell(y)?)?),
+            "obstacles" => y.list("a list of cells", |y, _| {
+                let Placed { x, y, .. } = cell(y)?;
+                obstacles.insert((x, y));
+                Ok(())
+            })?,
+            _ => y.skip()?,
+        }
+        Ok(())
+    })?;
+    let (width, height) = size.ok_or_else(|| y.fault("no key \"dimensions\"", "one in map"))?;
+    Ok(Map {
+        width,
+        height,
+        obstacles,
+    })
+}
+
+fn dimensions(cell: &Placed) -> Result<(u32, u32), Fault> {
+    let side = |side: i32| {
+        let side = u32::try_from(side).ok();
+        side.filter(|side| (1..=MAX_SIDE).contains(side))
+    };
+    side(cell.x).zip(side(cell.y)).ok_or_else(|| {
+        let found = format!("a map of {} x {} cells", cell.x, cell.y);
+        let expected = format!("1 to {MAX_SIDE} rows and columns");
+        at(&cell.place, found, expected)
+    })
+}
+
+fn at(place: &Fault, found: impl Into<String>, expected: impl Into<String>) -> Fault {
+    Fault {
+        found: found.into(),
+        expected: expected.into(),
+        ..place.clone()
+    }
+}
+
+/// Reads `agents`.
+pub(super) fn robots(y: &mut Yaml<'_>) -> Result<Vec<WrittenRobot>, Fault> {
+    let mut robots = Vec::new();
+    y.list("a list of agents", |y, i| {
+        if i >= MAX_AGENTS {
+            let expected = format!("at most {MAX_AGENTS} robots");
+            return Err(y.fault("one more agent", expected));
+        }
+        let (mut name, mut start, mut goals, mut chooses) = (None, None, Vec::new(), false);
+        y.object("an object with name, start and goal", |y, key| {
+            match key {
+                "name" => name = y.optional("a name")?.map(String::from),
+                "start" => start = Some(cell(y)?),
+                "goal" => goals = vec![cell(y)?],
+                "potentialGoals" => {
+                    chooses = true;
+                    goals.clear();
+                    y.list("a list of cells", |y, _| {
+                        goals.push(cell(y)?);
+                        Ok(())
+                    })?;
+                }
+                _ => y.skip()?,
+            }
+            Ok(())
+        })?;
+        let start = start.ok_or_else(|| y.fault("no key \"start\"", "one for each agent"))?;
+        if goals.is_empty() {
+            return Err(y.fault("no goal", "goal or potentialGoals for each agent"));
+        }
+        let name = name.filter(|name| !name.is_empty());
+        robots.push(WrittenRobot {
+            name: name.unwrap_or_else(|| format!("agent{i}")),
+            start,
+            goals,
+            chooses,
+            place: y.fault("", ""),
+        });
+        Ok(())
+    })?;
+    Ok(robots)
+}
+
+/// The scene, and what a person should know about it.
+pub(super) fn scene(map: &Map, robots: Vec<WrittenRobot>) -> Result<(Scene, Vec<String>), Fault> {
+    let mut notes = Vec::new();
+    let outside = map
+        .obstacles
+        .iter()
+        .filter(|&&(x, y)| !map.has(x, y))
+        .count();
+    if outside > 0 {
+        let obstacles = count(outside, "obstacle");
+        notes.push(format!("Left out: {obstacles} outside the map."));
+    }
+    let (mut names, mut starts) = (BTreeSet::new(), BTreeSet::new());
+    let mut choices = Vec::with_capacity(robots.len());
+    for robot in &robots {
+        if !names.insert(&*robot.name) {
+            let found = format!("the name \"{}\" again", shorten(&robot.name));
+            return Err(at(&robot.place, found, "a name of its own"));
+        }
+        let start = map.free(&robot.start)?;
+        if !starts.insert(start) {
+            let found = format!("the start {start} again");
+            return Err(at(&robot.start.place, found, "a start of its own"));
+        }
+        let cells: Result<Vec<Cell>, Fault> =
+            robot.goals.iter().map(|goal| map.free(goal)).collect();
+        choices.push(cells?);
+    }
+    if robots.iter().any(|robot| robot.chooses) {
+        notes.push(
+            "Robots may choose from several goals. Here each goes to the first one that leaves a goal for the others."
+                .to_owned(),
+        );
+    }
+    let goals = goals::choose(&choices);
+    let mut agents = Vec::with_capacity(robots.len());
+    for (robot, goal) in robots.into_iter().zip(goals) {
+        let Some(goal) = goal else {
+            let place = robot.goals.first().map_or(&robot.place, |goal| &goal.place);
+            let found = format!("no goal left for {}", shorten(&robot.name));
+            return Err(at(place, found, "a goal of its own for each robot"));
+        };
+        agents.push(Agent {
+            start: map.free(&robot.start)?,
+            name: robot.name,
+            goal,
+            waypoints: Vec::new(),
+            battery: None,
+        });
+    }
+    let scene = Scene {
+        map: map.rows(),
+        agents,
+        ..Scene::default()
+    };
+    Ok((scene, notes))
+}
+
+impl Map {
+    fn has(&self, x: i32, y: i32) -> bool {
+        let within = |number, side| u32::try_from(number).is_ok_and(|number| number < side);
+        within(x, self.width) && within(y, self.height)
+    }
+
+    fn free(&self, cell: &Placed) -> Result<Cell, Fault> {
+        let Placed { x, y, ref place } = *cell;
+        if !self.has(x, y) {
+            let expected = format!("a cell of the {} x {} map", self.width, self.height);
+            return Err(at(place, format!("({x}, {y})"), expected));
+        }
+        if self.obstacles.contains(&(x, y)) {
+            return Err(at(place, format!("the obstacle ({x}, {y})"), "a free cell"));
+        }
+        Ok(Cell::new(x.cast_unsigned(), y.cast_unsigned()))
+    }
+
+    fn rows(&self) -> Vec<String> {
+        let is_obstacle = |x: u32, y: u32| {
+            let cell = (x.cast_signed(), y.cast_signed());
+            self.obstacles.contains(&cell)
+        };
+        let row = |y| {
+            let cells = (0..self.width).map(|x| if is_obstacle(x, y) { '#' } else { '.' });
+            cells.collect()
+        };
+        (0..self.height).map(row).collect()
+    }
+}

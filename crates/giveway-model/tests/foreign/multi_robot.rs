@@ -1,0 +1,197 @@
+//! libMultiRobotPlanning: a scenario and schedules, written by hand after what its
+//! programs print.
+
+use giveway_model::check::Rule;
+use giveway_model::format::foreign::{Format, recognise};
+use giveway_model::{Cell, Instance, Scene};
+
+use crate::support::{comes_back, opened, refused, violations};
+
+/// Two robots that pass each other by a pocket at (1, 1).
+const SCENARIO: &str = "\
+agents:
+-   goal: [2, 0]
+    name: agent0
+    start: [0, 0]
+-   goal: [0, 0]
+    name: agent1
+    start: [2, 0]
+map:
+    dimensions: [3, 2]
+    obstacles:
+    - !!python/tuple [0, 1]
+    - - 2
+      - 1
+";
+
+const SCHEDULE: &str = "\
+statistics:
+  cost: 8
+  makespan: 4
+  runtime: 0.000234
+  highLevelExpanded: 3
+  lowLevelExpanded: 31
+schedule:
+  agent0:
+    - x: 0
+      y: 0
+      t: 0
+    - x: 1
+      y: 0
+      t: 1
+    - x: 1
+      y: 1
+      t: 2
+    - x: 1
+      y: 0
+      t: 3
+    - x: 2
+      y: 0
+      t: 4
+  agent1:
+    - x: 2
+      y: 0
+      t: 0
+    - x: 1
+      y: 0
+      t: 2
+    - x: 0
+      y: 0
+      t: 4
+";
+
+#[test]
+fn a_scenario_and_a_schedule_are_read_and_come_back() {
+    assert_eq!(recognise(SCENARIO), Ok(Format::MultiRobot));
+    assert_eq!(recognise(SCHEDULE), Ok(Format::MultiRobot));
+    // The second robot leaves out the times at which it waits, as the planner with
+    // safe intervals does; it waits before it moves.
+    let schedule = SCHEDULE.replace(
+        "      t: 2\n    - x: 0\n      y: 0\n      t: 4\n",
+        "      t: 2\n    - x: 0\n      y: 0\n      t: 3\n",
+    );
+    let read = opened(&[("s.yaml", SCENARIO), ("plan.yaml", &schedule)]).unwrap();
+    assert_eq!(read.instance.grid().rows(), ["...", "#.#"]);
+    assert_eq!(read.instance.agents()[1].name, "agent1");
+    let plan = &read.plans[0];
+    assert!(plan.fit.is_perfect(), "{:?}", plan.fit);
+    assert_eq!(plan.claimed.sum_of_costs, Some(8));
+    assert_eq!(plan.claimed.makespan, Some(4));
+    let path = plan.plan.path("agent1");
+    let cells = [(2, 0), (2, 0), (1, 0), (0, 0)].map(|cell| Some(Cell::from(cell)));
+    assert_eq!(path, cells);
+    assert_eq!(violations(&read.instance, plan), []);
+    let written = comes_back(Format::MultiRobot, &read);
+    assert_eq!(written.losses, Vec::<String>::new());
+}
+
+#[test]
+fn a_faulty_schedule_shows_every_violation() {
+    // The second robot waits in the way, then passes through the first.
+    let read = opened(&[("both.yaml", &format!("{SCENARIO}{SCHEDULE}"))]).unwrap();
+    let found = violations(&read.instance, &read.plans[0]);
+    let both = || vec!["agent0".to_owned(), "agent1".to_owned()];
+    assert_eq!(found, [(Rule::Vertex, 3, both())]);
+
+    let faulty = SCHEDULE.replace(
+        "    - x: 1\n      y: 1\n      t: 2\n    - x: 1\n      y: 0\n      t: 3\n",
+        "    - x: 1\n      y: 0\n      t: 2\n    - x: 2\n      y: 1\n      t: 3\n",
+    );
+    let read = opened(&[("s.yaml", SCENARIO), ("plan.yaml", &faulty)]).unwrap();
+    let found = violations(&read.instance, &read.plans[0]);
+    let one = || vec!["agent0".to_owned()];
+    assert!(found.contains(&(Rule::Vertex, 2, both())), "{found:?}");
+    assert!(found.contains(&(Rule::Obstacle, 3, one())), "{found:?}");
+    assert!(found.contains(&(Rule::Move, 3, one())), "{found:?}");
+}
+
+#[test]
+fn robots_that_may_choose_take_goals_of_their_own() {
+    let text = "
+map: {dimensions: [3, 1], obstacles: []}
+agents:
+  - name: a
+    start: [0, 0]
+    potentialGoals: [[1, 0], [2, 0]]
+  - name: b
+    start: [1, 0]
+    potentialGoals:
+      - [1, 0]
+";
+    let read = opened(&[("s.yaml", text)]).unwrap();
+    let goals: Vec<Cell> = read.instance.agents().iter().map(|it| it.goal).collect();
+    assert_eq!(goals, [Cell::new(2, 0), Cell::new(1, 0)]);
+    assert!(read.notes[0].starts_with("Robots may choose from several goals."));
+}
+
+#[test]
+fn names_come_back_whatever_they_are_and_waypoints_are_a_loss() {
+    let names = ["null", "a: b", "\"q\\\"", "1", "über\tx", "agent0", "#"];
+    let agents: Vec<serde_json::Value> = names
+        .iter()
+        .enumerate()
+        .map(|(i, name)| {
+            serde_json::json!({"name": name, "start": [i, 0], "goal": [i, 1], "waypoints": [[0, 1]]})
+        })
+        .collect();
+    let scene: Scene = serde_json::from_value(serde_json::json!({
+        "giveway": 1, "map": [".......", "......."], "agents": agents,
+    }))
+    .unwrap();
+    let instance = Instance::new(scene).unwrap();
+    let written =
+        giveway_model::format::foreign::write(Format::MultiRobot, "it", Some(&instance), None)
+            .unwrap();
+    assert_eq!(written.losses, ["the waypoints of 7 robots"]);
+    let read = opened(&[("it.yaml", &written.files[0].1)]).unwrap();
+    let read: Vec<&str> = read.instance.agents().iter().map(|it| &*it.name).collect();
+    assert_eq!(read, names);
+}
+
+#[test]
+fn faults_have_their_place_and_keys() {
+    let cases = [
+        (
+            SCENARIO.replace("start: [2, 0]", "start: [2, 1]"),
+            "line 7, column 13: agents[1].start: found the obstacle (2, 1), expected a free cell",
+        ),
+        (
+            SCENARIO.replace("goal: [2, 0]", "goal: [2, 7]"),
+            "line 2, column 12: agents[0].goal: found (2, 7), expected a cell of the 3 x 2 map",
+        ),
+        (
+            SCENARIO.replace("[3, 2]", "[3, 2000]"),
+            "line 9, column 18: map.dimensions: found a map of 3 x 2000 cells, expected 1 to 1024 rows and columns",
+        ),
+        (
+            SCENARIO.replace("[3, 2]", "[3, 3000000000]"),
+            "line 9, column 21: map.dimensions[1]: found \"3000000000\", expected a whole number",
+        ),
+        (
+            SCHEDULE.replacen("t: 2", "t: 1", 1),
+            "the times up to 1 are there",
+        ),
+        (
+            SCHEDULE.replacen("t: 4", "t: 400000000", 1),
+            "found a plan of over 24000000 steps",
+        ),
+        (
+            SCHEDULE.replacen("y: 0", "z: 0", 1),
+            "found a state without x, y or t, expected all three",
+        ),
+        (
+            SCHEDULE.replace("agent1", "agent0"),
+            "found the agent \"agent0\" again, expected each agent once",
+        ),
+        ("schedule:\n  agent0: [".to_owned(), "found broken YAML"),
+        (
+            "map:\n  dimensions: [1, 1]\nagents:\n  - start: [0, 0]\n".to_owned(),
+            "agents[0]: found no goal, expected goal or potentialGoals for each agent",
+        ),
+    ];
+    for (text, said) in cases {
+        let fault = refused(&text);
+        assert!(fault.to_string().contains(said), "{fault}\n{text}");
+        assert!(fault.line.is_some() && fault.column.is_some(), "{fault}");
+    }
+}
