@@ -119,11 +119,11 @@ fn faults_have_their_place_and_keys() {
     let cases = [
         (
             changed("grid", json!([[0, 0, 0, 0], [0, 1, 5, 0], [0, 0, 0, 0]])),
-            "line 3, column 24: grid[1][2]: found 5, expected 0 or 1",
+            "line 3, column 25: grid[1][2]: found 5, expected 0 or 1",
         ),
         (
             changed("grid", json!([[0, 0, 0, 0], [0], [0, 0, 0, 0]])),
-            "line 3, column 19: grid[1]: found a row of 1 cell, expected 4, as in the first row",
+            "line 3, column 20: grid[1]: found a row of 1 cell, expected 4, as in the first row",
         ),
         (
             changed("height", json!(5)),
@@ -135,15 +135,15 @@ fn faults_have_their_place_and_keys() {
         ),
         (
             changed("starts", json!([[0, 0], [1, 1]])),
-            "line 5, column 17: starts[1]: found the wall (1, 1), expected a free cell",
+            "line 5, column 18: starts[1]: found the wall (1, 1), expected a free cell",
         ),
         (
             changed("starts", json!([[0, 0], [0, 0]])),
-            "line 5, column 17: starts[1]: found (0, 0), which starts[0] is, too, expected a cell of its own",
+            "line 5, column 18: starts[1]: found (0, 0), which starts[0] is, too, expected a cell of its own",
         ),
         (
             changed("starts", json!([[0, 0], [0, 1, 2]])),
-            "line 5, column 17: starts[1]: found a list of 3, expected a cell [x, y]",
+            "line 5, column 18: starts[1]: found a list of 3, expected a cell [x, y]",
         ),
         (
             changed("waypoints", json!([[[7, 7]], []])),

@@ -100,9 +100,12 @@ fn a_faulty_schedule_shows_every_violation() {
     let read = opened(&[("s.yaml", SCENARIO), ("plan.yaml", &faulty)]).unwrap();
     let found = violations(&read.instance, &read.plans[0]);
     let one = || vec!["agent0".to_owned()];
-    assert!(found.contains(&(Rule::Vertex, 2, both())), "{found:?}");
-    assert!(found.contains(&(Rule::Obstacle, 3, one())), "{found:?}");
-    assert!(found.contains(&(Rule::Move, 3, one())), "{found:?}");
+    let expected = [
+        (Rule::Move, 2, one()),
+        (Rule::Vertex, 2, both()),
+        (Rule::Obstacle, 3, one()),
+    ];
+    assert_eq!(found, expected);
 }
 
 #[test]
