@@ -180,7 +180,7 @@ fn steps(held: &Held) -> usize {
     };
     let walks = plan.agents.iter().map(|agent| match &agent.walk {
         Walk::Cells(cells) => cells.len(),
-        Walk::Moves(moves) => moves.len(),
+        Walk::Moves(moves) | Walk::Fixed(moves) => moves.len(),
         Walk::Turns(_, actions) => actions.len(),
     });
     walks.sum()

@@ -1,6 +1,13 @@
 //! Files of other planners that hold worlds of their own: asprilo, the League of
 //! Robot Runners, mapfw and libMultiRobotPlanning.
 
+#![allow(
+    clippy::unwrap_used,
+    clippy::panic,
+    clippy::indexing_slicing,
+    reason = "a test stops at the first surprise"
+)]
+
 #[path = "foreign/asprilo.rs"]
 mod asprilo;
 #[path = "foreign/league.rs"]

@@ -128,15 +128,9 @@ fn in_the_action_model_mapf_up_raises_the_row_and_r_goes_right() {
 
 #[test]
 fn errands_of_2024_that_are_done_become_waypoints() {
-    let read = in_room(&json!({
-        "actionModel": "MAPF_T", "version": "2024 LoRR", "AllValid": "Yes", "teamSize": 1,
-        // Their program writes both letters where a robot looks to the south.
-        "start": [[0, 1, "S", "W"]],
-        "actualPaths": ["F,C,F,F"], "makespan": 4,
-        "errors": [], "scheduleErrors": [], "actualSchedule": ["0:7,3:8"],
-        "events": [[1, 0, 7, 1], [4, 0, 7, 2]],
-        "tasks": [[7, 0, [1, 1, 1, 3]], [8, 2, [0, 0]]],
-    }));
+    // Their program writes both letters where a robot looks to the south.
+    let text = include_str!("../data/plans/small-league-2024.json");
+    let read = in_room(&serde_json::from_str(text).unwrap());
     let agent = &read.instance.agents()[0];
     assert_eq!(agent.waypoints, [Cell::new(1, 1), Cell::new(3, 1)]);
     assert_eq!(agent.goal, Cell::new(3, 1));
@@ -151,13 +145,8 @@ fn errands_of_2024_that_are_done_become_waypoints() {
 
 #[test]
 fn ticks_of_2026_are_steps_and_a_wait_interrupts_a_move() {
-    let read = in_room(&json!({
-        "actionModel": "MAPF_T", "version": "2026 LoRR", "teamSize": 1,
-        "agentMaxCounter": 3, "outputSegmentSize": 5, "makespan": 11,
-        "start": [[0, 0, "E"]],
-        "actualPaths": ["[(0,0,0,0,0):(F 2,W 1,F 1,R 1)][(5,0,1,0,1):(R 2,W 1,F 2)][(10,0,1,1,2):(F 1)]"],
-        "events": [], "tasks": [[0, 0, [1, 1]]],
-    }));
+    let text = include_str!("../data/plans/small-league-2026.json");
+    let read = in_room(&serde_json::from_str(text).unwrap());
     let plan = &read.plans[0];
     let path = cells(&plan.plan, "A1");
     assert_eq!(path.len(), 12);

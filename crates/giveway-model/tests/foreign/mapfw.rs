@@ -8,20 +8,12 @@ use serde_json::{Value, json};
 
 use crate::support::{comes_back, opened, refused, violations};
 
+/// A problem; the server writes sides as texts, too.
 fn problem() -> Value {
-    json!({
-        "grid": [[0, 0, 0, 0], [0, 1, 1, 0], [0, 0, 0, 0]],
-        // The server writes sides as texts, too.
-        "width": "4", "height": 3,
-        "starts": [[0, 0], [3, 2]],
-        "goals": [[3, 0], [0, 2]],
-        "waypoints": [[[1, 0], [0, 1]], []],
-    })
+    serde_json::from_str(include_str!("../data/plans/small-mapfw.json")).unwrap()
 }
 
-const SOLUTION: &str = r#"{"solutions": [{"problem": 12, "time": 3, "solution": [
-    [[0, 0], [0, 1], [0, 0], [1, 0], [2, 0], [3, 0]],
-    [[3, 2], [2, 2], [1, 2], [0, 2]]]}]}"#;
+const SOLUTION: &str = include_str!("../data/plans/small-mapfw-solution.json");
 
 #[test]
 fn a_problem_and_its_solution_are_read_and_come_back() {

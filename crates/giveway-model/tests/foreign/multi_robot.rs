@@ -8,57 +8,9 @@ use giveway_model::{Cell, Instance, Scene};
 use crate::support::{comes_back, opened, refused, violations};
 
 /// Two robots that pass each other by a pocket at (1, 1).
-const SCENARIO: &str = "\
-agents:
--   goal: [2, 0]
-    name: agent0
-    start: [0, 0]
--   goal: [0, 0]
-    name: agent1
-    start: [2, 0]
-map:
-    dimensions: [3, 2]
-    obstacles:
-    - !!python/tuple [0, 1]
-    - - 2
-      - 1
-";
+const SCENARIO: &str = include_str!("../data/plans/small-scenario.yaml");
 
-const SCHEDULE: &str = "\
-statistics:
-  cost: 8
-  makespan: 4
-  runtime: 0.000234
-  highLevelExpanded: 3
-  lowLevelExpanded: 31
-schedule:
-  agent0:
-    - x: 0
-      y: 0
-      t: 0
-    - x: 1
-      y: 0
-      t: 1
-    - x: 1
-      y: 1
-      t: 2
-    - x: 1
-      y: 0
-      t: 3
-    - x: 2
-      y: 0
-      t: 4
-  agent1:
-    - x: 2
-      y: 0
-      t: 0
-    - x: 1
-      y: 0
-      t: 2
-    - x: 0
-      y: 0
-      t: 4
-";
+const SCHEDULE: &str = include_str!("../data/plans/small-schedule.yaml");
 
 #[test]
 fn a_scenario_and_a_schedule_are_read_and_come_back() {
