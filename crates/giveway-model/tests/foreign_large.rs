@@ -140,3 +140,87 @@ fn letters_in_a_table_and_in_yaml() {
     );
     assert_quick("plan.yaml", &yaml, &extra);
 }
+
+/// Rounds of each agent in its own row, so many that a text of `bytes` a step fits.
+fn rounds(bytes: usize) -> usize {
+    let round = 2 * (SIDE - 1);
+    let steps = (MAX_TEXT_BYTES - 12_000_000) / bytes / AGENTS;
+    steps.min(24_000_000 / AGENTS - 1) / round * round
+}
+
+#[test]
+#[ignore = "measures"]
+fn facts() {
+    let mut text = String::with_capacity(MAX_TEXT_BYTES);
+    for y in 1..=SIDE {
+        for x in 1..=SIDE {
+            let _ = writeln!(text, "init(object(node,1),value(at,({x},{y}))).");
+        }
+    }
+    for y in 1..=AGENTS {
+        let _ = writeln!(text, "init(object(robot,{y}),value(at,(1,{y}))).");
+    }
+    for time in 1..=rounds(54) {
+        for y in 1..=AGENTS {
+            let dx = if x(time) > x(time - 1) { 1 } else { -1 };
+            let _ = writeln!(
+                text,
+                "occurs(object(robot,{y}),action(move,({dx},0)),{time})."
+            );
+        }
+    }
+    text.shrink_to_fit();
+    assert_quick("plan.lp", &text, &[]);
+}
+
+#[test]
+#[ignore = "measures"]
+fn actions_in_json() {
+    let letter = |time| if x(time + 1) > x(time) { "R" } else { "L" };
+    let path: Vec<&str> = (0..rounds(2)).map(letter).collect();
+    let path = format!("\"{}\"", path.join(","));
+    let starts: Vec<String> = (0..AGENTS).map(|y| format!("[{y},0,\"N/A\"]")).collect();
+    let text = format!(
+        "{{\"actionModel\":\"MAPF\",\"start\":[{}],\"actualPaths\":[{}]}}",
+        starts.join(","),
+        vec![path; AGENTS].join(",")
+    );
+    assert_quick("result.json", &text, &[("m.map", &map())]);
+}
+
+#[test]
+#[ignore = "measures"]
+fn cells_in_json() {
+    let path = |y: usize| {
+        let cells: Vec<String> = (0..=rounds(9))
+            .map(|time| format!("[{},{y}]", x(time)))
+            .collect();
+        format!("[{}]", cells.join(","))
+    };
+    let paths: Vec<String> = (0..AGENTS).map(path).collect();
+    let ends: Vec<String> = (0..AGENTS).map(|y| format!("[0,{y}]")).collect();
+    let (row, ends) = (format!("[{}]", vec!["0"; SIDE].join(",")), ends.join(","));
+    let problem = format!(
+        "{{\"grid\":[{}],\"starts\":[{ends}],\"goals\":[{ends}]}}",
+        vec![row; SIDE].join(",")
+    );
+    let text = format!("{{\"solutions\":[{{\"solution\":[{}]}}]}}", paths.join(","));
+    drop(paths);
+    assert_quick("solution.json", &text, &[("problem.json", &problem)]);
+}
+
+#[test]
+#[ignore = "measures"]
+fn states_in_yaml() {
+    let mut text = String::with_capacity(MAX_TEXT_BYTES);
+    text.push_str("schedule:\n");
+    for y in 0..AGENTS {
+        let _ = writeln!(text, "  agent{y}:");
+        for time in 0..=rounds(42) {
+            let x = x(time);
+            let _ = writeln!(text, "    - x: {x}\n      y: {y}\n      t: {time}");
+        }
+    }
+    text.shrink_to_fit();
+    assert_quick("schedule.yaml", &text, &[("m.map", &map())]);
+}

@@ -140,8 +140,38 @@ fn a_faulty_plan_shows_every_violation() {
 }
 
 #[test]
+fn shelves_and_stations_without_a_node_are_left_out() {
+    let text = format!(
+        "{CROSSING}init(object(shelf,1),value(at,(1,2))). init(object(product,1),value(on,(1,1))). \
+         init(object(order,1),value(line,(1,1))). init(object(order,1),value(pickingStation,1)). \
+         init(object(pickingStation,1),value(at,(9,9)))."
+    );
+    let read = opened(&[("a.lp", &text)]).unwrap();
+    assert!(read.instance.agents()[0].waypoints.is_empty());
+    assert_eq!(
+        read.notes[..2],
+        [
+            "Product 1 of order 1 is on no shelf with a place.",
+            "Order 1 has no picking station with a place."
+        ]
+    );
+    // So it is with what a robot lifts outside the map.
+    let lifted = format!(
+        "{CROSSING}occurs(object(robot,1),action(move,(0,1)),1). \
+         occurs(object(robot,1),action(pickup,()),2). occurs(object(robot,1),action(deliver,(1,1)),3)."
+    );
+    let read = opened(&[("a.lp", &lifted)]).unwrap();
+    assert!(read.instance.agents()[0].waypoints.is_empty());
+    assert_eq!(
+        read.instance.agents()[0].goal,
+        read.instance.agents()[0].start
+    );
+}
+
+#[test]
 fn a_plan_may_stand_apart_from_its_instance() {
-    let plan = "occurs(object(robot,2),action(move,(-1,0)),2).";
+    let plan =
+        "#include \"a.lp\". #const horizon=3.\noccurs(object(robot,2),action(move,(-1,0)),2).";
     let Ok((Format::Asprilo, Held::Plan(held))) = read(plan) else {
         panic!("a plan")
     };

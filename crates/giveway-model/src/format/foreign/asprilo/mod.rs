@@ -36,10 +36,12 @@ pub(super) fn is_asprilo(text: &str) -> bool {
         } else if rest.starts_with('%') {
             rest.split_once('\n').map(|(_, rest)| rest)
         } else if rest.starts_with('#') {
-            // YAML has comments with `#`, and no full stop after one word.
-            rest.starts_with("#program")
-                .then(|| rest.split_once('.').map(|(_, rest)| rest))
-                .flatten()
+            // YAML has comments with `#`, too.
+            let is_directive = ["#program", "#const", "#show", "#include"]
+                .iter()
+                .any(|directive| rest.starts_with(directive));
+            let end = term::directive(rest).filter(|_| is_directive);
+            end.and_then(|end| rest.get(end..))
         } else {
             return rest.starts_with("init(") || rest.starts_with("occurs(");
         };

@@ -64,6 +64,7 @@ pub(super) fn in_turn(warehouse: &Warehouse, notes: &mut Vec<String>) -> Vec<Tas
             task.visit(shelf);
         }
         let station = order.station.and_then(|id| warehouse.stations.get(&id));
+        let station = station.filter(|node| warehouse.nodes.contains(node));
         if let (Some(&station), Some(own)) = (station, stations.get_mut(robot)) {
             own.push(station);
         } else {
@@ -104,7 +105,8 @@ fn shelves(warehouse: &Warehouse, id: Id, order: &Order, notes: &mut Vec<String>
     let mut nodes = Vec::new();
     for (product, _) in &order.lines {
         let shelves = warehouse.products.get(product).into_iter().flatten();
-        let mut placed = shelves.filter_map(|shelf| warehouse.shelves.get(shelf));
+        let placed = shelves.filter_map(|shelf| warehouse.shelves.get(shelf));
+        let mut placed = placed.filter(|node| warehouse.nodes.contains(node));
         match placed.next() {
             Some(&node) => nodes.push(node),
             None => notes.push(format!(
@@ -147,7 +149,8 @@ pub(super) fn of_plan(warehouse: &Warehouse, notes: &mut Vec<String>) -> Vec<Tas
         let doings = warehouse.doings.get(&task.robot);
         let places = doings.map_or_else(Vec::new, |doings| places(task.start, doings));
         for &(node, doing) in &places {
-            if matches!(doing, Doing::PickUp | Doing::Deliver(..)) {
+            let visits = matches!(doing, Doing::PickUp | Doing::Deliver(..));
+            if visits && warehouse.nodes.contains(&node) {
                 task.visit(node);
             }
         }
@@ -155,7 +158,8 @@ pub(super) fn of_plan(warehouse: &Warehouse, notes: &mut Vec<String>) -> Vec<Tas
         let mut ends = nodes.chain([task.start]);
         let last = places.last().map_or(task.start, |&(node, _)| node);
         let is_free = |node: &Node| !taken.contains(node) && warehouse.nodes.contains(node);
-        task.goal = ends.find(is_free).unwrap_or(last);
+        let other = || warehouse.nodes.iter().copied().find(is_free);
+        task.goal = ends.find(is_free).or_else(other).unwrap_or(last);
         taken.insert(task.goal);
     }
     notes.push(

@@ -55,6 +55,16 @@ impl<'a> Term<'a> {
     }
 }
 
+/// The length of a directive up to its full stop, which may not be in a text.
+pub(super) fn directive(text: &str) -> Option<usize> {
+    let mut is_text = false;
+    let stop = text.bytes().position(|byte| {
+        is_text ^= byte == b'"';
+        byte == b'.' && !is_text
+    });
+    stop.map(|at| at + 1)
+}
+
 /// The facts of a text, one after the other.
 pub(super) struct Facts<'a> {
     text: &'a str,
@@ -144,8 +154,8 @@ impl<'a> Facts<'a> {
     fn skip_directives(&mut self) -> Result<(), Fault> {
         self.blank()?;
         while self.peek() == Some(b'#') {
-            match self.rest().find('.') {
-                Some(length) => self.at += length + 1,
+            match directive(self.rest()) {
+                Some(length) => self.at += length,
                 None => return Err(self.unexpected(self.at, "a full stop after it")),
             }
             self.blank()?;
