@@ -169,7 +169,8 @@ fn check_agent(agents: &[Agent], i: usize, grid: &Grid, faults: &mut Vec<Fault>)
     let mut cell = |cell: Cell, key: String| match grid.ground(cell) {
         None => faults.push(Fault::at(
             key,
-            format!("{cell}"),
+            // As it is written, however large.
+            format!("({}, {})", cell.x, cell.y),
             format!("a cell of the {} x {} map", grid.width(), grid.height()),
         )),
         Some(Ground::Obstacle) => {
