@@ -28,6 +28,15 @@ pub(super) fn read<'a, T: Deserialize<'a>>(text: &'a str) -> Result<T, Fault> {
     Ok(value)
 }
 
+/// The same for a large text: its way of keys is only followed when it is read again,
+/// for the fault.
+///
+/// # Errors
+/// The first fault of the text, with its line and column.
+pub(super) fn read_large<'a, T: Deserialize<'a>>(text: &'a str) -> Result<T, Fault> {
+    serde_json::from_str(text).or_else(|_| read(text))
+}
+
 fn fault(text: &str, error: &serde_json::Error, path: &Path) -> Fault {
     match error.classify() {
         Category::Syntax | Category::Eof | Category::Io => syntax_fault(text, error),

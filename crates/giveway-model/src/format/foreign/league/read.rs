@@ -27,7 +27,7 @@ const TICKS: u32 = 10;
 
 /// Reads a result.
 pub(in crate::format::foreign) fn read(text: &str) -> Result<Held, Vec<Fault>> {
-    let fields: Fields<'_> = json::read(text).map_err(|fault| vec![fault])?;
+    let fields: Fields<'_> = json::read_large(text).map_err(|fault| vec![fault])?;
     plan(&fields)
         .map(Held::Plan)
         .map_err(|fault| vec![placed(text, fault)])

@@ -73,13 +73,13 @@ pub(super) fn sniff(text: &str) -> bool {
 /// Reads a problem, a solution, or both. Of several the first is read.
 pub(super) fn read(text: &str) -> Result<Held, Vec<Fault>> {
     let held = match shape(text) {
-        Some(Shape::Download) => json::read(text).and_then(|download| first(text, &download)),
-        Some(Shape::Upload) => json::read(text)
+        Some(Shape::Download) => json::read_large(text).and_then(|download| first(text, &download)),
+        Some(Shape::Upload) => json::read_large(text)
             .and_then(|upload: Upload| of_upload(upload).map_err(|it| placed(text, it))),
-        Some(Shape::Paths) => json::read(text)
+        Some(Shape::Paths) => json::read_large(text)
             .and_then(|paths: Paths| plan(paths).map(Held::Plan).map_err(|it| placed(text, it))),
         Some(Shape::Problem) | None => {
-            json::read(text).and_then(|problem| of_problem(text, problem))
+            json::read_large(text).and_then(|problem| of_problem(text, problem))
         }
     };
     held.map_err(|fault| vec![fault])
@@ -115,7 +115,7 @@ fn first(text: &str, download: &Download<'_>) -> Result<Held, Fault> {
         return Err(placed(text, fault));
     };
     let inner = &*first.problem.0;
-    let held = json::read(inner).and_then(|problem| of_problem(inner, problem));
+    let held = json::read_large(inner).and_then(|problem| of_problem(inner, problem));
     let held = held.map_err(|fault| {
         let inside = if fault.place.is_empty() { "" } else { "." };
         let place = format!("problems[0].problem{inside}{}", fault.place);
