@@ -120,6 +120,12 @@ impl<'h> Budget<'h> {
         self
     }
 
+    /// The same budget with a limit of clauses that may be written.
+    pub(crate) fn with_clauses(mut self, clauses: u64) -> Self {
+        self.most_clauses = self.most_clauses.min(clauses);
+        self
+    }
+
     /// The same budget with a limit of clauses, and one of joint steps.
     pub(crate) fn with_work(mut self, clauses: u64, joint_steps: u64) -> Self {
         self.most_clauses = clauses;

@@ -46,8 +46,10 @@ pub(super) fn is_met(aim: &Aim, incumbent: &Incumbent) -> bool {
     vector.is_some_and(|vector| aim.is_met(&vector))
 }
 
-/// Conflicts after which few joint states are exhausted instead.
+/// Conflicts after which few joint states are exhausted instead, and clauses: where
+/// time costs nothing and the horizon is far away, writing them takes longest.
 const PATIENCE: u64 = 4_000;
+const PATIENT_CLAUSES: u64 = 300_000;
 
 /// The optima of all costs, one after the other.
 pub(super) fn prove(
@@ -85,7 +87,8 @@ pub(super) fn or_exhausted<T>(
     let part = Rc::new(
         budget
             .part(patience)
-            .with_derived(budget.derived_left() / 2),
+            .with_derived(budget.derived_left() / 2)
+            .with_clauses(PATIENT_CLAUSES.min(budget.clauses_left() / 2)),
     );
     let patient = Given {
         budget: &part,
