@@ -198,6 +198,7 @@ fn respond(request: Request, host: &dyn Host) -> Result<JsValue, JsValue> {
         Response::Explained(answer) => objects::write(&answer),
         Response::Certified(report) => objects::write(&report),
         Response::Changed(answer) => objects::write(&answer),
+        Response::Audited(answer) => objects::write(&answer),
         Response::Refused(refusal) => Err(refused(refusal)),
     }
 }
