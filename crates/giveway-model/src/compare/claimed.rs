@@ -36,7 +36,9 @@ impl Definition {
             Self::MakespanForAll => "It counts the makespan for every robot.",
             Self::Cells => "It counts the cells of each path, the start too, and not the steps.",
             Self::Moves => "It counts moves only, no waits.",
-            Self::AwayFromGoal => "It does not count steps that a robot rests at its goal, even if it leaves it again.",
+            Self::AwayFromGoal => {
+                "It does not count steps that a robot rests at its goal, even if it leaves it again."
+            }
             Self::Times => "It counts the time 0, too.",
         }
     }

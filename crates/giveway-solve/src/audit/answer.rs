@@ -3,9 +3,7 @@
 use std::collections::BTreeMap;
 
 use borsh::{BorshDeserialize, BorshSerialize};
-use giveway_model::{
-    Cost, Costs, Objective, Plan, Version, check::Violation, message::read_map,
-};
+use giveway_model::{Cost, Costs, Objective, Plan, Version, check::Violation, message::read_map};
 use serde::{Deserialize, Serialize};
 
 use crate::{Stats, Status};

@@ -14,15 +14,10 @@ pub(super) fn conclude(objective: Objective, report: Report, search: SolveAnswer
     let own = report.costs.filter(|_| legal);
     let is_broken = search.reason.as_deref() == Some(Stop::Contradiction.sentence());
     let contradicts = is_broken || legal && !agrees(&objective, own.as_ref(), &search);
-    let search = if contradicts {
-        nothing(search)
-    } else {
-        search
-    };
+    let search = if contradicts { nothing(search) } else { search };
     let found = search.plan.zip(search.costs);
     let vector = |costs: &Costs| costs.vector(&objective);
-    let better =
-        found.filter(|(_, found)| own.is_none_or(|own| vector(found) < vector(&own)));
+    let better = found.filter(|(_, found)| own.is_none_or(|own| vector(found) < vector(&own)));
     let is_best = search.status == Status::Optimal && better.is_none();
     let gap = own.and_then(|own| gap(&objective, &own, &search.bounds));
     let status = match (legal, is_best) {

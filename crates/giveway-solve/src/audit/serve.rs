@@ -54,8 +54,7 @@ fn best(task: &Task, at_least: u32) -> SolveAnswer {
             let known = answer.bounds.entry(cost).or_insert(bound);
             *known = bound.max(*known);
         }
-        let reach =
-            reach_of_bounds(&problem, horizon, &task.objective, &answer.bounds, &lone);
+        let reach = reach_of_bounds(&problem, horizon, &task.objective, &answer.bounds, &lone);
         (answer.complete, answer.within) = told(Some(reach));
     }
     answer
@@ -69,11 +68,11 @@ fn lone_bounds(task: &Task, problem: &Problem) -> BTreeMap<Cost, u32> {
         if i > 0 && !matches!(cost, Cost::Makespan | Cost::SumOfCosts) {
             continue;
         }
-        // Where the budget is spent, it is for the search, too.
-        if let Ok(at_least) = lone_bound(problem, cost, &task.budget) {
-            task.budget.report(&Progress::Bound { cost, at_least });
-            bounds.insert(cost, at_least);
-        }
+        let Ok(at_least) = lone_bound(problem, cost, &task.budget) else {
+            break; // the budget is spent, for the search, too
+        };
+        task.budget.report(&Progress::Bound { cost, at_least });
+        bounds.insert(cost, at_least);
     }
     bounds
 }

@@ -84,7 +84,9 @@ fn later(answer: &AuditAnswer) -> String {
         match answer.bounds.get(&cost) {
             Some(&bound) if bound == n => {}
             Some(&bound) => {
-                return format!(" Its {called} is {n}, and of those plans none has less than {bound}.");
+                return format!(
+                    " Its {called} is {n}, and of those plans none has less than {bound}."
+                );
             }
             None => return format!(" Of its {called}, {n}, nothing is proved yet."),
         }
