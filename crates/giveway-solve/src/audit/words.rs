@@ -83,6 +83,9 @@ fn later(answer: &AuditAnswer) -> String {
         let (n, called) = (own.get(cost), name(cost));
         match answer.bounds.get(&cost) {
             Some(&bound) if bound == n => {}
+            Some(&bound) if best_known(answer).is_some_and(|best| best.get(cost) == bound) => {
+                return format!(" Its {called} is {n}, and the least of those plans {bound}.");
+            }
             Some(&bound) => {
                 return format!(
                     " Its {called} is {n}, and of those plans none has less than {bound}."

@@ -3,7 +3,7 @@
 use giveway_model::Cost;
 use giveway_model::check::Violation;
 use giveway_model::compare::{ClaimedCost, Difference, compare};
-use giveway_model::words::{capital, count, name};
+use giveway_model::words::{capital, name};
 
 use super::{Audited, TOLD};
 
@@ -11,12 +11,8 @@ use super::{Audited, TOLD};
 pub(crate) fn recognised(audited: &Audited) -> Vec<(String, String)> {
     let (plan, instance) = (&audited.plan, &audited.instance);
     let row = |about: &str, what: String| (about.to_owned(), what);
-    let format = format!(
-        "{}: {}; {}",
-        plan.format,
-        plan.format.looks(),
-        plan.format.makers()
-    );
+    let format = plan.format;
+    let format = format!("{}, as {} ({format})", format.looks(), format.makers());
     let mut rows = vec![row("file", plan.file.clone()), row("format", format)];
     let words = plan.words.iter();
     rows.extend(words.map(|(about, how)| row(about, how.clone())));
@@ -97,9 +93,9 @@ pub(crate) fn claims(audited: &Audited) -> Vec<String> {
 pub(crate) fn differs(audited: &Audited) -> Option<String> {
     let better = audited.answer.better.as_ref()?;
     let compared = compare(&audited.instance, &audited.plan.plan, better);
-    let of = |difference| count(compared.with(difference).count(), "robot");
+    let of = |difference| compared.with(difference).count();
     Some(format!(
-        "In the {} plan {} go another way, {} the same way at other times, and {} do the same.",
+        "Robots that go another way in the {} plan: {}; the same way at other times: {}; that do the same: {}.",
         if audited.answer.legal {
             "better"
         } else {

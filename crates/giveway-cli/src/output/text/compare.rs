@@ -89,6 +89,9 @@ fn sentence(agent: &AgentComparison) -> String {
         .first
         .map_or(String::new(), |Divergence { time, cells }| {
             let [one, other] = cells.map(place);
+            if one == other {
+                return format!(": at time {time} it charges in one of the plans only");
+            }
             format!(": at time {time} it is {one} in the first plan and {other} in the second")
         });
     let arrives = match agent.arrivals {

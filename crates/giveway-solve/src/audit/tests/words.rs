@@ -81,6 +81,18 @@ fn a_legal_plan_is_at_most_so_far_from_the_best() {
 }
 
 #[test]
+fn a_plan_better_in_a_later_cost_is_told_of() {
+    let both = [(Cost::SumOfCosts, 85), (Cost::Makespan, 11)];
+    let mut one = answer(AuditStatus::Feasible, &both, Some(costs(11, 85)));
+    one.search = Status::Optimal;
+    says(
+        &one,
+        "The best sum of costs: proved. Its makespan is 12, and the least of those plans 11. A \
+         better plan was found: sum of costs 85, makespan 11; it is the best: proved.",
+    );
+}
+
+#[test]
 fn a_better_plan_is_named() {
     let mut one = answer(
         AuditStatus::Feasible,
