@@ -2,6 +2,7 @@
 
 use giveway_model::check::check;
 use giveway_model::compare::compare;
+use giveway_model::words::count;
 
 use super::one_standard_input;
 use crate::{
@@ -25,8 +26,8 @@ pub(crate) fn run(args: &Compare, common: &Common) -> Result<Exit, Failure> {
     let gathered = foreign::gather(&sources, wanted)?;
     let [one, other] = gathered.plans.as_slice() else {
         return Err(Failure::Usage(format!(
-            "found {} plans, expected two",
-            gathered.plans.len()
+            "found {}, expected two plans",
+            count(gathered.plans.len(), "plan")
         )));
     };
     let instance = &gathered.instance;

@@ -19,13 +19,11 @@ fn folder() -> Folder {
         "[[3,0],[3,0],[3,1],[2,1],[1,1],[0,1]]",
     );
     let scene = two_agents(&[]);
-    let free = scene.replace("\"goal\": [0, 1]", "\"goal\": [2, 1]");
     Folder::with(&[
         ("warehouse.json", WAREHOUSE),
         ("warehouse.plan.json", WAREHOUSE_PLAN),
         ("two.json", scene.as_str()),
         ("crash.json", best.as_str()),
-        ("free.json", free.as_str()),
         (
             "slow.json",
             &plan(
@@ -60,7 +58,25 @@ fn the_best_plan_is_proved_to_be_it() {
     let run = folder().run("audit warehouse.json warehouse.plan.json");
     let (said, work) = run.answer().rsplit_once("\n\n").unwrap();
     assert!(work.contains("s CPU"));
-    expect![[r#""#]].assert_eq(&format!("{said}\n"));
+    expect![[r#"
+        warehouse: 10 x 3 cells, 2 robots
+
+        Recognised as
+          file    warehouse.plan.json
+          format  Giveway's own JSON, as Giveway writes it (giveway)
+          map     warehouse, 10 x 3 cells
+          robots  2
+
+        The best: proved.
+
+        cost                  this plan  proved at least
+        makespan                     18               18
+        sum of costs                 35               35
+        charges                       3                3
+        moves                        30                -
+        waits                         0                -
+    "#]]
+    .assert_eq(&format!("{said}\n"));
 }
 
 #[test]
@@ -105,7 +121,20 @@ fn an_illegal_plan_has_every_violation_and_costs_as_it_stands() {
     assert_eq!(run.exit, Some(1));
     let (_, said) = run.out.split_once("Illegal").unwrap();
     let (said, _) = said.rsplit_once("\n\n").unwrap();
-    expect![[r#""#]].assert_eq(&format!("Illegal{said}\n"));
+    expect![[r#"
+        Illegal: 1 violation of the rules.
+          vertex: A1 and A2 are both at (2, 1) at time 3.
+        Its sum of costs is 9, and every legal plan has at least 10. So it had to break a rule.
+        A legal plan was found: sum of costs 10; it is the best: proved.
+        Robots that go another way in the legal plan: 1; the same way at other times: 1; that do the same: 0.
+
+        cost                  this plan  proved at least      better plan
+        sum of costs                  9               10               10
+        makespan                      5                -                6
+        charges                       0                -                0
+        moves                         8                -               10
+        waits                         1                -                0
+    "#]].assert_eq(&format!("Illegal{said}\n"));
 }
 
 #[test]
@@ -146,7 +175,13 @@ fn a_scenario_finds_its_map_beside_it() {
     assert_eq!(answer["agents"], 8);
     fs::create_dir(folder.path("maps")).unwrap();
     fs::rename(folder.path("empty-8-8.map"), folder.path("maps/other.map")).unwrap();
-    folder.refuses("audit few.scen solved.json", &expect![[r#""#]]);
+    folder.refuses(
+        "audit few.scen solved.json",
+        &expect![[r#"
+        exit 1
+        few.scen is for the map empty-8-8: open that map, too. Or give it with --map.
+    "#]],
+    );
     let found = folder.run("audit few.scen solved.json --map maps/other.map");
     assert!(found.answer().contains("robots"));
 }
@@ -154,16 +189,45 @@ fn a_scenario_finds_its_map_beside_it() {
 #[test]
 fn files_that_do_not_belong_together_are_refused() {
     let folder = folder();
-    folder.refuses("audit two.json", &expect![[r#""#]]);
-    folder.refuses("audit crash.json", &expect![[r#""#]]);
+    folder.refuses(
+        "audit two.json",
+        &expect![[r#"
+        exit 1
+        There is no plan in these files.
+    "#]],
+    );
+    folder.refuses(
+        "audit crash.json",
+        &expect![[r#"
+        exit 1
+        There is no scene in these files.
+    "#]],
+    );
     folder.refuses(
         "audit two.json warehouse.json crash.json",
-        &expect![[r#""#]],
+        &expect![[r#"
+            exit 1
+            Open one scene at a time: two.json and warehouse.json are of the same kind.
+        "#]],
     );
-    folder.refuses("audit two.json crash.json slow.json", &expect![[r#""#]]);
+    folder.refuses("audit two.json crash.json slow.json", &expect![[r#"
+        exit 2
+        error: found 2 plans, expected one; --jsonl audits each of them, and giveway compare compares two
+
+        Usage: giveway [OPTIONS] <COMMAND>
+
+        For more information, try '--help'.
+    "#]]);
     folder.refuses(
         "audit two.json crash.json --report r.txt",
-        &expect![[r#""#]],
+        &expect![[r#"
+            exit 2
+            error: found the report r.txt, expected a name that ends in .html, .md or .json
+
+            Usage: giveway [OPTIONS] <COMMAND>
+
+            For more information, try '--help'.
+        "#]],
     );
 }
 

@@ -27,7 +27,21 @@ fn folder() -> Folder {
 #[test]
 fn plans_stand_side_by_side() {
     let run = folder().run("compare two.json first.json second.json");
-    expect![[r#""#]].assert_eq(run.answer());
+    expect![[r#"
+        two: 4 x 2 cells, 2 robots
+
+                         first.json  second.json  difference
+        legal           1 violation  1 violation
+        makespan                  4            5          +1
+        sum of costs              8            9          +1
+        charges                   0            0           0
+        moves                     8            8           0
+        waits                     0            1          +1
+
+        2 robots: 0 the same, 1 retimed, 1 rerouted.
+          A1 is rerouted: at time 1 it is at (0, 1) in the first plan and at (1, 0) in the second; it arrives at time 4 in both.
+          A2 is retimed: at time 1 it is at (3, 1) in the first plan and at (3, 0) in the second; it arrives at time 4 and at time 5.
+    "#]].assert_eq(run.answer());
 }
 
 #[test]
@@ -47,5 +61,15 @@ fn programs_get_an_object() {
 
 #[test]
 fn two_plans_are_needed() {
-    folder().refuses("compare two.json first.json", &expect![[r#""#]]);
+    folder().refuses(
+        "compare two.json first.json",
+        &expect![[r#"
+        exit 2
+        error: found 1 plan, expected two plans
+
+        Usage: giveway [OPTIONS] <COMMAND>
+
+        For more information, try '--help'.
+    "#]],
+    );
 }
