@@ -5,7 +5,7 @@ use std::collections::BTreeMap;
 use giveway_model::{Cost, Costs, Objective, Version, check::Report};
 
 use super::{AuditAnswer, AuditStatus, gap};
-use crate::{SolveAnswer, Status, budget::Stop};
+use crate::{SolveAnswer, Stats, Status, budget::Stop};
 
 /// What is claimed of a plan. The search is not trusted: where it contradicts the
 /// judge, nothing is claimed at all.
@@ -14,7 +14,11 @@ pub(super) fn conclude(objective: Objective, report: Report, search: SolveAnswer
     let own = report.costs.filter(|_| legal);
     let is_broken = search.reason.as_deref() == Some(Stop::Contradiction.sentence());
     let contradicts = is_broken || legal && !agrees(&objective, own.as_ref(), &search);
-    let search = if contradicts { nothing(search) } else { search };
+    let search = if contradicts {
+        nothing(search.stats)
+    } else {
+        search
+    };
     let found = search.plan.zip(search.costs);
     let vector = |costs: &Costs| costs.vector(&objective);
     let better = found.filter(|(_, found)| own.is_none_or(|own| vector(found) < vector(&own)));
@@ -71,15 +75,7 @@ fn keeps(objective: &Objective, own: &Costs, bounds: &BTreeMap<Cost, u32>) -> bo
 }
 
 /// A search of which nothing is believed.
-fn nothing(search: SolveAnswer) -> SolveAnswer {
-    SolveAnswer {
-        status: Status::Unknown,
-        costs: None,
-        bounds: BTreeMap::new(),
-        within: None,
-        complete: false,
-        reason: Some(Stop::Contradiction.sentence().to_owned()),
-        plan: None,
-        ..search
-    }
+fn nothing(stats: Stats) -> SolveAnswer {
+    let reason = Stop::Contradiction.sentence().to_owned();
+    SolveAnswer::without_plan(Status::Unknown, None, reason, stats)
 }

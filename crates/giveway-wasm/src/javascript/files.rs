@@ -72,7 +72,7 @@ fn faults(refused: Refused) -> Vec<Fault> {
             faults.map(|fault| in_file(&file, fault)).collect()
         }
         Refused::Missing { file, what, .. } => {
-            let found = match what {
+            let found = match &what {
                 Missing::Map(Some(map)) => format!("a file for the map {map}"),
                 Missing::Map(None) => "a file for a map".to_owned(),
                 Missing::Scenario => "a plan without the starts of its robots".to_owned(),
