@@ -50,7 +50,9 @@ fn spoiled(plan: &Plan) -> Vec<Plan> {
                 path[at] = Some(Cell::new(cell.x ^ 1, cell.y));
             });
             if path.len() > 1 {
-                with(&|path| drop(path.remove(at)));
+                with(&|path| {
+                    path.remove(at);
+                });
             }
         }
     }

@@ -7,6 +7,7 @@
 )]
 
 mod audit;
+mod audit_many;
 mod bad_command_line;
 mod bad_input;
 mod benchmark_files;
