@@ -7,14 +7,20 @@ use std::sync::LazyLock;
 use clap::{Args as ClapArgs, Parser, Subcommand, ValueEnum};
 use clap_complete::Shell;
 
+mod audit;
 mod change;
+mod compare;
 mod convert;
 mod explain;
+mod reading;
 mod solve;
 
+pub(crate) use audit::Audit;
 pub(crate) use change::Change;
-pub(crate) use convert::{Convert, Target};
+pub(crate) use compare::Compare;
+pub(crate) use convert::Convert;
 pub(crate) use explain::Explain;
+pub(crate) use reading::Reading;
 pub(crate) use solve::Solve;
 
 const ABOUT: &str = "Plans for several robots on a grid, proved best";
@@ -29,7 +35,9 @@ const AFTER_HELP: &str = "An INSTANCE is
   a native file       JSON with the key \"giveway\"
   a .scen             a MovingAI scenario; its .map is the file in the same folder that the
                       scenario names, or given with --map
-  -                   either of them from standard input; a scenario needs --map
+  other formats       paths.txt, result.txt and those of other planners, with their map beside
+                      them or given with --map
+  -                   any of them from standard input; a scenario needs --map
 The ending of the name says which one it is; without one, how the file begins.
 
 Exit status
@@ -87,6 +95,10 @@ pub(crate) enum Command {
     Solve(Solve),
     /// List every rule that a plan breaks, and its costs
     Check(Check),
+    /// Tell whether a plan of any planner is legal, and how far it is from the best
+    Audit(Audit),
+    /// Compare two plans of one instance
+    Compare(Compare),
     /// Explain why a plan is as it is, or why there is none
     Explain(Explain),
     /// Find new plans after the world has changed
@@ -152,7 +164,7 @@ Examples
 pub(crate) struct Check {
     #[command(flatten)]
     pub(crate) source: Source,
-    /// A plan, or a result of solve with a plan in it; or - for standard input
+    /// A plan in any format, or a result of solve with a plan in it; or - for standard input
     #[arg(value_name = "PLAN")]
     pub(crate) plan: PathBuf,
     /// What changes while the plan runs: the plan is checked at each time in the world of that time

@@ -54,33 +54,33 @@ impl Failure {
         }
     }
 
-    /// Says on standard error what is wrong.
-    pub(crate) fn tell(&self) -> Exit {
+    /// What is wrong, a line each.
+    pub(crate) fn lines(&self) -> Vec<String> {
         match self {
-            Self::Input { file, faults } => {
-                stream::error_lines(&fault_lines(file, faults));
-                Exit::Wrong
-            }
+            Self::Input { file, faults } => fault_lines(file, faults),
             Self::Refused(sentences) => {
                 let told = sentences.iter().take(TOLD);
                 let mut lines: Vec<String> = told.map(|line| plain::text(line)).collect();
                 if sentences.len() > TOLD {
                     lines.push(format!("and {} more", sentences.len() - TOLD));
                 }
-                stream::error_lines(&lines);
-                Exit::Wrong
+                lines
             }
-            Self::Usage(sentence) => {
-                let error = Args::command().error(ErrorKind::ArgumentConflict, sentence);
-                // Where standard error is closed there is nobody to tell.
-                let _ = error.print();
-                Exit::Usage
-            }
-            Self::Output { target, error } => {
-                stream::error_lines(&[format!("{target}: cannot write: {error}")]);
-                Exit::Wrong
-            }
+            Self::Usage(sentence) => vec![plain::text(sentence)],
+            Self::Output { target, error } => vec![format!("{target}: cannot write: {error}")],
         }
+    }
+
+    /// Says on standard error what is wrong.
+    pub(crate) fn tell(&self) -> Exit {
+        if let Self::Usage(sentence) = self {
+            let error = Args::command().error(ErrorKind::ArgumentConflict, sentence);
+            // Where standard error is closed there is nobody to tell.
+            let _ = error.print();
+            return Exit::Usage;
+        }
+        stream::error_lines(&self.lines());
+        Exit::Wrong
     }
 }
 

@@ -8,6 +8,7 @@ mod agent;
 mod cell;
 pub mod change;
 pub mod check;
+pub mod compare;
 mod cost;
 mod fault;
 pub mod format;

@@ -7,6 +7,7 @@
 )]
 
 use giveway_model::check::check;
+use giveway_model::compare::compare;
 use giveway_model::format::{native, schema};
 use giveway_model::{Agent, AtGoal, Battery, Cell, Cost, Objective, Plan, Rules, Scene};
 use jsonschema::Validator;
@@ -186,6 +187,61 @@ fn check_results_are_accepted() {
         ("/costs/waits", Value::Null),
     ] {
         refuses_with("checkResult", &result, pointer, bad);
+    }
+}
+
+#[test]
+fn comparisons_are_accepted() {
+    let instance = native::read_instance(
+        r#"{ "giveway": 1, "map": ["..."], "agents": [
+            { "name": "A", "start": [0, 0], "goal": [1, 0] },
+            { "name": "B", "start": [2, 0], "goal": [2, 0] } ] }"#,
+    )
+    .unwrap();
+    let plan = |text: &str| native::read_plan(text).unwrap();
+    let one = plan(r#"{ "giveway": 1, "paths": { "A": [[0, 0], [1, 0]], "B": [[2, 0]] } }"#);
+    let other = plan(r#"{ "giveway": 1, "paths": { "A": [[0, 0], null, [1, 0]] } }"#);
+    for other in [&one, &other] {
+        let compared = serde_json::to_value(compare(&instance, &one, other)).unwrap();
+        accepts("compareResult", &compared);
+        for (pointer, bad) in [
+            ("/costs/0", json!(3)),
+            ("/agents/0/difference", json!("gone")),
+            ("/agents/0/arrivals", json!([1])),
+            ("/agents/0/first", json!(true)),
+            ("/extra", json!(1)),
+        ] {
+            refuses_with("compareResult", &compared, pointer, bad);
+        }
+    }
+}
+
+#[test]
+fn audits_are_accepted() {
+    let audit = json!({
+        "giveway": 1, "file": "p.txt", "format": "paths.txt", "conventions": { "cells": ".." },
+        "why": "..", "name": "", "agents": 8, "notes": [], "legal": true, "violations": [],
+        "objective": ["makespan"], "costs": solved()["costs"],
+        "claimed": { "sum-of-costs": 9 },
+        "claims": [{ "cost": "sum-of-costs", "claimed": 9, "counted": 1, "definition": null }],
+        "bounds": { "makespan": 1 }, "within": null, "complete": true, "status": "optimal",
+        "gap": 0.0, "better": null, "better_costs": null, "search": "optimal",
+        "stats": solved()["stats"],
+    });
+    accepts("auditResult", &audit);
+    for (pointer, bad) in [
+        ("/status", json!("illegal")),
+        ("/legal", json!(false)),
+        ("/gap", json!(0.1)),
+        ("/gap", json!(-1)),
+        ("/format", json!("csv")),
+        ("/better_costs", solved()["costs"].clone()),
+        ("/within", json!(4)),
+        ("/claims/0/definition", json!("guess")),
+        ("/search", json!("illegal")),
+        ("/extra", json!(1)),
+    ] {
+        refuses_with("auditResult", &audit, pointer, bad);
     }
 }
 

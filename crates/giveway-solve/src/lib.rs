@@ -6,6 +6,7 @@
 //! in a [`Host`].
 
 mod answer;
+pub mod audit;
 mod budget;
 mod certify;
 pub mod change;

@@ -4,6 +4,7 @@ use borsh::{BorshDeserialize, BorshSerialize};
 use giveway_model::{Objective, Plan, Scene, change::Changes, format::from_object};
 use serde::{Deserialize, Serialize};
 
+use crate::audit::AuditRequest;
 use crate::change::ChangeRequest;
 use crate::{CertifyRequest, explain::ExplainRequest};
 
@@ -21,6 +22,8 @@ pub enum Request {
     Certify(CertifyRequest),
     /// Go on with a plan around which the world changes.
     Change(ChangeRequest),
+    /// Judge a plan, and tell how far it is from the best.
+    Audit(AuditRequest),
 }
 
 /// Find and prove the best plan, or the Pareto front.

@@ -11,6 +11,7 @@ use serde::{Deserialize, Serialize};
 
 use crate::{
     CheckAnswer, CheckRequest, FrontAnswer, Host, Request, SolveAnswer, SolveRequest,
+    audit::{self, AuditAnswer},
     certify::certify,
     change::{self, ChangeAnswer},
     explain::{ExplainAnswer, engine},
@@ -34,6 +35,8 @@ pub enum Response {
     Certified(Box<Report>),
     /// To [`Request::Change`].
     Changed(Box<ChangeAnswer>),
+    /// To [`Request::Audit`].
+    Audited(Box<AuditAnswer>),
     /// The request is wrong; nothing was done.
     Refused(Refusal),
 }
@@ -95,6 +98,10 @@ pub fn serve(request: &Request, host: &dyn Host) -> Response {
         },
         Request::Certify(request) => match certify(request, host) {
             Ok(report) => Response::Certified(Box::new(report)),
+            Err(refusal) => Response::Refused(refusal),
+        },
+        Request::Audit(request) => match audit::serve(request, host) {
+            Ok(answer) => Response::Audited(Box::new(answer)),
             Err(refusal) => Response::Refused(refusal),
         },
         Request::Change(request) => match change::serve(request, host) {

@@ -12,9 +12,10 @@ export class Giveway {
 
   constructor(start = startWorker) {
     this.#start = start;
-    for (const call of ["solve", "check", "explain", "change", "certify", "verify", "convert"]) {
+    for (const call of ["solve", "check", "explain", "change", "audit", "compare", "certify", "verify", "convert"]) {
       this[call] = (request, waiting) => this.#ask(call, request ?? null, waiting);
     }
+    this.readFiles = (files, options, waiting) => this.#ask("readFiles", [files, options], waiting);
     this.schema = (waiting) => this.#ask("schema", undefined, waiting);
   }
 

@@ -8,7 +8,8 @@ addEventListener("message", async ({ data: { id, call, request } }) => {
   try {
     await ready;
     const onProgress = (event) => postMessage({ id, event });
-    const answer = request === undefined ? giveway[call]() : giveway[call](request, { onProgress });
+    const given = call === "readFiles" ? request : request === undefined ? [] : [request, { onProgress }];
+    const answer = giveway[call](...given);
     postMessage({ id, answer });
   } catch (thrown) {
     // A copy of an error loses what makes it one of ours.

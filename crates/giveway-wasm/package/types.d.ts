@@ -390,10 +390,118 @@ export interface VerifyRequest {
   limits?: Limits;
 }
 
+export interface AuditRequest {
+  scene: Scene;
+  /** It may break any rule. */
+  plan: Plan;
+  /** Where it is not the scene's own. */
+  objective?: Cost[];
+  /** Compared with plans of at most this makespan, and of that of the plan itself. */
+  within?: number;
+  limits?: Limits;
+}
+
+/** What is known of a plan. */
+export interface AuditAnswer {
+  giveway: 1;
+  legal: boolean;
+  violations: Violation[];
+  objective: Cost[];
+  /** Of the plan as it stands, legal or not; null where an agent has no path. */
+  costs: Record<Cost, number> | null;
+  /** No legal plan has less of the first cost, and none that is best in those before of a later one. */
+  bounds: Partial<Record<Cost, number>>;
+  /** The makespan up to which that was proved; null where it holds for plans of any makespan. */
+  within: number | null;
+  complete: boolean;
+  /** `optimal`: legal, and proved to be the best. */
+  status: "optimal" | "feasible" | "illegal" | "unknown";
+  /** How far the first cost of a legal plan is above its bound, as a part of the bound. */
+  gap: number | null;
+  /** A plan with lower costs; where the audited one is illegal, a legal one. */
+  better: Plan | null;
+  better_costs: Record<Cost, number> | null;
+  /** What is known of the best plan: `optimal` where `better`, or else the audited plan, is proved to be it. */
+  search: Status;
+  /** Why something is not known, or why there is no legal plan. */
+  reason?: string;
+  stats: Stats;
+}
+
+export interface CompareRequest {
+  scene: Scene;
+  plans: [Plan, Plan];
+}
+
+/** Two plans of one scene. */
+export interface Comparison {
+  giveway: 1;
+  costs: [Record<Cost, number> | null, Record<Cost, number> | null];
+  /** How much more the second one has. */
+  deltas: Partial<Record<Cost, number>>;
+  agents: {
+    agent: string;
+    /** `retimed`: the same cells at other times; `rerouted`: other cells. */
+    difference: "same" | "retimed" | "rerouted";
+    arrivals: [number | null, number | null];
+    /** Where they part: null in transit, or gone. */
+    first: { time: number; cells: [Cell | null, Cell | null] } | null;
+  }[];
+}
+
+/** A format of files. */
+export type Format =
+  | "giveway" | "movingai" | "tracker" | "paths.txt" | "result.txt"
+  | "multi-robot" | "lorr" | "asprilo" | "mapfw";
+
+/** What the numbers and letters of a plan mean. */
+export interface Conventions {
+  cells: "row, column" | "column, row";
+  origin: "0" | "1";
+  /** What up does to the row, counted from the top. */
+  up: "y - 1" | "y + 1";
+}
+
+export interface ReadOptions {
+  /** Only the first agents of a scenario, where no plan says how many there are. */
+  agents?: number;
+  /** How plans are to be read, instead of what fits best. */
+  conventions?: Conventions;
+}
+
+/** A scene, and the plans for it in the order of the files' names. */
+export interface Files {
+  scene: Scene;
+  plans: ForeignPlan[];
+  notes: string[];
+}
+
+/** A plan of elsewhere, read; it may break any rule. */
+export interface ForeignPlan {
+  file: string;
+  format: Format;
+  /** How it was read, where that is a matter of convention: what it is about, and how. */
+  words: [string, string][];
+  conventions: Conventions;
+  why: string;
+  /** The other ways to read it, and what does not fit then. */
+  alternatives: { conventions: Conventions; misfit: string | null }[];
+  fit: { agents: number; fitting: number; misfits: number; first: string | null };
+  /** What its file says that it costs. */
+  claimed: { makespan?: number; "sum-of-costs"?: number };
+  /** What it would cost if every step of the file counted. */
+  written: { makespan?: number; "sum-of-costs"?: number };
+  /** Where agents that turn look at each time. */
+  headings: Record<string, ("east" | "south" | "west" | "north")[]>;
+  notes: string[];
+  plan: Plan;
+}
+
 export interface ConvertRequest {
-  /** Texts by file names: `.json`, or `.scen` with `.map`. */
+  /** Texts by file names, of any format; `.scen` with its `.map`. */
   files: Record<string, string>;
-  to: "giveway" | "movingai";
+  /** A format of plans needs a plan with its scene among the files. */
+  to: Format;
   /** Only the first so many agents. */
   agents?: number;
 }
@@ -452,6 +560,12 @@ export function explain(request: ExplainRequest, options?: Options): ExplainAnsw
 /** Goes on with a plan around which the world changes. */
 export function change(request: ChangeRequest, options?: Options): ChangeAnswer;
 
+/** Judges a plan, and tells how far it is from the best. */
+export function audit(request: AuditRequest, options?: Options): AuditAnswer;
+
+/** Compares two plans of one scene. */
+export function compare(request: CompareRequest): Comparison;
+
 /** Proves again what was answered, and checks the proofs. */
 export function certify(request: CertifyRequest, options?: Options): Report;
 
@@ -463,6 +577,9 @@ export function convert(request: ConvertRequest): ConvertAnswer;
 
 /** The JSON Schema of all objects. */
 export function schema(): Schema;
+
+/** Reads files of any planner that belong together, told apart by what they hold. */
+export function readFiles(files: Record<string, string>, options?: ReadOptions): Files;
 
 /** Reads a scene in the project's own JSON, and checks it. */
 export function readScene(text: string): Scene;

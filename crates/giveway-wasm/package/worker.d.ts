@@ -1,6 +1,7 @@
 import type {
-  CertifyRequest, ChangeAnswer, ChangeRequest, CheckAnswer, CheckRequest, ConvertAnswer, ConvertRequest, ExplainAnswer,
-  ExplainRequest, FrontAnswer, Progress, Report, Schema, SolveAnswer, SolveRequest, VerifyRequest,
+  AuditAnswer, AuditRequest, CertifyRequest, ChangeAnswer, ChangeRequest, CheckAnswer, CheckRequest, CompareRequest,
+  Comparison, ConvertAnswer, ConvertRequest, ExplainAnswer, ExplainRequest, Files, FrontAnswer, Progress, ReadOptions,
+  Report, Schema, SolveAnswer, SolveRequest, VerifyRequest,
 } from "./types.js";
 
 export * from "./types.js";
@@ -21,6 +22,9 @@ export class Giveway {
   check(request: CheckRequest, waiting?: Waiting): Promise<CheckAnswer>;
   explain(request: ExplainRequest, waiting?: Waiting): Promise<ExplainAnswer>;
   change(request: ChangeRequest, waiting?: Waiting): Promise<ChangeAnswer>;
+  audit(request: AuditRequest, waiting?: Waiting): Promise<AuditAnswer>;
+  compare(request: CompareRequest, waiting?: Waiting): Promise<Comparison>;
+  readFiles(files: Record<string, string>, options?: ReadOptions, waiting?: Waiting): Promise<Files>;
   certify(request: CertifyRequest, waiting?: Waiting): Promise<Report>;
   verify(request: VerifyRequest, waiting?: Waiting): Promise<Report>;
   convert(request: ConvertRequest, waiting?: Waiting): Promise<ConvertAnswer>;

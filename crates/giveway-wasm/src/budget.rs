@@ -16,6 +16,7 @@ pub(crate) fn within_budget(mut request: Request) -> Request {
         Request::Explain(explain) => &mut explain.limits,
         Request::Certify(certify) => &mut certify.limits,
         Request::Change(change) => &mut change.limits,
+        Request::Audit(audit) => &mut audit.limits,
         Request::Check(_) => return request,
     };
     limits.memory_bytes.get_or_insert(MEMORY_BYTES);

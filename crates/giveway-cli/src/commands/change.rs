@@ -18,7 +18,7 @@ use crate::{
 pub(crate) fn run(args: &Change, common: &Common, clock: Clock) -> Result<Exit, Failure> {
     one_standard_input([&args.source.instance, &args.plan, &args.changes])?;
     let instance = input::instance(&args.source, common)?;
-    let plan = input::plan(&args.plan)?;
+    let plan = input::plan(&args.plan, &instance, common)?;
     let file = input::changes(&args.changes)?;
     let request = Request::Change(ChangeRequest {
         scene: instance.to_scene(),

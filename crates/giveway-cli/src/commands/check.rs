@@ -18,7 +18,7 @@ pub(crate) fn run(args: &Check, common: &Common, clock: Clock) -> Result<Exit, F
     let inputs = [&args.source.instance, &args.plan];
     one_standard_input(inputs.into_iter().chain(&args.changes))?;
     let instance = input::instance(&args.source, common)?;
-    let plan = input::plan(&args.plan)?;
+    let plan = input::plan(&args.plan, &instance, common)?;
     let changes = args.changes.as_deref().map(input::changes).transpose()?;
     let request = Request::Check(CheckRequest {
         scene: instance.to_scene(),

@@ -3,13 +3,10 @@
 mod read;
 mod targets;
 
-use giveway_model::{
-    Fault,
-    format::{movingai, native},
-};
+use giveway_model::format::foreign::{Format, write};
 
 use crate::{
-    args::{Common, Convert, Target},
+    args::{Common, Convert},
     exit::Exit,
     failure::Failure,
     output::{
@@ -17,17 +14,14 @@ use crate::{
         stream,
     },
 };
-use read::{Content, Item};
+use read::{Content, Inputs, Item};
 use targets::{place, spare};
 
 pub(crate) fn run(args: &Convert, common: &Common) -> Result<Exit, Failure> {
     let inputs = read::inputs(args, common)?;
     let mut texts = Vec::new();
     for item in &inputs.items {
-        match args.to {
-            Target::Giveway => texts.push(to_giveway(item)),
-            Target::MovingAi => texts.extend(to_movingai(item, common)?),
-        }
+        texts.extend(written(args.to, item, &inputs, common)?);
     }
     match (&args.output, texts.as_slice()) {
         (Some(folder), _) => {
@@ -47,41 +41,43 @@ pub(crate) fn run(args: &Convert, common: &Common) -> Result<Exit, Failure> {
     Ok(Exit::Answered)
 }
 
-/// A file by its name, not yet in a folder.
-fn named(stem: &str, ending: &str, text: String) -> NewFile {
-    NewFile {
-        path: format!("{stem}.{ending}").into(),
-        text,
-    }
-}
-
-fn to_giveway(item: &Item) -> NewFile {
-    let text = match &item.content {
-        Content::Instance(instance) => native::write_scene(&instance.to_scene()),
-        Content::Plan(plan) => native::write_plan(plan),
+/// What becomes of one of the inputs. A plan in a format of plans is written with its
+/// instance, which then is nothing to be written by itself.
+fn written(
+    to: Format,
+    item: &Item,
+    inputs: &Inputs,
+    common: &Common,
+) -> Result<Vec<NewFile>, Failure> {
+    let by_itself = matches!(to, Format::Giveway | Format::MovingAi);
+    let (instance, plan) = match &item.content {
+        Content::Instance(instance) if by_itself || !inputs.have_plan() => (Some(instance), None),
+        Content::Instance(_) => return Ok(Vec::new()),
+        Content::Plan(plan) if by_itself => (None, Some(plan)),
+        Content::Plan(plan) => (inputs.instance(), Some(plan)),
     };
-    named(&item.stem, "json", text)
-}
-
-fn to_movingai(item: &Item, common: &Common) -> Result<[NewFile; 2], Failure> {
-    let Content::Instance(instance) = &item.content else {
-        let expected = "an instance, since MovingAI files hold no plans";
-        return Err(Failure::input(
-            &item.name,
-            Fault::at("", "a plan", expected),
-        ));
-    };
-    let map = named(&item.stem, "map", movingai::write_map(instance.grid()));
-    let scenario = movingai::write_scenario(&map.path.to_string_lossy(), instance)
-        .map_err(|fault| Failure::input(&item.name, fault))?;
-    let losses = movingai::losses(instance);
-    if !losses.is_empty() && !common.quiet {
-        let losses: Vec<String> = losses.iter().map(ToString::to_string).collect();
+    let written =
+        write(to, &item.stem, instance, plan).map_err(|fault| Failure::input(&item.name, fault))?;
+    if !written.losses.is_empty() && !common.quiet {
         stream::note(&format!(
-            "{}: warning: MovingAI files cannot hold {}",
+            "{}: warning: {} files cannot hold {}",
             item.name,
-            losses.join(", ")
+            label(to),
+            written.losses.join(", ")
         ));
     }
-    Ok([map, named(&item.stem, "scen", scenario)])
+    let files = written.files.into_iter();
+    let files = files.map(|(name, text)| NewFile {
+        path: name.into(),
+        text,
+    });
+    Ok(files.collect())
+}
+
+/// A format in a sentence.
+const fn label(format: Format) -> &'static str {
+    match format {
+        Format::MovingAi => "MovingAI",
+        other => other.name(),
+    }
 }

@@ -35,7 +35,9 @@ pub(crate) fn run(args: &Explain, common: &Common, clock: Clock) -> Result<Exit,
     if let Some(objective) = &args.objective {
         instance = instance.with_objective(objective.clone());
     }
-    let plan = args.plan.as_deref().map(input::plan).transpose()?;
+    let plan = args.plan.as_deref();
+    let plan = plan.map(|path| input::plan(path, &instance, common));
+    let plan = plan.transpose()?;
     let changes = args.changes.as_deref().map(input::changes).transpose()?;
     let request = Request::Explain(ExplainRequest {
         scene: instance.to_scene(),

@@ -1,7 +1,9 @@
 //! The commands, one file each.
 
+mod audit;
 mod change;
 mod check;
+mod compare;
 mod convert;
 mod explain;
 mod manual;
@@ -25,6 +27,8 @@ pub(crate) fn run(args: &Args, clock: Clock) -> Result<Exit, Failure> {
         Command::Solve(solve) => solve::run(solve, &args.common, clock),
         Command::Check(check) => check::run(check, &args.common, clock),
         Command::Change(change) => change::run(change, &args.common, clock),
+        Command::Audit(audit) => audit::run(audit, &args.common, clock),
+        Command::Compare(compare) => compare::run(compare, &args.common),
         Command::Explain(explain) => explain::run(explain, &args.common, clock),
         Command::Convert(convert) => convert::run(convert, &args.common),
         Command::Verify(verify) => verify::run(verify, &args.common),

@@ -2,7 +2,7 @@
 
 use giveway_model::{Fault, Instance, format::native, words::count};
 
-use super::{Kind, Maps, Scen, Source};
+use super::{Kind, Maps, Scen, Source, foreign};
 use crate::{args, failure::Failure, output::stream};
 
 /// Reads the instance of a command line, and tells its notes on standard error
@@ -23,6 +23,7 @@ pub(crate) fn instance(source: &args::Source, common: &args::Common) -> Result<I
             }
             scen.instance(&map, first)
         }
+        Kind::Foreign => foreign::instance_in(text, first, common),
         Kind::Map => Err(text.fault(Fault::at(
             "",
             "a map, which has no robots",

@@ -2,12 +2,14 @@
 
 use std::path::Path;
 
+use giveway_model::format::foreign::{Format, recognise};
 use serde::Deserialize;
 use serde::de::IgnoredAny;
 
 use super::Source;
 
-/// What a text holds, as far as its name and its beginning tell.
+/// What a text holds, as far as its name and its beginning tell. How the formats
+/// of others are told apart is the model's business.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Kind {
     /// A MovingAI scenario.
@@ -18,6 +20,8 @@ pub(crate) enum Kind {
     Answer,
     /// A native plan.
     Plan,
+    /// A plan, an instance or both in a format of others.
+    Foreign,
     /// A native instance, or anything else, which its reader then refuses.
     Scene,
 }
@@ -37,19 +41,20 @@ impl Kind {
         match source.path.as_deref().and_then(ending).as_deref() {
             Some("scen") => Self::Scenario,
             Some("map") => Self::Map,
-            Some("json") => Self::of_json(&source.text),
+            Some("json") => match recognise(&source.text) {
+                Ok(Format::MovingAi | Format::Giveway) | Err(_) => Self::of_json(&source.text),
+                Ok(_) => Self::Foreign,
+            },
             _ => Self::of_text(&source.text),
         }
     }
 
     fn of_text(text: &str) -> Self {
-        let start = text.trim_start();
-        if start.starts_with("version") {
-            Self::Scenario
-        } else if start.starts_with("type ") {
-            Self::Map
-        } else {
-            Self::of_json(text)
+        match recognise(text) {
+            Ok(Format::MovingAi) if text.trim_start().starts_with("version") => Self::Scenario,
+            Ok(Format::MovingAi) => Self::Map,
+            Ok(Format::Giveway) | Err(_) => Self::of_json(text),
+            Ok(_) => Self::Foreign,
         }
     }
 

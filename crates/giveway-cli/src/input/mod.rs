@@ -1,6 +1,7 @@
 //! What comes in: files and standard input, told apart by what they hold.
 
 mod changes;
+pub(crate) mod foreign;
 mod instance;
 mod kind;
 mod plan;
@@ -10,6 +11,6 @@ mod source;
 pub(crate) use changes::{ChangesFile, changes};
 pub(crate) use instance::{instance, native};
 pub(crate) use kind::Kind;
-pub(crate) use plan::{plan, plan_in};
+pub(crate) use plan::{bare, plan, plan_in};
 pub(crate) use scenario::{Map, Maps, Scen};
 pub(crate) use source::{Source, is_standard_input};

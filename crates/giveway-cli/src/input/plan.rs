@@ -3,19 +3,39 @@
 use std::collections::BTreeMap;
 use std::path::Path;
 
-use giveway_model::{Fault, Plan, format::native};
+use giveway_model::{Fault, Instance, Plan, format::native};
 use serde::Deserialize;
 use serde_json::value::RawValue;
 
-use super::{Kind, Source};
-use crate::failure::Failure;
+use super::{Kind, Source, foreign};
+use crate::{args::Common, failure::Failure};
 
-/// Reads a plan.
+/// Reads a plan for an instance; how one of another format was read is told on
+/// standard error unless `quiet`.
 ///
 /// # Errors
-/// When the file is no plan and no result with one.
-pub(crate) fn plan(path: &Path) -> Result<Plan, Failure> {
-    plan_in(&Source::read(path)?)
+/// When the file is no plan and no result with one, or does not fit the instance.
+pub(crate) fn plan(path: &Path, instance: &Instance, common: &Common) -> Result<Plan, Failure> {
+    let source = Source::read(path)?;
+    match Kind::of(&source) {
+        Kind::Foreign => foreign::plan_for(instance, &source, common),
+        _ => plan_in(&source),
+    }
+}
+
+/// The text of a result cut down to its plan, with as many lines before it, so that
+/// it is read as a plan is; any other text as it is.
+///
+/// # Errors
+/// When it is a result without a plan.
+pub(crate) fn bare(source: Source) -> Result<Source, Failure> {
+    if Kind::of(&source) != Kind::Answer {
+        return Ok(source);
+    }
+    match plan_text(&source.text) {
+        Ok(text) => Ok(Source { text, ..source }),
+        Err(fault) => Err(source.fault(fault)),
+    }
 }
 
 /// The plan in a text.
@@ -27,13 +47,17 @@ pub(crate) fn plan_in(source: &Source) -> Result<Plan, Failure> {
         Kind::Answer => read_answer(&source.text),
         Kind::Scenario => Err(Fault::at("", "a scenario", "a plan")),
         Kind::Map => Err(Fault::at("", "a map", "a plan")),
-        Kind::Plan | Kind::Scene => native::read_plan(&source.text),
+        Kind::Foreign | Kind::Plan | Kind::Scene => native::read_plan(&source.text),
     };
     plan.map_err(|fault| source.fault(fault))
 }
 
-/// The plan within a result: of `solve` its own, of `change` the adopted one.
 fn read_answer(text: &str) -> Result<Plan, Fault> {
+    native::read_plan(&plan_text(text)?)
+}
+
+/// The plan within a result: of `solve` its own, of `change` the adopted one.
+fn plan_text(text: &str) -> Result<String, Fault> {
     #[derive(Deserialize)]
     struct Answer<'a> {
         #[serde(borrow, default)]
@@ -58,7 +82,7 @@ fn read_answer(text: &str) -> Result<Plan, Fault> {
         })
         .filter(|plan| plan.get() != "null")
         .ok_or_else(|| Fault::at("plan", "a result without a plan", "a plan"))?;
-    native::read_plan(&in_its_place(text, plan.get()))
+    Ok(in_its_place(text, plan.get()))
 }
 
 /// The part of a text, with as many lines and columns before it as in the

@@ -1,14 +1,18 @@
 //! How answers are written: for people as text, for programs as JSON.
 
+mod compared;
 pub(crate) mod files;
 mod json;
 mod map;
 mod marks;
 pub(crate) mod plain;
+pub(crate) mod report;
 pub(crate) mod stream;
 mod table;
 pub(crate) mod text;
 pub(crate) mod words;
+
+pub(crate) use compared::{Compared, ComparedPlan};
 
 use serde::Serialize;
 

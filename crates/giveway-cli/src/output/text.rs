@@ -1,14 +1,18 @@
 //! Answers as text for people.
 
+mod audit;
 mod change;
 mod check;
+mod compare;
 mod explain;
 mod front;
 mod solve;
 mod verify;
 
+pub(crate) use audit::audit;
 pub(crate) use change::change;
 pub(crate) use check::{check, check_over_time};
+pub(crate) use compare::compare;
 pub(crate) use explain::{explain, explain_over_time};
 pub(crate) use front::front;
 pub(crate) use solve::solve;

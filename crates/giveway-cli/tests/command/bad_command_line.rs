@@ -173,10 +173,10 @@ fn words() {
 #[test]
 fn what_is_not_built_is_not_offered() {
     check(
-        "convert warehouse.json --to lorr",
+        "convert warehouse.json --to tar",
         &expect![[r#"
         exit 2
-        error: invalid value 'lorr' for '--to <FORMAT>'"#]],
+        error: invalid value 'tar' for '--to <FORMAT>'"#]],
     );
 }
 

@@ -6,11 +6,14 @@
     reason = "a test may panic, and UPDATE_EXPECT=1 writes expected texts so"
 )]
 
+mod audit;
+mod audit_many;
 mod bad_command_line;
 mod bad_input;
 mod benchmark_files;
 mod change;
 mod check;
+mod compare;
 mod convert;
 mod explain;
 mod harmless_input;

@@ -3,6 +3,7 @@
 use giveway_model::{
     Cell, Plan,
     change::{History, Trajectory},
+    compare::Difference,
 };
 
 use super::world::World;
@@ -32,17 +33,10 @@ pub(super) fn compare(world: &World<'_>, plan: &Plan) -> Comparison {
             rest(world.before, index, world.plan, world.at),
             rest(world.after, index, plan, world.at),
         );
-        let cells = |entries: &[Option<Cell>]| {
-            let mut cells: Vec<Cell> = entries.iter().copied().flatten().collect();
-            cells.dedup();
-            cells
-        };
-        let list = if old == new {
-            &mut comparison.kept
-        } else if cells(&old.0) == cells(&new.0) {
-            &mut comparison.retimed
-        } else {
-            &mut comparison.rerouted
+        let list = match Difference::between((&old.0, &old.1), (&new.0, &new.1)) {
+            Difference::Same => &mut comparison.kept,
+            Difference::Retimed => &mut comparison.retimed,
+            Difference::Rerouted => &mut comparison.rerouted,
         };
         list.push(name);
     }

@@ -10,6 +10,7 @@
 //! solver ([`AssumptionCore`], [`NoneCloser`]). So no claim can be called complete
 //! without one.
 
+mod bounds;
 mod exhausted;
 mod optima;
 mod reach;
@@ -24,6 +25,7 @@ use super::{
 };
 use crate::{budget::Stop, counterfactual::Unmeetable, problem::Problem, single::Hopeless};
 
+pub(crate) use bounds::{lone_bound, reach_of_bounds};
 pub(super) use exhausted::{Known, above_limits, best, exhausted, known_for_ever, soonest};
 pub(super) use optima::OfOptima;
 pub(crate) use reach::Reach;

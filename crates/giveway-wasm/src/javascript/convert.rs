@@ -2,12 +2,14 @@
 
 use std::collections::BTreeMap;
 
-use giveway_model::format::{movingai, native};
+use giveway_model::format::foreign::{self, Format};
+use giveway_model::format::{movingai, native, stem};
 use giveway_model::{Fault, Grid, Instance, Plan, Scene};
 use serde::{Deserialize, Serialize};
 use wasm_bindgen::{JsValue, prelude::wasm_bindgen};
 
 use super::error::{Code, error};
+use super::files::{self, in_file};
 use super::objects;
 
 /// Texts by file names, and what they should become.
@@ -18,13 +20,6 @@ struct ConvertRequest {
     to: Format,
     #[serde(default)]
     agents: Option<usize>,
-}
-
-#[derive(Clone, Copy, Deserialize)]
-#[serde(rename_all = "kebab-case")]
-enum Format {
-    Giveway,
-    Movingai,
 }
 
 /// Texts by file names, and what was lost.
@@ -53,38 +48,63 @@ pub fn convert(request: &JsValue) -> Result<JsValue, JsValue> {
 
 fn converted(request: &ConvertRequest) -> Result<ConvertAnswer, Vec<Fault>> {
     let mut answer = ConvertAnswer::default();
-    for (stem, name, content) in contents(request)? {
-        match (request.to, content) {
-            (Format::Giveway, Content::Instance(instance)) => {
-                let text = native::write_scene(&instance.to_scene());
-                answer.files.insert(format!("{stem}.json"), text);
-            }
-            (Format::Giveway, Content::Plan(plan)) => {
-                let text = native::write_plan(&plan);
-                answer.files.insert(format!("{stem}.json"), text);
-            }
-            (Format::Movingai, Content::Instance(instance)) => {
-                let map = format!("{stem}.map");
-                let scenario = movingai::write_scenario(&map, &instance)
-                    .map_err(|fault| vec![in_file(&name, fault)])?;
-                answer.files.insert(format!("{stem}.scen"), scenario);
-                answer
-                    .files
-                    .insert(map, movingai::write_map(instance.grid()));
-                let losses = movingai::losses(&instance);
-                answer.notes.extend(losses.iter().map(ToString::to_string));
-            }
-            (Format::Movingai, Content::Plan(_)) => {
-                let fault = Fault::at(
-                    "",
-                    "a plan",
-                    "an instance, since MovingAI files hold no plans",
-                );
-                return Err(vec![in_file(&name, fault)]);
-            }
-        }
+    let by_itself = matches!(request.to, Format::Giveway | Format::MovingAi);
+    let contents = if by_itself && request.files.values().all(|text| is_own(text)) {
+        contents(request)?
+    } else {
+        gathered(request)?
+    };
+    let have_plan = contents
+        .iter()
+        .any(|(.., content)| matches!(content, Content::Plan(_)));
+    let instance = contents.iter().find_map(|(.., content)| match content {
+        Content::Instance(instance) => Some(instance),
+        Content::Plan(_) => None,
+    });
+    for (stem, name, content) in &contents {
+        let (instance, plan) = match content {
+            Content::Instance(instance) if by_itself || !have_plan => (Some(instance), None),
+            Content::Instance(_) => continue,
+            Content::Plan(plan) if by_itself => (None, Some(plan)),
+            Content::Plan(plan) => (instance, Some(plan)),
+        };
+        let written = foreign::write(request.to, stem, instance, plan)
+            .map_err(|fault| vec![in_file(name, fault)])?;
+        answer.files.extend(written.files);
+        answer.notes.extend(written.losses);
     }
     Ok(answer)
+}
+
+/// Whether a text is of this project or of the standard benchmark, or of nobody.
+fn is_own(text: &str) -> bool {
+    let format = foreign::recognise(text);
+    matches!(format, Ok(Format::Giveway | Format::MovingAi) | Err(_))
+}
+
+/// A scene and the plans for it, out of files that belong together.
+fn gathered(request: &ConvertRequest) -> Result<Vec<(String, String, Content)>, Vec<Fault>> {
+    let options = foreign::Options {
+        agents: request.agents,
+        conventions: None,
+    };
+    let gathered = files::gather(&request.files, &options)?;
+    let name = match gathered.instance.name() {
+        "" => "instance".to_owned(),
+        name => name.to_owned(),
+    };
+    let scene = Content::Instance(gathered.instance);
+    let mut contents = vec![(name.clone(), name.clone(), scene)];
+    for plan in gathered.plans {
+        let own = stem(&plan.file);
+        let stem = if own == name {
+            format!("{own}-plan")
+        } else {
+            own.to_owned()
+        };
+        contents.push((stem, plan.file, Content::Plan(plan.plan)));
+    }
+    Ok(contents)
 }
 
 /// What the files hold, each with the name of what is written and of its file.
@@ -158,13 +178,4 @@ fn native_content(text: &str, agents: Option<usize>) -> Result<Content, Vec<Faul
         Err(fault) if text.contains("\"paths\"") => Err(vec![fault]),
         Err(_) => Err(faults),
     }
-}
-
-/// A fault with the name of its file before its place.
-fn in_file(name: &str, fault: Fault) -> Fault {
-    let place = match fault.place.as_str() {
-        "" => name.to_owned(),
-        place => format!("{name}: {place}"),
-    };
-    Fault { place, ..fault }
 }

@@ -7,13 +7,15 @@
 mod callbacks;
 mod convert;
 mod error;
+mod files;
 mod objects;
 mod texts;
 
 use std::collections::BTreeMap;
 
-use giveway_model::{Fault, format};
+use giveway_model::{Fault, Instance, Plan, Scene, compare, format};
 use giveway_proof::{Budget, Bundle, Report};
+use giveway_solve::audit::AuditRequest;
 use giveway_solve::change::ChangeRequest;
 use giveway_solve::{
     CertifyRequest, CheckRequest, Host, Limits, Progress, Refusal, Request, Response, SolveRequest,
@@ -30,6 +32,7 @@ use crate::{
 use callbacks::Callbacks;
 pub use convert::convert;
 use error::{Code, error};
+pub use files::read_files;
 pub use texts::{read_moving_ai, read_plan, read_scene};
 
 #[wasm_bindgen(typescript_custom_section)]
@@ -83,6 +86,39 @@ pub fn change(request: &JsValue, options: &JsValue) -> Result<JsValue, JsValue> 
         options,
         Request::Change as fn(ChangeRequest) -> Request,
     )
+}
+
+/// Judges a plan, and tells how far it is from the best.
+///
+/// # Errors
+/// As [`solve`].
+#[wasm_bindgen(skip_typescript)]
+pub fn audit(request: &JsValue, options: &JsValue) -> Result<JsValue, JsValue> {
+    serve_with(
+        request,
+        options,
+        Request::Audit as fn(AuditRequest) -> Request,
+    )
+}
+
+/// Two plans of one scene.
+#[derive(Deserialize)]
+#[serde(deny_unknown_fields)]
+struct CompareRequest {
+    scene: Scene,
+    plans: [Plan; 2],
+}
+
+/// Compares two plans of one scene.
+///
+/// # Errors
+/// An `Error` where the request or its scene is wrong.
+#[wasm_bindgen(js_name = compare, skip_typescript)]
+pub fn compare_plans(request: &JsValue) -> Result<JsValue, JsValue> {
+    let CompareRequest { scene, plans } = objects::read(request)?;
+    let instance = Instance::new(scene).map_err(|faults| refused(Refusal::Scene { faults }))?;
+    let [one, other] = &plans;
+    objects::write(&compare::compare(&instance, one, other))
 }
 
 /// Proves again what was answered, and checks the proofs.
@@ -198,6 +234,7 @@ fn respond(request: Request, host: &dyn Host) -> Result<JsValue, JsValue> {
         Response::Explained(answer) => objects::write(&answer),
         Response::Certified(report) => objects::write(&report),
         Response::Changed(answer) => objects::write(&answer),
+        Response::Audited(answer) => objects::write(&answer),
         Response::Refused(refusal) => Err(refused(refusal)),
     }
 }

@@ -2,6 +2,7 @@
 
 use giveway_model::{Cell, Cost, Costs, Fault, Plan, Scene, Version, format::native};
 use giveway_proof::{Checked, Claim, Report};
+use giveway_solve::audit::AuditRequest;
 use giveway_solve::change::{ChangeRequest, Method};
 use giveway_solve::{
     CertifyRequest, CheckAnswer, CheckRequest, FrontAnswer, Limits, Progress, Refusal, Request,
@@ -133,6 +134,22 @@ fn requests_come_back() {
         scene: scene(),
         plan: Plan::default(),
     }));
+    check_ask(Request::Audit(AuditRequest {
+        scene: scene(),
+        within: Some(4),
+        ..AuditRequest::default()
+    }));
+}
+
+#[test]
+fn audits_come_back() {
+    let request = AuditRequest {
+        scene: scene(),
+        ..AuditRequest::default()
+    };
+    let response = serve(&Request::Audit(request), &SilentHost);
+    assert!(matches!(&response, Response::Audited(answer) if !answer.legal));
+    check_response(response);
 }
 
 #[test]

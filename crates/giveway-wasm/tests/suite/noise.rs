@@ -10,7 +10,7 @@ type Function = fn(&JsValue) -> Result<JsValue, JsValue>;
 
 const NONE: JsValue = JsValue::UNDEFINED;
 
-const FUNCTIONS: [(&str, Function); 10] = [
+const FUNCTIONS: [(&str, Function); 13] = [
     ("solve", |request| giveway_wasm::solve(request, &NONE)),
     ("check", giveway_wasm::check),
     ("explain", |request| giveway_wasm::explain(request, &NONE)),
@@ -18,6 +18,9 @@ const FUNCTIONS: [(&str, Function); 10] = [
     ("verify", |request| giveway_wasm::verify(request, &NONE)),
     ("convert", giveway_wasm::convert),
     ("change", |request| giveway_wasm::change(request, &NONE)),
+    ("audit", |request| giveway_wasm::audit(request, &NONE)),
+    ("compare", giveway_wasm::compare_plans),
+    ("readFiles", |files| giveway_wasm::read_files(files, &NONE)),
     ("readScene", giveway_wasm::read_scene),
     ("readPlan", giveway_wasm::read_plan),
     ("readMovingAi", |text| {

@@ -65,6 +65,30 @@ fn a_folder_that_is_no_certificate_is_rejected() {
 }
 
 #[wasm_bindgen_test]
+fn a_plan_is_read_audited_and_compared() {
+    let scene = json!({ "giveway": 1, "name": "a", "map": ["...", ".#."],
+        "agents": [{ "name": "A1", "start": [0, 0], "goal": [2, 1] }] });
+    let plan = json!({ "giveway": 1,
+        "paths": { "A1": [[0, 0], [0, 0], [1, 0], [2, 0], [2, 1]] } });
+    let files = json!({ "a.json": scene.to_string(), "p.json": plan.to_string() });
+    let read = data(&giveway_wasm::read_files(&object(&files), &NONE).unwrap());
+    assert_eq!(read["plans"][0]["format"], "giveway");
+    let (scene, plan) = (&read["scene"], &read["plans"][0]["plan"]);
+    let request = json!({ "scene": scene, "plan": plan });
+    let answer = data(&giveway_wasm::audit(&object(&request), &NONE).unwrap());
+    assert_eq!(answer["status"], "feasible");
+    assert_eq!(answer["better_costs"]["makespan"], 3);
+    let request = json!({ "scene": scene, "plans": [plan, answer["better"]] });
+    let compared = data(&giveway_wasm::compare_plans(&object(&request)).unwrap());
+    assert_eq!(compared["agents"][0]["difference"], "retimed");
+    let lone = json!({ "a.scen": "version 1\n0\ta.map\t3\t2\t0\t0\t2\t1\t0\n" });
+    let (code, place, sentence) =
+        told(&giveway_wasm::read_files(&object(&lone), &NONE).unwrap_err());
+    assert_eq!((code.as_str(), place.as_str()), ("bad-text", "a.scen"));
+    assert!(sentence.contains("a.map"), "{sentence}");
+}
+
+#[wasm_bindgen_test]
 fn files_are_converted_there_and_back() {
     let scene = json!({ "giveway": 1, "name": "a", "map": ["...", ".#."],
         "agents": [{ "name": "A1", "start": [0, 0], "goal": [2, 1] }] });

@@ -2,12 +2,12 @@
 
 use std::path::PathBuf;
 
-use giveway_model::{Fault, Instance, Plan, Scene};
+use giveway_model::{Fault, Instance, Plan, Scene, format};
 
 use crate::{
     args::{Common, Convert},
     failure::Failure,
-    input::{self, Kind, Map, Maps, Scen, Source},
+    input::{self, Kind, Map, Maps, Scen, Source, foreign},
     output::stream,
 };
 
@@ -38,12 +38,33 @@ pub(super) struct Inputs {
     pub(super) paths: Vec<PathBuf>,
 }
 
+impl Inputs {
+    /// The instance of the plans, where there is only one.
+    pub(super) fn instance(&self) -> Option<&Instance> {
+        let mut instances = self.items.iter().filter_map(|item| match &item.content {
+            Content::Instance(instance) => Some(instance),
+            Content::Plan(_) => None,
+        });
+        instances.next().filter(|_| instances.next().is_none())
+    }
+
+    /// Whether there is a plan.
+    pub(super) fn have_plan(&self) -> bool {
+        let mut items = self.items.iter();
+        items.any(|item| matches!(item.content, Content::Plan(_)))
+    }
+}
+
 /// Reads the files of the command line.
 pub(super) fn inputs(args: &Convert, common: &Common) -> Result<Inputs, Failure> {
+    let read = args.files.iter().map(|path| Source::read(path));
+    let read = read.collect::<Result<Vec<Source>, Failure>>()?;
+    if read.iter().any(|source| Kind::of(source) == Kind::Foreign) {
+        return gathered(args, common, read);
+    }
     let mut sources = Vec::new();
     let mut given = Vec::new();
-    for path in &args.files {
-        let source = Source::read(path)?;
+    for source in read {
         match Kind::of(&source) {
             Kind::Map => given.push(Map::read(source)?),
             kind => sources.push((kind, source)),
@@ -78,7 +99,9 @@ pub(super) fn inputs(args: &Convert, common: &Common) -> Result<Inputs, Failure>
                 }
                 Content::Plan(input::plan_in(&source)?)
             }
-            Kind::Scene | Kind::Map => Content::Instance(input::native(&source, first)?),
+            Kind::Foreign | Kind::Scene | Kind::Map => {
+                Content::Instance(input::native(&source, first)?)
+            }
         };
         inputs.items.push(Item {
             name,
@@ -100,6 +123,46 @@ pub(super) fn inputs(args: &Convert, common: &Common) -> Result<Inputs, Failure>
     inputs.paths.extend(taken);
     inputs.paths.extend(common.map.clone());
     Ok(inputs)
+}
+
+/// Files of others, matched to each other and to the maps and scenes beside them.
+fn gathered(args: &Convert, common: &Common, read: Vec<Source>) -> Result<Inputs, Failure> {
+    let paths = read.iter().filter_map(|source| source.path.clone());
+    let paths = paths.chain(common.map.clone()).collect();
+    let sources = read.into_iter().map(input::bare);
+    let sources = sources.collect::<Result<Vec<Source>, Failure>>()?;
+    let gathered = foreign::gather(
+        &sources,
+        foreign::Wanted {
+            map: common.map.as_deref(),
+            agents: args.first.agents,
+            reading: args.reading,
+        },
+    )?;
+    for note in gathered.notes.iter().filter(|_| !common.quiet) {
+        stream::note(&format!("note: {note}"));
+    }
+    let name = gathered.instance.name();
+    let scene = if name.is_empty() { UNNAMED } else { name }.to_owned();
+    let mut items = vec![Item {
+        name: scene.clone(),
+        stem: scene.clone(),
+        content: Content::Instance(gathered.instance),
+    }];
+    for plan in gathered.plans {
+        let own = format::stem(&plan.file);
+        let stem = if own == scene {
+            format!("{own}-plan")
+        } else {
+            own.to_owned()
+        };
+        items.push(Item {
+            name: plan.file,
+            stem,
+            content: Content::Plan(plan.plan),
+        });
+    }
+    Ok(Inputs { items, paths })
 }
 
 /// A map alone: an instance without agents.

@@ -45,6 +45,9 @@ pub struct ForeignPlan {
     pub fit: Fit,
     /// What its file says that it costs.
     pub claimed: Claimed,
+    /// What it would cost if every step that its file writes counted, waits at the
+    /// goal after the arrival too.
+    pub written: Claimed,
     /// Where agents that turn look at each time; empty where none does.
     pub headings: BTreeMap<String, Vec<Heading>>,
     /// What a person should know, each a sentence.
@@ -165,9 +168,22 @@ fn own(file: String, format: Format, plan: Plan) -> ForeignPlan {
         alternatives: Vec::new(),
         fit: Fit::default(),
         claimed: Claimed::default(),
+        written: every_step(&plan),
         headings: BTreeMap::new(),
         notes: Vec::new(),
         plan,
+    }
+}
+
+/// The costs of a plan whose agents never arrive before the end of their path.
+fn every_step(plan: &Plan) -> Claimed {
+    let steps = || {
+        let paths = plan.paths.values();
+        paths.map(|path| path.len().saturating_sub(1) as u64)
+    };
+    Claimed {
+        makespan: steps().max(),
+        sum_of_costs: Some(steps().sum()),
     }
 }
 
@@ -203,6 +219,7 @@ fn written(
         made.paths.insert(agent.name.clone(), path);
         headings.extend(looks.map(|looks| (agent.name.clone(), looks)));
     }
+    let every_step = every_step(&made);
     made.cut_trailing_goals(&settled.instance);
     let words = conventions.words(plan).into_iter();
     Ok(ForeignPlan {
@@ -214,6 +231,7 @@ fn written(
         alternatives,
         fit,
         claimed: plan.claimed,
+        written: every_step,
         headings,
         notes: plan.notes.clone(),
         plan: made,

@@ -1,0 +1,121 @@
+//! `giveway audit`: whether a plan is legal, and how good it is.
+
+mod batch;
+mod plan;
+
+use std::path::Path;
+
+use giveway_model::format::foreign::Gathered;
+use giveway_solve::audit::AuditStatus;
+
+use super::one_standard_input;
+use crate::{
+    args::{Audit, Common},
+    clock::Clock,
+    exit::Exit,
+    failure::Failure,
+    input::{self, Source, foreign},
+    output::{self, files, report, text},
+};
+use plan::audited;
+
+pub(crate) fn run(args: &Audit, common: &Common, clock: Clock) -> Result<Exit, Failure> {
+    one_standard_input(&args.files)?;
+    if args.jsonl {
+        return batch::run(args, common, clock);
+    }
+    let kind = args.report.as_deref().map(report_kind).transpose()?;
+    let sources = args.files.iter().map(|path| Source::read(path));
+    let sources = sources.map(|source| input::bare(source?));
+    let sources = sources.collect::<Result<Vec<Source>, Failure>>()?;
+    let gathered = foreign::gather(&sources, wanted(args, common))?;
+    let subject = only_plan(gathered)?;
+    let audited = audited(subject, args, common, clock)?;
+    output::answer(common.format, &audited.object(), |_| text::audit(&audited))?;
+    if let (Some(path), Some(kind)) = (&args.report, kind) {
+        let text = report::write(kind, &audited, &command_line(args, common))?;
+        files::write_all(&[files::NewFile {
+            path: path.clone(),
+            text,
+        }])?;
+    }
+    Ok(exit(audited.answer.status))
+}
+
+/// How the files of a command line are gathered.
+fn wanted<'a>(args: &Audit, common: &'a Common) -> foreign::Wanted<'a> {
+    foreign::Wanted {
+        map: common.map.as_deref(),
+        agents: args.first.agents,
+        reading: args.reading,
+    }
+}
+
+/// The one plan among the files, with its instance.
+fn only_plan(mut gathered: Gathered) -> Result<plan::Subject, Failure> {
+    let plans = gathered.plans.len();
+    match gathered.plans.pop() {
+        Some(plan) if plans == 1 => Ok(plan::Subject {
+            instance: gathered.instance,
+            notes: gathered.notes,
+            plan,
+        }),
+        None => Err(Failure::Refused(vec![
+            "There is no plan in these files.".to_owned(),
+        ])),
+        Some(_) => Err(Failure::Usage(format!(
+            "found {plans} plans, expected one; --jsonl audits each of them, and giveway compare \
+             compares two"
+        ))),
+    }
+}
+
+/// The kind of a report by the ending of its file.
+fn report_kind(path: &Path) -> Result<report::Kind, Failure> {
+    report::Kind::of(path).ok_or_else(|| {
+        Failure::Usage(format!(
+            "found the report {}, expected a name that ends in .html, .md or .json",
+            path.display()
+        ))
+    })
+}
+
+/// The command that makes the same audit again.
+fn command_line(args: &Audit, common: &Common) -> String {
+    let mut words = vec!["giveway".to_owned(), "audit".to_owned()];
+    words.extend(args.files.iter().map(|path| quoted(path)));
+    let mut option = |name: &str, value: Option<String>| {
+        words.extend(value.map(|value| format!("--{name} {value}")));
+    };
+    option("map", common.map.as_deref().map(quoted));
+    option(
+        "objective",
+        args.objective.as_ref().map(ToString::to_string),
+    );
+    option("agents", args.first.agents.map(|n| n.to_string()));
+    option("within", args.within.map(|n| n.to_string()));
+    for (name, value) in args.reading.chosen() {
+        option(name, Some(value));
+    }
+    option("time-limit", Some(args.time_limit.to_string()));
+    words.join(" ")
+}
+
+/// A path as a shell takes it.
+fn quoted(path: &Path) -> String {
+    let name = path.to_string_lossy();
+    let plain = |c: char| c.is_alphanumeric() || "-_./+,=@".contains(c);
+    if name.chars().all(plain) {
+        name.into_owned()
+    } else {
+        format!("'{}'", name.replace('\'', "'\\''"))
+    }
+}
+
+const fn exit(status: AuditStatus) -> Exit {
+    match status {
+        AuditStatus::Optimal | AuditStatus::Feasible => Exit::Answered,
+        AuditStatus::Illegal => Exit::Wrong,
+        AuditStatus::Unknown => Exit::Unknown,
+    }
+}

@@ -1,0 +1,60 @@
+//! An audit as it is told: what was recognised, the verdict, the numbers; as one page
+//! of HTML, as Markdown, and for programs.
+
+mod html;
+mod markdown;
+mod object;
+mod svg;
+pub(crate) mod words;
+
+use std::path::Path;
+
+use giveway_model::compare::ClaimedCost;
+use giveway_model::{Instance, format::foreign::ForeignPlan};
+use giveway_solve::audit::AuditAnswer;
+
+use crate::failure::Failure;
+
+/// A plan that was audited, with what is known of it.
+pub(crate) struct Audited {
+    pub(crate) instance: Instance,
+    /// What was noted of the instance.
+    pub(crate) notes: Vec<String>,
+    pub(crate) plan: ForeignPlan,
+    /// What its file claims, beside what it costs.
+    pub(crate) claims: Vec<ClaimedCost>,
+    pub(crate) answer: AuditAnswer,
+}
+
+/// So many violations are told one by one; the rest is counted.
+pub(crate) const TOLD: usize = 100;
+
+/// What a report is written as.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Kind {
+    Html,
+    Markdown,
+    Json,
+}
+
+impl Kind {
+    /// By the ending of a file's name.
+    pub(crate) fn of(path: &Path) -> Option<Self> {
+        let ending = path.extension()?.to_str()?.to_ascii_lowercase();
+        match ending.as_str() {
+            "html" | "htm" => Some(Self::Html),
+            "md" | "markdown" => Some(Self::Markdown),
+            "json" => Some(Self::Json),
+            _ => None,
+        }
+    }
+}
+
+/// The text of a report. `command` makes the same audit again.
+pub(crate) fn write(kind: Kind, audited: &Audited, command: &str) -> Result<String, Failure> {
+    match kind {
+        Kind::Html => Ok(html::page(audited, command)),
+        Kind::Markdown => Ok(markdown::text(audited, command)),
+        Kind::Json => super::json::text(&audited.object()),
+    }
+}

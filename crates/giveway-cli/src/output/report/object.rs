@@ -1,0 +1,82 @@
+//! An audit for programs: one object.
+
+use std::collections::BTreeMap;
+
+use giveway_model::check::Violation;
+use giveway_model::compare::ClaimedCost;
+use giveway_model::format::foreign::{Claimed, Format};
+use giveway_model::{Cost, Costs, Objective, Plan, Version};
+use giveway_solve::audit::AuditStatus;
+use giveway_solve::{Stats, Status};
+use serde::Serialize;
+
+use super::Audited;
+
+/// The object, in the order in which it is read best.
+#[derive(Serialize)]
+pub(crate) struct AuditObject<'a> {
+    giveway: Version,
+    file: &'a str,
+    format: Format,
+    conventions: BTreeMap<&'a str, &'a str>,
+    why: &'a str,
+    name: &'a str,
+    agents: usize,
+    notes: Vec<&'a str>,
+    legal: bool,
+    violations: &'a [Violation],
+    objective: &'a Objective,
+    costs: Option<Costs>,
+    claimed: Option<Claimed>,
+    claims: &'a [ClaimedCost],
+    bounds: &'a BTreeMap<Cost, u32>,
+    within: Option<u32>,
+    complete: bool,
+    status: AuditStatus,
+    gap: Option<f64>,
+    better: Option<&'a Plan>,
+    better_costs: Option<Costs>,
+    search: Status,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    reason: Option<&'a str>,
+    stats: Stats,
+}
+
+impl Audited {
+    /// The object for programs.
+    pub(crate) fn object(&self) -> AuditObject<'_> {
+        let (plan, answer) = (&self.plan, &self.answer);
+        let words = plan.words.iter();
+        AuditObject {
+            giveway: Version,
+            file: &plan.file,
+            format: plan.format,
+            conventions: words.map(|(about, how)| (&**about, &**how)).collect(),
+            why: &plan.why,
+            name: self.instance.name(),
+            agents: self.instance.agents().len(),
+            notes: self
+                .notes
+                .iter()
+                .chain(&plan.notes)
+                .map(String::as_str)
+                .collect(),
+            legal: answer.legal,
+            violations: &answer.violations,
+            objective: &answer.objective,
+            costs: answer.costs,
+            claimed: Some(plan.claimed).filter(|claimed| *claimed != Claimed::default()),
+            claims: &self.claims,
+            bounds: &answer.bounds,
+            within: answer.within,
+            complete: answer.complete,
+            status: answer.status,
+            gap: answer.gap,
+            better: answer.better.as_ref(),
+            better_costs: answer.better_costs,
+            search: answer.search,
+            reason: answer.reason.as_deref(),
+            stats: answer.stats,
+        }
+    }
+}

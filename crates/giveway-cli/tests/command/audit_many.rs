@@ -1,0 +1,95 @@
+//! `giveway audit`: many plans at once, and reports.
+
+use std::fs;
+
+use serde_json::{Value, json};
+
+use crate::audit::{fits, folder};
+
+#[test]
+fn a_batch_goes_on_after_a_file_that_is_wrong() {
+    let folder = folder();
+    fs::write(folder.path("noise.txt"), "good morning").unwrap();
+    let line = "audit warehouse.json noise.txt warehouse.plan.json gone.json --jsonl";
+    let run = folder.run(line);
+    assert_eq!(run.exit, Some(1));
+    let lines: Vec<Value> = run
+        .out
+        .lines()
+        .map(|line| serde_json::from_str(line).unwrap())
+        .collect();
+    assert_eq!(lines.len(), 3);
+    assert_eq!(lines[0]["file"], "noise.txt");
+    assert!(lines[0]["error"].as_str().unwrap().contains("line 1"));
+    assert_eq!(lines[1]["status"], "optimal");
+    fits("auditResult", &lines[1]);
+    assert!(
+        lines[2]["error"]
+            .as_str()
+            .unwrap()
+            .contains("no file of this name")
+    );
+    // Without them all is well, and a plan that is illegal is not.
+    let good = folder.run("audit warehouse.json warehouse.plan.json --jsonl");
+    assert_eq!((good.exit, good.out.lines().count()), (Some(0), 1));
+    let bad = folder.run("audit two.json crash.json --jsonl");
+    assert_eq!((bad.exit, bad.out.lines().count()), (Some(1), 1));
+}
+
+#[test]
+fn each_plan_of_a_batch_has_its_own_scene() {
+    let folder = folder();
+    fs::copy(
+        folder.path("warehouse.plan.json"),
+        folder.path("warehouse-1.json"),
+    )
+    .unwrap();
+    fs::copy(folder.path("crash.json"), folder.path("two-1.json")).unwrap();
+    let run = folder.run("audit two.json warehouse.json warehouse-1.json two-1.json --jsonl");
+    let status = |line: &str| {
+        let line: Value = serde_json::from_str(line).unwrap();
+        (line["name"].clone(), line["status"].clone())
+    };
+    let found: Vec<_> = run.out.lines().map(status).collect();
+    assert_eq!(
+        found,
+        [
+            (json!("warehouse"), json!("optimal")),
+            (json!("two"), json!("illegal"))
+        ]
+    );
+}
+
+#[test]
+fn a_report_needs_nothing_else() {
+    let folder = folder();
+    fs::rename(folder.path("crash.json"), folder.path("a<b>&.json")).unwrap();
+    for name in ["r.html", "r.md", "r.json"] {
+        let run = folder.run(&format!("audit two.json a<b>&.json --report {name}"));
+        assert_eq!((run.exit, run.err.as_str()), (Some(1), ""));
+    }
+    let html = folder.read("r.html");
+    for part in [
+        "<!doctype html>",
+        "a&lt;b&gt;&amp;.json",
+        "<svg",
+        "class=\"broken\"",
+        "prefers-color-scheme: dark",
+        "giveway audit two.json",
+        "vertex",
+    ] {
+        assert!(html.contains(part), "{part}");
+    }
+    assert!(!html.contains("<script") && !html.contains("http"));
+    assert!(!html.contains("a<b>"));
+    let markdown = folder.read("r.md");
+    assert!(markdown.contains("# a\\<b\\>&.json"), "{markdown}");
+    assert!(markdown.contains("| sum of costs | 9 |"), "{markdown}");
+    assert!(
+        markdown.contains("giveway audit two.json 'a<b>&.json'"),
+        "{markdown}"
+    );
+    let json: Value = serde_json::from_str(&folder.read("r.json")).unwrap();
+    fits("auditResult", &json);
+    assert_eq!(json["status"], "illegal");
+}
