@@ -42,8 +42,11 @@ fn shape(text: &str) -> Option<Shape> {
     let mut beginning = text.chars().filter(blank);
     match beginning.next()? {
         '[' => {
-            let rest: String = beginning.take(2).collect();
-            return (rest == "[[").then_some(Shape::Paths);
+            let is_list_of_lists = beginning.by_ref().take(2).all(|c| c == '[');
+            let is_number = beginning
+                .next()
+                .is_some_and(|c| c.is_ascii_digit() || c == '-');
+            return (is_list_of_lists && is_number).then_some(Shape::Paths);
         }
         '{' => {}
         _ => return None,
