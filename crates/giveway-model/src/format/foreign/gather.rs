@@ -206,12 +206,13 @@ fn written(
         .iter()
         .map(|agent| (agent.start, agent.goal))
         .collect();
+    let known = (settled.tasks_of.as_ref() != Some(&file)).then_some(&*tasks);
     let Decision {
         conventions,
         fit,
         why,
         alternatives,
-    } = decide::decide(plan, settled.instance.grid(), Some(&tasks), chosen);
+    } = decide::decide(plan, settled.instance.grid(), known, chosen);
     let mut made = Plan::default();
     let mut headings = BTreeMap::new();
     for (walking, agent) in plan.agents.iter().zip(agents) {

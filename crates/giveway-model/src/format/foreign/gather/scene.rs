@@ -21,6 +21,9 @@ pub(super) struct Base {
 pub(super) struct Settled {
     pub(super) instance: Instance,
     pub(super) notes: Vec<String>,
+    /// The file of the plan whose paths say what the tasks are, where nothing else
+    /// does: they tell nothing about how that plan is to be read.
+    pub(super) tasks_of: Option<String>,
 }
 
 fn one_at_a_time(one: &str, other: &str) -> Refused {
@@ -124,7 +127,11 @@ fn settled(file: &str, scene: Scene, notes: Vec<String>) -> Result<Settled, Refu
         file: file.to_owned(),
         faults,
     })?;
-    Ok(Settled { instance, notes })
+    Ok(Settled {
+        instance,
+        notes,
+        tasks_of: None,
+    })
 }
 
 fn missing_map(file: String, map: Option<&str>) -> Refused {
@@ -210,5 +217,9 @@ fn of_plan(
         agents,
         ..Scene::default()
     };
-    settled(file, scene, notes)
+    let settled = settled(file, scene, notes)?;
+    Ok(Settled {
+        tasks_of: Some(file.to_owned()),
+        ..settled
+    })
 }
