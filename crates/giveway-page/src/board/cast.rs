@@ -3,6 +3,7 @@
 use std::rc::Rc;
 
 use giveway_model::Agent;
+use giveway_model::format::foreign::Heading;
 
 use super::{Mark, Pose, Track, Way, marks};
 use crate::{Answer, Draft, State};
@@ -83,7 +84,11 @@ impl Cast {
             let until = answer.zip(solved);
             let until = until.and_then(|(answer, index)| answer.removed(index));
             let track = Track::new(path, charges, battery, at_goal);
-            track.between(from, until)
+            let track = track.between(from, until);
+            match answer.and_then(|answer| headings(state, answer, &agent.name)) {
+                Some(headings) => track.turning(headings),
+                None => track,
+            }
         };
         let tracks: Vec<Track> = agents.iter().enumerate().map(track).collect();
         Self {
@@ -116,6 +121,22 @@ impl Cast {
     pub const fn has_plan(&self) -> bool {
         self.answer.is_some()
     }
+}
+
+/// Where an agent of a plan of elsewhere looks at each time, where it turns in
+/// place.
+fn headings(state: &State, answer: &Rc<Answer>, name: &str) -> Option<Vec<f64>> {
+    let plans = &state.audit()?.plans;
+    let mut plans = plans.iter();
+    let dropped = plans.find(|dropped| Rc::ptr_eq(&dropped.answer, answer))?;
+    let degrees = |heading: &Heading| match heading {
+        Heading::East => 0.0,
+        Heading::South => 90.0,
+        Heading::West => 180.0,
+        Heading::North => 270.0,
+    };
+    let headings = dropped.file.headings.get(name)?.iter().map(degrees);
+    Some(headings.collect())
 }
 
 fn there(state: &State) -> Vec<bool> {

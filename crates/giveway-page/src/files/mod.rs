@@ -26,7 +26,7 @@ pub use scenario::Choice;
 pub const MAX_BYTES: u64 = 10_000_000;
 
 /// A file, read wholly.
-#[derive(Clone, Debug, PartialEq, Eq)]
+#[derive(Clone, Debug, PartialEq, Eq, borsh::BorshSerialize, borsh::BorshDeserialize)]
 pub struct Opened {
     /// Its name, without folders.
     pub name: String,
