@@ -7,6 +7,7 @@ use yew::prelude::*;
 
 use crate::dialog::{Agents, Examples, NewScene, Panel, Scenes, Share, help};
 use crate::drop::Drop;
+use crate::intake::use_intake;
 use crate::keep::{self, use_keep};
 use crate::keys::use_keys;
 use crate::paste::use_paste;
@@ -61,6 +62,7 @@ pub fn App() -> Html {
         );
     }
     use_solver(&state, &send);
+    use_intake(&state, &send, &show);
     use_keep(&state, &send);
     use_theme(state.view.theme);
     use_colours(state.document.colours);
@@ -134,6 +136,7 @@ fn phase_class(state: &Shown) -> &'static str {
         Phase::Changing | Phase::Adapting => "st-changing",
         Phase::Comparing => "st-comparing",
         Phase::Steering => "st-steering",
+        Phase::Auditing => "st-auditing",
         Phase::None => "st-none",
         Phase::Stopped => "st-stopped",
     }

@@ -65,6 +65,7 @@ pub fn Dock(props: &DockProps) -> Html {
                 | Phase::Adapting
                 | Phase::Comparing
                 | Phase::Steering
+                | Phase::Auditing
         ) || ask::offers_next_step(state);
         let stale = state.document.is_stale();
         return html! {

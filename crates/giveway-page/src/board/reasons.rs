@@ -8,7 +8,7 @@ use super::CELL;
 use crate::ask::numbers_facts;
 use crate::audit::Audit;
 use crate::steering::Steering;
-use crate::{Asking, Lit, State};
+use crate::{Asking, Lit, MAX_SIDE, State};
 
 /// A number on the map: the same as in the list beside it.
 #[derive(Clone, Debug, PartialEq)]
@@ -208,7 +208,8 @@ fn in_audit(reasons: &mut Reasons, audit: &Audit, time: u32) {
             others.push(violation);
         } else if !reasons.bursts.contains(&at) {
             reasons.bursts.push(at);
-            reasons.frames.extend(violation.cell);
+            let on_page = |cell: &Cell| cell.x < MAX_SIDE && cell.y < MAX_SIDE;
+            reasons.frames.extend(violation.cell.filter(on_page));
         }
     }
     others.sort_by_key(|violation| violation.time.abs_diff(time));

@@ -172,8 +172,8 @@ fn a_scene_with_its_plan_and_what_changed() {
     assert_eq!(course(&opened).changes, course(&state).changes);
     assert_eq!(opened.plan(), state.plan());
     // Without its changes the plan breaks rules.
-    let notice = read(&all[..2]).unwrap_err();
-    assert!(notice.details[0].contains("breaks a rule"), "{notice:?}");
+    let illegal = read(&all[..2]).unwrap();
+    assert!(matches!(illegal, Reading::Illegal(_)), "{illegal:?}");
     refused(&all[1..2], "it is a plan: open it together with its scene");
     refused(
         &all[2..],

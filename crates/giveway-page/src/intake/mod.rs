@@ -59,6 +59,16 @@ pub struct Written {
     pub losses: Vec<String>,
 }
 
+impl Job {
+    /// The files that are to be read.
+    pub fn files(&self) -> &[Opened] {
+        match &*self.task {
+            Task::Read(read) => &read.files,
+            Task::Write { .. } | Task::Report { .. } => &[],
+        }
+    }
+}
+
 impl Intake {
     /// What is to be done, if there is anything.
     pub const fn job(&self) -> Option<&Job> {

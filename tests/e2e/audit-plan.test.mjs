@@ -1,0 +1,81 @@
+// Plans of elsewhere: dropped, seen, judged, compared, brought back.
+
+import assert from "node:assert/strict";
+import { describe } from "node:test";
+
+import { AISLES, BEST, HALL, LATE, own, plan, straight } from "./elsewhere.mjs";
+import { BOTH, LOOKS, flows } from "./flow.mjs";
+import { eventually } from "./wait.mjs";
+
+/** Waits until the inspector tells this. */
+function tells(playground, pattern) {
+  return eventually(`the inspector to tell ${pattern}`, () => playground.inspector.innerText(), (text) => pattern.test(text));
+}
+
+/** Drops files onto the page, as a hand does. */
+function drop(playground, ...files) {
+  return playground.page.evaluate((dropped) => {
+    const data = new DataTransfer();
+    for (const { name, bytes } of dropped) {
+      data.items.add(new File([bytes], name));
+    }
+    for (const kind of ["dragover", "drop"]) {
+      document.body.dispatchEvent(new DragEvent(kind, { dataTransfer: data, bubbles: true, cancelable: true }));
+    }
+  }, files);
+}
+
+const WRONG = [own("aisles.json", AISLES), plan("paths.json", straight(AISLES))];
+
+describe("a plan of elsewhere", () => {
+  const flow = flows();
+
+  for (const look of LOOKS) {
+    flow(`that is not legal is told with every broken rule (${look.theme})`, async (playground) => {
+      await drop(playground, ...WRONG);
+      await playground.says(/^paths\.json breaks \d+ rules\. As it stands it would cost 79\.$/);
+      await tells(playground, /every legal plan costs at least 84\. So it had to break a rule\./);
+      const rows = playground.inspector.getByRole("button", { name: /, go to time \d+$/ });
+      await rows.nth(1).click();
+      await playground.inspector.locator("[aria-current=true]").waitFor();
+      await playground.picture(`audit-${look.theme}`);
+      await playground.press("Find a legal plan");
+      await playground.button("Use the legal plan").waitFor();
+      await playground.picture(`audit-compared-${look.theme}`);
+      await playground.press("Use the legal plan");
+      await playground.says(/^Optimal: sum of costs 84, makespan \d+\.$/);
+      await playground.act("Undo");
+      await playground.says(/^paths\.json breaks/);
+    }, look);
+  }
+
+  flow("that is legal is told how far it is from the best", async (playground) => {
+    await drop(playground, own("hall.json", HALL), plan("late.json", LATE));
+    await playground.says(/^This plan was shared|^There is a better plan|sum of costs 7/);
+  });
+
+  flow("and a second one of the same scene are compared", async (playground) => {
+    const wrong = plan("straight.json", straight(HALL));
+    await drop(playground, own("hall.json", HALL), wrong, plan("late.json", LATE), plan("best.json", BEST));
+    await tells(playground, /straight\.json/);
+    await playground.inspector.getByRole("button", { name: /^late\.json/ }).click();
+    await tells(playground, /Legal\n*16\.7 % above the best\. There is a plan that costs 6, and this one costs 7\./);
+    await playground.picture("audit-legal");
+    await playground.press("Compare side by side");
+    await playground.picture("audit-two");
+  }, { screens: BOTH });
+
+  flow("comes back after a reload, and a link carries it", async (playground) => {
+    await drop(playground, ...WRONG);
+    await tells(playground, /at least 84/);
+    await playground.page.reload();
+    await playground.says(/^paths\.json breaks/);
+    await tells(playground, /at least 84/);
+    assert.equal(await playground.inspector.getByRole("heading", { name: "A plan from elsewhere" }).count(), 1);
+  });
+
+  flow("that is none of any format is refused with its place", async (playground) => {
+    await drop(playground, { name: "notes.txt", bytes: "good morning" });
+    await playground.warns(/notes\.txt, line 1, column 1/);
+  });
+});
