@@ -5,7 +5,7 @@
 export const AISLES = {
   giveway: 1,
   name: "aisles",
-  map: ["............", ".@@.@@.@@.@.", ".@@.@@.@@.@.", "............", ".@@.@@.@@.@.", ".@@.@@.@@.@.", "............"],
+  map: ["............", ".##.##.##.#.", ".##.##.##.#.", "............", ".##.##.##.#.", ".##.##.##.#.", "............"],
   objective: ["sum-of-costs", "makespan"],
   agents: [
     { name: "A1", start: [11, 4], goal: [2, 6] },
@@ -51,7 +51,7 @@ function shortest(map, start, goal) {
     const [x, y] = cell;
     for (const next of [[x + 1, y], [x - 1, y], [x, y + 1], [x, y - 1]]) {
       const ground = map[next[1]]?.[next[0]];
-      if (ground !== undefined && ground !== "@" && !from.has(key(next))) {
+      if (ground !== undefined && ground !== "#" && !from.has(key(next))) {
         from.set(key(next), cell);
         queue.push(next);
       }
@@ -82,5 +82,5 @@ export function lines(paths) {
 
 /** A map as the standard benchmark has it. */
 export function octile(map) {
-  return `type octile\nheight ${map.length}\nwidth ${map[0].length}\nmap\n${map.join("\n")}\n`;
+  return `type octile\nheight ${map.length}\nwidth ${map[0].length}\nmap\n${map.join("\n").replaceAll("#", "@")}\n`;
 }

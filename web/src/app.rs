@@ -5,7 +5,7 @@ use std::rc::Rc;
 use giveway_page::{Action, Draft, FileAction, Phase, Tab, Tool};
 use yew::prelude::*;
 
-use crate::dialog::{Agents, Examples, NewScene, Panel, Scenes, Share, help};
+use crate::dialog::{Agents, Examples, NewScene, Panel, SaveAs, Scenes, Share, help};
 use crate::drop::Drop;
 use crate::intake::use_intake;
 use crate::keep::{self, use_keep};
@@ -115,6 +115,7 @@ fn dialog(panel: &Panel, state: &Shown, send: &Callback<Action>, show: &Callback
         Panel::Examples => html! { <Examples {send} {on_close} /> },
         Panel::Agents(choice) => html! { <Agents choice={choice.clone()} {send} {on_close} /> },
         Panel::New => html! { <NewScene {send} {on_close} /> },
+        Panel::SaveAs => html! { <SaveAs state={state.clone()} {send} {on_close} /> },
         Panel::Scenes => html! { <Scenes state={state.clone()} {send} {on_close} /> },
         Panel::Share(link) => {
             html! { <Share link={link.clone()} name={state.document.draft.scene().name.clone()} {send} {on_close} /> }

@@ -134,7 +134,7 @@ pub enum IntakeAction {
 pub enum Save {
     /// The scene, and the plan that is shown.
     As(Format),
-    /// A report of the audit, with the page's address for a link.
+    /// A report of the audit, with a link that opens it.
     Report(ReportKind, String),
 }
 

@@ -190,7 +190,14 @@ fn names(files: &[Opened]) -> String {
 /// ```
 pub fn is_for_reader(state: &State, files: &[Opened]) -> bool {
     let waits = !state.intake.waiting.is_empty();
-    files.iter().any(is_foreign) || (waits && files.iter().all(is_text))
+    // Several plans are compared, which the page does not read by itself.
+    let plans = files.iter().filter(|file| is_own_plan(file)).count();
+    plans > 1 || files.iter().any(is_foreign) || (waits && files.iter().all(is_text))
+}
+
+fn is_own_plan(file: &Opened) -> bool {
+    let text = std::str::from_utf8(&file.bytes).unwrap_or_default();
+    text.contains("\"giveway\"") && text.contains("\"paths\"") && !text.contains("\"map\"")
 }
 
 fn is_text(file: &Opened) -> bool {

@@ -9,7 +9,7 @@ use crate::action::{IntakeAction, Save};
 use crate::files::Opened;
 use crate::intake::protocol::{Found, Read, Reply, Task};
 use crate::intake::{self, Job, Written, beside};
-use crate::{Notice, State, link};
+use crate::{Notice, State};
 
 pub(super) fn intake(state: &mut State, action: IntakeAction) {
     match action {
@@ -81,14 +81,14 @@ fn save(state: &mut State, what: Save) {
             plan: plan_for(state, format),
             scene,
         },
-        Save::Report(kind, address) => {
+        Save::Report(kind, link) => {
             let Some(told) = crate::audit::told(state) else {
                 return;
             };
             Task::Report {
                 kind,
                 told: Box::new(told),
-                link: format!("{address}#{}", link::write(state)),
+                link,
             }
         }
     };
