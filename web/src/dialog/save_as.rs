@@ -69,21 +69,22 @@ pub(crate) fn SaveAs(props: &SaveAsProps) -> Html {
     };
     html! {
         <Frame title="Save as" narrow=true on_close={close.clone()}>
-            <div class="audit">
-                if state.audit().is_some() {
-                    <section><h3>{ "Report" }</h3><ul class="ways">{ for REPORTS.iter().map(report) }</ul></section>
+            <div class="audit" aria-live="polite">
+                if let Some(written) = &state.intake.written {
+                    { outcome(written, &close, send) }
+                } else {
+                    if state.audit().is_some() {
+                        <section><h3>{ "Report" }</h3><ul class="ways">{ for REPORTS.iter().map(report) }</ul></section>
+                    }
+                    <section><h3>{ "Formats" }</h3><ul class="ways">{ for formats.map(format) }</ul></section>
                 }
-                <section><h3>{ "Formats" }</h3><ul class="ways">{ for formats.map(format) }</ul></section>
-                <div aria-live="polite">
-                    if let Some(written) = &state.intake.written { { outcome(written, &close) } }
-                </div>
             </div>
         </Frame>
     }
 }
 
 /// What is lost, and the button that saves.
-fn outcome(written: &Written, close: &Callback<()>) -> Html {
+fn outcome(written: &Written, close: &Callback<()>, send: &Callback<Action>) -> Html {
     let files = written.files.clone();
     let names: Vec<&str> = files.iter().map(|(name, _)| name.as_str()).collect();
     let names = names.join(", ");
@@ -105,11 +106,15 @@ fn outcome(written: &Written, close: &Callback<()>) -> Html {
     };
     html! {
         <section>
+            <p><b>{ names }</b></p>
             <p>{ head }</p>
             <ul class="losses">{ for written.losses.iter().map(|loss| html! { <li>{ loss.clone() }</li> }) }</ul>
-            if !written.files.is_empty() {
-                <button type="button" class="btn primary" onclick={save}>{ icon::show("save") }{ format!("Save {names}") }</button>
-            }
+            <div class="dialog-foot">
+                <button type="button" class="btn outline" onclick={send.reform(|_| Action::Intake(IntakeAction::Saved))}>{ "Another format" }</button>
+                if !written.files.is_empty() {
+                    <button type="button" class="btn primary" onclick={save}>{ icon::show("save") }{ "Save" }</button>
+                }
+            </div>
         </section>
     }
 }

@@ -74,6 +74,9 @@ pub struct Later {
 /// The numbers that are drawn: more would cover the map.
 const SPOTS: usize = 12;
 
+/// From the middle of a cell to the burst at its upper right corner, in units.
+const BURST: (f64, f64) = (42.0, 46.0);
+
 /// The places of other times that are drawn.
 const LATER: usize = 8;
 
@@ -204,10 +207,15 @@ fn in_audit(reasons: &mut Reasons, audit: &Audit, time: u32) {
     let mut others: Vec<&Violation> = Vec::new();
     for violation in &audit.plan.violations {
         let Some(at) = place(violation) else { continue };
+        // At the corner of a cell, so that who stands on it can be seen.
+        let burst = match violation.cell {
+            Some(_) => (at.0 + BURST.0, at.1 - BURST.1),
+            None => at,
+        };
         if !Steering::is_now(violation, time) {
             others.push(violation);
-        } else if !reasons.bursts.contains(&at) {
-            reasons.bursts.push(at);
+        } else if !reasons.bursts.contains(&burst) {
+            reasons.bursts.push(burst);
             let on_page = |cell: &Cell| cell.x < MAX_SIDE && cell.y < MAX_SIDE;
             reasons.frames.extend(violation.cell.filter(on_page));
         }
@@ -217,8 +225,13 @@ fn in_audit(reasons: &mut Reasons, audit: &Audit, time: u32) {
         if reasons.later.len() == LATER {
             break;
         }
+        let is_now = violation
+            .cell
+            .is_some_and(|cell| reasons.frames.contains(&cell));
         let is_new = |at: &(f64, f64)| {
-            !reasons.bursts.contains(at) && reasons.later.iter().all(|later| later.at != *at)
+            !is_now
+                && !reasons.bursts.contains(at)
+                && reasons.later.iter().all(|later| later.at != *at)
         };
         if let Some(at) = place(violation).filter(is_new) {
             reasons.later.push(Later {
