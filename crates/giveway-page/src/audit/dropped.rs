@@ -8,7 +8,12 @@ use giveway_model::format::foreign::ForeignPlan;
 use giveway_model::{Instance, Plan, Version};
 use giveway_solve::{SolveAnswer, SolveRequest, Stats, Status};
 
+use super::seen::bursts;
+use crate::steering::Steering;
 use crate::{Answer, Draft};
+
+/// The most steps that something is to be seen after its time: a slow swap.
+const LASTS: u32 = 2;
 
 /// A plan of elsewhere, judged.
 #[derive(Clone, Debug, PartialEq)]
@@ -19,6 +24,8 @@ pub struct Dropped {
     pub answer: Rc<Answer>,
     /// Every rule that it breaks, by time.
     pub violations: Vec<Violation>,
+    /// The times at which something goes wrong with each agent, by its name.
+    pub(super) bursts: BTreeMap<String, Vec<f64>>,
 }
 
 impl Dropped {
@@ -47,6 +54,7 @@ impl Dropped {
         Some(Self {
             file,
             answer: Rc::new(answer),
+            bursts: bursts(&violations),
             violations,
         })
     }
@@ -54,6 +62,28 @@ impl Dropped {
     /// Whether it breaks no rule.
     pub const fn is_legal(&self) -> bool {
         self.violations.is_empty()
+    }
+
+    /// The broken rules that are to be seen at a time: a step lasts.
+    pub(crate) fn now(&self, time: u32) -> impl Iterator<Item = &Violation> {
+        let from = self.since(time.saturating_sub(LASTS));
+        let near = self.violations.get(from..).unwrap_or_default().iter();
+        let near = near.take_while(move |violation| violation.time <= time);
+        near.filter(move |violation| Steering::is_now(violation, time))
+    }
+
+    /// The broken rules of about that time, so many before and after it.
+    pub(crate) fn around(&self, time: u32, count: usize) -> &[Violation] {
+        let at = self.since(time);
+        let (from, to) = (at.saturating_sub(count), at.saturating_add(count));
+        let to = to.min(self.violations.len());
+        self.violations.get(from..to).unwrap_or_default()
+    }
+
+    /// The place of the first broken rule from a time on.
+    fn since(&self, time: u32) -> usize {
+        self.violations
+            .partition_point(|violation| violation.time < time)
     }
 
     /// How many robots start elsewhere in it than in the scene.

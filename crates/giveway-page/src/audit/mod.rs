@@ -24,7 +24,7 @@ use crate::{Answer, State};
 pub use dropped::Dropped;
 pub use facts::{Choice, Facts, PlanRow, Told, facts, told};
 pub use rows::{CostRow, Fact, ViolationRow};
-pub use seen::{ahead, bursts};
+pub use seen::{ahead, bursts_of};
 pub use verdict::Verdict;
 pub(crate) use words::{badge, sentence};
 

@@ -1,11 +1,12 @@
 //! What of a plan of elsewhere goes wrong where it can be seen: on the board and
 //! on the lanes.
 
+use std::collections::BTreeMap;
+
 use giveway_model::check::{Rule, Violation};
 
 use super::Audit;
 use crate::State;
-use crate::steering::Steering;
 
 /// The most agents whose ways are drawn because something goes wrong with them.
 const MOST: usize = 24;
@@ -20,14 +21,26 @@ fn middle(violation: &Violation) -> f64 {
     f64::from(violation.time) + half
 }
 
-/// The times at which something goes wrong with an agent, by its name.
-pub fn bursts(state: &State, name: &str) -> Vec<f64> {
-    let violations = state.audited().into_iter();
-    let violations = violations.flat_map(|audit| &audit.plan.violations);
-    let own = violations.filter(|violation| violation.agents.iter().any(|agent| agent == name));
-    let mut times: Vec<f64> = own.map(middle).collect();
-    times.dedup();
-    times
+/// The times at which something goes wrong with each agent, by its name.
+pub(super) fn bursts(violations: &[Violation]) -> BTreeMap<String, Vec<f64>> {
+    let mut bursts: BTreeMap<String, Vec<f64>> = BTreeMap::new();
+    for violation in violations {
+        let time = middle(violation);
+        for agent in &violation.agents {
+            let times = bursts.entry(agent.clone()).or_default();
+            if times.last() != Some(&time) {
+                times.push(time);
+            }
+        }
+    }
+    bursts
+}
+
+/// The times at which something goes wrong with an agent of the plan shown.
+pub fn bursts_of(state: &State, name: &str) -> Vec<f64> {
+    let audit = state.audited();
+    let times = audit.and_then(|audit| audit.plan.bursts.get(name));
+    times.cloned().unwrap_or_default()
 }
 
 /// Whose ways ahead are drawn: of a plan that breaks rules only those of robots
@@ -60,9 +73,6 @@ impl Audit {
         if all.len() <= MOST {
             return Some(all);
         }
-        Some(of(&mut violations
-            .iter()
-            .filter(|violation| Steering::is_now(violation, time))
-            .take(MOST)))
+        Some(of(&mut self.plan.now(time).take(MOST)))
     }
 }

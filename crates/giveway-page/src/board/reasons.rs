@@ -77,6 +77,12 @@ const SPOTS: usize = 12;
 /// From the middle of a cell to the burst at its upper right corner, in units.
 const BURST: (f64, f64) = (42.0, 46.0);
 
+/// The places of the time shown that are drawn.
+const NOW: usize = 200;
+
+/// So many broken rules before and after the time shown are looked at.
+const AROUND: usize = 100;
+
 /// The places of other times that are drawn.
 const LATER: usize = 8;
 
@@ -204,22 +210,23 @@ fn bursts(state: &State) -> Vec<(f64, f64)> {
 /// What is against the rules of a plan of elsewhere: frames at the time shown, and
 /// dotted ones at other times, the nearest first.
 fn in_audit(reasons: &mut Reasons, audit: &Audit, time: u32) {
-    let mut others: Vec<&Violation> = Vec::new();
-    for violation in &audit.plan.violations {
+    for violation in audit.plan.now(time) {
         let Some(at) = place(violation) else { continue };
         // At the corner of a cell, so that who stands on it can be seen.
         let burst = match violation.cell {
             Some(_) => (at.0 + BURST.0, at.1 - BURST.1),
             None => at,
         };
-        if !Steering::is_now(violation, time) {
-            others.push(violation);
-        } else if !reasons.bursts.contains(&burst) {
+        if reasons.bursts.len() < NOW && !reasons.bursts.contains(&burst) {
             reasons.bursts.push(burst);
             let on_page = |cell: &Cell| cell.x < MAX_SIDE && cell.y < MAX_SIDE;
             reasons.frames.extend(violation.cell.filter(on_page));
         }
     }
+    let others = audit.plan.around(time, AROUND).iter();
+    let mut others: Vec<&Violation> = others
+        .filter(|violation| !Steering::is_now(violation, time))
+        .collect();
     others.sort_by_key(|violation| violation.time.abs_diff(time));
     for violation in others {
         if reasons.later.len() == LATER {
