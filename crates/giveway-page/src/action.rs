@@ -1,5 +1,7 @@
 //! What can happen to the page, by the place where it does.
 
+use std::rc::Rc;
+
 use giveway_model::format::foreign::Format;
 use giveway_model::{Cell, Question, Scene};
 use giveway_solve::{Progress, Response};
@@ -114,7 +116,7 @@ pub enum IntakeAction {
         /// The number of the job.
         job: u64,
         /// What.
-        reply: Box<Reply>,
+        reply: Rc<Reply>,
     },
     /// The reader broke off, or did not even start.
     Crash {

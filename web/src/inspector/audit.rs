@@ -7,7 +7,11 @@ use yew::prelude::*;
 use crate::icon;
 
 /// What scrolls of it.
-pub(super) fn show(facts: &Facts, is_open: &UseStateHandle<bool>, send: &Callback<Action>) -> Html {
+pub(super) fn show(
+    facts: &Facts,
+    opened: &UseStateHandle<String>,
+    send: &Callback<Action>,
+) -> Html {
     let verdict = &facts.verdict;
     html! {
         <div class="audit">
@@ -17,7 +21,7 @@ pub(super) fn show(facts: &Facts, is_open: &UseStateHandle<bool>, send: &Callbac
                 </button>
                 <h2>{ "A plan from elsewhere" }</h2>
             </header>
-            { file(facts, is_open, send) }
+            { file(facts, opened, send) }
             <dl class="read">{ for facts.facts.iter().map(fact) }</dl>
             <div class="verdict-at" aria-live="polite">
                 <div class={classes!("verdict", verdict.class.clone())}>
@@ -50,10 +54,11 @@ fn act(action: AuditAction, send: &Callback<Action>) -> Callback<MouseEvent> {
 }
 
 /// The file, and the other ways to read it.
-fn file(facts: &Facts, is_open: &UseStateHandle<bool>, send: &Callback<Action>) -> Html {
+fn file(facts: &Facts, opened: &UseStateHandle<String>, send: &Callback<Action>) -> Html {
+    let is_open = **opened == facts.file;
     let toggle = {
-        let is_open = is_open.clone();
-        move |_: MouseEvent| is_open.set(!*is_open)
+        let (opened, file) = (opened.clone(), facts.file.clone());
+        move |_: MouseEvent| opened.set(if is_open { String::new() } else { file.clone() })
     };
     html! {
         <section class="filec" aria-label="File">
@@ -62,7 +67,7 @@ fn file(facts: &Facts, is_open: &UseStateHandle<bool>, send: &Callback<Action>) 
             if !facts.choices.is_empty() {
                 <button type="button" class="link" aria-expanded={is_open.to_string()} onclick={toggle}>{ "Change" }</button>
             }
-            if **is_open && !facts.choices.is_empty() {
+            if is_open && !facts.choices.is_empty() {
                 <ul class="ways" aria-label="Ways to read it">{ for facts.choices.iter().map(|way| choice(way, send)) }</ul>
                 if !facts.can_read_again {
                     <p class="remark">{ "Open the file again to read it in another way." }</p>

@@ -37,7 +37,7 @@ pub fn Inspector(props: &InspectorProps) -> Html {
         .mode
         .steering()
         .map_or(0, |own| own.agent + 1);
-    let is_open = use_state_eq(|| false);
+    let opened = use_state_eq(String::new);
     let elsewhere = giveway_page::audit::facts(state);
     // Another agent or a cell is looked at in between.
     let elsewhere = elsewhere.filter(|_| state.view.selection == Selection::Nothing);
@@ -49,8 +49,8 @@ pub fn Inspector(props: &InspectorProps) -> Html {
                 <div class="scroll">{ answer::show(&card, send) }{ proof::show(state, send) }</div>
                 { answer::foot(&card, send) }
             } else if let Some(facts) = &elsewhere {
-                <div class="scroll" key="audit">
-                    { audit::show(facts, &is_open, send) }
+                <div class="scroll" key={format!("audit {}", facts.file)}>
+                    { audit::show(facts, &opened, send) }
                     { questions::show(&ask::offers(state), send) }
                 </div>
                 { audit::foot(facts, state.view.is_wide, send) }

@@ -76,10 +76,10 @@ impl Reader {
         if let Some(job) = intake.job().filter(|job| !job.fetches.is_empty()) {
             return self.fetch(job.id, job.fetches.clone());
         }
-        let Some(ask) = intake.ask() else { return };
-        inner.job.set(Some(ask.id));
-        // Memory is all that could run out.
-        let bytes = borsh::to_vec(&ask).unwrap_or_default();
+        let Some((job, bytes)) = intake.ask() else {
+            return;
+        };
+        inner.job.set(Some(job));
         inner.waiting.set(Some(bytes));
         if inner.worker.get().is_none() {
             self.hire();
@@ -99,7 +99,7 @@ impl Reader {
     fn hire(&self) {
         let reader = self.clone();
         let program = Rc::clone(&self.0.program);
-        match Hired::start(program, READER, move |event| reader.hear(event)) {
+        match Hired::start(program, READER, Rc::new(move |event| reader.hear(event))) {
             Ok(hired) => self.0.worker.set(Some(Rc::new(hired))),
             Err(sentence) => self.broken(sentence),
         }
@@ -145,7 +145,7 @@ impl Reader {
 
     fn replied(&self, job: u64, reply: Reply) {
         let own = matches!(reply, Reply::Own);
-        let reply = Box::new(reply);
+        let reply = Rc::new(reply);
         let state = self.0.state.get();
         self.0
             .send

@@ -103,9 +103,8 @@ impl Solver {
     fn hire(&self) {
         drop(self.0.worker.take());
         let solver = self.clone();
-        match Hired::start(Rc::clone(&self.0.program), SOLVER, move |event| {
-            solver.hear(event)
-        }) {
+        let hear = Rc::new(move |event| solver.hear(event));
+        match Hired::start(Rc::clone(&self.0.program), SOLVER, hear) {
             Ok(hired) => self.0.worker.set(Some(Rc::new(hired))),
             Err(sentence) => self.fail(sentence, false),
         }

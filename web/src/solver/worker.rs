@@ -51,9 +51,8 @@ impl Hired {
     pub(crate) fn start(
         program: Rc<Program>,
         name: &'static str,
-        hear: impl Fn(Event) + 'static,
+        hear: Rc<dyn Fn(Event)>,
     ) -> Result<Self, String> {
-        let hear = Rc::new(hear);
         let address = written(&format!("giveway-{name}-worker"))?;
         let worker = begin(&address).map_err(|error| {
             let error = js_sys::Error::from(error).message();

@@ -9,11 +9,7 @@ use giveway_model::{Instance, Plan, Version};
 use giveway_solve::{SolveAnswer, SolveRequest, Stats, Status};
 
 use super::seen::bursts;
-use crate::steering::Steering;
 use crate::{Answer, Draft};
-
-/// The most steps that something is to be seen after its time: a slow swap.
-const LASTS: u32 = 2;
 
 /// A plan of elsewhere, judged.
 #[derive(Clone, Debug, PartialEq)]
@@ -64,12 +60,11 @@ impl Dropped {
         self.violations.is_empty()
     }
 
-    /// The broken rules that are to be seen at a time: a step lasts.
+    /// The broken rules of a time, or of the step that begins then.
     pub(crate) fn now(&self, time: u32) -> impl Iterator<Item = &Violation> {
-        let from = self.since(time.saturating_sub(LASTS));
-        let near = self.violations.get(from..).unwrap_or_default().iter();
-        let near = near.take_while(move |violation| violation.time <= time);
-        near.filter(move |violation| Steering::is_now(violation, time))
+        let near = self.violations.get(self.since(time)..);
+        let near = near.unwrap_or_default().iter();
+        near.take_while(move |violation| violation.time == time)
     }
 
     /// The broken rules of about that time, so many before and after it.

@@ -3,7 +3,6 @@
 use std::collections::BTreeMap;
 use std::rc::Rc;
 
-use borsh::{BorshDeserialize, BorshSerialize};
 use giveway_model::check::Violation;
 use giveway_model::format::foreign::{CellOrder, Conventions, ForeignPlan, Origin, Up};
 use giveway_model::words::capital;
@@ -14,14 +13,13 @@ use super::rows::{CostRow, Fact, ViolationRow, costs, facts as file_facts, viola
 use super::verdict::{Verdict, verdict};
 use super::{Audit, Beside};
 use crate::State;
-use crate::steering::Steering;
 use crate::words::{count, name};
 
 /// The most violations that are told one by one.
 const MOST: usize = 50;
 
 /// What there is to tell of a plan of elsewhere.
-#[derive(Clone, Debug, PartialEq, Eq, BorshSerialize, BorshDeserialize)]
+#[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Facts {
     /// The file.
     pub file: String,
@@ -60,7 +58,7 @@ pub struct Facts {
 }
 
 /// A plan of the files.
-#[derive(Clone, Debug, PartialEq, Eq, BorshSerialize, BorshDeserialize)]
+#[derive(Clone, Debug, PartialEq, Eq)]
 pub struct PlanRow {
     /// Its file.
     pub file: String,
@@ -71,7 +69,7 @@ pub struct PlanRow {
 }
 
 /// A way to read the plan.
-#[derive(Clone, Debug, PartialEq, Eq, BorshSerialize, BorshDeserialize)]
+#[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Choice {
     /// The conventions.
     pub conventions: Conventions,
@@ -84,7 +82,7 @@ pub struct Choice {
 }
 
 /// What a report tells: all that the inspector does, and what programs want.
-#[derive(Clone, Debug, PartialEq, BorshSerialize, BorshDeserialize)]
+#[derive(Clone, Debug, PartialEq)]
 pub struct Told {
     /// The scene's name.
     pub scene: String,
@@ -106,9 +104,14 @@ pub struct Told {
 
 /// What there is to tell; nothing unless a plan of elsewhere is on the board.
 pub fn facts(state: &State) -> Option<Facts> {
-    let audit = state.audit()?;
     let run = state.work.solving();
-    let known = Known::of(audit, run);
+    let known = Known::of(state.audit()?, run);
+    facts_by(state, &known, run.is_some())
+}
+
+/// What there is to tell by what is known.
+fn facts_by(state: &State, known: &Known, is_running: bool) -> Option<Facts> {
+    let audit = state.audit()?;
     let (plan, file) = (&*audit.plan, &audit.plan.file);
     let time = state.view.playback.time;
     let shown = plan.violations.iter().take(MOST);
@@ -127,21 +130,21 @@ pub fn facts(state: &State) -> Option<Facts> {
         choices: choices(file),
         can_read_again: !audit.files.is_empty(),
         facts: file_facts(plan),
-        verdict: verdict(audit, &known, run.is_some()),
+        verdict: verdict(audit, known, is_running),
         violations: shown
-            .map(|broken| violation(plan, broken, Steering::is_now(broken, time)))
+            .map(|broken| violation(plan, broken, broken.time == time))
             .collect(),
         more: plan.violations.len().saturating_sub(MOST),
         costs: if is_legal {
-            costs(audit, &known)
+            costs(audit, known)
         } else {
             Vec::new()
         },
         stands: first
             .filter(|_| is_legal)
-            .and_then(|cost| stands(audit, cost, &known, run.is_some())),
+            .and_then(|cost| stands(audit, cost, known, is_running)),
         notes: audit.notes.iter().chain(&file.notes).cloned().collect(),
-        find: find(audit, &known),
+        find: find(audit, known),
         can_compare: audit.other().is_some(),
         compares,
         is_other: audit.beside == Beside::InPlace && !state.view.is_wide,
@@ -262,15 +265,16 @@ fn take(audit: &Audit) -> Option<String> {
     })
 }
 
-/// What a report tells; nothing unless a plan of elsewhere is on the board.
-pub fn told(state: &State) -> Option<Told> {
+/// What a report tells, by what is known and these bounds; nothing unless a plan of elsewhere is on the board.
+pub(crate) fn told(state: &State, bounds: &BTreeMap<Cost, u32>) -> Option<Told> {
     let audit = state.audit()?;
-    let known = Known::of(audit, state.work.solving());
+    let mut known = Known::of(audit, None);
+    known.raise(bounds);
     let costs = audit.plan.answer.solved.costs;
     let gap = costs.map(|costs| super::gap::Gap::of(audit.objective(), &costs, &known));
     Some(Told {
         scene: audit.plan.answer.draft.scene().name.clone(),
-        facts: facts(state)?,
+        facts: facts_by(state, &known, false)?,
         file: audit.plan.file.clone(),
         violations: audit.plan.violations.clone(),
         costs,

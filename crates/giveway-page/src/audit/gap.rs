@@ -32,13 +32,18 @@ impl Known {
             known.is_impossible = ours.solved.status == Status::Impossible;
         }
         if let Some(run) = run {
-            for (&cost, &bound) in &run.bounds {
-                let known = known.bounds.entry(cost).or_insert(bound);
-                *known = bound.max(*known);
-            }
+            known.raise(&run.bounds);
             known.best = run.best.or(known.best);
         }
         known
+    }
+
+    /// Takes in bounds of a search that runs.
+    pub(crate) fn raise(&mut self, bounds: &BTreeMap<Cost, u32>) {
+        for (&cost, &bound) in bounds {
+            let known = self.bounds.entry(cost).or_insert(bound);
+            *known = bound.max(*known);
+        }
     }
 }
 

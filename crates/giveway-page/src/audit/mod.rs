@@ -7,7 +7,7 @@
 mod dropped;
 mod facts;
 mod gap;
-pub mod report;
+pub(crate) mod report;
 mod rows;
 mod seen;
 mod verdict;
@@ -22,7 +22,8 @@ use crate::files::Opened;
 use crate::{Answer, State};
 
 pub use dropped::Dropped;
-pub use facts::{Choice, Facts, PlanRow, Told, facts, told};
+pub use facts::{Choice, Facts, PlanRow, facts};
+pub(crate) use facts::{Told, told};
 pub use rows::{CostRow, Fact, ViolationRow};
 pub use seen::{ahead, bursts_of};
 pub use verdict::Verdict;

@@ -10,7 +10,7 @@ use super::Told;
 use crate::intake::protocol::ReportKind;
 
 /// The name of the file, and its text.
-pub fn write(kind: ReportKind, told: &Told, link: &str) -> (String, String) {
+pub(crate) fn write(kind: ReportKind, told: &Told, link: &str) -> (String, String) {
     let stem = giveway_model::format::stem(&told.facts.file);
     match kind {
         ReportKind::Html => (format!("{stem}-report.html"), html(told, link)),

@@ -1,7 +1,6 @@
 //! What the inspector lists of a plan of elsewhere: how it was read, what it
 //! breaks, what it costs.
 
-use borsh::{BorshDeserialize, BorshSerialize};
 use giveway_model::check::{Rule, Violation};
 use giveway_model::words::capital;
 use giveway_model::{Cost, Costs};
@@ -11,7 +10,7 @@ use super::{Audit, Dropped};
 use crate::words::{at, title};
 
 /// How the file was read, or what it says: a title, what is so, and why.
-#[derive(Clone, Debug, PartialEq, Eq, BorshSerialize, BorshDeserialize)]
+#[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Fact {
     /// What it is about.
     pub title: String,
@@ -22,7 +21,7 @@ pub struct Fact {
 }
 
 /// A broken rule.
-#[derive(Clone, Debug, PartialEq, Eq, BorshSerialize, BorshDeserialize)]
+#[derive(Clone, Debug, PartialEq, Eq)]
 pub struct ViolationRow {
     /// What goes wrong.
     pub text: String,
@@ -35,7 +34,7 @@ pub struct ViolationRow {
 }
 
 /// A cost of the plan, what is proved of it, and what others say.
-#[derive(Clone, Debug, PartialEq, Eq, BorshSerialize, BorshDeserialize)]
+#[derive(Clone, Debug, PartialEq, Eq)]
 pub struct CostRow {
     /// Which cost.
     pub title: String,

@@ -1,6 +1,5 @@
 //! The verdict on a plan of elsewhere: is it legal, and how good is it?
 
-use borsh::{BorshDeserialize, BorshSerialize};
 use giveway_model::check::{Rule, Violation};
 use giveway_model::words::capital;
 use giveway_model::{Cost, Costs};
@@ -10,7 +9,7 @@ use super::{Audit, Dropped};
 use crate::words::{count, name};
 
 /// What is said of the plan as a whole.
-#[derive(Clone, Debug, PartialEq, Eq, BorshSerialize, BorshDeserialize)]
+#[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Verdict {
     /// Its class in the style sheet.
     pub class: String,

@@ -224,9 +224,7 @@ fn in_audit(reasons: &mut Reasons, audit: &Audit, time: u32) {
         }
     }
     let others = audit.plan.around(time, AROUND).iter();
-    let mut others: Vec<&Violation> = others
-        .filter(|violation| !Steering::is_now(violation, time))
-        .collect();
+    let mut others: Vec<&Violation> = others.filter(|violation| violation.time != time).collect();
     others.sort_by_key(|violation| violation.time.abs_diff(time));
     for violation in others {
         if reasons.later.len() == LATER {

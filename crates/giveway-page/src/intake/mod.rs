@@ -14,7 +14,7 @@ use giveway_model::format::foreign::Format;
 
 use crate::State;
 use crate::files::{Opened, scene_file};
-use protocol::{Ask, Read, Task};
+use protocol::{Read, Task};
 
 pub use known::beside;
 pub use work::work;
@@ -75,13 +75,13 @@ impl Intake {
         self.job.as_ref()
     }
 
-    /// The message for the reader; `None` while files are to be fetched.
-    pub fn ask(&self) -> Option<Ask> {
+    /// The message for the reader, an [`Ask`](protocol::Ask), with its number;
+    /// `None` while files are to be fetched.
+    pub fn ask(&self) -> Option<(u64, Vec<u8>)> {
         let job = self.job.as_ref().filter(|job| job.fetches.is_empty())?;
-        Some(Ask {
-            id: job.id,
-            task: (*job.task).clone(),
-        })
+        // Memory is all that could run out.
+        let bytes = borsh::to_vec(&(job.id, &*job.task)).unwrap_or_default();
+        Some((job.id, bytes))
     }
 
     /// The number that the next job gets.

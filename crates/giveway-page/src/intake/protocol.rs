@@ -1,11 +1,12 @@
 //! The messages between the page and the reader, which reads and writes other
 //! people's files in a worker of its own.
 
+use std::collections::BTreeMap;
+
 use borsh::{BorshDeserialize, BorshSerialize};
 use giveway_model::format::foreign::{Conventions, ForeignPlan, Format};
-use giveway_model::{Plan, Scene};
+use giveway_model::{Cost, Plan, Scene};
 
-use crate::audit::Told;
 use crate::files::Opened;
 
 /// From the page: do this.
@@ -37,8 +38,10 @@ pub enum Task {
     Report {
         /// As what.
         kind: ReportKind,
-        /// What there is to tell.
-        told: Box<Told>,
+        /// The document with the audit, as the browser keeps it.
+        kept: String,
+        /// What the search that runs has proved so far.
+        bounds: BTreeMap<Cost, u32>,
         /// A link that opens the audit.
         link: String,
     },

@@ -1,15 +1,19 @@
 //! What the reader does: it reads, writes and reports. It runs in a program of
 //! its own, so that the page need not hold a reader for every format.
 
+use std::collections::BTreeMap;
+
 use giveway_model::format::foreign::{
     self, Format, Gathered, Held, Missing, Options, Refused, Source,
 };
 use giveway_model::format::read_text;
-use giveway_model::{Fault, Instance, Plan, Scene};
+use giveway_model::{Cost, Fault, Instance, Plan, Scene};
 
-use super::protocol::{Found, Read, Reply, Task};
-use crate::audit::report;
+use super::protocol::{Found, Read, Reply, ReportKind, Task};
+use crate::State;
+use crate::audit::{report, told as told_of};
 use crate::files::Opened;
+use crate::link::kept_moment;
 use crate::words::count;
 
 /// The most faults that are told of one file.
@@ -25,10 +29,12 @@ pub fn work(task: Task) -> Reply {
             scene,
             plan,
         } => writing(format, &stem, scene, plan.as_ref()),
-        Task::Report { kind, told, link } => {
-            let (name, text) = report::write(kind, &told, &link);
-            Reply::Written(vec![(name, text)], Vec::new())
-        }
+        Task::Report {
+            kind,
+            kept,
+            bounds,
+            link,
+        } => reporting(kind, &kept, &bounds, &link),
     }
 }
 
@@ -157,6 +163,19 @@ fn faulty(file: &str, faults: &[Fault]) -> (String, Vec<String>) {
     }
     let sentence = format!("{file} cannot be opened; the scene stays as it is.");
     (sentence, details)
+}
+
+/// Writes a report of the audit in a kept document.
+fn reporting(kind: ReportKind, kept: &str, bounds: &BTreeMap<Cost, u32>, link: &str) -> Reply {
+    let state = kept_moment(kept).map(|moment| State::of(moment.document));
+    let told = state.ok().and_then(|state| told_of(&state, bounds));
+    match told {
+        Some(told) => {
+            let (name, text) = report::write(kind, &told, link);
+            Reply::Written(vec![(name, text)], Vec::new())
+        }
+        None => Reply::Refused("There is nothing to report.".to_owned(), Vec::new()),
+    }
 }
 
 fn writing(format: Format, stem: &str, scene: Scene, plan: Option<&Plan>) -> Reply {

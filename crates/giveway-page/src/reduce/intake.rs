@@ -1,5 +1,6 @@
 //! Other people's files come in: what the reader tells, heard in one place.
 
+use std::collections::BTreeMap;
 use std::rc::Rc;
 
 use giveway_model::format::foreign::{Conventions, Format};
@@ -9,6 +10,7 @@ use crate::action::{IntakeAction, Save};
 use crate::files::Opened;
 use crate::intake::protocol::{Found, Read, Reply, Task};
 use crate::intake::{self, Job, Written, beside};
+use crate::link::keep_moment;
 use crate::{Notice, State};
 
 pub(super) fn intake(state: &mut State, action: IntakeAction) {
@@ -27,7 +29,10 @@ pub(super) fn intake(state: &mut State, action: IntakeAction) {
             if state.intake.at(job).is_some()
                 && let Some(job) = state.intake.end()
             {
-                replied(state, job, *reply);
+                // Nobody else has it.
+                if let Some(reply) = Rc::into_inner(reply) {
+                    replied(state, job, reply);
+                }
             }
         }
         IntakeAction::Crash { job, sentence } => {
@@ -82,12 +87,11 @@ fn save(state: &mut State, what: Save) {
             scene,
         },
         Save::Report(kind, link) => {
-            let Some(told) = crate::audit::told(state) else {
-                return;
-            };
+            let run = state.work.solving();
             Task::Report {
                 kind,
-                told: Box::new(told),
+                kept: keep_moment(&state.moment()),
+                bounds: run.map_or_else(BTreeMap::new, |run| run.bounds.clone()),
                 link,
             }
         }

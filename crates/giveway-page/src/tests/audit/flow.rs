@@ -3,7 +3,7 @@
 use std::rc::Rc;
 
 use super::{BEST, LEGAL, MEETING, SCENE, audit, dropped, fresh};
-use crate::audit::{AuditAction, facts, told};
+use crate::audit::{AuditAction, facts};
 use crate::intake::protocol::{ReportKind, Task};
 use crate::tests::answered as answer;
 use crate::{
@@ -206,9 +206,13 @@ fn a_search_that_is_stopped_keeps_what_it_knows() {
 fn a_report_tells_it_and_links_back() {
     let state = dropped(&fresh(), &[("hall.json", SCENE), ("<b>.json", MEETING)]);
     let written = |kind| {
-        let told = Box::new(told(&state).unwrap());
-        let link = "https://example.org/#giveway=1".to_owned();
-        match crate::intake::work(Task::Report { kind, told, link }) {
+        let task = Task::Report {
+            kind,
+            kept: link::keep_moment(&state.moment()),
+            bounds: std::collections::BTreeMap::new(),
+            link: "https://example.org/#giveway=1".to_owned(),
+        };
+        match crate::intake::work(task) {
             crate::intake::protocol::Reply::Written(mut files, _) => files.remove(0).1,
             other => panic!("{other:?}"),
         }

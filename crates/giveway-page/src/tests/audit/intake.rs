@@ -1,5 +1,7 @@
 //! Files come one after the other; what is late, missing or broken is told.
 
+use std::rc::Rc;
+
 use giveway_model::format::foreign::Format;
 
 use super::{LEGAL, MEETING, SCENE, audit, dropped, file, fresh, read_out};
@@ -29,7 +31,7 @@ fn what_is_read_is_said_and_a_late_answer_is_not_heard() {
     let second = reduce(&first, Action::Intake(IntakeAction::Read(files)));
     let late = IntakeAction::Reply {
         job: 1,
-        reply: Box::new(Reply::Refused("late".to_owned(), Vec::new())),
+        reply: Rc::new(Reply::Refused("late".to_owned(), Vec::new())),
     };
     let heard = reduce(&second, Action::Intake(late));
     assert_eq!(heard, second);
@@ -147,7 +149,7 @@ fn the_pages_own_maps_are_named() {
         Action::Intake(IntakeAction::Read(vec![file(name, tracker)])),
     );
     let job = state.intake.ask().unwrap();
-    let reply = Box::new(crate::intake::work(job.task));
+    let reply = Rc::new(crate::intake::work(job.task));
     let state = reduce(
         &state,
         Action::Intake(IntakeAction::Reply { job: job.id, reply }),

@@ -49,14 +49,13 @@ pub(super) fn read_out(mut state: State) -> State {
                 job: job.id,
                 files: Vec::new(),
             },
-            Some(ask) => {
+            Some((_, bytes)) => {
                 // What goes over the wire comes out as it was.
-                let bytes = borsh::to_vec(&ask).unwrap();
                 let ask: crate::intake::protocol::Ask = borsh::from_slice(&bytes).unwrap();
                 let reply = borsh::to_vec(&work(ask.task)).unwrap();
                 IntakeAction::Reply {
                     job: ask.id,
-                    reply: Box::new(borsh::from_slice(&reply).unwrap()),
+                    reply: Rc::new(borsh::from_slice(&reply).unwrap()),
                 }
             }
         };

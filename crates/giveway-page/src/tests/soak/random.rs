@@ -1,5 +1,7 @@
 //! What a person does next, by chance.
 
+use std::rc::Rc;
+
 use giveway_model::{Cell, Question};
 
 use super::Session;
@@ -206,7 +208,7 @@ impl Session {
             files: files.to_vec(),
             ..Read::default()
         };
-        let reply = Box::new(work(Task::Read(read)));
+        let reply = Rc::new(work(Task::Read(read)));
         vec![
             Action::Intake(IntakeAction::Read(files.to_vec())),
             Action::Intake(IntakeAction::Reply { job, reply }),
