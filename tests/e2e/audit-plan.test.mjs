@@ -1,9 +1,10 @@
 // Plans of elsewhere: dropped, seen, judged, compared, brought back.
 
 import assert from "node:assert/strict";
+import { readFileSync } from "node:fs";
 import { describe } from "node:test";
 
-import { AISLES, BEST, HALL, LATE, own, plan, straight } from "./elsewhere.mjs";
+import { AISLES, BEST, HALL, LATE, lines, octile, own, plan, straight } from "./elsewhere.mjs";
 import { BOTH, LOOKS, flows } from "./flow.mjs";
 import { eventually } from "./wait.mjs";
 
@@ -37,7 +38,7 @@ describe("a plan of elsewhere", () => {
       await tells(playground, /every legal plan costs at least 84\. So it had to break a rule\./);
       const rows = playground.inspector.getByRole("button", { name: /, go to time \d+$/ });
       await rows.nth(1).click();
-      await playground.inspector.locator("[aria-current=true]").waitFor();
+      await playground.inspector.locator("[aria-current=true]").first().waitFor();
       await playground.picture(`audit-${look.theme}`);
       await playground.press("Find a legal plan");
       await playground.button("Use the legal plan").waitFor();
@@ -72,6 +73,59 @@ describe("a plan of elsewhere", () => {
     await playground.says(/^paths\.json breaks/);
     await tells(playground, /at least 84/);
     assert.equal(await playground.inspector.getByRole("heading", { name: "A plan from elsewhere" }).count(), 1);
+  });
+
+  flow("waits for its map, is read another way, and read so again by Undo", async (playground) => {
+    await drop(playground, { name: "paths.txt", bytes: lines(straight(AISLES)) });
+    await playground.warns(/paths\.txt needs a map: open its map, too\./);
+    await drop(playground, { name: "aisles.map", bytes: octile(AISLES.map) });
+    await playground.says(/^paths\.txt breaks 6 rules\./);
+    await tells(playground, /One line for each robot\s+as EECBS and CBSH2 write it/);
+    await drop(playground, own("aisles.json", AISLES), { name: "paths.txt", bytes: lines(straight(AISLES)) });
+    await playground.says(/^paths\.txt breaks 6 rules\./);
+    await playground.inspector.getByRole("button", { name: "Change" }).click();
+    await playground.picture("audit-change");
+    await playground.inspector.getByRole("button", { name: /^Column first, then row, from 0/ }).click();
+    await tells(playground, /Not for this scene\s+A1 starts elsewhere: 0 of 8 robots fit\./);
+    await playground.act("Undo");
+    await tells(playground, /6 collisions/);
+  });
+
+  flow("of a map of the benchmark finds that by its name", async (playground) => {
+    const tracker = `"agents","lower_cost","lower_date","solution_cost","solution_date","path"\n"1","1","","1","","rr"\n`;
+    await drop(playground, { name: "empty-8-8_random-1_1.tracker.csv", bytes: tracker });
+    await playground.says(/^empty-8-8_random-1_1\.tracker\.csv breaks/);
+    assert.equal(await playground.board.getAttribute("aria-colcount"), "8");
+  });
+
+  flow("is pressed through by keys, with names that say where they lead", async (playground) => {
+    await drop(playground, ...WRONG);
+    const row = playground.inspector.getByRole("button", { name: "A7 enters (6, 4), where A3 stays from time 8, go to time 9" });
+    await row.focus();
+    await playground.page.keyboard.press("Enter");
+    await playground.inspector.locator("[aria-current=true]", { hasText: "A7 enters (6, 4)" }).waitFor();
+    await eventually("time 9", () => playground.page.getByRole("slider", { name: "Time" }).getAttribute("aria-valuenow"), (time) => time === "9");
+  });
+
+  flow("is told in a report, and saved as others write it", async (playground) => {
+    await drop(playground, ...WRONG);
+    await tells(playground, /at least 84/);
+    const saved = async (name, ending) => {
+      await playground.press("Save");
+      await playground.press("Report, other formats");
+      const dialog = playground.page.getByRole("dialog");
+      await dialog.getByRole("button", { name }).click();
+      const download = playground.page.waitForEvent("download", (file) => file.suggestedFilename().endsWith(ending));
+      await dialog.getByRole("button", { name: "Save", exact: true }).click();
+      const file = await download;
+      return { name: file.suggestedFilename(), text: readFileSync(await file.path(), "utf8") };
+    };
+    const report = await saved(/^Markdown/, ".md");
+    assert.equal(report.name, "paths-report.md");
+    assert.match(report.text, /\*\*Not legal: 6 collisions\.\*\*/);
+    assert.match(report.text, /#giveway=1&/);
+    const paths = await saved(/^One line for each robot/, ".txt");
+    assert.match(paths.text, /^Agent 0: ?\(4,11\)->/);
   });
 
   flow("that is none of any format is refused with its place", async (playground) => {

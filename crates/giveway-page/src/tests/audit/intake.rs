@@ -148,12 +148,10 @@ fn the_pages_own_maps_are_named() {
         &fresh(),
         Action::Intake(IntakeAction::Read(vec![file(name, tracker)])),
     );
-    let job = state.intake.ask().unwrap();
-    let reply = Rc::new(crate::intake::work(job.task));
-    let state = reduce(
-        &state,
-        Action::Intake(IntakeAction::Reply { job: job.id, reply }),
-    );
+    let (job, bytes) = state.intake.ask().unwrap();
+    let ask: crate::intake::protocol::Ask = borsh::from_slice(&bytes).unwrap();
+    let reply = Rc::new(crate::intake::work(ask.task));
+    let state = reduce(&state, Action::Intake(IntakeAction::Reply { job, reply }));
     let fetches = state.intake.job().map(|job| job.fetches.clone());
     let names = ["empty-8-8.map", "empty-8-8-random-1.scen"].map(str::to_owned);
     assert_eq!(fetches, Some(names.to_vec()), "{:?}", state.view.notice);
