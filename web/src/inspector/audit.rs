@@ -1,6 +1,8 @@
 //! A plan of elsewhere: how it was read, whether it is legal, how good it is.
 
-use giveway_page::audit::{AuditAction, Choice, CostRow, Fact, Facts, PlanRow, ViolationRow};
+use giveway_page::audit::{
+    AuditAction, Choice, Compared, CostRow, Fact, Facts, PlanRow, ViolationRow,
+};
 use giveway_page::{Action, PlayAction};
 use yew::prelude::*;
 
@@ -163,23 +165,20 @@ pub(super) fn foot(facts: &Facts, is_wide: bool, send: &Callback<Action>) -> Htm
             </button>
         }
     };
-    let (find, compares) = (facts.find.as_ref(), facts.compares);
-    let compare = if compares && is_wide {
-        ("One plan", AuditAction::Compare(false))
-    } else if facts.is_other {
-        ("Show this plan", AuditAction::ShowOther(false))
-    } else {
-        ("Compare side by side", AuditAction::Compare(true))
+    let compare = |compared: Compared| match compared {
+        Compared::Beside if is_wide => ("One plan", AuditAction::Compare(false)),
+        Compared::Instead => ("Show this plan", AuditAction::ShowOther(false)),
+        _ => ("Compare side by side", AuditAction::Compare(true)),
     };
     html! {
         <footer class="foot two2">
             if let Some(take) = &facts.take {
                 { button("btn primary", "check", take, AuditAction::Take, None) }
-            } else if let Some(find) = find {
+            } else if let Some(find) = &facts.find {
                 { button("btn primary", "search", find, AuditAction::Find, None) }
             }
-            if facts.can_compare {
-                { button("btn outline", "compare", compare.0, compare.1, Some(compares)) }
+            if let Some(compared) = facts.compared {
+                { button("btn outline", "compare", compare(compared).0, compare(compared).1, Some(compared != Compared::Not)) }
             }
         </footer>
     }

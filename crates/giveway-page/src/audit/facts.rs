@@ -47,14 +47,21 @@ pub struct Facts {
     pub notes: Vec<String>,
     /// What there is to look for: `Find a better plan`.
     pub find: Option<String>,
-    /// Whether there is another plan to compare it with.
-    pub can_compare: bool,
-    /// Whether both are side by side.
-    pub compares: bool,
-    /// Whether only the other one is seen.
-    pub is_other: bool,
+    /// How it is compared with another plan; nothing where there is none.
+    pub compared: Option<Compared>,
     /// What takes the other plan: `Use the legal plan`, where it is shown.
     pub take: Option<String>,
+}
+
+/// How a plan is compared with another one.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Compared {
+    /// Not yet.
+    Not,
+    /// Both are side by side, or one after the other where there is no room.
+    Beside,
+    /// Only the other one is seen, as there is no room for both.
+    Instead,
 }
 
 /// A plan of the files.
@@ -83,7 +90,7 @@ pub struct Choice {
 
 /// What a report tells: all that the inspector does, and what programs want.
 #[derive(Clone, Debug, PartialEq)]
-pub struct Told {
+pub(crate) struct Told {
     /// The scene's name.
     pub scene: String,
     /// What the inspector tells.
@@ -145,9 +152,11 @@ fn facts_by(state: &State, known: &Known, is_running: bool) -> Option<Facts> {
             .and_then(|cost| stands(audit, cost, known, is_running)),
         notes: audit.notes.iter().chain(&file.notes).cloned().collect(),
         find: find(audit, known),
-        can_compare: audit.other().is_some(),
-        compares,
-        is_other: audit.beside == Beside::InPlace && !state.view.is_wide,
+        compared: audit.other().map(|_| match audit.beside {
+            Beside::Nothing => Compared::Not,
+            Beside::InPlace if !state.view.is_wide => Compared::Instead,
+            Beside::Other | Beside::InPlace => Compared::Beside,
+        }),
         take: take(audit).filter(|_| compares),
     })
 }

@@ -22,7 +22,7 @@ use crate::files::Opened;
 use crate::{Answer, State};
 
 pub use dropped::Dropped;
-pub use facts::{Choice, Facts, PlanRow, facts};
+pub use facts::{Choice, Compared, Facts, PlanRow, facts};
 pub(crate) use facts::{Told, told};
 pub use rows::{CostRow, Fact, ViolationRow};
 pub use seen::{ahead, bursts_of};

@@ -172,7 +172,7 @@ fn aside(times: &[Aside], time: f64) -> Option<(f64, f64)> {
     let near = times.iter().max_by(|a, b| share(a).total_cmp(&share(b)))?;
     let share = share(near);
     let side = if near.is_left { -0.5 } else { 0.5 };
-    (share > 0.0).then(|| (side * TWO.1 * share, 1.0 - (1.0 - TWO.0) * share))
+    (share > 0.0).then_some((side * TWO.1 * share, 1.0 - (1.0 - TWO.0) * share))
 }
 
 /// Where an agent of a plan of elsewhere looks at each time, where it turns in

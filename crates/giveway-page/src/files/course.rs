@@ -81,7 +81,10 @@ fn together(
         None => None,
         Some((file, text)) => Some(native::read_changes(text).map_err(|fault| one(file, fault))?),
     };
+    let mut names = draft.agents().iter().map(|agent| &agent.name);
+    let is_for_it = names.any(|name| told.paths.contains_key(name));
     if let (None, Ok(instance)) = (&changed, draft.instance())
+        && is_for_it
         && !check(instance, &told).is_valid()
     {
         return Ok(Reading::Illegal(vec![scene.clone(), plan.clone()]));

@@ -121,8 +121,13 @@ fn bytes_that_are_no_text() {
 
 #[test]
 fn large_files_are_refused_by_their_size() {
-    assert_eq!(too_large("a.json", MAX_BYTES), None);
-    let notice = too_large("a.json", MAX_BYTES + 1).unwrap();
+    let most = crate::intake::MAX_BYTES;
+    assert_eq!(too_large("paths.txt", most), None);
+    let notice = too_large("paths.txt", most + 1).unwrap();
+    assert_eq!(notice.details, ["found 21 MB, expected at most 20 MB"]);
+    // Files of the page's own are smaller.
+    let huge = " ".repeat(10_000_001);
+    let notice = read(&[file("a.json", &huge)]).unwrap_err();
     assert_eq!(notice.details, ["found 11 MB, expected at most 10 MB"]);
 }
 

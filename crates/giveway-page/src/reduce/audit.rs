@@ -95,11 +95,12 @@ fn document(
 impl Document {
     /// The document of an audit: a legal plan is the plan of the scene.
     pub(crate) fn audited(audit: Audit) -> Self {
-        let answer = &audit.plan.answer;
-        let legal = audit.plan.is_legal().then(|| Rc::clone(answer));
+        let answer = Rc::clone(&audit.plan.answer);
+        let draft = Rc::clone(&answer.draft);
+        let legal = audit.plan.is_legal().then_some(answer);
         Self {
-            mode: Mode::Auditing(Rc::new(audit.clone())),
-            ..Self::answered(Rc::clone(&answer.draft), legal)
+            mode: Mode::Auditing(Rc::new(audit)),
+            ..Self::answered(draft, legal)
         }
     }
 }

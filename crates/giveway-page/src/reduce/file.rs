@@ -42,7 +42,7 @@ pub(super) fn drafted(scene: Scene) -> Result<Draft, Notice> {
         details: faults.iter().map(ToString::to_string).collect(),
     };
     let draft = Draft::new(scene).map_err(|faults| refused(&faults))?;
-    draft.instance().map_err(|faults| refused(faults))?;
+    draft.instance().map_err(refused)?;
     Ok(draft)
 }
 

@@ -126,16 +126,14 @@ fn replied(state: &mut State, job: Job, reply: Reply) {
             if state.intake.fetch(job, fetches) {
                 return;
             }
-            match on_board {
-                Some(found) => opened(state, *found),
-                None => {
-                    state.intake.wait(files);
-                    state.view.notice = Some(Notice {
-                        sentence: "One file more is needed.".to_owned(),
-                        details: vec![sentence],
-                    });
-                }
+            if let Some(found) = on_board {
+                return opened(state, *found);
             }
+            state.intake.wait(files);
+            state.view.notice = Some(Notice {
+                sentence: "One file more is needed.".to_owned(),
+                details: vec![sentence],
+            });
         }
         Reply::Refused(sentence, details) => written_or_told(state, &job, sentence, details),
         Reply::Written(files, losses) => {
