@@ -39,8 +39,13 @@ pub(super) fn ReasonMarks(props: &ReasonsProps) -> Html {
     };
     let later = |later: &Later| {
         let (x, y) = later.at;
-        // The time stands on the upper edge of its cell, or on its edge.
-        let up = if later.is_cell { -49.0 } else { 0.0 };
+        // The time stands on the upper edge of its cell, on the lower one where the
+        // map ends above it; or in the middle of its edge.
+        let up = match (later.is_cell, y < 100.0) {
+            (true, false) => -49.0,
+            (true, true) => 49.0,
+            (false, _) => 0.0,
+        };
         html! {
             <g class="later-at" transform={format!("translate({x} {y})")}>
                 if later.is_cell { <rect x="-43" y="-43" width="86" height="86" rx="14" /> }
