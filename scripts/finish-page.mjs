@@ -1,7 +1,7 @@
 // Trunk's last step (Trunk.toml): makes of what it has built a folder for any static host.
 //
-// 1. The solver and its worker get the hashes of what they hold into their paths, as
-//    Trunk gives all other files: so no cache can mix two versions.
+// 1. The solver, the reader and their workers get the hashes of what they hold into their
+//    paths, as Trunk gives all other files: so no cache can mix two versions.
 // 2. The style sheets become one, in their order: fewer requests before the first paint.
 // 3. The page is told how large its Wasm is.
 // 4. The policy loses the nonce, which only `trunk serve` needs.
@@ -19,9 +19,13 @@ import { settings } from "./release/settings.mjs";
 
 const NONCE = "trunk-nonce";
 const PAGE = "index.html";
-const WORKER = "worker.js";
-const SOLVER = "solver.js";
-const SOLVER_WASM = "solver_bg.wasm";
+/** The programs that run in workers: the script of the worker, the program's bindings, its Wasm. */
+const PROGRAMS = [
+  ["worker.js", "solver.js", "solver_bg.wasm"],
+  ["reader-worker.js", "reader.js", "reader_bg.wasm"],
+];
+/** What is fetched when a file asks for it, and not kept beforehand. */
+const ON_DEMAND = /^static\/maps\//;
 const STYLES = /<link rel="stylesheet" href="\.\/([^"]+)"[^>]*>\s*/g;
 
 const source = process.env.TRUNK_SOURCE_DIR;
@@ -63,16 +67,22 @@ function rename(name, pairs = []) {
 }
 
 function finishPage() {
-  const wasm = rename(SOLVER_WASM);
-  const solver = rename(SOLVER, [[SOLVER_WASM, wasm]]);
-  const worker = rename(WORKER, [[`./${SOLVER}`, `./${solver}`]]);
+  const programs = PROGRAMS.flatMap(([script, bindings, wasm]) => {
+    const wasmAt = rename(wasm);
+    const bindingsAt = rename(bindings, [[wasm, wasmAt]]);
+    const scriptAt = rename(script, [[`./${bindings}`, `./${bindingsAt}`]]);
+    return [
+      [`content="./${wasm}">`, `content="./${wasmAt}">`],
+      [`content="./${script}">`, `content="./${scriptAt}">`],
+    ];
+  });
   // Without the comments, which are for those who read the source, and their lines.
   const text = read(PAGE).toString().replaceAll(/<!--.*?-->/gs, "").replaceAll(/^\s*\n/gm, "");
   const sized = joinStyles(text).replace(/data-wasm="([^"]+)"/, (given, path) => `${given} data-bytes="${read(path).length}"`);
   const finished = replace(sized.replaceAll(` nonce="${NONCE}"`, ""), [
     [` 'nonce-${NONCE}'`, ""],
-    [`content="./${SOLVER_WASM}">`, `content="./${wasm}">`],
-    [`content="./${WORKER}">`, `content="./${worker}">\n  <meta name="giveway-service-worker" content="./service-worker.js">`],
+    ...programs,
+    ["<title>", `<meta name="giveway-service-worker" content="./service-worker.js">\n  <title>`],
   ]);
   // What the policy would refuse is found here and not by a user.
   for (const refused of [/<script(?![^>]*\bsrc=)/, /\bstyle=/, /<style/, /\bon[a-z]+=/, new RegExp(NONCE)]) {
@@ -120,7 +130,7 @@ function writeServiceWorker() {
   const names = readdirSync(built, { recursive: true, withFileTypes: true })
     .filter((entry) => entry.isFile())
     .map((entry) => join(entry.parentPath ?? entry.path, entry.name).slice(built.length + 1).replaceAll("\\", "/"))
-    .filter((name) => name !== PICTURE)
+    .filter((name) => name !== PICTURE && !ON_DEMAND.test(name))
     .sort();
   const version = hash(names.flatMap((name) => [name, "\0", read(name)]));
   const files = names.map((name) => (name === PAGE ? "./" : name));

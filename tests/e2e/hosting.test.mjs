@@ -214,7 +214,7 @@ async function change(file, pattern, replacement) {
 }
 
 function workerOf(page) {
-  return page.locator('meta[name="giveway-worker"]').getAttribute("content");
+  return page.locator('meta[name="giveway-solver-worker"]').getAttribute("content");
 }
 
 function fetched(page, path) {

@@ -5,8 +5,9 @@ use std::rc::Rc;
 use giveway_page::{Action, Draft, FileAction, Phase, Tab, Tool};
 use yew::prelude::*;
 
-use crate::dialog::{Agents, Examples, NewScene, Panel, Scenes, Share, help};
+use crate::dialog::{Agents, Examples, NewScene, Panel, SaveAs, Scenes, Share, help};
 use crate::drop::Drop;
+use crate::intake::use_intake;
 use crate::keep::{self, use_keep};
 use crate::keys::use_keys;
 use crate::paste::use_paste;
@@ -61,6 +62,7 @@ pub fn App() -> Html {
         );
     }
     use_solver(&state, &send);
+    use_intake(&state, &send, &show);
     use_keep(&state, &send);
     use_theme(state.view.theme);
     use_colours(state.document.colours);
@@ -113,6 +115,7 @@ fn dialog(panel: &Panel, state: &Shown, send: &Callback<Action>, show: &Callback
         Panel::Examples => html! { <Examples {send} {on_close} /> },
         Panel::Agents(choice) => html! { <Agents choice={choice.clone()} {send} {on_close} /> },
         Panel::New => html! { <NewScene {send} {on_close} /> },
+        Panel::SaveAs => html! { <SaveAs state={state.clone()} {send} {on_close} /> },
         Panel::Scenes => html! { <Scenes state={state.clone()} {send} {on_close} /> },
         Panel::Share(link) => {
             html! { <Share link={link.clone()} name={state.document.draft.scene().name.clone()} {send} {on_close} /> }
@@ -134,6 +137,7 @@ fn phase_class(state: &Shown) -> &'static str {
         Phase::Changing | Phase::Adapting => "st-changing",
         Phase::Comparing => "st-comparing",
         Phase::Steering => "st-steering",
+        Phase::Auditing => "st-auditing",
         Phase::None => "st-none",
         Phase::Stopped => "st-stopped",
     }

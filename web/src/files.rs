@@ -5,7 +5,8 @@ use std::rc::Rc;
 use giveway_model::Scene;
 use giveway_model::format::native;
 use giveway_page::files::{Opened, Reading, Saved, picture_name, read_beside, too_large};
-use giveway_page::{Action, FileAction, Notice, State};
+use giveway_page::intake::is_for_reader;
+use giveway_page::{Action, FileAction, IntakeAction, Notice, State};
 use gloo::file::{Blob, File, ObjectUrl, futures::read_as_bytes};
 use gloo::net::http::Request;
 use gloo::timers::callback::Timeout;
@@ -21,6 +22,9 @@ use crate::dialog::Panel;
 /// Where the examples are, from the page on.
 const EXAMPLES: &str = "static/examples";
 
+/// Where the maps of the standard benchmark are.
+const MAPS: &str = "static/maps";
+
 /// How long a saved file's text is kept for the browser, in milliseconds.
 const KEPT_MS: u32 = 60_000;
 
@@ -29,8 +33,11 @@ const KEPT_MS: u32 = 60_000;
 /// # Errors
 /// Why it did not arrive, as a sentence.
 pub(crate) async fn fetch(file: &str) -> Result<String, String> {
-    let address = format!("{EXAMPLES}/{file}");
-    let response = Request::get(&address).send().await;
+    fetch_text(&format!("{EXAMPLES}/{file}")).await
+}
+
+async fn fetch_text(address: &str) -> Result<String, String> {
+    let response = Request::get(address).send().await;
     let response = response.map_err(|error| error.to_string())?;
     if !response.ok() {
         return Err(format!("{address}: status {}", response.status()));
@@ -47,6 +54,18 @@ pub(crate) async fn example(file: &str) -> Result<Scene, String> {
     native::read_scene(&text).map_err(|fault| format!("{file}, {fault}"))
 }
 
+/// Those of the page's maps and scenarios that are there.
+pub(crate) async fn fetch_maps(names: Vec<String>) -> Vec<Opened> {
+    let mut files = Vec::new();
+    for name in names {
+        if let Ok(text) = fetch_text(&format!("{MAPS}/{name}")).await {
+            let bytes = text.into_bytes();
+            files.push(Opened { name, bytes });
+        }
+    }
+    files
+}
+
 /// Reads the files that a person chose or dropped, and opens what they hold; what they
 /// lack is taken from the board.
 pub(crate) fn open(
@@ -61,12 +80,25 @@ pub(crate) fn open(
     let files: Vec<File> = gloo::file::FileList::from(files).to_vec();
     let state = state.clone();
     spawn_local(async move {
-        let reading = match read_all(&files).await {
-            Ok(opened) => read_beside(&state, &opened),
-            Err(notice) => Err(notice),
-        };
-        take(reading, &send, &show);
+        match read_all(&files).await {
+            Ok(opened) => read(&state, opened, &send, &show),
+            Err(notice) => take(Err(notice), &send, &show),
+        }
     });
+}
+
+/// Opens files; those that the page does not read by itself are left to the reader.
+pub(crate) fn read(
+    state: &Shown,
+    opened: Vec<Opened>,
+    send: &Callback<Action>,
+    show: &Callback<Panel>,
+) {
+    if is_for_reader(state, &opened) {
+        send.emit(Action::Intake(IntakeAction::Read(opened)));
+    } else {
+        take(read_beside(state, &opened), send, show);
+    }
 }
 
 /// Opens what was read, or tells why it cannot be.
@@ -79,6 +111,7 @@ pub(crate) fn take(
         Ok(Reading::Scene(scene)) => send.emit(Action::File(FileAction::Open(scene))),
         Ok(Reading::Linked(linked)) => send.emit(Action::File(FileAction::OpenLink(linked))),
         Ok(Reading::Scenario(choice)) => show.emit(Panel::Agents(Rc::new(*choice))),
+        Ok(Reading::Illegal(files)) => send.emit(Action::Intake(IntakeAction::Read(files))),
         Err(notice) => send.emit(Action::File(FileAction::Refuse(notice))),
     }
 }

@@ -19,6 +19,7 @@ mod glyph;
 mod held;
 mod icon;
 mod inspector;
+mod intake;
 mod keep;
 mod keys;
 mod notice;

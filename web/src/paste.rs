@@ -1,6 +1,7 @@
 //! What is pasted anywhere but into a field: it is opened as a file is.
 
-use giveway_page::{Action, FileAction, Notice, State, files::pasted};
+use giveway_page::files::{pasted, pasted_for_reader};
+use giveway_page::{Action, FileAction, IntakeAction, Notice, State};
 use gloo::events::{EventListener, EventListenerOptions};
 use wasm_bindgen::JsCast as _;
 use wasm_bindgen_futures::JsFuture;
@@ -37,7 +38,7 @@ pub(crate) fn use_paste(
                 let state = latest.get();
                 files::open(&state, copied, send.clone(), show.clone());
             } else if !text.trim().is_empty() {
-                files::take(pasted(&latest.get(), &text), &send, &show);
+                take(&latest.get(), &text, &send, &show);
             } else {
                 return;
             }
@@ -47,6 +48,14 @@ pub(crate) fn use_paste(
             .then(|| EventListener::new_with_options(&window, "paste", options, listen));
         move || drop(listening)
     });
+}
+
+/// Opens a text; what the page does not read by itself is left to the reader.
+fn take(state: &State, text: &str, send: &Callback<Action>, show: &Callback<Panel>) {
+    match pasted_for_reader(state, text) {
+        Some(files) => send.emit(Action::Intake(IntakeAction::Read(files))),
+        None => files::take(pasted(state, text), send, show),
+    }
 }
 
 fn wanted(event: &web_sys::Event) -> Option<&ClipboardEvent> {
@@ -71,7 +80,7 @@ pub(crate) fn ask(state: &Shown, send: Callback<Action>, show: Callback<Panel>) 
         match JsFuture::from(read).await {
             Ok(text) => {
                 let text = text.as_string().unwrap_or_default();
-                files::take(pasted(&state, &text), &send, &show);
+                take(&state, &text, &send, &show);
             }
             Err(_) => send.emit(Action::File(FileAction::Refuse(refused))),
         }

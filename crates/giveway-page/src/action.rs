@@ -1,9 +1,15 @@
 //! What can happen to the page, by the place where it does.
 
+use std::rc::Rc;
+
+use giveway_model::format::foreign::Format;
 use giveway_model::{Cell, Question, Scene};
 use giveway_solve::{Progress, Response};
 
+use crate::audit::AuditAction;
 use crate::changing::Choice;
+use crate::files::Opened;
+use crate::intake::protocol::{Reply, ReportKind};
 use crate::link::Linked;
 use crate::slot::{Elsewhere, Lost, Unkept};
 use crate::steering::Lead;
@@ -34,6 +40,10 @@ pub enum Action {
     Change(ChangeAction),
     /// An agent is led by hand, in a plan of one's own.
     Steer(Lead),
+    /// A plan of elsewhere is judged.
+    Audit(AuditAction),
+    /// Other people's files come in and go out.
+    Intake(IntakeAction),
     /// The plan plays.
     Play(PlayAction),
     /// What is shown and how.
@@ -80,6 +90,54 @@ pub enum FileAction {
     Resume(Box<Moment>),
     /// Something could not be done; the document stays.
     Refuse(Notice),
+}
+
+/// Other people's files come in and go out, by way of the reader.
+#[derive(Clone, Debug, PartialEq)]
+pub enum IntakeAction {
+    /// Files were opened that the page does not read by itself.
+    Read(Vec<Opened>),
+    /// The page's own files came that may be what is missing.
+    Fetched {
+        /// The number of the job.
+        job: u64,
+        /// Those that are there.
+        files: Vec<Opened>,
+    },
+    /// The reader told how far it is.
+    Progress {
+        /// The number of the job.
+        job: u64,
+        /// A sentence.
+        sentence: String,
+    },
+    /// The reader answered.
+    Reply {
+        /// The number of the job.
+        job: u64,
+        /// What.
+        reply: Rc<Reply>,
+    },
+    /// The reader broke off, or did not even start.
+    Crash {
+        /// The number of the job.
+        job: u64,
+        /// Why, as a sentence.
+        sentence: String,
+    },
+    /// Something is to be written in another format.
+    Save(Save),
+    /// What was written is saved, or not wanted any longer.
+    Saved,
+}
+
+/// What is to be written by the reader.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub enum Save {
+    /// The scene, and the plan that is shown.
+    As(Format),
+    /// A report of the audit, with a link that opens it.
+    Report(ReportKind, String),
 }
 
 /// On the board.

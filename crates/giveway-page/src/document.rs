@@ -103,6 +103,10 @@ impl Document {
             }
             Mode::Steering(own) => Some(&own.answer),
             Mode::Judging(own, asking) => Some(asking.in_place(is_alone).unwrap_or(&own.answer)),
+            Mode::Auditing(audit) => Some(audit.shown(is_alone)),
+            Mode::Querying(audit, asking) => {
+                Some(asking.in_place(is_alone).unwrap_or(&audit.plan.answer))
+            }
         }
     }
 

@@ -45,6 +45,10 @@ fn same_mode(one: &Mode, two: &Mode) -> bool {
         (Mode::Judging(one, asked), Mode::Judging(two, again)) => {
             Rc::ptr_eq(one, two) && Rc::ptr_eq(asked, again)
         }
+        (Mode::Auditing(one), Mode::Auditing(two)) => Rc::ptr_eq(one, two),
+        (Mode::Querying(one, asked), Mode::Querying(two, again)) => {
+            Rc::ptr_eq(one, two) && Rc::ptr_eq(asked, again)
+        }
         (Mode::Stuck(one, asked), Mode::Stuck(two, again)) => {
             Rc::ptr_eq(one, two) && Rc::ptr_eq(asked, again)
         }

@@ -17,6 +17,7 @@ mod action;
 mod answer;
 pub mod ask;
 mod asking;
+pub mod audit;
 pub mod board;
 pub mod changing;
 mod colours;
@@ -31,6 +32,7 @@ pub mod front;
 mod gesture;
 mod history;
 pub mod inspect;
+pub mod intake;
 mod kept;
 pub mod keys;
 mod known;
@@ -60,8 +62,8 @@ pub mod words;
 mod work;
 
 pub use action::{
-    Action, AskAction, BoardAction, ChangeAction, FileAction, PlayAction, SlotAction, SolveAction,
-    ViewAction,
+    Action, AskAction, BoardAction, ChangeAction, FileAction, IntakeAction, PlayAction, Save,
+    SlotAction, SolveAction, ViewAction,
 };
 pub use answer::Answer;
 pub use asking::{Asking, Lit};

@@ -3,6 +3,7 @@
 use std::rc::Rc;
 
 use crate::Asking;
+use crate::audit::Audit;
 use crate::changing::{Changing, Comparing};
 use crate::steering::Steering;
 
@@ -24,15 +25,28 @@ pub enum Mode {
     Steering(Rc<Steering>),
     /// The solver was asked about a plan of one's own.
     Judging(Rc<Steering>, Rc<Asking>),
+    /// A plan of elsewhere is judged.
+    Auditing(Rc<Audit>),
+    /// A question was asked about a plan of elsewhere.
+    Querying(Rc<Audit>, Rc<Asking>),
 }
 
 impl Mode {
     /// The question that was asked, until it is left.
     pub const fn asking(&self) -> Option<&Rc<Asking>> {
         match self {
-            Self::Asking(asking) | Self::Judging(_, asking) | Self::Stuck(_, asking) => {
-                Some(asking)
-            }
+            Self::Asking(asking)
+            | Self::Judging(_, asking)
+            | Self::Stuck(_, asking)
+            | Self::Querying(_, asking) => Some(asking),
+            _ => None,
+        }
+    }
+
+    /// The plan of elsewhere, until it is left.
+    pub const fn audit(&self) -> Option<&Rc<Audit>> {
+        match self {
+            Self::Auditing(audit) | Self::Querying(audit, _) => Some(audit),
             _ => None,
         }
     }
@@ -65,9 +79,10 @@ impl Mode {
     /// The question, to be changed.
     pub(crate) fn asking_mut(&mut self) -> Option<&mut Asking> {
         match self {
-            Self::Asking(asking) | Self::Judging(_, asking) | Self::Stuck(_, asking) => {
-                Some(Rc::make_mut(asking))
-            }
+            Self::Asking(asking)
+            | Self::Judging(_, asking)
+            | Self::Stuck(_, asking)
+            | Self::Querying(_, asking) => Some(Rc::make_mut(asking)),
             _ => None,
         }
     }
@@ -79,6 +94,7 @@ impl Mode {
             Self::Asking(_) => Self::Editing,
             Self::Judging(own, _) => Self::Steering(Rc::clone(own)),
             Self::Stuck(comparing, _) => Self::Comparing(Rc::clone(comparing)),
+            Self::Querying(audit, _) => Self::Auditing(Rc::clone(audit)),
             other => other.clone(),
         }
     }

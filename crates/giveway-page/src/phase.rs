@@ -24,6 +24,8 @@ pub enum Phase {
     Comparing,
     /// An agent is led by hand.
     Steering,
+    /// A plan of elsewhere is judged.
+    Auditing,
     /// There is a plan, with a proof that none is better.
     Planned,
     /// There is no plan, with a proof.
@@ -46,6 +48,7 @@ impl State {
             Mode::Changing(_) => return Phase::Changing,
             Mode::Comparing(_) | Mode::Stuck(..) => return Phase::Comparing,
             Mode::Steering(_) | Mode::Judging(..) => return Phase::Steering,
+            Mode::Auditing(_) | Mode::Querying(..) => return Phase::Auditing,
             Mode::Editing | Mode::Asking(_) => {}
         }
         if self.document.own_front().is_some_and(Front::is_whole) {

@@ -128,8 +128,9 @@ fn between((begin, from): (f64, Cell), (end, to): (f64, Cell), time: f64) -> Poi
 
 fn middle(cell: Cell) -> Point {
     Point {
-        x: f64::from(cell.x),
-        y: f64::from(cell.y),
+        // A plan of elsewhere may lead left of the map, or above it.
+        x: f64::from(cell.x.cast_signed()),
+        y: f64::from(cell.y.cast_signed()),
     }
 }
 

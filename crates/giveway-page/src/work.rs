@@ -151,6 +151,18 @@ impl Work {
         }
     }
 
+    /// A person asks for what runs already: its answer is a step of its own then.
+    /// `false` where nothing is solved.
+    pub(crate) fn ask_for(&mut self) -> bool {
+        match self.job.as_mut().map(|job| &mut job.task) {
+            Some(Task::Solve(run)) => {
+                run.arrival = Arrival::Step;
+                true
+            }
+            _ => false,
+        }
+    }
+
     /// Starts a task in the place of what ran.
     pub(crate) fn start(&mut self, task: Task) {
         self.started += 1;
@@ -192,7 +204,7 @@ impl Task {
             Self::Solve(solving) => {
                 Rc::ptr_eq(&solving.draft, &document.draft)
                     && solving.request.within == document.within
-                    && document.mode == Mode::Editing
+                    && matches!(document.mode, Mode::Editing | Mode::Auditing(_))
             }
             Self::Explain(request) => asks(request),
             Self::Certify(run) => match &run.about {

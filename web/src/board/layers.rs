@@ -3,6 +3,7 @@
 use std::rc::Rc;
 
 use giveway_model::{Cell, sorting};
+use giveway_page::audit::ahead;
 use giveway_page::board::{Cast, Detail, FloorLook, Frame};
 use yew::prelude::*;
 
@@ -29,7 +30,7 @@ pub(super) fn layers(
             <FloorShapes draft={Rc::clone(state.world())} look={FloorLook::of(frame.cell_px)}
                 used_by={state.view.layers.heat.then(|| Rc::clone(cast))} />
             if state.view.layers.trails {
-                <Ways cast={Rc::clone(cast)} {selected} />
+                <Ways cast={Rc::clone(cast)} {selected} ahead={ahead(state)} />
             }
             <Agents cast={Rc::clone(cast)} versus={versus.cloned()} {detail} {selected} />
             <Marks cast={Rc::clone(cast)} {detail} />

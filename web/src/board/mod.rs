@@ -42,6 +42,7 @@ use legend::{Under, under};
 pub(crate) use picture::picture;
 pub(crate) use preview::Preview;
 use reasons::ReasonMarks;
+pub(crate) use reasons::STAR;
 pub(crate) use small::Small;
 pub(crate) use still::Still;
 use viewport::use_viewport;

@@ -1,13 +1,14 @@
 //! The reasons of an answer, drawn over the map; what is against the rules of a
 //! plan of one's own.
 
-use giveway_page::board::{Place, Reasons, Spot, Try};
+use giveway_model::Cell;
+use giveway_page::board::{Later, Place, Reasons, Spot, Try};
 use yew::prelude::*;
 
 use super::layers::square;
 
 /// A star with twelve points, and an exclamation mark.
-const STAR: &str = "M0-30 6.5-20 17.6-24.3 17-12.3 28.5-9.3 21 0 28.5 9.3 17 12.3 17.6 24.3 6.5 20 0 30-6.5 20-17.6 24.3-17 12.3-28.5 9.3-21 0-28.5-9.3-17-12.3-17.6-24.3-6.5-20Z";
+pub(crate) const STAR: &str = "M0-30 6.5-20 17.6-24.3 17-12.3 28.5-9.3 21 0 28.5 9.3 17 12.3 17.6 24.3 6.5 20 0 30-6.5 20-17.6 24.3-17 12.3-28.5 9.3-21 0-28.5-9.3-17-12.3-17.6-24.3-6.5-20Z";
 
 #[derive(Clone, PartialEq, Properties)]
 pub(super) struct ReasonsProps {
@@ -36,6 +37,25 @@ pub(super) fn ReasonMarks(props: &ReasonsProps) -> Html {
             </g>
         }
     };
+    let later = |later: &Later| {
+        let (x, y) = later.at;
+        // The time stands on the upper edge of its cell, on the lower one where the
+        // map ends above it; or in the middle of its edge.
+        let up = match (later.is_cell, y < 100.0) {
+            (true, false) => -49.0,
+            (true, true) => 49.0,
+            (false, _) => 0.0,
+        };
+        html! {
+            <g class="later-at" transform={format!("translate({x} {y})")}>
+                if later.is_cell { <rect x="-43" y="-43" width="86" height="86" rx="14" /> }
+                <g transform={format!("translate(0 {up})")}>
+                    <rect class="pill" x="-42" y="-15" width="84" height="30" rx="15" />
+                    <text y="6">{ format!("time {}", later.time) }</text>
+                </g>
+            </g>
+        }
+    };
     let end = |end: &Try| {
         let (x, y) = end.at;
         html! {
@@ -50,7 +70,9 @@ pub(super) fn ReasonMarks(props: &ReasonsProps) -> Html {
             { for props.reasons.tries.iter().map(end) }
             { for props.reasons.places.iter().map(place) }
             { for props.reasons.spots.iter().map(spot) }
+            { for props.reasons.frames.iter().map(|&cell: &Cell| square("vcell", cell, 4)) }
             { for props.reasons.bursts.iter().map(burst) }
+            { for props.reasons.later.iter().map(later) }
         </g>
     }
 }

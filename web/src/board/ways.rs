@@ -23,6 +23,8 @@ const MOST: usize = 64;
 pub(super) struct WaysProps {
     pub(super) cast: Rc<Cast>,
     pub(super) selected: Option<usize>,
+    /// Whose ways ahead are drawn; all where there is none.
+    pub(super) ahead: Option<Vec<usize>>,
 }
 
 /// The ways.
@@ -33,7 +35,9 @@ pub(super) fn Ways(props: &WaysProps) -> Html {
     let shown: Vec<usize> = if count <= MOST {
         (0..count).collect()
     } else {
-        props.selected.into_iter().collect()
+        let concerned = props.ahead.iter().flatten().copied();
+        let concerned = concerned.filter(|&agent| agent < count);
+        props.selected.into_iter().chain(concerned).collect()
     };
     {
         let (cast, shown) = (Rc::clone(&props.cast), shown.clone());
@@ -50,9 +54,13 @@ pub(super) fn Ways(props: &WaysProps) -> Html {
             }
         });
     }
+    let is_calm = |agent: usize| {
+        let ahead = props.ahead.as_ref();
+        ahead.is_some_and(|ahead| !ahead.contains(&agent))
+    };
     let lines = |&agent: &usize| {
         html! {
-            <g key={agent} class={form::class(agent)}>
+            <g key={agent} class={classes!(form::class(agent), is_calm(agent).then_some("no-ahead"))}>
                 <polyline class="trail" />
                 <polyline class="ahead-halo" />
                 <polyline class="ahead" />

@@ -6,6 +6,7 @@ mod frame;
 mod help;
 mod new_scene;
 mod popover;
+mod save_as;
 mod scenes;
 mod share;
 
@@ -18,6 +19,7 @@ pub(crate) use examples::Examples;
 pub(crate) use help::help;
 pub(crate) use new_scene::NewScene;
 pub(crate) use popover::use_dismiss;
+pub(crate) use save_as::SaveAs;
 pub(crate) use scenes::Scenes;
 pub(crate) use share::Share;
 
@@ -41,6 +43,8 @@ pub(crate) enum Panel {
     Agents(Rc<Choice>),
     /// The size and name of a new scene.
     New,
+    /// Formats of other makers, to save in.
+    SaveAs,
     /// The scenes that are kept.
     Scenes,
     /// The link, to be copied.

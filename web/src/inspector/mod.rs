@@ -3,6 +3,7 @@
 
 mod agent;
 mod answer;
+mod audit;
 mod cell;
 mod change;
 mod edit;
@@ -36,6 +37,10 @@ pub fn Inspector(props: &InspectorProps) -> Html {
         .mode
         .steering()
         .map_or(0, |own| own.agent + 1);
+    let opened = use_state_eq(String::new);
+    let elsewhere = giveway_page::audit::facts(state);
+    // Another agent or a cell is looked at in between.
+    let elsewhere = elsewhere.filter(|_| state.view.selection == Selection::Nothing);
     // Without a plan a phone has no tabs: this place is all there is.
     let alone = state.plan().is_none().then_some("alone");
     html! {
@@ -43,6 +48,12 @@ pub fn Inspector(props: &InspectorProps) -> Html {
             if let Some(card) = ask::card(state) {
                 <div class="scroll">{ answer::show(&card, send) }{ proof::show(state, send) }</div>
                 { answer::foot(&card, send) }
+            } else if let Some(facts) = &elsewhere {
+                <div class="scroll" key={format!("audit {}", facts.file)}>
+                    { audit::show(facts, &opened, send) }
+                    { questions::show(&ask::offers(state), send) }
+                </div>
+                { audit::foot(facts, state.view.is_wide, send) }
             } else {
                 <div class="scroll" key={led}>
                     { content(state, send) }

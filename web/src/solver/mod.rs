@@ -18,8 +18,12 @@ use yew::prelude::*;
 
 use crate::Shown;
 use crate::held::Held;
-use program::Program;
-use worker::{Event, Hired};
+pub(crate) use program::Program;
+pub(crate) use worker::{Event, Hired};
+
+/// What the page's HTML calls the solver, and the reader.
+const SOLVER: &str = "solver";
+pub(crate) const READER: &str = "reader";
 
 /// Runs what [`Work`] says, and sends what the solver tells.
 #[hook]
@@ -59,7 +63,7 @@ impl Solver {
     fn new(send: Callback<Action>) -> Self {
         let solver = Self(Rc::new(Inner {
             send,
-            program: Rc::default(),
+            program: Rc::new(Program::new(SOLVER)),
             worker: Held::default(),
             run: Cell::default(),
             waiting: Held::default(),
@@ -99,7 +103,8 @@ impl Solver {
     fn hire(&self) {
         drop(self.0.worker.take());
         let solver = self.clone();
-        match Hired::start(Rc::clone(&self.0.program), move |event| solver.hear(event)) {
+        let hear = Rc::new(move |event| solver.hear(event));
+        match Hired::start(Rc::clone(&self.0.program), SOLVER, hear) {
             Ok(hired) => self.0.worker.set(Some(Rc::new(hired))),
             Err(sentence) => self.fail(sentence, false),
         }
@@ -118,7 +123,12 @@ impl Solver {
 
     fn hear(&self, event: Event) {
         match event {
-            Event::Said(message) => self.read(*message),
+            Event::Said(bytes) => match Message::from_bytes(&bytes) {
+                Ok(message) => self.read(message),
+                Err(error) => {
+                    self.broken(format!("The solver said what nobody understands: {error}"));
+                }
+            },
             Event::Broke(sentence) => self.broken(sentence),
         }
     }

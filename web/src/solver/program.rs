@@ -1,4 +1,4 @@
-//! The solver's Wasm: fetched and compiled once, for all workers.
+//! The Wasm of a worker: fetched and compiled once, for all workers.
 
 use std::rc::Rc;
 
@@ -14,33 +14,43 @@ use crate::held::Held;
 const TYPE: &str = "application/wasm";
 
 /// The program, or the way to it.
-#[derive(Default)]
-pub(super) struct Program(Held<Option<Rc<Promise>>>);
+pub(crate) struct Program {
+    name: &'static str,
+    promise: Held<Option<Rc<Promise>>>,
+}
 
 impl Program {
+    /// A program by the name that the page's HTML has for it.
+    pub(crate) fn new(name: &'static str) -> Self {
+        Self {
+            name,
+            promise: Held::default(),
+        }
+    }
+
     /// The compiled module, fetched at the first call; at the next one, too,
     /// where that failed.
     ///
     /// # Errors
     /// Why it is not there, as a sentence.
     pub(super) async fn module(&self) -> Result<JsValue, String> {
-        let promise = self.0.get().unwrap_or_else(|| {
-            let promise = Rc::new(future_to_promise(compile()));
-            self.0.set(Some(Rc::clone(&promise)));
+        let promise = self.promise.get().unwrap_or_else(|| {
+            let promise = Rc::new(future_to_promise(compile(self.name)));
+            self.promise.set(Some(Rc::clone(&promise)));
             promise
         });
         let module = JsFuture::from(Promise::clone(&promise)).await;
         module.map_err(|error| {
-            self.0.set(None);
+            self.promise.set(None);
             let error = js_sys::Error::from(error).message();
-            format!("The browser could not load the solver: {error}")
+            format!("The browser could not load the {}: {error}", self.name)
         })
     }
 }
 
-async fn compile() -> Result<JsValue, JsValue> {
+async fn compile(name: &'static str) -> Result<JsValue, JsValue> {
     let refuse = |sentence: String| JsValue::from(js_sys::Error::new(&sentence));
-    let address = written("giveway-solver").map_err(refuse)?;
+    let address = written(&format!("giveway-{name}")).map_err(refuse)?;
     let fetched = JsFuture::from(gloo::utils::window().fetch_with_str(&address)).await?;
     let response: Response = fetched.unchecked_into();
     if !response.ok() {

@@ -3,7 +3,6 @@
 use std::cell::Cell;
 use std::rc::Rc;
 
-use giveway_wasm::protocol::Message;
 use gloo::events::EventListener;
 use gloo::timers::callback::Timeout;
 use js_sys::Uint8Array;
@@ -20,15 +19,15 @@ use crate::held::Held;
 const PATIENCE_MS: u32 = 60_000;
 
 /// What is heard of a worker.
-pub(super) enum Event {
-    /// It said something.
-    Said(Box<Message>),
+pub(crate) enum Event {
+    /// It said something: a message in bytes.
+    Said(Vec<u8>),
     /// It is of no more use, for this reason.
     Broke(String),
 }
 
 /// A worker; it is ended when this is dropped.
-pub(super) struct Hired {
+pub(crate) struct Hired {
     worker: Worker,
     is_ready: Cell<bool>,
     patience: Held<Option<Timeout>>,
@@ -49,12 +48,12 @@ impl Hired {
     ///
     /// # Errors
     /// Why the browser starts none, as a sentence.
-    pub(super) fn start(
+    pub(crate) fn start(
         program: Rc<Program>,
-        hear: impl Fn(Event) + 'static,
+        name: &'static str,
+        hear: Rc<dyn Fn(Event)>,
     ) -> Result<Self, String> {
-        let hear = Rc::new(hear);
-        let address = written("giveway-worker")?;
+        let address = written(&format!("giveway-{name}-worker"))?;
         let worker = begin(&address).map_err(|error| {
             let error = js_sys::Error::from(error).message();
             format!("The browser allows no worker: {error}")
@@ -89,8 +88,8 @@ impl Hired {
             }
         });
         let patience = Timeout::new(PATIENCE_MS, move || {
-            let sentence = "The solver's file did not arrive within a minute.";
-            hear(Event::Broke(sentence.to_owned()));
+            let sentence = format!("The {name}'s file did not arrive within a minute.");
+            hear(Event::Broke(sentence));
         });
         Ok(Self {
             worker,
@@ -102,18 +101,18 @@ impl Hired {
     }
 
     /// Whether it listens.
-    pub(super) fn is_ready(&self) -> bool {
+    pub(crate) fn is_ready(&self) -> bool {
         self.is_ready.get()
     }
 
     /// It said that it listens.
-    pub(super) fn set_ready(&self) {
+    pub(crate) fn set_ready(&self) {
         self.is_ready.set(true);
         self.patience.set(None);
     }
 
     /// Posts bytes, which cannot fail.
-    pub(super) fn post(&self, bytes: &[u8]) {
+    pub(crate) fn post(&self, bytes: &[u8]) {
         let _ = self.worker.post_message(&Uint8Array::from(bytes));
     }
 }
@@ -121,10 +120,7 @@ impl Hired {
 fn said(event: &web_sys::Event) -> Event {
     let data = event.dyn_ref().map(MessageEvent::data);
     let bytes = data.and_then(|data| data.dyn_ref().map(Uint8Array::to_vec));
-    match Message::from_bytes(&bytes.unwrap_or_default()) {
-        Ok(message) => Event::Said(Box::new(message)),
-        Err(error) => Event::Broke(format!("The solver said what nobody understands: {error}")),
-    }
+    Event::Said(bytes.unwrap_or_default())
 }
 
 fn broke(event: &web_sys::Event) -> Event {
@@ -151,5 +147,5 @@ pub(super) fn written(name: &str) -> Result<String, String> {
         .ok()
         .flatten()
         .and_then(|it| it.get_attribute("content"));
-    value.ok_or_else(|| "The page does not say where the solver is.".to_owned())
+    value.ok_or_else(|| format!("The page does not say where {name} is."))
 }

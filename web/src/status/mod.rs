@@ -114,6 +114,12 @@ fn solve_button(state: &Shown, send: &Callback<Action>) -> Html {
             "Cancel (Escape)",
             Action::Solve(SolveAction::Cancel),
         ),
+        // It runs by itself: the next step is at the foot of the inspector.
+        Phase::Solving if state.audit().is_some() => (
+            "outline",
+            "Cancel (Escape)",
+            Action::Solve(SolveAction::Cancel),
+        ),
         Phase::Solving | Phase::Asking | Phase::Checking | Phase::Adapting => (
             "primary",
             "Cancel (Escape)",

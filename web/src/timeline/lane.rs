@@ -7,6 +7,7 @@ use giveway_page::timeline::{Axis, Lane, Row, Shapes};
 use yew::prelude::*;
 
 use super::same::Same;
+use crate::board::STAR;
 use crate::glyph;
 
 /// The bolt and the flag of the icons, for use among the bars.
@@ -31,6 +32,8 @@ pub(super) struct LaneRowProps {
     pub selected: bool,
     /// Whether the tab key comes to it.
     pub tab_stop: bool,
+    /// The times at which something is against the rules.
+    pub bursts: Vec<f64>,
     /// Takes the index of the lane that was picked.
     pub pick: Callback<usize>,
 }
@@ -75,6 +78,7 @@ pub(super) fn LaneRow(props: &LaneRowProps) -> Html {
                     }
                 </span>
             </button>
+            if !props.bursts.is_empty() { { bursts(props) } }
             if let Some(other) = other {
                 <div class="halves">
                     { bars("This plan", [&props.lanes, &props.others], [index, other]) }
@@ -85,6 +89,28 @@ pub(super) fn LaneRow(props: &LaneRowProps) -> Html {
                     axis={props.axis} row={props.row} columns={props.columns.clone()} />
             }
         </div>
+    }
+}
+
+/// A burst in a ring at each time at which something is against the rules.
+fn bursts(props: &LaneRowProps) -> Html {
+    let LaneRowProps { axis, row, .. } = props;
+    let is_seen = |time: &&f64| {
+        let columns = &props.columns;
+        **time >= f64::from(columns.start) && **time <= f64::from(columns.end)
+    };
+    let one = |time: &f64| {
+        let (x, y) = (axis.x(*time), row.middle());
+        html! {
+            <g key={time.to_string()} transform={format!("translate({x} {y})")}>
+                <circle r="9" /><path transform="scale(0.19)" d={STAR} />
+            </g>
+        }
+    };
+    html! {
+        <svg class="bars bad-at" width={axis.width().to_string()} height={row.height.to_string()} aria-hidden="true">
+            { for props.bursts.iter().filter(is_seen).map(one) }
+        </svg>
     }
 }
 

@@ -65,12 +65,13 @@ pub fn Dock(props: &DockProps) -> Html {
                 | Phase::Adapting
                 | Phase::Comparing
                 | Phase::Steering
+                | Phase::Auditing
         ) || ask::offers_next_step(state);
         let stale = state.document.is_stale();
         return html! {
             <section class={classes!("dock", calm.then_some("calm"), stale.then_some("stale"))} aria-label="Timeline">
                 { transport(props) }
-                <Tabs tab={state.view.tab} send={send.clone()} />
+                <Tabs tab={state.view.tab} checks={state.audit().is_some()} send={send.clone()} />
                 <Plan answer={Same::new(answer)} beside={state.beside().cloned().map(Same::new)} state={state.clone()} send={send.clone()} />
             </section>
         };

@@ -2,6 +2,7 @@
 
 use std::rc::Rc;
 
+use giveway_page::audit;
 use giveway_page::steering::Steering;
 use giveway_page::timeline::{Lane, Row};
 use giveway_page::{Action, Answer, BoardAction, Selection, changing, table};
@@ -139,6 +140,7 @@ pub(super) fn Plan(props: &PlanProps) -> Html {
     let lane_row = |index: usize| {
         html! {
             <LaneRow key={index} lanes={lanes.clone()} others={others.clone()} {index} {axis} {row} columns={seen.columns.clone()}
+                bursts={lanes.get(index).map(|lane| audit::bursts_of(state, &lane.name)).unwrap_or_default()}
                 level={lanes.get(index).and_then(|lane| lane.level_at(time))}
                 fate={lanes.get(index).and_then(|lane| changing::fate(state, &lane.name))} selected={selected == Some(index)}
                 tab_stop={index == tab_stop} pick={pick.clone()} />

@@ -7,6 +7,8 @@ use yew::prelude::*;
 #[derive(Clone, PartialEq, Properties)]
 pub(super) struct TabsProps {
     pub tab: Tab,
+    /// Whether a plan of elsewhere is checked.
+    pub checks: bool,
     pub send: Callback<Action>,
 }
 
@@ -19,7 +21,7 @@ const TABS: [(Tab, &str, &str); 3] = [
 /// The tabs; wider pages show all three places at once and no tabs.
 #[component]
 pub(super) fn Tabs(props: &TabsProps) -> Html {
-    let TabsProps { tab, send } = props;
+    let TabsProps { tab, checks, send } = props;
     let list = use_node_ref();
     let onkeydown = {
         let (list, send, tab) = (list.clone(), send.clone(), *tab);
@@ -49,6 +51,10 @@ pub(super) fn Tabs(props: &TabsProps) -> Html {
     };
     let one = |&(choice, name, place): &(Tab, &'static str, &'static str)| {
         let is_shown = choice == *tab;
+        let name = match choice {
+            Tab::Inspector if *checks => "Check",
+            _ => name,
+        };
         html! {
             <button type="button" role="tab" aria-selected={is_shown.to_string()} aria-controls={place}
                 tabindex={if is_shown { "0" } else { "-1" }}

@@ -38,17 +38,24 @@ pub(super) fn save_items(state: &Shown, send: &Callback<Action>, show: &Callback
     };
     let answer = state.document.fresh_answer();
     let has_changes = answer.is_some_and(|answer| answer.course.is_some());
-    let has_plan = answer.and_then(|answer| answer.plan()).is_some();
+    let has_plan = answer.and_then(|answer| answer.plan()).is_some() || state.audit().is_some();
     let scene = press(|state, _| crate::files::save(&files::scene_file(state)));
     let plan = press(|state, _| save_if(files::plan_file(state)));
     let changes = press(|state, _| save_if(files::changes_file(state)));
     let svg = press(|state, send| crate::files::save_picture(state, false, send));
     let png = press(|state, send| crate::files::save_picture(state, true, send));
+    let other = show.reform(|_: MouseEvent| Panel::SaveAs);
+    let others = if state.audit().is_some() {
+        "Report, other formats"
+    } else {
+        "Other formats"
+    };
     html! {
         <>
             { item("save", "Save scene", scene) }
             if has_plan { { item("save", "Save plan", plan) } }
             if has_changes { { item("save", "Save changes", changes) } }
+            { item("save", others, other) }
             { item("save", "Save picture (SVG)", svg) }
             { item("save", "Save picture (PNG)", png) }
         </>

@@ -1,8 +1,11 @@
 //! Who is on the board, with all that moves.
 
+use std::collections::BTreeMap;
 use std::rc::Rc;
 
 use giveway_model::Agent;
+use giveway_model::check::Rule;
+use giveway_model::format::foreign::Heading;
 
 use super::{Mark, Pose, Track, Way, marks};
 use crate::{Answer, Draft, State};
@@ -22,6 +25,8 @@ pub struct Cast {
     /// Whether each is there at the time shown: where the world changes, some
     /// come later, and some are removed.
     pub is_there: Vec<bool>,
+    /// Who is on one cell with others, and when: of a plan of elsewhere.
+    asides: BTreeMap<usize, Vec<Aside>>,
     /// The answer that holds the plan.
     answer: Option<Rc<Answer>>,
     /// Where each agent stands in that plan; `None` for one of which it has none.
@@ -83,12 +88,17 @@ impl Cast {
             let until = answer.zip(solved);
             let until = until.and_then(|(answer, index)| answer.removed(index));
             let track = Track::new(path, charges, battery, at_goal);
-            track.between(from, until)
+            let track = track.between(from, until);
+            match answer.and_then(|answer| headings(state, answer, &agent.name)) {
+                Some(headings) => track.turning(headings),
+                None => track,
+            }
         };
         let tracks: Vec<Track> = agents.iter().enumerate().map(track).collect();
         Self {
             ways: ways(&tracks, &is_there),
             marks: marks_of(&agents, &tracks, &is_there),
+            asides: answer.map_or_else(BTreeMap::new, |answer| asides(state, answer, &agents)),
             tracks,
             agents,
             is_there,
@@ -109,13 +119,76 @@ impl Cast {
 
     /// An agent at a time that need not be whole.
     pub fn pose(&self, agent: usize, time: f64) -> Option<Pose> {
-        self.tracks.get(agent)?.pose(time)
+        let pose = self.tracks.get(agent)?.pose(time)?;
+        let aside = self.asides.get(&agent).and_then(|at| aside(at, time));
+        Some(Pose { aside, ..pose })
     }
 
     /// Whether there is a plan to show.
     pub const fn has_plan(&self) -> bool {
         self.answer.is_some()
     }
+}
+
+/// A time at which an agent is on one cell with another, and on which side of it.
+#[derive(Clone, Copy, Debug, PartialEq)]
+struct Aside {
+    time: f64,
+    is_left: bool,
+}
+
+/// How much smaller two robots on one cell are drawn, and how far apart in cells.
+const TWO: (f64, f64) = (0.74, 0.44);
+
+/// Who is on one cell with another one, by the rules that a plan of elsewhere breaks.
+fn asides(state: &State, answer: &Rc<Answer>, agents: &[Agent]) -> BTreeMap<usize, Vec<Aside>> {
+    let mut asides: BTreeMap<usize, Vec<Aside>> = BTreeMap::new();
+    let plans = state.audit().into_iter().flat_map(|audit| &audit.plans);
+    let mut own = plans.filter(|dropped| Rc::ptr_eq(&dropped.answer, answer));
+    let violations = own
+        .next()
+        .into_iter()
+        .flat_map(|dropped| &dropped.violations);
+    let meets = violations
+        .filter(|violation| violation.rule == Rule::Vertex)
+        .take(1000);
+    for violation in meets {
+        for (index, name) in violation.agents.iter().enumerate() {
+            if let Some(agent) = agents.iter().position(|agent| agent.name == *name) {
+                asides.entry(agent).or_default().push(Aside {
+                    time: f64::from(violation.time),
+                    is_left: index == 0,
+                });
+            }
+        }
+    }
+    asides
+}
+
+/// How far an agent makes way at a time: wholly when both are on the cell, and the
+/// less the further away that time is.
+fn aside(times: &[Aside], time: f64) -> Option<(f64, f64)> {
+    let share = |aside: &Aside| 1.0 - 2.0 * (time - aside.time).abs();
+    let near = times.iter().max_by(|a, b| share(a).total_cmp(&share(b)))?;
+    let share = share(near);
+    let side = if near.is_left { -0.5 } else { 0.5 };
+    (share > 0.0).then_some((side * TWO.1 * share, 1.0 - (1.0 - TWO.0) * share))
+}
+
+/// Where an agent of a plan of elsewhere looks at each time, where it turns in
+/// place.
+fn headings(state: &State, answer: &Rc<Answer>, name: &str) -> Option<Vec<f64>> {
+    let plans = &state.audit()?.plans;
+    let mut plans = plans.iter();
+    let dropped = plans.find(|dropped| Rc::ptr_eq(&dropped.answer, answer))?;
+    let degrees = |heading: &Heading| match heading {
+        Heading::East => 0.0,
+        Heading::South => 90.0,
+        Heading::West => 180.0,
+        Heading::North => 270.0,
+    };
+    let headings = dropped.file.headings.get(name)?.iter().map(degrees);
+    Some(headings.collect())
 }
 
 fn there(state: &State) -> Vec<bool> {

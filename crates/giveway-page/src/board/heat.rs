@@ -6,6 +6,7 @@ use std::fmt::Write;
 use giveway_model::Cell;
 
 use super::{CELL, Cast, whole};
+use crate::MAX_SIDE;
 
 /// Shades of use, from the least used cells to the most used ones.
 pub const SHADES: usize = 4;
@@ -18,7 +19,9 @@ pub fn heat(cast: &Cast) -> [String; SHADES] {
     let uses = uses(cast);
     let most = uses.values().copied().max().unwrap_or(1);
     let side = whole(CELL);
-    for (cell, steps) in uses {
+    // A plan of elsewhere may lead off the map.
+    let on_page = |(cell, _): &(Cell, usize)| cell.x < MAX_SIDE && cell.y < MAX_SIDE;
+    for (cell, steps) in uses.into_iter().filter(on_page) {
         let shade = (steps * SHADES - 1) / most;
         let path = &mut paths[shade.min(SHADES - 1)];
         let (x, y) = (side * cell.x, side * cell.y);

@@ -12,6 +12,8 @@ pub enum Kind {
     Problem,
     /// Something is against the rules at the time shown.
     Burst,
+    /// Something is against the rules at another time.
+    Later,
     /// A fact that, with others, rules every plan out.
     Reason,
     /// The best try at a plan ends there.
@@ -42,6 +44,7 @@ impl Kind {
         match self {
             Self::Problem => "Problem: press to see it",
             Self::Burst => "Against a rule at this time",
+            Self::Later => "Against a rule at another time",
             Self::Reason => "Part of the reason",
             Self::Try => "The best try ends here",
             Self::Differs => "Elsewhere in the other plan",
@@ -60,6 +63,7 @@ impl Kind {
     pub const fn class(self) -> &'static str {
         match self {
             Self::Problem => "k-problem",
+            Self::Later => "k-later",
             Self::Reason => "k-core",
             Self::Burst | Self::Try => "k-burst",
             Self::Differs => "k-diff",
@@ -91,6 +95,7 @@ pub fn legend(state: &State, cast: &Cast) -> Vec<Kind> {
             problems.iter().any(|problem| problem.cell.is_some()),
         ),
         (Kind::Burst, !reasons.bursts.is_empty()),
+        (Kind::Later, !reasons.later.is_empty()),
         (Kind::Reason, !reasons.places.is_empty()),
         (Kind::Try, !reasons.tries.is_empty()),
         (Kind::Differs, state.beside().is_some()),

@@ -28,7 +28,7 @@ pub use legend::{Kind, legend};
 pub use marks::{Mark, MarkKind, marks};
 pub use names::{CellNames, Window};
 pub use occupied::Occupied;
-pub use reasons::{Place, Reasons, Spot, Try, reasons};
+pub use reasons::{Later, Place, Reasons, Spot, Try, reasons};
 pub use track::{Badge, Charge, Pose, Track};
 pub use way::{Way, WayEnds};
 

@@ -6,8 +6,9 @@ use giveway_solve::explain::{Fact, FactKind};
 
 use super::CELL;
 use crate::ask::numbers_facts;
+use crate::audit::Audit;
 use crate::steering::Steering;
-use crate::{Asking, Lit, State};
+use crate::{Asking, Lit, MAX_SIDE, State};
 
 /// A number on the map: the same as in the list beside it.
 #[derive(Clone, Debug, PartialEq)]
@@ -53,10 +54,37 @@ pub struct Reasons {
     /// What is against the rules of a plan of one's own at the time shown: the
     /// middles, in units.
     pub bursts: Vec<(f64, f64)>,
+    /// The cells where that is so in a plan of elsewhere.
+    pub frames: Vec<Cell>,
+    /// What is against the rules of it at other times.
+    pub later: Vec<Later>,
+}
+
+/// A place where something is against the rules at another time.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Later {
+    /// The middle of it, in units.
+    pub at: (f64, f64),
+    /// Whether it is a cell, not an edge.
+    pub is_cell: bool,
+    /// When, in steps.
+    pub time: u32,
 }
 
 /// The numbers that are drawn: more would cover the map.
 const SPOTS: usize = 12;
+
+/// From the middle of a cell to the burst at its upper right corner, in units.
+const BURST: (f64, f64) = (42.0, 46.0);
+
+/// The places of the time shown that are drawn.
+const NOW: usize = 200;
+
+/// So many broken rules before and after the time shown are looked at.
+const AROUND: usize = 100;
+
+/// The places of other times that are drawn.
+const LATER: usize = 8;
 
 /// From the middle of a cell to a number in its corner, across and down, in units.
 const CORNER: f64 = 34.0;
@@ -67,6 +95,9 @@ pub fn reasons(state: &State) -> Reasons {
     let mut reasons = Reasons::default();
     let Some(asking) = state.document.mode.asking() else {
         reasons.bursts = bursts(state);
+        if let Some(audit) = state.audited() {
+            in_audit(&mut reasons, audit, state.view.playback.time);
+        }
         return reasons;
     };
     let Some(told) = asking.told.as_deref().filter(|_| is_this(asking, state)) else {
@@ -113,7 +144,7 @@ pub fn reasons(state: &State) -> Reasons {
 
 /// The middle of a cell, in units.
 fn middle(cell: Cell) -> (f64, f64) {
-    let middle = |n: u32| (f64::from(n) + 0.5) * CELL;
+    let middle = |n: u32| (f64::from(n.cast_signed()) + 0.5) * CELL;
     (middle(cell.x), middle(cell.y))
 }
 
@@ -174,6 +205,47 @@ fn bursts(state: &State) -> Vec<(f64, f64)> {
         }
     }
     bursts
+}
+
+/// What is against the rules of a plan of elsewhere: frames at the time shown, and
+/// dotted ones at other times, the nearest first.
+fn in_audit(reasons: &mut Reasons, audit: &Audit, time: u32) {
+    for violation in audit.plan.now(time) {
+        let Some(at) = place(violation) else { continue };
+        // At the corner of a cell, so that who stands on it can be seen.
+        let burst = match violation.cell {
+            Some(_) => (at.0 + BURST.0, at.1 - BURST.1),
+            None => at,
+        };
+        if reasons.bursts.len() < NOW && !reasons.bursts.contains(&burst) {
+            reasons.bursts.push(burst);
+            let on_page = |cell: &Cell| cell.x < MAX_SIDE && cell.y < MAX_SIDE;
+            reasons.frames.extend(violation.cell.filter(on_page));
+        }
+    }
+    let others = audit.plan.around(time, AROUND).iter();
+    let mut others: Vec<&Violation> = others.filter(|violation| violation.time != time).collect();
+    others.sort_by_key(|violation| violation.time.abs_diff(time));
+    for violation in others {
+        if reasons.later.len() == LATER {
+            break;
+        }
+        let is_now = violation
+            .cell
+            .is_some_and(|cell| reasons.frames.contains(&cell));
+        let is_new = |at: &(f64, f64)| {
+            !is_now
+                && !reasons.bursts.contains(at)
+                && reasons.later.iter().all(|later| later.at != *at)
+        };
+        if let Some(at) = place(violation).filter(is_new) {
+            reasons.later.push(Later {
+                at,
+                is_cell: violation.cell.is_some(),
+                time: violation.time,
+            });
+        }
+    }
 }
 
 /// Whether the plan asked about is the one that is shown.

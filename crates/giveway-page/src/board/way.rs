@@ -149,8 +149,9 @@ impl Way {
 
 fn middle(cell: Cell) -> Point {
     Point {
-        x: f64::from(cell.x),
-        y: f64::from(cell.y),
+        // A plan of elsewhere may lead left of the map, or above it.
+        x: f64::from(cell.x.cast_signed()),
+        y: f64::from(cell.y.cast_signed()),
     }
 }
 

@@ -2,6 +2,7 @@
 //! project's own JSON, opened together.
 
 use giveway_model::change::Changes;
+use giveway_model::check::check;
 use giveway_model::format::native;
 use giveway_model::{Fault, Plan, Scene};
 use serde_json::Value;
@@ -80,6 +81,14 @@ fn together(
         None => None,
         Some((file, text)) => Some(native::read_changes(text).map_err(|fault| one(file, fault))?),
     };
+    let mut names = draft.agents().iter().map(|agent| &agent.name);
+    let is_for_it = names.any(|name| told.paths.contains_key(name));
+    if let (None, Ok(instance)) = (&changed, draft.instance())
+        && is_for_it
+        && !check(instance, &told).is_valid()
+    {
+        return Ok(Reading::Illegal(vec![scene.clone(), plan.clone()]));
+    }
     let linked = link::judged(draft, told, changed);
     let linked = linked.map_err(|why| refusal(&plan.name, &why))?;
     Ok(Reading::Linked(Box::new(linked)))

@@ -14,7 +14,7 @@ use giveway_model::format::{movingai, native, read_text};
 use giveway_model::{Fault, Scene};
 
 use crate::link::{self, Linked};
-use crate::{Notice, State, words::count};
+use crate::{Notice, State, intake, words::count};
 use kind::Kind;
 
 pub use blank::blank;
@@ -26,7 +26,7 @@ pub use scenario::Choice;
 pub const MAX_BYTES: u64 = 10_000_000;
 
 /// A file, read wholly.
-#[derive(Clone, Debug, PartialEq, Eq)]
+#[derive(Clone, Debug, PartialEq, Eq, borsh::BorshSerialize, borsh::BorshDeserialize)]
 pub struct Opened {
     /// Its name, without folders.
     pub name: String,
@@ -43,15 +43,23 @@ pub enum Reading {
     Linked(Box<Linked>),
     /// A map and a scenario: a person chooses how many of its agents.
     Scenario(Box<Choice>),
+    /// A scene with a plan that breaks a rule: the reader brings it into an audit.
+    Illegal(Vec<Opened>),
 }
 
-/// Why a file is too large to be read at all, by its size in bytes.
+/// Why a file is too large to be read at all, by its size in bytes: plans of
+/// elsewhere may be larger than files of the page's own.
 pub fn too_large(name: &str, bytes: u64) -> Option<Notice> {
-    (bytes > MAX_BYTES).then(|| {
-        let megabytes = bytes.div_ceil(1_000_000);
+    larger_than(name, bytes, intake::MAX_BYTES)
+}
+
+fn larger_than(name: &str, bytes: u64, most: u64) -> Option<Notice> {
+    let megabytes = |bytes: u64| bytes.div_ceil(1_000_000);
+    (bytes > most).then(|| {
+        let (found, most) = (megabytes(bytes), megabytes(most));
         refusal(
             name,
-            &format!("found {megabytes} MB, expected at most 10 MB"),
+            &format!("found {found} MB, expected at most {most} MB"),
         )
     })
 }
@@ -114,6 +122,17 @@ pub fn read(files: &[Opened]) -> Result<Reading, Notice> {
 /// What a pasted text is called.
 const PASTED: &str = "Pasted text";
 
+/// A text that was pasted, as a file that is for the reader: it has several lines
+/// of what the page does not read by itself.
+pub fn pasted_for_reader(state: &State, text: &str) -> Option<Vec<Opened>> {
+    let files = vec![Opened {
+        name: PASTED.to_owned(),
+        bytes: text.as_bytes().to_vec(),
+    }];
+    let is_file = text.trim().contains('\n') && intake::is_for_reader(state, &files);
+    is_file.then_some(files)
+}
+
 /// Reads a text that was pasted: what a file may hold, a plan for the scene on
 /// the board, or a link of this page.
 ///
@@ -141,7 +160,7 @@ pub fn pasted(state: &State, text: &str) -> Result<Reading, Notice> {
 }
 
 fn text(file: &Opened) -> Result<&str, Notice> {
-    if let Some(notice) = too_large(&file.name, file.bytes.len() as u64) {
+    if let Some(notice) = larger_than(&file.name, file.bytes.len() as u64, MAX_BYTES) {
         return Err(notice);
     }
     read_text(&file.bytes).map_err(|fault| faulty(&file.name, &[fault]))

@@ -33,10 +33,15 @@ pub fn scene_file(state: &State) -> Saved {
 /// The plan of the scene, or that of one's own where one is led; `None` without one, and where it is stale, since it
 /// would not fit the scene that is saved.
 pub fn plan_file(state: &State) -> Option<Saved> {
-    let own = state.document.mode.steering().map(|own| &*own.answer);
-    let plan = own
-        .or(state.document.fresh_answer().map(Rc::as_ref))?
-        .plan()?;
+    let mode = &state.document.mode;
+    let own = mode.steering().map(|own| &*own.answer);
+    // A plan of elsewhere is saved as it was read.
+    let plan = match mode.audit() {
+        Some(audit) => &audit.plan.file.plan,
+        None => own
+            .or(state.document.fresh_answer().map(Rc::as_ref))?
+            .plan()?,
+    };
     let stem = file_stem(&state.document.draft.scene().name, "scene");
     Some(Saved {
         name: format!("{stem}-plan.json"),

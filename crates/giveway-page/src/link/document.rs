@@ -1,9 +1,10 @@
 //! A document as text: what a link shares of it, or all that the browser keeps.
 
 use std::fmt::Write as _;
+use std::rc::Rc;
 
 use super::text::escape;
-use super::{From, ask, change, claim, extras, knowledge, plan, scene, steering};
+use super::{From, ask, audit, change, claim, extras, knowledge, plan, scene, steering};
 use crate::{Answer, Colours, Document};
 
 /// The document as parts joined by `&`. What is written for anywhere holds no
@@ -20,6 +21,10 @@ pub(super) fn write(document: &Document, whom: From) -> String {
     }
     if let Some(answer) = document.fresh_answer() {
         text += &answered(answer, whom);
+    }
+    if let Some(about) = document.mode.audit() {
+        text += "&audit=";
+        text += &audit::write(about, document.plan());
     }
     if whom == From::Here {
         text += &kept(document);
@@ -63,6 +68,12 @@ fn kept(document: &Document) -> String {
     if let Some(stale) = document.answer.as_ref().filter(|_| document.is_stale()) {
         let whole = Document::answered(stale.draft.clone(), Some(stale.clone()));
         text += "&stale=";
+        text += &escape(&write(&whole, From::Here));
+    }
+    let ours = document.mode.audit().and_then(|audit| audit.ours.as_ref());
+    if let Some(ours) = ours {
+        let whole = Document::answered(Rc::clone(&ours.draft), Some(Rc::clone(ours)));
+        text += "&ours=";
         text += &escape(&write(&whole, From::Here));
     }
     if let Some(front) = document.found_front.as_deref()

@@ -7,6 +7,7 @@
 //! ```
 
 mod ask;
+mod audit;
 mod book;
 mod change;
 mod claim;

@@ -57,7 +57,7 @@ fn mode(state: &mut State, question: &Question) -> Option<Mode> {
             refuse(state, "Use a new plan first, or discard the changes.");
             None
         }
-        Mode::Editing | Mode::Asking(_) => {
+        Mode::Editing | Mode::Asking(_) | Mode::Auditing(_) | Mode::Querying(..) => {
             let Some(answer) = state.document.fresh_answer() else {
                 refuse(state, "Solve first: questions are about a plan.");
                 return None;
@@ -69,7 +69,10 @@ fn mode(state: &mut State, question: &Question) -> Option<Mode> {
                 refuse(state, &misfit.in_sentences());
                 return None;
             }
-            Some(Mode::Asking(asked(answer)))
+            Some(match state.document.mode.audit() {
+                Some(audit) => Mode::Querying(Rc::clone(audit), asked(answer)),
+                None => Mode::Asking(asked(answer)),
+            })
         }
     }
 }

@@ -50,6 +50,8 @@ pub(crate) fn settle(state: &mut State) {
         | Mode::Asking(_)
         | Mode::Comparing(_)
         | Mode::Stuck(..)
+        | Mode::Auditing(_)
+        | Mode::Querying(..)
         | Mode::Judging(..) => {}
     }
     let last = state.last_time();
@@ -159,6 +161,7 @@ fn edited(document: &Document, edits: &[Edit]) -> Result<Option<Document>, Notic
             edit if edit.is_afresh() => {
                 after.answer = None;
                 after.found_front = None;
+                after.leave_audit();
             }
             _ => {}
         }
@@ -179,8 +182,18 @@ impl Document {
     /// ends where that is no longer the plan of the scene.
     pub(super) fn set_draft(&mut self, draft: Draft) {
         self.draft = Rc::new(draft);
+        self.leave_audit();
         if self.is_stale() || self.answer.is_none() {
             self.mode = self.mode.unasked();
+        }
+    }
+}
+
+impl Document {
+    /// The plan of elsewhere is not for this scene any longer.
+    fn leave_audit(&mut self) {
+        if self.mode.audit().is_some() {
+            self.mode = Mode::Editing;
         }
     }
 }

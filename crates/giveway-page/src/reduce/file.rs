@@ -25,23 +25,25 @@ pub(super) fn file(state: &mut State, action: FileAction) {
 }
 
 /// Replaces the scene, if it can be drawn and solved.
-fn open(state: &mut State, scene: Scene) {
+pub(super) fn open(state: &mut State, scene: Scene) {
+    match drafted(scene) {
+        Ok(draft) => replace(state, Document::new(draft)),
+        Err(notice) => state.view.notice = Some(notice),
+    }
+}
+
+/// A scene that can be drawn and solved.
+///
+/// # Errors
+/// Why it cannot.
+pub(super) fn drafted(scene: Scene) -> Result<Draft, Notice> {
     let refused = |faults: &[Fault]| Notice {
         sentence: "The scene cannot be opened.".to_owned(),
         details: faults.iter().map(ToString::to_string).collect(),
     };
-    let draft = match Draft::new(scene) {
-        Ok(draft) => draft,
-        Err(faults) => {
-            state.view.notice = Some(refused(&faults));
-            return;
-        }
-    };
-    if let Err(faults) = draft.instance() {
-        state.view.notice = Some(refused(faults));
-        return;
-    }
-    replace(state, Document::new(draft));
+    let draft = Draft::new(scene).map_err(|faults| refused(&faults))?;
+    draft.instance().map_err(refused)?;
+    Ok(draft)
 }
 
 /// Replaces the document by that of a link, and asks its question: without a
@@ -66,7 +68,8 @@ fn open_link(state: &mut State, linked: Linked) {
     match linked.question {
         Some(question) if has_plan || state.document.answer.is_some() => ask::ask(state, &question),
         question => {
-            if question.is_some() || (has_plan && solve::is_small(&state.document) && !is_course) {
+            let is_unproved = has_plan && solve::is_small(&state.document) && !is_course;
+            if question.is_some() || is_unproved || state.audit().is_some() {
                 solve::start(state, solve::Start::of_link(question));
             }
         }
@@ -104,7 +107,7 @@ pub(super) fn resume(state: &mut State, moment: Moment) {
 }
 
 /// Puts another document onto the board, as one step of undo.
-fn replace(state: &mut State, document: Document) {
+pub(super) fn replace(state: &mut State, document: Document) {
     stroke::release(state);
     drop_gesture(state);
     state.displaced = None;

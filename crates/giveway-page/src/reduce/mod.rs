@@ -1,10 +1,12 @@
 //! From a state and an action to the next state.
 
 mod ask;
+mod audit;
 mod board;
 mod change;
 mod document;
 mod file;
+mod intake;
 mod job;
 mod play;
 mod press;
@@ -58,6 +60,8 @@ fn step(state: &mut State, action: Action) {
         Action::Ask(action) => ask::questions(state, action),
         Action::Change(action) => change::change(state, action),
         Action::Steer(lead) => steer::steer(state, lead),
+        Action::Audit(action) => audit::audit(state, action),
+        Action::Intake(action) => intake::intake(state, action),
         Action::Play(action) => play::play(state, action),
         Action::View(action) => view::view(state, &action),
         Action::Slot(action) => slot::slot(state, action),
@@ -85,6 +89,8 @@ pub(crate) const fn only_looks(action: &Action) -> bool {
         | Action::Ask(_)
         | Action::Change(_)
         | Action::Steer(_)
+        | Action::Audit(_)
+        | Action::Intake(_)
         | Action::Slot(_) => false,
     }
 }

@@ -46,7 +46,7 @@ impl State {
             Mode::Comparing(comparing) | Mode::Stuck(comparing, _) => {
                 return self.thing_in(comparing.changing.draft(), cell);
             }
-            Mode::Editing | Mode::Asking(_) => {}
+            Mode::Editing | Mode::Asking(_) | Mode::Auditing(_) | Mode::Querying(..) => {}
         }
         let draft = &self.document.draft;
         // What the scene is made of can only be moved where it is shown.

@@ -8,6 +8,7 @@ mod shown;
 mod world;
 
 use crate::history::Moment;
+use crate::intake::Intake;
 use crate::{Document, Draft, History, Place, Selection, Settings, View, Work};
 
 pub use displaced::{By, Displaced};
@@ -21,6 +22,8 @@ pub struct State {
     pub document: Document,
     /// What runs in the worker.
     pub work: Work,
+    /// Other people's files on their way in.
+    pub intake: Intake,
     /// What is shown of the document, and how.
     pub view: View,
     /// What a person set, for all scenes.
@@ -51,6 +54,7 @@ impl State {
         Self {
             document,
             work: Work::default(),
+            intake: Intake::default(),
             view: View::default(),
             settings: Settings::default(),
             history: History::default(),

@@ -18,7 +18,11 @@ impl State {
             let last = answer.changed_last();
             last.is_none_or(|last| self.view.playback.time > last)
         };
-        matches!(document.mode, Mode::Editing | Mode::Asking(_)) && answer.is_some_and(is_later)
+        let can_begin = matches!(
+            document.mode,
+            Mode::Editing | Mode::Asking(_) | Mode::Auditing(_) | Mode::Querying(..)
+        );
+        can_begin && answer.is_some_and(is_later)
     }
 
     /// The agent that could be led by hand from the time shown: the one that is
@@ -28,7 +32,7 @@ impl State {
         let time = self.view.playback.time;
         let can = match &self.document.mode {
             Mode::Steering(own) | Mode::Judging(own, _) => own.agent != agent || time < own.time(),
-            Mode::Editing | Mode::Asking(_) => {
+            Mode::Editing | Mode::Asking(_) | Mode::Auditing(_) | Mode::Querying(..) => {
                 let answer = self.document.fresh_answer();
                 answer.is_some_and(|answer| Steering::can_begin(answer, agent, time))
             }

@@ -4,6 +4,7 @@ use std::rc::Rc;
 
 use giveway_model::Plan;
 
+use crate::audit::Beside;
 use crate::steering::Steering;
 use crate::{Answer, Mode, State, Task};
 
@@ -23,8 +24,11 @@ impl State {
     /// The answer that is shown beside that one: the other plan of a question,
     /// where there is room for it.
     pub fn beside(&self) -> Option<&Rc<Answer>> {
-        let asking = self.document.mode.asking()?;
-        asking.other.as_ref().filter(|_| self.view.is_wide)
+        let other = match &self.document.mode {
+            Mode::Auditing(audit) if audit.beside != Beside::Nothing => audit.other(),
+            mode => mode.asking()?.other.as_ref(),
+        };
+        other.filter(|_| self.view.is_wide)
     }
 
     /// The plan that is shown, stale or not.

@@ -1,5 +1,6 @@
 //! Flows with the solver's own answers.
 
+mod audit;
 mod change;
 mod soak;
 mod steer;

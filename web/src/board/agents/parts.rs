@@ -1,6 +1,6 @@
 //! What moves of an agent: its place, where it looks, its battery, its badges.
 
-use giveway_page::board::{Badge, Cast, Pose};
+use giveway_page::board::{Badge, CELL, Cast, Pose};
 use web_sys::Element;
 
 use crate::board::motion::{Attribute, children_of};
@@ -19,9 +19,12 @@ enum Place {
 }
 
 impl Place {
-    fn set(&self, x: f64, y: f64) {
+    fn set(&self, x: f64, y: f64, scale: Option<f64>) {
         match self {
-            Self::Shift(shift) => shift.set(&format!("translate({x:.1} {y:.1})")),
+            Self::Shift(shift) => shift.set(&match scale {
+                None => format!("translate({x:.1} {y:.1})"),
+                Some(scale) => format!("translate({x:.1} {y:.1}) scale({scale:.2})"),
+            }),
             Self::Middles(middles) => {
                 let (x, y) = (format!("{x:.1}"), format!("{y:.1}"));
                 for (across, down) in middles {
@@ -76,7 +79,10 @@ impl Parts {
 
     pub(super) fn show(&self, pose: &Pose, cast: &Cast) {
         let (x, y) = (units(pose.at.x), units(pose.at.y));
-        self.place.set(x, y);
+        // Two on one cell stand side by side.
+        let by = pose.aside.map_or(0.0, |(by, _)| by * CELL);
+        self.place
+            .set(x + by, y, pose.aside.map(|(_, scale)| scale));
         self.gone.toggle(pose.is_gone);
         if let (Some(turn), Some(turns)) = (&self.turn, &self.turns) {
             if let Some(heading) = pose.heading {

@@ -46,8 +46,8 @@ pub(super) fn headings(path: &[Option<Cell>]) -> Vec<f64> {
 }
 
 fn direction(from: Cell, to: Cell) -> f64 {
-    let dx = f64::from(to.x) - f64::from(from.x);
-    let dy = f64::from(to.y) - f64::from(from.y);
+    let by = |to: u32, from: u32| f64::from(to.cast_signed()) - f64::from(from.cast_signed());
+    let (dx, dy) = (by(to.x, from.x), by(to.y, from.y));
     dy.atan2(dx).to_degrees()
 }
 

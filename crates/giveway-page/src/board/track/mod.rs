@@ -71,6 +71,14 @@ impl Track {
         self
     }
 
+    /// The same of an agent that turns in place: where it looks at each time, in
+    /// degrees from the right, clockwise.
+    #[must_use]
+    pub(crate) fn turning(mut self, headings: Vec<f64>) -> Self {
+        self.headings = headings;
+        self
+    }
+
     /// The cells by time.
     pub fn path(&self) -> &[Option<Cell>] {
         &self.path

@@ -23,6 +23,9 @@ pub struct Pose {
     pub transit: Option<(Cell, Cell)>,
     /// Whether it left the map.
     pub is_gone: bool,
+    /// How far it makes way for another one on its cell, in cells to the right, and
+    /// how large it is drawn then; nothing where it is alone.
+    pub aside: Option<(f64, f64)>,
 }
 
 impl Pose {
@@ -84,6 +87,7 @@ impl Track {
             badge: self.badge(step),
             transit: self.transit(step, time),
             is_gone: has_left || is_removed || is_early,
+            aside: None,
         })
     }
 

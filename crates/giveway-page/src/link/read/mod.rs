@@ -13,8 +13,9 @@ use giveway_model::{Agent, Plan, Scene};
 
 use super::text::{numbers, unescape};
 use super::{From, LONGEST, Linked, Source, ask, change, extras, knowledge, plan, scene};
+use crate::audit::Audit;
 use crate::front::Front;
-use crate::{Answer, Colours, Document, Draft};
+use crate::{Answer, Colours, Document, Draft, Mode};
 
 pub(crate) use judged::judged;
 pub(super) use parts::is_public;
@@ -28,6 +29,7 @@ use parts::{ANSWER, Parts, SCENE, broken};
 pub(super) struct Reader {
     drafts: BTreeMap<String, Rc<Draft>>,
     answers: BTreeMap<String, Rc<Answer>>,
+    audits: BTreeMap<String, Rc<Audit>>,
 }
 
 impl Reader {
@@ -50,7 +52,7 @@ impl Reader {
         self.keep(&mut document, &parts)?;
         let time = parts.read("time", |text| text.parse().ok())?;
         let question = parts.read("ask", ask::read)?;
-        let last = document.answer.as_deref().map_or(0, Answer::makespan);
+        let last = document.shown(true).map_or(0, |answer| answer.makespan());
         Ok(Linked {
             time: u32::min(time.unwrap_or(0), last),
             document,
@@ -99,13 +101,41 @@ impl Reader {
         Ok(answer)
     }
 
+    /// A plan of elsewhere, judged anew.
+    fn audit(
+        &mut self,
+        document: &Document,
+        parts: &Parts<'_>,
+    ) -> Result<Option<Rc<Audit>>, String> {
+        let Some(text) = parts.get("audit") else {
+            return Ok(None);
+        };
+        let key = parts.joined(&SCENE) + &parts.joined(&["plan", "audit", "ours"]);
+        if let Some(audit) = self.audits.get(&key) {
+            return Ok(Some(Rc::clone(audit)));
+        }
+        let audit = super::audit::read(&document.draft, document.answer.as_ref(), text);
+        let mut audit = audit.ok_or_else(|| broken("audit"))?;
+        if let Some(text) = parts.read("ours", unescape)? {
+            audit.ours = self.read(&text, From::Here)?.document.answer;
+        }
+        let audit = Rc::new(audit);
+        self.audits.insert(key, Rc::clone(&audit));
+        Ok(Some(audit))
+    }
+
     /// What only this browser's own text tells.
     fn keep(&mut self, document: &mut Document, parts: &Parts<'_>) -> Result<(), String> {
         if let Some(text) = parts.read("stale", unescape)? {
             document.answer = self.read(&text, From::Here)?.document.answer;
         }
+        if let Some(audit) = self.audit(document, parts)? {
+            return audited(document, audit, parts);
+        }
         let Some(about) = document.answer.clone() else {
-            let of_an_answer = ["front", "report", "listed", "compared", "own", "asked"];
+            let of_an_answer = [
+                "front", "report", "listed", "compared", "own", "asked", "ours",
+            ];
             let found = of_an_answer.iter().find(|key| parts.get(key).is_some());
             return found.map_or(Ok(()), |key| Err(broken(key)));
         };
@@ -124,6 +154,17 @@ impl Reader {
         document.mode = mode(&about, parts)?;
         Ok(())
     }
+}
+
+/// Puts a plan of elsewhere into a document, with the question that was asked of it.
+fn audited(document: &mut Document, audit: Rc<Audit>, parts: &Parts<'_>) -> Result<(), String> {
+    let legal = audit.plan.is_legal();
+    document.answer = legal.then(|| Rc::clone(&audit.plan.answer));
+    document.mode = match mode::asking(&audit.plan.answer, parts)? {
+        Some(asking) if legal => Mode::Querying(audit, asking),
+        _ => Mode::Auditing(audit),
+    };
+    Ok(())
 }
 
 /// A plan of the agents of a scene and of those that join it.

@@ -47,6 +47,18 @@ pub(super) fn mode(about: &Rc<Answer>, parts: &Parts<'_>) -> Result<Mode, String
     })
 }
 
+/// The question that was asked about an answer.
+///
+/// # Errors
+/// That it is broken.
+pub(super) fn asking(about: &Rc<Answer>, parts: &Parts<'_>) -> Result<Option<Rc<Asking>>, String> {
+    let Some(question) = parts.read("asked", ask::read)? else {
+        return Ok(None);
+    };
+    let asking = Asking::about(about, question, Limits::default());
+    Ok(Some(Rc::new(told(asking, parts)?)))
+}
+
 /// What was being listed.
 fn listed(about: &Rc<Answer>, text: &str) -> Option<Changing> {
     let (at, list) = text.split_once('!')?;

@@ -20,12 +20,13 @@ pub(super) const ANSWER: [&str; 7] = [
 ];
 
 /// What a link may hold beside a scene.
-const PUBLIC: [&str; 8] = [
-    "plan", "knows", "slept", "changes", "time", "ask", "within", "colours",
+const PUBLIC: [&str; 9] = [
+    "plan", "knows", "slept", "changes", "audit", "time", "ask", "within", "colours",
 ];
 
 /// What only this browser writes.
-const HERE: [&str; 13] = [
+const HERE: [&str; 14] = [
+    "ours",
     "claim",
     "steps",
     "asked-within",

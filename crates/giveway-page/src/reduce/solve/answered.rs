@@ -7,11 +7,14 @@ use giveway_solve::{FrontAnswer, SolveAnswer};
 use crate::front::Front;
 use crate::known::{judged, merged};
 use crate::reduce::document::{amend, put};
-use crate::reduce::{ask, steer};
+use crate::reduce::{ask, audit, steer};
 use crate::{Answer, Arrival, Document, Solving, State};
 
 /// The scene was solved, or the search cut off.
 pub(in crate::reduce) fn answered(state: &mut State, run: Solving, solved: SolveAnswer) {
+    if let Some(about) = state.audit().cloned() {
+        return audit::answered(state, &about, run, solved);
+    }
     let objective = &run.draft.scene().objective;
     if let Some(shared) = run.from.as_ref().filter(|from| from.is_shared)
         && run.arrival == Arrival::Quiet

@@ -50,7 +50,7 @@ pub(in crate::reduce) fn start(state: &mut State, how: Start) {
             return change::adapt(state);
         }
         Mode::Steering(_) | Mode::Judging(..) => return ask::ask(state, &Question::Plan),
-        Mode::Editing | Mode::Asking(_) => {}
+        Mode::Editing | Mode::Asking(_) | Mode::Auditing(_) | Mode::Querying(..) => {}
     }
     let draft = &state.document.draft;
     if draft.instance().is_err() {
@@ -70,12 +70,26 @@ pub(in crate::reduce) fn start(state: &mut State, how: Start) {
         let is_open = matches!(answer.solved.status, Status::Feasible | Status::Unknown);
         is_open && answer.course.is_none()
     };
-    let from = document.fresh_answer().filter(is_open).cloned();
+    let audit = document.mode.audit();
+    let known = match audit {
+        Some(audit) => audit.ours.as_ref(),
+        None => document.fresh_answer(),
+    };
+    let from = known.filter(is_open).cloned();
+    // A legal plan of elsewhere is where the search begins.
+    let dropped = audit.filter(|audit| audit.plan.is_legal());
+    let dropped = dropped.and_then(|audit| audit.plan.answer.plan());
     let request = SolveRequest {
         scene: document.draft.scene().clone(),
-        pareto: state.settings.front && has_front(&document.draft.scene().objective),
+        pareto: audit.is_none()
+            && state.settings.front
+            && has_front(&document.draft.scene().objective),
         within: document.within,
-        start: from.as_ref().and_then(|from| from.solved.plan.clone()),
+        start: from
+            .as_ref()
+            .and_then(|from| from.solved.plan.as_ref())
+            .or(dropped)
+            .cloned(),
         limits: Limits {
             seconds: Some(f64::from(state.settings.seconds)),
             ..Limits::default()

@@ -19,6 +19,7 @@ pub(super) fn solve(state: &mut State, action: SolveAction) {
     match action {
         SolveAction::Begin => start(state, Start::quiet()),
         SolveAction::Solve => start(state, Start::step()),
+        SolveAction::Cancel if state.intake.job().is_some() => drop(state.intake.end()),
         SolveAction::Cancel => cancel(state),
         SolveAction::ShowPoint(point) => show_point(state, point),
         SolveAction::CheckProof => proof::start(state),

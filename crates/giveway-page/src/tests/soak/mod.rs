@@ -109,6 +109,12 @@ fn show(state: &State) {
             assert!(own.about.course.is_none());
         }
         Mode::Stuck(comparing, _) => assert!(comparing.preview().is_none()),
+        Mode::Auditing(audit) | Mode::Querying(audit, _) => {
+            assert!(
+                state.document.plan().is_none() != audit.plan.is_legal(),
+                "an illegal plan is none of the scene"
+            );
+        }
         Mode::Editing | Mode::Changing(_) | Mode::Comparing(_) => {}
     }
 }

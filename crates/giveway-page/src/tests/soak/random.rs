@@ -1,8 +1,15 @@
 //! What a person does next, by chance.
 
+use std::rc::Rc;
+
 use giveway_model::{Cell, Question};
 
 use super::Session;
+use crate::action::IntakeAction;
+use crate::audit::AuditAction;
+use crate::files::Opened;
+use crate::intake::protocol::{Read, Task};
+use crate::intake::work;
 use crate::steering::Lead;
 use crate::tests::{answer, seek};
 use crate::{
@@ -32,8 +39,10 @@ impl Session {
             58..72 => self.solve(),
             72..80 => vec![Action::Ask(self.question())],
             80..88 => vec![Action::Change(self.change())],
-            88..93 => vec![Action::Steer(self.lead())],
+            88..91 => vec![Action::Steer(self.lead())],
+            91..93 => vec![Action::Audit(self.audit())],
             93..97 => self.look(),
+            97 => self.dropped(),
             _ => vec![self.file()],
         }
     }
@@ -170,6 +179,52 @@ impl Session {
             Action::View(ViewAction::SetSolveOnChange(self.rng.u8(0..4) == 0)),
             Action::View(ViewAction::SetFront(self.rng.u8(0..4) == 0)),
         ]
+    }
+
+    /// A plan of elsewhere for the scene, of random steps.
+    fn dropped(&mut self) -> Vec<Action> {
+        let scene = crate::files::scene_file(&self.state);
+        let mut paths = Vec::new();
+        for agent in self.state.document.draft.agents().to_vec() {
+            let mut path = vec![agent.start];
+            for _ in 0..self.rng.usize(0..5) {
+                path.push(self.cell());
+            }
+            path.push(agent.goal);
+            let path: Vec<String> = path
+                .iter()
+                .map(|cell| format!("[{}, {}]", cell.x, cell.y))
+                .collect();
+            paths.push(format!("\"{}\": [{}]", agent.name, path.join(", ")));
+        }
+        let plan = format!("{{\"giveway\": 1, \"paths\": {{{}}}}}", paths.join(", "));
+        let files = [(scene.name, scene.text), ("p.json".to_owned(), plan)];
+        let files = files.map(|(name, text)| Opened {
+            name,
+            bytes: text.into_bytes(),
+        });
+        let job = self.state.intake.next_id();
+        let read = Read {
+            files: files.to_vec(),
+            ..Read::default()
+        };
+        let reply = Rc::new(work(Task::Read(read)));
+        vec![
+            Action::Intake(IntakeAction::Read(files.to_vec())),
+            Action::Intake(IntakeAction::Reply { job, reply }),
+        ]
+    }
+
+    fn audit(&mut self) -> AuditAction {
+        let is = self.rng.bool();
+        match self.rng.u8(0..6) {
+            0 => AuditAction::Find,
+            1 => AuditAction::Compare(is),
+            2 => AuditAction::ShowOther(is),
+            3 => AuditAction::Take,
+            4 => AuditAction::Choose(self.rng.usize(0..2)),
+            _ => AuditAction::Leave,
+        }
     }
 
     fn file(&mut self) -> Action {

@@ -31,6 +31,12 @@ pub enum Badge {
     Stopped,
     /// An answer to what the scene was before.
     Stale,
+    /// Files are being read.
+    Reading,
+    /// A plan of elsewhere that keeps every rule.
+    Legal,
+    /// A plan of elsewhere that breaks a rule.
+    Illegal,
     /// A plan from elsewhere of which nothing was proved here.
     Shared,
 }
@@ -56,6 +62,9 @@ impl Badge {
             Self::Stopped => "Stopped",
             Self::Stale => "Stale",
             Self::Shared => "Shared",
+            Self::Reading => "Reading",
+            Self::Legal => "Legal",
+            Self::Illegal => "Not legal",
         }
     }
 
@@ -66,12 +75,12 @@ impl Badge {
             Self::Shared => "share",
             Self::Compared(_) => "compare",
             Self::Steering => "steer",
-            Self::Adopted => "check",
-            Self::Solving | Self::Adapting | Self::Stopped => "clock",
+            Self::Adopted | Self::Legal => "check",
+            Self::Solving | Self::Adapting | Self::Stopped | Self::Reading => "clock",
             Self::Asking => "question",
             Self::Checking => "search",
             Self::Proved => "proved",
-            Self::Impossible => "cancel",
+            Self::Impossible | Self::Illegal => "cancel",
             Self::Faulty | Self::Stale => "warning",
         }
     }
@@ -86,9 +95,11 @@ impl Badge {
             | Self::Changing
             | Self::Adapting
             | Self::Compared(_)
+            | Self::Reading
             | Self::Steering => "info",
             Self::Proved => "proved",
-            Self::Impossible | Self::Faulty => "bad",
+            Self::Legal => "fine",
+            Self::Impossible | Self::Faulty | Self::Illegal => "bad",
             Self::Stopped | Self::Stale => "warn",
         }
     }

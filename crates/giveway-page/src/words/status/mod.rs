@@ -7,7 +7,7 @@ mod resting;
 use giveway_model::words::capital;
 
 use crate::words::{change, question, steering};
-use crate::{Asking, Mode, State, Task, proof};
+use crate::{Asking, Mode, State, Task, audit, proof};
 
 pub use badge::Badge;
 
@@ -50,6 +50,14 @@ impl Standing {
 /// ```
 pub fn standing(state: &State) -> Standing {
     let say = Standing::new;
+    if let Some(job) = state.intake.job() {
+        return say(Badge::Reading, job.sentence.clone());
+    }
+    if let Mode::Auditing(audit) = &state.document.mode
+        && !state.has_gesture()
+    {
+        return say(audit::badge(audit), audit::sentence(audit));
+    }
     if let Some(task) = state.work.task() {
         return working(state, task);
     }
@@ -70,6 +78,9 @@ pub fn standing(state: &State) -> Standing {
         }
         Mode::Steering(own) | Mode::Judging(own, _) => {
             say(Badge::Steering, steering::steering(own))
+        }
+        Mode::Auditing(audit) | Mode::Querying(audit, _) => {
+            say(audit::badge(audit), audit::sentence(audit))
         }
         Mode::Editing | Mode::Asking(_) => resting(state),
     }

@@ -1,0 +1,112 @@
+//! How far a plan is from the best one, by what is proved of all plans.
+
+use std::collections::BTreeMap;
+
+use giveway_model::{Cost, Costs, Objective};
+use giveway_solve::Status;
+
+use super::Audit;
+use crate::Solving;
+
+/// What our own search knows, while it runs and after.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub(crate) struct Known {
+    /// The proved lower bound of each cost.
+    pub(crate) bounds: BTreeMap<Cost, u32>,
+    /// What our best plan costs.
+    pub(crate) best: Option<Costs>,
+    /// Whether there is a proof that our plan is the best.
+    pub(crate) is_optimal: bool,
+    /// Whether there is a proof that there is no plan.
+    pub(crate) is_impossible: bool,
+}
+
+impl Known {
+    /// What is known of the scene of an audit, with what a search has found so far.
+    pub(crate) fn of(audit: &Audit, run: Option<&Solving>) -> Self {
+        let mut known = Self::default();
+        if let Some(ours) = &audit.ours {
+            known.bounds.clone_from(&ours.solved.bounds);
+            known.best = ours.solved.costs.filter(|_| ours.plan().is_some());
+            known.is_optimal = ours.solved.status == Status::Optimal;
+            known.is_impossible = ours.solved.status == Status::Impossible;
+        }
+        if let Some(run) = run {
+            known.raise(&run.bounds);
+            known.best = run.best.or(known.best);
+        }
+        known
+    }
+
+    /// Takes in bounds of a search that runs.
+    pub(crate) fn raise(&mut self, bounds: &BTreeMap<Cost, u32>) {
+        for (&cost, &bound) in bounds {
+            let known = self.bounds.entry(cost).or_insert(bound);
+            *known = bound.max(*known);
+        }
+    }
+}
+
+/// Where a plan stands.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Gap {
+    /// Nothing is proved yet.
+    Unknown,
+    /// Each cost is as low as it can be: proved.
+    None,
+    /// A cost is above what is proved: its value, the bound, and whether a plan
+    /// reaches the bound.
+    Above {
+        /// Which cost.
+        cost: Cost,
+        /// What the plan costs.
+        value: u32,
+        /// What every plan costs at least.
+        bound: u32,
+        /// Whether some plan costs no more than that.
+        is_reached: bool,
+    },
+}
+
+impl Gap {
+    /// Where costs stand: by the first cost of the objective that is above its bound.
+    pub(crate) fn of(objective: &Objective, costs: &Costs, known: &Known) -> Self {
+        for &cost in objective.costs() {
+            let value = costs.get(cost);
+            let Some(&bound) = known.bounds.get(&cost) else {
+                return Self::Unknown;
+            };
+            if value != bound {
+                let best = known.best.map(|best| best.get(cost));
+                return Self::Above {
+                    cost,
+                    value,
+                    bound,
+                    is_reached: best == Some(bound),
+                };
+            }
+        }
+        Self::None
+    }
+}
+
+/// `(value - bound) / bound` in percent, one decimal, rounded up: `1.2`.
+pub(crate) fn percent(value: u32, bound: u32) -> String {
+    let (above, bound) = (u64::from(value.saturating_sub(bound)), u64::from(bound));
+    let tenths = (1000 * above).div_ceil(bound.max(1));
+    format!("{}.{}", tenths / 10, tenths % 10)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn percents_are_rounded_up() {
+        assert_eq!(percent(85, 84), "1.2");
+        assert_eq!(percent(84, 84), "0.0");
+        assert_eq!(percent(10_001, 10_000), "0.1");
+        assert_eq!(percent(200, 100), "100.0");
+        assert_eq!(percent(3, 0), "300.0");
+    }
+}

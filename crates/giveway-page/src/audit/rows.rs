@@ -1,0 +1,174 @@
+//! What the inspector lists of a plan of elsewhere: how it was read, what it
+//! breaks, what it costs.
+
+use giveway_model::check::{Rule, Violation};
+use giveway_model::words::capital;
+use giveway_model::{Cost, Costs};
+
+use super::gap::Known;
+use super::{Audit, Dropped};
+use crate::words::{at, title};
+
+/// How the file was read, or what it says: a title, what is so, and why.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Fact {
+    /// What it is about.
+    pub title: String,
+    /// What is so.
+    pub what: String,
+    /// Why, or by whom; empty where there is nothing to say.
+    pub why: String,
+}
+
+/// A broken rule.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct ViolationRow {
+    /// What goes wrong.
+    pub text: String,
+    /// Where, or why; empty where there is nothing to say.
+    pub detail: String,
+    /// When, in steps.
+    pub time: u32,
+    /// Whether that is the time shown.
+    pub is_now: bool,
+}
+
+/// A cost of the plan, what is proved of it, and what others say.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct CostRow {
+    /// Which cost.
+    pub title: String,
+    /// Of this plan.
+    pub this: u32,
+    /// What every plan costs at least, where that is proved.
+    pub least: Option<u32>,
+}
+
+impl CostRow {
+    /// The difference in words: `+1`, `0`; empty where nothing is proved.
+    pub fn difference(&self) -> String {
+        let Some(least) = self.least else {
+            return String::new();
+        };
+        match i64::from(self.this) - i64::from(least) {
+            0 => "0".to_owned(),
+            more => format!("{more:+}").replace('-', "\u{2212}"),
+        }
+    }
+}
+
+/// How the file was read, with why; and what it claims, where that is not so.
+pub(super) fn facts(plan: &Dropped) -> Vec<Fact> {
+    let file = &plan.file;
+    let mut facts = vec![Fact {
+        title: "Format".to_owned(),
+        what: file.format.looks().to_owned(),
+        why: format!("as {}", file.format.makers()),
+    }];
+    for (index, (about, how)) in file.words.iter().enumerate() {
+        facts.push(Fact {
+            title: capital(about),
+            what: capital(how),
+            why: if index == 0 {
+                file.why.clone()
+            } else {
+                String::new()
+            },
+        });
+    }
+    if let Some(costs) = plan.answer.solved.costs {
+        facts.extend(claim(plan, &costs));
+    }
+    facts
+}
+
+/// What the file says that its plan costs, where we count otherwise.
+fn claim(plan: &Dropped, costs: &Costs) -> Vec<Fact> {
+    let agents = plan.answer.draft.agents().len() as u64;
+    let claimed = plan.file.claimed;
+    let pairs = [
+        (Cost::SumOfCosts, claimed.sum_of_costs),
+        (Cost::Makespan, claimed.makespan),
+    ];
+    let differs = |(cost, claimed): (Cost, Option<u64>)| {
+        let own = u64::from(costs.get(cost));
+        let claimed = claimed.filter(|&claimed| claimed != own)?;
+        let why = if cost == Cost::SumOfCosts && claimed == agents * u64::from(costs.makespan) {
+            "It counts each robot until the last one arrives.".to_owned()
+        } else if cost == Cost::SumOfCosts && claimed == own + agents {
+            "It counts the start of each robot as a step.".to_owned()
+        } else if cost == Cost::Makespan && claimed == own + 1 {
+            "It counts times, not steps.".to_owned()
+        } else {
+            format!("By our count it is {own}: steps until each robot stays at its goal.")
+        };
+        Some(Fact {
+            title: "It says".to_owned(),
+            what: format!("{} {claimed}", title(cost)),
+            why,
+        })
+    };
+    pairs.into_iter().filter_map(differs).collect()
+}
+
+/// The costs of the objective, each with what is proved of it.
+pub(super) fn costs(audit: &Audit, known: &Known) -> Vec<CostRow> {
+    let Some(costs) = audit.plan.answer.solved.costs else {
+        return Vec::new();
+    };
+    let own = audit.objective().costs();
+    let rows = own.iter().map(|&cost| CostRow {
+        title: title(cost).to_owned(),
+        this: costs.get(cost),
+        least: known.bounds.get(&cost).copied(),
+    });
+    rows.collect()
+}
+
+/// A broken rule as it stands in the list.
+pub(super) fn violation(plan: &Dropped, violation: &Violation, is_now: bool) -> ViolationRow {
+    let (text, detail) =
+        words(plan, violation).unwrap_or((violation.message.clone(), String::new()));
+    ViolationRow {
+        text,
+        detail,
+        time: violation.time,
+        is_now,
+    }
+}
+
+/// A collision in few words: its time stands beside it. `None` for other rules.
+fn words(plan: &Dropped, violation: &Violation) -> Option<(String, String)> {
+    let [one, two] = violation.agents.as_slice() else {
+        return None;
+    };
+    match (violation.rule, violation.cell, violation.edge) {
+        (Rule::Vertex, Some(cell), _) => {
+            let stays = |name: &String| {
+                let agents = plan.answer.draft.agents();
+                let agent = agents.iter().position(|agent| agent.name == *name)?;
+                let since = plan.answer.arrivals.get(agent).copied().flatten()?;
+                (since < violation.time).then_some(since)
+            };
+            Some(match (stays(one), stays(two)) {
+                (Some(since), None) => (
+                    format!("{two} enters {}", at(cell)),
+                    format!("where {one} stays from time {since}"),
+                ),
+                (None, Some(since)) => (
+                    format!("{one} enters {}", at(cell)),
+                    format!("where {two} stays from time {since}"),
+                ),
+                _ => (
+                    format!("{one} and {two} are both at {}", at(cell)),
+                    String::new(),
+                ),
+            })
+        }
+        (Rule::Swap | Rule::SlowSwap, _, Some([from, to])) => Some((
+            format!("{one} and {two} swap cells"),
+            format!("{} and {}", at(from), at(to)),
+        )),
+        _ => None,
+    }
+}

@@ -1,0 +1,37 @@
+//! The status of a plan of elsewhere, in one sentence.
+
+use giveway_model::Cost;
+use giveway_model::words::capital;
+
+use super::Audit;
+use crate::words::{Badge, count, value, values};
+
+/// Its badge.
+pub(crate) fn badge(audit: &Audit) -> Badge {
+    if audit.plan.is_legal() {
+        Badge::Legal
+    } else {
+        Badge::Illegal
+    }
+}
+
+/// `paths.txt breaks 3 rules. As it stands it would cost 79.`
+pub(crate) fn sentence(audit: &Audit) -> String {
+    let (plan, file) = (&audit.plan, &audit.plan.file.file);
+    let objective = audit.objective();
+    let costs = plan.answer.solved.costs;
+    if plan.is_legal() {
+        let costs = costs.map_or_else(String::new, |costs| capital(&values(objective, &costs)));
+        return format!("{file} keeps every rule. {costs}.");
+    }
+    let rules = count(plan.violations.len(), "rule");
+    let first = objective.costs().first().copied();
+    let cost = costs.zip(first).map_or_else(String::new, |(costs, first)| {
+        let n = costs.get(first);
+        match first {
+            Cost::SumOfCosts => format!(" As it stands it would cost {n}."),
+            _ => format!(" As it stands it would have {}.", value(first, n)),
+        }
+    });
+    format!("{file} breaks {rules}.{cost}")
+}

@@ -1,0 +1,132 @@
+//! The messages between the page and the reader, which reads and writes other
+//! people's files in a worker of its own.
+
+use std::collections::BTreeMap;
+
+use borsh::{BorshDeserialize, BorshSerialize};
+use giveway_model::format::foreign::{Conventions, ForeignPlan, Format};
+use giveway_model::{Cost, Plan, Scene};
+
+use crate::files::Opened;
+
+/// From the page: do this.
+#[derive(Clone, Debug, PartialEq, BorshSerialize, BorshDeserialize)]
+pub struct Ask {
+    /// A number that the reply carries.
+    pub id: u64,
+    /// What to do.
+    pub task: Task,
+}
+
+/// What the reader is to do.
+#[derive(Clone, Debug, PartialEq, BorshSerialize, BorshDeserialize)]
+pub enum Task {
+    /// Read files.
+    Read(Read),
+    /// Write a scene, and its plan if it has one.
+    Write {
+        /// The format.
+        format: Format,
+        /// How the names of the files begin.
+        stem: String,
+        /// The scene.
+        scene: Scene,
+        /// The plan.
+        plan: Option<Plan>,
+    },
+    /// Write a report of an audit.
+    Report {
+        /// As what.
+        kind: ReportKind,
+        /// The document with the audit, as the browser keeps it.
+        kept: String,
+        /// What the search that runs has proved so far.
+        bounds: BTreeMap<Cost, u32>,
+        /// A link that opens the audit.
+        link: String,
+    },
+}
+
+/// Files to be read.
+#[derive(Clone, Debug, Default, PartialEq, BorshSerialize, BorshDeserialize)]
+pub struct Read {
+    /// The files that were opened together.
+    pub files: Vec<Opened>,
+    /// Files that were opened before and lacked something.
+    pub waiting: Vec<Opened>,
+    /// The scene on the board, for a plan that names no map.
+    pub board: Option<Opened>,
+    /// How plans are to be read, where a person chose that.
+    pub conventions: Option<Conventions>,
+}
+
+/// What a report is written as.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, BorshSerialize, BorshDeserialize)]
+pub enum ReportKind {
+    /// A page.
+    Html,
+    /// Text for a wiki or an issue.
+    Markdown,
+    /// For programs.
+    Json,
+}
+
+/// From the reader.
+#[derive(Clone, Debug, PartialEq, BorshSerialize, BorshDeserialize)]
+pub enum Message {
+    /// It listens.
+    Ready,
+    /// How far it is: a sentence.
+    Progress {
+        /// Of the [`Ask`].
+        id: u64,
+        /// What it does.
+        sentence: String,
+    },
+    /// What came of it.
+    Reply {
+        /// Of the [`Ask`].
+        id: u64,
+        /// What.
+        reply: Reply,
+    },
+    /// A fault of the program; the worker is of no more use.
+    Failed(String),
+}
+
+/// What came of it.
+#[derive(Clone, Debug, PartialEq, BorshSerialize, BorshDeserialize)]
+pub enum Reply {
+    /// A scene with its plans.
+    Found(Box<Found>),
+    /// The files are the page's own business: it reads them by itself.
+    Own,
+    /// Another file is missing.
+    Missing {
+        /// What to do, as a sentence.
+        sentence: String,
+        /// The files that lack it.
+        files: Vec<Opened>,
+        /// The map's name, where it is one that is missing and the file names it.
+        map: Option<String>,
+        /// What the files hold on the scene of the board, if that fits.
+        on_board: Option<Box<Found>>,
+    },
+    /// The files cannot be read: a sentence, and more of it.
+    Refused(String, Vec<String>),
+    /// Files to be saved (name and text), and what they cannot hold.
+    Written(Vec<(String, String)>, Vec<String>),
+}
+
+/// A scene with its plans, as files tell them.
+#[derive(Clone, Debug, PartialEq, BorshSerialize, BorshDeserialize)]
+pub struct Found {
+    /// The scene.
+    pub scene: Scene,
+    /// Its plans, in the order of the files.
+    pub plans: Vec<ForeignPlan>,
+    /// What a person should know about the scene, each a sentence.
+    pub notes: Vec<String>,
+    /// All files that it was read from.
+    pub files: Vec<Opened>,
+}

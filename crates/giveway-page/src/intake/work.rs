@@ -1,0 +1,194 @@
+//! What the reader does: it reads, writes and reports. It runs in a program of
+//! its own, so that the page need not hold a reader for every format.
+
+use std::collections::BTreeMap;
+
+use giveway_model::format::foreign::{
+    self, Format, Gathered, Held, Missing, Options, Refused, Source,
+};
+use giveway_model::format::read_text;
+use giveway_model::{Cost, Fault, Instance, Plan, Scene};
+
+use super::protocol::{Found, Read, Reply, ReportKind, Task};
+use crate::State;
+use crate::audit::{report, told as told_of};
+use crate::files::Opened;
+use crate::link::kept_moment;
+use crate::words::count;
+
+/// The most faults that are told of one file.
+const TOLD: usize = 5;
+
+/// Does a task.
+pub fn work(task: Task) -> Reply {
+    match task {
+        Task::Read(read) => reading(read),
+        Task::Write {
+            format,
+            stem,
+            scene,
+            plan,
+        } => writing(format, &stem, scene, plan.as_ref()),
+        Task::Report {
+            kind,
+            kept,
+            bounds,
+            link,
+        } => reporting(kind, &kept, &bounds, &link),
+    }
+}
+
+/// Reads the files by themselves; where they lack something, with those that
+/// waited, then on the scene of the board.
+fn reading(read: Read) -> Reply {
+    let options = Options {
+        conventions: read.conventions,
+        agents: None,
+    };
+    let alone = gathered(&read.files, &options);
+    let is_whole = alone.as_ref().is_ok_and(|found| !found.plans.is_empty());
+    let mut together = None;
+    if !is_whole && !read.waiting.is_empty() {
+        let mut files = read.waiting.clone();
+        files.extend(read.files.iter().cloned());
+        let joined = gathered(&files, &options);
+        if let Ok(found) = joined.as_ref()
+            && fits(found)
+        {
+            return reply(joined, &files);
+        }
+        if let Err(Refused::Missing { .. }) = joined {
+            together = Some((joined, files));
+        }
+    }
+    match alone {
+        Ok(found) if found.plans.is_empty() && all_own(&read.files) => Reply::Own,
+        Err(Refused::Missing { .. }) => {
+            let (missing, files) = together.unwrap_or((alone, read.files));
+            lacking(missing, files, read.board, &options)
+        }
+        alone => reply(alone, &read.files),
+    }
+}
+
+/// Whether at least half of the robots of some plan fit the scene.
+fn fits(found: &Gathered) -> bool {
+    let plans = found.plans.iter();
+    plans
+        .filter(|plan| plan.format != Format::Giveway)
+        .any(|plan| plan.fit.fitting * 2 >= plan.fit.agents.max(1))
+}
+
+/// Files that lack something: what it is, and what they hold on the board's scene.
+fn lacking(
+    missing: Result<Gathered, Refused>,
+    files: Vec<Opened>,
+    board: Option<Opened>,
+    options: &Options,
+) -> Reply {
+    let Err(Refused::Missing { what, sentence, .. }) = missing else {
+        return reply(missing, &files);
+    };
+    let on_board = board.and_then(|board| {
+        let mut with = files.clone();
+        with.push(board);
+        let found = gathered(&with, options).ok().filter(fits)?;
+        Some(Box::new(told(found, &with)))
+    });
+    Reply::Missing {
+        sentence,
+        map: match what {
+            Missing::Map(name) => name,
+            Missing::Scenario => None,
+        },
+        files,
+        on_board,
+    }
+}
+
+/// Whether files hold only what the page reads by itself: one scene, a map, a
+/// map with a scenario.
+fn all_own(files: &[Opened]) -> bool {
+    files.iter().all(|file| {
+        let text = read_text(&file.bytes).unwrap_or_default();
+        let held = foreign::read(text);
+        held.is_ok_and(|(format, held)| match held {
+            Held::Map(_) | Held::Scenario(_) => true,
+            _ => format == Format::Giveway,
+        })
+    })
+}
+
+fn gathered(files: &[Opened], options: &Options) -> Result<Gathered, Refused> {
+    let mut sources = Vec::with_capacity(files.len());
+    for file in files {
+        let text = read_text(&file.bytes).map_err(|fault| Refused::File {
+            file: file.name.clone(),
+            faults: vec![fault],
+        })?;
+        let name = file.name.as_str();
+        sources.push(Source { name, text });
+    }
+    foreign::gather(&sources, options)
+}
+
+fn reply(result: Result<Gathered, Refused>, files: &[Opened]) -> Reply {
+    match result {
+        Ok(found) => Reply::Found(Box::new(told(found, files))),
+        Err(Refused::File { file, faults }) => {
+            let (sentence, details) = faulty(&file, &faults);
+            Reply::Refused(sentence, details)
+        }
+        Err(Refused::Missing { sentence, .. } | Refused::Apart(sentence)) => Reply::Refused(
+            "The files cannot be opened; the scene stays as it is.".to_owned(),
+            vec![sentence],
+        ),
+    }
+}
+
+fn told(found: Gathered, files: &[Opened]) -> Found {
+    Found {
+        scene: found.instance.to_scene(),
+        plans: found.plans,
+        notes: found.notes,
+        files: files.to_vec(),
+    }
+}
+
+fn faulty(file: &str, faults: &[Fault]) -> (String, Vec<String>) {
+    let told = faults.iter().take(TOLD);
+    let mut details: Vec<String> = told.map(|fault| format!("{file}, {fault}")).collect();
+    if let more @ 1.. = faults.len().saturating_sub(TOLD) {
+        details.push(format!("and {}", count(more, "more fault")));
+    }
+    let sentence = format!("{file} cannot be opened; the scene stays as it is.");
+    (sentence, details)
+}
+
+/// Writes a report of the audit in a kept document.
+fn reporting(kind: ReportKind, kept: &str, bounds: &BTreeMap<Cost, u32>, link: &str) -> Reply {
+    let state = kept_moment(kept).map(|moment| State::of(moment.document));
+    let told = state.ok().and_then(|state| told_of(&state, bounds));
+    match told {
+        Some(told) => {
+            let (name, text) = report::write(kind, &told, link);
+            Reply::Written(vec![(name, text)], Vec::new())
+        }
+        None => Reply::Refused("There is nothing to report.".to_owned(), Vec::new()),
+    }
+}
+
+fn writing(format: Format, stem: &str, scene: Scene, plan: Option<&Plan>) -> Reply {
+    let refused = |faults: &[Fault]| {
+        let details = faults.iter().map(ToString::to_string).collect();
+        Reply::Refused("This cannot be written in that format.".to_owned(), details)
+    };
+    let instance = match Instance::new(scene) {
+        Ok(instance) => instance,
+        Err(faults) => return refused(&faults),
+    };
+    match foreign::write(format, stem, Some(&instance), plan) {
+        Ok(written) => Reply::Written(written.files, written.losses),
+        Err(fault) => refused(&[fault]),
+    }
+}

@@ -1,0 +1,178 @@
+//! A plan of elsewhere is on the board: it is compared, and a better one looked
+//! for, which never takes its place unasked.
+
+use std::rc::Rc;
+
+use giveway_model::Scene;
+use giveway_model::format::foreign::ForeignPlan;
+use giveway_solve::{SolveAnswer, Status};
+
+use super::document::{amend, put};
+use super::{ask, file, intake, solve};
+use crate::audit::{Audit, AuditAction, Beside, Dropped};
+use crate::files::Opened;
+use crate::known::merged;
+use crate::{Answer, Arrival, Document, Draft, Mode, Notice, Solving, State, Tab};
+
+pub(super) fn audit(state: &mut State, action: AuditAction) {
+    let Some(audit) = state.audit().cloned() else {
+        return;
+    };
+    match action {
+        AuditAction::Find => find(state, &audit),
+        AuditAction::Compare(on) => beside(state, &audit, compared(on)),
+        AuditAction::ShowOther(on) => {
+            let side = if on { Beside::InPlace } else { Beside::Other };
+            beside(state, &audit, side);
+        }
+        AuditAction::Take => take(state, &audit),
+        AuditAction::Choose(index) => choose(state, &audit, index),
+        AuditAction::ReadAs(conventions) => {
+            let files = audit.files.to_vec();
+            intake::read_as(state, files, conventions);
+        }
+        AuditAction::Leave => {
+            ask::close(state);
+            super::document::enter(state, Mode::Editing);
+        }
+    }
+}
+
+const fn compared(on: bool) -> Beside {
+    if on { Beside::InPlace } else { Beside::Nothing }
+}
+
+/// Looks for a plan of our own: the one that is there already, else by a search,
+/// which then shows it.
+fn find(state: &mut State, audit: &Audit) {
+    let ours = audit.ours.as_ref();
+    let is_final = ours.is_some_and(|ours| ours.solved.status == Status::Optimal);
+    if is_final && audit.better().is_some() {
+        return beside(state, audit, Beside::InPlace);
+    }
+    if !state.work.ask_for() {
+        solve::start(state, solve::Start::step());
+    }
+}
+
+/// A document with plans of elsewhere takes the place of the one on the board, and
+/// the search for what is proved of them begins.
+///
+/// # Errors
+/// Why the scene cannot be opened.
+pub(super) fn open(
+    state: &mut State,
+    scene: Scene,
+    plans: Vec<ForeignPlan>,
+    notes: Vec<String>,
+    files: Vec<Opened>,
+) -> Result<(), Notice> {
+    let draft = file::drafted(scene)?;
+    match document(&Rc::new(draft), plans, notes, files) {
+        Some(document) => {
+            file::replace(state, document);
+            state.view.tab = Tab::Inspector;
+            solve::start(state, solve::Start::quiet());
+            Ok(())
+        }
+        None => Err(Notice::new("There is no plan in these files.")),
+    }
+}
+
+/// A document with an audit; `None` without a plan.
+fn document(
+    draft: &Rc<Draft>,
+    plans: Vec<ForeignPlan>,
+    notes: Vec<String>,
+    files: Vec<Opened>,
+) -> Option<Document> {
+    let judged = plans.into_iter().map(|plan| Dropped::new(draft, plan));
+    let judged: Option<Vec<Dropped>> = judged.collect();
+    let plans = judged?.into_iter().map(Rc::new).collect();
+    Audit::new(plans, notes, Rc::new(files)).map(Document::audited)
+}
+
+impl Document {
+    /// The document of an audit: a legal plan is the plan of the scene.
+    pub(crate) fn audited(audit: Audit) -> Self {
+        let answer = Rc::clone(&audit.plan.answer);
+        let draft = Rc::clone(&answer.draft);
+        let legal = audit.plan.is_legal().then_some(answer);
+        Self {
+            mode: Mode::Auditing(Rc::new(audit)),
+            ..Self::answered(draft, legal)
+        }
+    }
+}
+
+/// Another state of the audit, as part of the last step.
+fn set(state: &mut State, audit: Audit) {
+    let mode = match &state.document.mode {
+        Mode::Querying(_, asking) => Mode::Querying(Rc::new(audit), Rc::clone(asking)),
+        _ => Mode::Auditing(Rc::new(audit)),
+    };
+    let document = Document {
+        mode,
+        ..state.document.clone()
+    };
+    amend(state, document);
+}
+
+fn beside(state: &mut State, audit: &Audit, side: Beside) {
+    ask::close(state);
+    set(
+        state,
+        Audit {
+            beside: side,
+            ..audit.clone()
+        },
+    );
+}
+
+/// Our plan becomes the plan of the scene, as one step of undo.
+fn take(state: &mut State, audit: &Audit) {
+    if let Some(ours) = audit.better().cloned() {
+        let document = Document {
+            answer: Some(ours),
+            mode: Mode::Editing,
+            ..state.document.clone()
+        };
+        put(state, document);
+    }
+}
+
+/// Another plan of the files is looked at.
+fn choose(state: &mut State, audit: &Audit, index: usize) {
+    let Some(plan) = audit.plans.get(index).cloned() else {
+        return;
+    };
+    ask::close(state);
+    let other = Audit {
+        plan,
+        ..audit.clone()
+    };
+    let document = Document {
+        within: state.document.within,
+        colours: state.document.colours,
+        ..Document::audited(other)
+    };
+    amend(state, document);
+}
+
+/// A search is over: what it knows is kept beside the plan.
+pub(super) fn answered(state: &mut State, audit: &Audit, run: Solving, solved: SolveAnswer) {
+    let objective = audit.objective();
+    let solved = match &run.from {
+        Some(from) => merged(&from.solved, solved, objective),
+        None => solved,
+    };
+    let mut after = Audit {
+        ours: Some(Rc::new(Answer::new(run.draft, run.request, solved))),
+        ..audit.clone()
+    };
+    if run.arrival == Arrival::Step && after.better().is_some() {
+        // It was asked for: here it is, beside the other one.
+        after.beside = Beside::InPlace;
+    }
+    set(state, after);
+}

@@ -1,0 +1,188 @@
+//! Other people's files come in: what the reader tells, heard in one place.
+
+use std::collections::BTreeMap;
+use std::rc::Rc;
+
+use giveway_model::format::foreign::{Conventions, Format};
+
+use super::{audit, file, stroke};
+use crate::action::{IntakeAction, Save};
+use crate::files::Opened;
+use crate::intake::protocol::{Found, Read, Reply, Task};
+use crate::intake::{self, Job, Written, beside};
+use crate::link::keep_moment;
+use crate::{Notice, State};
+
+pub(super) fn intake(state: &mut State, action: IntakeAction) {
+    match action {
+        IntakeAction::Read(files) => {
+            let task = Task::Read(intake::read(state, files));
+            begin(state, task);
+        }
+        IntakeAction::Fetched { job, files } => state.intake.fetched(job, files),
+        IntakeAction::Progress { job, sentence } => {
+            if let Some(job) = state.intake.at(job) {
+                job.sentence = sentence;
+            }
+        }
+        IntakeAction::Reply { job, reply } => {
+            if state.intake.at(job).is_some()
+                && let Some(job) = state.intake.end()
+            {
+                // Nobody else has it.
+                if let Some(reply) = Rc::into_inner(reply) {
+                    replied(state, job, reply);
+                }
+            }
+        }
+        IntakeAction::Crash { job, sentence } => {
+            if state.intake.at(job).is_some() {
+                state.intake.end();
+                state.view.notice = Some(Notice {
+                    sentence:
+                        "The reader of other people's files broke off. Your scene is as it was."
+                            .to_owned(),
+                    details: vec![sentence],
+                });
+            }
+        }
+        IntakeAction::Save(what) => save(state, what),
+        IntakeAction::Saved => state.intake.written = None,
+    }
+}
+
+fn begin(state: &mut State, task: Task) {
+    stroke::release(state);
+    state.view.notice = None;
+    state.intake.written = None;
+    state.intake.start(task);
+}
+
+/// Reads files again, by conventions that a person chose.
+pub(super) fn read_as(state: &mut State, files: Vec<Opened>, conventions: Conventions) {
+    if files.is_empty() {
+        state.view.notice = Some(Notice::new(
+            "The browser does not keep the file. Open it again to read it in another way.",
+        ));
+        return;
+    }
+    let read = Read {
+        files,
+        conventions: Some(conventions),
+        ..Read::default()
+    };
+    begin(state, Task::Read(read));
+}
+
+/// Has the scene and its plan written, or a report of the audit.
+fn save(state: &mut State, what: Save) {
+    let scene = state.document.draft.scene().clone();
+    let name = crate::files::scene_file(state).name;
+    let stem = giveway_model::format::stem(&name).to_owned();
+    let task = match what {
+        Save::As(format) => Task::Write {
+            format,
+            stem,
+            plan: plan_for(state, format),
+            scene,
+        },
+        Save::Report(kind, link) => {
+            let run = state.work.solving();
+            Task::Report {
+                kind,
+                kept: keep_moment(&state.moment()),
+                bounds: run.map_or_else(BTreeMap::new, |run| run.bounds.clone()),
+                link,
+            }
+        }
+    };
+    begin(state, task);
+}
+
+/// The plan that is shown, where the format holds plans.
+fn plan_for(state: &State, format: Format) -> Option<giveway_model::Plan> {
+    let has_plans = format != Format::MovingAi;
+    let answer = state
+        .shown()
+        .filter(|_| has_plans && !state.document.is_stale())?;
+    answer.plan().filter(|_| answer.course.is_none()).cloned()
+}
+
+/// The reader is done.
+fn replied(state: &mut State, job: Job, reply: Reply) {
+    match reply {
+        Reply::Found(found) => opened(state, *found),
+        Reply::Own => {}
+        Reply::Missing {
+            sentence,
+            files,
+            map,
+            on_board,
+        } => {
+            let names: Vec<&str> = files.iter().map(|file| file.name.as_str()).collect();
+            let fetches = beside(map.as_deref(), &names);
+            let has = |name: &String| files.iter().any(|file| file.name == *name);
+            let fetches = fetches.into_iter().filter(|name| !has(name)).collect();
+            if state.intake.fetch(job, fetches) {
+                return;
+            }
+            if let Some(found) = on_board {
+                return opened(state, *found);
+            }
+            state.intake.wait(files);
+            state.view.notice = Some(Notice {
+                sentence: "One file more is needed.".to_owned(),
+                details: vec![sentence],
+            });
+        }
+        Reply::Refused(sentence, details) => written_or_told(state, &job, sentence, details),
+        Reply::Written(files, losses) => {
+            let format = match &*job.task {
+                Task::Write { format, .. } => Some(*format),
+                Task::Read(_) | Task::Report { .. } => None,
+            };
+            state.intake.written = Some(Rc::new(Written {
+                format,
+                files,
+                losses,
+            }));
+        }
+    }
+}
+
+/// What cannot be read is told as a notice, what cannot be written where it was asked.
+fn written_or_told(state: &mut State, job: &Job, sentence: String, details: Vec<String>) {
+    if let Task::Write { format, .. } = &*job.task {
+        state.intake.written = Some(Rc::new(Written {
+            format: Some(*format),
+            files: Vec::new(),
+            losses: details,
+        }));
+        return;
+    }
+    state.view.notice = Some(Notice { sentence, details });
+}
+
+/// A scene with its plans was read.
+fn opened(state: &mut State, found: Found) {
+    state.intake.wait(Vec::new());
+    let Found {
+        scene,
+        plans,
+        notes,
+        files,
+    } = found;
+    if plans.is_empty() {
+        file::open(state, scene);
+        if state.view.notice.is_none() && !notes.is_empty() {
+            state.view.notice = Some(Notice {
+                sentence: "The scene was read.".to_owned(),
+                details: notes,
+            });
+        }
+        return;
+    }
+    if let Err(notice) = audit::open(state, scene, plans, notes, files) {
+        state.view.notice = Some(notice);
+    }
+}

@@ -1,0 +1,238 @@
+//! From a dropped plan to a verdict, and on to a better plan.
+
+use std::rc::Rc;
+
+use super::{BEST, LEGAL, MEETING, SCENE, audit, dropped, fresh};
+use crate::audit::{AuditAction, facts};
+use crate::intake::protocol::{ReportKind, Task};
+use crate::tests::answered as answer;
+use crate::{
+    Action, AskAction, Edit, Mode, Phase, SolveAction, State, ViewAction, link, reduce, words,
+};
+
+fn act(state: &State, action: AuditAction) -> State {
+    reduce(state, Action::Audit(action))
+}
+
+#[test]
+fn an_illegal_plan_is_shown_and_told() {
+    let state = dropped(&fresh(), &[("hall.json", SCENE), ("paths.json", MEETING)]);
+    assert_eq!(
+        words::standing(&state).sentence,
+        "paths.json breaks 1 rule. As it stands it would cost 4."
+    );
+    let told = facts(&state).unwrap();
+    assert_eq!(told.verdict.word, "Not legal");
+    assert_eq!(told.verdict.detail, "1 collision");
+    assert_eq!(told.extent, "2 robots, times 0 to 2");
+    let [violation] = told.violations.as_slice() else {
+        panic!("{:?}", told.violations)
+    };
+    assert_eq!(violation.text, "A1 and A2 are both at (1, 0)");
+    assert_eq!((violation.time, violation.is_now), (1, false));
+    assert_eq!(told.find.as_deref(), Some("Find a legal plan"));
+    // It plays as it is, and is no plan of the scene.
+    assert_eq!(state.last_time(), 2);
+    assert!(state.document.plan().is_none() && state.plan().is_some());
+    // The search runs by itself.
+    assert!(
+        state
+            .work
+            .solving()
+            .is_some_and(|run| run.request.start.is_none())
+    );
+    let state = answer(&state);
+    let told = facts(&state).unwrap();
+    assert_eq!(
+        told.verdict.sentence,
+        "It costs 4, and every legal plan costs at least 6. So it had to break a rule."
+    );
+    assert_eq!(state.phase(), Phase::Auditing);
+    // Ours is beside it, never in its place unasked.
+    assert!(Rc::ptr_eq(
+        state.shown().unwrap(),
+        &audit(&state).plan.answer
+    ));
+    let state = act(&state, AuditAction::Find);
+    let wide = reduce(&state, Action::View(ViewAction::SetWide(true)));
+    assert_eq!(wide.beside(), audit(&wide).ours.as_ref());
+    assert_eq!(
+        facts(&wide).unwrap().take.as_deref(),
+        Some("Use the legal plan")
+    );
+    let taken = act(&wide, AuditAction::Take);
+    assert_eq!(taken.document.mode, Mode::Editing);
+    assert_eq!(words::standing(&taken).sentence.get(..8), Some("Optimal:"));
+    let back = reduce(&taken, Action::Undo);
+    assert_eq!(back.document, wide.document);
+}
+
+#[test]
+fn a_legal_plan_is_measured_against_the_bound() {
+    let state = dropped(&fresh(), &[("hall.json", SCENE), ("paths.json", LEGAL)]);
+    assert!(
+        state
+            .work
+            .solving()
+            .is_some_and(|run| run.request.start.is_some())
+    );
+    let state = answer(&state);
+    let told = facts(&state).unwrap();
+    assert_eq!(told.verdict.word, "Legal");
+    assert_eq!(
+        told.verdict.sentence,
+        "16.7 % above the best. There is a plan that costs 6, and this one costs 7."
+    );
+    assert_eq!(
+        told.stands,
+        Some((85, "Proved up to 6. The gap is 1.".to_owned()))
+    );
+    assert_eq!(told.costs[0].difference(), "+1");
+    // All that can be asked of our plans can be asked of it.
+    let question = crate::ask::offers(&state)[0].offers[0].question.clone();
+    let asked = reduce(&state, Action::Ask(AskAction::Ask(question)));
+    assert!(
+        matches!(asked.document.mode, Mode::Querying(..)),
+        "{:?}",
+        asked.view.notice
+    );
+    let left = reduce(&asked, Action::Ask(AskAction::Close));
+    assert_eq!(left.document, state.document);
+}
+
+#[test]
+fn the_best_plan_is_said_to_be_the_best() {
+    let state = dropped(&fresh(), &[("hall.json", SCENE), ("paths.json", BEST)]);
+    let told = facts(&answer(&state)).unwrap();
+    assert_eq!(told.verdict.word, "No plan is better");
+    assert_eq!(told.verdict.detail, "proved");
+    assert_eq!((told.find, told.compared), (None, None));
+}
+
+#[test]
+fn two_plans_of_one_scene_are_compared() {
+    let files = [
+        ("hall.json", SCENE),
+        ("one.json", LEGAL),
+        ("two.json", BEST),
+    ];
+    let state = answer(&dropped(&fresh(), &files));
+    let state = reduce(&state, Action::View(ViewAction::SetWide(true)));
+    let state = act(&state, AuditAction::Compare(true));
+    let told = facts(&state).unwrap();
+    assert_eq!(told.plans.len(), 2);
+    assert_eq!(
+        state.beside().unwrap().solved.costs.unwrap().sum_of_costs,
+        6
+    );
+    let other = act(&state, AuditAction::Choose(1));
+    assert_eq!(facts(&other).unwrap().file, "two.json");
+    assert_eq!(
+        other.beside().unwrap().solved.costs.unwrap().sum_of_costs,
+        7
+    );
+}
+
+#[test]
+fn the_browser_brings_it_back_and_a_link_carries_it() {
+    for plan in [MEETING, LEGAL] {
+        let state = answer(&dropped(
+            &fresh(),
+            &[("hall.json", SCENE), ("p.json", plan)],
+        ));
+        let kept = link::kept(&link::keep(&state)).unwrap();
+        let (one, two) = (audit(&state), audit(&kept));
+        assert_eq!((&one.plan, &one.plans), (&two.plan, &two.plans));
+        assert_eq!(
+            one.ours.as_ref().map(|ours| &ours.solved.bounds),
+            two.ours.as_ref().map(|ours| &ours.solved.bounds)
+        );
+        assert_eq!(
+            facts(&state).unwrap().verdict,
+            facts(&kept).unwrap().verdict
+        );
+        let opened = reduce(&fresh(), link::open(&link::write(&state)));
+        let shared = audit(&opened);
+        assert_eq!(shared.plan, one.plan);
+        // Nobody believes what a link claims: the search begins anew.
+        assert!(shared.ours.is_none() && opened.work.solving().is_some());
+    }
+}
+
+#[test]
+fn a_plan_that_starts_elsewhere_is_kept_and_shared_as_it_is() {
+    let far = r#"{"giveway": 1, "paths": {
+        "A1": [[1, 1], [1, 0], [2, 0]], "A2": [[2, 0], [1, 0], [0, 0]]}}"#;
+    let state = dropped(&fresh(), &[("hall.json", SCENE), ("p.json", far)]);
+    let told = facts(&state).unwrap();
+    assert_eq!(told.verdict.word, "Not for this scene");
+    assert_eq!(
+        told.verdict.sentence,
+        "A1 starts elsewhere: 1 of 2 robots fit."
+    );
+    let opened = reduce(&fresh(), link::open(&link::write(&state)));
+    assert_eq!(audit(&opened).plan, audit(&state).plan);
+}
+
+#[test]
+fn an_edit_leaves_the_audit_and_undo_brings_it_back() {
+    let state = dropped(&fresh(), &[("hall.json", SCENE), ("paths.json", MEETING)]);
+    let edited = reduce(&state, Action::Edit(Edit::Resize(4, 2)));
+    assert_eq!(edited.document.mode, Mode::Editing);
+    assert!(edited.work.is_idle() && edited.shown().is_none());
+    let back = reduce(&edited, Action::Undo);
+    assert_eq!(back.document, state.document);
+    let left = act(&state, AuditAction::Leave);
+    assert_eq!(left.document.mode, Mode::Editing);
+}
+
+#[test]
+fn a_search_that_is_stopped_keeps_what_it_knows() {
+    let state = dropped(&fresh(), &[("hall.json", SCENE), ("paths.json", MEETING)]);
+    let event = giveway_solve::Progress::Bound {
+        cost: giveway_model::Cost::SumOfCosts,
+        at_least: 5,
+    };
+    let job = state.work.id().unwrap();
+    let state = reduce(&state, Action::Solve(SolveAction::Progress { job, event }));
+    let sentence = "It costs 4, and every legal plan costs at least 5. So it had to break a rule.";
+    assert_eq!(facts(&state).unwrap().verdict.sentence, sentence);
+    let state = reduce(&state, Action::Solve(SolveAction::Cancel));
+    assert!(state.work.is_idle());
+    assert_eq!(facts(&state).unwrap().verdict.sentence, sentence);
+}
+
+#[test]
+fn a_report_tells_it_and_links_back() {
+    let state = dropped(&fresh(), &[("hall.json", SCENE), ("<b>.json", MEETING)]);
+    let written = |kind| {
+        let task = Task::Report {
+            kind,
+            kept: link::keep_moment(&state.moment()),
+            bounds: std::collections::BTreeMap::new(),
+            link: "https://example.org/#giveway=1".to_owned(),
+        };
+        match crate::intake::work(task) {
+            crate::intake::protocol::Reply::Written(mut files, _) => files.remove(0).1,
+            other => panic!("{other:?}"),
+        }
+    };
+    let html = written(ReportKind::Html);
+    assert!(
+        html.contains("&lt;b&gt;.json on hall") && !html.contains("<b>"),
+        "{html}"
+    );
+    assert!(
+        html.contains("href=\"https://example.org/#giveway=1\""),
+        "{html}"
+    );
+    let markdown = written(ReportKind::Markdown);
+    assert!(
+        markdown.contains("**Not legal: 1 collision.**"),
+        "{markdown}"
+    );
+    let json: serde_json::Value = serde_json::from_str(&written(ReportKind::Json)).unwrap();
+    assert_eq!(json["status"], "illegal");
+    assert_eq!(json["violations"][0]["rule"], "vertex");
+    assert_eq!(json["costs"]["sum-of-costs"], 4);
+}

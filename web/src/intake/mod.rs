@@ -1,0 +1,168 @@
+//! The link to the reader: what the state says should be read or written, is done
+//! in a worker that is started for it.
+//!
+//! A worker cannot hear while it works, so a job that is no longer wanted is ended
+//! together with its worker. An idle worker is kept.
+
+use std::cell::Cell;
+use std::rc::Rc;
+
+use giveway_page::intake::Intake;
+use giveway_page::intake::protocol::{Message, Reply};
+use giveway_page::{Action, IntakeAction};
+use yew::platform::spawn_local;
+use yew::prelude::*;
+
+use crate::dialog::Panel;
+use crate::held::Held;
+use crate::solver::{Event, Hired, Program, READER};
+use crate::{Shown, files};
+
+/// Does what [`Intake`] says, and sends what the reader tells. What turns out to be
+/// the page's own business is opened by it.
+#[hook]
+pub(crate) fn use_intake(state: &Shown, send: &Callback<Action>, show: &Callback<Panel>) {
+    let reader = {
+        let send = send.clone();
+        use_memo((), move |()| Reader::new(send))
+    };
+    reader.0.state.set(Some(state.clone()));
+    reader.0.show.set(Some(show.clone()));
+    let state = state.clone();
+    let job = state
+        .intake
+        .job()
+        .map(|job| (job.id, job.fetches.is_empty()));
+    use_effect_with(job, move |_| reader.want(&state.intake));
+}
+
+/// The page's end of the link.
+#[derive(Clone)]
+struct Reader(Rc<Inner>);
+
+struct Inner {
+    send: Callback<Action>,
+    program: Rc<Program>,
+    worker: Held<Option<Rc<Hired>>>,
+    /// The job that the worker is to do, or does.
+    job: Cell<Option<u64>>,
+    /// The message that asks for it, until it is posted.
+    waiting: Held<Option<Vec<u8>>>,
+    state: Held<Option<Shown>>,
+    show: Held<Option<Callback<Panel>>>,
+}
+
+impl Reader {
+    fn new(send: Callback<Action>) -> Self {
+        Self(Rc::new(Inner {
+            send,
+            program: Rc::new(Program::new(READER)),
+            worker: Held::default(),
+            job: Cell::default(),
+            waiting: Held::default(),
+            state: Held::default(),
+            show: Held::default(),
+        }))
+    }
+
+    /// Sees to it that this job is done, and no other.
+    fn want(&self, intake: &Intake) {
+        let inner = &self.0;
+        if inner.job.take().is_some() {
+            // It is at something that nobody wants any longer.
+            drop(inner.worker.take());
+        }
+        drop(inner.waiting.take());
+        if let Some(job) = intake.job().filter(|job| !job.fetches.is_empty()) {
+            return self.fetch(job.id, job.fetches.clone());
+        }
+        let Some((job, bytes)) = intake.ask() else {
+            return;
+        };
+        inner.job.set(Some(job));
+        inner.waiting.set(Some(bytes));
+        if inner.worker.get().is_none() {
+            self.hire();
+        }
+        self.post();
+    }
+
+    /// Fetches files of the page; those that are not there are left out.
+    fn fetch(&self, job: u64, names: Vec<String>) {
+        let send = self.0.send.clone();
+        spawn_local(async move {
+            let files = files::fetch_maps(names).await;
+            send.emit(Action::Intake(IntakeAction::Fetched { job, files }));
+        });
+    }
+
+    fn hire(&self) {
+        let reader = self.clone();
+        let program = Rc::clone(&self.0.program);
+        match Hired::start(program, READER, Rc::new(move |event| reader.hear(event))) {
+            Ok(hired) => self.0.worker.set(Some(Rc::new(hired))),
+            Err(sentence) => self.broken(sentence),
+        }
+    }
+
+    fn post(&self) {
+        let worker = self.0.worker.get();
+        let Some(worker) = worker.filter(|worker| worker.is_ready()) else {
+            return;
+        };
+        if let Some(bytes) = self.0.waiting.take() {
+            worker.post(&bytes);
+        }
+    }
+
+    fn hear(&self, event: Event) {
+        let message = match event {
+            Event::Said(bytes) => borsh::from_slice(&bytes).unwrap_or_else(|error| {
+                Message::Failed(format!("The reader said what nobody understands: {error}"))
+            }),
+            Event::Broke(sentence) => Message::Failed(sentence),
+        };
+        match message {
+            Message::Ready => {
+                if let Some(worker) = self.0.worker.get() {
+                    worker.set_ready();
+                }
+                self.post();
+            }
+            Message::Progress { id, sentence } => {
+                let progress = IntakeAction::Progress { job: id, sentence };
+                self.0.send.emit(Action::Intake(progress));
+            }
+            Message::Reply { id, reply } => {
+                if self.0.job.get() == Some(id) {
+                    self.0.job.set(None);
+                    self.replied(id, reply);
+                }
+            }
+            Message::Failed(sentence) => self.broken(sentence),
+        }
+    }
+
+    fn replied(&self, job: u64, reply: Reply) {
+        let own = matches!(reply, Reply::Own);
+        let reply = Rc::new(reply);
+        let state = self.0.state.get();
+        self.0
+            .send
+            .emit(Action::Intake(IntakeAction::Reply { job, reply }));
+        if let (true, Some(state), Some(show)) = (own, state, self.0.show.get()) {
+            let opened = state.intake.job().map(|job| job.files().to_vec());
+            let reading = giveway_page::files::read_beside(&state, &opened.unwrap_or_default());
+            files::take(reading, &self.0.send, &show);
+        }
+    }
+
+    fn broken(&self, sentence: String) {
+        drop(self.0.worker.take());
+        drop(self.0.waiting.take());
+        if let Some(job) = self.0.job.take() {
+            let crash = IntakeAction::Crash { job, sentence };
+            self.0.send.emit(Action::Intake(crash));
+        }
+    }
+}

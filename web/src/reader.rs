@@ -1,0 +1,65 @@
+//! The reader's Wasm: what reads and writes other people's files, in a worker.
+//!
+//! A program of its own, loaded when such a file is opened first: most people
+//! never need it, and neither page nor solver grows by the readers of all formats.
+
+use giveway_page::intake::protocol::{Ask, Message, Task};
+use giveway_page::intake::work;
+use js_sys::Uint8Array;
+use wasm_bindgen::JsCast as _;
+use wasm_bindgen::closure::Closure;
+use web_sys::{DedicatedWorkerGlobalScope, MessageEvent};
+
+/// From this size on it is said how much there is to read, in bytes.
+const LARGE: usize = 1_000_000;
+
+fn main() {
+    std::panic::set_hook(Box::new(|panic| {
+        post(&Message::Failed(format!(
+            "The reader broke down, which is a fault of this program: {panic}"
+        )));
+    }));
+    let listen = Closure::<dyn Fn(MessageEvent)>::new(|event: MessageEvent| {
+        let bytes = event.data().dyn_ref().map(Uint8Array::to_vec);
+        answer(&bytes.unwrap_or_default());
+    });
+    scope().set_onmessage(Some(listen.as_ref().unchecked_ref()));
+    listen.forget(); // it listens as long as the worker lives
+    post(&Message::Ready);
+}
+
+/// Answers one message.
+fn answer(bytes: &[u8]) {
+    match borsh::from_slice::<Ask>(bytes) {
+        Ok(Ask { id, task }) => {
+            if let Some(sentence) = large(&task) {
+                post(&Message::Progress { id, sentence });
+            }
+            let reply = work(task);
+            post(&Message::Reply { id, reply });
+        }
+        Err(error) => post(&Message::Failed(format!(
+            "The reader was asked what it does not understand: {error}"
+        ))),
+    }
+}
+
+/// What there is to be said of large files before they are read.
+fn large(task: &Task) -> Option<String> {
+    let Task::Read(read) = task else { return None };
+    let bytes: usize = read.files.iter().map(|file| file.bytes.len()).sum();
+    (bytes >= LARGE).then(|| {
+        let name = read.files.first().map_or("", |file| file.name.as_str());
+        format!("Reading and judging {name}, {} MB …", bytes.div_ceil(LARGE))
+    })
+}
+
+fn scope() -> DedicatedWorkerGlobalScope {
+    js_sys::global().unchecked_into()
+}
+
+fn post(message: &Message) {
+    // Memory is all that could run out, and bytes can always be posted.
+    let bytes = borsh::to_vec(message).unwrap_or_default();
+    let _ = scope().post_message(&Uint8Array::from(bytes.as_slice()));
+}
