@@ -44,7 +44,7 @@ impl Drop for Hired {
 
 impl Hired {
     /// Starts a worker, which runs the program as soon as that is there. It
-    /// does not listen before it has said [`Message::Ready`].
+    /// does not listen before it has said `Message::Ready`.
     ///
     /// # Errors
     /// Why the browser starts none, as a sentence.

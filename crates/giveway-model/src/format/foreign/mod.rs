@@ -8,7 +8,7 @@
 //! A reader (one file each) knows its own grammar only and decides nothing: it
 //! gives a [`WrittenPlan`] as it is written, and says which [`Conventions`] its
 //! format documents. `place` turns that into cells under some conventions,
-//! `decide` tries them and says why one was taken, and [`gather`] brings files
+//! `decide` tries them and says why one was taken, and [`gather()`] brings files
 //! together. Nothing here reads a disk.
 
 mod asprilo;
