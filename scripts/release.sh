@@ -3,7 +3,7 @@
 
 readonly deny_version=0.20.2
 # The crates that are published, in dependency order.
-readonly published=(giveway-model giveway-proof giveway-solve giveway-cli)
+readonly published=(giveway-model giveway-proof giveway-planners giveway-solve giveway-cli)
 
 # Versions, what crates hold, licences, workflows: some seconds, nothing is built.
 test_release() {
@@ -14,7 +14,7 @@ test_release() {
 # The crates as somebody else gets them: packed, unpacked, and built from nothing else.
 test_packaging() {
     step "Packing the published crates and building them from that (some minutes)"
-    # One folder for all four, so that what they share is compiled once.
+    # One folder for all five, so that what they share is compiled once.
     CARGO_TARGET_DIR=target/packed cargo package --locked --allow-dirty "${published[@]/#/--package=}"
 }
 

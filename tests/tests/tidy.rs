@@ -125,6 +125,7 @@ mod layers {
         for layer in [
             "giveway-model",
             "giveway-proof",
+            "giveway-planners",
             "giveway-solve",
             "giveway-page",
         ] {
@@ -170,6 +171,25 @@ mod layers {
     fn the_model_knows_no_solver() {
         let solver = ["varisat", "giveway_solve"];
         expect_none(&uses("crates/giveway-model", &[], &solver));
+    }
+
+    #[test]
+    fn planners_know_no_solver_and_no_surroundings() {
+        let planners = "crates/giveway-planners";
+        let others = [
+            "varisat",
+            "giveway_solve",
+            "giveway_proof",
+            "std::fs",
+            "std::io",
+            "std::net",
+            "std::env",
+            "std::process",
+            "std::thread",
+            "std::time",
+        ];
+        expect_none(&uses(planners, &[], &others));
+        expect_none(&uses(planners, &[], BROWSER));
     }
 
     #[test]

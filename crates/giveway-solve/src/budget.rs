@@ -4,16 +4,13 @@
 //! on; it never decides anything else, so that time cannot change an answer but
 //! only cut it short.
 
-mod stop;
-
 use std::cell::Cell;
 
-use crate::{
-    Host, Limits, Progress, Stats,
-    held::{Held, HeldBytes},
-};
+use giveway_planners::budget as planners;
 
-pub(crate) use stop::Stop;
+use crate::{Host, Limits, Progress, Stats};
+
+pub(crate) use planners::{Held, HeldBytes, Stop};
 
 /// Bytes that a request may hold where its limits say nothing: a browser tab
 /// stands it, and so does a small machine.
@@ -161,68 +158,12 @@ impl<'h> Budget<'h> {
         self.count_joint(part.joint_given - part.joint_left.get());
     }
 
-    /// Whether to go on; once it says no, it says no for good.
-    pub(crate) fn check(&self) -> Result<(), Stop> {
-        if let Some(stop) = self.stopped.get() {
-            return Err(stop);
-        }
-        let spent = |limit: Option<u64>, used: u64| limit.is_some_and(|limit| used > limit);
-        let stop = if self.host.cancelled() {
-            Stop::Cancelled
-        } else if self.is_too_large() {
-            Stop::Memory
-        } else if spent(self.limits.conflicts, self.conflicts.get())
-            || self.derived.get() > self.most_derived
-            || self.clauses.get() > self.most_clauses
-        {
-            Stop::Conflicts
-        } else if self
-            .limits
-            .seconds
-            .is_some_and(|limit| self.host.wall_seconds() - self.wall_start >= limit)
-        {
-            Stop::Time
-        } else {
-            return Ok(());
-        };
-        self.stopped.set(Some(stop));
-        Err(stop)
-    }
-
     /// Whether it holds too much, by its own estimate or by the host's word.
     /// What was there before the request may be used again.
     fn is_too_large(&self) -> bool {
         let most = self.limits.memory_bytes.unwrap_or(DEFAULT_MEMORY);
         let size = self.host.memory_bytes();
         self.held.get() > most || size > most.max(self.memory_start)
-    }
-
-    /// As [`Budget::check`], but looks at the clock only now and then: for the
-    /// inner loops.
-    pub(crate) fn tick(&self) -> Result<(), Stop> {
-        let left = self.until_clock.get();
-        if left > 0 {
-            self.until_clock.set(left - 1);
-            return Ok(());
-        }
-        self.until_clock.set(CLOCK_INTERVAL);
-        self.check()
-    }
-
-    /// Counts memory for as long as what is returned is there, in bytes.
-    pub(crate) fn hold(&self, bytes: usize) -> Held {
-        Held::new(&self.held, bytes)
-    }
-
-    /// The bytes that are held now.
-    #[cfg(test)]
-    pub(crate) fn held(&self) -> u64 {
-        self.held.get()
-    }
-
-    /// Counts further memory of something, in bytes.
-    pub(crate) fn hold_more(&self, held: &mut Held, bytes: usize) {
-        held.more(&self.held, bytes);
     }
 
     pub(crate) fn count_call(&self) {
@@ -281,5 +222,64 @@ impl<'h> Budget<'h> {
             clauses: self.clauses.get(),
             conflicts: self.conflicts.get(),
         }
+    }
+
+    /// Whether to go on; once it says no, it says no for good.
+    pub(crate) fn check(&self) -> Result<(), Stop> {
+        if let Some(stop) = self.stopped.get() {
+            return Err(stop);
+        }
+        let spent = |limit: Option<u64>, used: u64| limit.is_some_and(|limit| used > limit);
+        let stop = if self.host.cancelled() {
+            Stop::Cancelled
+        } else if self.is_too_large() {
+            Stop::Memory
+        } else if spent(self.limits.conflicts, self.conflicts.get())
+            || self.derived.get() > self.most_derived
+            || self.clauses.get() > self.most_clauses
+        {
+            Stop::Conflicts
+        } else if self
+            .limits
+            .seconds
+            .is_some_and(|limit| self.host.wall_seconds() - self.wall_start >= limit)
+        {
+            Stop::Time
+        } else {
+            return Ok(());
+        };
+        self.stopped.set(Some(stop));
+        Err(stop)
+    }
+
+    /// As [`Budget::check`], but looks at the clock only now and then: for the
+    /// inner loops.
+    pub(crate) fn tick(&self) -> Result<(), Stop> {
+        let left = self.until_clock.get();
+        if left > 0 {
+            self.until_clock.set(left - 1);
+            return Ok(());
+        }
+        self.until_clock.set(CLOCK_INTERVAL);
+        self.check()
+    }
+
+    /// Counts further memory of something, in bytes.
+    pub(crate) fn hold_more(&self, held: &mut Held, bytes: usize) {
+        held.more(&self.held, bytes);
+    }
+}
+
+impl planners::Budget for Budget<'_> {
+    fn check(&self) -> Result<(), Stop> {
+        Self::check(self)
+    }
+
+    fn tick(&self) -> Result<(), Stop> {
+        Self::tick(self)
+    }
+
+    fn held_bytes(&self) -> &HeldBytes {
+        &self.held
     }
 }

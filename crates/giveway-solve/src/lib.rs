@@ -13,11 +13,9 @@ pub mod change;
 mod counterfactual;
 mod encode;
 pub mod explain;
-mod held;
 mod host;
 mod joint;
 mod judged;
-mod local;
 mod pareto;
 mod problem;
 mod progress;
@@ -25,13 +23,12 @@ mod request;
 mod sat;
 mod search;
 pub mod service;
-mod single;
 mod solve;
-mod terrain;
 #[cfg(test)]
 mod tests;
-mod walk;
 pub mod words;
+
+use giveway_planners::{local, single, terrain, walk};
 
 pub use answer::{CheckAnswer, FrontAnswer, SolveAnswer, Stats, Status};
 pub use certify::CertifyRequest;

@@ -75,7 +75,7 @@ fn along(member: &Member, terrain: &Terrain) -> Result<Bounds, Fault> {
 }
 
 fn within(member: &Member, terrain: &Terrain, width: u32) -> Result<Bounds, Fault> {
-    let mut tunnel = vec![false; terrain.len()];
+    let mut tunnel = vec![false; terrain.size()];
     let mut queue = VecDeque::new();
     for v in member.rest.iter().filter_map(|&cell| terrain.vertex(cell)) {
         if let Some(inside) = tunnel.get_mut(v as usize)

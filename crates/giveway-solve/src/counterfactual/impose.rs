@@ -41,7 +41,7 @@ impl Counterfactual {
                 at,
             });
         }
-        problem.add(agent, task, budget)
+        Ok(problem.add(agent, task, budget)?)
     }
 
     /// Puts the demand into the agent's task; `None` where it cannot be kept.
@@ -126,7 +126,7 @@ impl Counterfactual {
                     let ends = (terrain.cell(u), terrain.cell(v));
                     edge.is_none_or(|(u, v)| ends == (u, v) || ends == (v, u))
                 };
-                let arcs = (0..terrain.len() as Vertex).flat_map(|u| terrain.arcs(u));
+                let arcs = (0..terrain.size() as Vertex).flat_map(|u| terrain.arcs(u));
                 let slow = arcs.filter(|arc| arc.slow && is_asked(arc.id));
                 Some(TaskConstraint::NotCross {
                     arcs: slow.map(|arc| arc.id).collect(),

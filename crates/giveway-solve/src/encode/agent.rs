@@ -144,11 +144,11 @@ impl MddEncoding {
             return Ok(added);
         }
         let task = &problem.tasks[self.id];
-        let old = self.mdd.len();
+        let old = self.mdd.size();
         let cost_to_go = &problem.cost_to_go[self.id];
         self.mdd
             .grow(deadline, task, &problem.terrain, cost_to_go, budget)?;
-        for id in old..self.mdd.len() {
+        for id in old..self.mdd.size() {
             budget.tick()?;
             self.write_node(id, task, &problem.terrain, &mut added, out);
             self.due.entry(0).or_default().push(id);

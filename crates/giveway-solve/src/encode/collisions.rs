@@ -18,8 +18,7 @@ use crate::{
     terrain::{Arc, Vertex},
 };
 
-/// An agent by its number in the instance.
-pub(crate) type AgentId = usize;
+pub(crate) use giveway_planners::AgentId;
 
 /// The literals that a crossing stands for: all true means that it happens.
 type Premise = [Lit; 2];

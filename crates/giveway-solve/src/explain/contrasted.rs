@@ -96,7 +96,7 @@ impl Contrasted<'_, '_> {
         let mut walks = walks?;
         let latest = variant.within.unwrap_or(self.horizon);
         let objective = self.case.objective();
-        let improved = Lns::new().improve(
+        let improved = Lns::default().improve(
             &problem,
             &mut walks,
             latest,

@@ -38,7 +38,7 @@ pub(crate) fn is_small(problem: &Problem) -> bool {
 fn has_few_states(problem: &Problem, agents: impl Iterator<Item = AgentId>) -> bool {
     let states = agents.map(|agent| {
         let task = &problem.tasks[agent];
-        let cells = problem.terrain.len();
+        let cells = problem.terrain.size();
         cells
             .saturating_mul(task.masks())
             .saturating_mul(task.levels())

@@ -6,8 +6,8 @@ use varisat::{ExtendFormula, ProofFormat, Solver, config::SolverConfigUpdate};
 
 use super::placeholders::{Freed, Placeholders};
 use super::{Clauses, Lit, proof_listener::ProofListener};
+use crate::budget::Held;
 use crate::budget::{Budget, Stop};
-use crate::held::Held;
 
 /// Bytes that varisat takes for a clause beside its literals, and for a
 /// variable; measured with a margin.

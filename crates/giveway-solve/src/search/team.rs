@@ -142,7 +142,7 @@ impl<'p, 'h> Team<'p, 'h> {
         let Some(code) = &mut self.inside[agent] else {
             return Ok(());
         };
-        let old = code.mdd().len();
+        let old = code.mdd().size();
         let added = code.grow(deadline, problem, &self.budget, &mut self.sat)?;
         self.absorb(agent, &added);
         self.precede(agent, old, &added);

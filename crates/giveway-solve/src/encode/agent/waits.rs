@@ -16,7 +16,7 @@ impl MddEncoding {
         else {
             return;
         };
-        for id in old..self.mdd.len() {
+        for id in old..self.mdd.size() {
             let node = self.mdd.node(id);
             let Place::At(v) = node.place else { continue };
             for first in node.time.saturating_sub(steps)..=node.time {

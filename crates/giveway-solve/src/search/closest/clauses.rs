@@ -42,13 +42,13 @@ impl Near<'_, '_> {
         let arrival = arrival(walk);
         let task = &self.problem.tasks[agent];
         if let Some(Trace { nodes, same }) = &self.traces[agent] {
-            for id in written.nodes..code.mdd().len() {
+            for id in written.nodes..code.mdd().size() {
                 let node = code.mdd().node(id);
                 if nodes.get(node.time as usize) != Some(&(node.place, node.mask)) {
                     clauses.push(vec![!*same, !code.node(id)]);
                 }
             }
-            written.nodes = code.mdd().len();
+            written.nodes = code.mdd().size();
             for time in written.rest..=arrival {
                 clauses.extend(code.resting(time).map(|rest| vec![!*same, !rest]));
             }
@@ -65,7 +65,7 @@ impl Near<'_, '_> {
         };
         let goal = Place::At(task.goal);
         let was = |time: u32| walk.get(time as usize).copied().unwrap_or(goal);
-        for id in written.entries..code.mdd().len() {
+        for id in written.entries..code.mdd().size() {
             let node = code.mdd().node(id);
             let Some(&differs) = differs.get(node.time as usize) else {
                 continue;
@@ -76,7 +76,7 @@ impl Near<'_, '_> {
         }
         // Where agents vanish an end is an end: it is missing from then on.
         if !self.problem.rests(agent) {
-            for id in written.entries..code.mdd().len() {
+            for id in written.entries..code.mdd().size() {
                 let node = code.mdd().node(id);
                 if !code.is_end(node, task) {
                     continue;
@@ -90,7 +90,7 @@ impl Near<'_, '_> {
                 }
             }
         }
-        written.entries = code.mdd().len();
+        written.entries = code.mdd().size();
         while let Some(&differs) = differs.get(written.rest_entries as usize) {
             let time = written.rest_entries;
             match code.resting(time) {

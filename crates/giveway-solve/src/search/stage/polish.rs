@@ -21,7 +21,7 @@ pub(super) struct Polishing {
 impl Polishing {
     pub(super) fn new() -> Self {
         Self {
-            lns: Lns::new(),
+            lns: Lns::default(),
             next: FIRST_POLISH,
         }
     }

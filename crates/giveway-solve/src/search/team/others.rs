@@ -51,7 +51,7 @@ impl Team<'_, '_> {
                 return;
             };
             let mdd = code.mdd();
-            let nodes: Vec<(u32, Lit)> = (old..mdd.len())
+            let nodes: Vec<(u32, Lit)> = (old..mdd.size())
                 .filter(|&id| mdd.node(id).mask & visited == 0)
                 .map(|id| (mdd.node(id).time, code.node(id)))
                 .collect();

@@ -1,0 +1,35 @@
+//! Why the work stopped early, in a sentence.
+
+/// Why the work stopped early.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Stop {
+    /// The seconds ran out.
+    Time,
+    /// The conflicts ran out.
+    Conflicts,
+    /// The memory ran out.
+    Memory,
+    /// There were more sets of agents to compare than are looked at.
+    Sets,
+    /// The person asked to stop.
+    Cancelled,
+    /// A plan and a proved bound contradict each other: a fault of the program,
+    /// reported instead of an answer that might be wrong.
+    Contradiction,
+}
+
+impl Stop {
+    /// The stop as a sentence.
+    pub const fn sentence(self) -> &'static str {
+        match self {
+            Self::Time => "The time limit was reached.",
+            Self::Conflicts => "The conflict limit was reached.",
+            Self::Memory => "The memory limit was reached.",
+            Self::Sets => "There were too many sets of robots to free to compare them all.",
+            Self::Cancelled => "The search was cancelled.",
+            Self::Contradiction => {
+                "A plan and a bound contradicted each other, which is a fault of this program."
+            }
+        }
+    }
+}

@@ -1,0 +1,19 @@
+//! One agent alone: its task, its exact distances, its MDD of good plans.
+
+mod cost_to_go;
+mod demand;
+mod earliest;
+mod hopeless;
+mod mdd;
+mod onward;
+mod task;
+#[cfg(test)]
+mod tests;
+
+pub use cost_to_go::{CostToGo, Metric};
+pub use demand::TaskConstraint;
+pub use earliest::earliest;
+pub use hopeless::{Hopeless, has_to_be_at};
+pub use mdd::{Mdd, Node, NodeId, Place};
+pub use onward::State;
+pub use task::{Bounds, MAX_WAYPOINTS, Mask, Reserve, Task};

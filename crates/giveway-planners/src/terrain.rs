@@ -1,0 +1,132 @@
+//! The map as a graph: vertices and arcs by number.
+
+use giveway_model::{Cell, Grid};
+
+/// A vertex: the number of a free cell, row by row.
+pub type Vertex = u32;
+
+/// One direction of an edge.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Arc {
+    /// Its number; the two arcs of an edge are `2 e` and `2 e + 1`.
+    pub id: u32,
+    /// Where it leads.
+    pub to: Vertex,
+    /// Whether it takes two steps, in transit after the first.
+    pub slow: bool,
+}
+
+impl Arc {
+    /// The edge that it belongs to.
+    pub const fn edge(self) -> u32 {
+        self.id >> 1
+    }
+
+    /// Which of the edge's two directions it is.
+    pub const fn forward(self) -> bool {
+        self.id & 1 == 0
+    }
+}
+
+/// The graph of a map.
+pub struct Terrain {
+    width: u32,
+    cells: Vec<Cell>,
+    vertices: Vec<Vertex>,
+    arcs: Vec<Vec<Arc>>,
+    /// From and to of each arc, by its number.
+    ends: Vec<(Vertex, Vertex)>,
+    chargers: Vec<bool>,
+}
+
+const NO_VERTEX: Vertex = Vertex::MAX;
+
+impl Terrain {
+    /// The graph of a grid.
+    pub fn new(grid: &Grid) -> Self {
+        let mut cells = Vec::new();
+        let mut vertices = Vec::new();
+        for (cell, ground) in grid.cells() {
+            if ground.is_vertex() {
+                vertices.push(cells.len() as Vertex);
+                cells.push(cell);
+            } else {
+                vertices.push(NO_VERTEX);
+            }
+        }
+        let mut terrain = Self {
+            width: grid.width(),
+            arcs: vec![Vec::with_capacity(4); cells.len()],
+            ends: Vec::new(),
+            chargers: cells.iter().map(|&c| grid.is_charger(c)).collect(),
+            cells,
+            vertices,
+        };
+        for u in 0..terrain.cells.len() as Vertex {
+            let from = terrain.cell(u);
+            for cell in [Cell::new(from.x + 1, from.y), Cell::new(from.x, from.y + 1)] {
+                if grid.is_vertex(cell) {
+                    let slow = grid.is_slow_edge(from, cell);
+                    terrain.join(u, cell, slow);
+                }
+            }
+        }
+        terrain
+    }
+
+    fn join(&mut self, u: Vertex, cell: Cell, slow: bool) {
+        let Some(v) = self.vertex(cell) else { return };
+        let id = self.ends.len() as u32;
+        self.ends.extend([(u, v), (v, u)]);
+        self.arcs[u as usize].push(Arc { id, to: v, slow });
+        let id = id + 1;
+        self.arcs[v as usize].push(Arc { id, to: u, slow });
+    }
+
+    /// The number of vertices.
+    pub fn size(&self) -> usize {
+        self.cells.len()
+    }
+
+    /// The cell of a vertex.
+    pub fn cell(&self, v: Vertex) -> Cell {
+        self.cells[v as usize]
+    }
+
+    /// The vertex of a cell; `None` for obstacles and cells off the map.
+    pub fn vertex(&self, cell: Cell) -> Option<Vertex> {
+        if cell.x >= self.width {
+            return None;
+        }
+        let index = cell.y as usize * self.width as usize + cell.x as usize;
+        let found = self.vertices.get(index).copied();
+        found.filter(|&v| v != NO_VERTEX)
+    }
+
+    /// The arcs that leave a vertex; none leave what is no vertex any more.
+    pub fn arcs(&self, v: Vertex) -> &[Arc] {
+        self.arcs.get(v as usize).map_or(&[], Vec::as_slice)
+    }
+
+    /// The arc that an agent is half way along when it is about to enter a
+    /// vertex, whatever became of the cell that it comes from.
+    pub fn transit(&mut self, from: Option<Vertex>, to: Vertex) -> u32 {
+        let there = from.and_then(|u| self.arcs(u).iter().find(|arc| arc.to == to));
+        if let Some(arc) = there {
+            return arc.id;
+        }
+        let id = self.ends.len() as u32;
+        self.ends.extend([(NO_VERTEX, to), (to, NO_VERTEX)]);
+        id
+    }
+
+    /// From and to of an arc.
+    pub fn ends(&self, arc: u32) -> (Vertex, Vertex) {
+        self.ends[arc as usize]
+    }
+
+    /// Whether an agent may charge at a vertex.
+    pub fn is_charger(&self, v: Vertex) -> bool {
+        self.chargers[v as usize]
+    }
+}

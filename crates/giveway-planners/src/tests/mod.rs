@@ -1,0 +1,10 @@
+//! What several tests share: pictures, random instances, and the rules for one
+//! agent written down a second time.
+
+mod lone;
+mod picture;
+mod random;
+
+pub(crate) use lone::{Lone, Spot, State};
+pub(crate) use picture::instance;
+pub(crate) use random::random;

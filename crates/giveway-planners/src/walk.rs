@@ -1,0 +1,188 @@
+//! A walk: where one agent is at each time, as the search sees it.
+
+use giveway_model::{Cell, Costs, Plan, Version};
+
+use crate::{
+    problem::Problem,
+    single::{Place, Task, TaskConstraint},
+    terrain::{Arc, Terrain},
+};
+
+/// The places of an agent at each time from 0 to its arrival.
+pub type Walk = Vec<Place>;
+
+/// The arrival of a walk.
+pub fn arrival(walk: &[Place]) -> u32 {
+    (walk.len() as u32).saturating_sub(1)
+}
+
+/// The arc crossed in the step that begins at a time, if one is.
+pub fn crossed(terrain: &Terrain, walk: &[Place], time: usize) -> Option<Arc> {
+    let by_id = |id: u32| {
+        let (from, _) = terrain.ends(id);
+        terrain.arcs(from).iter().find(|arc| arc.id == id).copied()
+    };
+    match (*walk.get(time)?, *walk.get(time + 1)?) {
+        (_, Place::Along(id)) | (Place::Along(id), _) => by_id(id),
+        (Place::At(u), Place::At(v)) => terrain.arcs(u).iter().find(|arc| arc.to == v).copied(),
+    }
+}
+
+/// The fewest charges with which a walk can be made, each as late as it can be;
+/// `None` where the battery does not last.
+pub fn charges(task: &Task, terrain: &Terrain, walk: &[Place]) -> Option<Vec<u32>> {
+    let Some(reserve) = task.reserve else {
+        return Some(Vec::new());
+    };
+    let free = fewest(task, terrain, walk, reserve.initial, 0)?;
+    let Some(TaskConstraint::Charge { v, .. }) = task.demand else {
+        return Some(free);
+    };
+    let there = |time: u32| walk.get(time as usize) == Some(&Place::At(v));
+    if free.iter().any(|&time| there(time)) {
+        return Some(free);
+    }
+    // One charge is demanded there: any of the times, what is before and after
+    // it as it is best.
+    let mut best: Option<Vec<u32>> = None;
+    for time in (0..arrival(walk)).filter(|&time| there(time)) {
+        let Some(mut charges) = fewest(task, terrain, &walk[..=time as usize], reserve.initial, 0)
+        else {
+            continue;
+        };
+        charges.push(time);
+        let after = fewest(task, terrain, walk, time + 1 + reserve.full, time + 1);
+        let Some(after) = after else { continue };
+        charges.extend(after);
+        if best.as_ref().is_none_or(|best| charges.len() <= best.len()) {
+            best = Some(charges);
+        }
+    }
+    best
+}
+
+/// Whether the battery lasts for a walk with these charges, which are allowed.
+pub fn lasts(task: &Task, walk: &[Place], charges: &[u32]) -> bool {
+    let Some(reserve) = task.reserve else {
+        return charges.is_empty();
+    };
+    let mut level = Some(reserve.initial);
+    for time in 0..arrival(walk) {
+        level = match level {
+            Some(_) if charges.contains(&time) => Some(reserve.full),
+            Some(level) => level.checked_sub(1),
+            None => None,
+        };
+    }
+    level.is_some()
+}
+
+/// The fewest charges from a time on, where the battery lasts up to and
+/// including the time `until`.
+fn fewest(
+    task: &Task,
+    terrain: &Terrain,
+    walk: &[Place],
+    until: u32,
+    from: u32,
+) -> Option<Vec<u32>> {
+    let full = task.reserve?.full;
+    let mut until = until;
+    let mut charges = Vec::new();
+    let mut last_charger = None;
+    for (time, place) in walk.iter().enumerate().skip(from as usize) {
+        let time = time as u32;
+        if time > until {
+            let charge: u32 = last_charger.take()?;
+            charges.push(charge);
+            until = charge + 1 + full;
+            if time > until {
+                return None;
+            }
+        }
+        if matches!(place, Place::At(v) if task.may_charge(terrain, *v, Some(time))) {
+            last_charger = Some(time);
+        }
+    }
+    Some(charges)
+}
+
+/// The five costs of one agent's walk.
+pub fn costs_of(problem: &Problem, agent: usize, walk: &[Place]) -> Costs {
+    let arrival = arrival(walk);
+    let task = &problem.tasks[agent];
+    let charges = charges(task, &problem.terrain, walk);
+    let goes_on = u32::from(arrival > 0);
+    let mut costs = Costs {
+        makespan: arrival,
+        sum_of_costs: arrival + goes_on * task.woken,
+        charges: charges.map_or(0, |c| c.len() as u32),
+        waits: goes_on * task.stood,
+        ..Costs::default()
+    };
+    for pair in walk.windows(2) {
+        match (pair[0], pair[1]) {
+            (Place::At(u), Place::At(v)) if u == v => costs.waits += 1,
+            (Place::Along(_), _) => {}
+            _ => costs.moves += 1,
+        }
+    }
+    costs
+}
+
+/// The five costs of walks, one an agent.
+pub fn costs(problem: &Problem, walks: &[Walk]) -> Costs {
+    let mut costs = Costs::default();
+    for (agent, walk) in walks.iter().enumerate() {
+        let own = costs_of(problem, agent, walk);
+        costs.makespan = costs.makespan.max(own.makespan);
+        costs.sum_of_costs += own.sum_of_costs;
+        costs.charges += own.charges;
+        costs.moves += own.moves;
+        costs.waits += own.waits;
+    }
+    costs
+}
+
+/// The walks of a plan that the judge passes, in the order of the names; `None`
+/// where it is not one over this problem.
+pub fn of_plan(problem: &Problem, names: &[String], plan: &Plan) -> Option<Vec<Walk>> {
+    let paths = names.iter().map(|name| plan.path(name));
+    paths.map(|path| of_path(&problem.terrain, path)).collect()
+}
+
+fn of_path(terrain: &Terrain, path: &[Option<Cell>]) -> Option<Walk> {
+    let mut walk = Walk::with_capacity(path.len());
+    for (time, entry) in path.iter().enumerate() {
+        walk.push(if let Some(cell) = entry {
+            Place::At(terrain.vertex(*cell)?)
+        } else {
+            let from = terrain.vertex((*path.get(time.checked_sub(1)?)?)?)?;
+            let to = terrain.vertex((*path.get(time + 1)?)?)?;
+            let arc = terrain.arcs(from).iter().find(|arc| arc.to == to)?;
+            Place::Along(arc.id)
+        });
+    }
+    Some(walk)
+}
+
+/// Walks as a plan.
+pub fn to_plan(problem: &Problem, names: &[String], walks: &[Walk]) -> Plan {
+    let mut plan = Plan {
+        giveway: Version,
+        ..Plan::default()
+    };
+    for ((name, task), walk) in names.iter().zip(&problem.tasks).zip(walks) {
+        let cell = |place: &Place| match *place {
+            Place::At(v) => Some(problem.terrain.cell(v)),
+            Place::Along(_) => None,
+        };
+        plan.paths
+            .insert(name.clone(), walk.iter().map(cell).collect());
+        let charges = charges(task, &problem.terrain, walk).unwrap_or_default();
+        if !charges.is_empty() {
+            plan.charges.insert(name.clone(), charges);
+        }
+    }
+    plan
+}
