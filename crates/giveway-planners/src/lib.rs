@@ -5,6 +5,8 @@
 //! Nothing here knows SAT, a clock, or a page.
 
 pub mod budget;
+mod chance;
+pub mod lns;
 pub mod local;
 pub mod problem;
 pub mod single;

@@ -8,15 +8,11 @@ use std::collections::BTreeSet;
 
 use fastrand::Rng;
 
-use super::{
-    Query, Reservations,
-    chance::{below, shuffle},
-    plan_one,
-    space_time::DEAR,
-};
+use super::{Others, Query, Reservations, plan_one, space_time::DEAR};
 use crate::{
     AgentId,
     budget::{Budget, Stop},
+    chance::{below, shuffle},
     problem::Problem,
     walk::Walk,
 };

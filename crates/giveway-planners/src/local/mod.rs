@@ -3,15 +3,17 @@
 //! They give an answer early, a bound from above, and the paths of the agents
 //! that need no place inside the SAT solver.
 
-mod chance;
 mod first_plan;
-mod neighbourhood;
+mod others;
 mod reservations;
+mod safe_interval;
 mod space_time;
 #[cfg(test)]
 mod tests;
+mod timetable;
 
 pub use first_plan::{apart, first_plan};
-pub use neighbourhood::Lns;
+pub use others::Others;
 pub use reservations::Reservations;
 pub use space_time::{DEAR, Query, plan_one};
+pub use timetable::Timetable;

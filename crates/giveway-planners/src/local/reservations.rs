@@ -4,6 +4,7 @@ use std::collections::{BTreeMap, BTreeSet};
 
 use rustc_hash::FxBuildHasher;
 
+use super::Others;
 use crate::{
     AgentId,
     problem::Problem,
@@ -51,9 +52,14 @@ impl<'p> Reservations<'p> {
         }
         all
     }
+}
 
-    /// Adds the walk of an agent.
-    pub fn add(&mut self, agent: AgentId, walk: &[Place]) {
+impl Others for Reservations<'_> {
+    fn problem(&self) -> &Problem {
+        self.problem
+    }
+
+    fn add(&mut self, agent: AgentId, walk: &[Place]) {
         for (time, place) in walk.iter().enumerate() {
             if let Place::At(v) = *place {
                 self.at.entry((time as u32, v)).or_default().push(agent);
@@ -74,8 +80,7 @@ impl<'p> Reservations<'p> {
         }
     }
 
-    /// Takes away the walk of an agent, as it was added.
-    pub fn remove(&mut self, agent: AgentId, walk: &[Place]) {
+    fn remove(&mut self, agent: AgentId, walk: &[Place]) {
         let drop = |table: &mut Table, key: (u32, u32)| {
             if let Some(users) = table.get_mut(&key) {
                 users.retain(|&user| user != agent);
@@ -100,15 +105,13 @@ impl<'p> Reservations<'p> {
         }
     }
 
-    /// Who is at a vertex at a time.
-    pub fn at(&self, time: u32, v: Vertex) -> impl Iterator<Item = AgentId> + '_ {
+    fn at(&self, time: u32, v: Vertex) -> impl Iterator<Item = AgentId> + '_ {
         let resting = self.rests.get(&v).filter(|(from, _)| *from <= time);
         let passing = self.at.get(&(time, v)).into_iter().flatten();
         passing.copied().chain(resting.map(|&(_, agent)| agent))
     }
 
-    /// Who crosses the edge of an arc the other way in the step from a time.
-    pub fn against(&self, time: u32, arc: u32) -> impl Iterator<Item = AgentId> + '_ {
+    fn against(&self, time: u32, arc: u32) -> impl Iterator<Item = AgentId> + '_ {
         self.along
             .get(&(time, arc ^ 1))
             .into_iter()
@@ -116,8 +119,7 @@ impl<'p> Reservations<'p> {
             .copied()
     }
 
-    /// Who visits a goal after a time.
-    pub fn after(&self, time: u32, goal: Vertex) -> impl Iterator<Item = AgentId> + '_ {
+    fn after(&self, time: u32, goal: Vertex) -> impl Iterator<Item = AgentId> + '_ {
         let visits = self.visits.get(&goal);
         visits
             .into_iter()
@@ -125,29 +127,8 @@ impl<'p> Reservations<'p> {
             .map(|&(_, agent)| agent)
     }
 
-    /// The last time at which a goal is visited by an agent on its way.
-    pub fn last_visit(&self, goal: Vertex) -> Option<u32> {
+    fn last_visit(&self, goal: Vertex) -> Option<u32> {
         let visits = self.visits.get(&goal)?;
         visits.last().map(|&(time, _)| time)
-    }
-
-    /// The agents that a walk of an agent collides with.
-    pub fn met_by(&self, agent: AgentId, walk: &[Place]) -> BTreeSet<AgentId> {
-        let mut met = BTreeSet::new();
-        for (time, place) in walk.iter().enumerate() {
-            let step = time as u32;
-            if let Place::At(v) = *place {
-                met.extend(self.at(step, v));
-            }
-            if let Some(arc) = crossed(&self.problem.terrain, walk, time) {
-                met.extend(self.against(step, arc.id));
-            }
-        }
-        if self.problem.rests(agent) {
-            let goal = self.problem.tasks[agent].goal;
-            met.extend(self.after(arrival(walk), goal));
-        }
-        met.retain(|&other| self.problem.collide(agent, other));
-        met
     }
 }

@@ -9,7 +9,7 @@ use std::collections::BinaryHeap;
 
 use rustc_hash::FxBuildHasher;
 
-use super::Reservations;
+use super::Others;
 use crate::{
     AgentId,
     budget::{Budget, Stop},
@@ -58,7 +58,7 @@ type Key = (u32, u32, Reverse<u32>, u32);
 /// When the budget is spent.
 pub fn plan_one(
     problem: &Problem,
-    others: &Reservations,
+    others: &impl Others,
     query: Query,
     budget: &dyn Budget,
 ) -> Result<Option<(Walk, u32)>, Stop> {
@@ -97,9 +97,9 @@ pub fn plan_one(
 /// A collision that any detour is better than, in steps of delay.
 pub const DEAR: u32 = 10_000;
 
-struct SpaceTimeAStar<'a, 'p> {
-    problem: &'p Problem,
-    others: &'a Reservations<'p>,
+struct SpaceTimeAStar<'a, O> {
+    problem: &'a Problem,
+    others: &'a O,
     query: Query,
     /// It does not arrive sooner, except into a collision.
     earliest: u32,
@@ -111,7 +111,7 @@ struct SpaceTimeAStar<'a, 'p> {
 
 const NO_PARENT: u32 = u32::MAX;
 
-impl SpaceTimeAStar<'_, '_> {
+impl<O: Others> SpaceTimeAStar<'_, O> {
     fn run(&mut self, budget: &dyn Budget) -> Result<Option<(Walk, u32)>, Stop> {
         let task = &self.problem.tasks[self.query.agent];
         let collisions = match task.first_place() {

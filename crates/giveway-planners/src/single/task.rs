@@ -243,6 +243,16 @@ impl Task {
         from.is_none_or(|from| now < from || mask & self.demanded_bit() != 0)
     }
 
+    /// Whether it is no more than to go from its start to its goal by way of its
+    /// waypoints: without a battery, and nothing beside it asked for.
+    pub fn is_plain(&self) -> bool {
+        self.reserve.is_none()
+            && self.demand.is_none()
+            && self.transit.is_none()
+            && matches!(self.bounds, Bounds::Free)
+            && (self.held, self.not_before) == (0, 0)
+    }
+
     /// The latest arrival that is allowed.
     pub fn not_after(&self) -> u32 {
         match self.demand {

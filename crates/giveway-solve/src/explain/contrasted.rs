@@ -18,14 +18,14 @@ use super::{
 use crate::{
     budget::Budget,
     counterfactual::Counterfactual,
-    local::Lns,
+    lns::{Effort, Lns},
     problem::Problem,
     search::Reach,
     walk::{Walk, to_plan},
 };
 
-/// Neighbourhoods of a known plan that are tried.
-const NEARBY_ROUNDS: usize = 16;
+/// States that are looked at to improve a known plan, about.
+const NEARBY_STATES: u64 = 10_000;
 
 /// What is looked for.
 pub(crate) struct Contrasted<'a, 'h> {
@@ -99,9 +99,12 @@ impl Contrasted<'_, '_> {
         let improved = Lns::default().improve(
             &problem,
             &mut walks,
-            latest,
+            Effort {
+                states: NEARBY_STATES,
+                horizon: latest,
+                enough: 0,
+            },
             objective,
-            NEARBY_ROUNDS,
             budget,
         );
         improved.ok()?;

@@ -13,7 +13,7 @@ use super::{ask::Ask, ask::best, own_plan::own_costs, verdict::Case, waits};
 use crate::{
     budget::Budget,
     counterfactual::{Counterfactual, Counterfactuals},
-    local::{Query, Reservations, plan_one},
+    local::{Others, Query, Reservations, plan_one},
     problem::{Problem, Relaxed},
     single::Place,
     terrain::Terrain,

@@ -5,7 +5,7 @@ use std::collections::BTreeMap;
 use giveway_model::{Cost, Costs, Objective};
 
 use crate::{
-    local::Reservations,
+    local::{Others, Reservations},
     problem::Problem,
     walk::{Walk, arrival, costs},
 };

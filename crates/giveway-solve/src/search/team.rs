@@ -20,7 +20,7 @@ use crate::{
         agent::{Added, MddEncoding},
         collisions::{AgentId, Collisions, Meeting},
     },
-    local::{Query, Reservations, plan_one},
+    local::{Others, Query, Reservations, plan_one},
     problem::Problem,
     sat::{Clauses, Lit, Outcome, Sat},
     terrain::Vertex,

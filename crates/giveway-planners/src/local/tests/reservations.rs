@@ -3,7 +3,10 @@
 use std::collections::BTreeSet;
 
 use super::crowd::Crowd;
-use crate::{local::Reservations, walk::Walk};
+use crate::{
+    local::{Others, Reservations},
+    walk::Walk,
+};
 
 /// Crowds of four agents.
 fn crowds() -> impl Iterator<Item = Crowd> {

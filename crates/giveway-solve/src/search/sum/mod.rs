@@ -18,6 +18,7 @@
 
 mod core_exhaustion;
 mod hardening;
+mod last_phase;
 mod soft;
 mod upper_bound;
 
@@ -106,6 +107,10 @@ impl SumStage {
                 return Ok(End::Least(stage.bound));
             }
             stage.harden_by_gap(search);
+            if let Some(end) = stage.close(search)? {
+                *bound = stage.bound;
+                return Ok(end);
+            }
             // The deadlines of a sum of costs guard the MDDs themselves.
             let until = match cost {
                 Cost::SumOfCosts => Until::Guarded,

@@ -13,7 +13,7 @@ use super::{Soft, SumStage};
 use crate::{
     budget::Stop,
     encode::collisions::AgentId,
-    local::{Query, Reservations, plan_one},
+    local::{Others, Query, Reservations, plan_one},
     search::{incumbent::free_of_collisions, stage::Search},
 };
 
@@ -22,6 +22,8 @@ use crate::{
 const FIRST_GUESS: u64 = 300;
 /// States to look at for one agent.
 const EXPANSION_LIMIT: u32 = 20_000;
+/// States of single agents that are looked at each time, about.
+const STATES: u64 = 10_000;
 /// Times that a plan is improved, as long as it becomes better.
 const MOST_IMPROVEMENTS: usize = 20;
 
@@ -63,7 +65,7 @@ impl SumStage {
             return Ok(()); // (a plan has to be one, whatever the model says)
         }
         for _ in 0..MOST_IMPROVEMENTS {
-            if !search.improve(walks)? {
+            if !search.improve(walks, self.cost, self.bound, STATES)? {
                 break;
             }
             walks = search

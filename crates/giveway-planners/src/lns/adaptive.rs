@@ -1,0 +1,59 @@
+//! Which kind of neighbourhood to try: one that has gained much of late.
+//!
+//! Adaptive large neighbourhood search (Ropke and Pisinger 2006), in whole numbers,
+//! so that every machine chooses alike.
+
+use fastrand::Rng;
+
+/// How agents are chosen together.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Kind {
+    /// A delayed agent, and those that it meets where it walks about at random
+    /// without becoming later.
+    Delay,
+    /// A delayed agent, and those on a best way of its own.
+    OwnWay,
+    /// Those that pass near a crossing.
+    Crossing,
+    /// Any.
+    Random,
+}
+
+const KINDS: [Kind; 4] = [Kind::Delay, Kind::OwnWay, Kind::Crossing, Kind::Random];
+
+/// The weight at the beginning, and the least.
+const FIRST: u64 = 10_000;
+const LEAST: u64 = 100;
+
+/// The weights of all kinds.
+pub(super) struct Adaptive([u64; KINDS.len()]);
+
+impl Default for Adaptive {
+    fn default() -> Self {
+        Self([FIRST; KINDS.len()])
+    }
+}
+
+impl Adaptive {
+    /// A kind, by chance and weight.
+    pub(super) fn choose(&self, rng: &mut Rng) -> Kind {
+        let mut left = rng.u64(..self.0.iter().sum::<u64>().max(1));
+        for (kind, &weight) in KINDS.into_iter().zip(&self.0) {
+            if left < weight {
+                return kind;
+            }
+            left -= weight;
+        }
+        Kind::Random
+    }
+
+    /// Notes what a kind has gained: a hundredth of its weight is news.
+    pub(super) fn learn(&mut self, kind: Kind, gain: u32) {
+        for (other, weight) in KINDS.into_iter().zip(&mut self.0) {
+            if other == kind {
+                let learnt = *weight - *weight / 100 + u64::from(gain) * 100;
+                *weight = learnt.max(LEAST);
+            }
+        }
+    }
+}

@@ -1,0 +1,144 @@
+//! A plan made better: large neighbourhood search.
+//!
+//! Again and again a few agents are taken out of the plan and planned anew, in
+//! random order, each around all others; the result is kept where it is no worse
+//! (MAPF-LNS; Li, Chen, Harabor, Stuckey and Koenig 2021). Which agents, one of
+//! several [`neighbourhood`]s says, each tried the more often the more it has
+//! gained of late ([`adaptive`]).
+
+mod adaptive;
+mod neighbourhood;
+mod replan;
+
+use std::cell::Cell;
+use std::collections::BTreeSet;
+
+use fastrand::Rng;
+use giveway_model::Objective;
+
+use crate::{
+    AgentId,
+    budget::{Budget, HeldBytes, Stop},
+    local::{Others, Reservations, Timetable},
+    problem::Problem,
+    walk::Walk,
+};
+use adaptive::Adaptive;
+use neighbourhood::Neighbourhoods;
+use replan::Plan;
+
+/// A search that can be continued; the same calls give the same plans.
+pub struct Lns {
+    rng: Rng,
+    adaptive: Adaptive,
+    /// Delayed agents that a neighbourhood began with of late.
+    tabu: BTreeSet<AgentId>,
+}
+
+impl Default for Lns {
+    /// A search at its beginning.
+    fn default() -> Self {
+        Self {
+            rng: Rng::with_seed(7),
+            adaptive: Adaptive::default(),
+            tabu: BTreeSet::new(),
+        }
+    }
+}
+
+/// What a search may do.
+#[derive(Clone, Copy, Debug)]
+pub struct Effort {
+    /// The states of single agents to look at, about.
+    pub states: u64,
+    /// The latest arrival of any agent.
+    pub horizon: u32,
+    /// A value of the first cost that is as good as need be.
+    pub enough: u32,
+}
+
+impl Lns {
+    /// Tries neighbourhoods until the effort is spent, or nobody could arrive
+    /// sooner; true where the plan became better.
+    ///
+    /// # Errors
+    /// When the budget is spent; the walks are a plan then, too.
+    pub fn improve(
+        &mut self,
+        problem: &Problem,
+        walks: &mut [Walk],
+        effort: Effort,
+        objective: &Objective,
+        budget: &dyn Budget,
+    ) -> Result<bool, Stop> {
+        let counted = Counted {
+            budget,
+            states: Cell::new(0),
+        };
+        match Timetable::of(problem, walks) {
+            Some(table) => self.rounds(table, walks, effort, objective, &counted),
+            None => self.rounds(
+                Reservations::of(problem, walks),
+                walks,
+                effort,
+                objective,
+                &counted,
+            ),
+        }
+    }
+
+    fn rounds<O: Others>(
+        &mut self,
+        others: O,
+        walks: &mut [Walk],
+        effort: Effort,
+        objective: &Objective,
+        counted: &Counted,
+    ) -> Result<bool, Stop> {
+        let mut plan = Plan::new(others, walks, objective, effort.horizon);
+        let first = plan.vector();
+        while counted.states.get() < effort.states && plan.first_cost() > effort.enough {
+            counted.check()?;
+            let kind = self.adaptive.choose(&mut self.rng);
+            let mut neighbourhoods = Neighbourhoods {
+                plan: &plan,
+                rng: &mut self.rng,
+                tabu: &mut self.tabu,
+            };
+            let Some(group) = neighbourhoods.choose(kind) else {
+                break;
+            };
+            counted.count(group.len() as u64);
+            let gain = plan.replan(&group, counted)?;
+            self.adaptive.learn(kind, gain);
+        }
+        Ok(plan.vector() < first)
+    }
+}
+
+/// A budget that counts how often it is asked: once for each state.
+struct Counted<'a> {
+    budget: &'a dyn Budget,
+    states: Cell<u64>,
+}
+
+impl Counted<'_> {
+    fn count(&self, states: u64) {
+        self.states.set(self.states.get() + states);
+    }
+}
+
+impl Budget for Counted<'_> {
+    fn check(&self) -> Result<(), Stop> {
+        self.budget.check()
+    }
+
+    fn tick(&self) -> Result<(), Stop> {
+        self.count(1);
+        self.budget.tick()
+    }
+
+    fn held_bytes(&self) -> &HeldBytes {
+        self.budget.held_bytes()
+    }
+}

@@ -1,0 +1,76 @@
+//! The walks of other agents, as whoever plans one agent asks about them.
+
+use std::collections::BTreeSet;
+
+use crate::{
+    AgentId,
+    budget::{Budget, Stop},
+    problem::Problem,
+    single::Place,
+    terrain::Vertex,
+    walk::{Walk, arrival, crossed},
+};
+
+use super::{Query, space_time};
+
+/// The walks of some agents, indexed by what they use.
+pub trait Others {
+    /// The problem that they are walks of.
+    fn problem(&self) -> &Problem;
+
+    /// Adds the walk of an agent.
+    fn add(&mut self, agent: AgentId, walk: &[Place]);
+
+    /// Takes away the walk of an agent, as it was added.
+    fn remove(&mut self, agent: AgentId, walk: &[Place]);
+
+    /// Who is at a vertex at a time.
+    fn at(&self, time: u32, v: Vertex) -> impl Iterator<Item = AgentId> + '_;
+
+    /// Who crosses the edge of an arc the other way in the step from a time.
+    fn against(&self, time: u32, arc: u32) -> impl Iterator<Item = AgentId> + '_;
+
+    /// Who visits a goal after a time.
+    fn after(&self, time: u32, goal: Vertex) -> impl Iterator<Item = AgentId> + '_;
+
+    /// The last time at which a goal is visited by an agent on its way.
+    fn last_visit(&self, goal: Vertex) -> Option<u32>;
+
+    /// Who comes by a vertex, in the order of time, as far as that is told.
+    fn visitors(&self, _v: Vertex) -> Vec<AgentId> {
+        Vec::new()
+    }
+
+    /// The best walk of an agent among them, and its number of collisions; see
+    /// [`plan_one`](super::plan_one).
+    ///
+    /// # Errors
+    /// When the budget is spent.
+    fn plan(&mut self, query: Query, budget: &dyn Budget) -> Result<Option<(Walk, u32)>, Stop>
+    where
+        Self: Sized,
+    {
+        space_time::plan_one(self.problem(), self, query, budget)
+    }
+
+    /// The agents that a walk of an agent collides with.
+    fn met_by(&self, agent: AgentId, walk: &[Place]) -> BTreeSet<AgentId> {
+        let problem = self.problem();
+        let mut met = BTreeSet::new();
+        for (time, place) in walk.iter().enumerate() {
+            let step = time as u32;
+            if let Place::At(v) = *place {
+                met.extend(self.at(step, v));
+            }
+            if let Some(arc) = crossed(&problem.terrain, walk, time) {
+                met.extend(self.against(step, arc.id));
+            }
+        }
+        if problem.rests(agent) {
+            let goal = problem.tasks[agent].goal;
+            met.extend(self.after(arrival(walk), goal));
+        }
+        met.retain(|&other| problem.collide(agent, other));
+        met
+    }
+}

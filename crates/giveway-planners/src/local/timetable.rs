@@ -1,0 +1,204 @@
+//! Who is where when, of walks that do not collide: for each vertex the spans of
+//! time in which somebody is there, in order.
+//!
+//! What lies between them are the safe intervals of Phillips and Likhachev,
+//! "SIPP: Safe interval path planning for dynamic environments" (2011).
+
+use super::{Others, Query, safe_interval::Sipp};
+use crate::{
+    AgentId,
+    budget::{Budget, Stop},
+    problem::Problem,
+    single::Place,
+    terrain::Vertex,
+    walk::Walk,
+};
+
+/// One agent at one vertex.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) struct Span {
+    pub(super) from: u32,
+    /// The last time; [`u32::MAX`] where it rests there.
+    pub(super) to: u32,
+    pub(super) agent: u32,
+    /// Where it goes from there, one step later or, along a slow arc, two; its
+    /// own vertex where it goes nowhere.
+    pub(super) next: Vertex,
+}
+
+/// The walks of some agents, none of which collide.
+pub struct Timetable<'p> {
+    pub(super) problem: &'p Problem,
+    pub(super) spans: Vec<Vec<Span>>,
+    sipp: Sipp,
+}
+
+impl<'p> Timetable<'p> {
+    /// Of nobody; `None` where walks may collide by what is asked for, or begin
+    /// half way along an arc, which spans do not tell.
+    pub fn new(problem: &'p Problem) -> Option<Self> {
+        let fits = problem.relaxed.ignored.is_empty()
+            && problem.tasks.iter().all(|task| task.transit.is_none());
+        fits.then(|| Self {
+            problem,
+            spans: vec![Vec::new(); problem.terrain.size()],
+            sipp: Sipp::default(),
+        })
+    }
+
+    /// Of all agents; `None` where that cannot be told, or two of them are at one
+    /// vertex at the same time.
+    pub fn of(problem: &'p Problem, walks: &[Walk]) -> Option<Self> {
+        let mut all = Self::new(problem)?;
+        for (agent, walk) in walks.iter().enumerate() {
+            all.add(agent, walk);
+        }
+        let apart = |pair: &[Span]| pair[0].to < pair[1].from;
+        let mut spans = all.spans.iter();
+        spans
+            .all(|spans| spans.windows(2).all(apart))
+            .then_some(all)
+    }
+
+    /// The number of spans at a vertex that begin no later than a time.
+    fn begun(&self, time: u32, v: Vertex) -> usize {
+        let spans = self.spans.get(v as usize).map_or(&[][..], Vec::as_slice);
+        spans.partition_point(|span| span.from <= time)
+    }
+
+    /// Whoever is at a vertex at a time.
+    pub(super) fn who(&self, time: u32, v: Vertex) -> Option<Span> {
+        let last = self.begun(time, v).checked_sub(1)?;
+        let span = self.spans[v as usize][last];
+        (span.to >= time).then_some(span)
+    }
+
+    /// Whoever crosses from `v` to `u` in the step from a time, which a slow arc
+    /// takes two of.
+    pub(super) fn crosses(&self, time: u32, (v, u): (Vertex, Vertex), slow: bool) -> Option<Span> {
+        let begun = self.begun(time, v);
+        let spans = self.spans.get(v as usize)?;
+        let earliest = time.saturating_sub(u32::from(slow));
+        let left = spans[..begun].iter().rev();
+        left.take_while(|span| span.to >= earliest)
+            .find(|span| span.to <= time && span.next == u)
+            .copied()
+    }
+
+    /// The spans of a walk, each with its vertex.
+    fn spans_of(&self, agent: AgentId, walk: &[Place], mut each: impl FnMut(Vertex, Span)) {
+        let mut at: Option<(Vertex, u32)> = None;
+        let mut last = 0;
+        for (time, place) in (0..).zip(walk) {
+            let Place::At(v) = *place else { continue };
+            match at {
+                Some((u, _)) if u == v => {}
+                before => {
+                    if let Some((u, from)) = before {
+                        let agent = agent as u32;
+                        let (to, next) = (last, v);
+                        each(
+                            u,
+                            Span {
+                                from,
+                                to,
+                                agent,
+                                next,
+                            },
+                        );
+                    }
+                    at = Some((v, time));
+                }
+            }
+            last = time;
+        }
+        if let Some((v, from)) = at {
+            let to = if self.problem.rests(agent) {
+                u32::MAX
+            } else {
+                last
+            };
+            let agent = agent as u32;
+            each(
+                v,
+                Span {
+                    from,
+                    to,
+                    agent,
+                    next: v,
+                },
+            );
+        }
+    }
+}
+
+impl Others for Timetable<'_> {
+    fn problem(&self) -> &Problem {
+        self.problem
+    }
+
+    fn add(&mut self, agent: AgentId, walk: &[Place]) {
+        let mut all = std::mem::take(&mut self.spans);
+        self.spans_of(agent, walk, |v, span| {
+            let spans = &mut all[v as usize];
+            let place = spans.partition_point(|other| other.from < span.from);
+            spans.insert(place, span);
+        });
+        self.spans = all;
+    }
+
+    fn remove(&mut self, agent: AgentId, walk: &[Place]) {
+        let mut all = std::mem::take(&mut self.spans);
+        self.spans_of(agent, walk, |v, span| {
+            let spans = &mut all[v as usize];
+            let place = spans.partition_point(|other| other.from < span.from);
+            if spans.get(place) == Some(&span) {
+                spans.remove(place);
+            }
+        });
+        self.spans = all;
+    }
+
+    fn at(&self, time: u32, v: Vertex) -> impl Iterator<Item = AgentId> + '_ {
+        self.who(time, v)
+            .map(|span| span.agent as AgentId)
+            .into_iter()
+    }
+
+    fn against(&self, time: u32, arc: u32) -> impl Iterator<Item = AgentId> + '_ {
+        let (u, v) = self.problem.terrain.ends(arc);
+        let arcs = self.problem.terrain.arcs(u).iter();
+        let slow = arcs.clone().any(|arc| arc.to == v && arc.slow);
+        let span = self.crosses(time, (v, u), slow);
+        span.map(|span| span.agent as AgentId).into_iter()
+    }
+
+    fn after(&self, time: u32, goal: Vertex) -> impl Iterator<Item = AgentId> + '_ {
+        let spans = self.spans.get(goal as usize).into_iter().flatten();
+        spans
+            .filter(move |span| span.to > time)
+            .map(|span| span.agent as AgentId)
+    }
+
+    fn last_visit(&self, goal: Vertex) -> Option<u32> {
+        let spans = self.spans.get(goal as usize)?;
+        let last = spans.iter().rev().find(|span| span.to < u32::MAX)?;
+        Some(last.to)
+    }
+
+    fn visitors(&self, v: Vertex) -> Vec<AgentId> {
+        let spans = self.spans.get(v as usize).into_iter().flatten();
+        spans.map(|span| span.agent as AgentId).collect()
+    }
+
+    fn plan(&mut self, query: Query, budget: &dyn Budget) -> Result<Option<(Walk, u32)>, Stop> {
+        let plain = self.problem.tasks[query.agent].is_plain();
+        if !plain || query.conflict_penalty.is_some() {
+            return super::plan_one(self.problem, self, query, budget);
+        }
+        let mut sipp = std::mem::take(&mut self.sipp);
+        let found = sipp.run(self, query, budget);
+        self.sipp = sipp;
+        Ok(found?.map(|walk| (walk, 0)))
+    }
+}

@@ -1,0 +1,89 @@
+//! The last few bounds at once: a plan better than the best one, or none.
+//!
+//! The cores of the last bounds are the largest, and take most of the time. Where
+//! local search has found a plan close to the bound, all that is still assumed is
+//! counted in one sum, which has to be less than what the best plan pays above the
+//! bound. A refutation closes the gap at once; a model is a better plan, and the sum
+//! becomes smaller (model-improving search; Eén and Sörensson 2006).
+
+use giveway_model::Cost;
+
+use super::{Soft, SumStage};
+use crate::{
+    budget::Stop,
+    encode::totalizer::capped,
+    sat::Lit,
+    search::{
+        growing::{Growing, Until},
+        stage::{End, Search},
+    },
+};
+
+/// The largest gap between bound and best plan that is closed at once.
+const MOST_GAP: u32 = 3;
+
+impl SumStage {
+    /// Closes the gap, if it is small and local search finds nothing better: how
+    /// the stage ends; `None` where it goes on by cores.
+    pub(super) fn close(&mut self, search: &mut Search) -> Result<Option<End>, Stop> {
+        if self.cost != Cost::SumOfCosts || self.known || !self.light {
+            return Ok(None);
+        }
+        let small = |best: &u32| (1..=MOST_GAP).contains(&best.saturating_sub(self.bound));
+        if search.best(self.cost).filter(small).is_none() || !search.is_polished() {
+            return Ok(None);
+        }
+        self.begin_phase(search)?;
+        self.harden_by_gap(search);
+        let Some(best) = search.best(self.cost) else {
+            return Ok(None);
+        };
+        let gap = best.saturating_sub(self.bound);
+        // Where a further cost is minimised, plans as good as the best count, too.
+        let levels = gap + u32::from(!self.last);
+        let softs: Vec<Soft> = self.softs.values().copied().collect();
+        let mut paid = Vec::new();
+        for soft in softs {
+            for level in 0..levels {
+                let lit = self.literal(search, soft.raised(level))?;
+                paid.extend(lit.map(|lit| !lit));
+            }
+        }
+        let sum = capped(&paid, levels as usize, search.team.clauses());
+        loop {
+            let Some(best) = search.best(self.cost) else {
+                return Ok(None);
+            };
+            let gap = best.saturating_sub(self.bound);
+            let less = gap.checked_sub(1).and_then(|k| sum.get(k as usize));
+            let assumptions: Vec<Lit> = less.map(|&lit| !lit).into_iter().collect();
+            if gap == 0 {
+                return Ok(None);
+            }
+            match search.solve_growing(assumptions, Until::EVER)? {
+                Growing::Grown(_) => {}
+                Growing::Model => {
+                    let entered = search.settle()?;
+                    if !entered.is_empty() {
+                        for agent in entered {
+                            self.adopt(search, agent)?;
+                        }
+                        return Ok(None);
+                    }
+                    if search.best(self.cost).is_none_or(|better| better >= best) {
+                        return Err(Stop::Contradiction);
+                    }
+                    self.harden_by_gap(search);
+                }
+                Growing::Core(_) => {
+                    if let Some(&more) = sum.get(gap as usize).filter(|_| !self.last) {
+                        search.team.harden(!more);
+                    }
+                    self.bound = best;
+                    search.report_bound(self.cost, best);
+                    return Ok(Some(End::Least(best)));
+                }
+            }
+        }
+    }
+}
