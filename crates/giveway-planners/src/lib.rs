@@ -5,7 +5,10 @@
 //! Nothing here knows SAT, a clock, or a page.
 
 pub mod budget;
+pub mod lacam;
 pub mod local;
+pub mod pibt;
+pub mod plain;
 pub mod problem;
 pub mod single;
 pub mod terrain;

@@ -6,12 +6,12 @@
 use fastrand::Rng;
 
 /// A number below `end`, which is not 0.
-pub(super) fn below(rng: &mut Rng, end: usize) -> usize {
+pub(crate) fn below(rng: &mut Rng, end: usize) -> usize {
     rng.u64(..end as u64) as usize
 }
 
 /// Brings a list into a random order.
-pub(super) fn shuffle<T>(rng: &mut Rng, list: &mut [T]) {
+pub(crate) fn shuffle<T>(rng: &mut Rng, list: &mut [T]) {
     for i in 1..list.len() {
         list.swap(i, below(rng, i + 1));
     }

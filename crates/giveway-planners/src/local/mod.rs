@@ -3,7 +3,7 @@
 //! They give an answer early, a bound from above, and the paths of the agents
 //! that need no place inside the SAT solver.
 
-mod chance;
+pub(crate) mod chance;
 mod first_plan;
 mod neighbourhood;
 mod reservations;
