@@ -192,8 +192,23 @@ impl<'p> Step<'p> {
         }
     }
 
-    /// The wishes of an agent: nearer to its goal first, equals by chance; the
-    /// other way round where it has to let another one pass.
+    /// How many others an agent hinders at a vertex: whoever is there, and whoever
+    /// stands beside it and comes nearer to its goal by going there
+    /// (Okumura and Nagai 2025).
+    fn hindered(&self, agent: AgentId, v: Vertex) -> u32 {
+        let there = self.occupant(v).filter(|&other| other != agent);
+        let beside = self.plain.neighbours(v).iter();
+        let beside = beside.filter(|&&u| {
+            let other = self.occupant(u).filter(|&other| other != agent);
+            let nearer = |other| self.plain.distance(other, v) < self.plain.distance(other, u);
+            other.is_some_and(nearer)
+        });
+        u32::from(there.is_some()) + beside.count() as u32
+    }
+
+    /// The wishes of an agent: nearer to its goal first, among equals where it
+    /// hinders the fewest, then by chance; the other way round where it has to
+    /// let another one pass.
     fn chooser(&mut self, agent: AgentId) -> Chooser {
         let at = self.now[agent];
         let neighbours = self.plain.neighbours(at);
@@ -201,7 +216,8 @@ impl<'p> Step<'p> {
         let mut count = 0;
         for &v in neighbours.iter().chain([&at]) {
             let distance = u64::from(self.plain.distance(agent, v)) << 32;
-            wishes[count] = (distance | self.rng.u64(..1 << 31), v);
+            let hindered = u64::from(self.hindered(agent, v)) << 28;
+            wishes[count] = (distance | hindered | self.rng.u64(..1 << 28), v);
             count += 1;
         }
         wishes[..count].sort_unstable();
