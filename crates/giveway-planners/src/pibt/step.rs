@@ -27,6 +27,11 @@ const UNDECIDED: Vertex = Vertex::MAX;
 /// The ways on from a cell: four neighbours, and to stay.
 const MOST: usize = 5;
 
+/// What one hindrance counts among equals.
+const HINDRANCE: u32 = 1 << 26;
+/// What chance counts at the most: more, so that nobody goes round in circles.
+const CHANCE: u32 = 4 * HINDRANCE;
+
 /// Makes configurations, again and again in the same memory.
 pub(crate) struct Step<'p> {
     plain: &'p Plain<'p>,
@@ -192,22 +197,22 @@ impl<'p> Step<'p> {
         }
     }
 
-    /// How many others an agent hinders at a vertex: whoever is there, and whoever
-    /// stands beside it and comes nearer to its goal by going there
-    /// (Okumura and Nagai 2025).
-    fn hindered(&self, agent: AgentId, v: Vertex) -> u32 {
-        let there = self.occupant(v).filter(|&other| other != agent);
-        let beside = self.plain.neighbours(v).iter();
-        let beside = beside.filter(|&&u| {
-            let other = self.occupant(u).filter(|&other| other != agent);
+    /// How much an agent hinders others at a vertex: whoever is there counts
+    /// twice, and whoever stands beside it and would come nearer to its goal by
+    /// going there counts once more (Okumura and Nagai 2025).
+    fn hindrance(&self, agent: AgentId, v: Vertex) -> u32 {
+        let other_at = |v| self.occupant(v).filter(|&other| other != agent);
+        let wants = |&u: &Vertex| {
             let nearer = |other| self.plain.distance(other, v) < self.plain.distance(other, u);
-            other.is_some_and(nearer)
-        });
-        u32::from(there.is_some()) + beside.count() as u32
+            other_at(u).is_some_and(nearer)
+        };
+        let there = u32::from(other_at(v).is_some());
+        let beside = self.plain.neighbours(v).iter().copied().filter(wants);
+        2 * there + beside.count() as u32
     }
 
     /// The wishes of an agent: nearer to its goal first, among equals where it
-    /// hinders the fewest, then by chance; the other way round where it has to
+    /// hinders others little, but by chance, too; the other way round where it has to
     /// let another one pass.
     fn chooser(&mut self, agent: AgentId) -> Chooser {
         let at = self.now[agent];
@@ -216,8 +221,8 @@ impl<'p> Step<'p> {
         let mut count = 0;
         for &v in neighbours.iter().chain([&at]) {
             let distance = u64::from(self.plain.distance(agent, v)) << 32;
-            let hindered = u64::from(self.hindered(agent, v)) << 28;
-            wishes[count] = (distance | hindered | self.rng.u64(..1 << 28), v);
+            let equal = self.hindrance(agent, v) * HINDRANCE + self.rng.u32(..CHANCE);
+            wishes[count] = (distance | u64::from(equal), v);
             count += 1;
         }
         wishes[..count].sort_unstable();
