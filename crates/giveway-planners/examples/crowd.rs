@@ -49,6 +49,7 @@ fn main() -> Result<(), Box<dyn Error>> {
     let names: Vec<String> = instance.agents().iter().map(|a| a.name.clone()).collect();
     let options = Options {
         step_limit: rest.first().map_or(Ok(1_000_000), |steps| steps.parse())?,
+        guided: env::var_os("UNGUIDED").is_none(),
         first_only: rest.is_empty(),
         told: 0,
     };

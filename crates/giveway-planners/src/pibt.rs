@@ -4,6 +4,7 @@
 //! than the next step, so hundreds of agents take milliseconds. It is neither
 //! complete nor best: agents may get stuck in front of each other for good.
 
+mod guide;
 mod priorities;
 mod step;
 mod swap;
@@ -12,6 +13,7 @@ mod tests;
 
 pub use step::Inheritance;
 pub(crate) use {
+    guide::Guide,
     priorities::{Priorities, Ranks},
     step::Step,
 };
@@ -84,7 +86,7 @@ fn run(
     budget: &dyn Budget,
     report: &mut Report,
 ) -> Result<Outcome, Stop> {
-    let mut step = Step::new(plain, SEED, options.told > 0);
+    let mut step = Step::new(plain, None, SEED, options.told > 0);
     let ranks = Ranks::new(plain);
     let mut priorities = Priorities::first(&ranks);
     let mut held = budget.hold(0);

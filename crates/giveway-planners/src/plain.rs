@@ -7,7 +7,7 @@ use crate::{
     AgentId,
     problem::{Problem, Relaxed},
     single::{Bounds, Place, Task},
-    terrain::Vertex,
+    terrain::{Arc, Vertex},
     walk::Walk,
 };
 
@@ -104,6 +104,21 @@ impl<'p> Plain<'p> {
     pub fn neighbours(&self, v: Vertex) -> &[Vertex] {
         let (begin, end) = (self.begins[v as usize], self.begins[v as usize + 1]);
         &self.neighbours[begin as usize..end as usize]
+    }
+
+    /// The arcs that leave a vertex; those of an edge are `2 e` and `2 e + 1`.
+    pub(crate) fn arcs(&self, v: Vertex) -> &[Arc] {
+        self.problem.terrain.arcs(v)
+    }
+
+    /// Where an arc begins.
+    pub(crate) fn arc_begin(&self, arc: u32) -> Vertex {
+        self.problem.terrain.ends(arc).0
+    }
+
+    /// The number of arcs.
+    pub(crate) fn arc_count(&self) -> usize {
+        self.neighbours.len()
     }
 
     /// The steps that an agent alone still needs. Whoever starts where its goal

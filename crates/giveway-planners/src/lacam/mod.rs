@@ -18,18 +18,28 @@ mod trace;
 pub use explored::ConfigurationId;
 pub use trace::{Event, Made, Trace};
 
+use search::Search;
+
 use crate::{
     budget::{Budget, Stop},
+    pibt::Guide,
     plain::{Plain, Unsupported},
     problem::Problem,
     walk::Walk,
 };
+
+/// Steps to a first plan, beside four times the longest way, after which a guide
+/// is given up.
+const PATIENCE: u64 = 1_000;
 
 /// How to search.
 #[derive(Clone, Copy, Debug)]
 pub struct Options {
     /// Configurations to make at the most, known ones and failures included.
     pub step_limit: u64,
+    /// Whether agents keep clear of oncoming traffic, on ways chosen before. That
+    /// makes the first plan of a large crowd much cheaper.
+    pub guided: bool,
     /// Whether the first plan ends it (LaCAM), or it goes on (LaCAM*).
     pub first_only: bool,
     /// How many steps the trace tells; 0 for none.
@@ -85,7 +95,7 @@ pub struct Report {
     pub ended: Ended,
     /// The configurations that were made, known ones and failures included.
     pub steps: u64,
-    /// Its first steps.
+    /// The first steps of the search that ended it.
     pub trace: Trace,
 }
 
@@ -101,16 +111,51 @@ pub fn lacam(
     on_plan: &mut dyn FnMut(&Found),
 ) -> Result<Report, Unsupported> {
     let plain = Plain::new(problem)?;
-    let mut search = search::Search::new(&plain, options, budget);
     let mut best = None;
-    let ended = search.run(&mut |found| {
+    let mut tell = |found: &Found| {
         on_plan(found);
         best = Some(found.clone());
-    });
+    };
+    let (ended, steps, trace) =
+        guided(&plain, options, budget, &mut tell).unwrap_or_else(|before| {
+            let mut search = Search::new(&plain, None, options, budget);
+            search.steps = before;
+            let ended = search.run(&mut tell);
+            (ended, search.steps, search.trace)
+        });
     Ok(Report {
         best,
         ended,
-        steps: search.steps,
-        trace: search.trace,
+        steps,
+        trace,
     })
+}
+
+/// The search with a guide.
+///
+/// # Errors
+/// The steps after which it was given up: with a guide, agents find a plan
+/// soon or block each other for long.
+fn guided(
+    plain: &Plain,
+    options: Options,
+    budget: &dyn Budget,
+    tell: &mut dyn FnMut(&Found),
+) -> Result<(Ended, u64, Trace), u64> {
+    if !options.guided {
+        return Err(0);
+    }
+    let guide = match Guide::new(plain, budget) {
+        Ok(guide) => guide.ok_or(0u64)?,
+        Err(stop) => return Ok((Ended::Stopped(stop), 0, Trace::default())),
+    };
+    let mut search = Search::new(plain, Some(&guide), options, budget);
+    let starts = plain.starts().iter().enumerate();
+    let longest = starts.map(|(agent, &v)| plain.distance(agent, v)).max();
+    search.patience = PATIENCE + 4 * u64::from(longest.unwrap_or(0));
+    let ended = search.run(tell);
+    match ended {
+        Ended::StepLimit if search.steps < options.step_limit => Err(search.steps),
+        _ => Ok((ended, search.steps, search.trace)),
+    }
 }

@@ -10,7 +10,7 @@ use super::{
 use crate::{
     budget::{Budget, Held, Stop},
     local::chance::shuffle,
-    pibt::{Priorities, Ranks, Step},
+    pibt::{Guide, Priorities, Ranks, Step},
     plain::Plain,
     terrain::Vertex,
 };
@@ -38,17 +38,24 @@ pub(super) struct Search<'s> {
     path: Vec<Vertex>,
     held: Held,
     pub(super) steps: u64,
+    /// The steps after which it ends where there is no plan yet.
+    pub(super) patience: u64,
     pub(super) trace: Trace,
 }
 
 impl<'s> Search<'s> {
-    pub(super) fn new(plain: &'s Plain<'s>, options: Options, budget: &'s dyn Budget) -> Self {
+    pub(super) fn new(
+        plain: &'s Plain<'s>,
+        guide: Option<&'s Guide>,
+        options: Options,
+        budget: &'s dyn Budget,
+    ) -> Self {
         let ranks = Ranks::new(plain);
         let mut search = Self {
             plain,
             options,
             budget,
-            step: Step::new(plain, SEED, options.told > 0),
+            step: Step::new(plain, guide, SEED, options.told > 0),
             rng: Rng::with_seed(SEED),
             explored: Explored::new(plain.agents()),
             open: Vec::new(),
@@ -57,6 +64,7 @@ impl<'s> Search<'s> {
             path: Vec::new(),
             held: budget.hold(0),
             steps: 0,
+            patience: u64::MAX,
             trace: Trace::new(options.told),
             ranks,
         };
@@ -103,7 +111,8 @@ impl<'s> Search<'s> {
             self.open.pop();
             return Ok(None);
         };
-        if self.steps == self.options.step_limit {
+        let in_vain = self.goal.is_none() && self.steps >= self.patience;
+        if in_vain || self.steps >= self.options.step_limit {
             return Ok(Some(Ended::StepLimit));
         }
         self.steps += 1;

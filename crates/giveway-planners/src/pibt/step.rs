@@ -6,7 +6,7 @@
 
 use fastrand::Rng;
 
-use super::swap;
+use super::{guide::Guide, swap};
 use crate::{AgentId, plain::Plain, terrain::Vertex};
 
 /// An agent lends its priority to another one, which stands in its way.
@@ -27,14 +27,18 @@ const UNDECIDED: Vertex = Vertex::MAX;
 /// The ways on from a cell: four neighbours, and to stay.
 const MOST: usize = 5;
 
-/// What one hindrance counts among equals.
-const HINDRANCE: u32 = 1 << 26;
-/// What chance counts at the most: more, so that nobody goes round in circles.
-const CHANCE: u32 = 4 * HINDRANCE;
+/// What a step nearer to the goal is worth, where no guide says it: more than
+/// all that follows.
+const NEARER: u32 = 64;
+/// What it costs to hinder another one, and what chance adds at the most. It is
+/// so much that nobody goes round in circles.
+const HINDRANCE: u32 = 3;
+const CHANCE: u32 = 12;
 
 /// Makes configurations, again and again in the same memory.
 pub(crate) struct Step<'p> {
     plain: &'p Plain<'p>,
+    guide: Option<&'p Guide>,
     pub(super) now: Vec<Vertex>,
     next: Vec<Vertex>,
     at_now: Vec<u32>,
@@ -58,9 +62,15 @@ struct Chooser {
 
 impl<'p> Step<'p> {
     /// Without a configuration yet. Random choices follow from the seed.
-    pub(crate) fn new(plain: &'p Plain<'p>, seed: u64, told: bool) -> Self {
+    pub(crate) fn new(
+        plain: &'p Plain<'p>,
+        guide: Option<&'p Guide>,
+        seed: u64,
+        told: bool,
+    ) -> Self {
         Self {
             plain,
+            guide,
             now: Vec::new(),
             next: Vec::new(),
             at_now: vec![NOBODY; plain.vertices()],
@@ -120,6 +130,14 @@ impl<'p> Step<'p> {
     /// Who inherited whose priority in this step.
     pub(crate) fn inherited(&self) -> &[Inheritance] {
         self.inherited.as_deref().unwrap_or(&[])
+    }
+
+    /// What an agent still has to pay from a vertex: less, the better.
+    pub(super) fn to_go(&self, agent: AgentId, v: Vertex) -> u32 {
+        match self.guide {
+            Some(guide) => guide.cost(agent, v),
+            None => self.plain.distance(agent, v).saturating_mul(NEARER),
+        }
     }
 
     /// Who is at a vertex now.
@@ -203,7 +221,7 @@ impl<'p> Step<'p> {
     fn hindrance(&self, agent: AgentId, v: Vertex) -> u32 {
         let other_at = |v| self.occupant(v).filter(|&other| other != agent);
         let wants = |&u: &Vertex| {
-            let nearer = |other| self.plain.distance(other, v) < self.plain.distance(other, u);
+            let nearer = |other| self.to_go(other, v) < self.to_go(other, u);
             other_at(u).is_some_and(nearer)
         };
         let there = u32::from(other_at(v).is_some());
@@ -217,12 +235,12 @@ impl<'p> Step<'p> {
     fn chooser(&mut self, agent: AgentId) -> Chooser {
         let at = self.now[agent];
         let neighbours = self.plain.neighbours(at);
-        let mut wishes = [(u64::MAX, at); MOST];
+        let mut wishes = [(u32::MAX, at); MOST];
         let mut count = 0;
         for &v in neighbours.iter().chain([&at]) {
-            let distance = u64::from(self.plain.distance(agent, v)) << 32;
-            let equal = self.hindrance(agent, v) * HINDRANCE + self.rng.u32(..CHANCE);
-            wishes[count] = (distance | u64::from(equal), v);
+            let hindrance = self.hindrance(agent, v) * HINDRANCE;
+            let cost = self.to_go(agent, v).saturating_add(hindrance);
+            wishes[count] = (cost.saturating_add(self.rng.u32(..CHANCE)), v);
             count += 1;
         }
         wishes[..count].sort_unstable();

@@ -82,7 +82,7 @@ impl Corridor<'_> {
         puller_at: Vertex,
     ) -> bool {
         let (mut behind, mut ahead) = (pusher_at, puller_at);
-        let distance = |agent, v| self.plain.distance(agent, v);
+        let distance = |agent, v| self.step.to_go(agent, v);
         while distance(pusher, ahead) < distance(pusher, behind) {
             match self.onward(behind, ahead) {
                 Onward::Junction => return false,
