@@ -6,8 +6,11 @@
 
 pub mod budget;
 mod chance;
+pub mod lacam;
 pub mod lns;
 pub mod local;
+pub mod pibt;
+pub mod plain;
 pub mod problem;
 pub mod single;
 pub mod terrain;

@@ -7,7 +7,10 @@
 //! label-setting shortest path with one resource of Desrochers and Soumis
 //! (1988), run backwards.
 
-use super::task::{Mask, Task};
+use super::{
+    distances::Distances,
+    task::{Mask, Task},
+};
 use crate::{
     budget::Held,
     budget::{Budget, Stop},
@@ -26,7 +29,7 @@ pub enum Metric {
 }
 
 impl Metric {
-    const fn of_move(self, slow: bool) -> u32 {
+    pub(super) const fn of_move(self, slow: bool) -> u32 {
         match self {
             Self::Time => 1 + slow as u32,
             Self::Charges => 0,
@@ -47,12 +50,24 @@ struct Label {
 
 /// The table of one agent and metric.
 pub struct CostToGo {
+    table: Table,
+    _held: Held,
+}
+
+enum Table {
+    /// Of an agent that has only to reach its goal: one number a vertex.
+    Distances(Distances),
+    /// Of all others.
+    Labels(Labels),
+}
+
+/// The labels of all states.
+struct Labels {
     /// States from one vertex to the next; none where the mask tells the vertex.
     stride: usize,
     /// Where the labels of each state begin; one more entry than states.
     begins: Vec<u32>,
     labels: Vec<Label>,
-    _held: Held,
 }
 
 impl CostToGo {
@@ -66,6 +81,11 @@ impl CostToGo {
         metric: Metric,
         budget: &dyn Budget,
     ) -> Result<Self, Stop> {
+        if Distances::suffice(task, metric) {
+            let held = budget.hold(Distances::bytes(terrain));
+            let table = Table::Distances(Distances::new(task.goal, terrain, metric, budget)?);
+            return Ok(Self { table, _held: held });
+        }
         // Where this overflows, as it can in 32 bits, no memory is enough.
         let vertices = if task.along().is_some() {
             1
@@ -89,13 +109,26 @@ impl CostToGo {
         };
         search.run(budget)?;
         held.less(states * 4);
-        Ok(Self::collect(stride(task), states, &search.found, held))
+        let labels = Labels::collect(stride(task), states, &search.found);
+        Ok(Self {
+            table: Table::Labels(labels),
+            _held: held,
+        })
     }
 
     /// The least cost from a vertex at which the waypoints of `mask` are
     /// visited, with a battery level of `level`; `None` where the task cannot
     /// be ended from there.
     pub fn from(&self, v: Vertex, mask: Mask, level: u32) -> Option<u32> {
+        match &self.table {
+            Table::Distances(distances) => distances.from(v),
+            Table::Labels(labels) => labels.from(v, mask, level),
+        }
+    }
+}
+
+impl Labels {
+    fn from(&self, v: Vertex, mask: Mask, level: u32) -> Option<u32> {
         let state = v as usize * self.stride + mask as usize;
         let (begin, end) = (self.begins[state] as usize, self.begins[state + 1] as usize);
         let labels = &self.labels[begin..end];
@@ -105,7 +138,7 @@ impl CostToGo {
 
     /// Sorts the labels by state, each state's by cost; where two have one
     /// cost, only the later, with less need, is kept.
-    fn collect(stride: usize, states: usize, found: &[(u32, Label)], held: Held) -> Self {
+    fn collect(stride: usize, states: usize, found: &[(u32, Label)]) -> Self {
         let mut begins = vec![0u32; states + 1];
         for (state, _) in found {
             begins[*state as usize + 1] += 1;
@@ -133,7 +166,6 @@ impl CostToGo {
             stride,
             begins,
             labels,
-            _held: held,
         }
     }
 }

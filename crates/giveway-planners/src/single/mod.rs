@@ -2,6 +2,7 @@
 
 mod cost_to_go;
 mod demand;
+mod distances;
 mod earliest;
 mod hopeless;
 mod mdd;

@@ -29,8 +29,10 @@ impl SumStage {
         if self.cost != Cost::SumOfCosts || self.known || !self.light {
             return Ok(None);
         }
-        let small = |best: &u32| (1..=MOST_GAP).contains(&best.saturating_sub(self.bound));
-        if search.best(self.cost).filter(small).is_none() || !search.is_polished() {
+        let gap = search
+            .best(self.cost)
+            .map(|best| best.saturating_sub(self.bound));
+        if !gap.is_some_and(|gap| (1..=MOST_GAP).contains(&gap)) || !search.is_polished() {
             return Ok(None);
         }
         self.begin_phase(search)?;
