@@ -6,6 +6,7 @@
 
 pub mod budget;
 mod chance;
+pub mod first;
 pub mod lacam;
 pub mod lns;
 pub mod local;

@@ -186,6 +186,11 @@ impl<'h> Budget<'h> {
         self.derived.set(self.derived.get() + clauses);
     }
 
+    /// Clauses that were given to the SAT solver.
+    pub(crate) fn given(&self) -> u64 {
+        self.clauses.get()
+    }
+
     /// Clauses that the SAT solver derived: learnt from conflicts, or rewritten
     /// when a literal came to hold for good. A measure of its work, by which
     /// the search paces itself.

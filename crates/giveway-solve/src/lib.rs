@@ -28,7 +28,7 @@ mod solve;
 mod tests;
 pub mod words;
 
-use giveway_planners::{lns, local, single, terrain, walk};
+use giveway_planners::{first, lns, local, single, terrain, walk};
 
 pub use answer::{CheckAnswer, FrontAnswer, SolveAnswer, Stats, Status};
 pub use certify::CertifyRequest;

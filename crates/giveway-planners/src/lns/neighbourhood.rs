@@ -51,9 +51,16 @@ impl<O: Others> Neighbourhoods<'_, '_, O> {
         Some(group)
     }
 
-    /// The most delayed agent that no neighbourhood began with of late.
+    /// The most delayed agent that no neighbourhood began with of late; now and then
+    /// one of those that arrive last.
     fn delayed(&mut self) -> Option<AgentId> {
         let agents = 0..self.plan.walks.len();
+        if self.rng.u8(..4) == 0 {
+            let last = agents.clone().max_by_key(|&a| arrival(&self.plan.walks[a]));
+            if let Some(last) = last.filter(|&agent| self.plan.delay(agent) > 0) {
+                return Some(last);
+            }
+        }
         let delay = |&agent: &AgentId| self.plan.delay(agent);
         let is_delayed = |agent: &AgentId| delay(agent) > 0;
         let fresh = agents

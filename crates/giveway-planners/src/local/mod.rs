@@ -3,8 +3,8 @@
 //! They give an answer early, a bound from above, and the paths of the agents
 //! that need no place inside the SAT solver.
 
-mod first_plan;
 mod others;
+mod repair;
 mod reservations;
 mod safe_interval;
 mod space_time;
@@ -12,8 +12,8 @@ mod space_time;
 mod tests;
 mod timetable;
 
-pub use first_plan::{apart, first_plan};
 pub use others::Others;
+pub use repair::{apart, repair};
 pub use reservations::Reservations;
 pub use space_time::{DEAR, Query, plan_one};
 pub use timetable::Timetable;

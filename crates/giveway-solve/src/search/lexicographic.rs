@@ -17,11 +17,20 @@ use super::{
 };
 use crate::{
     budget::{Budget, Stop},
+    first::first_plan,
     joint,
-    local::{apart, first_plan},
+    lns::{Effort, Lns},
+    local::apart,
     problem::Problem,
     walk::Walk,
 };
+
+/// What the first improvement of a plan may take, in states of single agents: little
+/// for few agents, and not much more than a second for a thousand.
+const FEW_AGENTS: u64 = 10;
+const MOST_STATES: u64 = 3_000_000;
+/// After so many a better plan is told of.
+const TURN: u64 = 300_000;
 
 /// Finds and proves the lexicographic optimum.
 pub(crate) fn solve(
@@ -129,6 +138,7 @@ fn run(given: Given, incumbent: &mut Incumbent, verdict: &mut Verdict) -> Result
         && let Some(plan) = first_plan(problem, walks.clone(), bounded.latest(), budget)?
     {
         incumbent.offer(problem, &plan);
+        first_polish(given, plan, incumbent)?;
     }
     if incumbent.costs().is_none() {
         // Where few agents find no plan there is mostly none, which is quickly
@@ -159,6 +169,29 @@ fn run(given: Given, incumbent: &mut Incumbent, verdict: &mut Verdict) -> Result
         }
     }
     prove_or_take(given, &walks, incumbent, verdict)
+}
+
+/// A first plan of many agents is made better before the proof begins: that is where
+/// the proof takes long, and the plan is far from the best.
+fn first_polish(given: Given, mut plan: Vec<Walk>, incumbent: &mut Incumbent) -> Result<(), Stop> {
+    let agents = given.problem.agents() as u64;
+    let states = (agents * agents * agents / FEW_AGENTS).min(MOST_STATES);
+    let turns = states.div_ceil(TURN);
+    let mut lns = Lns::default();
+    for _ in 0..turns {
+        let effort = Effort {
+            states: TURN.min(states),
+            horizon: given.bounded.latest(),
+            enough: 0,
+        };
+        let objective = incumbent.objective().clone();
+        let better = lns.improve(given.problem, &mut plan, effort, &objective, given.budget);
+        incumbent.offer(given.problem, &plan);
+        if !better? {
+            break;
+        }
+    }
+    Ok(())
 }
 
 /// The proof that no plan is better than the one at hand, where that is asked for.

@@ -37,12 +37,13 @@ pub(crate) fn run(search: &mut Search, bound: &mut u32) -> Result<End, Stop> {
                     return Err(Stop::Contradiction);
                 }
             }
-            Growing::Grown(_) => {}
+            Growing::Grown(_) => search.polish(Cost::Makespan, trial)?,
             Growing::Core(core) if core.lits().is_empty() => return Ok(End::None),
             Growing::Core(_) => {
                 trial += 1;
                 *bound = trial;
                 search.report_bound(Cost::Makespan, trial);
+                search.polish(Cost::Makespan, trial)?;
             }
         }
     }

@@ -132,7 +132,7 @@ impl<'p, 'h, 'b> Search<'p, 'h, 'b> {
         let budget = self.allowed.budget;
         let mut fresh = Self::new(subject, Keeping::Hard, self.incumbent, budget);
         fresh.stages.minimises = self.stages.minimises;
-        fresh.polishing = self.polishing.afresh();
+        fresh.polishing = self.polishing;
         fresh.finish(Cost::Makespan, makespan);
         fresh.begin(Cost::Makespan);
         fresh

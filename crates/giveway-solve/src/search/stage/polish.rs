@@ -10,15 +10,18 @@ use crate::{
     walk::Walk,
 };
 
-/// Clauses that the SAT solver derives before the best plan is improved for the
-/// first time: what is proved sooner needs no better plan.
-const FIRST_POLISH: u64 = 1000;
+/// Clauses that the SAT solver derives, or is given, before the best plan is improved
+/// for the first time: what is proved sooner needs no better plan.
+const FIRST_DERIVED: u64 = 1000;
+const FIRST_GIVEN: u64 = 400_000;
 /// States of single agents that local search may look at, for each clause that the
 /// SAT solver derives: so both get their share of the time.
 const STATES_PER_CLAUSE: u64 = 200;
-/// The same where the plan is more than a twentieth above the bound: there it gains
-/// more than the proof does.
-const STATES_WHERE_WIDE: u64 = 600;
+/// The states for each agent that it may look at whenever the proof has come a step
+/// further, as long as the plan is far from the bound and becomes better.
+const STATES_PER_AGENT: u64 = 1000;
+/// A gain below this part of the cost is none, in such a turn.
+const LEAST_GAIN: u32 = 10_000;
 /// How much longer a state takes where agents have batteries, which safe intervals
 /// do not know.
 const DEARER: u64 = 8;
@@ -36,6 +39,8 @@ pub(super) struct Polishing {
     reckoned: u64,
     /// States that it has looked at since the plan last became better.
     in_vain: u64,
+    /// Whether its turns have come to gain little.
+    is_slow: bool,
 }
 
 impl Polishing {
@@ -45,49 +50,51 @@ impl Polishing {
             left: 0,
             reckoned: 0,
             in_vain: 0,
+            is_slow: false,
         }
-    }
-
-    /// The same neighbourhood search, in another formula.
-    pub(super) fn afresh(self) -> Self {
-        self
     }
 }
 
 impl Search<'_, '_, '_> {
     /// Improves the best plan, now and then, by its share of the time.
     pub(crate) fn polish(&mut self, cost: Cost, bound: u32) -> Result<(), Stop> {
-        let derived = self.allowed.budget.derived();
-        if derived < FIRST_POLISH {
+        let budget = &self.allowed.budget;
+        let (derived, given) = (budget.derived(), budget.given());
+        let Some(best) = self.incumbent.costs().map(|costs| costs.get(cost)) else {
             return Ok(());
+        };
+        if (derived < FIRST_DERIVED && given < FIRST_GIVEN) || best <= bound {
+            return Ok(());
+        }
+        let plain = self.problem.tasks.iter().all(Task::is_plain);
+        let dear = if plain { 1 } else { DEARER };
+        let is_wide = best > bound.saturating_add(bound / 20);
+        let turn = STATES_PER_AGENT * self.problem.agents() as u64 / dear;
+        let polishing = &mut self.polishing;
+        let news = derived.saturating_sub(polishing.reckoned);
+        polishing.reckoned = derived;
+        let share = news.saturating_mul(STATES_PER_CLAUSE / dear);
+        polishing.left = polishing.left.saturating_add(share);
+        let takes_turn = is_wide && !polishing.is_slow;
+        if !takes_turn && polishing.left < LEAST_STATES / dear {
+            return Ok(());
+        }
+        let mut states = std::mem::take(&mut polishing.left);
+        if takes_turn {
+            states = states.max(turn);
         }
         let Some(walks) = self.incumbent.walks() else {
             return Ok(());
         };
-        let best = self.incumbent.costs().map_or(0, |costs| costs.get(cost));
-        let share = if best > bound + bound / 20 {
-            STATES_WHERE_WIDE
-        } else {
-            STATES_PER_CLAUSE
-        };
-        let plain = self.problem.tasks.iter().all(Task::is_plain);
-        let share = if plain { share } else { share / DEARER };
-        let polishing = &mut self.polishing;
-        let news = derived.saturating_sub(polishing.reckoned);
-        polishing.reckoned = derived;
-        polishing.left = polishing.left.saturating_add(news.saturating_mul(share));
-        if polishing.left < LEAST_STATES {
-            return Ok(());
-        }
-        let states = std::mem::take(&mut polishing.left);
-        let walks = walks.to_vec();
-        let better = self.improve(walks, cost, bound, states)?;
+        let better = self.improve(walks.to_vec(), cost, bound, states)?;
+        let after = self.incumbent.costs().map_or(best, |costs| costs.get(cost));
         let polishing = &mut self.polishing;
         polishing.in_vain = if better {
             0
         } else {
             polishing.in_vain + states
         };
+        polishing.is_slow |= best.saturating_sub(after) <= best / LEAST_GAIN;
         Ok(())
     }
 

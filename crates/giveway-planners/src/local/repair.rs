@@ -1,4 +1,4 @@
-//! A first plan: everyone apart, then collisions repaired.
+//! Everyone apart, then collisions repaired.
 //!
 //! Every agent takes a best walk of its own that meets few others; then small
 //! groups of colliding agents are planned anew, never with more collisions than
@@ -52,7 +52,7 @@ pub fn apart(problem: &Problem, budget: &dyn Budget) -> Result<Vec<Walk>, Stop> 
 ///
 /// # Errors
 /// When the budget is spent.
-pub fn first_plan(
+pub fn repair(
     problem: &Problem,
     walks: Vec<Walk>,
     horizon: u32,
