@@ -68,12 +68,15 @@ fn a_trace_is_no_longer_than_was_asked_for() {
 #[test]
 fn the_search_is_the_same_on_every_machine() {
     let instance = plain(3, 30, [10, 10], 10);
-    let options = Options {
-        step_limit: 2_000,
-        ..OPTIONS
-    };
-    let report = search(&instance, options).unwrap();
-    let best = report.best.unwrap();
-    assert_eq!(report.ended, Ended::StepLimit);
-    assert_eq!((best.loss, best.steps), (296, 1527));
+    for (guided, expected) in [(true, (298, 20)), (false, (367, 125))] {
+        let options = Options {
+            step_limit: 2_000,
+            guided,
+            ..OPTIONS
+        };
+        let report = search(&instance, options).unwrap();
+        let best = report.best.unwrap();
+        assert_eq!(report.ended, Ended::StepLimit);
+        assert_eq!((best.loss, best.steps), expected);
+    }
 }
