@@ -4,6 +4,7 @@
 //! than the next step, so hundreds of agents take milliseconds. It is neither
 //! complete nor best: agents may get stuck in front of each other for good.
 
+mod buckets;
 mod guide;
 mod priorities;
 mod step;

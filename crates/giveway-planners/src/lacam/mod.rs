@@ -10,6 +10,7 @@
 
 mod constraints;
 mod explored;
+mod rewire;
 mod search;
 #[cfg(test)]
 mod tests;

@@ -17,21 +17,19 @@ use crate::{
 
 /// The seed of all choices among equals.
 const SEED: u64 = 23;
-/// Once in so many times that a known configuration comes again the search goes
-/// on at the start.
-const RESTART: u8 = 100;
 
+/// The search, between two steps.
 pub(super) struct Search<'s> {
-    plain: &'s Plain<'s>,
+    pub(super) plain: &'s Plain<'s>,
     options: Options,
     budget: &'s dyn Budget,
     ranks: Ranks,
     step: Step<'s>,
-    rng: Rng,
-    explored: Explored,
+    pub(super) rng: Rng,
+    pub(super) explored: Explored,
     /// Configurations to go on from, the last one first.
-    open: Vec<ConfigurationId>,
-    goal: Option<ConfigurationId>,
+    pub(super) open: Vec<ConfigurationId>,
+    pub(super) goal: Option<ConfigurationId>,
     /// The sum of losses of the last plan that was told.
     told: u64,
     /// Where the first agents have to go, in the step that is made.
@@ -140,7 +138,7 @@ impl<'s> Search<'s> {
     }
 
     /// Whether no better plan goes by way of this one, as far as is known.
-    fn is_hopeless(&self, id: ConfigurationId) -> bool {
+    pub(super) fn is_hopeless(&self, id: ConfigurationId) -> bool {
         let bound = self.explored.nodes[id as usize].bound();
         let goal = self.goal.map(|goal| &self.explored.nodes[goal as usize]);
         goal.is_some_and(|goal| bound >= goal.loss)
@@ -203,68 +201,10 @@ impl<'s> Search<'s> {
         id
     }
 
-    fn link(&mut self, from: ConfigurationId, to: ConfigurationId) {
+    pub(super) fn link(&mut self, from: ConfigurationId, to: ConfigurationId) {
         if self.explored.nodes[from as usize].leads_to(to) {
             self.budget
                 .hold_more(&mut self.held, size_of::<ConfigurationId>());
-        }
-    }
-
-    /// What a step loses: one for each agent that is not at its goal before and
-    /// after it.
-    fn edge(&self, from: &[Vertex], to: &[Vertex]) -> u64 {
-        let steps = from.iter().zip(to).zip(self.plain.goals());
-        steps
-            .filter(|&((u, v), goal)| u != goal || v != goal)
-            .count() as u64
-    }
-
-    /// The sum of distances after a step, from that before it.
-    fn onward(&self, mut sum: u64, from: &[Vertex], to: &[Vertex]) -> u64 {
-        for (agent, (&u, &v)) in from.iter().zip(to).enumerate() {
-            if u != v {
-                sum += u64::from(self.plain.distance(agent, v));
-                sum -= u64::from(self.plain.distance(agent, u));
-            }
-        }
-        sum
-    }
-
-    /// A known configuration was made again: there may be a better way to it and
-    /// to all that follow it. The search goes on there, or now and then at the
-    /// start.
-    fn again(&mut self, from: ConfigurationId, to: ConfigurationId) {
-        self.link(from, to);
-        self.rewire(from);
-        let next = if self.rng.u8(..RESTART) == 0 { 0 } else { to };
-        if !self.is_hopeless(next) {
-            self.open.push(next);
-        }
-    }
-
-    /// Hands the loss of a configuration on to those that follow it, wherever
-    /// they become cheaper.
-    fn rewire(&mut self, from: ConfigurationId) {
-        let mut queue = vec![from];
-        let mut next = 0;
-        while let Some(&from) = queue.get(next) {
-            next += 1;
-            let node = &self.explored.nodes[from as usize];
-            let loss = node.loss;
-            for i in 0..node.successors.len() {
-                let to = self.explored.nodes[from as usize].successors[i];
-                let loss = loss + self.edge(self.explored.cells(from), self.explored.cells(to));
-                let node = &mut self.explored.nodes[to as usize];
-                if loss >= node.loss {
-                    continue;
-                }
-                node.loss = loss;
-                node.parent = Some(from);
-                queue.push(to);
-                if self.goal.is_some() && !self.is_hopeless(to) {
-                    self.open.push(to);
-                }
-            }
         }
     }
 

@@ -7,8 +7,7 @@
 //! drift into lanes, and plans of large crowds become up to two fifths cheaper
 //! (compare Chen et al., "Traffic Flow Optimisation for Lifelong MAPF", 2024).
 
-use std::{cmp::Reverse, collections::BinaryHeap};
-
+use super::buckets::Buckets;
 use crate::{
     AgentId,
     budget::{Budget, Held, Stop},
@@ -84,6 +83,7 @@ struct Traffic<'p> {
     /// which ones have a cost.
     reached: Vec<(u32, Option<Arc>)>,
     touched: Vec<Vertex>,
+    open: Buckets,
 }
 
 impl<'p> Traffic<'p> {
@@ -94,6 +94,8 @@ impl<'p> Traffic<'p> {
             ways: vec![Vec::new(); plain.agents()],
             reached: vec![(u32::MAX, None); plain.vertices()],
             touched: Vec::new(),
+            // A move away from the goal against all others, and back.
+            open: Buckets::new(2 * MOVE + ONCOMING * plain.agents() as u32),
         }
     }
 
@@ -136,22 +138,21 @@ impl<'p> Traffic<'p> {
         let plain = self.plain;
         let (start, goal) = (plain.starts()[agent], plain.goals()[agent]);
         let rest = |v| MOVE * plain.distance(agent, v);
-        // Among equals the one that is farthest on.
-        let mut open = BinaryHeap::from([Reverse((rest(start), rest(start), start))]);
         self.reach(start, 0, None);
-        while let Some(Reverse((bound, to_go, v))) = open.pop() {
+        self.open.begin(rest(start));
+        self.open.push(rest(start), start);
+        while let Some((bound, v)) = self.open.pop() {
             if v == goal {
                 break;
             }
             let cost = self.reached[v as usize].0;
-            if cost + to_go < bound {
+            if cost + rest(v) < bound {
                 continue; // reached at less cost since
             }
             for &arc in plain.arcs(v) {
                 let cost = cost + self.cost(arc.id);
                 if self.reach(arc.to, cost, Some(arc)) {
-                    let to_go = rest(arc.to);
-                    open.push(Reverse((cost + to_go, to_go, arc.to)));
+                    self.open.push(cost + rest(arc.to), arc.to);
                 }
             }
         }
@@ -165,20 +166,22 @@ impl<'p> Traffic<'p> {
     }
 
     /// What it costs from everywhere to a goal (Dijkstra, backwards).
-    fn costs_to(&self, goal: Vertex) -> Vec<u32> {
-        let mut costs = vec![u32::MAX; self.plain.vertices()];
-        let mut open = BinaryHeap::from([Reverse((0, goal))]);
+    fn costs_to(&mut self, goal: Vertex) -> Vec<u32> {
+        let plain = self.plain;
+        let mut costs = vec![u32::MAX; plain.vertices()];
         costs[goal as usize] = 0;
-        while let Some(Reverse((cost, v))) = open.pop() {
-            if cost > costs[v as usize] {
+        self.open.begin(0);
+        self.open.push(0, goal);
+        while let Some((cost, v)) = self.open.pop() {
+            if costs[v as usize] < cost {
                 continue;
             }
-            for arc in self.plain.arcs(v) {
+            for arc in plain.arcs(v) {
                 let cost = cost + self.cost(arc.id ^ 1);
                 let known = &mut costs[arc.to as usize];
                 if cost < *known {
                     *known = cost;
-                    open.push(Reverse((cost, arc.to)));
+                    self.open.push(cost, arc.to);
                 }
             }
         }

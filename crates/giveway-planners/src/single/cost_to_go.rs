@@ -67,7 +67,7 @@ struct Labels {
     stride: usize,
     /// Where the labels of each state begin; one more entry than states.
     begins: Vec<u32>,
-    labels: Vec<Label>,
+    entries: Vec<Label>,
 }
 
 impl CostToGo {
@@ -131,7 +131,7 @@ impl Labels {
     fn from(&self, v: Vertex, mask: Mask, level: u32) -> Option<u32> {
         let state = v as usize * self.stride + mask as usize;
         let (begin, end) = (self.begins[state] as usize, self.begins[state + 1] as usize);
-        let labels = &self.labels[begin..end];
+        let labels = &self.entries[begin..end];
         let enough = labels.iter().find(|label| label.need <= level);
         enough.map(|label| label.cost)
     }
@@ -165,7 +165,7 @@ impl Labels {
         Self {
             stride,
             begins,
-            labels,
+            entries: labels,
         }
     }
 }

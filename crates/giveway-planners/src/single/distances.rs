@@ -53,17 +53,36 @@ impl Distances {
     ) -> Result<Self, Stop> {
         budget.check()?;
         if Self::is_narrow(terrain) {
-            let mut table = vec![u16::MAX; terrain.size()];
-            measure(goal, terrain, metric, budget, |v, cost| {
-                let entry = &mut table[v as usize];
-                let first = *entry == u16::MAX;
-                if first {
-                    *entry = cost as u16;
-                }
-                first
-            })?;
-            return Ok(Self::Narrow(table));
+            Self::narrow(goal, terrain, metric, budget)
+        } else {
+            Self::wide(goal, terrain, metric, budget)
         }
+    }
+
+    fn narrow(
+        goal: Vertex,
+        terrain: &Terrain,
+        metric: Metric,
+        budget: &dyn Budget,
+    ) -> Result<Self, Stop> {
+        let mut table = vec![u16::MAX; terrain.size()];
+        measure(goal, terrain, metric, budget, |v, cost| {
+            let entry = &mut table[v as usize];
+            let first = *entry == u16::MAX;
+            if first {
+                *entry = cost as u16;
+            }
+            first
+        })?;
+        Ok(Self::Narrow(table))
+    }
+
+    fn wide(
+        goal: Vertex,
+        terrain: &Terrain,
+        metric: Metric,
+        budget: &dyn Budget,
+    ) -> Result<Self, Stop> {
         let mut table = vec![u32::MAX; terrain.size()];
         measure(goal, terrain, metric, budget, |v, cost| {
             let entry = &mut table[v as usize];
@@ -121,4 +140,51 @@ fn measure(
         cost += 1;
     }
     Ok(())
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::{
+        budget::Unlimited,
+        single::CostToGo,
+        tests::{instance, random},
+    };
+
+    #[test]
+    fn they_are_the_same_in_two_bytes_and_in_four() {
+        let budget = Unlimited::default();
+        let (mut known, mut unknown) = (0, 0);
+        for seed in 0..100 {
+            let instance = random(seed, 1);
+            let terrain = Terrain::new(instance.grid());
+            for goal in 0..terrain.size() as Vertex {
+                for metric in [Metric::Time, Metric::Moves] {
+                    let narrow = Distances::narrow(goal, &terrain, metric, &budget).unwrap();
+                    let wide = Distances::wide(goal, &terrain, metric, &budget).unwrap();
+                    for v in 0..terrain.size() as Vertex {
+                        assert_eq!(narrow.from(v), wide.from(v));
+                        known += u32::from(wide.from(v).is_some());
+                        unknown += u32::from(wide.from(v).is_none());
+                    }
+                }
+            }
+        }
+        assert!(
+            known > 1_000 && unknown > 50,
+            "{known} known, {unknown} not"
+        );
+    }
+
+    #[test]
+    fn a_table_of_a_plain_task_takes_two_bytes_a_cell() {
+        let instance = instance("a . . ~ ~ A");
+        let terrain = Terrain::new(instance.grid());
+        let agent = &instance.agents()[0];
+        let task = Task::new(agent, instance.rules(), &terrain).unwrap();
+        let budget = Unlimited::default();
+        let table = CostToGo::new(&task, &terrain, Metric::Time, &budget).unwrap();
+        assert_eq!(budget.held_bytes().get(), 12);
+        assert_eq!(table.from(task.start, 0, 0), Some(6));
+    }
 }

@@ -3,8 +3,10 @@
 
 mod lone;
 mod picture;
+mod plain;
 mod random;
 
 pub(crate) use lone::{Lone, Spot, State};
 pub(crate) use picture::instance;
+pub(crate) use plain::{least_loss, plain};
 pub(crate) use random::random;
