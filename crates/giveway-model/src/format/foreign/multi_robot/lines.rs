@@ -11,8 +11,8 @@
 //!       t: 0
 //! ```
 //!
-//! A large schedule is nearly always that, and is read some ten times as fast as by a
-//! parser of all of YAML. Of anything else this reader knows nothing: blank lines,
+//! A large schedule is nearly always that, and is read some thirty times as fast as by
+//! a parser of all of YAML. Of anything else this reader knows nothing: blank lines,
 //! comments, other blanks, `\r\n`, numbers with a plus, whatever is wrong. Then the
 //! file is for the parser, which tells the faults.
 
