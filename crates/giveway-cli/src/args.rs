@@ -7,6 +7,7 @@ use std::sync::LazyLock;
 use clap::{Args as ClapArgs, Parser, Subcommand, ValueEnum};
 use clap_complete::Shell;
 
+mod address;
 mod audit;
 mod change;
 mod compare;
@@ -15,6 +16,7 @@ mod explain;
 mod reading;
 mod solve;
 
+pub(crate) use address::Address;
 pub(crate) use audit::Audit;
 pub(crate) use change::Change;
 pub(crate) use compare::Compare;

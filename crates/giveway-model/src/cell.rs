@@ -45,6 +45,11 @@ impl Cell {
         Self { x, y }
     }
 
+    /// Column and row, negative where the cell is left of or above every map.
+    pub(crate) const fn signed(self) -> (i32, i32) {
+        (self.x.cast_signed(), self.y.cast_signed())
+    }
+
     /// Whether the two cells share a side.
     pub const fn touches(self, other: Self) -> bool {
         matches!(
@@ -101,6 +106,7 @@ impl<'de> Deserialize<'de> for Cell {
 
 impl fmt::Display for Cell {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        write!(f, "({}, {})", self.x.cast_signed(), self.y.cast_signed())
+        let (x, y) = self.signed();
+        write!(f, "({x}, {y})")
     }
 }

@@ -1,13 +1,14 @@
 //! A scene as it stands on the page.
 
+use giveway_model::format::link;
 use giveway_model::{Agent, Cell, Fault, Grid, Instance, Scene};
 
 use crate::problems::{self, Problem};
 
 /// The largest map side that the page takes, in cells.
-pub const MAX_SIDE: u32 = 256;
+pub const MAX_SIDE: u32 = link::MAX_SIDE;
 /// The largest number of agents that the page takes.
-pub const MAX_AGENTS: usize = 1000;
+pub const MAX_AGENTS: usize = link::MAX_AGENTS;
 
 /// A scene with what validation says of it; never changed, only replaced.
 #[derive(Clone, Debug, PartialEq)]

@@ -5,7 +5,7 @@ use std::path::PathBuf;
 use clap::Args as ClapArgs;
 use giveway_model::Objective;
 
-use super::{First, Reading, seconds, whole};
+use super::{Address, First, Reading, seconds, whole};
 
 /// A plan to audit, with the files that it needs.
 #[derive(Debug, ClapArgs)]
@@ -52,6 +52,10 @@ pub(crate) struct Audit {
     /// Write a report, too: a page (.html), a text (.md) or the JSON object (.json)
     #[arg(long, value_name = "FILE", conflicts_with = "jsonl")]
     pub(crate) report: Option<PathBuf>,
+    /// Link the report to the page at this address, which shows the plan there [default: where the
+    /// page is published, if it is]
+    #[arg(long, value_name = "URL", requires = "report")]
+    pub(crate) address: Option<Address>,
     /// Audit every plan among the files, and answer in one line of JSON each
     #[arg(long)]
     pub(crate) jsonl: bool,

@@ -33,13 +33,23 @@ pub(crate) fn run(args: &Audit, common: &Common, clock: Clock) -> Result<Exit, F
     let audited = audited(subject, args, common, clock)?;
     output::answer(common.format, &audited.object(), |_| text::audit(&audited))?;
     if let (Some(path), Some(kind)) = (&args.report, kind) {
-        let text = report::write(kind, &audited, &command_line(args, common))?;
+        let link = link(args, &audited);
+        let text = report::write(kind, &audited, &command_line(args, common), &link)?;
         files::write_all(&[files::NewFile {
             path: path.clone(),
             text,
         }])?;
     }
     Ok(exit(audited.answer.status))
+}
+
+/// Where the report says that the plan can be opened: judged by the same costs there.
+fn link(args: &Audit, audited: &report::Audited) -> report::Link {
+    let mut scene = audited.instance.to_scene();
+    if let Some(objective) = &args.objective {
+        scene.objective = objective.clone();
+    }
+    report::Link::new(args.address.as_ref(), &scene, &audited.plan, &audited.notes)
 }
 
 /// How the files of a command line are gathered.

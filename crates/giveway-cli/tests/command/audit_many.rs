@@ -92,4 +92,37 @@ fn a_report_needs_nothing_else() {
     let json: Value = serde_json::from_str(&folder.read("r.json")).unwrap();
     fits("auditResult", &json);
     assert_eq!(json["status"], "illegal");
+    assert_eq!(json.get("link"), None);
+}
+
+#[test]
+fn a_report_links_to_the_page_at_an_address() {
+    let folder = folder();
+    for name in ["r.html", "r.md", "r.json"] {
+        let run = folder.run(&format!(
+            "audit two.json crash.json --report {name} --address https://example.org/giveway/"
+        ));
+        assert_eq!((run.exit, run.err.as_str()), (Some(1), ""));
+    }
+    let json: Value = serde_json::from_str(&folder.read("r.json")).unwrap();
+    fits("auditResult", &json);
+    let link = json["link"].as_str().unwrap();
+    let begin = "https://example.org/giveway/#giveway=1&map=";
+    assert!(link.starts_with(begin), "{link}");
+    assert!(
+        link.contains("&name=two&") && link.contains("&audit="),
+        "{link}"
+    );
+    let html = folder.read("r.html");
+    let escaped = link.replace('&', "&amp;");
+    let open = format!("<a href=\"{escaped}\">Open it in Giveway</a>");
+    assert!(html.contains(&open), "{html}");
+    let markdown = folder.read("r.md");
+    let open = format!("[Open it in Giveway](<{link}>)");
+    assert!(markdown.contains(&open), "{markdown}");
+
+    let run = folder.run("audit two.json crash.json --report r.md --address example.org");
+    assert_eq!(run.exit, Some(2));
+    let told = "expected an address such as https://example.org/giveway/";
+    assert!(run.err.contains(told), "{}", run.err);
 }

@@ -5,6 +5,7 @@ pub mod foreign;
 mod json;
 mod layout;
 mod lines;
+pub mod link;
 mod locate;
 mod loss;
 pub mod movingai;

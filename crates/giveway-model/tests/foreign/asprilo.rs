@@ -2,9 +2,9 @@
 
 use giveway_model::check::Rule;
 use giveway_model::format::foreign::{Format, Held, read, recognise, write};
-use giveway_model::{Cell, Instance, Scene};
+use giveway_model::{Agent, Cell, Instance, Plan, Scene};
 
-use crate::support::{comes_back, data, opened, refused, violations};
+use crate::support::{comes_back, data, opened, refused, reopened, violations};
 
 const FILES: [&str; 17] = [
     "x10_y10_n100_r5_s20_ps6_pr5_u10_o5_N50.lp",
@@ -183,6 +183,19 @@ fn a_plan_may_stand_apart_from_its_instance() {
 }
 
 #[test]
+fn a_plan_in_which_no_robot_moves_comes_back() {
+    let read = opened(&[("a.lp", CROSSING)]).unwrap();
+    let stay = |agent: &Agent| (agent.name.clone(), vec![Some(agent.start)]);
+    let plan = Plan {
+        paths: read.instance.agents().iter().map(stay).collect(),
+        ..Plan::default()
+    };
+    let written = write(Format::Asprilo, "it", Some(&read.instance), Some(&plan)).unwrap();
+    let again = reopened(&written);
+    assert_eq!(again.plans[0].plan.paths, plan.paths);
+}
+
+#[test]
 fn names_and_borders_that_cannot_be_written_are_losses() {
     let scene = r#"{"giveway": 1, "map": ["..+X", "...X", "XXXX"],
             "agents": [{"name": "Robbie", "start": [0, 0], "goal": [1, 1],
@@ -223,7 +236,7 @@ fn faults_have_their_place() {
             "line 1, column 18: found \"99999999999),value(at,(1,1))).\", expected a whole number from -2147483648 to 2147483647",
         ),
         (
-            "init(object(robot,1),value(at,(1,1))).",
+            "init(object(shelf,1),value(at,(1,1))).",
             "line 1, column 1: found no node, expected facts init(object(node,1),value(at,(X,Y))), or a plan",
         ),
         (

@@ -2,7 +2,7 @@
 //! of every year.
 
 use giveway_model::check::Rule;
-use giveway_model::format::foreign::{Format, Gathered, Heading, recognise, write};
+use giveway_model::format::foreign::{Format, Gathered, Heading, Refused, recognise, write};
 use giveway_model::{Cell, Plan};
 use serde_json::{Value, json};
 
@@ -220,6 +220,39 @@ fn faults_have_their_place_and_keys() {
     ];
     for (text, said) in cases {
         assert_eq!(refused(&text).to_string(), said, "{text}");
+    }
+}
+
+#[test]
+fn an_errand_or_a_start_in_an_obstacle_has_its_place() {
+    let result = |column: u32, tasks: &str| {
+        format!(
+            "{{\"actionModel\": \"MAPF\",\n\"start\": [[0, 0], [0, {column}]],\n\"actualPaths\": [\"R\", \"W\"],\n\
+             \"events\": [[1, 0, 7, 1], [1, 0, 8, 2]],\n\"tasks\": [[7, 0, [0, 1]],\n{tasks}]}}"
+        )
+    };
+    let cases = [
+        (
+            result(2, "[8, 0, [0, 1, 2, 0]]"),
+            "line 6, column 1: tasks[1]: found the obstacle (0, 2), expected a free cell",
+        ),
+        (
+            result(2, "[8, 0, [0, 1, 9, 1]]"),
+            "line 6, column 1: tasks[1]: found (1, 9), expected a cell of the 4 x 3 map",
+        ),
+        (
+            result(9, "[8, 0, [0, 1]]"),
+            "line 2, column 19: start[1]: found (9, 0), expected a cell of the 4 x 3 map",
+        ),
+    ];
+    for (text, said) in cases {
+        match opened(&[("room.map", ROOM), ("room.json", &text)]) {
+            Err(Refused::File { file, faults }) => {
+                assert_eq!(file, "room.json");
+                assert_eq!(faults[0].to_string(), said, "{text}");
+            }
+            other => panic!("{other:?}"),
+        }
     }
 }
 

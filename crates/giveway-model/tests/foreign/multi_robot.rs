@@ -3,7 +3,7 @@
 
 use giveway_model::check::Rule;
 use giveway_model::format::foreign::{Format, recognise};
-use giveway_model::{Cell, Instance, Scene};
+use giveway_model::{Cell, Cost, Instance, Scene};
 
 use crate::support::{comes_back, opened, refused, violations};
 
@@ -12,40 +12,56 @@ const SCENARIO: &str = include_str!("../data/plans/small-scenario.yaml");
 
 const SCHEDULE: &str = include_str!("../data/plans/small-schedule.yaml");
 
+/// The second robot waits in the way.
+const FAULTY: &str = include_str!("../data/plans/small-faulty-schedule.yaml");
+
 #[test]
 fn a_scenario_and_a_schedule_are_read_and_come_back() {
     assert_eq!(recognise(SCENARIO), Ok(Format::MultiRobot));
     assert_eq!(recognise(SCHEDULE), Ok(Format::MultiRobot));
     // The second robot leaves out the times at which it waits, as the planner with
     // safe intervals does; it waits before it moves.
-    let schedule = SCHEDULE.replace(
-        "      t: 2\n    - x: 0\n      y: 0\n      t: 4\n",
-        "      t: 2\n    - x: 0\n      y: 0\n      t: 3\n",
-    );
-    let read = opened(&[("s.yaml", SCENARIO), ("plan.yaml", &schedule)]).unwrap();
+    let read = opened(&[("s.yaml", SCENARIO), ("plan.yaml", SCHEDULE)]).unwrap();
     assert_eq!(read.instance.grid().rows(), ["...", "#.#"]);
     assert_eq!(read.instance.agents()[1].name, "agent1");
     let plan = &read.plans[0];
     assert!(plan.fit.is_perfect(), "{:?}", plan.fit);
-    assert_eq!(plan.claimed.sum_of_costs, Some(8));
+    assert_eq!(plan.claimed.sum_of_costs, Some(7));
     assert_eq!(plan.claimed.makespan, Some(4));
     let path = plan.plan.path("agent1");
     let cells = [(2, 0), (2, 0), (1, 0), (0, 0)].map(|cell| Some(Cell::from(cell)));
     assert_eq!(path, cells);
     assert_eq!(violations(&read.instance, plan), []);
     let written = comes_back(Format::MultiRobot, &read);
-    assert_eq!(written.losses, Vec::<String>::new());
+    assert_eq!(written.losses, ["the objective"]);
+}
+
+#[test]
+fn a_schedule_is_judged_by_what_its_planners_minimise() {
+    let first_cost = |files: &[(&str, &str)]| {
+        let read = opened(files).unwrap();
+        read.instance.objective().costs()[0]
+    };
+    let (scenario, schedule) = (("s.yaml", SCENARIO), ("plan.yaml", SCHEDULE));
+    assert_eq!(first_cost(&[scenario, schedule]), Cost::SumOfCosts);
+    let both = format!("{SCENARIO}{SCHEDULE}");
+    assert_eq!(first_cost(&[("both.yaml", &both)]), Cost::SumOfCosts);
+    // A scene alone is as any other, and a scene of this project says it itself.
+    assert_eq!(first_cost(&[scenario]), Cost::Makespan);
+    let own = r##"{"giveway": 1, "map": ["...", "#.#"], "agents": [
+        {"name": "a", "start": [0, 0], "goal": [2, 0]},
+        {"name": "b", "start": [2, 0], "goal": [0, 0]}]}"##;
+    assert_eq!(first_cost(&[("own.json", own), schedule]), Cost::Makespan);
 }
 
 #[test]
 fn a_faulty_schedule_shows_every_violation() {
-    // The second robot waits in the way, then passes through the first.
-    let read = opened(&[("both.yaml", &format!("{SCENARIO}{SCHEDULE}"))]).unwrap();
+    let read = opened(&[("both.yaml", &format!("{SCENARIO}{FAULTY}"))]).unwrap();
     let found = violations(&read.instance, &read.plans[0]);
     let both = || vec!["agent0".to_owned(), "agent1".to_owned()];
     assert_eq!(found, [(Rule::Vertex, 3, both())]);
 
-    let faulty = SCHEDULE.replace(
+    let faulty = FAULTY.replace(
         "    - x: 1\n      y: 1\n      t: 2\n    - x: 1\n      y: 0\n      t: 3\n",
         "    - x: 1\n      y: 0\n      t: 2\n    - x: 2\n      y: 1\n      t: 3\n",
     );

@@ -1,7 +1,7 @@
 //! What the formats of plans cannot hold is named, and a plan that is none of whole
 //! steps is refused.
 
-use giveway_model::format::foreign::{Format, write};
+use giveway_model::format::foreign::{Format, Options, Refused, Source, gather, write};
 use giveway_model::format::native::{read_instance, read_plan};
 use giveway_model::format::{Loss, Part, losses};
 
@@ -94,4 +94,84 @@ fn what_is_missing_is_told() {
     let jump = read_plan(&PLAN.replace("[1, 0], [2, 0]", "[2, 0]")).unwrap();
     let fault = write(Format::Tracker, "n", Some(&instance), Some(&jump)).unwrap_err();
     assert_eq!(fault.found, "A1 jumping from (0, 0) to (2, 0) at time 1");
+}
+
+#[test]
+fn cells_off_the_map_come_back_as_the_numbers_that_they_were() {
+    let scene = r#"{ "giveway": 1, "map": ["..."], "agents": [
+        { "name": "A1", "start": [0, 0], "goal": [2, 0] }] }"#;
+    let instance = read_instance(scene).unwrap();
+    // A step to (-1, 0), one to the smallest numbers that there are, and back.
+    let plan = r#"{ "giveway": 1, "paths": { "A1":
+        [[0, 0], [4294967295, 0], [2147483648, 2147483648], [2147483647, 0], [2, 0]] } }"#;
+    let plan = read_plan(plan).unwrap();
+    for format in [
+        Format::Paths,
+        Format::Result,
+        Format::MultiRobot,
+        Format::Mapfw,
+    ] {
+        let written = write(format, "n", Some(&instance), Some(&plan)).unwrap();
+        let files = written.files.iter();
+        let sources: Vec<Source<'_>> = files.map(|(name, text)| Source { name, text }).collect();
+        let again = gather(&sources, &Options::default()).unwrap();
+        assert_eq!(again.plans[0].plan.paths, plan.paths, "{format}");
+    }
+}
+
+#[test]
+fn a_plan_without_robots_is_written_where_that_is_something() {
+    let instance = read_instance(r#"{ "giveway": 1, "map": ["."], "agents": [] }"#).unwrap();
+    let plan = read_plan(r#"{ "giveway": 1, "paths": {} }"#).unwrap();
+    for format in [Format::Paths, Format::Tracker, Format::Asprilo] {
+        let error = write(format, "n", Some(&instance), Some(&plan)).unwrap_err();
+        assert_eq!(error.found, "a plan without robots", "{format}");
+    }
+    for format in [
+        Format::Result,
+        Format::MultiRobot,
+        Format::League,
+        Format::Mapfw,
+    ] {
+        assert!(
+            write(format, "n", Some(&instance), Some(&plan)).is_ok(),
+            "{format}"
+        );
+    }
+}
+
+#[test]
+fn a_start_off_the_map_has_its_place_in_the_plan() {
+    let map = "type octile\nheight 1\nwidth 3\nmap\n..@\n";
+    let cases = [
+        (
+            "Agent 0: (0,0)->(0,1)->\nAgent 1: (0,2)->(0,1)->\n",
+            "line 2, column 1: agents[1].start: found the obstacle (2, 0), expected a free cell",
+        ),
+        (
+            "0:(0,0),(2,0),\n1:(1,0),(1,0),\n",
+            "line 1, column 9: agents[1].start: found the obstacle (2, 0), expected a free cell",
+        ),
+        (
+            "agents=2\nstarts=(0,0),(1,0),\ngoals=(1,0),(2,0),\nsolution=\n0:(0,0),(1,0),\n",
+            "line 3, column 13: agents[1].goal: found the obstacle (2, 0), expected a free cell",
+        ),
+        (
+            "schedule:\n  agent0:\n    - x: 2\n      y: 0\n      t: 0\n",
+            "line 2, column 3: agents[0].start: found the obstacle (2, 0), expected a free cell",
+        ),
+        (
+            "[[[0, 0]],\n [[2, 0]]]",
+            "line 2, column 2: [1]: found the obstacle (2, 0), expected a free cell",
+        ),
+    ];
+    for (text, said) in cases {
+        let sources = [("m.map", map), ("it", text)].map(|(name, text)| Source { name, text });
+        match gather(&sources, &Options::default()) {
+            Err(Refused::File { file, faults }) => {
+                assert_eq!((&*file, &*faults[0].to_string()), ("it", said));
+            }
+            other => panic!("{other:?}"),
+        }
+    }
 }

@@ -5,7 +5,7 @@ use std::path::PathBuf;
 use giveway_model::Fault;
 use giveway_model::check::{Rule, check};
 use giveway_model::format::foreign::{
-    self, ForeignPlan, Format, Gathered, Held, Options, Source, WrittenPlan, gather,
+    self, ForeignPlan, Format, Gathered, Held, Options, Source, WrittenAt, WrittenPlan, gather,
 };
 
 /// The text of a file of the tests' data.
@@ -27,6 +27,18 @@ pub(crate) fn opened(files: &[(&str, &str)]) -> Gathered {
 pub(crate) fn with_small(name: &str, text: &str) -> Gathered {
     let (map, scenario) = (data("plans/small.map"), data("plans/small.scen"));
     opened(&[(name, text), ("small.map", &map), ("small.scen", &scenario)])
+}
+
+/// A plan as it is written, wherever that is in its file.
+pub(crate) fn anywhere(mut plan: WrittenPlan) -> WrittenPlan {
+    for agent in &mut plan.agents {
+        agent.at = WrittenAt::Whole;
+        let cells = agent.waypoints.iter_mut();
+        for cell in cells.chain(&mut agent.start).chain(&mut agent.goal) {
+            cell.at = WrittenAt::Whole;
+        }
+    }
+    plan
 }
 
 /// The one plan of some files.

@@ -4,7 +4,7 @@ use std::fmt::Write as _;
 use std::rc::Rc;
 
 use super::text::escape;
-use super::{From, ask, audit, change, claim, extras, knowledge, plan, scene, steering};
+use super::{From, ask, audit, change, claim, knowledge, message, plan, scene, steering};
 use crate::{Answer, Colours, Document};
 
 /// The document as parts joined by `&`. What is written for anywhere holds no
@@ -80,11 +80,11 @@ fn kept(document: &Document) -> String {
         && document.front().is_some()
     {
         text += "&front=";
-        text += &extras::write(front.told());
+        text += &message::write(front.told());
     }
     if let Some(report) = document.report() {
         text += "&report=";
-        text += &extras::write(report);
+        text += &message::write(report);
     }
     if let Some(changing) = document.mode.changing() {
         let changes = changing.changes().changes;
@@ -94,7 +94,7 @@ fn kept(document: &Document) -> String {
     }
     if let Some(comparing) = document.mode.comparing() {
         let chosen = comparing.chosen.map_or(0, |chosen| chosen + 1);
-        let told = extras::write(&*comparing.told);
+        let told = message::write(&*comparing.told);
         let _ = write!(text, "&compared={chosen}!{told}");
     }
     if let Some(own) = document
@@ -111,11 +111,11 @@ fn kept(document: &Document) -> String {
         if let Some(told) = &asking.told {
             let _ = write!(text, "&shows-other={}", u32::from(asking.shows_other));
             text += "&told=";
-            text += &extras::write(&**told);
+            text += &message::write(&**told);
         }
         if let Some(report) = &asking.report {
             text += "&told-report=";
-            text += &extras::write(&**report);
+            text += &message::write(&**report);
         }
     }
     text

@@ -12,21 +12,18 @@ mod book;
 mod change;
 mod claim;
 mod document;
-mod extras;
 mod kin;
 mod knowledge;
-mod plan;
 mod preferences;
 mod read;
-mod scene;
 mod steering;
 #[cfg(test)]
 mod tests;
-mod text;
 
 use std::fmt::Write as _;
 
 use giveway_model::Question;
+use giveway_model::format::link::{message, plan, scene, text};
 
 use crate::{Action, Document, FileAction, Notice, State};
 
@@ -35,8 +32,7 @@ pub use kin::{Kin, is_newer, is_touched, kin, title};
 pub use preferences::{are_newer, prefer, preferences};
 pub(crate) use read::judged;
 
-/// The longest text that is read, in bytes.
-pub const LONGEST: usize = 1_000_000;
+pub use giveway_model::format::link::LONGEST;
 
 /// What a link holds.
 #[derive(Clone, Debug, PartialEq)]

@@ -5,7 +5,7 @@ use std::fmt::Write as _;
 use giveway_solve::audit::AuditStatus;
 use giveway_solve::audit::words::{headline, notes};
 
-use super::{Audited, TOLD, svg, words};
+use super::{Audited, Link, TOLD, svg, words};
 
 /// How the page looks, on a screen, light or dark, and on paper.
 const STYLE: &str = "
@@ -33,7 +33,7 @@ svg { width: 100%; max-height: 40rem; border: 1px solid var(--line); }
 ";
 
 /// The whole page.
-pub(super) fn page(audited: &Audited, command: &str) -> String {
+pub(super) fn page(audited: &Audited, command: &str, link: &Link) -> String {
     let answer = &audited.answer;
     let title = escaped(&audited.plan.file);
     let mut html = format!(
@@ -54,6 +54,16 @@ pub(super) fn page(audited: &Audited, command: &str) -> String {
     );
     for note in notes(answer).iter().chain(&words::differs(audited)) {
         let _ = writeln!(verdict, "<p>{}</p>", escaped(note));
+    }
+    match link {
+        Link::To(address) => {
+            let (address, open) = (escaped(address), words::OPEN);
+            let _ = writeln!(verdict, "<p><a href=\"{address}\">{open}</a></p>");
+        }
+        Link::TooLarge => {
+            let _ = writeln!(verdict, "<p>{}</p>", words::NO_LINK);
+        }
+        Link::Nowhere => {}
     }
     section(&mut html, words::VERDICT, &verdict);
     section(&mut html, words::RECOGNISED, &recognised(audited));

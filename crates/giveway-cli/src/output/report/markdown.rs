@@ -4,16 +4,25 @@ use std::fmt::Write as _;
 
 use giveway_solve::audit::words::{headline, notes};
 
-use super::{Audited, TOLD, words};
+use super::{Audited, Link, TOLD, words};
 
 /// The whole report.
-pub(super) fn text(audited: &Audited, command: &str) -> String {
+pub(super) fn text(audited: &Audited, command: &str, link: &Link) -> String {
     let answer = &audited.answer;
     let mut text = format!("# {}\n\n", escaped(&audited.plan.file));
     let head = headline(answer);
     let _ = writeln!(text, "**{}**{}\n", escaped(&head.word), escaped(&head.rest));
     for note in notes(answer).iter().chain(&words::differs(audited)) {
         let _ = writeln!(text, "{}\n", escaped(note));
+    }
+    match link {
+        Link::To(address) => {
+            let _ = writeln!(text, "[{}](<{address}>)\n", words::OPEN);
+        }
+        Link::TooLarge => {
+            let _ = writeln!(text, "{}\n", words::NO_LINK);
+        }
+        Link::Nowhere => {}
     }
     section(&mut text, words::RECOGNISED);
     for (about, what) in words::recognised(audited) {

@@ -2,6 +2,7 @@
 //! of HTML, as Markdown, and for programs.
 
 mod html;
+mod link;
 mod markdown;
 mod object;
 mod svg;
@@ -14,6 +15,8 @@ use giveway_model::{Instance, format::foreign::ForeignPlan};
 use giveway_solve::audit::AuditAnswer;
 
 use crate::failure::Failure;
+
+pub(crate) use link::Link;
 
 /// A plan that was audited, with what is known of it.
 pub(crate) struct Audited {
@@ -51,10 +54,15 @@ impl Kind {
 }
 
 /// The text of a report. `command` makes the same audit again.
-pub(crate) fn write(kind: Kind, audited: &Audited, command: &str) -> Result<String, Failure> {
+pub(crate) fn write(
+    kind: Kind,
+    audited: &Audited,
+    command: &str,
+    link: &Link,
+) -> Result<String, Failure> {
     match kind {
-        Kind::Html => Ok(html::page(audited, command)),
-        Kind::Markdown => Ok(markdown::text(audited, command)),
-        Kind::Json => super::json::text(&audited.object()),
+        Kind::Html => Ok(html::page(audited, command, link)),
+        Kind::Markdown => Ok(markdown::text(audited, command, link)),
+        Kind::Json => super::json::text(&audited.object().with_link(link.address())),
     }
 }

@@ -40,6 +40,16 @@ pub(crate) struct AuditObject<'a> {
     #[serde(skip_serializing_if = "Option::is_none")]
     reason: Option<&'a str>,
     stats: Stats,
+    /// In a report: what opens the plan on the page.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    link: Option<&'a str>,
+}
+
+impl<'a> AuditObject<'a> {
+    /// The object of a report, with what opens the plan on the page.
+    pub(super) fn with_link(self, link: Option<&'a str>) -> Self {
+        Self { link, ..self }
+    }
 }
 
 impl Audited {
@@ -77,6 +87,7 @@ impl Audited {
             search: answer.search,
             reason: answer.reason.as_deref(),
             stats: answer.stats,
+            link: None,
         }
     }
 }

@@ -39,6 +39,13 @@ pub(crate) struct CostRow {
     pub(crate) cells: [Option<u64>; 4],
 }
 
+/// What a link to the page says.
+pub(crate) const OPEN: &str = "Open it in Giveway";
+
+/// Why there is none.
+pub(crate) const NO_LINK: &str =
+    "There is no link to the page: it does not take a plan of this size.";
+
 /// The headings of the table of costs.
 pub(crate) const COST_HEADINGS: [&str; 4] = [
     "this plan",

@@ -22,6 +22,11 @@ impl<'a> Cursor<'a> {
         self.text.as_bytes().get(self.at).copied()
     }
 
+    /// The byte of the text that comes next.
+    pub(super) const fn offset(&self) -> usize {
+        self.at
+    }
+
     pub(super) fn is_at_end(&self) -> bool {
         self.at >= self.text.len()
     }
@@ -95,26 +100,23 @@ impl<'a> Cursor<'a> {
     pub(super) fn number(&mut self, expected: &str) -> Result<i32, Fault> {
         let begin = self.at;
         let is_negative = self.eat("-");
-        let mut number: Option<i32> = None;
+        let mut number: Option<i64> = None;
         while let Some(digit @ b'0'..=b'9') = self.peek() {
-            let digit = i32::from(digit - b'0');
-            let next = number.unwrap_or(0).checked_mul(10);
-            let next = next.and_then(|next| next.checked_add(digit));
-            let Some(next) = next else {
+            let next = number.unwrap_or(0) * 10 + i64::from(digit - b'0');
+            if next > i64::from(i32::MAX) + i64::from(is_negative) {
                 self.at = begin;
                 return Err(self.fault("a number of at most 2147483647"));
-            };
+            }
             number = Some(next);
             self.at += 1;
         }
-        match number {
-            Some(number) if is_negative => Ok(-number),
-            Some(number) => Ok(number),
-            None => {
+        let number = number.map(|number| if is_negative { -number } else { number });
+        number
+            .and_then(|number| i32::try_from(number).ok())
+            .ok_or_else(|| {
                 self.at = begin;
-                Err(self.fault(expected))
-            }
-        }
+                self.fault(expected)
+            })
     }
 
     /// Reads two numbers of a cell such as `(3,1)`, up to the bracket that closes it,

@@ -133,8 +133,8 @@ fn known(agent: &WrittenAgent, task: Option<&Task>, conventions: Conventions) ->
             goal: Some(goal),
         },
         None => Known {
-            start: agent.start.map(|pair| place::cell(pair, conventions)),
-            goal: agent.goal.map(|pair| place::cell(pair, conventions)),
+            start: agent.start.map(|told| place::cell(told.pair, conventions)),
+            goal: agent.goal.map(|told| place::cell(told.pair, conventions)),
         },
     }
 }

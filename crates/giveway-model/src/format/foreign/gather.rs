@@ -1,5 +1,6 @@
 //! Files that belong together: a map, tasks and plans made one scene with its plans.
 
+mod origin;
 mod scene;
 
 use std::collections::BTreeMap;
@@ -116,24 +117,25 @@ pub fn gather(sources: &[Source<'_>], options: &Options) -> Result<Gathered, Ref
         match held {
             Held::Map(grid) => base.take_map(file, grid)?,
             Held::Scenario(scenario) => base.take_scenario(file, scenario)?,
-            Held::Scene(scene, notes) => base.take_scene(file, scene, notes)?,
+            Held::Scene(scene, notes) => base.take_scene((file, format), scene, notes)?,
             Held::OwnPlan(plan) => plans.push((file, format, Body::Own(plan))),
-            Held::Plan(plan) => plans.push((file, format, Body::Written(plan))),
+            Held::Plan(plan) => plans.push((file, format, Body::Written(plan, source.text))),
             Held::Both(scene, plan) => {
-                base.take_scene(file.clone(), scene, Vec::new())?;
-                plans.push((file, format, Body::Written(plan)));
+                base.take_scene((file.clone(), format), scene, Vec::new())?;
+                plans.push((file, format, Body::Written(plan, source.text)));
             }
         }
     }
-    let first = plans
-        .iter()
-        .find_map(|(file, _, body)| body.written().map(|plan| (&**file, plan)));
+    let first = plans.iter().find_map(|(file, _, body)| match body {
+        Body::Own(_) => None,
+        Body::Written(plan, text) => Some(scene::First { file, text, plan }),
+    });
     let settled = base.settle(first, options)?;
     let plans = plans
         .into_iter()
         .map(|(file, format, body)| match body {
             Body::Own(plan) => Ok(own(file, format, plan)),
-            Body::Written(plan) => written(file, format, &plan, &settled, options.conventions),
+            Body::Written(plan, _) => written(file, format, &plan, &settled, options.conventions),
         })
         .collect::<Result<_, Refused>>()?;
     Ok(Gathered {
@@ -143,19 +145,10 @@ pub fn gather(sources: &[Source<'_>], options: &Options) -> Result<Gathered, Ref
     })
 }
 
-/// A plan by names, or one by the order of its agents.
-enum Body {
+/// A plan by names, or one by the order of its agents with the text of its file.
+enum Body<'a> {
     Own(Plan),
-    Written(WrittenPlan),
-}
-
-impl Body {
-    const fn written(&self) -> Option<&WrittenPlan> {
-        match self {
-            Self::Own(_) => None,
-            Self::Written(plan) => Some(plan),
-        }
-    }
+    Written(WrittenPlan, &'a str),
 }
 
 fn own(file: String, format: Format, plan: Plan) -> ForeignPlan {

@@ -29,6 +29,7 @@ mod tracker;
 mod whole_steps;
 mod write;
 mod written;
+mod written_at;
 mod yaml;
 
 pub use conventions::{CellOrder, Conventions, Origin, Up};
@@ -40,3 +41,4 @@ pub use place::{Fit, Heading};
 pub use recognise::{Held, Source, read, recognise};
 pub use write::{Written, write};
 pub use written::{Action, Claimed, Move, Pair, Walk, WrittenAgent, WrittenPlan};
+pub use written_at::{WrittenAt, WrittenCell};

@@ -21,7 +21,7 @@ pub(super) use write::write;
 
 use super::cursor::Cursor;
 use super::limits::{Steps, robots};
-use super::{CellOrder, Claimed, Conventions, Held, Origin, Pair, Up, Walk};
+use super::{CellOrder, Claimed, Conventions, Held, Origin, Pair, Up, Walk, WrittenAt};
 use super::{WrittenAgent, WrittenPlan};
 use crate::Fault;
 
@@ -69,7 +69,10 @@ fn plan(text: &str) -> Result<WrittenPlan, Fault> {
             .add(cells.len())
             .and_then(|()| robots(agents.len() + 1));
         counted.map_err(|fault| begin.place(fault))?;
-        agents.push(WrittenAgent::walking(Walk::Cells(cells)));
+        agents.push(WrittenAgent::walking(
+            Walk::Cells(cells),
+            WrittenAt::Byte(begin.offset()),
+        ));
         cursor.space();
     }
     Ok(WrittenPlan {

@@ -107,7 +107,7 @@ pub(super) fn path(
     start: Option<Cell>,
     conventions: Conventions,
 ) -> (Path, Option<Vec<Heading>>) {
-    let own = agent.start.map(|pair| cell(pair, conventions));
+    let own = agent.start.map(|told| cell(told.pair, conventions));
     let from = own.or(start);
     match (&agent.walk, from) {
         (Walk::Cells(cells), _) => (

@@ -25,8 +25,10 @@ mod write;
 
 pub(super) use write::write;
 
+use std::iter::repeat;
+
 use super::cursor::Cursor;
-use super::{Conventions, Held, Walk, WrittenAgent, WrittenPlan};
+use super::{Conventions, Held, Walk, WrittenAgent, WrittenAt, WrittenPlan};
 use crate::Fault;
 use header::Header;
 
@@ -69,9 +71,11 @@ fn plan(text: &str) -> Result<WrittenPlan, Fault> {
     if paths.is_empty() && known > 0 {
         paths = vec![Vec::new(); known];
     }
+    let places = read.places.into_iter().chain(repeat(WrittenAt::Whole));
     let mut agents: Vec<WrittenAgent> = paths
         .into_iter()
-        .map(|cells| WrittenAgent::walking(Walk::Cells(cells)))
+        .zip(places)
+        .map(|(cells, at)| WrittenAgent::walking(Walk::Cells(cells), at))
         .collect();
     for (agent, start) in agents.iter_mut().zip(header.starts) {
         agent.start = Some(start);

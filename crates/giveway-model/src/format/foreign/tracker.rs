@@ -32,7 +32,7 @@ use std::borrow::Cow;
 pub(super) use write::write;
 
 use super::limits::{Steps, robots};
-use super::{Claimed, Conventions, Held, Up, Walk, WrittenAgent, WrittenPlan};
+use super::{Claimed, Conventions, Held, Up, Walk, WrittenAgent, WrittenAt, WrittenPlan};
 use crate::Fault;
 use crate::words::count;
 
@@ -146,7 +146,7 @@ fn plan<P>(
             let byte = spot.byte + byte;
             fault(Some(Spot { byte, ..*spot }), wrong)
         })?;
-        agents.push(WrittenAgent::walking(Walk::Moves(walked)));
+        agents.push(WrittenAgent::walking(Walk::Moves(walked), WrittenAt::Whole));
     }
     Ok(WrittenPlan {
         map: solution.map,

@@ -49,6 +49,18 @@ impl WholeSteps {
         Ok(Self { paths })
     }
 
+    /// Whether there is a path at all, for formats in which none is no text.
+    ///
+    /// # Errors
+    /// When the plan has no robot.
+    pub(super) fn some(&self, format: Format) -> Result<(), Fault> {
+        if self.paths.is_empty() {
+            let expected = format!("one of a robot at least, since {format} has nothing else");
+            return Err(Fault::at("", "a plan without robots", expected));
+        }
+        Ok(())
+    }
+
     /// The largest arrival.
     pub(super) fn makespan(&self) -> usize {
         let arrivals = self.paths.iter().map(|path| path.len() - 1);

@@ -4,7 +4,7 @@
 use borsh::{BorshDeserialize, BorshSerialize};
 use serde::{Deserialize, Serialize};
 
-use super::Conventions;
+use super::{Conventions, WrittenAt, WrittenCell};
 
 /// Two numbers of a file that stand for a cell, in the order of the file.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
@@ -71,24 +71,27 @@ pub struct WrittenAgent {
     /// Its name, where the file gives one.
     pub name: Option<String>,
     /// Where it starts, where the file says so.
-    pub start: Option<Pair>,
+    pub start: Option<WrittenCell>,
     /// Where it is to go, where the file says so.
-    pub goal: Option<Pair>,
+    pub goal: Option<WrittenCell>,
     /// Cells that it is to visit on the way.
-    pub waypoints: Vec<Pair>,
+    pub waypoints: Vec<WrittenCell>,
     /// Where it goes.
     pub walk: Walk,
+    /// Where the file writes that.
+    pub at: WrittenAt,
 }
 
 impl WrittenAgent {
     /// An agent of which the file gives nothing but its walk.
-    pub const fn walking(walk: Walk) -> Self {
+    pub const fn walking(walk: Walk, at: WrittenAt) -> Self {
         Self {
             name: None,
             start: None,
             goal: None,
             waypoints: Vec::new(),
             walk,
+            at,
         }
     }
 }

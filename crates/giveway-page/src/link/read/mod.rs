@@ -12,7 +12,7 @@ use giveway_model::change::Changes;
 use giveway_model::{Agent, Plan, Scene};
 
 use super::text::{numbers, unescape};
-use super::{From, LONGEST, Linked, Source, ask, change, extras, knowledge, plan, scene};
+use super::{From, LONGEST, Linked, Source, ask, change, knowledge, message, plan, scene};
 use crate::audit::Audit;
 use crate::front::Front;
 use crate::{Answer, Colours, Document, Draft, Mode};
@@ -139,7 +139,7 @@ impl Reader {
             let found = of_an_answer.iter().find(|key| parts.get(key).is_some());
             return found.map_or(Ok(()), |key| Err(broken(key)));
         };
-        if let Some(told) = parts.read("front", extras::read)? {
+        if let Some(told) = parts.read("front", message::read)? {
             let front = Front::new(Rc::clone(&document.draft), &about.request, told);
             let mut points = front.points.iter();
             // The plan shown is the very one of the front.
@@ -148,7 +148,7 @@ impl Reader {
             }
             document.found_front = Some(Rc::new(front));
         }
-        if let Some(report) = parts.read("report", extras::read)? {
+        if let Some(report) = parts.read("report", message::read)? {
             document.checked = Some((about.clone(), Rc::new(report)));
         }
         document.mode = mode(&about, parts)?;

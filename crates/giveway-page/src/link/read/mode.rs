@@ -7,7 +7,7 @@ use giveway_solve::Limits;
 use super::parts::Parts;
 use crate::asking::Asking;
 use crate::changing::{Changing, Comparing};
-use crate::link::{ask, change, extras, steering};
+use crate::link::{ask, change, message, steering};
 use crate::{Answer, Mode};
 
 /// What was being done with the plan.
@@ -72,17 +72,17 @@ fn listed(about: &Rc<Answer>, text: &str) -> Option<Changing> {
 fn compared(changing: &Rc<Changing>, text: &str) -> Option<Comparing> {
     let (chosen, told) = text.split_once('!')?;
     let chosen: usize = chosen.parse().ok()?;
-    let mut comparing = Comparing::new(changing, extras::read(told)?)?;
+    let mut comparing = Comparing::new(changing, message::read(told)?)?;
     comparing.chosen = chosen.checked_sub(1);
     Some(comparing)
 }
 
 /// A question with what was told of it.
 fn told(mut asking: Asking, parts: &Parts<'_>) -> Result<Asking, String> {
-    if let Some(told) = parts.read("told", extras::read)? {
+    if let Some(told) = parts.read("told", message::read)? {
         asking.learn(told);
     }
-    if let Some(report) = parts.read("told-report", extras::read)? {
+    if let Some(report) = parts.read("told-report", message::read)? {
         asking.report = Some(Rc::new(report));
     }
     asking.shows_other = parts.get("shows-other") == Some("1") && asking.other.is_some();

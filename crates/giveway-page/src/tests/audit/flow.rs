@@ -2,6 +2,9 @@
 
 use std::rc::Rc;
 
+use giveway_model::format::foreign::{Options, Source, gather};
+use giveway_model::format::link::audited;
+
 use super::{BEST, LEGAL, MEETING, SCENE, audit, dropped, fresh};
 use crate::audit::{AuditAction, facts};
 use crate::intake::protocol::{ReportKind, Task};
@@ -156,6 +159,25 @@ fn the_browser_brings_it_back_and_a_link_carries_it() {
         assert_eq!(shared.plan, one.plan);
         // Nobody believes what a link claims: the search begins anew.
         assert!(shared.ours.is_none() && opened.work.solving().is_some());
+    }
+}
+
+#[test]
+fn the_link_of_a_report_opens_the_plan() {
+    for plan in [MEETING, LEGAL] {
+        let files = [("hall.json", SCENE), ("p.json", plan)];
+        let read = gather(
+            &files.map(|(name, text)| Source { name, text }),
+            &Options::default(),
+        )
+        .unwrap();
+        let scene = read.instance.to_scene();
+        let text = audited(&scene, &read.plans[0], &read.notes).unwrap();
+        let opened = audit(&reduce(&fresh(), link::open(&text)));
+        let here = audit(&dropped(&fresh(), &files));
+        assert_eq!(opened.plan.file, here.plan.file);
+        assert_eq!(opened.plan.violations, here.plan.violations);
+        assert_eq!(opened.notes, here.notes);
     }
 }
 

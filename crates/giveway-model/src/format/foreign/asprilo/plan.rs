@@ -5,7 +5,7 @@ use std::collections::BTreeMap;
 use super::facts::{Doing, Id, Node, Warehouse};
 use crate::format::foreign::limits::Steps;
 use crate::format::foreign::{
-    CellOrder, Claimed, Conventions, Move, Origin, Up, Walk, WrittenAgent, WrittenPlan,
+    CellOrder, Claimed, Conventions, Move, Origin, Up, Walk, WrittenAgent, WrittenAt, WrittenPlan,
 };
 use crate::format::text::position;
 use crate::words::count;
@@ -63,7 +63,7 @@ pub(super) fn plan(text: &str, warehouse: &Warehouse) -> Result<WrittenPlan, Fau
         };
         agents.push(WrittenAgent {
             name: Some(name(robot)),
-            ..WrittenAgent::walking(Walk::Fixed(moves))
+            ..WrittenAgent::walking(Walk::Fixed(moves), WrittenAt::Whole)
         });
     }
     Ok(WrittenPlan {

@@ -17,7 +17,8 @@ const MAX_NAMED: usize = 4;
 pub(super) fn held(text: &str, warehouse: &Warehouse) -> Result<Held, Fault> {
     let has_plan = !warehouse.doings.is_empty();
     if warehouse.nodes.is_empty() {
-        if has_plan {
+        // A plan in which no robot does anything has nothing but robots.
+        if has_plan || !warehouse.robots.is_empty() {
             return plan(text, warehouse).map(Held::Plan);
         }
         let found = "no node";

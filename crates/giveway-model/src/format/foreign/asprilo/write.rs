@@ -157,9 +157,10 @@ fn scene(instance: &Instance, ids: &[u32]) -> String {
 }
 
 fn moves(instance: &Instance, plan: &Plan, ids: &[u32]) -> Result<String, Fault> {
-    let paths = WholeSteps::new(instance, plan, Format::Asprilo)?.paths;
+    let steps = WholeSteps::new(instance, plan, Format::Asprilo)?;
+    steps.some(Format::Asprilo)?;
     let mut text = String::new();
-    for ((agent, id), path) in instance.agents().iter().zip(ids).zip(paths) {
+    for ((agent, id), path) in instance.agents().iter().zip(ids).zip(steps.paths) {
         at(&mut text, "robot", id, agent.start);
         let mut last = agent.start;
         for (time, cell) in path.into_iter().enumerate() {

@@ -3,16 +3,17 @@
 
 use std::collections::BTreeSet;
 
-use super::{Missing, Options, Refused};
-use crate::format::foreign::{Conventions, Walk, WrittenPlan, decide, place};
+use super::{Missing, Options, Refused, origin};
+use crate::format::foreign::written_at::Places;
+use crate::format::foreign::{Conventions, Format, Walk, WrittenPlan, decide, place};
 use crate::format::movingai::{self, Scenario};
 use crate::format::{base_name, stem};
-use crate::{Agent, Cell, Cost, Grid, Instance, Objective, Scene};
+use crate::{Agent, Cell, Cost, Fault, Grid, Instance, Objective, Scene};
 
 /// What was found of a scene so far, each part with the name of its file.
 #[derive(Default)]
 pub(super) struct Base {
-    scene: Option<(String, Scene, Vec<String>)>,
+    scene: Option<((String, Format), Scene, Vec<String>)>,
     map: Option<(String, Grid)>,
     scenario: Option<(String, Scenario)>,
 }
@@ -24,6 +25,14 @@ pub(super) struct Settled {
     /// The file of the plan whose paths say what the tasks are, where nothing else
     /// does: they tell nothing about how that plan is to be read.
     pub(super) tasks_of: Option<String>,
+}
+
+/// The first plan that is not by names, with its file.
+#[derive(Clone, Copy)]
+pub(super) struct First<'a> {
+    pub(super) file: &'a str,
+    pub(super) text: &'a str,
+    pub(super) plan: &'a WrittenPlan,
 }
 
 fn one_at_a_time(one: &str, other: &str) -> Refused {
@@ -51,28 +60,31 @@ impl Base {
 
     pub(super) fn take_scene(
         &mut self,
-        file: String,
+        file: (String, Format),
         scene: Scene,
         notes: Vec<String>,
     ) -> Result<(), Refused> {
-        if let Some((other, ..)) = &self.scene {
-            return Err(one_at_a_time(other, &file));
+        if let Some(((other, _), ..)) = &self.scene {
+            return Err(one_at_a_time(other, &file.0));
         }
         self.scene = Some((file, scene, notes));
         Ok(())
     }
 
-    /// Makes the scene; `plan` is the first one that is not by names, with its file.
+    /// Makes the scene.
     pub(super) fn settle(
         self,
-        plan: Option<(&str, &WrittenPlan)>,
+        plan: Option<First<'_>>,
         options: &Options,
     ) -> Result<Settled, Refused> {
-        if let Some((file, mut scene, notes)) = self.scene {
+        if let Some(((file, format), mut scene, notes)) = self.scene {
             if let Some((other, _)) = self.map {
                 return Err(one_at_a_time(&file, &other));
             }
             scene.agents.truncate(options.agents.unwrap_or(usize::MAX));
+            if let (true, Some(objective)) = (plan.is_some(), of_makers(format)) {
+                scene.objective = objective;
+            }
             return settled(&file, scene, notes);
         }
         let (grid, scenario) = match (self.map, self.scenario) {
@@ -80,7 +92,9 @@ impl Base {
             (None, Some((file, scenario))) => return Err(missing_map(file, scenario.map_name())),
             (None, None) => {
                 return Err(match plan {
-                    Some((file, plan)) => missing_map(file.to_owned(), plan.map.as_deref()),
+                    Some(First { file, plan, .. }) => {
+                        missing_map(file.to_owned(), plan.map.as_deref())
+                    }
                     None => Refused::Apart("There is no scene in these files.".to_owned()),
                 });
             }
@@ -88,7 +102,7 @@ impl Base {
         let (map_file, grid) = grid;
         match (scenario, plan) {
             (Some((file, scenario)), plan) => {
-                let agents = plan.map(|(_, plan)| plan.agents.len()).or(options.agents);
+                let agents = plan.map(|it| it.plan.agents.len()).or(options.agents);
                 let name = stem(&file).to_owned();
                 let mut scene =
                     movingai::to_scene(&name, &grid, &scenario, agents).map_err(|fault| {
@@ -102,9 +116,7 @@ impl Base {
                 }
                 settled(&file, scene, Vec::new())
             }
-            (None, Some((file, plan))) => {
-                of_plan(&map_file, &grid, file, plan, options.conventions)
-            }
+            (None, Some(plan)) => of_plan(&map_file, &grid, plan, options.conventions),
             (None, None) => {
                 let scene = Scene {
                     name: stem(&map_file).to_owned(),
@@ -114,6 +126,16 @@ impl Base {
                 settled(&map_file, scene, Vec::new())
             }
         }
+    }
+}
+
+/// What the makers of a format minimise, where the format itself does not say it:
+/// plans of elsewhere are judged by that. The project's own files do say it, and
+/// planners for asprilo look for the smallest makespan, which is the default here.
+fn of_makers(format: Format) -> Option<Objective> {
+    match format {
+        Format::Giveway | Format::Asprilo => None,
+        _ => Some(sum_first()),
     }
 }
 
@@ -153,8 +175,7 @@ fn missing_map(file: String, map: Option<&str>) -> Refused {
 fn of_plan(
     map_file: &str,
     grid: &Grid,
-    file: &str,
-    plan: &WrittenPlan,
+    First { file, text, plan }: First<'_>,
     chosen: Option<Conventions>,
 ) -> Result<Settled, Refused> {
     let lacks_start = plan
@@ -171,6 +192,7 @@ fn of_plan(
         });
     }
     let conventions = decide::decide(plan, grid, None, chosen).conventions;
+    let of = |pair| place::cell(pair, conventions);
     let mut notes = Vec::new();
     let mut goals = BTreeSet::new();
     let mut agents = Vec::with_capacity(plan.agents.len());
@@ -178,11 +200,10 @@ fn of_plan(
         let name = decide::name(written, i);
         let (path, _) = place::path(written, None, conventions);
         let cells: Vec<Cell> = path.into_iter().flatten().collect();
-        let of = |pair| place::cell(pair, conventions);
         let (Some(&first), Some(&last)) = (cells.first(), cells.last()) else {
             return Err(Refused::Apart(format!("{file} has no path for {name}.")));
         };
-        let told = written.goal.map(of);
+        let told = written.goal.map(|told| of(told.pair));
         // Two that end at one cell cannot both have it as their goal.
         let end = cells
             .iter()
@@ -195,13 +216,10 @@ fn of_plan(
             ));
         }
         goals.insert(goal);
-        let start = written.start.map_or(first, of);
-        let mut waypoints: Vec<Cell> = Vec::new();
-        for cell in written.waypoints.iter().copied().map(of) {
-            if !waypoints.contains(&cell) {
-                waypoints.push(cell);
-            }
-        }
+        let start = written.start.map_or(first, |told| of(told.pair));
+        let mut seen = BTreeSet::new();
+        let waypoints = written.waypoints.iter().map(|told| of(told.pair));
+        let waypoints = waypoints.filter(|&cell| seen.insert(cell)).collect();
         agents.push(Agent {
             name,
             start,
@@ -217,9 +235,17 @@ fn of_plan(
         agents,
         ..Scene::default()
     };
-    let settled = settled(file, scene, notes)?;
+    let instance = Instance::new(scene).map_err(|faults| {
+        let mut places = Places::new(text);
+        let placed = |fault: Fault| places.place(origin::of_place(plan, &fault.place), fault);
+        Refused::File {
+            file: file.to_owned(),
+            faults: faults.into_iter().map(placed).collect(),
+        }
+    })?;
     Ok(Settled {
+        instance,
+        notes,
         tasks_of: Some(file.to_owned()),
-        ..settled
     })
 }

@@ -5,13 +5,13 @@ use std::fmt::Display;
 
 use super::fields::{Event, Fields, Part};
 use crate::Fault;
-use crate::format::foreign::Pair;
+use crate::format::foreign::{Pair, WrittenAt, WrittenCell};
 
 /// A place of the file, and what is wrong there.
 pub(super) type Wrong = (String, String, String);
 
 /// The cells of the errands that each robot has done, by the numbers of their tasks.
-pub(super) fn done(fields: &Fields<'_>) -> Result<Vec<Vec<Pair>>, Wrong> {
+pub(super) fn done(fields: &Fields<'_>) -> Result<Vec<Vec<WrittenCell>>, Wrong> {
     let tasks = tasks(&fields.tasks)?;
     let robots = fields.start.len();
     let mut done: Vec<BTreeSet<(i64, usize)>> = vec![BTreeSet::new(); robots];
@@ -63,7 +63,7 @@ fn no_robot(place: String, robot: impl Display, robots: usize) -> Wrong {
 }
 
 /// The errands of each task.
-fn tasks(written: &[Vec<Part>]) -> Result<BTreeMap<i64, Vec<Pair>>, Wrong> {
+fn tasks(written: &[Vec<Part>]) -> Result<BTreeMap<i64, Vec<WrittenCell>>, Wrong> {
     let mut tasks = BTreeMap::new();
     for (i, task) in written.iter().enumerate() {
         let (id, errands) = match task.as_slice() {
@@ -88,10 +88,11 @@ fn tasks(written: &[Vec<Part>]) -> Result<BTreeMap<i64, Vec<Pair>>, Wrong> {
                 expected.to_owned(),
             ));
         };
-        let pairs = errands
-            .into_iter()
-            .map(|(row, column)| Pair::new(row, column));
-        tasks.insert(id, pairs.collect());
+        let told = errands.into_iter().map(|(row, column)| WrittenCell {
+            pair: Pair::new(row, column),
+            at: WrittenAt::Entry("tasks", i),
+        });
+        tasks.insert(id, told.collect());
     }
     Ok(tasks)
 }

@@ -8,7 +8,7 @@ use crate::Fault;
 use crate::format::foreign::limits::Steps;
 use crate::format::foreign::{
     CellOrder, Claimed, Conventions, Heading, Held, Origin, Pair, Up, Walk, WrittenAgent,
-    WrittenPlan,
+    WrittenAt, WrittenCell, WrittenPlan,
 };
 use crate::format::json;
 use crate::format::locate::{Locator, segments};
@@ -81,9 +81,12 @@ fn plan(fields: &Fields<'_>) -> Result<WrittenPlan, Fault> {
             ticks::Refused::Unknown(unknown) => unexpected(&place, path, &unknown),
         })?;
         agents.push(WrittenAgent {
-            start: Some(Pair::new(start.row, start.column)),
+            start: Some(WrittenCell {
+                pair: Pair::new(start.row, start.column),
+                at: WrittenAt::Entry("start", i),
+            }),
             waypoints,
-            ..WrittenAgent::walking(walk)
+            ..WrittenAgent::walking(walk, WrittenAt::Entry("actualPaths", i))
         });
     }
     Ok(WrittenPlan {

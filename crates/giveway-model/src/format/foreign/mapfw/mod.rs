@@ -21,7 +21,9 @@ mod write;
 
 use crate::Fault;
 use crate::format::foreign::limits::Steps;
-use crate::format::foreign::{Claimed, Conventions, Held, Walk, WrittenAgent, WrittenPlan};
+use crate::format::foreign::{
+    Claimed, Conventions, Held, Walk, WrittenAgent, WrittenAt, WrittenPlan,
+};
 use crate::format::json;
 use crate::format::locate::{Fields, Locator, segments};
 use crate::format::text::position;
@@ -79,8 +81,11 @@ pub(super) fn read(text: &str) -> Result<Held, Vec<Fault>> {
         Some(Shape::Download) => json::read_large(text).and_then(|download| first(text, &download)),
         Some(Shape::Upload) => json::read_large(text)
             .and_then(|upload: Upload| of_upload(upload).map_err(|it| placed(text, it))),
-        Some(Shape::Paths) => json::read_large(text)
-            .and_then(|paths: Paths| plan(paths).map(Held::Plan).map_err(|it| placed(text, it))),
+        Some(Shape::Paths) => json::read_large(text).and_then(|paths: Paths| {
+            plan("", paths)
+                .map(Held::Plan)
+                .map_err(|it| placed(text, it))
+        }),
         Some(Shape::Problem) | None => {
             json::read_large(text).and_then(|problem| of_problem(text, problem))
         }
@@ -102,7 +107,7 @@ fn of_problem(text: &str, problem: Problem) -> Result<Held, Fault> {
     let Some(paths) = solution else {
         return Ok(Held::Scene(scene, notes));
     };
-    let mut plan = plan(paths).map_err(|fault| {
+    let mut plan = plan("solution", paths).map_err(|fault| {
         let place = format!("solution{}", fault.place);
         placed(text, Fault { place, ..fault })
     })?;
@@ -147,8 +152,9 @@ fn of_upload(upload: Upload) -> Result<Held, Fault> {
         let expected = "at least one solution";
         return Err(Fault::at("solutions", "an empty list", expected));
     };
-    let mut plan = plan(first.solution).map_err(|fault| Fault {
-        place: format!("solutions[0].solution{}", fault.place),
+    let list = "solutions[0].solution";
+    let mut plan = plan(list, first.solution).map_err(|fault| Fault {
+        place: format!("{list}{}", fault.place),
         ..fault
     })?;
     if all > 1 {
@@ -158,7 +164,8 @@ fn of_upload(upload: Upload) -> Result<Held, Fault> {
     Ok(Held::Plan(plan))
 }
 
-fn plan(Paths(paths): Paths) -> Result<WrittenPlan, Fault> {
+/// The plan of some paths; `list` are the keys on the way to them.
+fn plan(list: &'static str, Paths(paths): Paths) -> Result<WrittenPlan, Fault> {
     let mut steps = Steps::default();
     let mut agents = Vec::with_capacity(paths.len());
     for (i, route) in paths.into_iter().enumerate() {
@@ -170,7 +177,10 @@ fn plan(Paths(paths): Paths) -> Result<WrittenPlan, Fault> {
         if route.0.is_empty() {
             return Err(Fault::at(place(), "an empty path", "a cell at least"));
         }
-        agents.push(WrittenAgent::walking(Walk::Cells(route.0)));
+        agents.push(WrittenAgent::walking(
+            Walk::Cells(route.0),
+            WrittenAt::Entry(list, i),
+        ));
     }
     Ok(WrittenPlan {
         map: None,

@@ -28,7 +28,7 @@ struct Solved {
     problem: u32,
     /// How long it took, in milliseconds.
     time: u32,
-    solution: Vec<Vec<Cell>>,
+    solution: Vec<Vec<(i32, i32)>>,
 }
 
 /// Writes `STEM.json`, `STEM-solution.json`, or both.
@@ -46,7 +46,9 @@ pub(in crate::format::foreign) fn write(
     };
     let mut files = vec![(format!("{stem}.json"), text(&problem(instance))?)];
     if let Some(plan) = plan {
-        let solution = WholeSteps::new(instance, plan, Format::Mapfw)?.paths;
+        let steps = WholeSteps::new(instance, plan, Format::Mapfw)?;
+        let route = |path: &Vec<Cell>| path.iter().map(|cell| cell.signed()).collect();
+        let solution = steps.paths.iter().map(route).collect();
         let upload = Upload {
             solutions: [Solved {
                 problem: 0,

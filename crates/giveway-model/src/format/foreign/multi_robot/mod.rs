@@ -21,9 +21,12 @@
 //! `mapf_prioritized_sipp.cpp`) and its tests.
 
 mod goals;
+mod lines;
 mod read;
 mod scenario;
 mod schedule;
+#[cfg(test)]
+mod tests;
 mod write;
 
 pub(super) use read::read;

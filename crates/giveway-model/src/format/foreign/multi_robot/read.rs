@@ -1,7 +1,7 @@
 //! The keys of a file, and what it holds.
 
 use super::scenario::{self, Map, WrittenRobot};
-use super::schedule;
+use super::{lines, schedule};
 use crate::Fault;
 use crate::format::foreign::limits::Steps;
 use crate::format::foreign::yaml::Yaml;
@@ -21,7 +21,26 @@ pub(in crate::format::foreign) fn read(text: &str) -> Result<Held, Vec<Fault>> {
     held(text).map_err(|fault| vec![fault])
 }
 
+/// What a text holds.
 fn held(text: &str) -> Result<Held, Fault> {
+    match lines::read(text) {
+        Some((agents, claimed)) => Ok(Held::Plan(plan(agents, claimed))),
+        None => parsed(text),
+    }
+}
+
+pub(super) fn plan(agents: Vec<WrittenAgent>, claimed: Claimed) -> WrittenPlan {
+    WrittenPlan {
+        map: None,
+        agents,
+        claimed,
+        documented: Conventions::OWN,
+        notes: Vec::new(),
+    }
+}
+
+/// What a text holds, by a parser of all of YAML.
+pub(super) fn parsed(text: &str) -> Result<Held, Fault> {
     let mut yaml = Yaml::new(text);
     let mut parts = Parts::default();
     let mut steps = Steps::default();
@@ -49,13 +68,7 @@ fn held(text: &str) -> Result<Held, Fault> {
             return Err(Fault::at("", found, "map and agents").in_text(1, 1));
         }
     };
-    let plan = parts.schedule.map(|agents| WrittenPlan {
-        map: None,
-        agents,
-        claimed: parts.claimed,
-        documented: Conventions::OWN,
-        notes: Vec::new(),
-    });
+    let plan = parts.schedule.map(|agents| plan(agents, parts.claimed));
     match (scene, plan) {
         (Some((scene, notes)), None) => Ok(Held::Scene(scene, notes)),
         (None, Some(plan)) => Ok(Held::Plan(plan)),

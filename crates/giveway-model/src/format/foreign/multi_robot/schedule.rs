@@ -5,7 +5,7 @@ use std::collections::BTreeSet;
 use crate::Fault;
 use crate::format::foreign::limits::Steps;
 use crate::format::foreign::yaml::Yaml;
-use crate::format::foreign::{Claimed, Pair, Walk, WrittenAgent};
+use crate::format::foreign::{Claimed, Pair, Walk, WrittenAgent, WrittenAt};
 use crate::format::text::shorten;
 
 /// Reads `statistics`.
@@ -13,13 +13,21 @@ pub(super) fn statistics(y: &mut Yaml<'_>) -> Result<Claimed, Fault> {
     let mut claimed = Claimed::default();
     y.object("an object with cost and makespan", |y, key| {
         match key {
-            "cost" => claimed.sum_of_costs = y.text("a number")?.parse().ok(),
-            "makespan" => claimed.makespan = y.text("a number")?.parse().ok(),
+            "cost" | "makespan" => claim(&mut claimed, key, &y.text("a number")?),
             _ => y.skip()?,
         }
         Ok(())
     })?;
     Ok(claimed)
+}
+
+/// Takes a number of the statistics for what its key says.
+pub(super) fn claim(claimed: &mut Claimed, key: &str, number: &str) {
+    match key {
+        "cost" => claimed.sum_of_costs = number.parse().ok(),
+        "makespan" => claimed.makespan = number.parse().ok(),
+        _ => {}
+    }
 }
 
 /// Reads `schedule`: the agents in the order of the file.
@@ -33,10 +41,11 @@ pub(super) fn agents(y: &mut Yaml<'_>, steps: &mut Steps) -> Result<Vec<WrittenA
                 let found = format!("the agent \"{}\" again", shorten(name));
                 return Err(y.fault(found, "each agent once"));
             }
-            let cells = states(y, steps)?;
+            let (line, column) = y.at();
+            let track = states(y, steps)?;
             agents.push(WrittenAgent {
                 name: Some(name.to_owned()),
-                ..WrittenAgent::walking(Walk::Cells(cells))
+                ..WrittenAgent::walking(Walk::Cells(track.cells), WrittenAt::Line(line, column))
             });
             Ok(())
         },
@@ -44,9 +53,8 @@ pub(super) fn agents(y: &mut Yaml<'_>, steps: &mut Steps) -> Result<Vec<WrittenA
     Ok(agents)
 }
 
-/// The cell at each time from 0.
-fn states(y: &mut Yaml<'_>, steps: &mut Steps) -> Result<Vec<Pair>, Fault> {
-    let mut cells: Vec<Pair> = Vec::new();
+fn states(y: &mut Yaml<'_>, steps: &mut Steps) -> Result<Track, Fault> {
+    let mut track = Track::default();
     y.list("a list of states", |y, _| {
         let (mut x, mut row, mut time) = (None, None, None);
         y.object("a state with x, y and t", |y, key| {
@@ -61,19 +69,46 @@ fn states(y: &mut Yaml<'_>, steps: &mut Steps) -> Result<Vec<Pair>, Fault> {
         let (Some(x), Some(row), Some(time)) = (x, row, time) else {
             return Err(y.fault("a state without x, y or t", "all three"));
         };
-        let time = time as usize;
-        if time < cells.len() {
-            let expected = format!("a later one: the times up to {} are there", cells.len() - 1);
-            return Err(y.fault(format!("the time {time}"), expected));
-        }
-        steps
-            .add(time + 1 - cells.len())
-            .map_err(|fault| y.fault(fault.found, fault.expected))?;
-        let cell = Pair::new(x, row);
-        let before = cells.last().copied().unwrap_or(cell);
-        cells.resize(time, before);
-        cells.push(cell);
-        Ok(())
+        track
+            .push(x, row, time, steps)
+            .map_err(|fault| y.fault(fault.found, fault.expected))
     })?;
-    Ok(cells)
+    Ok(track)
+}
+
+/// The cell of an agent at each time from 0.
+#[derive(Default)]
+pub(super) struct Track {
+    cells: Vec<Pair>,
+}
+
+impl Track {
+    /// Adds a state. The agent waits up to the time before it.
+    ///
+    /// # Errors
+    /// When the time is not a later one, or too late; the fault has no place yet.
+    pub(super) fn push(
+        &mut self,
+        x: i32,
+        y: i32,
+        time: u32,
+        steps: &mut Steps,
+    ) -> Result<(), Fault> {
+        let (time, length) = (time as usize, self.cells.len());
+        if time < length {
+            let expected = format!("a later one: the times up to {} are there", length - 1);
+            return Err(Fault::at("", format!("the time {time}"), expected));
+        }
+        steps.add(time + 1 - length)?;
+        let cell = Pair::new(x, y);
+        let before = self.cells.last().copied().unwrap_or(cell);
+        self.cells.resize(time, before);
+        self.cells.push(cell);
+        Ok(())
+    }
+
+    /// The walk, where there is a state.
+    pub(super) fn walk(self) -> Option<Walk> {
+        (!self.cells.is_empty()).then_some(Walk::Cells(self.cells))
+    }
 }

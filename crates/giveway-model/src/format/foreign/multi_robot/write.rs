@@ -102,11 +102,8 @@ fn schedule(steps: &WholeSteps) -> String {
     for (agent, path) in steps.paths.iter().enumerate() {
         let _ = writeln!(text, "  agent{agent}:");
         for (time, cell) in path.iter().enumerate() {
-            let _ = writeln!(
-                text,
-                "    - x: {}\n      y: {}\n      t: {time}",
-                cell.x, cell.y
-            );
+            let (x, y) = cell.signed();
+            let _ = writeln!(text, "    - x: {x}\n      y: {y}\n      t: {time}");
         }
     }
     text

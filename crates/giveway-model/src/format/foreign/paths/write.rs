@@ -19,12 +19,14 @@ pub(in crate::format::foreign) fn write(
 ) -> Result<Written, Fault> {
     let (instance, plan) = both(Format::Paths, instance, plan)?;
     let steps = WholeSteps::new(instance, plan, Format::Paths)?;
+    steps.some(Format::Paths)?;
     let mut text = String::new();
     for (i, path) in steps.paths.iter().enumerate() {
         // Writing to a string does not fail.
         let _ = write!(text, "Agent {i}: ");
         for cell in path {
-            let _ = write!(text, "({},{})->", cell.y, cell.x);
+            let (x, y) = cell.signed();
+            let _ = write!(text, "({y},{x})->");
         }
         text.push('\n');
     }

@@ -3,7 +3,7 @@
 use crate::Fault;
 use crate::format::foreign::cursor::Cursor;
 use crate::format::foreign::limits::robots;
-use crate::format::foreign::{Claimed, Pair};
+use crate::format::foreign::{Claimed, WrittenAt, WrittenCell};
 use crate::words;
 
 /// The keys by which such a file is known.
@@ -29,8 +29,8 @@ pub(super) struct Header {
     pub(super) map: Option<String>,
     pub(super) claimed: Claimed,
     pub(super) is_unsolved: bool,
-    pub(super) starts: Vec<Pair>,
-    pub(super) goals: Vec<Pair>,
+    pub(super) starts: Vec<WrittenCell>,
+    pub(super) goals: Vec<WrittenCell>,
 }
 
 impl Header {
@@ -129,13 +129,15 @@ fn count(cursor: &mut Cursor<'_>) -> Result<u64, Fault> {
 }
 
 /// Cells up to the end of the line, with commas between them.
-fn cells(cursor: &mut Cursor<'_>) -> Result<Vec<Pair>, Fault> {
+fn cells(cursor: &mut Cursor<'_>) -> Result<Vec<WrittenCell>, Fault> {
     let begin = cursor.clone();
     let mut cells = Vec::new();
     cursor.blanks();
     while cursor.peek() == Some(b'(') {
         robots(cells.len() + 1).map_err(|fault| begin.place(fault))?;
-        cells.push(cursor.pair()?);
+        let at = WrittenAt::Byte(cursor.offset());
+        let pair = cursor.pair()?;
+        cells.push(WrittenCell { pair, at });
         cursor.expect(")", "\")\"")?;
         cursor.eat(",");
         cursor.blanks();

@@ -1,9 +1,9 @@
 //! The lines of the steps: where every robot is at each time.
 
 use crate::Fault;
-use crate::format::foreign::Pair;
 use crate::format::foreign::cursor::Cursor;
 use crate::format::foreign::limits::{Steps, robots};
+use crate::format::foreign::{Pair, WrittenAt};
 use crate::words::count;
 
 /// What the steps say.
@@ -11,6 +11,8 @@ use crate::words::count;
 pub(super) struct Read {
     /// The cells of each robot.
     pub(super) paths: Vec<Vec<Pair>>,
+    /// Where the first cell of each robot is written.
+    pub(super) places: Vec<WrittenAt>,
     /// Whether a cell has a heading.
     pub(super) has_headings: bool,
     /// Whether a cell has a task behind it.
@@ -66,6 +68,7 @@ impl Read {
                 None if is_first => {
                     robots(agent + 1).map_err(|fault| begin.place(fault))?;
                     self.paths.push(vec![cell]);
+                    self.places.push(WrittenAt::Byte(begin.offset()));
                 }
                 None => {
                     let robots = count(self.paths.len(), "robot");

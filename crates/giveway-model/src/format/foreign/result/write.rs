@@ -43,7 +43,8 @@ pub(in crate::format::foreign) fn write(
 
 fn line(text: &mut String, cells: impl Iterator<Item = Cell>) {
     for cell in cells {
-        let _ = write!(text, "({},{}),", cell.x, cell.y);
+        let (x, y) = cell.signed();
+        let _ = write!(text, "({x},{y}),");
     }
     text.push('\n');
 }

@@ -19,6 +19,7 @@ pub(in crate::format::foreign) fn write(
 ) -> Result<Written, Fault> {
     let (instance, plan) = both(Format::Tracker, instance, plan)?;
     let steps = WholeSteps::new(instance, plan, Format::Tracker)?;
+    steps.some(Format::Tracker)?;
     let mut paths = Vec::with_capacity(steps.paths.len());
     for (agent, cells) in instance.agents().iter().zip(&steps.paths) {
         let first = cells.first().copied().unwrap_or(agent.start);

@@ -3,10 +3,10 @@
 // Writing to a string cannot fail.
 use std::fmt::Write as _;
 
-use giveway_model::{Agent, AtGoal, Battery, Cell, Cost, Ground, Objective, Scene};
+use crate::{Agent, AtGoal, Battery, Cell, Cost, Ground, Objective, Scene};
 
+use super::MAX_SIDE;
 use super::text::{escape, letters, numbers, runs, unescape};
-use crate::MAX_SIDE;
 
 /// The letters of the map: those of files have a meaning in a link.
 const GROUNDS: [(char, Ground); 5] = [
@@ -17,7 +17,8 @@ const GROUNDS: [(char, Ground); 5] = [
     ('b', Ground::SlowCharger),
 ];
 
-pub(super) fn write(scene: &Scene) -> String {
+/// The parts of a scene, the first of a text.
+pub fn write(scene: &Scene) -> String {
     let width = scene.map.first().map_or(0, |row| row.chars().count());
     let cells = scene.map.iter().flat_map(|row| row.chars());
     let cells = cells.map(|c| {
@@ -39,7 +40,8 @@ pub(super) fn write(scene: &Scene) -> String {
     text + "&agents=" + &agents.join(";")
 }
 
-pub(super) fn write_agent(agent: &Agent) -> String {
+/// An agent: its name, its cells, its battery.
+pub fn write_agent(agent: &Agent) -> String {
     let mut text = escape(&agent.name);
     let cells = [agent.start, agent.goal].into_iter();
     for cell in cells.chain(agent.waypoints.iter().copied()) {
@@ -52,7 +54,7 @@ pub(super) fn write_agent(agent: &Agent) -> String {
 }
 
 /// Reads a part of a scene; `None` where it is broken or unknown.
-pub(super) fn read(scene: &mut Scene, key: &str, value: &str) -> Option<()> {
+pub fn read(scene: &mut Scene, key: &str, value: &str) -> Option<()> {
     match key {
         "map" => {
             let (width, cells) = value.split_once('.')?;
@@ -96,7 +98,8 @@ pub(super) fn read(scene: &mut Scene, key: &str, value: &str) -> Option<()> {
     Some(())
 }
 
-pub(super) fn read_agent(text: &str) -> Option<Agent> {
+/// The agent that a text tells; `None` where it is none.
+pub fn read_agent(text: &str) -> Option<Agent> {
     let (task, battery) = match text.split_once('!') {
         None => (text, None),
         Some((task, battery)) => {

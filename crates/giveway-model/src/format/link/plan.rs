@@ -1,7 +1,7 @@
 //! The plan in a link: a letter a step, agent by agent. `l r u d` are moves,
 //! large letters slow ones, `w` waits; `c` before a step charges in it.
 
-use giveway_model::{Agent, Cell, Plan};
+use crate::{Agent, Cell, Plan};
 
 use super::text::{letters, runs};
 
@@ -21,7 +21,7 @@ const WAYS: [(char, i32, i32); 5] = [
 const NOWHERE: &str = "x";
 
 /// A plan for agents; `None` where it is of a kind that a link does not hold.
-pub(super) fn write(agents: &[Agent], plan: &Plan) -> Option<String> {
+pub fn write(agents: &[Agent], plan: &Plan) -> Option<String> {
     let one = |agent: &Agent| {
         let path = plan.path(&agent.name);
         if path.is_empty() {
@@ -56,7 +56,7 @@ pub(super) fn write(agents: &[Agent], plan: &Plan) -> Option<String> {
 
 /// The plan for agents that a text tells; `None` where it is none. It may break
 /// any rule. When agents join and leave comes from `times`.
-pub(super) fn read(agents: &[Agent], text: &str, times: Plan) -> Option<Plan> {
+pub fn read(agents: &[Agent], text: &str, times: Plan) -> Option<Plan> {
     let mut plan = times;
     let mut room = STEPS;
     let mut texts = text.split(';');

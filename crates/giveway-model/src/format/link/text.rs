@@ -4,7 +4,7 @@
 use std::fmt::Write as _;
 
 /// A text with every run of a letter as a number and the letter: `2f6sf`.
-pub(super) fn runs(letters: impl Iterator<Item = char>) -> String {
+pub fn runs(letters: impl Iterator<Item = char>) -> String {
     let mut text = String::new();
     let mut run: Option<(char, usize)> = None;
     let mut end = |run: Option<(char, usize)>| {
@@ -29,7 +29,7 @@ pub(super) fn runs(letters: impl Iterator<Item = char>) -> String {
 }
 
 /// The letters of runs, at most so many; `None` where they are none or more.
-pub(super) fn letters(runs: &str, most: usize) -> Option<Vec<char>> {
+pub fn letters(runs: &str, most: usize) -> Option<Vec<char>> {
     let mut letters = Vec::new();
     let mut count: Option<usize> = None;
     for letter in runs.chars() {
@@ -48,7 +48,7 @@ pub(super) fn letters(runs: &str, most: usize) -> Option<Vec<char>> {
 }
 
 /// A name in letters that a link leaves as they are.
-pub(super) fn escape(name: &str) -> String {
+pub fn escape(name: &str) -> String {
     let mut text = String::new();
     for byte in name.bytes() {
         if byte.is_ascii_alphanumeric() || byte == b'-' {
@@ -61,7 +61,7 @@ pub(super) fn escape(name: &str) -> String {
 }
 
 /// The name that was escaped; `None` where it was not.
-pub(super) fn unescape(text: &str) -> Option<String> {
+pub fn unescape(text: &str) -> Option<String> {
     let mut parts = text.split('%');
     let mut bytes = parts.next()?.as_bytes().to_vec();
     for part in parts {
@@ -72,6 +72,6 @@ pub(super) fn unescape(text: &str) -> Option<String> {
 }
 
 /// Numbers joined by points.
-pub(super) fn numbers(text: &str) -> Option<Vec<u32>> {
+pub fn numbers(text: &str) -> Option<Vec<u32>> {
     text.split('.').map(|n| n.parse().ok()).collect()
 }
