@@ -77,7 +77,7 @@ describe("a plan of elsewhere", () => {
 
   flow("waits for its map, is read another way, and read so again by Undo", async (playground) => {
     await drop(playground, { name: "paths.txt", bytes: lines(straight(AISLES)) });
-    await playground.warns(/paths\.txt needs a map: open its map, too\./);
+    await playground.warns(/paths\.txt does not name its map: open the map \(\.map\) that the plan was made for, too\./);
     await drop(playground, { name: "aisles.map", bytes: octile(AISLES.map) });
     await playground.says(/^paths\.txt breaks 6 rules\./);
     await tells(playground, /One line for each robot\s+as EECBS and CBSH2 write it/);

@@ -227,5 +227,7 @@ fn faults_have_their_place_and_keys() {
 fn without_its_map_a_result_asks_for_it() {
     let text = published().to_string();
     let error = opened(&[("a.json", &text)]).unwrap_err();
-    assert!(format!("{error:?}").contains("a.json needs a map: open its map, too."));
+    assert!(format!("{error:?}").contains(
+        "a.json does not name its map: open the map (.map) that the plan was made for, too."
+    ));
 }

@@ -74,6 +74,8 @@ pub enum Missing {
     Map(Option<String>),
     /// The starts (and goals) of the agents, in a scenario.
     Scenario,
+    /// The problem that a solution is for, in its makers' own format: map and agents.
+    Problem,
 }
 
 /// Why files make no scene.
@@ -127,7 +129,7 @@ pub fn gather(sources: &[Source<'_>], options: &Options) -> Result<Gathered, Ref
     }
     let first = plans
         .iter()
-        .find_map(|(file, _, body)| body.written().map(|plan| (&**file, plan)));
+        .find_map(|(file, format, body)| body.written().map(|plan| (&**file, *format, plan)));
     let settled = base.settle(first, options)?;
     let plans = plans
         .into_iter()

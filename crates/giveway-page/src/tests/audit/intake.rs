@@ -101,7 +101,7 @@ const PATHS: &str =
 fn a_plan_waits_for_its_map() {
     let waiting = dropped(&fresh(), &[("paths.txt", PATHS)]);
     assert!(
-        notice(&waiting).contains("paths.txt needs a map"),
+        notice(&waiting).contains("paths.txt does not name its map"),
         "{}",
         notice(&waiting)
     );

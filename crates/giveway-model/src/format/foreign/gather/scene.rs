@@ -4,7 +4,7 @@
 use std::collections::BTreeSet;
 
 use super::{Missing, Options, Refused};
-use crate::format::foreign::{Conventions, Walk, WrittenPlan, decide, place};
+use crate::format::foreign::{Conventions, Format, Walk, WrittenPlan, decide, place};
 use crate::format::movingai::{self, Scenario};
 use crate::format::{base_name, stem};
 use crate::{Agent, Cell, Cost, Grid, Instance, Objective, Scene};
@@ -62,10 +62,11 @@ impl Base {
         Ok(())
     }
 
-    /// Makes the scene; `plan` is the first one that is not by names, with its file.
+    /// Makes the scene; `plan` is the first one that is not by names, with its file
+    /// and format.
     pub(super) fn settle(
         self,
-        plan: Option<(&str, &WrittenPlan)>,
+        plan: Option<(&str, Format, &WrittenPlan)>,
         options: &Options,
     ) -> Result<Settled, Refused> {
         if let Some((file, mut scene, notes)) = self.scene {
@@ -77,10 +78,14 @@ impl Base {
         }
         let (grid, scenario) = match (self.map, self.scenario) {
             (Some(map), scenario) => (map, scenario),
-            (None, Some((file, scenario))) => return Err(missing_map(file, scenario.map_name())),
+            (None, Some((file, scenario))) => {
+                return Err(missing(file, Format::MovingAi, scenario.map_name()));
+            }
             (None, None) => {
                 return Err(match plan {
-                    Some((file, plan)) => missing_map(file.to_owned(), plan.map.as_deref()),
+                    Some((file, format, plan)) => {
+                        missing(file.to_owned(), format, plan.map.as_deref())
+                    }
                     None => Refused::Apart("There is no scene in these files.".to_owned()),
                 });
             }
@@ -88,7 +93,9 @@ impl Base {
         let (map_file, grid) = grid;
         match (scenario, plan) {
             (Some((file, scenario)), plan) => {
-                let agents = plan.map(|(_, plan)| plan.agents.len()).or(options.agents);
+                let agents = plan
+                    .map(|(_, _, plan)| plan.agents.len())
+                    .or(options.agents);
                 let name = stem(&file).to_owned();
                 let mut scene =
                     movingai::to_scene(&name, &grid, &scenario, agents).map_err(|fault| {
@@ -102,7 +109,7 @@ impl Base {
                 }
                 settled(&file, scene, Vec::new())
             }
-            (None, Some((file, plan))) => {
+            (None, Some((file, _, plan))) => {
                 of_plan(&map_file, &grid, file, plan, options.conventions)
             }
             (None, None) => {
@@ -134,18 +141,53 @@ fn settled(file: &str, scene: Scene, notes: Vec<String>) -> Result<Settled, Refu
     })
 }
 
-fn missing_map(file: String, map: Option<&str>) -> Refused {
+/// What a file without a map lacks: the problem of its makers' own format, else a
+/// map, by its name where the file tells it.
+fn missing(file: String, format: Format, map: Option<&str>) -> Refused {
+    if let Some(problem) = problem(format) {
+        return Refused::Missing {
+            sentence: format!(
+                "{file} is a solution without its problem: open {problem}, which has the map and the robots, together with it."
+            ),
+            what: Missing::Problem,
+            file,
+        };
+    }
     let map = map
         .map(|map| base_name(map).to_owned())
         .filter(|map| !map.is_empty());
     let sentence = match &map {
-        Some(map) => format!("{file} is for the map {}: open that map, too.", stem(map)),
-        None => format!("{file} needs a map: open its map, too."),
+        Some(map) => format!(
+            "{file} is for the map {}: open {}.map, too.",
+            stem(map),
+            stem(map)
+        ),
+        None if format == Format::MovingAi => format!(
+            "{file} is a scenario that does not name its map: open the map (.map) that it was made for, too."
+        ),
+        None => format!(
+            "{file} does not name its map: open the map (.map) that the plan was made for, too."
+        ),
     };
     Refused::Missing {
         file,
         what: Missing::Map(map),
         sentence,
+    }
+}
+
+/// The file that holds the problem, where a format has one of its own.
+const fn problem(format: Format) -> Option<&'static str> {
+    match format {
+        Format::MultiRobot => Some("the input file of libMultiRobotPlanning (.yaml)"),
+        Format::Asprilo => Some("its instance (.lp)"),
+        Format::Mapfw => Some("the benchmark of mapfw.nl (.json)"),
+        Format::Giveway
+        | Format::MovingAi
+        | Format::Tracker
+        | Format::Paths
+        | Format::Result
+        | Format::League => None,
     }
 }
 
@@ -166,7 +208,7 @@ fn of_plan(
             file: file.to_owned(),
             what: Missing::Scenario,
             sentence: format!(
-                "{file} does not say where its robots start: open the scenario (.scen) of the plan, too."
+                "{file} does not say where its robots start: open the scenario (.scen) that the plan was made for, too."
             ),
         });
     }
