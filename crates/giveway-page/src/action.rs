@@ -9,6 +9,7 @@ use giveway_solve::{Progress, Response};
 use crate::audit::AuditAction;
 use crate::changing::Choice;
 use crate::files::Opened;
+use crate::find::FindAction;
 use crate::intake::protocol::{Reply, ReportKind};
 use crate::link::Linked;
 use crate::slot::{Elsewhere, Lost, Unkept};
@@ -42,6 +43,8 @@ pub enum Action {
     Steer(Lead),
     /// A plan of elsewhere is judged.
     Audit(AuditAction),
+    /// A robot is looked for by its name.
+    Find(FindAction),
     /// Other people's files come in and go out.
     Intake(IntakeAction),
     /// The plan plays.

@@ -27,6 +27,8 @@ pub(super) enum Look {
     Middle(Point),
     /// This cell too.
     Show(Cell),
+    /// This cell, which was looked for.
+    Find(Cell),
 }
 
 #[derive(Clone, PartialEq)]
@@ -67,6 +69,7 @@ impl Reducible for Sight {
             Look::Fit => Camera::default(),
             Look::Middle(point) => camera.centred(point, board, px),
             Look::Show(cell) => camera.show(cell, board, px),
+            Look::Find(cell) => camera.find(cell, board, px),
         };
         Rc::new(Self {
             camera,
