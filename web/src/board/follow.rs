@@ -47,7 +47,7 @@ pub(super) fn use_by_hand(
 ) -> Callback<Look> {
     let deps = (followed.is_some(), look.clone(), send.clone());
     use_callback(deps, |wanted: Look, (follows, look, send)| {
-        let goes_elsewhere = !matches!(wanted, Look::Zoom(..));
+        let goes_elsewhere = !matches!(wanted, Look::Zoom(..) | Look::Pinch(..));
         if *follows && goes_elsewhere {
             send.emit(Action::View(ViewAction::Follow(false)));
         }
