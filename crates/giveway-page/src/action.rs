@@ -2,7 +2,6 @@
 
 use std::rc::Rc;
 
-use giveway_model::format::foreign::Format;
 use giveway_model::{Cell, Question, Scene};
 use giveway_solve::{Progress, Response};
 
@@ -10,7 +9,7 @@ use crate::audit::AuditAction;
 use crate::changing::Choice;
 use crate::files::Opened;
 use crate::find::FindAction;
-use crate::intake::protocol::{Reply, ReportKind};
+use crate::intake::{Save, protocol::Reply};
 use crate::link::Linked;
 use crate::slot::{Elsewhere, Lost, Unkept};
 use crate::steering::Lead;
@@ -132,15 +131,6 @@ pub enum IntakeAction {
     Save(Save),
     /// What was written is saved, or not wanted any longer.
     Saved,
-}
-
-/// What is to be written by the reader.
-#[derive(Clone, Debug, PartialEq, Eq)]
-pub enum Save {
-    /// The scene, and the plan that is shown.
-    As(Format),
-    /// A report of the audit, with a link that opens it.
-    Report(ReportKind, String),
 }
 
 /// On the board.

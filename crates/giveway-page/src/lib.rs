@@ -63,8 +63,8 @@ pub mod words;
 mod work;
 
 pub use action::{
-    Action, AskAction, BoardAction, ChangeAction, FileAction, IntakeAction, PlayAction, Save,
-    SlotAction, SolveAction, ViewAction,
+    Action, AskAction, BoardAction, ChangeAction, FileAction, IntakeAction, PlayAction, SlotAction,
+    SolveAction, ViewAction,
 };
 pub use answer::Answer;
 pub use asking::{Asking, Lit};
@@ -74,6 +74,7 @@ pub use draft::{Draft, MAX_AGENTS, MAX_SIDE};
 pub use edit::{DENSEST, Edit, Fill, Paint};
 pub use gesture::Placing;
 pub use history::{History, Moment};
+pub use intake::Save;
 pub use mode::Mode;
 pub use phase::Phase;
 pub use playback::{Playback, Point, Speed, position};

@@ -157,7 +157,7 @@ pub fn Board(props: &BoardProps) -> Html {
                         { caption(if state.document.mode.steering().is_some() { "Your plan" } else { "This plan" }, state.shown(), None) }
                     }
                     { board_now }
-                    if let Some(map) = Minimap::of(&frame, board) {
+                    if let Some(map) = Minimap::of(&frame, board).filter(|_| !viewport.camera.is_fit()) {
                         <Overview {map} draft={Rc::clone(state.world())} cast={Rc::clone(&cast)}
                             time={state.view.playback.time} selected={state.selected_agent()} look={look.clone()} />
                     }

@@ -80,12 +80,12 @@ pub(crate) fn next(state: &State) -> Result<usize, String> {
     let who = who(state, audit);
     let all = of(&audit.plan, who);
     let gone_to = gone_to(state, audit);
-    let is_next = |&&index: &&usize| match gone_to {
-        Some(gone_to) => index > gone_to,
-        None => {
-            let violation = audit.plan.violations.get(index);
-            violation.is_some_and(|violation| violation.time >= state.view.playback.time)
+    let is_next = |&&index: &&usize| {
+        if let Some(gone_to) = gone_to {
+            return index > gone_to;
         }
+        let violation = audit.plan.violations.get(index);
+        violation.is_some_and(|violation| violation.time >= state.view.playback.time)
     };
     let next = all.iter().find(is_next).or(all.first()).copied();
     next.ok_or_else(|| match who {

@@ -129,11 +129,7 @@ fn facts_by(state: &State, known: &Known, is_running: bool) -> Option<Facts> {
     let compares = audit.beside != Beside::Nothing && audit.other().is_some();
     let steps = file.plan.paths.values().map(Vec::len).max().unwrap_or(1);
     Some(Facts {
-        title: if plan.is_own() {
-            "How good is this plan?".to_owned()
-        } else {
-            "A plan from elsewhere".to_owned()
-        },
+        title: plan.title().to_owned(),
         file: file.file.clone(),
         extent: format!(
             "{}, times 0 to {}",

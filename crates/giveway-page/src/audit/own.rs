@@ -11,6 +11,8 @@ use crate::{Answer, Mode, State};
 
 /// What its file is called where there is none.
 const NAME: &str = "This plan";
+/// What is asked of it.
+const QUESTION: &str = "How good is this plan?";
 
 /// The plan on the board, where it can be asked how good that is: nothing is proved
 /// of it yet, or not enough.
@@ -26,7 +28,7 @@ pub(super) fn plan(state: &State) -> Option<&Rc<Answer>> {
 /// The question that begins the audit of the plan on the board; `None` where that
 /// cannot be asked.
 pub fn question(state: &State) -> Option<&'static str> {
-    plan(state).map(|_| "How good is this plan?")
+    plan(state).map(|_| QUESTION)
 }
 
 impl Audit {
@@ -60,5 +62,14 @@ impl Dropped {
     /// Whether it was on the board before: then no file says anything of it.
     pub(super) fn is_own(&self) -> bool {
         self.file.format == Format::Giveway && self.file.file == NAME
+    }
+
+    /// What its audit is called.
+    pub(super) fn title(&self) -> &'static str {
+        if self.is_own() {
+            QUESTION
+        } else {
+            "A plan from elsewhere"
+        }
     }
 }

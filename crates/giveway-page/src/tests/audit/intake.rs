@@ -5,10 +5,10 @@ use std::rc::Rc;
 use giveway_model::format::foreign::Format;
 
 use super::{LEGAL, MEETING, SCENE, audit, dropped, file, fresh, read_out};
-use crate::action::{IntakeAction, Save};
+use crate::action::IntakeAction;
 use crate::intake::protocol::Reply;
 use crate::tests::answered as answer;
-use crate::{Action, FileAction, Notice, State, reduce};
+use crate::{Action, FileAction, Notice, Save, State, reduce};
 
 const MAP: &str = "type octile\nheight 2\nwidth 3\nmap\n...\n...\n";
 
