@@ -2,7 +2,7 @@
 
 use std::rc::Rc;
 
-use giveway_page::{Action, Draft, FileAction, Phase, Tab, Tool, find};
+use giveway_page::{Action, Draft, FileAction, Phase, Tab, Tool};
 use yew::prelude::*;
 
 use crate::dialog::{Agents, Examples, FindRobot, NewScene, Panel, SaveAs, Scenes, Share, help};
@@ -101,8 +101,8 @@ pub fn App() -> Html {
                 <Dock state={settled} send={send.clone()} />
                 { notice::show(state.view.notice.as_ref(), &send) }
                 <Drop state={state.clone()} send={send.clone()} show={show.clone()} />
-                if let Some(found) = find::found(&state) {
-                    <FindRobot {found} send={send.clone()} />
+                if state.view.find.is_some() {
+                    <FindRobot state={state.clone()} send={send.clone()} />
                 }
                 { dialog(&panel, &state, &send, &show) }
             </div>

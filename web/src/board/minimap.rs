@@ -3,8 +3,9 @@
 
 use std::rc::Rc;
 
-use giveway_page::Draft;
+use giveway_page::State;
 use giveway_page::board::{Cast, FloorLook, Minimap, dots};
+use wasm_bindgen::JsCast;
 use web_sys::{Element, PointerEvent};
 use yew::prelude::*;
 
@@ -14,103 +15,81 @@ use super::viewport::Look;
 /// The longest side, in pixels.
 const SIDE_PX: f64 = 168.0;
 
-#[derive(Clone, PartialEq, Properties)]
-pub(super) struct OverviewProps {
-    /// What is in sight.
-    pub(super) map: Minimap,
-    pub(super) draft: Rc<Draft>,
-    pub(super) cast: Rc<Cast>,
-    pub(super) time: u32,
-    pub(super) selected: Option<usize>,
-    /// Changes what is in sight.
-    pub(super) look: Callback<Look>,
+/// The robots as two paths: all others, and the one that is selected. They change step
+/// by step: at this size nobody sees them move in between.
+#[hook]
+pub(super) fn use_dots(is_shown: bool, cast: &Rc<Cast>, state: &State) -> Rc<[String; 2]> {
+    let seen = (
+        is_shown.then(|| Rc::clone(cast)),
+        state.view.playback.time,
+        state.selected_agent(),
+    );
+    use_memo(seen, |(cast, time, selected)| {
+        [false, true].map(|is_selected| {
+            cast.as_ref().map_or_else(String::new, |cast| {
+                let is_one = |agent: usize| (Some(agent) == *selected) == is_selected;
+                dots(cast, *time, &is_one)
+            })
+        })
+    })
 }
 
 /// The floor, a dot for each robot, and a frame around what is in sight. The keyboard
 /// has the cursor of the board, which moves what is in sight, too.
-#[component]
-pub(super) fn Overview(props: &OverviewProps) -> Html {
-    let OverviewProps {
-        map,
-        draft,
-        cast,
-        time,
-        selected,
-        look,
-    } = props;
+pub(super) fn overview(
+    map: Minimap,
+    dots: &[String; 2],
+    state: &State,
+    look: &Callback<Look>,
+) -> Html {
+    let draft = state.world();
     let (width, height) = (draft.grid().width(), draft.grid().height());
     let cell_px = SIDE_PX / f64::from(width.max(height));
-    let go = {
-        let (map, look) = (*map, look.clone());
+    let go = look.reform(move |event: PointerEvent| Look::Middle(at(map, &event)));
+    let onpointerdown = {
+        let go = go.clone();
         move |event: PointerEvent| {
-            let Some(place) = event
-                .current_target()
-                .map(web_sys::wasm_bindgen::JsCast::unchecked_into::<Element>)
-            else {
-                return;
-            };
             event.prevent_default();
-            if event.type_() == "pointerdown" {
+            if let Some(place) = place(&event) {
                 // Without capture a drag ends at the edge.
                 let _ = place.set_pointer_capture(event.pointer_id());
             }
-            let rect = place.get_bounding_client_rect();
-            let share = |px: i32, from: f64, length: f64| {
-                ((f64::from(px) - from) / length.max(1.0)).clamp(0.0, 1.0)
-            };
-            look.emit(Look::Middle(map.point(
-                share(event.client_x(), rect.left(), rect.width()),
-                share(event.client_y(), rect.top(), rect.height()),
-            )));
+            go.emit(event);
         }
     };
-    let drag = {
-        let go = go.clone();
-        move |event: PointerEvent| {
-            if event.buttons() & 1 != 0 {
-                go(event);
-            }
+    let onpointermove = move |event: PointerEvent| {
+        if event.buttons() & 1 != 0 {
+            go.emit(event);
         }
     };
     html! {
-        <svg class={classes!("map", "overview", (!map.is_large()).then_some("minor"))} role="img" aria-label={map.name()}
+        <svg class={if map.is_large() { "map overview" } else { "map overview minor" }} role="img" aria-label={map.name()}
             viewBox={format!("0 0 {} {}", 100 * width, 100 * height)}
             width={(f64::from(width) * cell_px).to_string()} height={(f64::from(height) * cell_px).to_string()}
-            onpointerdown={go} onpointermove={drag}>
+            {onpointerdown} {onpointermove}>
             <FloorShapes draft={Rc::clone(draft)} look={FloorLook::of(cell_px)} used_by={None::<Rc<_>>} />
-            <Dots cast={Rc::clone(cast)} {time} {selected} />
+            <path class="dots" d={dots[0].clone()} />
+            <path class="dots sel" d={dots[1].clone()} />
             <rect class="in-sight" x={map.x.to_string()} y={map.y.to_string()} width={map.width.to_string()} height={map.height.to_string()} />
         </svg>
     }
 }
 
-#[derive(Clone, Properties)]
-struct DotsProps {
-    cast: Rc<Cast>,
-    time: u32,
-    selected: Option<usize>,
+fn place(event: &PointerEvent) -> Option<Element> {
+    event.current_target()?.dyn_into().ok()
 }
 
-impl PartialEq for DotsProps {
-    fn eq(&self, other: &Self) -> bool {
-        Rc::ptr_eq(&self.cast, &other.cast)
-            && self.time == other.time
-            && self.selected == other.selected
-    }
-}
-
-/// Where everybody is, step by step: at this size nobody sees them move in between.
-#[component]
-fn Dots(props: &DotsProps) -> Html {
-    let DotsProps {
-        cast,
-        time,
-        selected,
-    } = props;
-    html! {
-        <>
-            <path class="dots" d={dots(cast, *time, |agent| Some(agent) != *selected)} />
-            <path class="dots sel" d={dots(cast, *time, |agent| Some(agent) == *selected)} />
-        </>
-    }
+/// The point of the map under a pointer, in cells.
+fn at(map: Minimap, event: &PointerEvent) -> giveway_page::Point {
+    let Some(place) = place(event) else {
+        return map.point(0.5, 0.5);
+    };
+    let rect = place.get_bounding_client_rect();
+    let share = |px: i32, from: f64, length: f64| {
+        ((f64::from(px) - from) / length.max(1.0)).clamp(0.0, 1.0)
+    };
+    map.point(
+        share(event.client_x(), rect.left(), rect.width()),
+        share(event.client_y(), rect.top(), rect.height()),
+    )
 }

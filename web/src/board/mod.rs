@@ -40,7 +40,6 @@ use casts::use_casts;
 use cells::Cells;
 use layers::{layers, problems, square};
 use legend::{Under, under};
-use minimap::Overview;
 pub(crate) use picture::picture;
 pub(crate) use preview::Preview;
 use reasons::ReasonMarks;
@@ -81,6 +80,8 @@ pub fn Board(props: &BoardProps) -> Html {
     follow::use_sought(state.view.sought, &viewport.look);
     let look = follow::use_by_hand(followed, &viewport.look, &props.send);
     keys::use_view_keys(&look);
+    let map = Minimap::of(&frame, board).filter(|_| !viewport.camera.is_fit());
+    let dots = minimap::use_dots(map.is_some(), &cast, state);
     let gestures = gestures::use_gestures(gestures::Surface {
         svg: svg.clone(),
         hover: hover.clone(),
@@ -157,9 +158,8 @@ pub fn Board(props: &BoardProps) -> Html {
                         { caption(if state.document.mode.steering().is_some() { "Your plan" } else { "This plan" }, state.shown(), None) }
                     }
                     { board_now }
-                    if let Some(map) = Minimap::of(&frame, board).filter(|_| !viewport.camera.is_fit()) {
-                        <Overview {map} draft={Rc::clone(state.world())} cast={Rc::clone(&cast)}
-                            time={state.view.playback.time} selected={state.selected_agent()} look={look.clone()} />
+                    if let Some(map) = map {
+                        { minimap::overview(map, &dots, state, &look) }
                     }
                     if !viewport.camera.is_fit() {
                         { fit(&look) }

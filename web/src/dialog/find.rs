@@ -1,21 +1,21 @@
 //! A robot is found by its name: a field, and the list of those that fit.
 
 use giveway_page::Action;
-use giveway_page::find::{FindAction, Found, Match};
+use giveway_page::find::{FindAction, Match, found};
 use wasm_bindgen::JsCast as _;
 use web_sys::{HtmlDialogElement, HtmlElement, HtmlInputElement};
 use yew::prelude::*;
 
 use super::frame::Frame;
-use crate::glyph;
+use crate::{Shown, glyph};
 
 /// The names of the list and of its rows, for the field that they belong to.
 const LIST: &str = "found";
 
 #[derive(Clone, PartialEq, Properties)]
 pub(crate) struct FindProps {
-    /// The robots that fit.
-    pub(crate) found: Found,
+    /// The state, in which a robot is looked for.
+    pub(crate) state: Shown,
     /// Takes actions.
     pub(crate) send: Callback<Action>,
 }
@@ -23,7 +23,7 @@ pub(crate) struct FindProps {
 /// The field keeps the focus: arrows choose in the list, Enter takes.
 #[component]
 pub(crate) fn FindRobot(props: &FindProps) -> Html {
-    let FindProps { found, send } = props;
+    let FindProps { state, send } = props;
     let field = use_node_ref();
     let act = send.reform(Action::Find);
     {
@@ -34,6 +34,9 @@ pub(crate) fn FindRobot(props: &FindProps) -> Html {
             move || drop(focus)
         });
     }
+    let Some(found) = found(state) else {
+        return html! {};
+    };
     let take = {
         let (field, act) = (field.clone(), act.clone());
         Callback::from(move |place: Option<usize>| {

@@ -2,7 +2,7 @@
 
 use std::fmt::Write;
 
-use super::{CELL, Cast, Frame};
+use super::{CELL, Cast, Frame, whole};
 use crate::Point;
 
 /// The longest side of a map that a phone shows without it.
@@ -79,14 +79,14 @@ impl Minimap {
 
 /// A dot for each of some agents at a time, as the `d` of one path: so many shapes
 /// would be too many to move.
-pub fn dots(cast: &Cast, time: u32, is_one: impl Fn(usize) -> bool) -> String {
+pub fn dots(cast: &Cast, time: u32, is_one: &dyn Fn(usize) -> bool) -> String {
     let mut path = String::new();
     for agent in (0..cast.agents.len()).filter(|&agent| is_one(agent)) {
         let pose = cast.pose(agent, f64::from(time));
         if let Some(pose) = pose.filter(|pose| !pose.is_gone) {
-            let units = |cells: f64| (cells + 0.5) * CELL;
-            // Writing to a text never fails.
-            let _ = write!(path, "M{:.0} {:.0}h1", units(pose.at.x), units(pose.at.y));
+            // In a slow move it is between two cells. Writing to a text never fails.
+            let units = |cells: f64| whole((cells + 0.5) * CELL);
+            let _ = write!(path, "M{} {}h1", units(pose.at.x), units(pose.at.y));
         }
     }
     path
@@ -130,7 +130,7 @@ mod tests {
         );
         let state = State::new(Draft::new(scene.unwrap()).unwrap());
         let cast = Cast::of(&state);
-        assert_eq!(dots(&cast, 0, |_| true), "M50 50h1M250 50h1");
-        assert_eq!(dots(&cast, 0, |agent| agent == 1), "M250 50h1");
+        assert_eq!(dots(&cast, 0, &|_| true), "M50 50h1M250 50h1");
+        assert_eq!(dots(&cast, 0, &|agent| agent == 1), "M250 50h1");
     }
 }
