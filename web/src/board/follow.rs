@@ -59,10 +59,10 @@ pub(super) fn use_by_hand(
 #[hook]
 pub(super) fn use_sought(sought: Option<Sought>, look: &Callback<Look>) {
     let look = look.clone();
-    let first = use_mut_ref(|| sought);
+    let first = use_memo((), |()| sought);
     use_effect_with(sought, move |&sought| {
         // What was looked for before the board was there has been seen.
-        if let Some(wanted) = sought.filter(|_| sought != *first.borrow()) {
+        if let Some(wanted) = sought.filter(|_| sought != *first) {
             look.emit(Look::Find(wanted.cell));
         }
     });
