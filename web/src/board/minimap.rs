@@ -5,7 +5,6 @@ use std::rc::Rc;
 
 use giveway_page::State;
 use giveway_page::board::{Cast, FloorLook, Minimap, dots};
-use wasm_bindgen::JsCast;
 use web_sys::{Element, PointerEvent};
 use yew::prelude::*;
 
@@ -41,16 +40,20 @@ pub(super) fn overview(
     dots: &[String; 2],
     state: &State,
     look: &Callback<Look>,
+    place: &NodeRef,
 ) -> Html {
     let draft = state.world();
     let (width, height) = (draft.grid().width(), draft.grid().height());
     let cell_px = SIDE_PX / f64::from(width.max(height));
-    let go = look.reform(move |event: PointerEvent| Look::Middle(at(map, &event)));
+    let go = {
+        let place = place.clone();
+        look.reform(move |event: PointerEvent| Look::Middle(at(map, &place, &event)))
+    };
     let onpointerdown = {
-        let go = go.clone();
+        let (go, place) = (go.clone(), place.clone());
         move |event: PointerEvent| {
             event.prevent_default();
-            if let Some(place) = place(&event) {
+            if let Some(place) = place.cast::<Element>() {
                 // Without capture a drag ends at the edge.
                 let _ = place.set_pointer_capture(event.pointer_id());
             }
@@ -63,7 +66,7 @@ pub(super) fn overview(
         }
     };
     html! {
-        <svg class={if map.is_large() { "map overview" } else { "map overview minor" }} role="img" aria-label={map.name()}
+        <svg ref={place.clone()} class={if map.is_large() { "map overview" } else { "map overview minor" }} role="img" aria-label={map.name()}
             viewBox={format!("0 0 {} {}", 100 * width, 100 * height)}
             width={(f64::from(width) * cell_px).to_string()} height={(f64::from(height) * cell_px).to_string()}
             {onpointerdown} {onpointermove}>
@@ -75,13 +78,9 @@ pub(super) fn overview(
     }
 }
 
-fn place(event: &PointerEvent) -> Option<Element> {
-    event.current_target()?.dyn_into().ok()
-}
-
 /// The point of the map under a pointer, in cells.
-fn at(map: Minimap, event: &PointerEvent) -> giveway_page::Point {
-    let Some(place) = place(event) else {
+fn at(map: Minimap, place: &NodeRef, event: &PointerEvent) -> giveway_page::Point {
+    let Some(place) = place.cast::<Element>() else {
         return map.point(0.5, 0.5);
     };
     let rect = place.get_bounding_client_rect();

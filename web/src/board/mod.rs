@@ -69,6 +69,7 @@ pub fn Board(props: &BoardProps) -> Html {
     let area = use_node_ref();
     let svg = use_node_ref();
     let hover = use_node_ref();
+    let whole = use_node_ref();
     let (cast, other) = use_casts(state);
     let board = (state.world().grid().width(), state.world().grid().height());
     let viewport = use_viewport(&area, board);
@@ -159,7 +160,7 @@ pub fn Board(props: &BoardProps) -> Html {
                     }
                     { board_now }
                     if let Some(map) = map {
-                        { minimap::overview(map, &dots, state, &look) }
+                        { minimap::overview(map, &dots, state, &look, &whole) }
                     }
                     if !viewport.camera.is_fit() {
                         { fit(&look) }
