@@ -75,9 +75,20 @@ describe("a plan of elsewhere", () => {
     assert.equal(await playground.inspector.getByRole("heading", { name: "A plan from elsewhere" }).count(), 1);
   });
 
+  flow("a scene with its plan is played, and one press asks how good the plan is", async (playground) => {
+    await playground.open(own("hall.json", HALL), plan("hall-plan.json", LATE));
+    await playground.shows("hall");
+    await playground.button("How good is this plan?").click();
+    await tells(playground, /16\.7 % above the best/);
+    assert.equal(await playground.inspector.getByRole("heading", { name: "How good is this plan?" }).count(), 1);
+    await playground.says(/^This plan keeps every rule\./);
+    await playground.press("Undo");
+    await playground.button("How good is this plan?").waitFor();
+  });
+
   flow("waits for its map, is read another way, and read so again by Undo", async (playground) => {
     await drop(playground, { name: "paths.txt", bytes: lines(straight(AISLES)) });
-    await playground.warns(/paths\.txt needs a map: open its map, too\./);
+    await playground.warns(/paths\.txt does not name its map: open the map \(\.map\) that the plan was made for, too\./);
     await drop(playground, { name: "aisles.map", bytes: octile(AISLES.map) });
     await playground.says(/^paths\.txt breaks 6 rules\./);
     await tells(playground, /One line for each robot\s+as EECBS and CBSH2 write it/);

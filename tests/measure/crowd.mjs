@@ -6,8 +6,10 @@ import { root } from "../e2e/dist.mjs";
 import { SOLVED, figure, inPage, smoothness } from "./figure.mjs";
 import { Tab } from "./process.mjs";
 
-/** Crowds: how many agents, on how many cells a side, and the least frames a second. */
-const CROWDS = [[100, 64, 58], [300, 64, 30], [50, 256, 50]];
+/** Crowds: how many agents, on how many cells a side, the least frames a second, and by how many keys nearer. */
+const CROWDS = [[100, 64, 58], [300, 64, 30], [50, 256, 50], [1000, 256, 30], [1000, 256, 30, 5]];
+/** A plan of another maker on a map of the standard benchmark, and the least frames a second. */
+const STANDARD = ["random-32-32-20_random-1_300.tracker.csv", "300 agents playing on random-32-32-20", 58];
 /** Cells a side of the largest map that the page takes. */
 const LARGEST = 256;
 /** Cells that are painted, one a frame. */
@@ -16,20 +18,45 @@ const PAINTED = 100;
 /** Crowds of agents that all move. */
 export async function crowd(url) {
   const figures = [];
-  for (const [count, side, least] of CROWDS) {
+  for (const [count, side, least, nearer = 0] of CROWDS) {
     figures.push(...await inPage(url, async (playground, browser) => {
       await playground.says(SOLVED);
       await playground.open(...files(count, side));
       await playground.shows(`crowd of ${count}`);
-      await playground.button("Play").or(playground.button("Pause")).first().waitFor();
-      if (await playground.button("Play").isVisible()) {
-        await playground.press("Play");
+      await plays(playground, nearer);
+      const seen = nearer > 0 ? ", with the overview" : "";
+      return smoothness(playground, browser, `${count} agents playing on ${side} x ${side} cells${seen}`, least);
+    }));
+  }
+  const [file, what, least] = STANDARD;
+  for (const nearer of [0, 2]) {
+    figures.push(...await inPage(url, async (playground, browser) => {
+      await playground.says(SOLVED);
+      await playground.open(join(root, "crates/giveway-model/tests/data/plans", file));
+      await playground.says(/tracker\.csv keeps every rule/);
+      if (await playground.button("Cancel").isVisible()) {
+        await playground.press("Cancel");
       }
-      await playground.reaches("1 or later", (now) => now >= 1);
-      return smoothness(playground, browser, `${count} agents playing on ${side} x ${side} cells`, least);
+      await plays(playground, nearer);
+      return smoothness(playground, browser, nearer > 0 ? `${what}, with the overview` : what, least);
     }));
   }
   return figures;
+}
+
+/** Plays, so many keys nearer. */
+async function plays(playground, nearer) {
+  await playground.button("Play").or(playground.button("Pause")).first().waitFor();
+  for (let key = 0; key < nearer; key += 1) {
+    await playground.key("+");
+  }
+  if (nearer > 0) {
+    await playground.page.getByRole("img", { name: /^Overview: / }).waitFor();
+  }
+  if (await playground.button("Play").isVisible()) {
+    await playground.press("Play");
+  }
+  await playground.reaches("1 or later", (now) => now >= 1);
 }
 
 /** A scene and a plan of it: each agent goes to and fro in cells of its own. */

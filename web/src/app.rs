@@ -5,7 +5,7 @@ use std::rc::Rc;
 use giveway_page::{Action, Draft, FileAction, Phase, Tab, Tool};
 use yew::prelude::*;
 
-use crate::dialog::{Agents, Examples, NewScene, Panel, SaveAs, Scenes, Share, help};
+use crate::dialog::{Agents, Examples, FindRobot, NewScene, Panel, SaveAs, Scenes, Share, help};
 use crate::drop::Drop;
 use crate::intake::use_intake;
 use crate::keep::{self, use_keep};
@@ -101,6 +101,9 @@ pub fn App() -> Html {
                 <Dock state={settled} send={send.clone()} />
                 { notice::show(state.view.notice.as_ref(), &send) }
                 <Drop state={state.clone()} send={send.clone()} show={show.clone()} />
+                if state.view.find.is_some() {
+                    <FindRobot state={state.clone()} send={send.clone()} />
+                }
                 { dialog(&panel, &state, &send, &show) }
             </div>
         </ContextProvider<Clock>>

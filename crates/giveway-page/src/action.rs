@@ -2,14 +2,14 @@
 
 use std::rc::Rc;
 
-use giveway_model::format::foreign::Format;
 use giveway_model::{Cell, Question, Scene};
 use giveway_solve::{Progress, Response};
 
 use crate::audit::AuditAction;
 use crate::changing::Choice;
 use crate::files::Opened;
-use crate::intake::protocol::{Reply, ReportKind};
+use crate::find::FindAction;
+use crate::intake::{Save, protocol::Reply};
 use crate::link::Linked;
 use crate::slot::{Elsewhere, Lost, Unkept};
 use crate::steering::Lead;
@@ -42,6 +42,8 @@ pub enum Action {
     Steer(Lead),
     /// A plan of elsewhere is judged.
     Audit(AuditAction),
+    /// A robot is looked for by its name.
+    Find(FindAction),
     /// Other people's files come in and go out.
     Intake(IntakeAction),
     /// The plan plays.
@@ -129,15 +131,6 @@ pub enum IntakeAction {
     Save(Save),
     /// What was written is saved, or not wanted any longer.
     Saved,
-}
-
-/// What is to be written by the reader.
-#[derive(Clone, Debug, PartialEq, Eq)]
-pub enum Save {
-    /// The scene, and the plan that is shown.
-    As(Format),
-    /// A report of the audit, with a link that opens it.
-    Report(ReportKind, String),
 }
 
 /// On the board.

@@ -27,6 +27,7 @@ mod draft;
 mod edit;
 pub mod examples;
 pub mod files;
+pub mod find;
 pub mod form;
 pub mod front;
 mod gesture;
@@ -62,8 +63,8 @@ pub mod words;
 mod work;
 
 pub use action::{
-    Action, AskAction, BoardAction, ChangeAction, FileAction, IntakeAction, PlayAction, Save,
-    SlotAction, SolveAction, ViewAction,
+    Action, AskAction, BoardAction, ChangeAction, FileAction, IntakeAction, PlayAction, SlotAction,
+    SolveAction, ViewAction,
 };
 pub use answer::Answer;
 pub use asking::{Asking, Lit};
@@ -73,6 +74,7 @@ pub use draft::{Draft, MAX_AGENTS, MAX_SIDE};
 pub use edit::{DENSEST, Edit, Fill, Paint};
 pub use gesture::Placing;
 pub use history::{History, Moment};
+pub use intake::Save;
 pub use mode::Mode;
 pub use phase::Phase;
 pub use playback::{Playback, Point, Speed, position};
@@ -82,5 +84,5 @@ pub use reserve::Reserve;
 pub use settings::{Settings, Theme};
 pub use state::{By, Displaced, Notice, State};
 pub use tool::Tool;
-pub use view::{Layers, Place, Selection, Tab, View};
+pub use view::{Layers, Place, Selection, Sought, Tab, View};
 pub use work::{Adapting, Arrival, Certified, Certifying, Job, Size, Solving, Task, Work};

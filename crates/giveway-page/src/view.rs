@@ -3,6 +3,7 @@
 
 use giveway_model::Cell;
 
+use crate::find::Find;
 use crate::gesture::Gesture;
 use crate::slot::Waiting;
 use crate::{Notice, Playback, Theme, Tool};
@@ -59,6 +60,15 @@ pub enum Place {
     Embedded,
 }
 
+/// A cell that is to come into view.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Sought {
+    /// The cell.
+    pub cell: Cell,
+    /// Tells it from the one before, which may have been the same cell.
+    pub(crate) number: u32,
+}
+
 /// What is shown and how.
 #[derive(Clone, Debug, PartialEq)]
 pub struct View {
@@ -78,6 +88,12 @@ pub struct View {
     pub layers: Layers,
     /// Whether the camera goes with the agent selected.
     pub follow: bool,
+    /// What is typed to find a robot, while one is looked for.
+    pub find: Option<Find>,
+    /// The cell that was to come into view last.
+    pub sought: Option<Sought>,
+    /// The broken rule of a plan of elsewhere that was gone to last, by its index.
+    pub(crate) conflict: Option<usize>,
     /// Whether the plan table is open.
     pub table: bool,
     /// Light or dark.
@@ -104,6 +120,9 @@ impl Default for View {
             cursor: Cell::new(0, 0),
             layers: Layers::default(),
             follow: false,
+            find: None,
+            sought: None,
+            conflict: None,
             table: true,
             theme: Theme::System,
             tab: Tab::Timeline,

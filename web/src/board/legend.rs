@@ -2,6 +2,7 @@
 //! and how near the map is.
 
 use giveway_page::board::Kind;
+use giveway_page::find::FindAction;
 use giveway_page::{Action, State, ViewAction};
 use yew::prelude::*;
 
@@ -10,6 +11,8 @@ use crate::{icon, slot};
 
 /// By how much a button or key enlarges.
 pub(super) const ZOOM: f64 = 1.5;
+/// From so many agents on there is a button to find one.
+const MANY: usize = 12;
 
 /// What to explain, and how the view can change.
 pub(super) struct Under<'a> {
@@ -41,12 +44,24 @@ pub(super) fn under(props: &Under<'_>) -> Html {
             { slot::show(props.state, said.as_ref(), props.send) }
             <ul class="legend" aria-label="Legend" hidden={said.is_some()}>{ for props.kinds.iter().map(kind) }</ul>
             <div class="zoom" role="group" aria-label="View">
+                { find(props) }
                 { follow(props) }
                 { button("Zoom out", "minus", '-', props.is_fit, Look::Zoom(1.0 / ZOOM, None)) }
                 { button("Fit", "fit", '0', props.is_fit, Look::Fit) }
                 { button("Zoom in", "plus", '+', props.is_nearest, Look::Zoom(ZOOM, None)) }
             </div>
         </div>
+    }
+}
+
+/// The button that finds a robot, where they are not seen at one glance.
+fn find(props: &Under<'_>) -> Html {
+    if props.state.world().agents().len() < MANY {
+        return html! {};
+    }
+    let onclick = props.send.reform(|_| Action::Find(FindAction::Open));
+    html! {
+        <button class="btn ghost round" title="Find a robot (/)" aria-label="Find a robot" {onclick}>{ icon::show("search") }</button>
     }
 }
 

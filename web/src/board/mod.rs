@@ -18,6 +18,7 @@ mod keys;
 mod layers;
 mod legend;
 mod marks;
+mod minimap;
 mod motion;
 mod picture;
 mod preview;
@@ -29,7 +30,7 @@ mod ways;
 
 use std::rc::Rc;
 
-use giveway_page::board::{CELL, Cast, Frame, Kind, Window, legend};
+use giveway_page::board::{CELL, Cast, Frame, Kind, Minimap, Window, legend};
 use giveway_page::{Action, Answer, Selection, Tool, ask, words};
 use yew::prelude::*;
 
@@ -68,28 +69,33 @@ pub fn Board(props: &BoardProps) -> Html {
     let area = use_node_ref();
     let svg = use_node_ref();
     let hover = use_node_ref();
+    let whole = use_node_ref();
     let (cast, other) = use_casts(state);
     let board = (state.world().grid().width(), state.world().grid().height());
     let viewport = use_viewport(&area, board);
     let frame = viewport.frame(board);
     let detail = frame.detail();
 
-    keys::use_view_keys(&viewport.look);
     let followed = state.followed().filter(|_| cast.has_plan());
     follow::use_follow(followed, &cast, &viewport);
+    follow::use_sought(state.view.sought, &viewport.look);
+    let look = follow::use_by_hand(followed, &viewport.look, &props.send);
+    keys::use_view_keys(&look);
+    let map = Minimap::of(&frame, board).filter(|_| !viewport.camera.is_fit());
+    let dots = minimap::use_dots(map.is_some(), &cast, state);
     let gestures = gestures::use_gestures(gestures::Surface {
         svg: svg.clone(),
         hover: hover.clone(),
         state: state.clone(),
         send: props.send.clone(),
         cast: Rc::clone(&cast),
-        look: viewport.look.clone(),
+        look: look.clone(),
         frame,
         is_fit: viewport.camera.is_fit(),
     });
     let (_, rows) = frame.cells(board);
     let page = rows.1 - rows.0;
-    let onkeydown = keys::use_cursor_keys(state.view.cursor, &props.send, &viewport.look, page);
+    let onkeydown = keys::use_cursor_keys(state.view.cursor, &props.send, &look, page);
 
     let reasons = giveway_page::board::reasons(state);
     let kinds: Vec<Kind> = legend(state, &cast);
@@ -138,7 +144,7 @@ pub fn Board(props: &BoardProps) -> Html {
     };
     let below = Under {
         kinds,
-        look: &viewport.look,
+        look: &look,
         is_fit: viewport.camera.is_fit(),
         is_nearest: viewport.is_nearest(board),
         follow: follow(state, &cast),
@@ -153,8 +159,11 @@ pub fn Board(props: &BoardProps) -> Html {
                         { caption(if state.document.mode.steering().is_some() { "Your plan" } else { "This plan" }, state.shown(), None) }
                     }
                     { board_now }
+                    if let Some(map) = map {
+                        { minimap::overview(map, &dots, state, &look, &whole) }
+                    }
                     if !viewport.camera.is_fit() {
-                        { fit(&viewport.look) }
+                        { fit(&look) }
                     }
                 </figure>
                 if let Some(other) = other {

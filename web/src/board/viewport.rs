@@ -21,12 +21,16 @@ pub(super) enum Look {
     Zoom(f64, Option<(f64, f64)>),
     /// Moved by so many pixels.
     Pan((f64, f64)),
+    /// Two fingers: larger or smaller around a pixel, and moved by so many.
+    Pinch(f64, (f64, f64), (f64, f64)),
     /// All of the map.
     Fit,
     /// This point of the map in the middle, in cells.
     Middle(Point),
     /// This cell too.
     Show(Cell),
+    /// This cell, which was looked for.
+    Find(Cell),
 }
 
 #[derive(Clone, PartialEq)]
@@ -64,9 +68,11 @@ impl Reducible for Sight {
             }
             Look::Zoom(factor, at) => camera.zoom(factor, at.unwrap_or(middle), board, px),
             Look::Pan(by) => camera.pan(by, board, px),
+            Look::Pinch(factor, at, by) => camera.zoom(factor, at, board, px).pan(by, board, px),
             Look::Fit => Camera::default(),
             Look::Middle(point) => camera.centred(point, board, px),
             Look::Show(cell) => camera.show(cell, board, px),
+            Look::Find(cell) => camera.find(cell, board, px),
         };
         Rc::new(Self {
             camera,

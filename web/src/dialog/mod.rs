@@ -2,6 +2,7 @@
 
 mod agents;
 mod examples;
+mod find;
 mod frame;
 mod help;
 mod new_scene;
@@ -16,6 +17,7 @@ use giveway_page::files::Choice;
 
 pub(crate) use agents::Agents;
 pub(crate) use examples::Examples;
+pub(crate) use find::FindRobot;
 pub(crate) use help::help;
 pub(crate) use new_scene::NewScene;
 pub(crate) use popover::use_dismiss;

@@ -1,9 +1,9 @@
 //! A plan of elsewhere: how it was read, whether it is legal, how good it is.
 
+use giveway_page::Action;
 use giveway_page::audit::{
-    AuditAction, Choice, Compared, CostRow, Fact, Facts, PlanRow, ViolationRow,
+    AuditAction, Choice, Compared, Conflicts, CostRow, Fact, Facts, PlanRow, ViolationRow,
 };
-use giveway_page::{Action, PlayAction};
 use yew::prelude::*;
 
 use crate::icon;
@@ -11,6 +11,7 @@ use crate::icon;
 /// What scrolls of it.
 pub(super) fn show(
     facts: &Facts,
+    walk: Option<&Conflicts>,
     opened: &UseStateHandle<String>,
     send: &Callback<Action>,
 ) -> Html {
@@ -21,7 +22,7 @@ pub(super) fn show(
                 <button type="button" class="crumb" onclick={act(AuditAction::Leave, send)}>
                     { icon::show("back") }{ "Scene" }
                 </button>
-                <h2>{ "A plan from elsewhere" }</h2>
+                <h2>{ facts.title.clone() }</h2>
             </header>
             { file(facts, opened, send) }
             <dl class="read">{ for facts.facts.iter().map(fact) }</dl>
@@ -34,6 +35,7 @@ pub(super) fn show(
             if !facts.violations.is_empty() {
                 <section>
                     <h3>{ "What goes wrong" }</h3>
+                    { conflicts(walk, send) }
                     <ul class="viols">{ for facts.violations.iter().map(|row| violation(row, send)) }</ul>
                     if facts.more > 0 { <p class="remark">{ format!("And {} more.", facts.more) }</p> }
                 </section>
@@ -53,6 +55,35 @@ pub(super) fn show(
 
 fn act(action: AuditAction, send: &Callback<Action>) -> Callback<MouseEvent> {
     send.reform(move |_| Action::Audit(action))
+}
+
+/// The way from one conflict to the next, of the robot selected or of all.
+pub(super) fn conflicts(walk: Option<&Conflicts>, send: &Callback<Action>) -> Html {
+    let Some(walk) = walk else {
+        return html! {};
+    };
+    html! {
+        <div class="walk">
+            <p aria-live="polite">{ walk.sentence.clone() }</p>
+            if walk.has_next {
+                <button type="button" class="btn outline" title="Next conflict (n)" onclick={act(AuditAction::Next, send)}>
+                    { icon::show("collision") }<span>{ "Next conflict" }</span>
+                </button>
+            }
+        </div>
+    }
+}
+
+/// What begins the audit of the plan on the board.
+pub(super) fn begin(question: Option<&'static str>, send: &Callback<Action>) -> Html {
+    let Some(question) = question else {
+        return html! {};
+    };
+    html! {
+        <ul class="asks"><li><button type="button" class="ask" onclick={act(AuditAction::Begin, send)}>
+            { icon::show("search") }<span>{ question }</span>{ icon::at_end("chevron") }
+        </button></li></ul>
+    }
 }
 
 /// The file, and the other ways to read it.
@@ -94,9 +125,9 @@ fn fact(fact: &Fact) -> Html {
     }
 }
 
-/// Pressing it shows its time.
+/// Pressing it shows its time and its place.
 fn violation(row: &ViolationRow, send: &Callback<Action>) -> Html {
-    let time = row.time;
+    let (time, index) = (row.time, row.index);
     let detail = if row.detail.is_empty() {
         String::new()
     } else {
@@ -105,7 +136,7 @@ fn violation(row: &ViolationRow, send: &Callback<Action>) -> Html {
     html! {
         <li><button type="button" class={classes!("viol", row.is_now.then_some("on"))} aria-current={row.is_now.then_some("true")}
             aria-label={format!("{}{detail}, go to time {time}", row.text)}
-            onclick={send.reform(move |_| Action::Play(PlayAction::Seek(time)))}>
+            onclick={act(AuditAction::Show(index), send)}>
             { icon::show("collision") }
             <span>{ row.text.clone() }<small>{ row.detail.clone() }</small></span>
             <span class="tt">{ format!("at {time}") }{ icon::show("chevron") }</span>

@@ -50,7 +50,7 @@ pub fn Inspector(props: &InspectorProps) -> Html {
                 { answer::foot(&card, send) }
             } else if let Some(facts) = &elsewhere {
                 <div class="scroll" key={format!("audit {}", facts.file)}>
-                    { audit::show(facts, &opened, send) }
+                    { audit::show(facts, giveway_page::audit::conflicts(state).as_ref(), &opened, send) }
                     { questions::show(&ask::offers(state), send) }
                 </div>
                 { audit::foot(facts, state.view.is_wide, send) }
@@ -83,6 +83,7 @@ fn content(state: &Shown, send: &Callback<Action>) -> Html {
             Some(facts) => html! {
                 <>
                     { agent::show(&facts, send) }
+                    { audit::conflicts(giveway_page::audit::conflicts(state).as_ref(), send) }
                     { edit::problems(state, send, |problem| problem.agent == Some(index)) }
                     { edit::agent(state, index, send) }
                 </>

@@ -2,12 +2,13 @@
 
 use std::rc::Rc;
 
+use giveway_page::audit::question;
 use giveway_page::changing::history;
 use giveway_page::inspect::{CostFacts, whole};
 use giveway_page::{Action, Answer, BoardAction, Draft, Selection};
 use yew::prelude::*;
 
-use super::{change, edit, front, proof};
+use super::{audit, change, edit, front, proof};
 use crate::{Shown, glyph, icon};
 
 /// So many agents are listed at first, and with every press of `More`.
@@ -36,6 +37,7 @@ pub(super) fn show(state: &Shown, send: &Callback<Action>) -> Html {
                         <p class="remark">{ work }</p>
                     }
                     { proof::show(state, send) }
+                    { audit::begin(question(state), send) }
                 </section>
             }
             { change::history(&past, false) }

@@ -2,6 +2,7 @@
 
 mod menu;
 
+use giveway_page::find::FindAction;
 use giveway_page::{Action, ViewAction, words};
 use web_sys::{Event, HtmlInputElement};
 use yew::prelude::*;
@@ -81,6 +82,13 @@ pub(crate) fn TopBar(props: &TopBarProps) -> Html {
         let state = state.clone();
         show.reform(move |_: MouseEvent| Panel::Share(keep::address(&state).into()))
     };
+    let find = {
+        let send = send.clone();
+        show.reform(move |_: MouseEvent| {
+            send.emit(Action::Find(FindAction::Open));
+            Panel::Nothing
+        })
+    };
     let help = show.reform(|_: MouseEvent| Panel::Help);
     let theme = press_theme(state, send);
     let theme_title = format!("Theme: {}", state.view.theme.name());
@@ -158,6 +166,7 @@ pub(crate) fn TopBar(props: &TopBarProps) -> Html {
                         { copy_item(state, &is_copied, send) }
                         { item("share", "Share", share) }
                         <hr />
+                        { item("search", "Find a robot", find) }
                         { item("settings", "Settings", show.reform(|_| Panel::Settings)) }
                         { item("theme", &theme_title, theme) }
                         { item("help", "Help", help) }

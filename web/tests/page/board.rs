@@ -1,7 +1,7 @@
 //! The board: roles, names, keys, motion.
 
 use giveway_model::Cell;
-use giveway_page::{Action, BoardAction, PlayAction, Tool, reduce};
+use giveway_page::{Action, BoardAction, PlayAction, Selection, Tool, ViewAction, reduce};
 use wasm_bindgen_test::wasm_bindgen_test;
 
 use crate::stage::{Stage, drafted, press, solved, until};
@@ -95,4 +95,39 @@ async fn a_name_is_text_whatever_it_is() {
     assert!(text.contains("<b>x</b>"), "{text}");
     let inside = stage.place.query_selector("b b");
     assert_eq!(inside, Ok(None));
+}
+
+#[wasm_bindgen_test]
+async fn the_overview_is_there_where_some_of_the_map_is_out_of_sight() {
+    let stage = Stage::of(solved()).await;
+    let board = stage.find("[role=grid]").await;
+    let names = || stage.all(".overview[role=img]", "aria-label");
+    assert_eq!(names().len(), 0);
+    press(&board, "+");
+    until("the overview", || names().len() == 1).await;
+    let name = names().pop().unwrap_or_default();
+    assert!(name.starts_with("Overview: columns "), "{name}");
+    assert!(name.ends_with(" of 10 x 3 cells are in sight"), "{name}");
+    // A dot for each of both robots, and a frame.
+    let dots = stage.all(".overview .dots", "d").concat();
+    assert_eq!(dots.matches('M').count(), 2, "{dots}");
+    assert_eq!(stage.all(".overview .in-sight", "width").len(), 1);
+    press(&board, "0");
+    until("all of the map", || names().is_empty()).await;
+}
+
+#[wasm_bindgen_test]
+async fn who_looks_elsewhere_is_no_longer_followed() {
+    let mut state = reduce(&solved(), Action::Play(PlayAction::Pause));
+    let select = BoardAction::Select(Selection::Agent(0));
+    state = reduce(&state, Action::Board(select));
+    state = reduce(&state, Action::View(ViewAction::Follow(true)));
+    let stage = Stage::of(state).await;
+    let board = stage.find("[role=grid]").await;
+    // Nearer and farther it goes along.
+    press(&board, "+");
+    press(&board, "-");
+    assert_eq!(stage.sent(), []);
+    press(&board, "0");
+    assert_eq!(stage.sent(), [Action::View(ViewAction::Follow(false))]);
 }

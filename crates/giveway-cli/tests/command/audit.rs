@@ -180,7 +180,7 @@ fn a_scenario_finds_its_map_beside_it() {
         "audit few.scen solved.json",
         &expect![[r#"
         exit 1
-        few.scen is for the map empty-8-8: open that map, too. Or give it with --map.
+        few.scen is for the map empty-8-8: open empty-8-8.map, too. Or give it with --map.
     "#]],
     );
     let found = folder.run("audit few.scen solved.json --map maps/other.map");

@@ -1,10 +1,10 @@
 //! asprilo: the published instances and the published plan.
 
 use giveway_model::check::Rule;
-use giveway_model::format::foreign::{Format, Held, read, recognise, write};
+use giveway_model::format::foreign::{Format, Held, Missing, read, recognise, write};
 use giveway_model::{Agent, Cell, Instance, Plan, Scene};
 
-use crate::support::{comes_back, data, opened, refused, reopened, violations};
+use crate::support::{comes_back, data, lacking, opened, refused, reopened, violations};
 
 const FILES: [&str; 17] = [
     "x10_y10_n100_r5_s20_ps6_pr5_u10_o5_N50.lp",
@@ -176,6 +176,12 @@ fn a_plan_may_stand_apart_from_its_instance() {
         panic!("a plan")
     };
     assert_eq!(held.agents.len(), 2);
+    let (what, sentence) = lacking("plan.lp", plan);
+    assert_eq!(what, Missing::Problem);
+    assert!(
+        sentence.contains(": open its instance (.lp), "),
+        "{sentence}"
+    );
     let read = opened(&[("a.lp", CROSSING), ("plan.lp", plan)]).unwrap();
     let path = read.plans[0].plan.path("A2");
     let cells = [(2, 0), (2, 0), (1, 0)].map(|cell| Some(Cell::from(cell)));

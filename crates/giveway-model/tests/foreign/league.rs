@@ -260,5 +260,7 @@ fn an_errand_or_a_start_in_an_obstacle_has_its_place() {
 fn without_its_map_a_result_asks_for_it() {
     let text = published().to_string();
     let error = opened(&[("a.json", &text)]).unwrap_err();
-    assert!(format!("{error:?}").contains("a.json needs a map: open its map, too."));
+    assert!(format!("{error:?}").contains(
+        "a.json does not name its map: open the map (.map) that the plan was made for, too."
+    ));
 }

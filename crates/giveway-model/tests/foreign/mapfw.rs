@@ -3,10 +3,10 @@
 
 use giveway_model::Cell;
 use giveway_model::check::Rule;
-use giveway_model::format::foreign::{Format, Held, read, recognise};
+use giveway_model::format::foreign::{Format, Held, Missing, read, recognise};
 use serde_json::{Value, json};
 
-use crate::support::{comes_back, opened, refused, violations};
+use crate::support::{comes_back, lacking, opened, refused, violations};
 
 /// A problem; the server writes sides as texts, too.
 fn problem() -> Value {
@@ -149,5 +149,16 @@ fn faults_have_their_place_and_keys() {
     assert_eq!(
         refused(&changed("grid", json!([wide]))).to_string(),
         "line 3, column 9: grid: found a grid of 2000 x 1 cells, expected 1 to 1024 rows and columns"
+    );
+}
+
+#[test]
+fn a_solution_alone_asks_for_its_problem() {
+    let (what, sentence) = lacking("a-solution.json", SOLUTION);
+    assert_eq!(what, Missing::Problem);
+    assert_eq!(
+        sentence,
+        "a-solution.json is a solution without its problem: open the benchmark of mapfw.nl (.json), \
+         which has the map and the robots, together with it."
     );
 }

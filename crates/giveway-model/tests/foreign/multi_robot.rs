@@ -2,10 +2,10 @@
 //! programs print.
 
 use giveway_model::check::Rule;
-use giveway_model::format::foreign::{Format, recognise};
+use giveway_model::format::foreign::{Format, Missing, recognise};
 use giveway_model::{Cell, Cost, Instance, Scene};
 
-use crate::support::{comes_back, opened, refused, violations};
+use crate::support::{comes_back, lacking, opened, refused, violations};
 
 /// Two robots that pass each other by a pocket at (1, 1).
 const SCENARIO: &str = include_str!("../data/plans/small-scenario.yaml");
@@ -165,4 +165,15 @@ fn faults_have_their_place_and_keys() {
         assert!(fault.to_string().contains(said), "{fault}\n{text}");
         assert!(fault.line.is_some() && fault.column.is_some(), "{fault}");
     }
+}
+
+#[test]
+fn a_solution_alone_asks_for_its_problem() {
+    let (what, sentence) = lacking("plan.yaml", SCHEDULE);
+    assert_eq!(what, Missing::Problem);
+    assert_eq!(
+        sentence,
+        "plan.yaml is a solution without its problem: open the input file of libMultiRobotPlanning (.yaml), \
+         which has the map and the robots, together with it."
+    );
 }

@@ -4,7 +4,7 @@ use std::path::PathBuf;
 
 use giveway_model::check::{Rule, check};
 use giveway_model::format::foreign::{
-    ForeignPlan, Format, Gathered, Options, Refused, Source, Written, gather,
+    ForeignPlan, Format, Gathered, Missing, Options, Refused, Source, Written, gather,
 };
 use giveway_model::{Fault, Instance};
 
@@ -74,4 +74,12 @@ pub(crate) fn comes_back(format: Format, gathered: &Gathered) -> Written {
     };
     assert_eq!(plans(&again), plans(gathered));
     written
+}
+
+/// What is missing beside a file, and the sentence that asks for it.
+pub(crate) fn lacking(name: &str, text: &str) -> (Missing, String) {
+    match opened(&[(name, text)]) {
+        Err(Refused::Missing { what, sentence, .. }) => (what, sentence),
+        other => panic!("{other:?}"),
+    }
 }

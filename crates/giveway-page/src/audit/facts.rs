@@ -21,6 +21,8 @@ const MOST: usize = 50;
 /// What there is to tell of a plan of elsewhere.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Facts {
+    /// What the whole is called.
+    pub title: String,
     /// The file.
     pub file: String,
     /// `8 robots, times 0 to 14`.
@@ -127,6 +129,7 @@ fn facts_by(state: &State, known: &Known, is_running: bool) -> Option<Facts> {
     let compares = audit.beside != Beside::Nothing && audit.other().is_some();
     let steps = file.plan.paths.values().map(Vec::len).max().unwrap_or(1);
     Some(Facts {
+        title: plan.title().to_owned(),
         file: file.file.clone(),
         extent: format!(
             "{}, times 0 to {}",
@@ -139,7 +142,8 @@ fn facts_by(state: &State, known: &Known, is_running: bool) -> Option<Facts> {
         facts: file_facts(plan),
         verdict: verdict(audit, known, is_running),
         violations: shown
-            .map(|broken| violation(plan, broken, broken.time == time))
+            .enumerate()
+            .map(|(index, broken)| violation(plan, broken, index, broken.time == time))
             .collect(),
         more: plan.violations.len().saturating_sub(MOST),
         costs: if is_legal {

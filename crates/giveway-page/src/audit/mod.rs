@@ -4,9 +4,11 @@
 //! The plan stays as it was written, whatever it breaks. What our own search
 //! finds is kept beside it and never takes its place unasked.
 
+pub(crate) mod conflicts;
 mod dropped;
 mod facts;
 mod gap;
+mod own;
 pub(crate) mod report;
 mod rows;
 mod seen;
@@ -21,9 +23,11 @@ use giveway_model::format::foreign::Conventions;
 use crate::files::Opened;
 use crate::{Answer, State};
 
+pub use conflicts::{Conflicts, conflicts};
 pub use dropped::Dropped;
 pub use facts::{Choice, Compared, Facts, PlanRow, facts};
 pub(crate) use facts::{Told, told};
+pub use own::question;
 pub use rows::{CostRow, Fact, ViolationRow};
 pub use seen::{ahead, bursts_of};
 pub use verdict::Verdict;
@@ -32,6 +36,12 @@ pub(crate) use words::{badge, sentence};
 /// What a person does with a plan of elsewhere.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum AuditAction {
+    /// Asks how good the plan on the board is.
+    Begin,
+    /// Shows a broken rule, by its index: its time and its place.
+    Show(usize),
+    /// Shows the next broken rule of the robot that is selected, else of all.
+    Next,
     /// Looks for a legal plan, or for a better one.
     Find,
     /// Shows another plan beside this one, or no longer.

@@ -2,8 +2,8 @@
 //! breaks, what it costs.
 
 use giveway_model::check::{Rule, Violation};
+use giveway_model::compare::{ClaimedCost, claims};
 use giveway_model::words::capital;
-use giveway_model::{Cost, Costs};
 
 use super::gap::Known;
 use super::{Audit, Dropped};
@@ -23,6 +23,8 @@ pub struct Fact {
 /// A broken rule.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct ViolationRow {
+    /// Which of all of them it is.
+    pub index: usize,
     /// What goes wrong.
     pub text: String,
     /// Where, or why; empty where there is nothing to say.
@@ -60,6 +62,9 @@ impl CostRow {
 /// How the file was read, with why; and what it claims, where that is not so.
 pub(super) fn facts(plan: &Dropped) -> Vec<Fact> {
     let file = &plan.file;
+    if plan.is_own() {
+        return Vec::new();
+    }
     let mut facts = vec![Fact {
         title: "Format".to_owned(),
         what: file.format.looks().to_owned(),
@@ -76,39 +81,32 @@ pub(super) fn facts(plan: &Dropped) -> Vec<Fact> {
             },
         });
     }
-    if let Some(costs) = plan.answer.solved.costs {
-        facts.extend(claim(plan, &costs));
-    }
+    facts.extend(claimed(plan));
     facts
 }
 
 /// What the file says that its plan costs, where we count otherwise.
-fn claim(plan: &Dropped, costs: &Costs) -> Vec<Fact> {
-    let agents = plan.answer.draft.agents().len() as u64;
-    let claimed = plan.file.claimed;
-    let pairs = [
-        (Cost::SumOfCosts, claimed.sum_of_costs),
-        (Cost::Makespan, claimed.makespan),
-    ];
-    let differs = |(cost, claimed): (Cost, Option<u64>)| {
-        let own = u64::from(costs.get(cost));
-        let claimed = claimed.filter(|&claimed| claimed != own)?;
-        let why = if cost == Cost::SumOfCosts && claimed == agents * u64::from(costs.makespan) {
-            "It counts each robot until the last one arrives.".to_owned()
-        } else if cost == Cost::SumOfCosts && claimed == own + agents {
-            "It counts the start of each robot as a step.".to_owned()
-        } else if cost == Cost::Makespan && claimed == own + 1 {
-            "It counts times, not steps.".to_owned()
-        } else {
-            format!("By our count it is {own}: steps until each robot stays at its goal.")
+fn claimed(plan: &Dropped) -> Vec<Fact> {
+    let Ok(instance) = plan.answer.draft.instance() else {
+        return Vec::new();
+    };
+    let file = &plan.file;
+    let all = claims(instance, &file.plan, file.claimed, file.written);
+    let fact = |claim: ClaimedCost| {
+        let own = claim.counted.filter(|_| !claim.agrees())?;
+        let why = match claim.definition {
+            Some(definition) => format!("{} Here it is {own}.", definition.sentence()),
+            None => {
+                format!("By our count it is {own}: steps until each robot stays at its goal.")
+            }
         };
         Some(Fact {
             title: "It says".to_owned(),
-            what: format!("{} {claimed}", title(cost)),
+            what: format!("{} {}", title(claim.cost), claim.claimed),
             why,
         })
     };
-    pairs.into_iter().filter_map(differs).collect()
+    all.into_iter().filter_map(fact).collect()
 }
 
 /// The costs of the objective, each with what is proved of it.
@@ -126,10 +124,16 @@ pub(super) fn costs(audit: &Audit, known: &Known) -> Vec<CostRow> {
 }
 
 /// A broken rule as it stands in the list.
-pub(super) fn violation(plan: &Dropped, violation: &Violation, is_now: bool) -> ViolationRow {
+pub(super) fn violation(
+    plan: &Dropped,
+    violation: &Violation,
+    index: usize,
+    is_now: bool,
+) -> ViolationRow {
     let (text, detail) =
         words(plan, violation).unwrap_or((violation.message.clone(), String::new()));
     ViolationRow {
+        index,
         text,
         detail,
         time: violation.time,

@@ -14,7 +14,7 @@ use giveway_model::format::foreign::Format;
 
 use crate::State;
 use crate::files::{Opened, scene_file};
-use protocol::{Read, Task};
+use protocol::{Read, ReportKind, Task};
 
 pub use known::beside;
 pub use work::work;
@@ -57,6 +57,15 @@ pub struct Written {
     pub files: Vec<(String, String)>,
     /// What is lost; where there are no files, why there are none.
     pub losses: Vec<String>,
+}
+
+/// What is to be written by the reader.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub enum Save {
+    /// The scene, and the plan that is shown.
+    As(Format),
+    /// A report of the audit, with a link that opens it.
+    Report(ReportKind, String),
 }
 
 impl Job {

@@ -99,7 +99,7 @@ fn lacking(
         sentence,
         map: match what {
             Missing::Map(name) => name,
-            Missing::Scenario => None,
+            Missing::Scenario | Missing::Problem => None,
         },
         files,
         on_board,

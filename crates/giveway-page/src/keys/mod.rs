@@ -5,6 +5,8 @@ mod help;
 #[cfg(test)]
 mod tests;
 
+use crate::audit::AuditAction;
+use crate::find::FindAction;
 use crate::reduce::only_looks;
 use crate::steering::Lead;
 use crate::{Action, BoardAction, ChangeAction, PlayAction, SolveAction, State, Tool, ViewAction};
@@ -82,6 +84,11 @@ fn meant(key: Key<'_>, state: &State) -> Option<Command> {
             let follow = Action::View(ViewAction::Follow(!state.view.follow));
             state.selected_agent().and_then(|_| on_plan(follow))
         }
+        "/" => {
+            let has_agents = !state.world().agents().is_empty();
+            has_agents.then_some(Action::Find(FindAction::Open))
+        }
+        "n" | "N" => state.audit().map(|_| Action::Audit(AuditAction::Next)),
         "x" | "X" => state
             .can_change()
             .then_some(Action::Change(ChangeAction::Begin)),

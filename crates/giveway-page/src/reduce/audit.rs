@@ -8,17 +8,26 @@ use giveway_model::format::foreign::ForeignPlan;
 use giveway_solve::{SolveAnswer, Status};
 
 use super::document::{amend, put};
-use super::{ask, file, intake, solve};
-use crate::audit::{Audit, AuditAction, Beside, Dropped};
+use super::{ask, file, find, intake, play, solve};
+use crate::audit::{Audit, AuditAction, Beside, Dropped, conflicts};
 use crate::files::Opened;
 use crate::known::merged;
-use crate::{Answer, Arrival, Document, Draft, Mode, Notice, Solving, State, Tab};
+use crate::{Answer, Arrival, Document, Draft, Mode, Notice, Selection, Solving, State, Tab};
 
 pub(super) fn audit(state: &mut State, action: AuditAction) {
+    if action == AuditAction::Begin {
+        return begin(state);
+    }
     let Some(audit) = state.audit().cloned() else {
         return;
     };
     match action {
+        AuditAction::Begin => {}
+        AuditAction::Show(index) => show(state, &audit, index),
+        AuditAction::Next => match conflicts::next(state) {
+            Ok(index) => show(state, &audit, index),
+            Err(sentence) => state.view.notice = Some(Notice::new(sentence)),
+        },
         AuditAction::Find => find(state, &audit),
         AuditAction::Compare(on) => beside(state, &audit, compared(on)),
         AuditAction::ShowOther(on) => {
@@ -35,6 +44,36 @@ pub(super) fn audit(state: &mut State, action: AuditAction) {
             ask::close(state);
             super::document::enter(state, Mode::Editing);
         }
+    }
+}
+
+/// The plan on the board is audited, as one step of undo.
+fn begin(state: &mut State) {
+    let Some(audit) = Audit::of_own(state) else {
+        return;
+    };
+    let document = Document {
+        within: state.document.within,
+        colours: state.document.colours,
+        ..Document::audited(audit)
+    };
+    super::stroke::release(state);
+    put(state, document);
+    state.view.selection = Selection::Nothing;
+    state.view.tab = Tab::Inspector;
+    solve::start(state, solve::Start::quiet());
+}
+
+/// Shows a broken rule: its time, and its place.
+fn show(state: &mut State, audit: &Audit, index: usize) {
+    let Some(violation) = audit.plan.violations.get(index) else {
+        return;
+    };
+    state.view.notice = None;
+    play::seek(state, violation.time);
+    state.view.conflict = Some(index);
+    if let Some(cell) = conflicts::place(violation) {
+        find::show(state, cell);
     }
 }
 
@@ -147,6 +186,7 @@ fn choose(state: &mut State, audit: &Audit, index: usize) {
         return;
     };
     ask::close(state);
+    state.view.conflict = None;
     let other = Audit {
         plan,
         ..audit.clone()

@@ -119,6 +119,9 @@ pub(super) fn replace(state: &mut State, document: Document) {
     view.notice = None;
     view.selection = Selection::Nothing;
     view.tool = Tool::Select;
+    view.follow = false;
+    view.find = None;
+    view.conflict = None;
     // What moved goes no further: it is of another scene.
     view.playback.stop_at(0);
 }

@@ -6,10 +6,10 @@ use std::rc::Rc;
 use giveway_model::format::foreign::{Conventions, Format};
 
 use super::{audit, file, stroke};
-use crate::action::{IntakeAction, Save};
+use crate::action::IntakeAction;
 use crate::files::Opened;
 use crate::intake::protocol::{Found, Read, Reply, Task};
-use crate::intake::{self, Job, Written, beside};
+use crate::intake::{self, Job, Save, Written, beside};
 use crate::link::keep_moment;
 use crate::{Notice, State};
 

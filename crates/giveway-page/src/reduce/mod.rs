@@ -6,6 +6,7 @@ mod board;
 mod change;
 mod document;
 mod file;
+mod find;
 mod intake;
 mod job;
 mod play;
@@ -61,6 +62,7 @@ fn step(state: &mut State, action: Action) {
         Action::Change(action) => change::change(state, action),
         Action::Steer(lead) => steer::steer(state, lead),
         Action::Audit(action) => audit::audit(state, action),
+        Action::Find(action) => find::find(state, action),
         Action::Intake(action) => intake::intake(state, action),
         Action::Play(action) => play::play(state, action),
         Action::View(action) => view::view(state, &action),
@@ -90,6 +92,7 @@ pub(crate) const fn only_looks(action: &Action) -> bool {
         | Action::Change(_)
         | Action::Steer(_)
         | Action::Audit(_)
+        | Action::Find(_)
         | Action::Intake(_)
         | Action::Slot(_) => false,
     }

@@ -76,10 +76,12 @@ fn faults(refused: Refused) -> Vec<Fault> {
                 Missing::Map(Some(map)) => format!("a file for the map {map}"),
                 Missing::Map(None) => "a file for a map".to_owned(),
                 Missing::Scenario => "a plan without the starts of its robots".to_owned(),
+                Missing::Problem => "a solution without its problem".to_owned(),
             };
             let expected = match what {
                 Missing::Map(_) => "that map among the files",
                 Missing::Scenario => "its scenario (.scen) among the files",
+                Missing::Problem => "the file of its problem, with map and robots, among the files",
             };
             vec![Fault::at(file, found, expected)]
         }

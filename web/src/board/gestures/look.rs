@@ -49,7 +49,7 @@ impl Surface {
         let half = |a: Px, b: Px| (f64::midpoint(a.0, b.0), f64::midpoint(a.1, b.1));
         let (from, to) = (half(before, other), half(at, other));
         let factor = distance(at, other) / distance(before, other).max(1.0);
-        self.look.emit(Look::Zoom(factor, Some(from)));
-        self.look.emit(Look::Pan((to.0 - from.0, to.1 - from.1)));
+        let by = (to.0 - from.0, to.1 - from.1);
+        self.look.emit(Look::Pinch(factor, from, by));
     }
 }

@@ -75,6 +75,8 @@ pub enum Missing {
     Map(Option<String>),
     /// The starts (and goals) of the agents, in a scenario.
     Scenario,
+    /// The problem that a solution is for, in its makers' own format: map and agents.
+    Problem,
 }
 
 /// Why files make no scene.
@@ -126,9 +128,14 @@ pub fn gather(sources: &[Source<'_>], options: &Options) -> Result<Gathered, Ref
             }
         }
     }
-    let first = plans.iter().find_map(|(file, _, body)| match body {
+    let first = plans.iter().find_map(|(file, format, body)| match body {
         Body::Own(_) => None,
-        Body::Written(plan, text) => Some(scene::First { file, text, plan }),
+        Body::Written(plan, text) => Some(scene::First {
+            file,
+            format: *format,
+            text,
+            plan,
+        }),
     });
     let settled = base.settle(first, options)?;
     let plans = plans

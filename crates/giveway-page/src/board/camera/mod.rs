@@ -14,6 +14,9 @@ use crate::Point;
 /// The largest side of a cell, in pixels.
 pub const MAX_CELL_PX: f64 = 148.0;
 
+/// The side of a cell that was looked for, in pixels, where cells were too small.
+const FOUND_PX: f64 = 20.0;
+
 /// The space around the map where the axis stands, in units: left and above,
 /// then right and below.
 const AXIS: (f64, f64) = (34.0, 10.0);
@@ -143,6 +146,25 @@ impl Camera {
         );
         let px = frame.cell_px / CELL;
         self.pan((-units.0 * px, -units.1 * px), board, screen)
+    }
+
+    /// Moved so that a cell can be found: in the middle, unless it is wholly in sight;
+    /// nearer where agents are dots.
+    #[must_use]
+    pub fn find(&self, cell: Cell, board: (u32, u32), screen: (f64, f64)) -> Self {
+        let cell_px = self.cell_px(board, screen);
+        let is_seen = self.show(cell, board, screen) == self.settled(board, screen);
+        let nearer = match Detail::of(cell_px) {
+            Detail::Dots => FOUND_PX / cell_px,
+            _ if is_seen => return *self,
+            _ => 1.0,
+        };
+        let middle = Point {
+            x: f64::from(cell.x),
+            y: f64::from(cell.y),
+        };
+        self.zoom(nearer, (0.0, 0.0), board, screen)
+            .centred(middle, board, screen)
     }
 
     /// Moved so that a point, in cells, is in the middle, as far as the map goes.

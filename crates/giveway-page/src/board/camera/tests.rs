@@ -121,3 +121,22 @@ fn the_cells_in_sight() {
     let camera = Camera::default().zoom(1.7, (0.0, 220.0), BOARD, SCREEN);
     assert_eq!(camera.frame(BOARD, SCREEN).cells(BOARD).0, (0, 5));
 }
+
+#[test]
+fn a_robot_that_is_looked_for_is_found() {
+    let large = (256, 256);
+    let cell = Cell::new(200, 100);
+    let found = Camera::default().find(cell, large, SCREEN);
+    let frame = found.frame(large, SCREEN);
+    near(frame.cell_px, FOUND_PX);
+    let middle = frame.point((SCREEN.0 / 2.0, SCREEN.1 / 2.0));
+    near(middle.x, 200.0);
+    near(middle.y, 100.0);
+    // What is in sight and large enough stays where it is; else it comes to the middle.
+    assert_eq!(found.find(Cell::new(201, 101), large, SCREEN), found);
+    let other = found.find(Cell::new(20, 200), large, SCREEN);
+    near(other.frame(large, SCREEN).cell_px, FOUND_PX);
+    assert!(other.frame(large, SCREEN).x < 100.0);
+    let small = Camera::default();
+    assert_eq!(small.find(Cell::new(9, 2), BOARD, SCREEN), small);
+}

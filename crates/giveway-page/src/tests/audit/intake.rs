@@ -5,10 +5,10 @@ use std::rc::Rc;
 use giveway_model::format::foreign::Format;
 
 use super::{LEGAL, MEETING, SCENE, audit, dropped, file, fresh, read_out};
-use crate::action::{IntakeAction, Save};
+use crate::action::IntakeAction;
 use crate::intake::protocol::Reply;
 use crate::tests::answered as answer;
-use crate::{Action, FileAction, Notice, State, reduce};
+use crate::{Action, FileAction, Notice, Save, State, reduce};
 
 const MAP: &str = "type octile\nheight 2\nwidth 3\nmap\n...\n...\n";
 
@@ -101,7 +101,7 @@ const PATHS: &str =
 fn a_plan_waits_for_its_map() {
     let waiting = dropped(&fresh(), &[("paths.txt", PATHS)]);
     assert!(
-        notice(&waiting).contains("paths.txt needs a map"),
+        notice(&waiting).contains("paths.txt does not name its map"),
         "{}",
         notice(&waiting)
     );

@@ -1,5 +1,6 @@
 //! Plans of elsewhere: dropped, judged, compared, kept.
 
+mod conflicts;
 mod flow;
 mod intake;
 

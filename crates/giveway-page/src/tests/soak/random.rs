@@ -8,6 +8,7 @@ use super::Session;
 use crate::action::IntakeAction;
 use crate::audit::AuditAction;
 use crate::files::Opened;
+use crate::find::FindAction;
 use crate::intake::protocol::{Read, Task};
 use crate::intake::work;
 use crate::steering::Lead;
@@ -43,6 +44,7 @@ impl Session {
             91..93 => vec![Action::Audit(self.audit())],
             93..97 => self.look(),
             97 => self.dropped(),
+            98 => self.find(),
             _ => vec![self.file()],
         }
     }
@@ -217,7 +219,10 @@ impl Session {
 
     fn audit(&mut self) -> AuditAction {
         let is = self.rng.bool();
-        match self.rng.u8(0..6) {
+        match self.rng.u8(0..9) {
+            6 => AuditAction::Begin,
+            7 => AuditAction::Show(self.rng.usize(0..4)),
+            8 => AuditAction::Next,
             0 => AuditAction::Find,
             1 => AuditAction::Compare(is),
             2 => AuditAction::ShowOther(is),
@@ -225,6 +230,19 @@ impl Session {
             4 => AuditAction::Choose(self.rng.usize(0..2)),
             _ => AuditAction::Leave,
         }
+    }
+
+    fn find(&mut self) -> Vec<Action> {
+        let part = *self.rng.choice(&["", "A", "1", "B2", "x"]).unwrap();
+        let actions = [
+            FindAction::Open,
+            FindAction::Type(part.to_owned()),
+            FindAction::Step {
+                down: self.rng.bool(),
+            },
+            FindAction::Take(self.rng.bool().then(|| self.rng.usize(0..3))),
+        ];
+        actions.map(Action::Find).to_vec()
     }
 
     fn file(&mut self) -> Action {

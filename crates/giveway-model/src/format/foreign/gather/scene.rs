@@ -30,6 +30,7 @@ pub(super) struct Settled {
 /// The first plan that is not by names, with its file.
 #[derive(Clone, Copy)]
 pub(super) struct First<'a> {
+    pub(super) format: Format,
     pub(super) file: &'a str,
     pub(super) text: &'a str,
     pub(super) plan: &'a WrittenPlan,
@@ -89,12 +90,14 @@ impl Base {
         }
         let (grid, scenario) = match (self.map, self.scenario) {
             (Some(map), scenario) => (map, scenario),
-            (None, Some((file, scenario))) => return Err(missing_map(file, scenario.map_name())),
+            (None, Some((file, scenario))) => {
+                return Err(missing(file, Format::MovingAi, scenario.map_name()));
+            }
             (None, None) => {
                 return Err(match plan {
-                    Some(First { file, plan, .. }) => {
-                        missing_map(file.to_owned(), plan.map.as_deref())
-                    }
+                    Some(First {
+                        file, format, plan, ..
+                    }) => missing(file.to_owned(), format, plan.map.as_deref()),
                     None => Refused::Apart("There is no scene in these files.".to_owned()),
                 });
             }
@@ -156,18 +159,53 @@ fn settled(file: &str, scene: Scene, notes: Vec<String>) -> Result<Settled, Refu
     })
 }
 
-fn missing_map(file: String, map: Option<&str>) -> Refused {
+/// What a file without a map lacks: the problem of its makers' own format, else a
+/// map, by its name where the file tells it.
+fn missing(file: String, format: Format, map: Option<&str>) -> Refused {
+    if let Some(problem) = problem(format) {
+        return Refused::Missing {
+            sentence: format!(
+                "{file} is a solution without its problem: open {problem}, which has the map and the robots, together with it."
+            ),
+            what: Missing::Problem,
+            file,
+        };
+    }
     let map = map
         .map(|map| base_name(map).to_owned())
         .filter(|map| !map.is_empty());
     let sentence = match &map {
-        Some(map) => format!("{file} is for the map {}: open that map, too.", stem(map)),
-        None => format!("{file} needs a map: open its map, too."),
+        Some(map) => format!(
+            "{file} is for the map {}: open {}.map, too.",
+            stem(map),
+            stem(map)
+        ),
+        None if format == Format::MovingAi => format!(
+            "{file} is a scenario that does not name its map: open the map (.map) that it was made for, too."
+        ),
+        None => format!(
+            "{file} does not name its map: open the map (.map) that the plan was made for, too."
+        ),
     };
     Refused::Missing {
         file,
         what: Missing::Map(map),
         sentence,
+    }
+}
+
+/// The file that holds the problem, where a format has one of its own.
+const fn problem(format: Format) -> Option<&'static str> {
+    match format {
+        Format::MultiRobot => Some("the input file of libMultiRobotPlanning (.yaml)"),
+        Format::Asprilo => Some("its instance (.lp)"),
+        Format::Mapfw => Some("the benchmark of mapfw.nl (.json)"),
+        Format::Giveway
+        | Format::MovingAi
+        | Format::Tracker
+        | Format::Paths
+        | Format::Result
+        | Format::League => None,
     }
 }
 
@@ -187,7 +225,7 @@ fn of_plan(
             file: file.to_owned(),
             what: Missing::Scenario,
             sentence: format!(
-                "{file} does not say where its robots start: open the scenario (.scen) of the plan, too."
+                "{file} does not say where its robots start: open the scenario (.scen) that the plan was made for, too."
             ),
         });
     }

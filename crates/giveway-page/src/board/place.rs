@@ -1,0 +1,27 @@
+//! Where an agent is at the time shown.
+
+use giveway_model::Cell;
+
+use crate::State;
+
+/// The cell of an agent at the time shown: where the plan has it then (in transit
+/// the cell that it leaves), or its start without a plan. `None` for one that is
+/// not there.
+pub(crate) fn place_of(state: &State, agent: usize) -> Option<Cell> {
+    let draft = state.world();
+    let own = draft
+        .agents()
+        .get(agent)
+        .filter(|_| state.is_there(agent))?;
+    let shown = state.shown();
+    let shown = shown.filter(|answer| answer.agent(draft, agent).is_some());
+    let Some(plan) = shown.and_then(|answer| answer.plan()) else {
+        return Some(own.start);
+    };
+    let path = plan.path(&own.name);
+    let from = plan.from.get(&own.name).copied().unwrap_or(0);
+    let time = state.view.playback.time.saturating_sub(from) as usize;
+    let until = path.get(..=time).unwrap_or(path);
+    let last = until.iter().rev().find_map(|cell| *cell);
+    Some(last.unwrap_or(own.start))
+}

@@ -1,0 +1,55 @@
+//! A robot is found by its name; cells are brought into view.
+
+use giveway_model::Cell;
+
+use super::board;
+use crate::find::{Find, FindAction, at_place, listed};
+use crate::view::Sought;
+use crate::{Selection, State};
+
+pub(super) fn find(state: &mut State, action: FindAction) {
+    match action {
+        FindAction::Open => {
+            if !state.world().agents().is_empty() {
+                state.view.find = Some(Find::default());
+            }
+        }
+        FindAction::Type(typed) => {
+            if let Some(find) = &mut state.view.find {
+                *find = Find { typed, chosen: 0 };
+            }
+        }
+        FindAction::Step { down } => {
+            let count = listed(state);
+            if let Some(find) = &mut state.view.find {
+                find.step(count, down);
+            }
+        }
+        FindAction::Take(place) => {
+            if let Some(agent) = at_place(state, place) {
+                take(state, agent);
+            }
+        }
+        FindAction::Close => state.view.find = None,
+    }
+}
+
+/// Selects a robot and brings it into view.
+fn take(state: &mut State, agent: usize) {
+    state.view.find = None;
+    board::select(state, Selection::Agent(agent));
+    if let Some(cell) = crate::board::place_of(state, agent) {
+        show(state, cell);
+    }
+}
+
+/// Brings a cell into view; the keyboard goes there, too.
+pub(super) fn show(state: &mut State, cell: Cell) {
+    let view = &mut state.view;
+    view.cursor = state.document.draft.clamp(cell);
+    let number = view.sought.map_or(0, |sought| sought.number);
+    view.sought = Some(Sought {
+        cell: view.cursor,
+        number: number.wrapping_add(1),
+    });
+}
