@@ -213,7 +213,9 @@ const fn problem(format: Format) -> Option<&'static str> {
 fn of_plan(
     map_file: &str,
     grid: &Grid,
-    First { file, text, plan }: First<'_>,
+    First {
+        file, text, plan, ..
+    }: First<'_>,
     chosen: Option<Conventions>,
 ) -> Result<Settled, Refused> {
     let lacks_start = plan
