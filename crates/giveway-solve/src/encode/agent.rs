@@ -12,6 +12,7 @@
 //! Diagrams in SAT: Surynek et al., "Efficient SAT approach to multi-agent path
 //! finding under the sum of costs objective" (2016).
 
+mod layers;
 mod read;
 mod waits;
 mod write;
@@ -51,6 +52,8 @@ pub(crate) struct MddEncoding {
     optimum: u32,
     mdd: Mdd,
     nodes: Vec<Lit>,
+    /// The nodes of each time.
+    layers: Vec<Vec<Lit>>,
     /// How many steps of each node are in its successor clause.
     written: Vec<u8>,
     /// Nodes whose successor clause changes, by the deadline at which it does.
@@ -74,6 +77,7 @@ impl MddEncoding {
             optimum: problem.optima[id],
             mdd: Mdd::new(task, problem.optima[id]),
             nodes: Vec::new(),
+            layers: Vec::new(),
             written: Vec::new(),
             due: BTreeMap::new(),
             by: Vec::new(),
@@ -162,6 +166,9 @@ impl MddEncoding {
                 budget.tick()?;
                 self.write_steps(id, deadline, task, &problem.terrain, &mut added, out);
             }
+        }
+        if self.battery.is_none() {
+            self.write_layers(old, deadline, out);
         }
         if let Some(battery) = &mut self.battery {
             let chain = &mut self.by;

@@ -16,7 +16,7 @@ const FIRST_DERIVED: u64 = 1000;
 const FIRST_GIVEN: u64 = 400_000;
 /// States of single agents that local search may look at, for each clause that the
 /// SAT solver derives: so both get their share of the time.
-const STATES_PER_CLAUSE: u64 = 200;
+const STATES_PER_CLAUSE: u64 = 60;
 /// The states for each agent that it may look at whenever the proof has come a step
 /// further, as long as the plan is far from the bound and becomes better.
 const STATES_PER_AGENT: u64 = 1000;
@@ -28,7 +28,7 @@ const DEARER: u64 = 8;
 /// The least that is worth to begin with.
 const LEAST_STATES: u64 = 20_000;
 /// States without a better plan, after which none is expected.
-const IN_VAIN: u64 = 300_000;
+const IN_VAIN: u64 = 1_000_000;
 
 /// The neighbourhood search, and when it goes on.
 pub(super) struct Polishing {
