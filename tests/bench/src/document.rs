@@ -33,6 +33,12 @@ pub(crate) const CHANGES: Marks = Marks {
     end: "<!-- end of the changes -->",
 };
 
+/// The table of crowds.
+pub(crate) const CROWDS: Marks = Marks {
+    begin: "<!-- crowds: written by `./x bench --crowds` -->",
+    end: "<!-- end of the crowds -->",
+};
+
 /// Puts tables into the document.
 ///
 /// # Errors
@@ -62,7 +68,7 @@ mod tests {
 
     #[test]
     fn only_what_is_between_the_markers_changes() {
-        for marks in [TABLES, PROOFS, QUESTIONS, CHANGES] {
+        for marks in [TABLES, PROOFS, QUESTIONS, CHANGES, CROWDS] {
             let Marks { begin, end } = marks;
             let text = format!("before\n{begin}\nold\n{end}\nafter\n");
             let new = replaced(&text, &marks, "new\n").unwrap();

@@ -5,7 +5,8 @@
 //! writes `docs/benchmarks.md`; with words behind it only the rows whose names
 //! hold one of them, and the tables are only printed. `./x bench --proofs` makes
 //! and checks certificates instead, `./x bench --questions` answers questions,
-//! `./x bench --changes` goes on where agents join others.
+//! `./x bench --changes` goes on where agents join others, `./x bench --crowds` looks
+//! at plans and bounds of crowds after some seconds.
 #![allow(
     clippy::print_stdout,
     clippy::print_stderr,
@@ -13,6 +14,7 @@
 )]
 
 mod changes;
+mod crowds;
 mod document;
 mod proofs;
 mod questions;
@@ -30,6 +32,7 @@ use crate::run::{Command, Outcome};
 
 /// Runs the command on the instances of tests/data and tabulates its work
 #[derive(Debug, Parser)]
+#[expect(clippy::struct_excessive_bools, reason = "options of a command line")]
 struct Args {
     /// Only the rows whose names hold one of these; nothing is written then
     #[arg(value_name = "PART")]
@@ -46,6 +49,9 @@ struct Args {
     /// Only agents that join others; their table is written
     #[arg(long)]
     changes: bool,
+    /// Only crowds; their table is written
+    #[arg(long)]
+    crowds: bool,
 }
 
 fn main() -> Result<ExitCode, Box<dyn Error>> {
@@ -65,6 +71,15 @@ fn main() -> Result<ExitCode, Box<dyn Error>> {
         let table = changes::table(f64::from(args.time_limit))?;
         document::put(&document::CHANGES, &table)?;
         eprintln!("written to docs/benchmarks.md");
+        return Ok(ExitCode::SUCCESS);
+    }
+    if args.crowds {
+        let table = crowds::table(&args.parts)?;
+        println!("{table}");
+        if args.parts.is_empty() {
+            document::put(&document::CROWDS, &table)?;
+            eprintln!("written to docs/benchmarks.md");
+        }
         return Ok(ExitCode::SUCCESS);
     }
     let mut text = String::new();
