@@ -1,0 +1,85 @@
+//! The planners by name.
+
+use std::fmt;
+use std::str::FromStr;
+
+/// A planner of the textbook.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+pub enum Planner {
+    /// Prioritised planning.
+    Prioritised,
+    /// Conflict-based search.
+    Cbs,
+    /// Priority inheritance with backtracking.
+    Pibt,
+    /// Lazy constraints addition search, in its anytime form LaCAM*.
+    Lacam,
+    /// Large neighbourhood search.
+    Lns,
+}
+
+impl Planner {
+    /// All of them, in the order in which lists show them.
+    pub const ALL: [Self; 5] = [
+        Self::Prioritised,
+        Self::Cbs,
+        Self::Pibt,
+        Self::Lacam,
+        Self::Lns,
+    ];
+
+    /// The name in files and on the command line.
+    pub const fn name(self) -> &'static str {
+        match self {
+            Self::Prioritised => "prioritised",
+            Self::Cbs => "cbs",
+            Self::Pibt => "pibt",
+            Self::Lacam => "lacam",
+            Self::Lns => "lns",
+        }
+    }
+
+    /// What its steps are, for people: of many, without their number.
+    pub const fn steps(self) -> &'static str {
+        match self {
+            Self::Prioritised => "orders tried",
+            Self::Cbs => "nodes of the constraint tree",
+            Self::Pibt => "time steps",
+            Self::Lacam => "configurations",
+            Self::Lns => "neighbourhoods",
+        }
+    }
+}
+
+impl fmt::Display for Planner {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(self.name())
+    }
+}
+
+/// A word that names no planner.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct UnknownPlanner(pub String);
+
+impl fmt::Display for UnknownPlanner {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(
+            f,
+            "found \"{}\", expected prioritised, cbs, pibt, lacam or lns",
+            self.0
+        )
+    }
+}
+
+impl std::error::Error for UnknownPlanner {}
+
+impl FromStr for Planner {
+    type Err = UnknownPlanner;
+
+    fn from_str(word: &str) -> Result<Self, UnknownPlanner> {
+        Self::ALL
+            .into_iter()
+            .find(|planner| planner.name() == word)
+            .ok_or_else(|| UnknownPlanner(word.to_owned()))
+    }
+}

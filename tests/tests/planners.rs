@@ -1,0 +1,123 @@
+//! The planners of the textbook against the oracle and the judge, on random small instances.
+//!
+//! `GIVEWAY_LONG=1` looks at 2,000 of them, 200 otherwise; `GIVEWAY_RANDOM_SEED`
+//! sets the seed.
+#![allow(
+    clippy::unwrap_used,
+    clippy::print_stdout,
+    clippy::panic,
+    reason = "a test that cannot go on ends with a panic"
+)]
+
+use giveway_model::{Cost, Costs, Instance, Objective, check::check};
+use giveway_planners::{
+    planner::{Outcome, Planner, Report},
+    problem::Problem,
+};
+use giveway_tests::oracle::{Question, Verdict};
+use giveway_tests::textbook::{self, Steps};
+use giveway_tests::{environment, random};
+
+/// What the oracle may make before it gives up.
+const CAP: usize = 200_000;
+
+/// How many instances are looked at.
+fn count() -> u64 {
+    match environment::number("GIVEWAY_LONG", 0) {
+        0 => 200,
+        _ => 2_000,
+    }
+}
+
+/// An instance with one of the two costs that CBS knows as its first.
+fn instance(number: u64) -> Instance {
+    let seed = environment::number("GIVEWAY_RANDOM_SEED", 1);
+    let cost = [Cost::Makespan, Cost::SumOfCosts][(number % 2) as usize];
+    let objective = Objective::new(vec![cost]).unwrap();
+    random::crowded(seed, number).with_objective(objective)
+}
+
+/// The least cost, where there is a plan, and the oracle can tell.
+enum Truth {
+    Least(u32),
+    Impossible,
+    TooLarge,
+}
+
+fn truth(instance: &Instance) -> Truth {
+    let question = Question {
+        instance,
+        within: None,
+        cap: CAP,
+    };
+    match question.best() {
+        Verdict::Best(point) => Truth::Least(point.vector[0]),
+        Verdict::Impossible => Truth::Impossible,
+        Verdict::Capped => Truth::TooLarge,
+    }
+}
+
+/// The plan of a report, passed by the judge with the costs that it has.
+fn judged(instance: &Instance, problem: &Problem, report: &Report) -> Option<Costs> {
+    let walks = report.outcome.walks()?;
+    let plan = textbook::plan_of(instance, problem, walks);
+    let verdict = check(instance, &plan);
+    let scene = serde_json::to_string(&instance.to_scene()).unwrap();
+    assert!(verdict.is_valid(), "{:?}\n{scene}", verdict.violations);
+    assert_eq!(
+        verdict.costs,
+        Some(textbook::costs(problem, walks)),
+        "{scene}"
+    );
+    verdict.costs
+}
+
+#[test]
+fn cbs_finds_what_is_best_and_prioritised_planning_nothing_better() {
+    let (mut best, mut found, mut failed, mut impossible) = (0, 0, 0, 0);
+    for number in 0..count() {
+        let instance = instance(number);
+        let truth = truth(&instance);
+        let Ok(problem) = textbook::problem(&instance) else {
+            assert!(!matches!(truth, Truth::Least(_)), "one alone can do it");
+            continue;
+        };
+        let scene = serde_json::to_string(&instance.to_scene()).unwrap();
+        let first = instance.objective().costs()[0];
+        let cbs = textbook::plan(Planner::Cbs, &instance, &problem, Steps(400_000));
+        let cost = judged(&instance, &problem, &cbs).map(|costs| costs.get(first));
+        let bound = cbs.outcome.bound().unwrap();
+        assert_eq!(bound.cost(), first);
+        match (&truth, &cbs.outcome) {
+            (Truth::Least(least), Outcome::Best { proved, .. }) => {
+                assert_eq!(
+                    (cost, proved.within()),
+                    (Some(*least), None),
+                    "{number}: {scene}"
+                );
+                assert_eq!(bound.at_least(), *least, "{number}: {scene}");
+                best += 1;
+            }
+            (Truth::Impossible, Outcome::Stopped { walks: None, .. }) => impossible += 1,
+            (Truth::TooLarge, _) => {}
+            (_, outcome) => panic!("{number}: {outcome:?}\n{scene}"),
+        }
+        let report = textbook::plan(Planner::Prioritised, &instance, &problem, Steps(u64::MAX));
+        let cost = judged(&instance, &problem, &report).map(|costs| costs.get(first));
+        match (&truth, &report.outcome, cost) {
+            (Truth::Least(least), Outcome::Found { .. }, Some(cost)) => {
+                assert!(cost >= *least, "{number}: {scene}");
+                found += 1;
+            }
+            (Truth::TooLarge, ..) => {}
+            (_, Outcome::NoOrderWorks { .. }, None) => failed += 1,
+            (_, outcome, _) => panic!("{number}: {outcome:?}\n{scene}"),
+        }
+    }
+    println!("{best} best, {impossible} impossible; in order {found} found, {failed} not");
+    let share = |n: u64, percent: u64| n * 100 >= count() * percent;
+    assert!(
+        share(best, 60) && share(found, 50),
+        "too few plans to compare"
+    );
+}
