@@ -49,12 +49,11 @@ pub fn small(seed: u64, number: u64) -> Instance {
     }
 }
 
-/// A small instance with more agents: 2 to 4 on at most 12 cells, or 9 where they
-/// are four. Otherwise as [`small`].
+/// A small instance with more agents: 2 to 4 on at most 12 cells, at least a third
+/// of them free. Otherwise as [`small`].
 pub fn crowded(seed: u64, number: u64) -> Instance {
     let random = &mut numbers(seed, number);
     let agents = *[2, 2, 3, 3, 4].choose(random).unwrap();
-    let most_cells = if agents == 4 { 9 } else { 12 };
     let size = Size {
         agents,
         waypoints: 1,
@@ -65,7 +64,7 @@ pub fn crowded(seed: u64, number: u64) -> Instance {
         let (width, height) = (random.random_range(2..=4), random.random_range(2..=4));
         let obstacles = *[0.0, 0.1, 0.2].choose(random).unwrap();
         let map = Map::new(random, width, height, obstacles).connected();
-        if map.free.len() > agents && map.free.len() <= most_cells {
+        if ((3 * agents).div_ceil(2)..=12).contains(&map.free.len()) {
             return size.instance(random, &map);
         }
     }

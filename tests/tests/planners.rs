@@ -74,7 +74,8 @@ fn judged(instance: &Instance, problem: &Problem, report: &Report) -> Option<Cos
 
 #[test]
 fn cbs_finds_what_is_best_and_prioritised_planning_nothing_better() {
-    let (mut best, mut found, mut failed, mut impossible) = (0, 0, 0, 0);
+    let (mut best, mut cut_off, mut impossible) = (0, 0, 0);
+    let (mut found, mut failed) = (0, 0);
     for number in 0..count() {
         let instance = instance(number);
         let truth = truth(&instance);
@@ -98,6 +99,11 @@ fn cbs_finds_what_is_best_and_prioritised_planning_nothing_better() {
                 assert_eq!(bound.at_least(), *least, "{number}: {scene}");
                 best += 1;
             }
+            // Scenes as tight as a sliding puzzle take trees of millions of nodes.
+            (Truth::Least(least), Outcome::Stopped { walks: None, .. }) => {
+                assert!(bound.at_least() <= *least, "{number}: {scene}");
+                cut_off += 1;
+            }
             (Truth::Impossible, Outcome::Stopped { walks: None, .. }) => impossible += 1,
             (Truth::TooLarge, _) => {}
             (_, outcome) => panic!("{number}: {outcome:?}\n{scene}"),
@@ -114,10 +120,12 @@ fn cbs_finds_what_is_best_and_prioritised_planning_nothing_better() {
             (_, outcome, _) => panic!("{number}: {outcome:?}\n{scene}"),
         }
     }
-    println!("{best} best, {impossible} impossible; in order {found} found, {failed} not");
+    println!("CBS: {best} best, {cut_off} cut off, {impossible} impossible");
+    println!("prioritised planning: {found} found, {failed} not");
     let share = |n: u64, percent: u64| n * 100 >= count() * percent;
     assert!(
         share(best, 60) && share(found, 50),
         "too few plans to compare"
     );
+    assert!(!share(cut_off, 5), "too many scenes without an end");
 }
