@@ -1,10 +1,25 @@
 //! The planners by name.
 
+use std::borrow::Cow;
 use std::fmt;
 use std::str::FromStr;
 
+use serde::{Deserialize, Deserializer, Serialize, de};
+
 /// A planner of the textbook.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+#[derive(
+    Clone,
+    Copy,
+    Debug,
+    PartialEq,
+    Eq,
+    PartialOrd,
+    Ord,
+    Serialize,
+    borsh::BorshSerialize,
+    borsh::BorshDeserialize,
+)]
+#[serde(rename_all = "kebab-case")]
 pub enum Planner {
     /// Prioritised planning.
     Prioritised,
@@ -36,6 +51,17 @@ impl Planner {
             Self::Pibt => "pibt",
             Self::Lacam => "lacam",
             Self::Lns => "lns",
+        }
+    }
+
+    /// The name for people, which may begin a sentence.
+    pub const fn title(self) -> &'static str {
+        match self {
+            Self::Prioritised => "Prioritised planning",
+            Self::Cbs => "CBS",
+            Self::Pibt => "PIBT",
+            Self::Lacam => "LaCAM",
+            Self::Lns => "LNS",
         }
     }
 
@@ -81,5 +107,13 @@ impl FromStr for Planner {
             .into_iter()
             .find(|planner| planner.name() == word)
             .ok_or_else(|| UnknownPlanner(word.to_owned()))
+    }
+}
+
+impl<'de> Deserialize<'de> for Planner {
+    /// By hand, since derived code also takes `{"cbs": null}`.
+    fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
+        let word = Cow::<str>::deserialize(deserializer)?;
+        word.parse().map_err(de::Error::custom)
     }
 }
