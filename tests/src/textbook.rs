@@ -49,7 +49,8 @@ pub fn plan(planner: Planner, instance: &Instance, problem: &Problem, steps: Ste
     let asked = Asked {
         problem,
         objective: instance.objective(),
-        horizon: problem.default_horizon(instance.grid()),
+        within: None,
+        default_horizon: problem.default_horizon(instance.grid()),
         order: Order::default(),
         traced: false,
     };

@@ -6,6 +6,7 @@ use super::{Asked, Planner};
 use crate::{
     AgentId,
     cbs::Aim,
+    plain::{Plain, Unsupported},
     single::{Bounds, Task},
 };
 
@@ -18,39 +19,44 @@ pub enum Inability {
     Waypoints(AgentId),
     /// The map has slow zones.
     SlowZones,
+    /// These two have one goal.
+    SharedGoal(AgentId, AgentId),
     /// A question asks something of this agent beside its task.
     Demand(AgentId),
+    /// A question leaves out rules between agents.
+    Relaxed,
     /// The objective begins with this cost.
     Cost(Cost),
-    /// The planner is not built yet.
-    NotThereYet,
 }
 
-/// What a planner lacks for what is asked; nothing where it can do it.
-pub(super) fn lacks(planner: Planner, asked: &Asked) -> Vec<Inability> {
-    // Both walk through the time steps of all agents at once.
-    let by_steps = matches!(planner, Planner::Pibt | Planner::Lacam);
+impl From<Unsupported> for Inability {
+    fn from(unsupported: Unsupported) -> Self {
+        match unsupported {
+            Unsupported::Waypoints(agent) => Self::Waypoints(agent),
+            Unsupported::Battery(agent) => Self::Battery(agent),
+            Unsupported::Demand(agent)
+            | Unsupported::Bounds(agent)
+            | Unsupported::UnderWay(agent) => Self::Demand(agent),
+            Unsupported::SharedGoal(a, b) => Self::SharedGoal(a, b),
+            Unsupported::SlowZones => Self::SlowZones,
+            Unsupported::Relaxed => Self::Relaxed,
+        }
+    }
+}
+
+/// What a planner lacks for what is asked, if anything.
+pub(super) fn lack(planner: Planner, asked: &Asked) -> Option<Inability> {
     let problem = asked.problem;
-    let mut lacks = Vec::new();
-    if planner == Planner::Cbs
-        && let Err(cost) = Aim::of(asked.objective)
-    {
-        lacks.push(Inability::Cost(cost));
+    match planner {
+        Planner::Pibt | Planner::Lacam => Plain::new(problem).err().map(Inability::from),
+        Planner::Prioritised | Planner::Cbs | Planner::Lns => {
+            let more = problem.tasks.iter().position(is_asked_for_more);
+            let cost = || Aim::of(asked.objective).err().map(Inability::Cost);
+            let is_cbs = planner == Planner::Cbs;
+            more.map(Inability::Demand)
+                .or_else(|| is_cbs.then(cost).flatten())
+        }
     }
-    let mut vertices = 0..problem.terrain.size() as u32;
-    let is_slow = |v| problem.terrain.arcs(v).iter().any(|arc| arc.slow);
-    if by_steps && vertices.any(is_slow) {
-        lacks.push(Inability::SlowZones);
-    }
-    let first = |has: &dyn Fn(&Task) -> bool| problem.tasks.iter().position(has);
-    if by_steps {
-        let waypoints = first(&|task| !task.waypoints.is_empty());
-        lacks.extend(waypoints.map(Inability::Waypoints));
-        let battery = first(&|task| task.reserve.is_some());
-        lacks.extend(battery.map(Inability::Battery));
-    }
-    lacks.extend(first(&is_asked_for_more).map(Inability::Demand));
-    lacks
 }
 
 /// Whether a task is not that of an agent of an instance.

@@ -1,9 +1,11 @@
 //! How a planner ended.
 
-use super::Inability;
+use super::{Best, Improvement, Inability};
 use crate::{
     budget::Stop,
     cbs::{LowerBound, Proved, Tree},
+    lacam,
+    pibt::Inheritance,
     prioritised::{Attempt, Stuck},
     walk::Walk,
 };
@@ -21,9 +23,9 @@ pub struct Report {
 
 impl Report {
     /// It was not begun.
-    pub(super) const fn refused(cannot: Vec<Inability>) -> Self {
+    pub(super) const fn refused(lack: Inability) -> Self {
         Self {
-            outcome: Outcome::Refused { cannot },
+            outcome: Outcome::Refused { lack },
             steps: 0,
             trace: None,
         }
@@ -50,10 +52,31 @@ pub enum Outcome {
         bound: Option<LowerBound>,
     },
     /// The method cannot do this.
-    Refused { cannot: Vec<Inability> },
+    Refused { lack: Inability },
 }
 
 impl Outcome {
+    /// With the best plan, or with none where there is none.
+    pub(super) fn found(best: Best) -> Self {
+        match best.walks() {
+            Some(walks) => Self::Found { walks },
+            None => Self::Stopped {
+                halt: Halt::Effort,
+                walks: None,
+                bound: None,
+            },
+        }
+    }
+
+    /// Early, with the best plan so far.
+    pub(super) fn stopped(halt: Halt, best: Best) -> Self {
+        Self::Stopped {
+            halt,
+            walks: best.walks(),
+            bound: None,
+        }
+    }
+
     /// The walks, where it has a plan.
     pub fn walks(&self) -> Option<&[Walk]> {
         match self {
@@ -81,6 +104,13 @@ pub enum Halt {
     /// All plans up to this makespan were excluded; longer ones were not looked
     /// for.
     Horizon(u32),
+    /// The steps of the horizon were made, and so many agents were at their goals.
+    Stuck {
+        /// How many.
+        arrived: usize,
+    },
+    /// It looked at as much as it ever looks at.
+    Effort,
 }
 
 /// How a planner went.
@@ -90,4 +120,10 @@ pub enum Trace {
     Prioritised(Vec<Attempt>),
     /// The constraint tree.
     Cbs(Tree),
+    /// Who inherited whose priority, each with the time at which its step begins.
+    Pibt(Vec<(u32, Inheritance)>),
+    /// The configurations.
+    Lacam(lacam::Trace),
+    /// The better plans.
+    Lns(Vec<Improvement>),
 }

@@ -12,7 +12,8 @@ fn asked<'a>(problem: &'a Problem, objective: &'a Objective, horizon: u32) -> As
     Asked {
         problem,
         objective,
-        horizon,
+        within: Some(horizon),
+        default_horizon: 50,
         order: Order::default(),
         traced: true,
     }
@@ -111,30 +112,54 @@ fn a_best_plan_of_a_horizon_is_best_only_up_to_it() {
 
 #[test]
 fn what_a_method_cannot_do_it_refuses_by_name() {
-    let cannot =
-        |picture: &str, planner, objective: &str| match planned(picture, planner, objective, 20)
-            .outcome
-        {
-            Outcome::Refused { cannot } => cannot,
-            other => panic!("{other:?}"),
+    let lack = |picture: &str, planner, objective| match planned(picture, planner, objective, 20)
+        .outcome
+    {
+        Outcome::Refused { lack } => lack,
+        other => panic!("{other:?}"),
+    };
+    let (waypoint, battery) = ("a . A b b! B", "a . A\nbattery a 9/9");
+    let (slow, shared) = ("a ~ ~ A", "a AB b\nvanish");
+    for planner in [Planner::Pibt, Planner::Lacam] {
+        assert_eq!(lack(waypoint, planner, "makespan"), Inability::Waypoints(1));
+        assert_eq!(lack(battery, planner, "makespan"), Inability::Battery(0));
+        assert_eq!(lack(slow, planner, "makespan"), Inability::SlowZones);
+        let both = Inability::SharedGoal(0, 1);
+        assert_eq!(lack(shared, planner, "makespan"), both);
+    }
+    let charges = lack(CROSSING, Planner::Cbs, "charges,makespan");
+    assert_eq!(charges, Inability::Cost(Cost::Charges));
+    for picture in [waypoint, battery, slow, shared] {
+        for planner in [Planner::Cbs, Planner::Prioritised, Planner::Lns] {
+            let report = planned(picture, planner, "makespan", 20);
+            assert!(report.outcome.walks().is_some(), "{planner}: {report:?}");
+        }
+    }
+}
+
+#[test]
+fn crowds_and_neighbourhoods_find_plans_and_tell_how() {
+    for planner in [Planner::Pibt, Planner::Lacam, Planner::Lns] {
+        let report = planned(CROSSING, planner, "sum-of-costs", 20);
+        let Outcome::Found { walks } = &report.outcome else {
+            panic!("{planner}: {report:?}");
         };
-    let all = "
-        a ~ ~ A
-        b b! . B
-        battery a 9/9";
-    let makespan = "makespan";
-    let expected = [
-        Inability::SlowZones,
-        Inability::Waypoints(1),
-        Inability::Battery(0),
-    ];
-    assert_eq!(cannot(all, Planner::Pibt, makespan), expected);
-    assert_eq!(cannot(all, Planner::Lacam, makespan), expected);
-    let charges = cannot(CROSSING, Planner::Cbs, "charges,makespan");
-    assert_eq!(charges, [Inability::Cost(Cost::Charges)]);
-    for planner in [Planner::Cbs, Planner::Prioritised] {
-        let report = planned(all, planner, makespan, 20);
-        assert!(report.outcome.walks().is_some(), "{report:?}");
+        assert_eq!(walks.len(), 2);
+        assert_eq!(report.outcome.bound(), None);
+        assert!(report.trace.is_some());
+    }
+}
+
+#[test]
+fn none_of_them_says_that_there_is_no_plan() {
+    let swap = "aB . bA";
+    for planner in [Planner::Pibt, Planner::Lacam, Planner::Lns] {
+        let report = planned(swap, planner, "makespan", 20);
+        let Outcome::Stopped { halt, walks, .. } = &report.outcome else {
+            panic!("{planner}: {report:?}");
+        };
+        let stuck = matches!(halt, Halt::Stuck { .. } | Halt::Effort);
+        assert!(stuck && walks.is_none(), "{planner}: {report:?}");
     }
 }
 
@@ -153,12 +178,9 @@ fn demands_of_questions_are_refused() {
             &mut |_| {},
             &budget,
         );
-        let Outcome::Refused { cannot } = &report.outcome else {
+        let Outcome::Refused { lack } = report.outcome else {
             panic!("{planner}: {report:?}");
         };
-        assert!(
-            cannot.contains(&Inability::Demand(1)),
-            "{planner}: {cannot:?}"
-        );
+        assert_eq!(lack, Inability::Demand(1), "{planner}");
     }
 }

@@ -66,7 +66,7 @@ pub enum PlanEnd {
     /// The planner has no method for something in the instance.
     Refused {
         /// For what.
-        lacks: Vec<Lack>,
+        lack: Lack,
     },
     /// An agent cannot do its task even alone, whatever the horizon.
     Alone {
@@ -86,7 +86,7 @@ pub struct StuckAgent {
 
 /// Something that a planner has no method for.
 #[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize, BorshSerialize, BorshDeserialize)]
-#[serde(tag = "lack", rename_all = "kebab-case")]
+#[serde(tag = "what", rename_all = "kebab-case")]
 pub enum Lack {
     /// Batteries.
     Batteries {
@@ -105,18 +105,18 @@ pub enum Lack {
     },
     /// Slow zones.
     SlowZones,
-    /// What a question asks of an agent beside its task.
-    Demands {
-        /// The agent.
-        agent: String,
+    /// Two agents with one goal.
+    SharedGoals {
+        /// Who they are.
+        agents: [String; 2],
     },
+    /// What a question asks beside the instance.
+    Questions,
     /// This cost as the first of the objective.
     Cost {
         /// The cost.
         cost: Cost,
     },
-    /// The planner itself is not built yet.
-    Planner,
 }
 
 /// How much work a plan took.
@@ -127,6 +127,6 @@ pub struct PlanStats {
     /// CPU seconds (wall seconds in the browser).
     pub cpu_seconds: f64,
     /// Steps, whose meaning depends on the planner: orders tried, nodes of the
-    /// constraint tree.
+    /// constraint tree, time steps, configurations, neighbourhoods.
     pub steps: u64,
 }

@@ -4,6 +4,7 @@
 mod answer;
 mod request;
 mod serve;
+mod teller;
 #[cfg(test)]
 mod tests;
 mod trace;
@@ -14,5 +15,6 @@ pub use giveway_planners::planner::Planner;
 pub use request::PlanRequest;
 pub(crate) use serve::serve;
 pub use trace::{
-    NodeFate, OrderTried, PlanTrace, PlannedAgent, ToldConflict, ToldConstraint, TreeNode, Went,
+    Inherited, LacamEvent, LnsImprovement, NodeFate, OrderTried, PlanTrace, PlannedAgent,
+    ToldConflict, ToldConstraint, TreeNode, Went,
 };

@@ -11,7 +11,7 @@ use giveway_planners::{
     walk::{Walk, to_plan},
 };
 
-use super::{Lack, PlanAnswer, PlanEnd, PlanRequest, PlanStats, trace::Teller};
+use super::{Lack, PlanAnswer, PlanEnd, PlanRequest, PlanStats, teller::Teller, words};
 use crate::{Host, Progress, Refusal, budget::Budget};
 
 /// Serves a request for a plan.
@@ -71,11 +71,11 @@ struct Task<'a> {
 impl Task<'_> {
     fn plan(&self, problem: &Problem) -> PlanAnswer {
         let grid = self.instance.grid();
-        let default = || problem.default_horizon(grid);
         let asked = Asked {
             problem,
             objective: self.instance.objective(),
-            horizon: self.request.within.unwrap_or_else(default),
+            within: self.request.within,
+            default_horizon: problem.default_horizon(grid),
             order: self.order.clone(),
             traced: self.request.trace,
         };
@@ -149,7 +149,7 @@ impl Task<'_> {
         match *error {
             ProblemError::Alone(agent, _) => PlanEnd::Alone { agent: name(agent) },
             ProblemError::TooManyWaypoints(agent) => PlanEnd::Refused {
-                lacks: vec![Lack::ManyWaypoints { agent: name(agent) }],
+                lack: Lack::ManyWaypoints { agent: name(agent) },
             },
             ProblemError::Stopped(stop) => stopped(stop),
         }
@@ -175,21 +175,29 @@ fn end(outcome: &Outcome, teller: &Teller) -> PlanEnd {
         Outcome::Stopped { halt, .. } => match *halt {
             Halt::Budget(stop) => stopped(stop),
             Halt::Horizon(within) => PlanEnd::Horizon { within },
+            Halt::Stuck { arrived } => PlanEnd::Stopped {
+                reason: words::stuck(arrived, teller.names.len()),
+            },
+            Halt::Effort => PlanEnd::Stopped {
+                reason: words::EFFORT.to_owned(),
+            },
         },
-        Outcome::Refused { cannot } => PlanEnd::Refused {
-            lacks: cannot.iter().map(|&cannot| lack(cannot, teller)).collect(),
+        Outcome::Refused { lack } => PlanEnd::Refused {
+            lack: told(*lack, teller),
         },
     }
 }
 
-fn lack(cannot: Inability, teller: &Teller) -> Lack {
+fn told(lack: Inability, teller: &Teller) -> Lack {
     let name = |agent| teller.name(agent);
-    match cannot {
+    match lack {
         Inability::Battery(agent) => Lack::Batteries { agent: name(agent) },
         Inability::Waypoints(agent) => Lack::Waypoints { agent: name(agent) },
         Inability::SlowZones => Lack::SlowZones,
-        Inability::Demand(agent) => Lack::Demands { agent: name(agent) },
+        Inability::SharedGoal(a, b) => Lack::SharedGoals {
+            agents: [name(a), name(b)],
+        },
+        Inability::Demand(_) | Inability::Relaxed => Lack::Questions,
         Inability::Cost(cost) => Lack::Cost { cost },
-        Inability::NotThereYet => Lack::Planner,
     }
 }

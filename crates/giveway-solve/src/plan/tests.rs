@@ -150,11 +150,10 @@ fn what_a_planner_cannot_do_it_says() {
         r#""goal": [2, 1], "waypoints": [[1, 2]]"#,
     );
     let answer = planned(request(&scene, Planner::Pibt));
-    let PlanEnd::Refused { lacks } = &answer.ended else {
-        panic!("{answer:?}");
+    let lack = Lack::Waypoints {
+        agent: "A".to_owned(),
     };
-    let agent = "A".to_owned();
-    assert_eq!(*lacks, [Lack::Waypoints { agent }]);
+    assert_eq!(answer.ended, PlanEnd::Refused { lack });
     assert_eq!(
         said(&answer),
         "Not for this planner: PIBT cannot plan for waypoints, and A has some."
@@ -162,8 +161,8 @@ fn what_a_planner_cannot_do_it_says() {
     assert!(answer.plan.is_none());
     let scene = CROSSING.replace(r#""sum-of-costs""#, r#""waits""#);
     let answer = planned(request(&scene, Planner::Cbs));
-    let expected = vec![Lack::Cost { cost: Cost::Waits }];
-    assert_eq!(answer.ended, PlanEnd::Refused { lacks: expected });
+    let lack = Lack::Cost { cost: Cost::Waits };
+    assert_eq!(answer.ended, PlanEnd::Refused { lack });
 }
 
 #[test]
@@ -251,4 +250,31 @@ fn an_order_is_told_by_names() {
         }]
     });
     assert_eq!(trace(CROSSING, Planner::Prioritised), expected);
+}
+
+#[test]
+fn every_planner_finds_a_plan_and_tells_how() {
+    for planner in Planner::ALL {
+        let told = trace(CROSSING, planner);
+        assert_eq!(told["planner"], planner.name());
+        let answer = planned(request(CROSSING, planner));
+        assert!(
+            answer.plan.is_some() && answer.costs.is_some(),
+            "{answer:?}"
+        );
+    }
+}
+
+#[test]
+fn where_robots_stand_in_the_way_for_good_pibt_says_so() {
+    let answer = planned(request(SWAP, Planner::Pibt));
+    let text = said(&answer);
+    assert!(
+        text.ends_with("There may be a plan; none was found yet."),
+        "{text}"
+    );
+    assert!(
+        text.starts_with("Robots stood in each other's way"),
+        "{text}"
+    );
 }

@@ -2,14 +2,6 @@
 
 use borsh::{BorshDeserialize, BorshSerialize};
 use giveway_model::{Cell, Version};
-use giveway_planners::{
-    AgentId,
-    cbs::{Cardinality, Conflict, Constraint, Fate, Kind, Rule, Tree},
-    planner::Trace,
-    prioritised::{Attempt, Stuck},
-    problem::Problem,
-    terrain::Vertex,
-};
 use serde::{Deserialize, Serialize};
 
 use super::StuckAgent;
@@ -40,6 +32,62 @@ pub enum Went {
         /// How many more there were.
         left_out: u64,
     },
+    /// What happened in the steps of PIBT.
+    Pibt {
+        /// Who inherited whose priority, the first of them.
+        inherited: Vec<Inherited>,
+    },
+    /// The search of LaCAM.
+    Lacam {
+        /// Its steps, the first of them.
+        events: Vec<LacamEvent>,
+    },
+    /// The better plans of large neighbourhood search.
+    Lns {
+        /// One after the other, the first of them.
+        improvements: Vec<LnsImprovement>,
+    },
+}
+
+/// An agent lends its priority to another one, which stands in its way.
+#[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize, BorshSerialize, BorshDeserialize)]
+pub struct Inherited {
+    /// When the step begins; `null` in the trace of LaCAM, where it is the
+    /// configuration's.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub time: Option<u32>,
+    /// Who lends it.
+    pub from: String,
+    /// Who inherits it.
+    pub to: String,
+    /// Where the heir stands, and the lender wants to be.
+    pub cell: Cell,
+}
+
+/// A step of LaCAM: from a configuration to the next.
+#[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize, BorshSerialize, BorshDeserialize)]
+pub struct LacamEvent {
+    /// The number of the configuration that it begins in; 0 is the start.
+    pub from: u32,
+    /// Where the first agents of its order had to go.
+    pub constraints: Vec<Cell>,
+    /// Who inherited whose priority.
+    pub inherited: Vec<Inherited>,
+    /// The number of the configuration that it made; `null` where it made none.
+    pub made: Option<u32>,
+    /// Whether that was known before.
+    pub known: bool,
+}
+
+/// A better plan of large neighbourhood search.
+#[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize, BorshSerialize, BorshDeserialize)]
+pub struct LnsImprovement {
+    /// The agents that got other paths.
+    pub changed: Vec<String>,
+    /// The costs before, in the order of the objective.
+    pub before: Vec<u32>,
+    /// The costs after.
+    pub after: Vec<u32>,
 }
 
 /// One order of prioritised planning.
@@ -175,160 +223,4 @@ pub enum ToldConflict {
         time: u32,
         delays: u32,
     },
-}
-
-/// Turns numbers into names and cells.
-pub(super) struct Teller<'a> {
-    pub(super) problem: &'a Problem,
-    pub(super) names: &'a [String],
-}
-
-impl Teller<'_> {
-    pub(super) fn trace(&self, trace: &Trace) -> PlanTrace {
-        let went = match trace {
-            Trace::Prioritised(attempts) => Went::Prioritised {
-                orders: attempts.iter().map(|attempt| self.order(attempt)).collect(),
-            },
-            Trace::Cbs(tree) => self.tree(tree),
-        };
-        PlanTrace {
-            giveway: Version,
-            went,
-        }
-    }
-
-    pub(super) fn name(&self, agent: AgentId) -> String {
-        self.names.get(agent).cloned().unwrap_or_default()
-    }
-
-    fn all(&self, agents: &[AgentId]) -> Vec<String> {
-        agents.iter().map(|&agent| self.name(agent)).collect()
-    }
-
-    pub(super) fn stuck(&self, stuck: &Stuck) -> StuckAgent {
-        StuckAgent {
-            agent: self.name(stuck.agent),
-            around: self.all(&stuck.around),
-        }
-    }
-
-    fn order(&self, attempt: &Attempt) -> OrderTried {
-        let planned = attempt.planned.iter().map(|planned| PlannedAgent {
-            agent: self.name(planned.agent),
-            arrival: planned.arrival,
-            alone: planned.alone,
-            around: self.all(&planned.around),
-        });
-        OrderTried {
-            order: self.all(&attempt.order),
-            planned: planned.collect(),
-            stuck: attempt.stuck.as_ref().map(|stuck| self.stuck(stuck)),
-        }
-    }
-
-    fn tree(&self, tree: &Tree) -> Went {
-        let nodes = tree.nodes.iter().map(|node| TreeNode {
-            id: node.id,
-            parent: node.parent,
-            constraint: node
-                .constraint
-                .map(|constraint| self.constraint(constraint)),
-            cost: node.cost,
-            conflicts: node.conflicts as u64,
-            fate: self.fate(&node.fate),
-        });
-        Went::Cbs {
-            nodes: nodes.collect(),
-            left_out: tree.left_out,
-        }
-    }
-
-    fn fate(&self, fate: &Fate) -> NodeFate {
-        match *fate {
-            Fate::Open => NodeFate::Open,
-            Fate::Dead => NodeFate::Dead,
-            Fate::Best { turn, bypassed } => NodeFate::Best { turn, bypassed },
-            Fate::Split {
-                turn,
-                conflict,
-                cardinality,
-                bypassed,
-            } => NodeFate::Split {
-                turn,
-                conflict: self.conflict(&conflict, cardinality),
-                bypassed,
-            },
-        }
-    }
-
-    fn constraint(&self, Constraint { agent, rule }: Constraint) -> ToldConstraint {
-        let agent = self.name(agent);
-        match rule {
-            Rule::NotAt { v, time } => {
-                let cell = self.cell(v);
-                ToldConstraint::NotAt { agent, cell, time }
-            }
-            Rule::At { v, time } => {
-                let cell = self.cell(v);
-                ToldConstraint::At { agent, cell, time }
-            }
-            Rule::NotCross { arc, time } => {
-                let edge = self.edge(arc);
-                ToldConstraint::NotAlong { agent, edge, time }
-            }
-            Rule::Cross { arc, time } => {
-                let edge = self.edge(arc);
-                ToldConstraint::Along { agent, edge, time }
-            }
-            Rule::ArriveAfter(time) => ToldConstraint::ArriveAfter { agent, time },
-            Rule::ArriveBy(time) => ToldConstraint::ArriveBy { agent, time },
-        }
-    }
-
-    fn conflict(&self, conflict: &Conflict, cardinality: Cardinality) -> ToldConflict {
-        let agents = [conflict.first, conflict.second].map(|agent| self.name(agent));
-        let delays = match cardinality {
-            Cardinality::Cardinal => 2,
-            Cardinality::SemiCardinal => 1,
-            Cardinality::NonCardinal => 0,
-        };
-        match conflict.kind {
-            Kind::Vertex { v, time } => {
-                let cell = self.cell(v);
-                ToldConflict::Vertex {
-                    agents,
-                    cell,
-                    time,
-                    delays,
-                }
-            }
-            Kind::Swap { arc, time } => {
-                let edge = self.edge(arc);
-                ToldConflict::Swap {
-                    agents,
-                    edge,
-                    time,
-                    delays,
-                }
-            }
-            Kind::Target { v, time } => {
-                let cell = self.cell(v);
-                ToldConflict::Target {
-                    agents,
-                    cell,
-                    time,
-                    delays,
-                }
-            }
-        }
-    }
-
-    fn cell(&self, v: Vertex) -> Cell {
-        self.problem.terrain.cell(v)
-    }
-
-    fn edge(&self, arc: u32) -> [Cell; 2] {
-        let (from, to) = self.problem.terrain.ends(arc);
-        [self.cell(from), self.cell(to)]
-    }
 }

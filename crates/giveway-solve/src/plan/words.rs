@@ -36,12 +36,11 @@ pub fn headline(answer: &PlanAnswer) -> Headline {
             "No plan found",
             format!(": there is none of makespan at most {within}. There may be a longer one."),
         ),
-        PlanEnd::Refused { lacks } => {
+        PlanEnd::Refused { lack } => {
             let title = answer.planner.title();
-            let lacks = lacks.iter().map(lack).collect::<Vec<_>>();
             say(
                 "Not for this planner",
-                format!(": {title} {}.", lacks.join(", and ")),
+                format!(": {title} {}.", cannot(lack)),
             )
         }
         PlanEnd::Alone { agent } => say(
@@ -95,7 +94,7 @@ fn is_stuck(stuck: &StuckAgent) -> String {
 }
 
 /// What follows the name of the planner.
-fn lack(lack: &Lack) -> String {
+fn cannot(lack: &Lack) -> String {
     match lack {
         Lack::Batteries { agent } => format!("cannot plan for batteries, and {agent} has one"),
         Lack::Waypoints { agent } => format!("cannot plan for waypoints, and {agent} has some"),
@@ -103,11 +102,21 @@ fn lack(lack: &Lack) -> String {
             format!("cannot plan for as many waypoints as {agent} has")
         }
         Lack::SlowZones => "cannot plan for slow zones".to_owned(),
-        Lack::Demands { agent } => format!("cannot plan for what is asked of {agent}"),
+        Lack::SharedGoals { agents: [a, b] } => {
+            format!("needs a goal of its own for each robot, and {a} and {b} share one")
+        }
+        Lack::Questions => "cannot plan for what a question asks".to_owned(),
         Lack::Cost { cost } => format!(
             "makes makespan or sum of costs least, and the objective begins with {}",
             name(*cost)
         ),
-        Lack::Planner => "is not there yet".to_owned(),
     }
 }
+
+/// Why a planner that looks no further than the next step ended without a plan.
+pub(super) fn stuck(arrived: usize, all: usize) -> String {
+    format!("Robots stood in each other's way for good: {arrived} of {all} were at their goals.")
+}
+
+/// Why a planner ended that had looked at enough.
+pub(super) const EFFORT: &str = "The planner gave up: it looked at as much as it ever does.";
