@@ -65,14 +65,19 @@ impl Planner {
         }
     }
 
-    /// What its steps are, for people: of many, without their number.
-    pub const fn steps(self) -> &'static str {
-        match self {
-            Self::Prioritised => "orders tried",
-            Self::Cbs => "nodes of the constraint tree",
-            Self::Pibt => "time steps",
-            Self::Lacam => "configurations",
-            Self::Lns => "neighbourhoods",
+    /// What its steps are, for people, after so many of them.
+    pub const fn steps(self, n: u64) -> &'static str {
+        match (self, n) {
+            (Self::Prioritised, 1) => "order tried",
+            (Self::Prioritised, _) => "orders tried",
+            (Self::Cbs, 1) => "node of the constraint tree",
+            (Self::Cbs, _) => "nodes of the constraint tree",
+            (Self::Pibt, 1) => "time step",
+            (Self::Pibt, _) => "time steps",
+            (Self::Lacam, 1) => "configuration",
+            (Self::Lacam, _) => "configurations",
+            (Self::Lns, 1) => "neighbourhood",
+            (Self::Lns, _) => "neighbourhoods",
         }
     }
 }
