@@ -43,13 +43,17 @@ fn cardinality(problem: &Problem, conflict: &Conflict, ways: &[Way]) -> Cardinal
             return false;
         };
         let mdd = &way.mdd;
+        let is_first = agent == conflict.first;
         match conflict.kind {
-            Kind::Vertex { v, time } => mdd.is_always_at(problem, v, time),
-            Kind::Swap { arc, time } if agent == conflict.first => mdd.always_crosses(arc, time),
-            Kind::Swap { arc, time } => mdd.always_crosses(arc ^ 1, time),
+            Kind::Swap { arc, time } => {
+                let arc = if is_first { arc } else { arc ^ 1 };
+                mdd.always_crosses(arc, time)
+            }
             // Who rests there would have to arrive later.
-            Kind::Target { .. } if agent == conflict.first => true,
-            Kind::Target { v, time } => mdd.is_always_at(problem, v, time),
+            Kind::Target { .. } if is_first => true,
+            Kind::Vertex { v, time } | Kind::Target { v, time } => {
+                mdd.is_always_at(problem, v, time)
+            }
         }
     };
     match (is_stuck(conflict.first), is_stuck(conflict.second)) {

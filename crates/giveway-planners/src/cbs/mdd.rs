@@ -1,7 +1,8 @@
 //! The low level of CBS: all shortest walks of one agent that keep its rules, as an MDD.
 //!
 //! Layer by layer, one a time step, all states are listed from which the agent
-//! could still arrive by a bound; the bound is raised until a layer has an end.
+//! could still arrive by a bound; it is raised, by more each time, until a layer has
+//! an end.
 //! What does not lead to that end is dropped. The MDD (Sharon et al. 2013) then
 //! tells where every shortest walk passes, which makes a conflict cardinal, and
 //! of its walks the one with the fewest collisions is taken.
@@ -47,16 +48,17 @@ impl Mdd {
             return Ok(None);
         };
         let earliest = earliest.max(rules.earliest()).max(problem.optima[agent]);
-        let mut slack = 0;
-        while earliest <= latest {
-            let bound = earliest.saturating_add(slack).min(latest);
+        let mut bound = earliest;
+        let mut more = 1;
+        while bound <= latest {
             if let Some((layers, ends)) = layers(problem, agent, rules, bound, budget)? {
                 return Ok(Some(Self::leading_to(&ends, agent, layers, budget)));
             }
             if bound == latest {
                 break;
             }
-            slack = 2 * slack + 1;
+            bound = latest.min(bound.saturating_add(more));
+            more *= 2;
         }
         Ok(None)
     }

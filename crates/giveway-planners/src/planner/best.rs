@@ -7,7 +7,8 @@ use crate::walk::{Walk, costs};
 pub(super) struct Best<'a, 'p> {
     asked: &'a Asked<'p>,
     on_better: &'a mut dyn FnMut(&[Walk]),
-    best: Option<(Vec<u32>, Vec<Walk>)>,
+    /// Its costs, and its walks.
+    plan: Option<(Vec<u32>, Vec<Walk>)>,
 }
 
 impl<'a, 'p> Best<'a, 'p> {
@@ -15,7 +16,7 @@ impl<'a, 'p> Best<'a, 'p> {
         Self {
             asked,
             on_better,
-            best: None,
+            plan: None,
         }
     }
 
@@ -23,7 +24,7 @@ impl<'a, 'p> Best<'a, 'p> {
     pub(super) fn offer(&mut self, walks: &[Walk]) {
         let costs = costs(self.asked.problem, walks);
         let vector = costs.vector(self.asked.objective);
-        let is_better = self.best.as_ref().is_none_or(|(best, _)| vector < *best);
+        let is_better = self.plan.as_ref().is_none_or(|(best, _)| vector < *best);
         if is_better
             && self
                 .asked
@@ -31,12 +32,12 @@ impl<'a, 'p> Best<'a, 'p> {
                 .is_none_or(|within| costs.makespan <= within)
         {
             (self.on_better)(walks);
-            self.best = Some((vector, walks.to_vec()));
+            self.plan = Some((vector, walks.to_vec()));
         }
     }
 
     /// The walks of the best plan.
     pub(super) fn walks(self) -> Option<Vec<Walk>> {
-        self.best.map(|(_, walks)| walks)
+        self.plan.map(|(_, walks)| walks)
     }
 }

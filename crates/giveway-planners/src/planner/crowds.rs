@@ -59,9 +59,10 @@ pub(super) fn lacam(asked: &Asked, mut best: Best, budget: &dyn Budget) -> Repor
     };
     let outcome = match searched.ended {
         Ended::Stopped(stop) => Outcome::stopped(Halt::Budget(stop), best),
-        Ended::FirstPlan | Ended::LeastLoss | Ended::StepLimit => Outcome::found(best),
-        // That there is none at all is for the proofs of others to say.
-        Ended::Exhausted(_) => Outcome::found(best),
+        // That there is no plan at all is for the proofs of others to say.
+        Ended::FirstPlan | Ended::LeastLoss | Ended::StepLimit | Ended::Exhausted(_) => {
+            Outcome::found(best)
+        }
     };
     Report {
         outcome,

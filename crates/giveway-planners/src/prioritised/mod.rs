@@ -129,7 +129,7 @@ impl Orders {
             Order::Found { tries } => (&[][..], *tries),
         };
         let mut first: Vec<AgentId> = Vec::new();
-        for &agent in given.iter().chain(&Vec::from_iter(0..problem.agents())) {
+        for agent in given.iter().copied().chain(0..problem.agents()) {
             if agent < problem.agents() && !first.contains(&agent) {
                 first.push(agent);
             }
