@@ -6,8 +6,9 @@ use super::{Asked, Best, Halt, Outcome, Report, Trace};
 use crate::{
     AgentId,
     budget::{Budget, Stop},
+    first::first_plan,
     lns::{Effort, Lns},
-    local::{apart, first_plan},
+    local::apart,
     walk::{Walk, costs},
 };
 

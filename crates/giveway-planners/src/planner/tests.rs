@@ -4,8 +4,8 @@ use giveway_model::{Cost, Objective};
 
 use super::{Asked, Halt, Inability, Outcome, Planner, Report, Trace, plan};
 use crate::{
-    budget::Unlimited, prioritised::Order, problem::Problem, single::TaskConstraint,
-    tests::instance, walk::Walk,
+    budget::Unlimited, cbs::LowerBound, prioritised::Order, problem::Problem,
+    single::TaskConstraint, tests::instance, walk::Walk,
 };
 
 fn asked<'a>(problem: &'a Problem, objective: &'a Objective, horizon: u32) -> Asked<'a> {
@@ -85,7 +85,7 @@ fn what_a_horizon_hides_is_not_claimed() {
         panic!("{report:?}");
     };
     assert_eq!(*halt, Halt::Horizon(2));
-    assert_eq!(bound.map(|bound| bound.at_least()), Some(3));
+    assert_eq!(bound.map(LowerBound::at_least), Some(3));
 }
 
 #[test]

@@ -16,14 +16,14 @@ const CROSSING: &str = r##"{
     ]
 }"##;
 
-const SWAP: &str = r##"{
+const SWAP: &str = r#"{
     "giveway": 1,
     "map": ["..."],
     "agents": [
         { "name": "A", "start": [0, 0], "goal": [2, 0] },
         { "name": "B", "start": [2, 0], "goal": [0, 0] }
     ]
-}"##;
+}"#;
 
 fn request(scene: &str, planner: Planner) -> PlanRequest {
     PlanRequest::new(native::read_scene(scene).unwrap(), planner)
