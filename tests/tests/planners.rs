@@ -72,6 +72,12 @@ fn judged(instance: &Instance, problem: &Problem, report: &Report) -> Option<Cos
     verdict.costs
 }
 
+/// The first cost of the plan of a report.
+fn cost_of(instance: &Instance, problem: &Problem, report: &Report) -> Option<u32> {
+    let first = instance.objective().costs()[0];
+    judged(instance, problem, report).map(|costs| costs.get(first))
+}
+
 #[test]
 fn cbs_finds_what_is_best_and_prioritised_planning_nothing_better() {
     let (mut best, mut cut_off, mut impossible) = (0, 0, 0);
@@ -86,7 +92,7 @@ fn cbs_finds_what_is_best_and_prioritised_planning_nothing_better() {
         let scene = serde_json::to_string(&instance.to_scene()).unwrap();
         let first = instance.objective().costs()[0];
         let cbs = textbook::plan(Planner::Cbs, &instance, &problem, Steps(400_000));
-        let cost = judged(&instance, &problem, &cbs).map(|costs| costs.get(first));
+        let cost = cost_of(&instance, &problem, &cbs);
         let bound = cbs.outcome.bound().unwrap();
         assert_eq!(bound.cost(), first);
         match (&truth, &cbs.outcome) {
@@ -109,15 +115,17 @@ fn cbs_finds_what_is_best_and_prioritised_planning_nothing_better() {
             (_, outcome) => panic!("{number}: {outcome:?}\n{scene}"),
         }
         let report = textbook::plan(Planner::Prioritised, &instance, &problem, Steps(u64::MAX));
-        let cost = judged(&instance, &problem, &report).map(|costs| costs.get(first));
-        match (&truth, &report.outcome, cost) {
-            (Truth::Least(least), Outcome::Found { .. }, Some(cost)) => {
-                assert!(cost >= *least, "{number}: {scene}");
+        match (&truth, &report.outcome) {
+            (Truth::Least(least), Outcome::Found { .. }) => {
+                assert!(
+                    cost_of(&instance, &problem, &report) >= Some(*least),
+                    "{number}: {scene}"
+                );
                 found += 1;
             }
-            (Truth::TooLarge, ..) => {}
-            (_, Outcome::NoOrderWorks { .. }, None) => failed += 1,
-            (_, outcome, _) => panic!("{number}: {outcome:?}\n{scene}"),
+            (Truth::TooLarge, _) => {}
+            (_, Outcome::NoOrderWorks { .. }) => failed += 1,
+            (_, outcome) => panic!("{number}: {outcome:?}\n{scene}"),
         }
     }
     println!("CBS: {best} best, {cut_off} cut off, {impossible} impossible");
@@ -128,4 +136,63 @@ fn cbs_finds_what_is_best_and_prioritised_planning_nothing_better() {
         "too few plans to compare"
     );
     assert!(!share(cut_off, 5), "too many scenes without an end");
+}
+
+/// The same instance with nothing but starts and goals, which is all that the
+/// planners of crowds know.
+fn plain(instance: &Instance) -> Instance {
+    let mut scene = instance.to_scene();
+    for row in &mut scene.map {
+        *row = row.replace(['~', '*', '+'], ".");
+    }
+    for agent in &mut scene.agents {
+        agent.waypoints.clear();
+        agent.battery = None;
+    }
+    Instance::new(scene).unwrap()
+}
+
+/// How often plans were found, none was, and a planner refused.
+#[derive(Debug, Default)]
+struct Tally {
+    found: u64,
+    none: u64,
+    refused: u64,
+}
+
+impl Tally {
+    fn add(&mut self, planner: Planner, instance: &Instance) {
+        let Ok(problem) = textbook::problem(instance) else {
+            return;
+        };
+        let scene = serde_json::to_string(&instance.to_scene()).unwrap();
+        let report = textbook::plan(planner, instance, &problem, Steps(50_000));
+        let cost = cost_of(instance, &problem, &report);
+        match (truth(instance), &report.outcome, cost) {
+            (Truth::Least(least), Outcome::Found { .. } | Outcome::Stopped { .. }, Some(cost)) => {
+                assert!(cost >= least, "{planner}: {scene}");
+                self.found += 1;
+            }
+            (Truth::TooLarge, ..) => {}
+            (_, Outcome::Stopped { .. }, None) => self.none += 1,
+            (_, Outcome::Refused { .. }, None) => self.refused += 1,
+            (_, outcome, _) => panic!("{planner}: {outcome:?}\n{scene}"),
+        }
+    }
+}
+
+#[test]
+fn crowds_and_neighbourhoods_are_legal_and_never_below_the_best() {
+    let [mut pibt, mut lacam, mut lns] = [(); 3].map(|()| Tally::default());
+    for number in 0..count() {
+        let instance = instance(number);
+        lns.add(Planner::Lns, &instance);
+        let plain = plain(&instance);
+        pibt.add(Planner::Pibt, &plain);
+        lacam.add(Planner::Lacam, &plain);
+    }
+    println!("PIBT {pibt:?}; LaCAM {lacam:?}; LNS {lns:?}");
+    for (tally, percent) in [(pibt, 40), (lacam, 50), (lns, 60)] {
+        assert!(tally.found * 100 >= count() * percent, "{tally:?}");
+    }
 }
