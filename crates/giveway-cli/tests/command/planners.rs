@@ -78,6 +78,22 @@ fn text_is_for_people() {
     );
 }
 
+/// The scene and the tree of the documentation.
+#[test]
+fn the_tree_that_the_documentation_explains_is_that_of_its_scene() {
+    let text = include_str!("../../../../docs/planners.md");
+    let blocks: Vec<&str> = text.split("```json\n").skip(1).collect();
+    let [scene, tree] = blocks.as_slice() else {
+        panic!("{} blocks of JSON", blocks.len());
+    };
+    let block = |text: &str| text.split_once("```").unwrap().0.to_owned();
+    let folder = Folder::scene(block(scene));
+    planned(&folder, "cbs --trace tree.json");
+    let written: Value = serde_json::from_str(&folder.read("tree.json")).unwrap();
+    let explained: Value = serde_json::from_str(&block(tree)).unwrap();
+    assert_eq!(written, explained);
+}
+
 #[test]
 fn what_a_planner_cannot_do_it_says() {
     let folder = Folder::scene(WAREHOUSE);
