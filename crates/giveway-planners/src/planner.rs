@@ -56,7 +56,7 @@ pub fn plan(
     on_better: &mut dyn FnMut(&[Walk]),
     budget: &dyn Budget,
 ) -> Report {
-    if let Some(lack) = ability::lack(planner, asked) {
+    if let Some(lack) = ability::lack(planner, asked.problem) {
         return Report::refused(lack);
     }
     let best = Best::new(asked, on_better);

@@ -2,11 +2,11 @@
 
 use giveway_model::Cost;
 
-use super::{Asked, Planner};
+use super::Planner;
 use crate::{
     AgentId,
-    cbs::Aim,
     plain::{Plain, Unsupported},
+    problem::Problem,
     single::{Bounds, Task},
 };
 
@@ -44,17 +44,14 @@ impl From<Unsupported> for Inability {
     }
 }
 
-/// What a planner lacks for what is asked, if anything.
-pub(super) fn lack(planner: Planner, asked: &Asked) -> Option<Inability> {
-    let problem = asked.problem;
+/// What a planner lacks for the instance, if anything; which costs CBS makes least
+/// it says itself.
+pub(super) fn lack(planner: Planner, problem: &Problem) -> Option<Inability> {
     match planner {
         Planner::Pibt | Planner::Lacam => Plain::new(problem).err().map(Inability::from),
         Planner::Prioritised | Planner::Cbs | Planner::Lns => {
             let more = problem.tasks.iter().position(is_asked_for_more);
-            let cost = || Aim::of(asked.objective).err().map(Inability::Cost);
-            let is_cbs = planner == Planner::Cbs;
             more.map(Inability::Demand)
-                .or_else(|| is_cbs.then(cost).flatten())
         }
     }
 }
