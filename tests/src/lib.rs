@@ -23,6 +23,7 @@ pub mod questions;
 pub mod random;
 pub mod recount;
 pub mod source;
+pub mod textbook;
 pub mod truth;
 pub mod upheaval;
 pub mod wrong;

@@ -49,6 +49,27 @@ pub fn small(seed: u64, number: u64) -> Instance {
     }
 }
 
+/// A small instance with more agents: 2 to 4 on at most 12 cells, at least a third
+/// of them free. Otherwise as [`small`].
+pub fn crowded(seed: u64, number: u64) -> Instance {
+    let random = &mut numbers(seed, number);
+    let agents = *[2, 2, 3, 3, 4].choose(random).unwrap();
+    let size = Size {
+        agents,
+        waypoints: 1,
+        capacity: 3..=8,
+        batteries: if agents == 2 { 0.5 } else { 0.2 },
+    };
+    loop {
+        let (width, height) = (random.random_range(2..=4), random.random_range(2..=4));
+        let obstacles = *[0.0, 0.1, 0.2].choose(random).unwrap();
+        let map = Map::new(random, width, height, obstacles).connected();
+        if ((3 * agents).div_ceil(2)..=12).contains(&map.free.len()) {
+            return size.instance(random, &map);
+        }
+    }
+}
+
 /// A medium instance, on a connected map: 4x4 to 8x8 cells, 2 to 6 agents.
 pub fn medium(seed: u64, number: u64) -> Instance {
     let random = &mut numbers(seed, number);

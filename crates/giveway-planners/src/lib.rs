@@ -5,6 +5,7 @@
 //! Nothing here knows SAT, a clock, or a page.
 
 pub mod budget;
+pub mod cbs;
 mod chance;
 pub mod first;
 pub mod lacam;
@@ -12,6 +13,8 @@ pub mod lns;
 pub mod local;
 pub mod pibt;
 pub mod plain;
+pub mod planner;
+pub mod prioritised;
 pub mod problem;
 pub mod single;
 pub mod terrain;

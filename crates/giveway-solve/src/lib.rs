@@ -17,6 +17,7 @@ mod host;
 mod joint;
 mod judged;
 mod pareto;
+pub mod plan;
 mod problem;
 mod progress;
 mod request;

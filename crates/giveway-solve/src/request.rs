@@ -6,7 +6,7 @@ use serde::{Deserialize, Serialize};
 
 use crate::audit::AuditRequest;
 use crate::change::ChangeRequest;
-use crate::{CertifyRequest, explain::ExplainRequest};
+use crate::{CertifyRequest, explain::ExplainRequest, plan::PlanRequest};
 
 /// A request to the [service](crate::service).
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, BorshSerialize, BorshDeserialize)]
@@ -24,6 +24,8 @@ pub enum Request {
     Change(ChangeRequest),
     /// Judge a plan, and tell how far it is from the best.
     Audit(AuditRequest),
+    /// Find a plan with a planner of the textbook.
+    Plan(PlanRequest),
 }
 
 /// Find and prove the best plan, or the Pareto front.

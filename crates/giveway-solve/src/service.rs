@@ -16,6 +16,7 @@ use crate::{
     change::{self, ChangeAnswer},
     explain::{ExplainAnswer, engine},
     pareto,
+    plan::{self, PlanAnswer},
     solve::{self, Task},
 };
 
@@ -37,6 +38,8 @@ pub enum Response {
     Changed(Box<ChangeAnswer>),
     /// To [`Request::Audit`].
     Audited(Box<AuditAnswer>),
+    /// To [`Request::Plan`].
+    Planned(Box<PlanAnswer>),
     /// The request is wrong; nothing was done.
     Refused(Refusal),
 }
@@ -102,6 +105,10 @@ pub fn serve(request: &Request, host: &dyn Host) -> Response {
         },
         Request::Audit(request) => match audit::serve(request, host) {
             Ok(answer) => Response::Audited(Box::new(answer)),
+            Err(refusal) => Response::Refused(refusal),
+        },
+        Request::Plan(request) => match plan::serve(request, host) {
+            Ok(answer) => Response::Planned(Box::new(answer)),
             Err(refusal) => Response::Refused(refusal),
         },
         Request::Change(request) => match change::serve(request, host) {

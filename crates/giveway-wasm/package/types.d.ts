@@ -428,6 +428,120 @@ export interface AuditAnswer {
   stats: Stats;
 }
 
+/** A planner of the textbook. */
+export type Planner = "prioritised" | "cbs" | "pibt" | "lacam" | "lns";
+
+export interface PlanRequest {
+  scene: Scene;
+  planner: Planner;
+  /** Where it is not the scene's own. CBS makes its first cost least: makespan or sum-of-costs. */
+  objective?: Cost[];
+  /** Only plans of at most this makespan. */
+  within?: number;
+  /** The order of prioritised planning; who is not named comes last. By default it looks for one. */
+  order?: string[];
+  /** Whether to tell how it went. */
+  trace?: boolean;
+  limits?: Limits;
+}
+
+/** What a planner came to. */
+export interface PlanAnswer {
+  giveway: 1;
+  planner: Planner;
+  objective: Cost[];
+  ended: PlanEnd;
+  costs: Record<Cost, number> | null;
+  /** No plan has less of the first cost; only CBS proves it. */
+  bounds: Partial<Record<Cost, number>>;
+  plan: Plan | null;
+  /** What a step is depends on the planner: an order, a node, a time step, a configuration, a neighbourhood. */
+  stats: { cpu_seconds: number; steps: number };
+  trace?: PlanTrace;
+}
+
+/** How a planner ended. None says that there is no plan, unless a robot has none even alone. */
+export type PlanEnd =
+  /** No plan has less of the first cost: of at most this makespan, or none at all. */
+  | { how: "best"; within: number | null }
+  | { how: "found" }
+  | { how: "no-order-works"; tried: number; stuck: StuckAgent }
+  | { how: "stopped"; reason: string }
+  /** There is no plan of at most this makespan; there may be a longer one. */
+  | { how: "horizon"; within: number }
+  | { how: "refused"; lack: Lack }
+  | { how: "alone"; agent: string };
+
+/** What a planner has no method for. */
+export type Lack =
+  | { what: "batteries" | "waypoints" | "many-waypoints"; agent: string }
+  | { what: "shared-goals"; agents: [string, string] }
+  | { what: "cost"; cost: Cost }
+  | { what: "slow-zones" | "questions" };
+
+export interface StuckAgent {
+  agent: string;
+  /** Whom it meets on the best way of its own. */
+  around: string[];
+}
+
+/** How a planner went; the schema has the whole. */
+export type PlanTrace = { giveway: 1 } & (
+  | {
+    planner: "prioritised";
+    orders: {
+      order: string[];
+      planned: { agent: string; arrival: number; alone: number; around: string[] }[];
+      stuck: StuckAgent | null;
+    }[];
+  }
+  | { planner: "cbs"; nodes: TreeNode[]; left_out: number }
+  | { planner: "pibt"; inherited: Inherited[] }
+  | {
+    planner: "lacam";
+    events: { from: number; constraints: Cell[]; inherited: Inherited[]; made: number | null; known: boolean }[];
+  }
+  | { planner: "lns"; improvements: { changed: string[]; before: number[]; after: number[] }[] }
+);
+
+/** A node of the constraint tree of CBS. */
+export interface TreeNode {
+  id: number;
+  parent: number | null;
+  constraint: {
+    rule: "not-at" | "at" | "not-along" | "along" | "arrive-after" | "arrive-by";
+    agent: string;
+    cell?: Cell;
+    edge?: [Cell, Cell];
+    time: number;
+  } | null;
+  /** Null where a robot cannot keep its constraints. */
+  cost: number | null;
+  conflicts: number;
+  fate: "open" | "dead" | "split" | "best";
+  /** Which one it was to be taken out of the open list, from 0. */
+  turn?: number;
+  /** How often it took the paths of a child that cost no more. */
+  bypassed?: number;
+  conflict?: {
+    kind: "vertex" | "swap" | "target";
+    agents: [string, string];
+    cell?: Cell;
+    edge?: [Cell, Cell];
+    time: number;
+    /** How many of the two cannot avoid it without arriving later. */
+    delays: 0 | 1 | 2;
+  };
+}
+
+/** A robot lends its priority to another one, which stands where it wants to be. */
+export interface Inherited {
+  time?: number;
+  from: string;
+  to: string;
+  cell: Cell;
+}
+
 export interface CompareRequest {
   scene: Scene;
   plans: [Plan, Plan];
@@ -562,6 +676,9 @@ export function change(request: ChangeRequest, options?: Options): ChangeAnswer;
 
 /** Judges a plan, and tells how far it is from the best. */
 export function audit(request: AuditRequest, options?: Options): AuditAnswer;
+
+/** Finds a plan with a planner of the textbook. */
+export function plan(request: PlanRequest, options?: Options): PlanAnswer;
 
 /** Compares two plans of one scene. */
 export function compare(request: CompareRequest): Comparison;

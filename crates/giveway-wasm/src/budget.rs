@@ -17,6 +17,7 @@ pub(crate) fn within_budget(mut request: Request) -> Request {
         Request::Certify(certify) => &mut certify.limits,
         Request::Change(change) => &mut change.limits,
         Request::Audit(audit) => &mut audit.limits,
+        Request::Plan(plan) => &mut plan.limits,
         Request::Check(_) => return request,
     };
     limits.memory_bytes.get_or_insert(MEMORY_BYTES);

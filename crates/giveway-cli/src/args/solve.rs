@@ -4,6 +4,7 @@ use std::path::PathBuf;
 
 use clap::Args as ClapArgs;
 use giveway_model::Objective;
+use giveway_solve::plan::Planner;
 
 use super::{Source, seconds, whole};
 
@@ -21,7 +22,16 @@ Examples
   giveway solve warehouse.json
   giveway solve warehouse.json --objective charges,makespan --format json
   giveway solve empty-16-16-even-1.scen --agents 20 --time-limit 30
-  giveway solve warehouse.json --pareto --objective makespan,charges")]
+  giveway solve warehouse.json --pareto --objective makespan,charges
+  giveway solve warehouse.json --planner cbs --objective sum-of-costs --trace tree.json
+
+Planners of the textbook (--planner)
+  prioritised  one robot after the other, each around those before it; --order gives the order
+  cbs          conflict-based search: no plan has a smaller makespan, or sum of costs
+  pibt         all robots a step at a time; hundreds of them
+  lacam        a search over such steps, better and better
+  lns          a few robots planned anew at a time, better and better
+Only cbs proves anything; what a planner cannot do it says (exit status 3).")]
 pub(crate) struct Solve {
     #[command(flatten)]
     pub(crate) source: Source,
@@ -41,6 +51,16 @@ pub(crate) struct Solve {
     /// Stop the whole command after so many seconds; 0.5 is allowed
     #[arg(long, value_name = "SECONDS", value_parser = seconds, allow_negative_numbers = true)]
     pub(crate) time_limit: Option<f64>,
+    /// Find a plan with a planner of the textbook instead: prioritised, cbs, pibt, lacam, lns
+    #[arg(long, value_name = "NAME", conflicts_with_all = ["pareto", "proof"])]
+    pub(crate) planner: Option<Planner>,
+    /// The order in which prioritised planning plans, by name, separated by commas; robots that are
+    /// not named come last [default: it looks for one]
+    #[arg(long, value_name = "LIST", value_delimiter = ',', requires = "planner")]
+    pub(crate) order: Option<Vec<String>>,
+    /// Write how the planner went into a file, as JSON
+    #[arg(long, value_name = "FILE", requires = "planner")]
+    pub(crate) trace: Option<PathBuf>,
     /// Write a certificate of what is proved into a new or empty folder: formulas, proofs, and
     /// a README; giveway verify checks it again
     #[arg(long, value_name = "DIR", conflicts_with = "pareto")]

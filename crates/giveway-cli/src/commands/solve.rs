@@ -1,4 +1,6 @@
-//! `giveway solve`: the best plan, proved.
+//! `giveway solve`: the best plan, proved; or one by a planner of the textbook.
+
+mod planned;
 
 use giveway_model::Objective;
 use giveway_solve::{Limits, Request, Response, SolveRequest, Status, serve};
@@ -30,19 +32,16 @@ pub(crate) fn run(args: &Solve, common: &Common, clock: Clock) -> Result<Exit, F
     if args.pareto {
         check_front(&objective)?;
     }
+    if let Some(planner) = args.planner {
+        return planned::run(planner, args, &instance, &objective, common, clock);
+    }
     let request = Request::Solve(SolveRequest {
         scene: instance.to_scene(),
         objective: Some(objective.clone()),
         pareto: args.pareto,
         within: args.within,
         start: None,
-        limits: Limits {
-            // The limit is for the whole command: reading has taken its part.
-            seconds: args
-                .time_limit
-                .map(|limit| (limit - clock.wall_seconds()).max(0.0)),
-            ..Limits::default()
-        },
+        limits: limits(args, clock),
     });
     let host = CommandHost::new(clock, common.quiet, objective.clone());
     let response = serve(&request, &host);
@@ -71,6 +70,15 @@ pub(crate) fn run(args: &Solve, common: &Common, clock: Clock) -> Result<Exit, F
         }
         Response::Refused(refusal) => Err(refused(refusal, &args.source.instance)),
         _ => Err(unexpected(&args.source.instance)),
+    }
+}
+
+/// The limit is for the whole command: reading has taken its part.
+fn limits(args: &Solve, clock: Clock) -> Limits {
+    let left = |limit: f64| (limit - clock.wall_seconds()).max(0.0);
+    Limits {
+        seconds: args.time_limit.map(left),
+        ..Limits::default()
     }
 }
 

@@ -16,7 +16,7 @@ pub(crate) enum Kind {
     Scenario,
     /// A MovingAI map.
     Map,
-    /// A result of `solve` or `change`, with or without a plan.
+    /// A result of `solve`, with a planner or without, or of `change`, with or without a plan.
     Answer,
     /// A native plan.
     Plan,
@@ -33,6 +33,7 @@ struct Keys {
     paths: Option<IgnoredAny>,
     status: Option<IgnoredAny>,
     methods: Option<IgnoredAny>,
+    planner: Option<IgnoredAny>,
 }
 
 impl Kind {
@@ -60,7 +61,7 @@ impl Kind {
 
     fn of_json(text: &str) -> Self {
         let keys: Keys = serde_json::from_str(text).unwrap_or_default();
-        if keys.status.is_some() || keys.methods.is_some() {
+        if keys.status.is_some() || keys.methods.is_some() || keys.planner.is_some() {
             Self::Answer
         } else if keys.paths.is_some() {
             Self::Plan
@@ -113,6 +114,11 @@ mod tests {
         check(
             None,
             r#"{ "status": "optimal", "plan": null }"#,
+            Kind::Answer,
+        );
+        check(
+            None,
+            r#"{ "giveway": 1, "planner": "cbs", "plan": null }"#,
             Kind::Answer,
         );
     }

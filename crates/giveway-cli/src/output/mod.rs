@@ -13,6 +13,7 @@ pub(crate) mod text;
 pub(crate) mod words;
 
 pub(crate) use compared::{Compared, ComparedPlan};
+pub(crate) use json::text as json_text;
 
 use serde::Serialize;
 

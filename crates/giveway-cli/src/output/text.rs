@@ -6,6 +6,7 @@ mod check;
 mod compare;
 mod explain;
 mod front;
+mod planned;
 mod solve;
 mod verify;
 
@@ -15,6 +16,7 @@ pub(crate) use check::{check, check_over_time};
 pub(crate) use compare::compare;
 pub(crate) use explain::{explain, explain_over_time};
 pub(crate) use front::front;
+pub(crate) use planned::planned;
 pub(crate) use solve::solve;
 pub(crate) use verify::verify;
 

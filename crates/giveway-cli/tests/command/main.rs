@@ -18,6 +18,7 @@ mod convert;
 mod explain;
 mod harmless_input;
 mod manual;
+mod planners;
 mod proof;
 mod run;
 mod solve;

@@ -16,5 +16,5 @@ pub use demand::TaskConstraint;
 pub use earliest::earliest;
 pub use hopeless::{Hopeless, has_to_be_at};
 pub use mdd::{Mdd, Node, NodeId, Place};
-pub use onward::State;
+pub use onward::{Onward, State};
 pub use task::{Bounds, MAX_WAYPOINTS, Mask, Reserve, Task};

@@ -5,7 +5,7 @@ use crate::terrain::Terrain;
 
 /// The state of an agent on its way, with the best battery level that it may
 /// have there.
-#[derive(Clone, Copy, Debug)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub struct State {
     /// Where it is.
     pub place: Place,

@@ -17,6 +17,7 @@ use giveway_model::{Fault, Instance, Plan, Scene, compare, format};
 use giveway_proof::{Budget, Bundle, Report};
 use giveway_solve::audit::AuditRequest;
 use giveway_solve::change::ChangeRequest;
+use giveway_solve::plan::PlanRequest;
 use giveway_solve::{
     CertifyRequest, CheckRequest, Host, Limits, Progress, Refusal, Request, Response, SolveRequest,
     explain::ExplainRequest, serve,
@@ -98,6 +99,19 @@ pub fn audit(request: &JsValue, options: &JsValue) -> Result<JsValue, JsValue> {
         request,
         options,
         Request::Audit as fn(AuditRequest) -> Request,
+    )
+}
+
+/// Finds a plan with a planner of the textbook.
+///
+/// # Errors
+/// As [`solve`]; also where the order names an agent that is none.
+#[wasm_bindgen(skip_typescript)]
+pub fn plan(request: &JsValue, options: &JsValue) -> Result<JsValue, JsValue> {
+    serve_with(
+        request,
+        options,
+        Request::Plan as fn(PlanRequest) -> Request,
     )
 }
 
@@ -235,6 +249,7 @@ fn respond(request: Request, host: &dyn Host) -> Result<JsValue, JsValue> {
         Response::Certified(report) => objects::write(&report),
         Response::Changed(answer) => objects::write(&answer),
         Response::Audited(answer) => objects::write(&answer),
+        Response::Planned(answer) => objects::write(&answer),
         Response::Refused(refusal) => Err(refused(refusal)),
     }
 }

@@ -4,6 +4,7 @@ use giveway_model::{Cell, Cost, Costs, Fault, Plan, Scene, Version, format::nati
 use giveway_proof::{Checked, Claim, Report};
 use giveway_solve::audit::AuditRequest;
 use giveway_solve::change::{ChangeRequest, Method};
+use giveway_solve::plan::{PlanRequest, Planner};
 use giveway_solve::{
     CertifyRequest, CheckAnswer, CheckRequest, FrontAnswer, Limits, Progress, Refusal, Request,
     Response, SilentHost, SolveRequest, Status, serve,
@@ -150,6 +151,21 @@ fn audits_come_back() {
     let response = serve(&Request::Audit(request), &SilentHost);
     assert!(matches!(&response, Response::Audited(answer) if !answer.legal));
     check_response(response);
+}
+
+#[test]
+fn plans_of_the_textbook_come_back() {
+    for planner in Planner::ALL {
+        let request = Request::Plan(PlanRequest {
+            trace: true,
+            order: Some(Vec::new()),
+            ..PlanRequest::new(scene(), planner)
+        });
+        let response = serve(&request, &SilentHost);
+        assert!(matches!(&response, Response::Planned(_)), "{response:?}");
+        check_ask(request);
+        check_response(response);
+    }
 }
 
 #[test]

@@ -89,6 +89,21 @@ fn a_plan_is_read_audited_and_compared() {
 }
 
 #[wasm_bindgen_test]
+fn a_planner_of_the_textbook_plans_and_tells_how() {
+    let scene = json!({ "giveway": 1, "map": ["#.#", "...", "#.#"], "objective": ["sum-of-costs"],
+        "agents": [{ "name": "A", "start": [0, 1], "goal": [2, 1] },
+            { "name": "B", "start": [1, 0], "goal": [1, 2] }] });
+    let request = json!({ "scene": scene, "planner": "cbs", "trace": true });
+    let answer = data(&giveway_wasm::plan(&object(&request), &NONE).unwrap());
+    assert_eq!(answer["ended"], json!({ "how": "best", "within": null }));
+    assert_eq!(answer["bounds"]["sum-of-costs"], 5);
+    assert_eq!(answer["trace"]["nodes"][0]["fate"], "split");
+    let request = json!({ "scene": scene, "planner": "guess" });
+    let (code, place, _) = told(&giveway_wasm::plan(&object(&request), &NONE).unwrap_err());
+    assert_eq!((code.as_str(), place.as_str()), ("bad-input", "planner"));
+}
+
+#[wasm_bindgen_test]
 fn files_are_converted_there_and_back() {
     let scene = json!({ "giveway": 1, "name": "a", "map": ["...", ".#."],
         "agents": [{ "name": "A1", "start": [0, 0], "goal": [2, 1] }] });

@@ -3,3 +3,4 @@
 mod crowd;
 mod plan_one;
 mod reservations;
+mod safe_interval;

@@ -1,0 +1,82 @@
+//! `giveway solve --planner`: a plan by a planner of the textbook.
+
+use std::path::Path;
+
+use giveway_model::{Instance, Objective};
+use giveway_solve::{
+    Request, Response,
+    plan::{PlanAnswer, PlanEnd, PlanRequest, PlanTrace, Planner},
+    serve,
+};
+
+use super::limits;
+use crate::{
+    args::{Common, Solve},
+    clock::Clock,
+    commands::{refused, unexpected},
+    exit::Exit,
+    failure::Failure,
+    output::{
+        self,
+        files::{self, NewFile},
+        text,
+    },
+    progress::CommandHost,
+};
+
+pub(super) fn run(
+    planner: Planner,
+    args: &Solve,
+    instance: &Instance,
+    objective: &Objective,
+    common: &Common,
+    clock: Clock,
+) -> Result<Exit, Failure> {
+    if args.order.is_some() && planner != Planner::Prioritised {
+        return Err(Failure::Usage(format!(
+            "found --order for {planner}, expected it for prioritised"
+        )));
+    }
+    let request = Request::Plan(PlanRequest {
+        objective: Some(objective.clone()),
+        within: args.within,
+        order: args.order.clone(),
+        trace: args.trace.is_some(),
+        limits: limits(args, clock),
+        ..PlanRequest::new(instance.to_scene(), planner)
+    });
+    let host = CommandHost::new(clock, common.quiet, objective.clone());
+    let response = serve(&request, &host);
+    host.finish();
+    match response {
+        Response::Planned(mut answer) => {
+            // It goes into a file of its own.
+            let trace = answer.trace.take();
+            output::answer(common.format, &answer, |columns| {
+                text::planned(instance, &answer, columns)
+            })?;
+            if let Some((path, trace)) = args.trace.as_deref().zip(trace) {
+                write_trace(path, &trace)?;
+            }
+            Ok(exit(&answer))
+        }
+        Response::Refused(refusal) => Err(refused(refusal, &args.source.instance)),
+        _ => Err(unexpected(&args.source.instance)),
+    }
+}
+
+fn write_trace(path: &Path, trace: &PlanTrace) -> Result<(), Failure> {
+    files::write_all(&[NewFile {
+        path: path.to_owned(),
+        text: output::json_text(trace)?,
+    }])
+}
+
+fn exit(answer: &PlanAnswer) -> Exit {
+    let is_proved = matches!(answer.ended, PlanEnd::Alone { .. });
+    if answer.plan.is_some() || is_proved {
+        Exit::Answered
+    } else {
+        Exit::Unknown
+    }
+}

@@ -1,0 +1,65 @@
+//! What each method cannot do: it is refused by name, not ignored.
+
+use giveway_model::Cost;
+
+use super::Planner;
+use crate::{
+    AgentId,
+    plain::{Plain, Unsupported},
+    problem::Problem,
+    single::{Bounds, Task},
+};
+
+/// Something in an instance that a planner has no method for.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+pub enum Inability {
+    /// This agent has a battery.
+    Battery(AgentId),
+    /// This agent has waypoints.
+    Waypoints(AgentId),
+    /// The map has slow zones.
+    SlowZones,
+    /// These two have one goal.
+    SharedGoal(AgentId, AgentId),
+    /// A question asks something of this agent beside its task.
+    Demand(AgentId),
+    /// A question leaves out rules between agents.
+    Relaxed,
+    /// The objective begins with this cost.
+    Cost(Cost),
+}
+
+impl From<Unsupported> for Inability {
+    fn from(unsupported: Unsupported) -> Self {
+        match unsupported {
+            Unsupported::Waypoints(agent) => Self::Waypoints(agent),
+            Unsupported::Battery(agent) => Self::Battery(agent),
+            Unsupported::Demand(agent)
+            | Unsupported::Bounds(agent)
+            | Unsupported::UnderWay(agent) => Self::Demand(agent),
+            Unsupported::SharedGoal(a, b) => Self::SharedGoal(a, b),
+            Unsupported::SlowZones => Self::SlowZones,
+            Unsupported::Relaxed => Self::Relaxed,
+        }
+    }
+}
+
+/// What a planner lacks for the instance, if anything; which costs CBS makes least
+/// it says itself.
+pub(super) fn lack(planner: Planner, problem: &Problem) -> Option<Inability> {
+    match planner {
+        Planner::Pibt | Planner::Lacam => Plain::new(problem).err().map(Inability::from),
+        Planner::Prioritised | Planner::Cbs | Planner::Lns => {
+            let more = problem.tasks.iter().position(is_asked_for_more);
+            more.map(Inability::Demand)
+        }
+    }
+}
+
+/// Whether a task is not that of an agent of an instance.
+fn is_asked_for_more(task: &Task) -> bool {
+    task.demand.is_some()
+        || task.transit.is_some()
+        || (task.not_before, task.held) != (0, 0)
+        || !matches!(task.bounds, Bounds::Free)
+}

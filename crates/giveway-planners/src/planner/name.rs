@@ -1,0 +1,124 @@
+//! The planners by name.
+
+use std::borrow::Cow;
+use std::fmt;
+use std::str::FromStr;
+
+use serde::{Deserialize, Deserializer, Serialize, de};
+
+/// A planner of the textbook.
+#[derive(
+    Clone,
+    Copy,
+    Debug,
+    PartialEq,
+    Eq,
+    PartialOrd,
+    Ord,
+    Serialize,
+    borsh::BorshSerialize,
+    borsh::BorshDeserialize,
+)]
+#[serde(rename_all = "kebab-case")]
+pub enum Planner {
+    /// Prioritised planning.
+    Prioritised,
+    /// Conflict-based search.
+    Cbs,
+    /// Priority inheritance with backtracking.
+    Pibt,
+    /// Lazy constraints addition search, in its anytime form LaCAM*.
+    Lacam,
+    /// Large neighbourhood search.
+    Lns,
+}
+
+impl Planner {
+    /// All of them, in the order in which lists show them.
+    pub const ALL: [Self; 5] = [
+        Self::Prioritised,
+        Self::Cbs,
+        Self::Pibt,
+        Self::Lacam,
+        Self::Lns,
+    ];
+
+    /// The name in files and on the command line.
+    pub const fn name(self) -> &'static str {
+        match self {
+            Self::Prioritised => "prioritised",
+            Self::Cbs => "cbs",
+            Self::Pibt => "pibt",
+            Self::Lacam => "lacam",
+            Self::Lns => "lns",
+        }
+    }
+
+    /// The name for people, which may begin a sentence.
+    pub const fn title(self) -> &'static str {
+        match self {
+            Self::Prioritised => "Prioritised planning",
+            Self::Cbs => "CBS",
+            Self::Pibt => "PIBT",
+            Self::Lacam => "LaCAM",
+            Self::Lns => "LNS",
+        }
+    }
+
+    /// What its steps are, for people, after so many of them.
+    pub const fn steps(self, n: u64) -> &'static str {
+        match (self, n) {
+            (Self::Prioritised, 1) => "order tried",
+            (Self::Prioritised, _) => "orders tried",
+            (Self::Cbs, 1) => "node of the constraint tree",
+            (Self::Cbs, _) => "nodes of the constraint tree",
+            (Self::Pibt, 1) => "time step",
+            (Self::Pibt, _) => "time steps",
+            (Self::Lacam, 1) => "configuration",
+            (Self::Lacam, _) => "configurations",
+            (Self::Lns, 1) => "neighbourhood",
+            (Self::Lns, _) => "neighbourhoods",
+        }
+    }
+}
+
+impl fmt::Display for Planner {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(self.name())
+    }
+}
+
+/// A word that names no planner.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct UnknownPlanner(pub String);
+
+impl fmt::Display for UnknownPlanner {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(
+            f,
+            "found \"{}\", expected prioritised, cbs, pibt, lacam or lns",
+            self.0
+        )
+    }
+}
+
+impl std::error::Error for UnknownPlanner {}
+
+impl FromStr for Planner {
+    type Err = UnknownPlanner;
+
+    fn from_str(word: &str) -> Result<Self, UnknownPlanner> {
+        Self::ALL
+            .into_iter()
+            .find(|planner| planner.name() == word)
+            .ok_or_else(|| UnknownPlanner(word.to_owned()))
+    }
+}
+
+impl<'de> Deserialize<'de> for Planner {
+    /// By hand, since derived code also takes `{"cbs": null}`.
+    fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
+        let word = Cow::<str>::deserialize(deserializer)?;
+        word.parse().map_err(de::Error::custom)
+    }
+}

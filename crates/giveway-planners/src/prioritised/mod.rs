@@ -1,0 +1,222 @@
+//! Prioritised planning: one agent after the other, each around those before it.
+//!
+//! Erdmann and Lozano-Perez, "On multiple moving objects" (1987). Fast, neither
+//! complete nor best: whether it finds a plan depends on the order. In a *found*
+//! order an agent that gets stuck moves to the front and all is begun again;
+//! where that comes to an order seen before, orders are drawn by lot (always the
+//! same). Plain tasks are planned by safe intervals, batteries by space-time A*.
+
+#[cfg(test)]
+mod tests;
+mod trace;
+
+use std::collections::BTreeSet;
+
+use fastrand::Rng;
+
+pub use trace::{Attempt, Planned, Stuck};
+
+use crate::{
+    AgentId,
+    budget::{Budget, Stop},
+    chance::shuffle,
+    local::{Others, Query, Reservations, Timetable},
+    problem::Problem,
+    walk::{Walk, arrival},
+};
+
+/// In which order agents are planned.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub enum Order {
+    /// In this one; agents that it lacks come last, by number.
+    Given(Vec<AgentId>),
+    /// In the first of so many orders at most that works.
+    Found {
+        /// How many orders are tried.
+        tries: u32,
+    },
+}
+
+impl Default for Order {
+    fn default() -> Self {
+        Self::Found { tries: 200 }
+    }
+}
+
+/// How prioritised planning ended.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub enum Ended {
+    /// With a plan: the walks, one an agent.
+    Found(Vec<Walk>),
+    /// No order that was tried works. There may be a plan.
+    NoOrderWorks(Stuck),
+    /// Early.
+    Stopped(Stop),
+}
+
+/// What prioritised planning leaves behind.
+#[derive(Clone, Debug)]
+pub struct Outcome {
+    /// How it ended.
+    pub ended: Ended,
+    /// How many orders were tried.
+    pub tried: u32,
+    /// What happened in each, where that was asked for.
+    pub attempts: Option<Vec<Attempt>>,
+}
+
+/// Attempts that are told at most.
+const MOST_TOLD: usize = 200;
+
+/// Plans the agents one after the other, no walk longer than the horizon.
+pub fn prioritised(
+    problem: &Problem,
+    order: &Order,
+    horizon: u32,
+    traced: bool,
+    budget: &dyn Budget,
+) -> Outcome {
+    let mut outcome = Outcome {
+        ended: Ended::Found(Vec::new()),
+        tried: 0,
+        attempts: traced.then(Vec::new),
+    };
+    let mut orders = Orders::new(problem, order);
+    let mut current = orders.first();
+    outcome.ended = loop {
+        let mut attempt = Attempt {
+            order: current.clone(),
+            planned: Vec::new(),
+            stuck: None,
+        };
+        let tried = match Timetable::new(problem) {
+            Some(nobody) => attempt.run(nobody, horizon, traced, budget),
+            None => attempt.run(Reservations::new(problem), horizon, traced, budget),
+        };
+        outcome.tried += 1;
+        let stuck = attempt.stuck.clone();
+        if let Some(attempts) = outcome
+            .attempts
+            .as_mut()
+            .filter(|told| told.len() < MOST_TOLD)
+        {
+            attempts.push(attempt);
+        }
+        match (tried, stuck) {
+            (Err(stop), _) => break Ended::Stopped(stop),
+            (Ok(walks), None) => break Ended::Found(walks),
+            (Ok(_), Some(stuck)) => match orders.next(&current, &stuck) {
+                Some(next) => current = next,
+                None => break Ended::NoOrderWorks(stuck),
+            },
+        }
+    };
+    outcome
+}
+
+/// The orders to try.
+struct Orders {
+    first: Vec<AgentId>,
+    left: u32,
+    seen: BTreeSet<Vec<AgentId>>,
+    rng: Rng,
+}
+
+impl Orders {
+    fn new(problem: &Problem, order: &Order) -> Self {
+        let (given, left) = match order {
+            Order::Given(given) => (given.as_slice(), 1),
+            Order::Found { tries } => (&[][..], *tries),
+        };
+        let mut first: Vec<AgentId> = Vec::new();
+        for agent in given.iter().copied().chain(0..problem.agents()) {
+            if agent < problem.agents() && !first.contains(&agent) {
+                first.push(agent);
+            }
+        }
+        Self {
+            first,
+            left,
+            seen: BTreeSet::new(),
+            rng: Rng::with_seed(7),
+        }
+    }
+
+    fn first(&mut self) -> Vec<AgentId> {
+        self.seen.insert(self.first.clone());
+        self.first.clone()
+    }
+
+    /// The next order after one in which an agent got stuck.
+    fn next(&mut self, order: &[AgentId], stuck: &Stuck) -> Option<Vec<AgentId>> {
+        self.left = self.left.saturating_sub(1);
+        let mut next: Vec<AgentId> = vec![stuck.agent];
+        next.extend(order.iter().filter(|&&agent| agent != stuck.agent));
+        while self.left > 0 && !self.seen.insert(next.clone()) {
+            self.left -= 1;
+            shuffle(&mut self.rng, &mut next);
+        }
+        (self.left > 0).then_some(next)
+    }
+}
+
+impl Attempt {
+    /// Plans in its order, from nobody on; the walks are by agent, and a plan
+    /// unless one is stuck.
+    fn run(
+        &mut self,
+        mut others: impl Others,
+        horizon: u32,
+        traced: bool,
+        budget: &dyn Budget,
+    ) -> Result<Vec<Walk>, Stop> {
+        let mut walks = vec![Walk::new(); self.order.len()];
+        for &agent in &self.order {
+            budget.check()?;
+            let query = Query {
+                agent,
+                latest: horizon,
+                conflict_penalty: None,
+                expansion_limit: u32::MAX,
+            };
+            let walk = others.plan(query, budget)?.map(|(walk, _)| walk);
+            let alone = others.problem().optima[agent];
+            let is_late = walk.as_ref().is_none_or(|walk| arrival(walk) > alone);
+            let around = if is_late && (traced || walk.is_none()) {
+                in_the_way(&mut others, agent, budget)?
+            } else {
+                Vec::new()
+            };
+            let Some(walk) = walk else {
+                self.stuck = Some(Stuck { agent, around });
+                return Ok(walks);
+            };
+            self.planned.push(Planned {
+                agent,
+                arrival: arrival(&walk),
+                alone,
+                around,
+            });
+            others.add(agent, &walk);
+            walks[agent] = walk;
+        }
+        Ok(walks)
+    }
+}
+
+/// Whom an agent would meet on the way that it would take alone.
+fn in_the_way(
+    others: &mut impl Others,
+    agent: AgentId,
+    budget: &dyn Budget,
+) -> Result<Vec<AgentId>, Stop> {
+    let query = Query {
+        agent,
+        latest: others.problem().optima[agent],
+        conflict_penalty: Some(1),
+        expansion_limit: u32::MAX,
+    };
+    let own = others.plan(query, budget)?;
+    let met = own.map(|(walk, _)| others.met_by(agent, &walk));
+    Ok(met.into_iter().flatten().collect())
+}

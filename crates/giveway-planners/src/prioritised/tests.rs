@@ -1,0 +1,127 @@
+//! Orders that work and orders that do not, on scenes small enough to see why.
+
+use super::{Ended, Order, Outcome, Planned, Stuck, prioritised};
+use crate::{
+    budget::{Budget, HeldBytes, Stop, Unlimited},
+    problem::Problem,
+    tests::instance,
+};
+
+fn planned(picture: &str, order: &Order) -> Outcome {
+    let problem = Problem::new(&instance(picture), &Unlimited::default()).ok();
+    prioritised(&problem.unwrap(), order, 30, true, &Unlimited::default())
+}
+
+/// a goes along the corridor from west to east; b has its goal in it.
+const CORRIDOR: &str = "
+    a . . B A
+    # # # b #";
+
+#[test]
+fn who_arrives_first_in_the_corridor_blocks_the_other() {
+    let stuck = planned(CORRIDOR, &Order::Given(vec![1, 0]));
+    let expected = Stuck {
+        agent: 0,
+        around: vec![1],
+    };
+    assert_eq!(stuck.ended, Ended::NoOrderWorks(expected.clone()));
+    let attempts = stuck.attempts.unwrap();
+    assert_eq!(attempts.len(), 1);
+    assert_eq!(attempts[0].order, [1, 0]);
+    assert_eq!(attempts[0].stuck, Some(expected));
+    let b = Planned {
+        agent: 1,
+        arrival: 1,
+        alone: 1,
+        around: Vec::new(),
+    };
+    assert_eq!(attempts[0].planned, [b]);
+}
+
+#[test]
+fn in_the_other_order_both_arrive() {
+    let found = planned(CORRIDOR, &Order::Given(vec![0, 1]));
+    assert!(matches!(found.ended, Ended::Found(_)), "{found:?}");
+    assert_eq!(found.tried, 1);
+}
+
+#[test]
+fn who_gets_stuck_moves_to_the_front() {
+    let picture = "
+        b . . A B
+        # # # a #";
+    let found = planned(picture, &Order::default());
+    assert!(matches!(found.ended, Ended::Found(_)), "{found:?}");
+    let orders: Vec<_> = found
+        .attempts
+        .unwrap()
+        .into_iter()
+        .map(|a| a.order)
+        .collect();
+    assert_eq!(orders, [[0, 1], [1, 0]]);
+}
+
+#[test]
+fn who_goes_around_somebody_says_whom() {
+    let picture = "
+        . . b .
+        a . . A
+        . . B .";
+    let found = planned(picture, &Order::Given(vec![0, 1]));
+    let planned = &found.attempts.unwrap()[0].planned;
+    assert_eq!((planned[1].arrival, planned[1].alone), (2, 2));
+    let picture = "
+        # b #
+        a . A
+        # B #";
+    // Both would be in the middle at time 1.
+    let found = self::planned(picture, &Order::Given(vec![0, 1]));
+    let planned = &found.attempts.unwrap()[0].planned;
+    let late = Planned {
+        agent: 1,
+        arrival: 3,
+        alone: 2,
+        around: vec![0],
+    };
+    assert_eq!(planned[1], late);
+}
+
+#[test]
+fn where_no_order_works_that_is_all_it_says() {
+    // Two that have to pass each other in a corridor.
+    let swap = "aB . bA";
+    let outcome = planned(swap, &Order::default());
+    assert!(
+        matches!(outcome.ended, Ended::NoOrderWorks(_)),
+        "{outcome:?}"
+    );
+    // There are but two orders, and each is tried once.
+    assert_eq!(outcome.attempts.unwrap().len(), 2);
+}
+
+/// A budget that is spent at once.
+#[derive(Default)]
+struct Spent(HeldBytes);
+
+impl Budget for Spent {
+    fn check(&self) -> Result<(), Stop> {
+        Err(Stop::Time)
+    }
+
+    fn tick(&self) -> Result<(), Stop> {
+        Err(Stop::Time)
+    }
+
+    fn held_bytes(&self) -> &HeldBytes {
+        &self.0
+    }
+}
+
+#[test]
+fn without_a_budget_it_says_so() {
+    let problem = Problem::new(&instance(CORRIDOR), &Unlimited::default()).ok();
+    let order = Order::default();
+    let outcome = prioritised(&problem.unwrap(), &order, 30, false, &Spent::default());
+    assert_eq!(outcome.ended, Ended::Stopped(Stop::Time));
+    assert!(outcome.attempts.is_none());
+}

@@ -1,0 +1,37 @@
+//! What happened in one order: who was planned around whom, and who got stuck.
+
+use crate::AgentId;
+
+/// An agent that got a walk.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Planned {
+    /// Who.
+    pub agent: AgentId,
+    /// When it arrives.
+    pub arrival: u32,
+    /// When it would arrive alone.
+    pub alone: u32,
+    /// Where it arrives later than alone: whom it would have met on the best way
+    /// of its own that meets the fewest.
+    pub around: Vec<AgentId>,
+}
+
+/// An agent that has no walk around those before it.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Stuck {
+    /// Who.
+    pub agent: AgentId,
+    /// Whom it meets on the best way of its own that meets the fewest.
+    pub around: Vec<AgentId>,
+}
+
+/// One order, from its first agent on.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Attempt {
+    /// The order.
+    pub order: Vec<AgentId>,
+    /// Who got a walk, in that order.
+    pub planned: Vec<Planned>,
+    /// Who did not, if somebody did not.
+    pub stuck: Option<Stuck>,
+}

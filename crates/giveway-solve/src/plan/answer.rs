@@ -1,0 +1,132 @@
+//! What a planner of the textbook came to.
+
+use std::collections::BTreeMap;
+
+use borsh::{BorshDeserialize, BorshSerialize};
+use giveway_model::{Cost, Costs, Objective, Plan, Version, message::read_map};
+use serde::{Deserialize, Serialize};
+
+use super::{PlanTrace, Planner};
+
+/// The answer to a request for a plan.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, BorshSerialize, BorshDeserialize)]
+pub struct PlanAnswer {
+    /// The format's version.
+    pub giveway: Version,
+    /// Who planned.
+    pub planner: Planner,
+    /// The objective.
+    pub objective: Objective,
+    /// How it ended.
+    pub ended: PlanEnd,
+    /// All five costs of the plan; `null` without one.
+    pub costs: Option<Costs>,
+    /// The proved lower bound of the first cost, where the planner proves one. It
+    /// holds whatever the makespan.
+    #[borsh(deserialize_with = "read_map")]
+    pub bounds: BTreeMap<Cost, u32>,
+    /// The plan, which the judge passed.
+    pub plan: Option<Plan>,
+    /// How much work it took.
+    pub stats: PlanStats,
+    /// How it went, where that was asked for.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub trace: Option<PlanTrace>,
+}
+
+/// How a planner ended. None of them proves that there is no plan, unless an
+/// agent has none even alone.
+#[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize, BorshSerialize, BorshDeserialize)]
+#[serde(tag = "how", rename_all = "kebab-case")]
+pub enum PlanEnd {
+    /// No plan has less of the first cost.
+    Best {
+        /// The makespan up to which that holds; `null` where it holds for all plans.
+        within: Option<u32>,
+    },
+    /// With a plan; there may be better ones.
+    Found,
+    /// No order that was tried works. There may be a plan.
+    NoOrderWorks {
+        /// How many orders.
+        tried: u32,
+        /// Who got stuck in the last.
+        stuck: StuckAgent,
+    },
+    /// Early. There may be a plan.
+    Stopped {
+        /// Why, as a sentence.
+        reason: String,
+    },
+    /// There is nothing up to the horizon. There may be a longer plan.
+    Horizon {
+        /// The horizon.
+        within: u32,
+    },
+    /// The planner has no method for something in the instance.
+    Refused {
+        /// For what.
+        lack: Lack,
+    },
+    /// An agent cannot do its task even alone, whatever the horizon.
+    Alone {
+        /// Who.
+        agent: String,
+    },
+}
+
+/// An agent that has no way around those planned before it.
+#[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize, BorshSerialize, BorshDeserialize)]
+pub struct StuckAgent {
+    /// Who.
+    pub agent: String,
+    /// Whom it meets on the best way of its own that meets the fewest.
+    pub around: Vec<String>,
+}
+
+/// Something that a planner has no method for.
+#[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize, BorshSerialize, BorshDeserialize)]
+#[serde(tag = "what", rename_all = "kebab-case")]
+pub enum Lack {
+    /// Batteries.
+    Batteries {
+        /// An agent that has one.
+        agent: String,
+    },
+    /// Waypoints.
+    Waypoints {
+        /// An agent that has some.
+        agent: String,
+    },
+    /// More waypoints than any planner can bear.
+    ManyWaypoints {
+        /// The agent that has them.
+        agent: String,
+    },
+    /// Slow zones.
+    SlowZones,
+    /// Two agents with one goal.
+    SharedGoals {
+        /// Who they are.
+        agents: [String; 2],
+    },
+    /// What a question asks beside the instance.
+    Questions,
+    /// This cost as the first of the objective.
+    Cost {
+        /// The cost.
+        cost: Cost,
+    },
+}
+
+/// How much work a plan took.
+#[derive(
+    Clone, Copy, Debug, Default, PartialEq, Serialize, Deserialize, BorshSerialize, BorshDeserialize,
+)]
+pub struct PlanStats {
+    /// CPU seconds (wall seconds in the browser).
+    pub cpu_seconds: f64,
+    /// Steps, whose meaning depends on the planner: orders tried, nodes of the
+    /// constraint tree, time steps, configurations, neighbourhoods.
+    pub steps: u64,
+}

@@ -1,0 +1,280 @@
+//! Plans through the door: how they end, what is claimed, what is told.
+
+use giveway_model::{Cost, format::native};
+use serde_json::{Value, json};
+
+use super::{Lack, PlanAnswer, PlanEnd, PlanRequest, Planner, words};
+use crate::{Host, Limits, Progress, Refusal, Request, Response, SilentHost, serve};
+
+const CROSSING: &str = r##"{
+    "giveway": 1,
+    "map": ["#.#", "...", "#.#"],
+    "objective": ["sum-of-costs", "makespan"],
+    "agents": [
+        { "name": "A", "start": [0, 1], "goal": [2, 1] },
+        { "name": "B", "start": [1, 0], "goal": [1, 2] }
+    ]
+}"##;
+
+const SWAP: &str = r#"{
+    "giveway": 1,
+    "map": ["..."],
+    "agents": [
+        { "name": "A", "start": [0, 0], "goal": [2, 0] },
+        { "name": "B", "start": [2, 0], "goal": [0, 0] }
+    ]
+}"#;
+
+fn request(scene: &str, planner: Planner) -> PlanRequest {
+    PlanRequest::new(native::read_scene(scene).unwrap(), planner)
+}
+
+fn planned_by(request: PlanRequest, host: &dyn Host) -> PlanAnswer {
+    match serve(&Request::Plan(request), host) {
+        Response::Planned(answer) => *answer,
+        other => panic!("{other:?}"),
+    }
+}
+
+fn planned(request: PlanRequest) -> PlanAnswer {
+    planned_by(request, &SilentHost)
+}
+
+fn said(answer: &PlanAnswer) -> String {
+    let notes = words::notes(answer).join(" ");
+    format!("{} {notes}", words::headline(answer))
+        .trim()
+        .to_owned()
+}
+
+#[test]
+fn cbs_is_best_in_the_first_cost() {
+    let answer = planned(request(CROSSING, Planner::Cbs));
+    assert_eq!(answer.ended, PlanEnd::Best { within: None });
+    assert_eq!(answer.bounds.get(&Cost::SumOfCosts), Some(&5));
+    assert_eq!(answer.costs.unwrap().sum_of_costs, 5);
+    assert!(answer.plan.is_some() && answer.trace.is_none());
+    assert_eq!(answer.stats.steps, 2);
+    assert_eq!(
+        said(&answer),
+        "Best plan: sum of costs 5, makespan 3. No plan has a smaller sum of costs, no matter how \
+         many steps you allow."
+    );
+}
+
+#[test]
+fn an_order_works_or_it_does_not() {
+    let answer = planned(request(CROSSING, Planner::Prioritised));
+    assert_eq!(answer.ended, PlanEnd::Found);
+    assert!(answer.bounds.is_empty());
+    assert_eq!(
+        said(&answer),
+        "Plan found: sum of costs 5, makespan 3. There may be better plans."
+    );
+    let in_order = PlanRequest {
+        order: Some(vec!["B".to_owned()]),
+        ..request(SWAP, Planner::Prioritised)
+    };
+    assert_eq!(
+        said(&planned(in_order)),
+        "This order does not work: A cannot get past B. Another order or another planner may find \
+         a plan."
+    );
+    let found = said(&planned(request(SWAP, Planner::Prioritised)));
+    assert!(
+        found.starts_with("No plan found: none of 2 orders works."),
+        "{found}"
+    );
+}
+
+#[test]
+fn an_order_of_strangers_is_refused() {
+    let request = PlanRequest {
+        order: Some(vec!["C".to_owned()]),
+        ..request(SWAP, Planner::Prioritised)
+    };
+    let response = serve(&Request::Plan(request), &SilentHost);
+    let Response::Refused(Refusal::Request { fault }) = response else {
+        panic!("{response:?}");
+    };
+    assert_eq!(fault.place, "order");
+}
+
+/// A host that asks to stop after it was asked a hundred times.
+struct Impatient(std::cell::Cell<u32>);
+
+impl Host for Impatient {
+    fn wall_seconds(&self) -> f64 {
+        0.0
+    }
+
+    fn cancelled(&self) -> bool {
+        self.0.set(self.0.get() + 1);
+        self.0.get() > 100
+    }
+
+    fn progress(&self, _: &Progress) {}
+}
+
+#[test]
+fn without_a_plan_cbs_never_says_that_there_is_none() {
+    let endless = PlanRequest {
+        within: Some(40),
+        ..request(SWAP, Planner::Cbs)
+    };
+    let answer = planned_by(endless, &Impatient(0.into()));
+    let PlanEnd::Stopped { reason } = &answer.ended else {
+        panic!("{answer:?}");
+    };
+    assert_eq!(reason, "The search was cancelled.");
+    assert!(answer.bounds[&Cost::Makespan] > 2);
+    let text = said(&answer);
+    assert!(
+        text.contains("There may be a plan; none was found yet."),
+        "{text}"
+    );
+    // Where all plans up to a horizon are excluded, longer ones are not.
+    let short = PlanRequest {
+        within: Some(3),
+        ..request(SWAP, Planner::Cbs)
+    };
+    let answer = planned(short);
+    assert_eq!(answer.ended, PlanEnd::Horizon { within: 3 });
+    assert_eq!(answer.bounds[&Cost::Makespan], 4);
+}
+
+#[test]
+fn what_a_planner_cannot_do_it_says() {
+    let scene = CROSSING.replace(
+        r#""goal": [2, 1]"#,
+        r#""goal": [2, 1], "waypoints": [[1, 2]]"#,
+    );
+    let answer = planned(request(&scene, Planner::Pibt));
+    let lack = Lack::Waypoints {
+        agent: "A".to_owned(),
+    };
+    assert_eq!(answer.ended, PlanEnd::Refused { lack });
+    assert_eq!(
+        said(&answer),
+        "Not for this planner: PIBT cannot plan for waypoints, and A has some."
+    );
+    assert!(answer.plan.is_none());
+    let scene = CROSSING.replace(r#""sum-of-costs""#, r#""waits""#);
+    let answer = planned(request(&scene, Planner::Cbs));
+    let lack = Lack::Cost { cost: Cost::Waits };
+    assert_eq!(answer.ended, PlanEnd::Refused { lack });
+}
+
+#[test]
+fn who_cannot_do_its_task_alone_is_named() {
+    let scene = SWAP.replace("...", ".#.");
+    let answer = planned(request(&scene, Planner::Cbs));
+    assert_eq!(
+        said(&answer),
+        "No plan exists, no matter how many steps you allow: A cannot do its task, even alone."
+    );
+}
+
+#[test]
+fn a_budget_that_is_spent_is_said() {
+    let spent = PlanRequest {
+        limits: Limits {
+            memory_bytes: Some(1),
+            ..Limits::default()
+        },
+        ..request(CROSSING, Planner::Prioritised)
+    };
+    let answer = planned(spent);
+    assert!(
+        matches!(answer.ended, PlanEnd::Stopped { .. }),
+        "{answer:?}"
+    );
+}
+
+fn trace(scene: &str, planner: Planner) -> Value {
+    let answer = planned(PlanRequest {
+        trace: true,
+        ..request(scene, planner)
+    });
+    let text = serde_json::to_string(&answer).unwrap();
+    let again: PlanAnswer = serde_json::from_str(&text).unwrap();
+    assert_eq!(again, answer, "an answer is read as it was written");
+    serde_json::to_value(answer.trace).unwrap()
+}
+
+#[test]
+fn a_constraint_tree_is_told_by_names_and_cells() {
+    let edge = json!({ "agent": "A", "cell": [1, 1], "time": 1 });
+    let with = |rule: &str| {
+        let mut edge = edge.clone();
+        edge["rule"] = rule.into();
+        edge
+    };
+    let expected = json!({
+        "giveway": 1,
+        "planner": "cbs",
+        "left_out": 0,
+        "nodes": [
+            {
+                "id": 0, "parent": null, "constraint": null, "cost": 4, "conflicts": 1,
+                "fate": "split", "turn": 0, "bypassed": 0,
+                "conflict": {
+                    "kind": "vertex", "agents": ["A", "B"], "cell": [1, 1], "time": 1, "delays": 2
+                }
+            },
+            {
+                "id": 1, "parent": 0, "constraint": with("not-at"), "cost": 5, "conflicts": 0,
+                "fate": "open"
+            },
+            {
+                "id": 2, "parent": 0, "constraint": with("at"), "cost": 5, "conflicts": 0,
+                "fate": "best", "turn": 1, "bypassed": 0
+            }
+        ]
+    });
+    assert_eq!(trace(CROSSING, Planner::Cbs), expected);
+}
+
+#[test]
+fn an_order_is_told_by_names() {
+    let expected = json!({
+        "giveway": 1,
+        "planner": "prioritised",
+        "orders": [{
+            "order": ["A", "B"],
+            "planned": [
+                { "agent": "A", "arrival": 2, "alone": 2, "around": [] },
+                { "agent": "B", "arrival": 3, "alone": 2, "around": ["A"] }
+            ],
+            "stuck": null
+        }]
+    });
+    assert_eq!(trace(CROSSING, Planner::Prioritised), expected);
+}
+
+#[test]
+fn every_planner_finds_a_plan_and_tells_how() {
+    for planner in Planner::ALL {
+        let told = trace(CROSSING, planner);
+        assert_eq!(told["planner"], planner.name());
+        let answer = planned(request(CROSSING, planner));
+        assert!(
+            answer.plan.is_some() && answer.costs.is_some(),
+            "{answer:?}"
+        );
+    }
+}
+
+#[test]
+fn where_robots_stand_in_the_way_for_good_pibt_says_so() {
+    let answer = planned(request(SWAP, Planner::Pibt));
+    let text = said(&answer);
+    assert!(
+        text.ends_with("There may be a plan; none was found yet."),
+        "{text}"
+    );
+    assert!(
+        text.starts_with("Robots stood in each other's way"),
+        "{text}"
+    );
+}

@@ -1,0 +1,226 @@
+//! How a planner went, with names and cells instead of numbers.
+
+use borsh::{BorshDeserialize, BorshSerialize};
+use giveway_model::{Cell, Version};
+use serde::{Deserialize, Serialize};
+
+use super::StuckAgent;
+
+/// How a planner went.
+#[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize, BorshSerialize, BorshDeserialize)]
+pub struct PlanTrace {
+    /// The format's version.
+    pub giveway: Version,
+    /// What happened.
+    #[serde(flatten)]
+    pub went: Went,
+}
+
+/// What happened, by planner.
+#[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize, BorshSerialize, BorshDeserialize)]
+#[serde(tag = "planner", rename_all = "kebab-case")]
+pub enum Went {
+    /// The orders that were tried.
+    Prioritised {
+        /// One after the other, the first of them.
+        orders: Vec<OrderTried>,
+    },
+    /// The constraint tree.
+    Cbs {
+        /// The nodes by number, the first of them.
+        nodes: Vec<TreeNode>,
+        /// How many more there were.
+        left_out: u64,
+    },
+    /// What happened in the steps of PIBT.
+    Pibt {
+        /// Who inherited whose priority, the first of them.
+        inherited: Vec<Inherited>,
+    },
+    /// The search of LaCAM.
+    Lacam {
+        /// Its steps, the first of them.
+        events: Vec<LacamEvent>,
+    },
+    /// The better plans of large neighbourhood search.
+    Lns {
+        /// One after the other, the first of them.
+        improvements: Vec<LnsImprovement>,
+    },
+}
+
+/// An agent lends its priority to another one, which stands in its way.
+#[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize, BorshSerialize, BorshDeserialize)]
+pub struct Inherited {
+    /// When the step begins; `null` in the trace of LaCAM, where it is the
+    /// configuration's.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub time: Option<u32>,
+    /// Who lends it.
+    pub from: String,
+    /// Who inherits it.
+    pub to: String,
+    /// Where the heir stands, and the lender wants to be.
+    pub cell: Cell,
+}
+
+/// A step of LaCAM: from a configuration to the next.
+#[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize, BorshSerialize, BorshDeserialize)]
+pub struct LacamEvent {
+    /// The number of the configuration that it begins in; 0 is the start.
+    pub from: u32,
+    /// Where the first agents of its order had to go.
+    pub constraints: Vec<Cell>,
+    /// Who inherited whose priority.
+    pub inherited: Vec<Inherited>,
+    /// The number of the configuration that it made; `null` where it made none.
+    pub made: Option<u32>,
+    /// Whether that was known before.
+    pub known: bool,
+}
+
+/// A better plan of large neighbourhood search.
+#[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize, BorshSerialize, BorshDeserialize)]
+pub struct LnsImprovement {
+    /// The agents that got other paths.
+    pub changed: Vec<String>,
+    /// The costs before, in the order of the objective.
+    pub before: Vec<u32>,
+    /// The costs after.
+    pub after: Vec<u32>,
+}
+
+/// One order of prioritised planning.
+#[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize, BorshSerialize, BorshDeserialize)]
+pub struct OrderTried {
+    /// The agents.
+    pub order: Vec<String>,
+    /// Those that got a path, in this order.
+    pub planned: Vec<PlannedAgent>,
+    /// The one that did not; `null` where the order works.
+    pub stuck: Option<StuckAgent>,
+}
+
+/// An agent that got a path.
+#[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize, BorshSerialize, BorshDeserialize)]
+pub struct PlannedAgent {
+    /// Who.
+    pub agent: String,
+    /// When it arrives.
+    pub arrival: u32,
+    /// When it would arrive alone.
+    pub alone: u32,
+    /// Where it arrives later than alone: whom it had to avoid.
+    pub around: Vec<String>,
+}
+
+/// A node of the constraint tree.
+#[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize, BorshSerialize, BorshDeserialize)]
+pub struct TreeNode {
+    /// Its number.
+    pub id: u64,
+    /// The number of its parent; `null` for the root.
+    pub parent: Option<u64>,
+    /// What it asks beside what its parent does.
+    pub constraint: Option<ToldConstraint>,
+    /// The cost of its paths: no plan that keeps its constraints costs less. `null`
+    /// where an agent cannot keep them.
+    pub cost: Option<u32>,
+    /// How many conflicts its paths have.
+    pub conflicts: u64,
+    /// What became of it.
+    #[serde(flatten)]
+    pub fate: NodeFate,
+}
+
+/// What became of a node.
+#[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize, BorshSerialize, BorshDeserialize)]
+#[serde(tag = "fate", rename_all = "kebab-case")]
+pub enum NodeFate {
+    /// It was not taken out of the open list.
+    Open,
+    /// An agent cannot keep its constraints.
+    Dead,
+    /// It was taken out and split at a conflict.
+    Split {
+        /// As the n-th, from 0.
+        turn: u64,
+        /// The conflict.
+        conflict: ToldConflict,
+        /// How often it took the paths of a child that cost no more (bypass).
+        bypassed: u32,
+    },
+    /// It is the answer.
+    Best {
+        /// As the n-th, from 0.
+        turn: u64,
+        /// How often it took the paths of a child that cost no more (bypass).
+        bypassed: u32,
+    },
+}
+
+/// A constraint. A positive one (at, along, arrive by) also keeps all others away.
+#[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize, BorshSerialize, BorshDeserialize)]
+#[serde(tag = "rule", rename_all = "kebab-case")]
+#[expect(missing_docs, reason = "an agent, a cell or an edge, a time in steps")]
+pub enum ToldConstraint {
+    /// It is not at a cell at a time.
+    NotAt {
+        agent: String,
+        cell: Cell,
+        time: u32,
+    },
+    /// It is at a cell at a time.
+    At {
+        agent: String,
+        cell: Cell,
+        time: u32,
+    },
+    /// It is not on its way from a cell to the next in the step from a time.
+    NotAlong {
+        agent: String,
+        edge: [Cell; 2],
+        time: u32,
+    },
+    /// It is on its way from a cell to the next in the step from a time.
+    Along {
+        agent: String,
+        edge: [Cell; 2],
+        time: u32,
+    },
+    /// It arrives after a time.
+    ArriveAfter { agent: String, time: u32 },
+    /// It arrives by a time.
+    ArriveBy { agent: String, time: u32 },
+}
+
+/// A conflict of two agents.
+#[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize, BorshSerialize, BorshDeserialize)]
+#[serde(tag = "kind", rename_all = "kebab-case")]
+#[expect(
+    missing_docs,
+    reason = "two agents, a cell or an edge, a time in steps, how many of them are delayed for sure"
+)]
+pub enum ToldConflict {
+    /// Both are at a cell.
+    Vertex {
+        agents: [String; 2],
+        cell: Cell,
+        time: u32,
+        delays: u32,
+    },
+    /// The first goes along an edge, the second the other way.
+    Swap {
+        agents: [String; 2],
+        edge: [Cell; 2],
+        time: u32,
+        delays: u32,
+    },
+    /// The first rests at its goal, and the second comes by.
+    Target {
+        agents: [String; 2],
+        cell: Cell,
+        time: u32,
+        delays: u32,
+    },
+}

@@ -1,0 +1,122 @@
+//! What a planner came to, in sentences: one text for the page and the command.
+
+use giveway_model::words::{and, name, sentence, values};
+
+use super::{Lack, PlanAnswer, PlanEnd, StuckAgent};
+use crate::words::{FOR_EVER, Headline};
+
+/// How it ended, in a sentence. It begins with words that may be made bold.
+pub fn headline(answer: &PlanAnswer) -> Headline {
+    let say = |word: &str, rest: String| Headline {
+        word: word.to_owned(),
+        rest,
+    };
+    let costs = answer.costs.unwrap_or_default();
+    let costs = || values(answer.objective.costs(), &costs);
+    match &answer.ended {
+        PlanEnd::Best { .. } => say("Best plan", format!(": {}.", costs())),
+        PlanEnd::Found => say("Plan found", format!(": {}.", costs())),
+        PlanEnd::NoOrderWorks { tried: 1, stuck } => say(
+            "This order does not work",
+            format!(": {}.", is_stuck(stuck)),
+        ),
+        PlanEnd::NoOrderWorks { tried, stuck } => {
+            let last = is_stuck(stuck);
+            say(
+                "No plan found",
+                format!(": none of {tried} orders works. In the last, {last}."),
+            )
+        }
+        PlanEnd::Stopped { reason } if answer.plan.is_some() => {
+            let rest = format!(": {}. {}", costs(), sentence(reason));
+            say("Best so far", rest)
+        }
+        PlanEnd::Stopped { reason } => say(&sentence(reason), NONE_YET.to_owned()),
+        PlanEnd::Horizon { within } => say(
+            "No plan found",
+            format!(": there is none of makespan at most {within}. There may be a longer one."),
+        ),
+        PlanEnd::Refused { lack } => {
+            let title = answer.planner.title();
+            say(
+                "Not for this planner",
+                format!(": {title} {}.", cannot(lack)),
+            )
+        }
+        PlanEnd::Alone { agent } => say(
+            "No plan exists",
+            format!(", {FOR_EVER}: {agent} cannot do its task, even alone."),
+        ),
+    }
+}
+
+const NONE_YET: &str = " There may be a plan; none was found yet.";
+
+/// What else is to be said, a sentence each: how far a claim reaches, what is
+/// proved, what may help.
+pub fn notes(answer: &PlanAnswer) -> Vec<String> {
+    let first = answer.objective.costs().first();
+    let mut notes = Vec::new();
+    match (&answer.ended, first) {
+        (PlanEnd::Best { within: None }, Some(&cost)) => {
+            notes.push(format!("No plan has a smaller {}, {FOR_EVER}.", name(cost)));
+        }
+        (PlanEnd::Best { within: Some(n) }, Some(&cost)) => {
+            let cost = name(cost);
+            notes.push(format!(
+                "No plan of makespan at most {n} has a smaller {cost}; a longer one might."
+            ));
+        }
+        (PlanEnd::Found, _) => notes.push("There may be better plans.".to_owned()),
+        (PlanEnd::NoOrderWorks { .. }, _) => {
+            notes.push("Another order or another planner may find a plan.".to_owned());
+        }
+        _ => {}
+    }
+    let is_best = matches!(answer.ended, PlanEnd::Best { .. });
+    for (&cost, &bound) in answer.bounds.iter().filter(|_| !is_best) {
+        notes.push(format!(
+            "Proved so far: {} is at least {bound}.",
+            name(cost)
+        ));
+    }
+    notes
+}
+
+/// `A1 cannot get past A2 and A3`.
+fn is_stuck(stuck: &StuckAgent) -> String {
+    let StuckAgent { agent, around } = stuck;
+    let around: Vec<&str> = around.iter().map(String::as_str).collect();
+    match around.as_slice() {
+        [] => format!("{agent} has no way that is left free"),
+        around => format!("{agent} cannot get past {}", and(around)),
+    }
+}
+
+/// What follows the name of the planner.
+fn cannot(lack: &Lack) -> String {
+    match lack {
+        Lack::Batteries { agent } => format!("cannot plan for batteries, and {agent} has one"),
+        Lack::Waypoints { agent } => format!("cannot plan for waypoints, and {agent} has some"),
+        Lack::ManyWaypoints { agent } => {
+            format!("cannot plan for as many waypoints as {agent} has")
+        }
+        Lack::SlowZones => "cannot plan for slow zones".to_owned(),
+        Lack::SharedGoals { agents: [a, b] } => {
+            format!("needs a goal of its own for each robot, and {a} and {b} share one")
+        }
+        Lack::Questions => "cannot plan for what a question asks".to_owned(),
+        Lack::Cost { cost } => format!(
+            "makes makespan or sum of costs least, and the objective begins with {}",
+            name(*cost)
+        ),
+    }
+}
+
+/// Why a planner that looks no further than the next step ended without a plan.
+pub(super) fn stuck(arrived: usize, all: usize) -> String {
+    format!("Robots stood in each other's way for good: {arrived} of {all} were at their goals.")
+}
+
+/// Why a planner ended that had looked at enough.
+pub(super) const EFFORT: &str = "The planner gave up: it looked at as much as it ever does.";
