@@ -4,23 +4,20 @@
 //! tried in a few orders. Where they do not, LaCAM moves all of them at once, if
 //! they have nothing but goals; else collisions are repaired in small groups.
 
-use fastrand::Rng;
-
 use crate::{
-    AgentId,
     budget::{Budget, Stop},
-    chance::below,
     lacam::{Options, lacam},
-    local::{Others, Query, Reservations, Timetable, repair},
+    local::repair,
     plain::Plain,
+    prioritised::{Ended, Order, prioritised},
     problem::Problem,
     walk::{Walk, arrival},
 };
 
-/// Orders in which agents are planned one after the other.
-const ORDERS: usize = 3;
-/// States to look at for one agent.
-const EXPANSION_LIMIT: u32 = 30_000;
+/// Orders in which agents are planned one after the other: LaCAM is as fast as one
+/// order, and mostly finds a plan, but not for all that agents have to do.
+const ORDERS: u32 = 4;
+const PLAIN_ORDERS: u32 = 1;
 /// Configurations that LaCAM makes, for each agent.
 const STEPS_PER_AGENT: u64 = 2_000;
 
@@ -35,13 +32,14 @@ pub fn first_plan(
     horizon: u32,
     budget: &dyn Budget,
 ) -> Result<Option<Vec<Walk>>, Stop> {
-    let mut rng = Rng::with_seed(problem.agents() as u64);
-    // LaCAM is as fast as one order, and mostly finds a plan.
-    let plain = Plain::new(problem).is_ok();
-    for _ in 0..if plain { 1 } else { ORDERS } {
-        if let Some(walks) = one_by_one(problem, &order(problem, &mut rng), horizon, budget)? {
-            return Ok(Some(walks));
-        }
+    let tries = match Plain::new(problem) {
+        Ok(_) => PLAIN_ORDERS,
+        Err(_) => ORDERS,
+    };
+    match prioritised(problem, &Order::Found { tries }, horizon, false, budget).ended {
+        Ended::Found(walks) => return Ok(Some(walks)),
+        Ended::NoOrderWorks(_) => {}
+        Ended::Stopped(stop) => return Err(stop),
     }
     let options = Options {
         step_limit: STEPS_PER_AGENT.saturating_mul(problem.agents() as u64),
@@ -58,58 +56,4 @@ pub fn first_plan(
         }
     }
     repair(problem, apart, horizon, budget)
-}
-
-/// Those with the longest ways first, about.
-fn order(problem: &Problem, rng: &mut Rng) -> Vec<AgentId> {
-    let mut agents: Vec<(usize, AgentId)> = problem
-        .optima
-        .iter()
-        .enumerate()
-        .map(|(agent, &optimum)| {
-            let optimum = optimum as usize;
-            (optimum + below(rng, optimum / 2 + 1), agent)
-        })
-        .collect();
-    giveway_model::sorting::sort_by_key(&mut agents, |&(length, agent)| {
-        (std::cmp::Reverse(length), agent)
-    });
-    agents.into_iter().map(|(_, agent)| agent).collect()
-}
-
-/// Prioritised planning (Erdmann and Lozano-Pérez 1987); `None` where somebody
-/// finds no way around those before it.
-fn one_by_one(
-    problem: &Problem,
-    order: &[AgentId],
-    horizon: u32,
-    budget: &dyn Budget,
-) -> Result<Option<Vec<Walk>>, Stop> {
-    match Timetable::new(problem) {
-        Some(table) => among(table, order, horizon, budget),
-        None => among(Reservations::new(problem), order, horizon, budget),
-    }
-}
-
-fn among(
-    mut others: impl Others,
-    order: &[AgentId],
-    horizon: u32,
-    budget: &dyn Budget,
-) -> Result<Option<Vec<Walk>>, Stop> {
-    let mut walks = vec![Walk::new(); order.len()];
-    for &agent in order {
-        let query = Query {
-            agent,
-            latest: horizon,
-            conflict_penalty: None,
-            expansion_limit: EXPANSION_LIMIT,
-        };
-        let Some((walk, _)) = others.plan(query, budget)? else {
-            return Ok(None);
-        };
-        others.add(agent, &walk);
-        walks[agent] = walk;
-    }
-    Ok(Some(walks))
 }

@@ -9,6 +9,8 @@
 mod adaptive;
 mod neighbourhood;
 mod replan;
+#[cfg(test)]
+mod tests;
 
 use std::cell::Cell;
 use std::collections::BTreeSet;
