@@ -1,10 +1,12 @@
 //! What whoever plans asks, often: whether to go on.
 
+mod counted;
 mod held;
 mod stop;
 
 use std::rc::Rc;
 
+pub(crate) use counted::Counted;
 pub use held::{Held, HeldBytes};
 pub use stop::Stop;
 

@@ -5,7 +5,7 @@
 //! they have nothing but goals; else collisions are repaired in small groups.
 
 use crate::{
-    budget::{Budget, Stop},
+    budget::{Budget, Counted, Stop},
     lacam::{Options, lacam},
     local::repair,
     plain::Plain,
@@ -18,6 +18,8 @@ use crate::{
 /// order, and mostly finds a plan, but not for all that agents have to do.
 const ORDERS: u32 = 4;
 const PLAIN_ORDERS: u32 = 1;
+/// States of single agents that they may look at, for each agent.
+const STATES_PER_AGENT: u64 = 30_000;
 /// Configurations that LaCAM makes, for each agent.
 const STEPS_PER_AGENT: u64 = 2_000;
 
@@ -36,10 +38,12 @@ pub fn first_plan(
         Ok(_) => PLAIN_ORDERS,
         Err(_) => ORDERS,
     };
-    match prioritised(problem, &Order::Found { tries }, horizon, false, budget).ended {
+    let states = STATES_PER_AGENT.saturating_mul(problem.agents() as u64);
+    let part = Counted::new(budget, states);
+    match prioritised(problem, &Order::Found { tries }, horizon, false, &part).ended {
         Ended::Found(walks) => return Ok(Some(walks)),
         Ended::NoOrderWorks(_) => {}
-        Ended::Stopped(stop) => return Err(stop),
+        Ended::Stopped(_) => budget.check()?, // (else only this part is spent)
     }
     let options = Options {
         step_limit: STEPS_PER_AGENT.saturating_mul(problem.agents() as u64),

@@ -12,7 +12,6 @@ mod replan;
 #[cfg(test)]
 mod tests;
 
-use std::cell::Cell;
 use std::collections::BTreeSet;
 
 use fastrand::Rng;
@@ -20,7 +19,7 @@ use giveway_model::Objective;
 
 use crate::{
     AgentId,
-    budget::{Budget, HeldBytes, Stop},
+    budget::{Budget, Counted, Stop},
     local::{Others, Reservations, Timetable},
     problem::Problem,
     walk::Walk,
@@ -73,10 +72,7 @@ impl Lns {
         objective: &Objective,
         budget: &dyn Budget,
     ) -> Result<bool, Stop> {
-        let counted = Counted {
-            budget,
-            states: Cell::new(0),
-        };
+        let counted = Counted::new(budget, u64::MAX);
         match Timetable::of(problem, walks) {
             Some(table) => self.rounds(table, walks, effort, objective, &counted),
             None => self.rounds(
@@ -99,7 +95,7 @@ impl Lns {
     ) -> Result<bool, Stop> {
         let mut plan = Plan::new(others, walks, objective, effort.horizon);
         let first = plan.vector();
-        while counted.states.get() < effort.states && plan.first_cost() > effort.enough {
+        while counted.states() < effort.states && plan.first_cost() > effort.enough {
             counted.check()?;
             let kind = self.adaptive.choose(&mut self.rng);
             let mut neighbourhoods = Neighbourhoods {
@@ -115,32 +111,5 @@ impl Lns {
             self.adaptive.learn(kind, gain);
         }
         Ok(plan.vector() < first)
-    }
-}
-
-/// A budget that counts how often it is asked: once for each state.
-struct Counted<'a> {
-    budget: &'a dyn Budget,
-    states: Cell<u64>,
-}
-
-impl Counted<'_> {
-    fn count(&self, states: u64) {
-        self.states.set(self.states.get() + states);
-    }
-}
-
-impl Budget for Counted<'_> {
-    fn check(&self) -> Result<(), Stop> {
-        self.budget.check()
-    }
-
-    fn tick(&self) -> Result<(), Stop> {
-        self.count(1);
-        self.budget.tick()
-    }
-
-    fn held_bytes(&self) -> &HeldBytes {
-        self.budget.held_bytes()
     }
 }
