@@ -4,7 +4,7 @@
 use std::collections::BTreeMap;
 use std::rc::Rc;
 
-use giveway_model::Objective;
+use giveway_model::{Cost, Objective};
 
 use super::{
     aim::{Aim, Bounded, Contact, Verdict},
@@ -27,7 +27,7 @@ use crate::{
 
 /// What the first improvement of a plan may take, in states of single agents: little
 /// for few agents, and not much more than a second for a thousand.
-const FEW_AGENTS: u64 = 10;
+const FEW_AGENTS: u64 = 3;
 const MOST_STATES: u64 = 3_000_000;
 /// After so many a better plan is told of.
 const TURN: u64 = 300_000;
@@ -174,6 +174,17 @@ fn run(given: Given, incumbent: &mut Incumbent, verdict: &mut Verdict) -> Result
 /// A first plan of many agents is made better before the proof begins: that is where
 /// the proof takes long, and the plan is far from the best.
 fn first_polish(given: Given, mut plan: Vec<Walk>, incumbent: &mut Incumbent) -> Result<(), Stop> {
+    let objective = incumbent.objective().clone();
+    let best = incumbent
+        .costs()
+        .and_then(|costs| costs.vector(&objective).first().copied());
+    let least = match objective.costs().first() {
+        Some(Cost::SumOfCosts) => given.problem.optima.iter().sum(),
+        _ => given.problem.optima.iter().copied().max().unwrap_or(0),
+    };
+    if best.is_none_or(|best| best <= least + least / 20) {
+        return Ok(());
+    }
     let agents = given.problem.agents() as u64;
     let states = (agents * agents * agents / FEW_AGENTS).min(MOST_STATES);
     let turns = states.div_ceil(TURN);
@@ -184,7 +195,6 @@ fn first_polish(given: Given, mut plan: Vec<Walk>, incumbent: &mut Incumbent) ->
             horizon: given.bounded.latest(),
             enough: 0,
         };
-        let objective = incumbent.objective().clone();
         let better = lns.improve(given.problem, &mut plan, effort, &objective, given.budget);
         incumbent.offer(given.problem, &plan);
         if !better? {

@@ -19,9 +19,9 @@ const FIRST_GIVEN: u64 = 400_000;
 const STATES_PER_CLAUSE: u64 = 60;
 /// The states for each agent that it may look at whenever the proof has come a step
 /// further, as long as the plan is far from the bound and becomes better.
-const STATES_PER_AGENT: u64 = 1000;
-/// A gain below this part of the cost is none, in such a turn.
-const LEAST_GAIN: u32 = 10_000;
+const STATES_PER_AGENT: u64 = 4000;
+/// Turns in vain after which there are no more.
+const TURNS_IN_VAIN: u64 = 2;
 /// How much longer a state takes where agents have batteries, which safe intervals
 /// do not know.
 const DEARER: u64 = 8;
@@ -87,14 +87,13 @@ impl Search<'_, '_, '_> {
             return Ok(());
         };
         let better = self.improve(walks.to_vec(), cost, bound, states)?;
-        let after = self.incumbent.costs().map_or(best, |costs| costs.get(cost));
         let polishing = &mut self.polishing;
         polishing.in_vain = if better {
             0
         } else {
             polishing.in_vain + states
         };
-        polishing.is_slow |= best.saturating_sub(after) <= best / LEAST_GAIN;
+        polishing.is_slow |= polishing.in_vain >= TURNS_IN_VAIN * turn;
         Ok(())
     }
 
