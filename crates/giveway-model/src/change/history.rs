@@ -136,12 +136,13 @@ impl History {
     }
 }
 
-/// Whether the plan has an agent removed at a time, one step after its last
-/// entry: then it was there to be removed, as the plan went before, even if what
-/// is left of its path ends at its goal.
+/// Whether the plan has an agent removed at this time or later, one step after its
+/// last entry: then it was there to be removed, as the plan went before, even if what
+/// is left of its path ends at its goal, or in transit.
 fn is_leaving(trajectory: &Trajectory<'_>, plan: &Plan, time: u32) -> bool {
     let name = trajectory.timeline.name();
     let entries = u32::try_from(plan.path(name).len()).ok();
     let after = entries.and_then(|entries| trajectory.timeline.from.checked_add(entries));
-    plan.until.get(name) == Some(&time) && after == Some(time)
+    let until = plan.until.get(name);
+    until.is_some_and(|&until| time <= until && after == Some(until))
 }

@@ -237,3 +237,18 @@ fn an_obstacle_may_come_and_go() {
         [3, 3, 0, 2, 1],
     );
 }
+
+#[test]
+fn who_is_removed_in_transit_was_there_for_changes_before() {
+    // B is half way into the slow zone at time 2, and removed at its goal at time 3.
+    let agents = "A 02 01; B 20 00 battery 7/8; vanish";
+    let changes = "2 set-battery B 8; 3 remove-agent B";
+    let paths = "A 02 01; B@0-3 20 10 ..";
+    costs(
+        &["~~.", "...", "..."],
+        agents,
+        changes,
+        paths,
+        [1, 1, 0, 1, 0],
+    );
+}
