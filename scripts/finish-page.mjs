@@ -3,7 +3,8 @@
 // 1. The solver, the reader and their workers get the hashes of what they hold into their
 //    paths, as Trunk gives all other files: so no cache can mix two versions.
 // 2. The style sheets become one, in their order: fewer requests before the first paint.
-// 3. The page is told how large its Wasm is.
+// 3. The page's bindings lose their comments and indentation, and the page is told how
+//    large its Wasm is.
 // 4. The policy loses the nonce, which only `trunk serve` needs.
 // 5. The page's head gets the address where it is published, if that is set in Cargo.toml.
 // 6. The service worker gets the list of files.
@@ -76,6 +77,9 @@ function finishPage() {
       [`content="./${script}">`, `content="./${scriptAt}">`],
     ];
   });
+  for (const name of readdirSync(built).filter((name) => /^app-.*\.js$/.test(name))) {
+    writeFileSync(join(built, name), plain(read(name).toString()));
+  }
   // Without the comments, which are for those who read the source, and their lines.
   const text = read(PAGE).toString().replaceAll(/<!--.*?-->/gs, "").replaceAll(/^\s*\n/gm, "");
   const sized = joinStyles(text).replace(/data-wasm="([^"]+)"/, (given, path) => `${given} data-bytes="${read(path).length}"`);
@@ -96,6 +100,11 @@ function finishPage() {
     copyFileSync(join(source, "docs", PICTURE), join(built, PICTURE));
   }
   writeFileSync(join(built, PAGE), withAddress(finished, address));
+}
+
+/** A script of wasm-bindgen, which has no text of several lines, without comments and indentation. */
+function plain(script) {
+  return script.replaceAll(/^\s*\/\*\*.*?\*\/\n/gms, "").replaceAll(/^\s*\/\/.*\n/gm, "").replaceAll(/^\s+/gm, "");
 }
 
 /** The page with one style sheet in the place of the first, without comments and indentation. */

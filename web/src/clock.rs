@@ -108,12 +108,18 @@ impl Clock {
         }
     }
 
+    /// Whether it plays: then every frame tells the time, and once more when it ends.
+    pub fn plays(&self) -> bool {
+        self.0.goal.get().playback.playing
+    }
+
     /// Takes in what the state says of the time.
     pub fn follow(&self, playback: Playback, last: u32) {
         let inner = &self.0;
         let before = inner.goal.replace(Goal { playback, last });
         let now = inner.now.get();
-        let paused = before.playback.playing && !playback.playing && !playback.sought;
+        let plays = playback.playing;
+        let paused = before.playback.playing && !plays && !playback.sought;
         if paused && playback.time == before.playback.time && now > f64::from(playback.time) {
             // Nobody stops between two steps, and nobody walks back.
             inner
@@ -122,13 +128,15 @@ impl Clock {
             return;
         }
         let target = f64::from(playback.time);
-        let far = (target - now).abs() > 1.0 || (inner.jumps && !playback.playing);
-        let behind = playback.playing && (now < target || now >= target + 1.0);
+        let far = (target - now).abs() > 1.0 || (inner.jumps && !plays);
+        let behind = plays && (now < target || now >= target + 1.0);
         if far || behind {
             inner.now.set(target);
+        }
+        if far || behind || plays != before.playback.playing {
             self.tell();
         }
-        if playback.playing || (inner.now.get() - target).abs() > f64::EPSILON {
+        if plays || (inner.now.get() - target).abs() > f64::EPSILON {
             self.wake();
         }
     }

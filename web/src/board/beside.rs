@@ -9,7 +9,7 @@ use yew::prelude::*;
 
 use super::cells::Cells;
 use super::layers::{layers, square};
-use super::viewport::use_viewport;
+use super::viewport::{use_sight, use_viewport};
 use super::{cells, view_box};
 use crate::Shown;
 
@@ -47,6 +47,7 @@ pub(crate) fn Beside(props: &BesideProps) -> Html {
     let board = (state.world().grid().width(), state.world().grid().height());
     let viewport = use_viewport(&area, board);
     let frame = viewport.frame_of(camera, board);
+    let sight = use_sight(frame);
     let cursor = state.view.cursor;
     let onkeydown = {
         let onkeydown = onkeydown.clone();
@@ -64,7 +65,7 @@ pub(crate) fn Beside(props: &BesideProps) -> Html {
                 aria-rowcount={board.1.to_string()} aria-colcount={board.0.to_string()}
                 aria-activedescendant={cells::id(name, cursor)}
                 viewBox={view_box(&frame)} {onkeydown}>
-                { layers(state, cast, versus.as_ref(), frame) }
+                { layers(state, cast, versus.as_ref(), &sight) }
                 <Cells
                     of={*name}
                     draft={Rc::clone(state.world())}

@@ -4,13 +4,14 @@ use std::rc::Rc;
 
 use giveway_model::{Cell, sorting};
 use giveway_page::audit::ahead;
-use giveway_page::board::{Cast, Detail, FloorLook, Frame};
+use giveway_page::board::{Cast, Detail, FloorLook};
 use yew::prelude::*;
 
 use super::agents::Agents;
 use super::axis::Axis;
 use super::floor::FloorShapes;
 use super::marks::Marks;
+use super::viewport::Sight;
 use super::ways::Ways;
 use crate::Shown;
 
@@ -20,8 +21,9 @@ pub(super) fn layers(
     state: &Shown,
     cast: &Rc<Cast>,
     versus: Option<&Rc<Cast>>,
-    frame: Frame,
+    sight: &Sight,
 ) -> Html {
+    let frame = sight.get();
     let detail = frame.detail();
     let selected = state.selected_agent();
     let board = (state.world().grid().width(), state.world().grid().height());
@@ -32,7 +34,7 @@ pub(super) fn layers(
             if state.view.layers.trails {
                 <Ways cast={Rc::clone(cast)} {selected} ahead={ahead(state)} />
             }
-            <Agents cast={Rc::clone(cast)} versus={versus.cloned()} {detail} {selected} />
+            <Agents cast={Rc::clone(cast)} versus={versus.cloned()} {detail} {selected} sight={Rc::clone(sight)} />
             <Marks cast={Rc::clone(cast)} {detail} />
             if detail == Detail::All {
                 <Axis {frame} {board} />

@@ -46,7 +46,7 @@ use reasons::ReasonMarks;
 pub(crate) use reasons::STAR;
 pub(crate) use small::Small;
 pub(crate) use still::Still;
-use viewport::use_viewport;
+use viewport::{use_sight, use_viewport};
 
 /// The name of the grid of the plan, and of the one of the other plan.
 const BOARD: &str = "Board";
@@ -74,6 +74,7 @@ pub fn Board(props: &BoardProps) -> Html {
     let board = (state.world().grid().width(), state.world().grid().height());
     let viewport = use_viewport(&area, board);
     let frame = viewport.frame(board);
+    let sight = use_sight(frame);
     let detail = frame.detail();
 
     let followed = state.followed().filter(|_| cast.has_plan());
@@ -121,7 +122,7 @@ pub fn Board(props: &BoardProps) -> Html {
                 onpointerleave={gestures.leave} onwheel={gestures.wheel}
                 onkeydown={onkeydown.clone()}>
                 { floor::hatch() }
-                { layers(state, &cast, other.as_ref(), frame) }
+                { layers(state, &cast, other.as_ref(), &sight) }
                 <ReasonMarks {reasons} />
                 { problems(state) }
                 { ghost::show(state) }

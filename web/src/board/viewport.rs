@@ -1,8 +1,8 @@
 //! The size of the board on the screen, and the camera over it.
 
+use std::cell::Cell;
 use std::rc::Rc;
 
-use giveway_model::Cell;
 use giveway_page::Point;
 use giveway_page::board::{CELL, Camera, Frame};
 use wasm_bindgen::JsCast;
@@ -28,19 +28,19 @@ pub(super) enum Look {
     /// This point of the map in the middle, in cells.
     Middle(Point),
     /// This cell too.
-    Show(Cell),
+    Show(giveway_model::Cell),
     /// This cell, which was looked for.
-    Find(Cell),
+    Find(giveway_model::Cell),
 }
 
 #[derive(Clone, PartialEq)]
-struct Sight {
+struct Looked {
     camera: Camera,
     board: (u32, u32),
     screen: Option<(f64, f64)>,
 }
 
-impl Reducible for Sight {
+impl Reducible for Looked {
     type Action = Look;
 
     fn reduce(self: Rc<Self>, look: Look) -> Rc<Self> {
@@ -118,7 +118,7 @@ impl Viewport {
 /// The viewport of an area that shows a map of some cells.
 #[hook]
 pub(super) fn use_viewport(area: &NodeRef, board: (u32, u32)) -> Viewport {
-    let sight = use_reducer_eq(|| Sight {
+    let sight = use_reducer_eq(|| Looked {
         camera: Camera::default(),
         board,
         screen: None,
@@ -145,6 +145,18 @@ pub(super) fn use_viewport(area: &NodeRef, board: (u32, u32)) -> Viewport {
         look,
         screen: sight.screen,
     }
+}
+
+/// What is in sight, for what moves by hand: it changes without a rendering of those
+/// who hold it.
+pub(super) type Sight = Rc<Cell<Frame>>;
+
+/// The sight of a component that shows this.
+#[hook]
+pub(super) fn use_sight(frame: Frame) -> Sight {
+    let sight = use_memo((), |()| Cell::new(frame));
+    sight.set(frame);
+    sight
 }
 
 /// Tells the style sheets how many cells there are: where the board may be as

@@ -1,5 +1,6 @@
 //! A robot is found by a part of its name, and brought into view.
 
+mod small;
 #[cfg(test)]
 mod tests;
 
@@ -102,10 +103,10 @@ fn sentence(typed: &str, count_of_all: usize) -> String {
 /// All robots that are there and whose names have a text: first the one of that
 /// very name, then those that begin with it.
 fn fitting(state: &State, typed: &str) -> Vec<usize> {
-    let typed = typed.trim().to_lowercase();
+    let typed = small::letters(typed.trim());
     let mut ranks: [Vec<usize>; 3] = Default::default();
     for (index, agent) in state.world().agents().iter().enumerate() {
-        let name = agent.name.to_lowercase();
+        let name = small::letters(&agent.name);
         let rank = match name.find(&typed) {
             Some(_) if name == typed => 0,
             Some(0) => 1,

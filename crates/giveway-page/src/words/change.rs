@@ -84,7 +84,7 @@ pub fn method(method: Method) -> String {
 
 /// A method within a sentence: `tunnel 1`.
 pub fn method_in_words(method: Method) -> String {
-    self::method(method).to_lowercase()
+    self::method(method).to_ascii_lowercase()
 }
 
 /// While changes are listed.

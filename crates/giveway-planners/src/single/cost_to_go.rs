@@ -82,8 +82,9 @@ impl CostToGo {
         budget: &dyn Budget,
     ) -> Result<Self, Stop> {
         if Distances::suffice(task, metric) {
-            let held = budget.hold(Distances::bytes(terrain));
-            let table = Table::Distances(Distances::new(task.goal, terrain, metric, budget)?);
+            let distances = Distances::new(task.goal, terrain, metric, budget)?;
+            let held = budget.hold(distances.bytes());
+            let table = Table::Distances(distances);
             return Ok(Self { table, _held: held });
         }
         // Where this overflows, as it can in 32 bits, no memory is enough.

@@ -3,7 +3,7 @@
 //!
 //! A breadth-first search backwards from the goal. In a crowd of a thousand
 //! these tables are most of what is held, so a number takes two bytes where
-//! the map is small enough for all distances.
+//! no distance is too large for them.
 
 use super::{
     cost_to_go::Metric,
@@ -32,19 +32,16 @@ impl Distances {
             && matches!(task.bounds, Bounds::Free)
     }
 
-    /// Whether no distance is too large for two bytes: a way visits each vertex
-    /// once, and a move costs at most 2.
-    fn is_narrow(terrain: &Terrain) -> bool {
-        terrain.size() < usize::from(u16::MAX) / 2
-    }
-
     /// The memory that they take.
-    pub(super) fn bytes(terrain: &Terrain) -> usize {
-        let each = if Self::is_narrow(terrain) { 2 } else { 4 };
-        terrain.size().saturating_mul(each)
+    pub(super) fn bytes(&self) -> usize {
+        match self {
+            Self::Narrow(table) => 2 * table.len(),
+            Self::Wide(table) => 4 * table.len(),
+        }
     }
 
-    /// Measures them.
+    /// Measures them: in two bytes each where the farthest vertex allows it, as it
+    /// does on all but the largest mazes.
     pub(super) fn new(
         goal: Vertex,
         terrain: &Terrain,
@@ -52,29 +49,39 @@ impl Distances {
         budget: &dyn Budget,
     ) -> Result<Self, Stop> {
         budget.check()?;
-        if Self::is_narrow(terrain) {
-            Self::narrow(goal, terrain, metric, budget)
-        } else {
-            Self::wide(goal, terrain, metric, budget)
+        match Self::narrow(goal, terrain, metric, budget)? {
+            Some(narrow) => Ok(narrow),
+            None => Self::wide(goal, terrain, metric, budget),
         }
     }
 
+    /// In two bytes each; `None` where a distance is too large for them.
     fn narrow(
         goal: Vertex,
         terrain: &Terrain,
         metric: Metric,
         budget: &dyn Budget,
-    ) -> Result<Self, Stop> {
+    ) -> Result<Option<Self>, Stop> {
         let mut table = vec![u16::MAX; terrain.size()];
+        let mut fits = true;
         measure(goal, terrain, metric, budget, |v, cost| {
             let entry = &mut table[v as usize];
             let first = *entry == u16::MAX;
-            if first {
-                *entry = cost as u16;
+            match u16::try_from(cost) {
+                Ok(cost) if cost < u16::MAX => {
+                    if first {
+                        *entry = cost;
+                    }
+                    first
+                }
+                // What is beyond stays unknown, and the table is of no use.
+                _ => {
+                    fits &= !first;
+                    false
+                }
             }
-            first
         })?;
-        Ok(Self::Narrow(table))
+        Ok(fits.then_some(Self::Narrow(table)))
     }
 
     fn wide(
@@ -161,6 +168,7 @@ mod tests {
             for goal in 0..terrain.size() as Vertex {
                 for metric in [Metric::Time, Metric::Moves] {
                     let narrow = Distances::narrow(goal, &terrain, metric, &budget).unwrap();
+                    let narrow = narrow.unwrap();
                     let wide = Distances::wide(goal, &terrain, metric, &budget).unwrap();
                     for v in 0..terrain.size() as Vertex {
                         assert_eq!(narrow.from(v), wide.from(v));
@@ -174,6 +182,32 @@ mod tests {
             known > 1_000 && unknown > 50,
             "{known} known, {unknown} not"
         );
+    }
+
+    #[test]
+    fn only_a_way_that_is_too_long_for_two_bytes_takes_four() {
+        let budget = Unlimited::default();
+        // To and fro through so many rows of 512 cells, with a wall after each.
+        for (rows, each) in [(127, 2), (128, 4)] {
+            let free = vec!["."; 512].join(" ");
+            let wall = vec!["#"; 511].join(" ");
+            let mut lines = Vec::new();
+            for row in 0..rows {
+                if row > 0 {
+                    let gap = [format!(". {wall}"), format!("{wall} .")];
+                    lines.push(gap[row % 2].clone());
+                }
+                lines.push(free.clone());
+            }
+            lines[0].replace_range(..3, "a A");
+            let snake = instance(&lines.join("\n"));
+            let terrain = Terrain::new(snake.grid());
+            let task = Task::new(&snake.agents()[0], snake.rules(), &terrain).unwrap();
+            let table = Distances::new(task.start, &terrain, Metric::Time, &budget).unwrap();
+            assert_eq!(table.bytes(), each * terrain.size());
+            let all = (0..terrain.size() as Vertex).filter_map(|v| table.from(v));
+            assert_eq!(all.max(), Some(rows as u32 * 513 - 2));
+        }
     }
 
     #[test]

@@ -3,13 +3,16 @@
 mod parts;
 mod transit;
 
+use std::cell::Cell;
 use std::rc::Rc;
 
 use giveway_page::board::{Cast, Detail};
-use giveway_page::form;
+use giveway_page::{Point, form};
 use yew::prelude::*;
 
 use super::motion::{children, use_motion};
+use super::viewport::Sight;
+use crate::Clock;
 use parts::Parts;
 use transit::Transit;
 
@@ -21,12 +24,19 @@ pub(super) struct AgentsProps {
     pub(super) versus: Option<Rc<Cast>>,
     pub(super) detail: Detail,
     pub(super) selected: Option<usize>,
+    /// What is in sight.
+    pub(super) sight: Sight,
 }
+
+/// Where an agent was drawn last. While it plays, it stays there as long as neither
+/// that nor where it is now is in sight: most of a large crowd, seen from near.
+type Drawn = Cell<Option<Point>>;
 
 /// The capsules of slow moves, and the agents above them.
 #[component]
 pub(super) fn Agents(props: &AgentsProps) -> Html {
     let (transits, agents) = (use_node_ref(), use_node_ref());
+    let clock = use_context::<Clock>();
     {
         let (props, transits, agents) = (props.clone(), transits.clone(), agents.clone());
         use_motion(move || {
@@ -34,10 +44,22 @@ pub(super) fn Agents(props: &AgentsProps) -> Html {
             let is_dot = props.detail == Detail::Dots;
             let parts = children(&agents).into_iter();
             let parts = parts.map(|agent| Parts::new(agent, is_dot));
-            let moving: Vec<(Transit, Parts)> = transits.zip(parts).collect();
+            let moving: Vec<(Transit, Parts, Drawn)> = transits
+                .zip(parts)
+                .map(|(transit, parts)| (transit, parts, Drawn::default()))
+                .collect();
             move |time| {
-                for (agent, (transit, parts)) in moving.iter().enumerate() {
+                let frame = props.sight.get();
+                // Where it rests, all have to be where they are: whatever comes
+                // into sight then comes without another frame.
+                let plays = clock.as_ref().is_some_and(Clock::plays);
+                for (agent, (transit, parts, drawn)) in moving.iter().enumerate() {
                     if let Some(pose) = props.cast.pose(agent, time) {
+                        let seen = |at: Point| frame.shows(at);
+                        if plays && !seen(pose.at) && !drawn.get().is_none_or(seen) {
+                            continue;
+                        }
+                        drawn.set(Some(pose.at));
                         transit.show(pose.transit);
                         parts.show(&pose, &props.cast);
                         let versus = props.versus.as_ref();

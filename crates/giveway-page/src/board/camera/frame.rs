@@ -38,6 +38,24 @@ impl Frame {
         }
     }
 
+    /// Whether some of what stands at a point, which reaches into the cells around
+    /// it, is in sight.
+    ///
+    /// ```
+    /// use giveway_page::{Point, board::Frame};
+    /// let frame = Frame { x: 200.0, y: 0.0, width: 350.0, height: 800.0, cell_px: 20.0 };
+    /// let at = |x| Point { x, y: 3.0 };
+    /// assert!(frame.shows(at(2.0)) && frame.shows(at(1.0)) && frame.shows(at(6.0)));
+    /// assert!(!frame.shows(at(0.0)) && !frame.shows(at(7.0)));
+    /// ```
+    pub fn shows(&self, point: Point) -> bool {
+        let part = |at: f64, from: f64, length: f64| {
+            let middle = (at + 0.5) * CELL;
+            middle > from - 1.5 * CELL && middle < from + length + 1.5 * CELL
+        };
+        part(point.x, self.x, self.width) && part(point.y, self.y, self.height)
+    }
+
     /// The first and last column in sight, then the same of rows, within a map
     /// of some cells.
     pub fn cells(&self, board: (u32, u32)) -> ((u32, u32), (u32, u32)) {
