@@ -17,7 +17,7 @@ const map = (height, width, rows) => `type octile\nheight ${height}\nwidth ${wid
 const FILES = [
   ["a map that claims 100000 x 100000 cells", "a.map", map(100_000, 100_000, "....\n"), /a\.map cannot be opened/],
   ["a map whose sides overflow", "a.map", map("4294967296", "18446744073709551616", "."), /a\.map cannot be opened/],
-  ["a map of 300 x 300 cells", "a.json", json({ map: Array(300).fill(".".repeat(300)) }), /at most 256/],
+  ["a map of 600 x 600 cells", "a.json", json({ map: Array(600).fill(".".repeat(600)) }), /at most 512/],
   ["a scenario of a million agents", "a.scen", `version 1\n${"0\ta.map\t8\t8\t0\t0\t1\t1\t1\n".repeat(200_000)}`, /a\.scen cannot be opened/],
   ["1001 agents", "a.json", json({ map: Array(40).fill(".".repeat(40)), agents: Array.from({ length: 1001 }, (_, n) => agent({ name: `A${n}`, start: [n % 40, Math.floor(n / 40)], goal: [n % 40, Math.floor(n / 40)] })) }), /1001 robots/],
   ["an agent off the map", "a.json", json({ agents: [agent({ goal: [4_294_967_295, 4_294_967_295] })] }), /4294967295/],

@@ -18,7 +18,7 @@ use crate::Scene;
 /// The longest text that the page reads, in bytes.
 pub const LONGEST: usize = 1_000_000;
 /// The largest side of a map that the page takes, in cells.
-pub const MAX_SIDE: u32 = 256;
+pub const MAX_SIDE: u32 = 512;
 /// The most agents that the page takes.
 pub const MAX_AGENTS: usize = 1000;
 
