@@ -1,0 +1,1 @@
+//! Planners on small scenes, by the service itself.

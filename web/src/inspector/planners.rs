@@ -1,0 +1,74 @@
+//! Planners side by side: a row for each that planned the scene on the board.
+
+use giveway_page::planners::{Row, RowPlan, table};
+use giveway_page::{Action, SolveAction, State};
+use yew::prelude::*;
+
+use crate::icon;
+
+/// The table; nothing where no planner planned this scene.
+pub(super) fn show(state: &State, send: &Callback<Action>) -> Html {
+    let Some(table) = table(state) else {
+        return Html::default();
+    };
+    let row = |row: &Row| show_row(row, state.view.is_wide, send);
+    html! {
+        <section>
+            <h3>{ "Planners" }</h3>
+            <table class="costs planners" aria-label="Planners">
+                <thead><tr>
+                    { for ["Planner", "Costs", "At least", "Time", "Steps"].map(|name| html! { <th scope="col">{ name }</th> }) }
+                </tr></thead>
+                <tbody>{ for table.rows.iter().map(row) }</tbody>
+            </table>
+            <p class="remark">{ table.remark }</p>
+        </section>
+    }
+}
+
+fn show_row(row: &Row, is_wide: bool, send: &Callback<Action>) -> Html {
+    let by = row.by;
+    let plan = match &row.plan {
+        Ok(plan) => plan,
+        Err(why) => {
+            return html! {
+                <tr><th scope="row">{ row.title }</th><td class="why" colspan="4">{ why.clone() }</td></tr>
+            };
+        }
+    };
+    let press = send.reform(move |_: MouseEvent| Action::Solve(SolveAction::ShowPlan(by)));
+    let beside = send.reform(move |_: MouseEvent| Action::Solve(SolveAction::ShowBeside(by)));
+    html! {
+        <tr class={classes!(plan.is_shown.then_some("on"))}>
+            <th scope="row">
+                <button type="button" aria-pressed={plan.is_shown.to_string()} onclick={press}>{ row.title }</button>
+                if is_wide && !plan.is_shown {
+                    <button type="button" title="Show beside" aria-pressed={plan.is_beside.to_string()} onclick={beside}>
+                        { icon::show("compare") }<span class="vh">{ format!("Show {} beside", row.title) }</span>
+                    </button>
+                }
+            </th>
+            <td>{ plan.costs.clone() }</td>
+            <td>{ bound(plan) }</td>
+            <td>{ row.time.clone() }</td>
+            <td title={row.what}>{ row.steps.clone() }<span class="vh">{ format!(" {}", row.what) }</span></td>
+        </tr>
+    }
+}
+
+/// The bound of the first cost, or that the plan is best in all of them.
+fn bound(plan: &RowPlan) -> Html {
+    let number = plan
+        .at_least
+        .map_or_else(|| "\u{2013}".to_owned(), |n| n.to_string());
+    html! {
+        if plan.is_best {
+            <span class="seal">{ icon::show("proved") }</span>{ "proved best" }
+        } else {
+            if plan.is_met {
+                <span class="seal">{ icon::show("proved") }<span class="vh">{ "proved least: " }</span></span>
+            }
+            { number }
+        }
+    }
+}
