@@ -2,8 +2,6 @@
 //! search for the best plan.
 
 mod rows;
-#[cfg(test)]
-mod tests;
 mod words;
 
 use std::rc::Rc;
@@ -121,8 +119,8 @@ impl Runs {
 /// bounds alone.
 pub(crate) fn solved(told: &PlanAnswer) -> Option<SolveAnswer> {
     let plan = told.plan.clone()?;
-    let is_best = told.objective.costs().len() == 1
-        && matches!(told.ended, PlanEnd::Best { within: None });
+    let is_best =
+        told.objective.costs().len() == 1 && matches!(told.ended, PlanEnd::Best { within: None });
     Some(SolveAnswer {
         giveway: told.giveway,
         status: if is_best {

@@ -5,8 +5,8 @@ use std::rc::Rc;
 use giveway_solve::{FrontAnswer, SolveAnswer};
 
 use crate::front::Front;
-use crate::planners::Runs;
 use crate::known::{judged, merged};
+use crate::planners::Runs;
 use crate::reduce::document::{amend, put};
 use crate::reduce::{ask, audit, steer};
 use crate::{Answer, Arrival, Document, Solving, State};

@@ -1,1 +1,0 @@
-//! Planners on small scenes, by the service itself.
