@@ -63,7 +63,7 @@ fn bound(plan: &RowPlan) -> Html {
         .map_or_else(|| "\u{2013}".to_owned(), |n| n.to_string());
     html! {
         if plan.is_best {
-            <span class="seal">{ icon::show("proved") }</span>{ "proved best" }
+            <b class="seal">{ "proved best" }</b>
         } else {
             if plan.is_met {
                 <span class="seal">{ icon::show("proved") }<span class="vh">{ "proved least: " }</span></span>

@@ -64,7 +64,7 @@ pub fn table(state: &State) -> Option<Table> {
     let none = || "\u{2013}".to_owned();
     let search = runs.search.as_ref().map(|answer| Row {
         by: By::Search,
-        title: "Search for the best",
+        title: "Exact search",
         plan: match answer.plan() {
             Some(_) => Ok(plan(state, answer)),
             None => {
