@@ -1,6 +1,6 @@
 //! Planners side by side: a row for each that planned the scene on the board.
 
-use giveway_page::planners::{Row, RowPlan, table};
+use giveway_page::planners::{Place, Proved, Row, table};
 use giveway_page::{Action, SolveAction, State};
 use yew::prelude::*;
 
@@ -38,18 +38,20 @@ fn show_row(row: &Row, is_wide: bool, send: &Callback<Action>) -> Html {
     };
     let press = send.reform(move |_: MouseEvent| Action::Solve(SolveAction::ShowPlan(by)));
     let beside = send.reform(move |_: MouseEvent| Action::Solve(SolveAction::ShowBeside(by)));
+    let is_shown = plan.place == Place::Board;
+    let is_beside = plan.place == Place::Beside;
     html! {
-        <tr class={classes!(plan.is_shown.then_some("on"))}>
+        <tr class={classes!(is_shown.then_some("on"))}>
             <th scope="row">
-                <button type="button" aria-pressed={plan.is_shown.to_string()} onclick={press}>{ row.title }</button>
-                if is_wide && !plan.is_shown {
-                    <button type="button" title="Show beside" aria-pressed={plan.is_beside.to_string()} onclick={beside}>
+                <button type="button" aria-pressed={is_shown.to_string()} onclick={press}>{ row.title }</button>
+                if is_wide && !is_shown {
+                    <button type="button" title="Show beside" aria-pressed={is_beside.to_string()} onclick={beside}>
                         { icon::show("compare") }<span class="vh">{ format!("Show {} beside", row.title) }</span>
                     </button>
                 }
             </th>
             <td>{ plan.costs.clone() }</td>
-            <td>{ bound(plan) }</td>
+            <td>{ bound(plan.proved) }</td>
             <td>{ row.time.clone() }</td>
             <td title={row.what}>{ row.steps.clone() }<span class="vh">{ format!(" {}", row.what) }</span></td>
         </tr>
@@ -57,18 +59,13 @@ fn show_row(row: &Row, is_wide: bool, send: &Callback<Action>) -> Html {
 }
 
 /// The bound of the first cost, or that the plan is best in all of them.
-fn bound(plan: &RowPlan) -> Html {
-    let number = plan
-        .at_least
-        .map_or_else(|| "\u{2013}".to_owned(), |n| n.to_string());
-    html! {
-        if plan.is_best {
-            <b class="seal">{ "proved best" }</b>
-        } else {
-            if plan.is_met {
-                <span class="seal">{ icon::show("proved") }<span class="vh">{ "proved least: " }</span></span>
-            }
-            { number }
-        }
+fn bound(proved: Proved) -> Html {
+    match proved {
+        Proved::Nothing => html! { "\u{2013}" },
+        Proved::AtLeast(bound) => html! { bound },
+        Proved::Least(bound) => html! {
+            <><span class="seal">{ icon::show("proved") }<span class="vh">{ "proved least: " }</span></span>{ bound }</>
+        },
+        Proved::Best => html! { <b class="seal">{ "proved best" }</b> },
     }
 }

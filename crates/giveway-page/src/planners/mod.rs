@@ -11,7 +11,7 @@ use giveway_solve::{SolveAnswer, Stats, Status};
 
 use crate::{Answer, Document, Draft};
 
-pub use rows::{Row, RowPlan, Table, table};
+pub use rows::{Place, Proved, Row, RowPlan, Table, table};
 pub use words::{BEST, BEST_PROMISE, promise};
 pub(crate) use words::{claim, sentence};
 
@@ -49,8 +49,8 @@ pub(crate) struct Runs {
     within: Option<u32>,
     /// The last answer of the search for the best plan.
     search: Option<Rc<Answer>>,
-    /// In the order in which lists show planners.
-    runs: Vec<Run>,
+    /// Those of planners, in the order in which lists show them.
+    planned: Vec<Run>,
 }
 
 impl Runs {
@@ -60,7 +60,7 @@ impl Runs {
             draft: Rc::clone(&document.draft),
             within: document.within,
             search: None,
-            runs: Vec::new(),
+            planned: Vec::new(),
         });
         // Only the search proves that much.
         let proved = document.fresh_answer().filter(|answer| {
@@ -90,9 +90,9 @@ impl Runs {
     /// With a run, in the place of the last one of the same planner.
     pub(crate) fn with(document: &Document, run: Run) -> Rc<Self> {
         let mut runs = Self::of(document);
-        runs.runs.retain(|other| other.planner != run.planner);
-        runs.runs.push(run);
-        runs.runs.sort_by_key(|run| run.planner);
+        runs.planned.retain(|other| other.planner != run.planner);
+        runs.planned.push(run);
+        runs.planned.sort_by_key(|run| run.planner);
         Rc::new(runs)
     }
 
@@ -101,7 +101,7 @@ impl Runs {
         let answer = match by {
             By::Search => self.search.as_ref(),
             By::Planner(planner) => {
-                let run = self.runs.iter().find(|run| run.planner == planner);
+                let run = self.planned.iter().find(|run| run.planner == planner);
                 match &run?.end {
                     End::Plan(answer) => Some(answer),
                     End::Nothing(_) => None,

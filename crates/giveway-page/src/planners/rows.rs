@@ -40,16 +40,35 @@ pub struct Row {
 pub struct RowPlan {
     /// The costs of the objective: `18, 35, 3`.
     pub costs: String,
-    /// The proved lower bound of the first cost.
-    pub at_least: Option<u32>,
-    /// Whether that is the cost of the plan.
-    pub is_met: bool,
-    /// Whether it is proved that no plan is better.
-    pub is_best: bool,
-    /// Whether it is on the board.
-    pub is_shown: bool,
-    /// Whether it is beside the one on the board.
-    pub is_beside: bool,
+    /// What is proved.
+    pub proved: Proved,
+    /// Where it is shown.
+    pub place: Place,
+}
+
+/// What is proved of a plan.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Proved {
+    /// Nothing.
+    Nothing,
+    /// No plan has less of the first cost than this, and it may be that none has as
+    /// little.
+    AtLeast(u32),
+    /// No plan has less of the first cost, which is this.
+    Least(u32),
+    /// No plan is better.
+    Best,
+}
+
+/// Where a plan is shown.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Place {
+    /// Nowhere.
+    Nowhere,
+    /// On the board.
+    Board,
+    /// Beside the one on the board.
+    Beside,
 }
 
 /// The table; `None` where no planner was run on the scene on the board, and while
@@ -60,23 +79,22 @@ pub fn table(state: &State) -> Option<Table> {
         return None;
     }
     let runs = Runs::of(document);
-    runs.runs.first()?;
+    runs.planned.first()?;
     let none = || "\u{2013}".to_owned();
     let search = runs.search.as_ref().map(|answer| Row {
         by: By::Search,
         title: "Exact search",
-        plan: match answer.plan() {
-            Some(_) => Ok(plan(state, answer)),
-            None => {
-                let objective = &document.draft.scene().objective;
-                Err(headline(objective, &answer.solved).to_string())
-            }
+        plan: if answer.plan().is_some() {
+            Ok(plan(state, answer))
+        } else {
+            let objective = &document.draft.scene().objective;
+            Err(headline(objective, &answer.solved).to_string())
         },
         time: time(answer.solved.stats.cpu_seconds),
         steps: none(),
         what: "",
     });
-    let planned = runs.runs.iter().map(|run| {
+    let planned = runs.planned.iter().map(|run| {
         let steps = run.stats.map(|stats| stats.steps);
         Row {
             by: By::Planner(run.planner),
@@ -94,10 +112,8 @@ pub fn table(state: &State) -> Option<Table> {
     let costs = document.draft.scene().objective.costs();
     let names: Vec<&str> = costs.iter().map(|&cost| name(cost)).collect();
     let first = names.first().copied().unwrap_or_default();
-    let mut remark = format!("Costs: {}.", names.join(", "));
-    if names.len() > 1 {
-        remark += &format!(" At least: of the {first}.");
-    }
+    let names = names.join(", ");
+    let remark = format!("Costs: {names}. At least: proved of {first}.");
     Some(Table { rows, remark })
 }
 
@@ -109,16 +125,27 @@ fn plan(state: &State, answer: &Rc<Answer>) -> RowPlan {
         .iter()
         .map(|&cost| costs.get(cost).to_string())
         .collect();
-    let first = objective.first();
-    let at_least = first.and_then(|first| bounds.get(first)).copied();
+    let bound = objective
+        .first()
+        .and_then(|first| bounds.get_key_value(first));
+    let proved = match bound {
+        _ if answer.solved.status == Status::Optimal => Proved::Best,
+        Some((&first, &bound)) if costs.get(first) <= bound => Proved::Least(bound),
+        Some((_, &bound)) => Proved::AtLeast(bound),
+        None => Proved::Nothing,
+    };
     let is = |other: Option<&Rc<Answer>>| other.is_some_and(|other| Rc::ptr_eq(other, answer));
+    let place = if is(state.document.answer.as_ref()) {
+        Place::Board
+    } else if is(state.beside()) {
+        Place::Beside
+    } else {
+        Place::Nowhere
+    };
     RowPlan {
         costs: values.join(", "),
-        at_least,
-        is_met: at_least.is_some() && at_least == first.map(|&first| costs.get(first)),
-        is_best: answer.solved.status == Status::Optimal,
-        is_shown: is(state.document.answer.as_ref()),
-        is_beside: is(state.beside()),
+        proved,
+        place,
     }
 }
 

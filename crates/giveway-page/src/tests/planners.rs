@@ -6,7 +6,7 @@ use giveway_solve::plan::Planner;
 use giveway_solve::{Progress, Request, Status};
 
 use super::{answered, saying};
-use crate::planners::{By, Row, table};
+use crate::planners::{By, Place, Proved, Row, table};
 use crate::reduce::tests::{after, stroke};
 use crate::{
     Action, ChangeAction, Draft, Edit, Phase, SolveAction, State, Tool, ViewAction, inspect, link,
@@ -103,8 +103,11 @@ fn cbs_proves_the_first_cost_and_no_more() {
     );
     let [row] = &rows(&state)[..] else { panic!() };
     let told = row.plan.as_ref().unwrap();
-    assert_eq!((told.costs.as_str(), told.at_least), ("5, 3", Some(5)));
-    assert!(told.is_met && told.is_shown && !told.is_best);
+    assert_eq!(
+        (told.costs.as_str(), told.proved),
+        ("5, 3", Proved::Least(5))
+    );
+    assert_eq!(told.place, Place::Board);
 }
 
 #[test]
@@ -112,7 +115,7 @@ fn where_that_is_all_of_the_objective_its_plan_is_the_best() {
     let state = planned(&crossing(&[Cost::SumOfCosts]), Planner::Cbs);
     assert_eq!(saying(&state), "CBS found the best plan: sum of costs 5.");
     assert_eq!(words::standing(&state).badge, words::Badge::Proved);
-    assert!(rows(&state)[0].plan.as_ref().unwrap().is_best);
+    assert_eq!(rows(&state)[0].plan.as_ref().unwrap().proved, Proved::Best);
     assert_eq!(rows(&state).len(), 1, "it is not of the search");
 }
 
@@ -128,10 +131,7 @@ fn no_other_planner_proves_anything() {
         assert!(said.starts_with(&found), "{said}");
         let row = &rows(&state)[0];
         let told = row.plan.as_ref().unwrap();
-        assert!(
-            !told.is_met && !told.is_best && told.at_least.is_none(),
-            "{planner}"
-        );
+        assert_eq!(told.proved, Proved::Nothing, "{planner}");
     }
 }
 
@@ -150,7 +150,7 @@ fn what_a_planner_cannot_do_it_says_and_the_plan_stays() {
         (search.by, pibt.by),
         (By::Search, By::Planner(Planner::Pibt))
     );
-    assert!(search.plan.as_ref().unwrap().is_best);
+    assert_eq!(search.plan.as_ref().unwrap().proved, Proved::Best);
     assert_eq!(pibt.plan, Err(said.to_owned()));
     let shown = after(&state, [Action::Solve(SolveAction::ShowPlan(pibt.by))]);
     assert_eq!(shown, state, "there is nothing to show");
@@ -182,7 +182,11 @@ fn planners_are_side_by_side_until_the_scene_changes() {
     assert_eq!(by, [By::Search, cbs, lacam]);
     let is_shown = |state: &State| {
         let shown = rows(state).into_iter();
-        let mut shown = shown.filter(|row| row.plan.as_ref().is_ok_and(|plan| plan.is_shown));
+        let mut shown = shown.filter(|row| {
+            row.plan
+                .as_ref()
+                .is_ok_and(|plan| plan.place == Place::Board)
+        });
         shown.next().map(|row| row.by)
     };
     for by in by {
@@ -212,7 +216,7 @@ fn a_second_plan_is_beside_the_first_where_there_is_room() {
     let wide = after(&narrow, [Action::View(ViewAction::SetWide(true))]);
     assert_eq!(wide.beside().unwrap().by, Some(Planner::Lacam));
     let row = rows(&wide).pop().unwrap();
-    assert!(row.plan.unwrap().is_beside);
+    assert_eq!(row.plan.unwrap().place, Place::Beside);
     assert_eq!(after(&wide, [beside(Planner::Lacam)]).beside(), None);
     let same = after(&wide, [beside(Planner::Cbs)]);
     assert_eq!(same.beside(), None, "it is the one on the board");
