@@ -124,7 +124,12 @@ fn dialog(panel: &Panel, state: &Shown, send: &Callback<Action>, show: &Callback
             html! { <Share link={link.clone()} name={state.document.draft.scene().name.clone()} {send} {on_close} /> }
         }
         Panel::Help => help(on_close),
-        Panel::Nothing | Panel::Menu | Panel::Open | Panel::Save | Panel::Settings => html! {},
+        Panel::Nothing
+        | Panel::Menu
+        | Panel::Open
+        | Panel::Save
+        | Panel::Settings
+        | Panel::Planners => html! {},
     }
 }
 
@@ -136,7 +141,7 @@ fn phase_class(state: &Shown) -> &'static str {
         Phase::Editing => "st-editing",
         Phase::Solving => "st-solving",
         Phase::Asking | Phase::Checking => "st-asking",
-        Phase::Planned => "st-planned",
+        Phase::Planned | Phase::Found => "st-planned",
         Phase::Changing | Phase::Adapting => "st-changing",
         Phase::Comparing => "st-comparing",
         Phase::Steering => "st-steering",

@@ -3,6 +3,7 @@
 use std::rc::Rc;
 
 use giveway_model::{Cell, Question, Scene};
+use giveway_solve::plan::Planner;
 use giveway_solve::{Progress, Response};
 
 use crate::audit::AuditAction;
@@ -11,6 +12,7 @@ use crate::files::Opened;
 use crate::find::FindAction;
 use crate::intake::{Save, protocol::Reply};
 use crate::link::Linked;
+use crate::planners::By;
 use crate::slot::{Elsewhere, Lost, Unkept};
 use crate::steering::Lead;
 use crate::{Edit, Fill, Lit, Moment, Notice, Selection, Speed, Tab, Theme, Tool};
@@ -172,6 +174,12 @@ pub enum SolveAction {
     /// Solve the scene on the board: from the best plan so far, where a search was
     /// cut off.
     Solve,
+    /// Plan the scene with a planner of the textbook.
+    Plan(Planner),
+    /// Show the plan that one of the planners has for the scene.
+    ShowPlan(By),
+    /// Show it beside the plan on the board, or no longer.
+    ShowBeside(By),
     /// Stop what runs, at once.
     Cancel,
     /// Show a plan of the front, by its number.

@@ -4,6 +4,7 @@ use std::rc::Rc;
 
 use giveway_model::change::{Changes, Trajectory};
 use giveway_model::{Agent, Fault, Plan, check};
+use giveway_solve::plan::Planner;
 use giveway_solve::{SolveAnswer, SolveRequest};
 
 use crate::Draft;
@@ -27,6 +28,9 @@ pub struct Answer {
     pub course: Option<Rc<Course>>,
     /// Whether the plan came from elsewhere and nothing was proved of it here.
     pub is_shared: bool,
+    /// The planner of the textbook whose plan it is; `None` where it is of the search
+    /// for the best plan, or from elsewhere.
+    pub by: Option<Planner>,
 }
 
 impl Answer {
@@ -50,6 +54,7 @@ impl Answer {
             arrivals,
             course: None,
             is_shared: false,
+            by: None,
         }
     }
 
@@ -86,6 +91,7 @@ impl Answer {
             arrivals,
             course: Some(Rc::new(course)),
             is_shared: false,
+            by: None,
         })
     }
 

@@ -7,6 +7,7 @@ use giveway_proof::Report;
 
 use crate::course::World;
 use crate::front::Front;
+use crate::planners::Runs;
 use crate::{Answer, Colours, Draft, Mode};
 
 /// All that a person made or got and would miss. Undo, what the browser keeps,
@@ -25,6 +26,8 @@ pub struct Document {
     /// The Pareto front that was found last; it may be of an older draft, see
     /// [`Document::front`].
     pub(crate) found_front: Option<Rc<Front>>,
+    /// What planners came to; it may be of an older draft, see [`Runs::of`].
+    pub(crate) found_plans: Option<Rc<Runs>>,
     /// What came of checking the proof of an answer; it may be of an older
     /// answer, see [`Document::report`].
     pub(crate) checked: Option<(Rc<Answer>, Rc<Report>)>,
@@ -42,6 +45,7 @@ impl Document {
             within: None,
             answer: None,
             found_front: None,
+            found_plans: None,
             checked: None,
             mode: Mode::Editing,
             colours: Colours::default(),

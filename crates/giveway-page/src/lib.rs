@@ -42,6 +42,7 @@ pub mod link;
 mod mode;
 pub mod objective;
 mod phase;
+pub mod planners;
 mod playback;
 mod problems;
 pub mod proof;

@@ -28,6 +28,8 @@ pub enum Phase {
     Auditing,
     /// There is a plan, with a proof that none is better.
     Planned,
+    /// There is a plan of a planner, of which less is proved.
+    Found,
     /// There is no plan, with a proof.
     None,
     /// The budget ran out; there may be a plan.
@@ -54,11 +56,10 @@ impl State {
         if self.document.own_front().is_some_and(Front::is_whole) {
             return Phase::Planned;
         }
-        match self
-            .document
-            .fresh_answer()
-            .map(|answer| answer.solved.status)
-        {
+        let answer = self.document.fresh_answer();
+        let is_found = answer.is_some_and(|answer| answer.by.is_some());
+        match answer.map(|answer| answer.solved.status) {
+            Some(Status::Feasible) if is_found => Phase::Found,
             None => Phase::Editing,
             Some(Status::Optimal) => Phase::Planned,
             Some(Status::Impossible) => Phase::None,

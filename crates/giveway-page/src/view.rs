@@ -5,6 +5,7 @@ use giveway_model::Cell;
 
 use crate::find::Find;
 use crate::gesture::Gesture;
+use crate::planners::By;
 use crate::slot::Waiting;
 use crate::{Notice, Playback, Theme, Tool};
 
@@ -94,6 +95,8 @@ pub struct View {
     pub sought: Option<Sought>,
     /// The broken rule of a plan of elsewhere that was gone to last, by its index.
     pub(crate) conflict: Option<usize>,
+    /// Whose plan is to be shown beside the one on the board.
+    pub(crate) versus: Option<By>,
     /// Whether the plan table is open.
     pub table: bool,
     /// Light or dark.
@@ -123,6 +126,7 @@ impl Default for View {
             find: None,
             sought: None,
             conflict: None,
+            versus: None,
             table: true,
             theme: Theme::System,
             tab: Tab::Timeline,

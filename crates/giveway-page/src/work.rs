@@ -6,6 +6,7 @@ use std::rc::Rc;
 use giveway_model::{Cost, Costs, Plan, Question};
 use giveway_solve::change::ChangeRequest;
 use giveway_solve::explain::ExplainRequest;
+use giveway_solve::plan::{PlanRequest, Planner};
 use giveway_solve::{CertifyRequest, Request, SolveRequest};
 
 use crate::changing::Changing;
@@ -48,6 +49,8 @@ pub struct Solving {
     pub draft: Rc<Draft>,
     /// The request.
     pub request: Rc<SolveRequest>,
+    /// The planner of the textbook that plans; `None`: the search for the best plan.
+    pub planner: Option<Planner>,
     /// What was known when it began, if it goes on from there.
     pub from: Option<Rc<Answer>>,
     /// The proved lower bound of each cost reached so far.
@@ -184,10 +187,24 @@ impl Work {
     }
 }
 
+impl Solving {
+    fn request(&self) -> Request {
+        let request = &*self.request;
+        match self.planner {
+            None => Request::Solve(request.clone()),
+            Some(planner) => Request::Plan(PlanRequest {
+                within: request.within,
+                limits: request.limits,
+                ..PlanRequest::new(request.scene.clone(), planner)
+            }),
+        }
+    }
+}
+
 impl Task {
     fn request(&self) -> Request {
         match self {
-            Self::Solve(solving) => Request::Solve((*solving.request).clone()),
+            Self::Solve(run) => run.request(),
             Self::Explain(request) => Request::Explain((**request).clone()),
             Self::Certify(run) => Request::Certify((*run.request).clone()),
             Self::Change(run) => Request::Change((*run.request).clone()),

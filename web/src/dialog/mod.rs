@@ -39,6 +39,8 @@ pub(crate) enum Panel {
     Save,
     /// The settings.
     Settings,
+    /// Planners of the textbook.
+    Planners,
     /// The examples.
     Examples,
     /// How many agents of a scenario are wanted.

@@ -8,6 +8,7 @@ mod cell;
 mod change;
 mod edit;
 mod front;
+mod planners;
 mod proof;
 mod questions;
 mod steer;

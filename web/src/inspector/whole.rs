@@ -8,7 +8,7 @@ use giveway_page::inspect::{CostFacts, whole};
 use giveway_page::{Action, Answer, BoardAction, Draft, Selection};
 use yew::prelude::*;
 
-use super::{audit, change, edit, front, proof};
+use super::{audit, change, edit, front, planners, proof};
 use crate::{Shown, glyph, icon};
 
 /// So many agents are listed at first, and with every press of `More`.
@@ -40,6 +40,7 @@ pub(super) fn show(state: &Shown, send: &Callback<Action>) -> Html {
                     { audit::begin(question(state), send) }
                 </section>
             }
+            { planners::show(state, send) }
             { change::history(&past, false) }
             { front::show(state, send) }
             { edit::whole(state, send) }

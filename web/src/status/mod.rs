@@ -1,6 +1,7 @@
 //! The status sentence, the button that solves, and its settings.
 
 mod live;
+mod planners;
 
 use giveway_page::{Action, ChangeAction, Phase, SolveAction, State, ask, words};
 use yew::prelude::*;
@@ -32,9 +33,10 @@ pub(crate) fn StatusBar(props: &StatusBarProps) -> Html {
         show,
     } = props;
     let around = use_node_ref();
+    let planners = use_node_ref();
     let open = *panel == Panel::Settings;
     let close = show.reform(|()| Panel::Nothing);
-    use_dismiss(&around, open, &close);
+    use_dismiss(&around, open || *panel == Panel::Planners, &close);
     let toggle = show.reform(move |_: MouseEvent| {
         if open {
             Panel::Nothing
@@ -54,6 +56,7 @@ pub(crate) fn StatusBar(props: &StatusBarProps) -> Html {
                     { objective(&costs) }
                 </button>
                 { solve_button(state, send) }
+                { planners::show(state, &planners, panel, send, show) }
                 if open {
                     { settings::show(state, send, &close) }
                 }

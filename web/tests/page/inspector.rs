@@ -1,6 +1,9 @@
 //! Inspector and tools.
 
-use giveway_page::{Action, BoardAction, Selection, Tool, reduce};
+use giveway_page::planners::By;
+use giveway_page::{Action, BoardAction, Selection, SolveAction, Tool, reduce};
+use giveway_solve::plan::Planner;
+use giveway_solve::{SilentHost, serve};
 use wasm_bindgen_test::wasm_bindgen_test;
 
 use crate::stage::{Stage, click, solved};
@@ -50,5 +53,28 @@ async fn one_tool_is_pressed() {
     assert_eq!(
         stage.sent(),
         [Action::Board(BoardAction::PickTool(Tool::SlowZone))]
+    );
+}
+
+#[wasm_bindgen_test]
+async fn planners_side_by_side() {
+    let plan = Action::Solve(SolveAction::Plan(Planner::Pibt));
+    let state = reduce(&solved(), plan);
+    let (job, request) = state.work.request().expect("it runs");
+    let response = Box::new(serve(&request, &SilentHost));
+    let state = reduce(
+        &state,
+        Action::Solve(SolveAction::Respond { job, response }),
+    );
+    let stage = Stage::of(state).await;
+    let table = stage.find("table[aria-label=Planners]").await;
+    let text = table.text_content().unwrap_or_default();
+    for part in ["18, 35, 3", "proved best", "PIBT cannot plan for waypoints"] {
+        assert!(text.contains(part), "{part}: {text}");
+    }
+    click(&stage.find("table[aria-label=Planners] th button").await);
+    assert_eq!(
+        stage.sent(),
+        [Action::Solve(SolveAction::ShowPlan(By::Search))]
     );
 }

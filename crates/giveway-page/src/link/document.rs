@@ -58,6 +58,9 @@ fn answered(answer: &Answer, whom: From) -> String {
         if let Some(within) = answer.request.within {
             let _ = write!(text, "&asked-within={within}");
         }
+        if let Some(planner) = answer.by {
+            let _ = write!(text, "&planner={planner}");
+        }
     }
     text
 }

@@ -161,6 +161,7 @@ fn edited(document: &Document, edits: &[Edit]) -> Result<Option<Document>, Notic
             edit if edit.is_afresh() => {
                 after.answer = None;
                 after.found_front = None;
+                after.mode = after.mode.unasked();
                 after.leave_audit();
             }
             _ => {}

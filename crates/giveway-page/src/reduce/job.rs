@@ -3,7 +3,7 @@
 
 use giveway_solve::{Progress, Refusal, Response};
 
-use super::{ask, change, proof, solve};
+use super::{ask, change, planners, proof, solve};
 use crate::{Adapting, Mode, Notice, Size, Solving, State, Task};
 
 /// Something became known on the way.
@@ -44,6 +44,7 @@ pub(super) fn respond(state: &mut State, id: u64, response: Response) {
     match (task, response) {
         (Task::Solve(run), Response::Solved(answer)) => solve::answered(state, run, answer),
         (Task::Solve(run), Response::Front(front)) => solve::front(state, &run, front),
+        (Task::Solve(run), Response::Planned(told)) => planners::planned(state, &run, &told),
         (Task::Explain(_), Response::Explained(answer)) => ask::learn(state, *answer),
         (Task::Certify(run), Response::Certified(report)) => proof::checked(state, &run, *report),
         (Task::Change(run), Response::Changed(told)) => change::answered(state, &run, *told),

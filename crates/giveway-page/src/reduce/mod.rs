@@ -9,6 +9,7 @@ mod file;
 mod find;
 mod intake;
 mod job;
+mod planners;
 mod play;
 mod press;
 mod proof;

@@ -7,6 +7,11 @@ use crate::steering::Steering;
 use crate::{Answer, Mode, State};
 
 impl State {
+    /// Whether a planner could plan the scene: nothing else is done with a plan.
+    pub const fn can_plan(&self) -> bool {
+        matches!(self.document.mode, Mode::Editing | Mode::Asking(_))
+    }
+
     /// Whether the world could change at the time shown: there is a plan, and
     /// nothing has changed then or later yet.
     pub fn can_change(&self) -> bool {

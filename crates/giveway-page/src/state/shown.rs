@@ -5,6 +5,7 @@ use std::rc::Rc;
 use giveway_model::Plan;
 
 use crate::audit::Beside;
+use crate::planners::Runs;
 use crate::steering::Steering;
 use crate::{Answer, Mode, State, Task};
 
@@ -22,9 +23,15 @@ impl State {
     }
 
     /// The answer that is shown beside that one: the other plan of a question,
-    /// where there is room for it.
+    /// where there is room for it; or that of another planner.
     pub fn beside(&self) -> Option<&Rc<Answer>> {
         let other = match &self.document.mode {
+            Mode::Editing => {
+                let runs = Runs::fresh(&self.document)?;
+                let this = self.document.answer.as_ref();
+                let is_other = |other: &&Rc<Answer>| this.is_some_and(|a| !Rc::ptr_eq(a, other));
+                runs.plan(self.view.versus?).filter(is_other)
+            }
             Mode::Auditing(audit) if audit.beside != Beside::Nothing => audit.other(),
             mode => mode.asking()?.other.as_ref(),
         };

@@ -91,7 +91,9 @@ fn tell(whole: &mut Whole, answer: &Answer) {
         conflicts: solved.stats.conflicts,
     };
     let mut work = work_done(size);
-    if work.is_empty() {
+    if let Some(planner) = answer.by {
+        planner.title().clone_into(&mut work);
+    } else if work.is_empty() {
         "Proved without SAT".clone_into(&mut work);
     }
     let seconds = match solved.stats.cpu_seconds {

@@ -17,7 +17,10 @@ pub(super) fn claim(answer: &Answer) -> String {
         });
         return format!("No way to go on from time {at}{way} is better.");
     }
-    giveway_solve::words::claim(solved)
+    match answer.by {
+        Some(_) if solved.status == Status::Feasible => crate::planners::claim(answer),
+        _ => giveway_solve::words::claim(solved),
+    }
 }
 
 /// What a scene contains.

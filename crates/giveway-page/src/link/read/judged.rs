@@ -87,6 +87,9 @@ pub(super) fn answer(
         }
     };
     answer.is_shared = !has_claim;
+    if has_claim {
+        answer.by = parts.read("planner", |text| text.parse().ok())?;
+    }
     Ok(Some(answer))
 }
 

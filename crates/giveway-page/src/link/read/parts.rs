@@ -9,7 +9,7 @@ use crate::link::From;
 pub(super) const SCENE: [&str; 5] = ["map", "name", "rules", "costs", "agents"];
 
 /// The parts that make an answer.
-pub(super) const ANSWER: [&str; 7] = [
+pub(super) const ANSWER: [&str; 8] = [
     "changes",
     "plan",
     "knows",
@@ -17,6 +17,7 @@ pub(super) const ANSWER: [&str; 7] = [
     "claim",
     "steps",
     "asked-within",
+    "planner",
 ];
 
 /// What a link may hold beside a scene.
@@ -25,11 +26,12 @@ const PUBLIC: [&str; 9] = [
 ];
 
 /// What only this browser writes.
-const HERE: [&str; 14] = [
+const HERE: [&str; 15] = [
     "ours",
     "claim",
     "steps",
     "asked-within",
+    "planner",
     "stale",
     "front",
     "report",

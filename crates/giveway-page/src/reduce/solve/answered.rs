@@ -6,6 +6,7 @@ use giveway_solve::{FrontAnswer, SolveAnswer};
 
 use crate::front::Front;
 use crate::known::{judged, merged};
+use crate::planners::Runs;
 use crate::reduce::document::{amend, put};
 use crate::reduce::{ask, audit, steer};
 use crate::{Answer, Arrival, Document, Solving, State};
@@ -50,9 +51,14 @@ fn arrive(state: &mut State, answer: &Rc<Answer>, front: Option<Rc<Front>>, arri
     let shown = state.document.fresh_answer();
     // A link's plan is proved: it goes on being shown where it is looked at.
     let is_proved = arrival == Arrival::Quiet && shown.is_some_and(|shown| shown.plan().is_some());
+    let found_plans = match &front {
+        None => Some(Runs::with_search(&state.document, answer)),
+        Some(_) => state.document.found_plans.clone(),
+    };
     let document = Document {
         answer: Some(Rc::clone(answer)),
         found_front: front,
+        found_plans,
         ..state.document.clone()
     };
     match arrival {

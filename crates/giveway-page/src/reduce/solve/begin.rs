@@ -4,6 +4,7 @@ use std::collections::BTreeMap;
 use std::rc::Rc;
 
 use giveway_model::Question;
+use giveway_solve::plan::Planner;
 use giveway_solve::{Limits, SolveRequest, Status};
 
 use crate::front::has_front;
@@ -14,6 +15,7 @@ use crate::{Answer, Arrival, Mode, Notice, Size, Solving, State, Task};
 pub(in crate::reduce) struct Start {
     arrival: Arrival,
     then: Option<Question>,
+    planner: Option<Planner>,
 }
 
 impl Start {
@@ -22,6 +24,15 @@ impl Start {
         Self {
             arrival: Arrival::Step,
             then: None,
+            planner: None,
+        }
+    }
+
+    /// A person asked for the plan of a planner.
+    pub(in crate::reduce) fn by(planner: Planner) -> Self {
+        Self {
+            planner: Some(planner),
+            ..Self::step()
         }
     }
 
@@ -36,8 +47,8 @@ impl Start {
     /// A link was opened: what it holds is proved, and its question asked.
     pub(in crate::reduce) fn of_link(then: Option<Question>) -> Self {
         Self {
-            arrival: Arrival::Quiet,
             then,
+            ..Self::quiet()
         }
     }
 }
@@ -45,6 +56,9 @@ impl Start {
 /// Solves the scene; in other modes, what is to be solved there.
 pub(in crate::reduce) fn start(state: &mut State, how: Start) {
     stroke::release(state);
+    if how.planner.is_some() && !state.can_plan() {
+        return;
+    }
     match &state.document.mode {
         Mode::Changing(_) | Mode::Comparing(_) | Mode::Stuck(..) => {
             return change::adapt(state);
@@ -75,13 +89,15 @@ pub(in crate::reduce) fn start(state: &mut State, how: Start) {
         Some(audit) => audit.ours.as_ref(),
         None => document.fresh_answer(),
     };
-    let from = known.filter(is_open).cloned();
+    let goes_on = how.planner.is_none();
+    let from = known.filter(|_| goes_on).filter(is_open).cloned();
     // A legal plan of elsewhere is where the search begins.
     let dropped = audit.filter(|audit| audit.plan.is_legal());
     let dropped = dropped.and_then(|audit| audit.plan.answer.plan());
     let request = SolveRequest {
         scene: document.draft.scene().clone(),
-        pareto: audit.is_none()
+        pareto: goes_on
+            && audit.is_none()
             && state.settings.front
             && has_front(&document.draft.scene().objective),
         within: document.within,
@@ -104,6 +120,7 @@ pub(in crate::reduce) fn start(state: &mut State, how: Start) {
             .map_or_else(BTreeMap::new, |from| from.solved.bounds.clone()),
         best: from.as_ref().and_then(|from| from.solved.costs),
         plan: None,
+        planner: how.planner,
         from,
         size: Size::default(),
         then: how.then,

@@ -4,7 +4,7 @@ mod answered;
 mod begin;
 mod known;
 
-use super::{ask, job, proof};
+use super::{ask, job, planners, proof};
 use crate::{Document, SolveAction, State, Task};
 
 pub(super) use answered::{answered, front};
@@ -19,6 +19,9 @@ pub(super) fn solve(state: &mut State, action: SolveAction) {
     match action {
         SolveAction::Begin => start(state, Start::quiet()),
         SolveAction::Solve => start(state, Start::step()),
+        SolveAction::Plan(planner) => start(state, Start::by(planner)),
+        SolveAction::ShowPlan(by) => planners::show(state, by),
+        SolveAction::ShowBeside(by) => planners::beside(state, by),
         SolveAction::Cancel if state.intake.job().is_some() => drop(state.intake.end()),
         SolveAction::Cancel => cancel(state),
         SolveAction::ShowPoint(point) => show_point(state, point),
@@ -43,7 +46,10 @@ pub(super) fn cancel(state: &mut State) {
     match state.work.end() {
         Some(Task::Solve(run)) => {
             if let Some(solved) = run.stopped("You stopped the search") {
-                answered(state, run, solved);
+                match run.planner {
+                    Some(planner) => planners::arrive(state, &run, planner, solved, None),
+                    None => answered(state, run, solved),
+                }
             }
         }
         Some(Task::Explain(_)) => {

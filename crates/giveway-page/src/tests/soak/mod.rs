@@ -4,7 +4,8 @@
 mod random;
 
 use crate::{
-    Action, Draft, Mode, State, ask, board, changing, inspect, link, reduce, steering, table, words,
+    Action, Draft, Mode, State, ask, board, changing, inspect, link, planners, reduce, steering,
+    table, words,
 };
 
 /// How many actions in all.
@@ -92,6 +93,7 @@ fn show(state: &State) {
     let _ = (ask::offers(state), ask::card(state), inspect::whole(state));
     let _ = (changing::facts(state), changing::columns(state));
     let _ = (steering::facts(state), state.can_change());
+    let _ = planners::table(state);
     let _ = board::Cast::of(state);
     for agent in 0..=state.world().agents().len() {
         let _ = inspect::agent(state, agent);

@@ -3,6 +3,7 @@
 use std::rc::Rc;
 
 use giveway_model::{Cell, Question};
+use giveway_solve::plan::Planner;
 
 use super::Session;
 use crate::action::IntakeAction;
@@ -11,6 +12,7 @@ use crate::files::Opened;
 use crate::find::FindAction;
 use crate::intake::protocol::{Read, Task};
 use crate::intake::work;
+use crate::planners::By;
 use crate::steering::Lead;
 use crate::tests::{answer, seek};
 use crate::{
@@ -96,7 +98,15 @@ impl Session {
 
     /// Starts, ends or answers what runs; answers come late at times.
     fn solve(&mut self) -> Vec<Action> {
-        let solve = match self.rng.u8(0..10) {
+        let planner = *self.rng.choice(&Planner::ALL).unwrap_or(&Planner::Cbs);
+        let by = *self
+            .rng
+            .choice(&[By::Search, By::Planner(planner)])
+            .unwrap();
+        let solve = match self.rng.u8(0..13) {
+            10 => SolveAction::Plan(planner),
+            11 => SolveAction::ShowPlan(by),
+            12 => SolveAction::ShowBeside(by),
             0..4 => SolveAction::Solve,
             4 => SolveAction::Cancel,
             5 => SolveAction::CheckProof,

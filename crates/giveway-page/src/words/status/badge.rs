@@ -27,6 +27,8 @@ pub enum Badge {
     Proved,
     /// No plan, with a proof.
     Impossible,
+    /// A plan of a planner, of which less is proved.
+    Found,
     /// The budget ran out.
     Stopped,
     /// An answer to what the scene was before.
@@ -58,6 +60,7 @@ impl Badge {
             Self::Steering => "Steering",
             Self::Adopted => "Adopted",
             Self::Proved => "Proved",
+            Self::Found => "Plan",
             Self::Impossible => "Impossible",
             Self::Stopped => "Stopped",
             Self::Stale => "Stale",
@@ -75,7 +78,7 @@ impl Badge {
             Self::Shared => "share",
             Self::Compared(_) => "compare",
             Self::Steering => "steer",
-            Self::Adopted | Self::Legal => "check",
+            Self::Adopted | Self::Legal | Self::Found => "check",
             Self::Solving | Self::Adapting | Self::Stopped | Self::Reading => "clock",
             Self::Asking => "question",
             Self::Checking => "search",
@@ -88,7 +91,7 @@ impl Badge {
     /// Its class in the style sheet.
     pub const fn class(self) -> &'static str {
         match self {
-            Self::Draft | Self::Adopted | Self::Shared => "plain",
+            Self::Draft | Self::Adopted | Self::Shared | Self::Found => "plain",
             Self::Solving
             | Self::Asking
             | Self::Checking

@@ -12,6 +12,7 @@ pub(super) fn solving(run: &Solving) -> String {
     if known.is_empty() {
         return match &run.best {
             Some(costs) => format!("a plan with {}.", values(objective(run), costs)),
+            None if run.planner.is_some() => "no plan yet.".to_owned(),
             None => "no bound yet.".to_owned(),
         };
     }

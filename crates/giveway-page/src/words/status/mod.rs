@@ -92,6 +92,10 @@ fn working(state: &State, task: &Task) -> Standing {
     match task {
         Task::Solve(run) => {
             let known = solving(run);
+            if let Some(planner) = run.planner {
+                let title = planner.title();
+                return say(Badge::Solving, format!("{title} is planning: {known}"));
+            }
             Standing {
                 beside: Some(capital(&known)),
                 ..say(Badge::Solving, format!("Solving: {known}"))

@@ -9,7 +9,7 @@ use super::{Badge, Standing};
 use crate::front::Front;
 use crate::words::costs::values;
 use crate::words::{change, count};
-use crate::{Answer, State};
+use crate::{Answer, State, planners};
 
 /// Where the page stands with a scene and its plan, if it has one.
 pub(super) fn resting(state: &State) -> Standing {
@@ -42,6 +42,13 @@ pub(super) fn resting(state: &State) -> Standing {
     }
     if answer.is_shared {
         return say(Badge::Shared, shared(answer));
+    }
+    if let Some(planner) = answer.by {
+        let badge = match answer.solved.status {
+            Status::Optimal => Badge::Proved,
+            _ => Badge::Found,
+        };
+        return say(badge, planners::sentence(planner, answer));
     }
     let badge = match answer.solved.status {
         Status::Optimal => Badge::Proved,

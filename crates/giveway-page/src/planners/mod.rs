@@ -1,0 +1,146 @@
+//! Planners of the textbook, run on the scene on the board, side by side with the
+//! search for the best plan.
+
+mod rows;
+mod words;
+
+use std::rc::Rc;
+
+use giveway_solve::plan::{PlanAnswer, PlanEnd, PlanStats, Planner, words as told_words};
+use giveway_solve::{SolveAnswer, Stats, Status};
+
+use crate::{Answer, Document, Draft};
+
+pub use rows::{Place, Proved, Row, RowPlan, Table, table};
+pub use words::{BEST, BEST_PROMISE, promise};
+pub(crate) use words::{claim, sentence};
+
+/// Who planned.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum By {
+    /// The search for the best plan.
+    Search,
+    /// A planner of the textbook.
+    Planner(Planner),
+}
+
+/// What a planner came to.
+#[derive(Clone, Debug, PartialEq)]
+pub(crate) enum End {
+    /// A plan, which is a plan of the document like any other.
+    Plan(Rc<Answer>),
+    /// None, and why, as a sentence.
+    Nothing(String),
+}
+
+/// One planner on the scene.
+#[derive(Clone, Debug, PartialEq)]
+pub(crate) struct Run {
+    pub(crate) planner: Planner,
+    pub(crate) end: End,
+    /// The work that it took; `None` where it was stopped before it told.
+    pub(crate) stats: Option<PlanStats>,
+}
+
+/// Who planned on a scene, and what they came to: the last run of each.
+#[derive(Clone, Debug, PartialEq)]
+pub(crate) struct Runs {
+    draft: Rc<Draft>,
+    within: Option<u32>,
+    /// The last answer of the search for the best plan.
+    search: Option<Rc<Answer>>,
+    /// Those of planners, in the order in which lists show them.
+    planned: Vec<Run>,
+}
+
+impl Runs {
+    /// The runs on the scene of a document; those on another scene are dropped.
+    pub(crate) fn of(document: &Document) -> Self {
+        let mut runs = Self::fresh(document).cloned().unwrap_or_else(|| Self {
+            draft: Rc::clone(&document.draft),
+            within: document.within,
+            search: None,
+            planned: Vec::new(),
+        });
+        // Only the search proves that much.
+        let proved = document.fresh_answer().filter(|answer| {
+            let is_final = matches!(answer.solved.status, Status::Optimal | Status::Impossible);
+            is_final && answer.by.is_none() && answer.course.is_none()
+        });
+        if proved.is_some() {
+            runs.search = proved.cloned();
+        }
+        runs
+    }
+
+    /// The runs that a document holds, where they are on its scene.
+    pub(crate) fn fresh(document: &Document) -> Option<&Self> {
+        let runs = document.found_plans.as_deref()?;
+        let is_same = Rc::ptr_eq(&runs.draft, &document.draft) || runs.draft == document.draft;
+        (is_same && runs.within == document.within).then_some(runs)
+    }
+
+    /// With an answer of the search.
+    pub(crate) fn with_search(document: &Document, answer: &Rc<Answer>) -> Rc<Self> {
+        let search = Some(Rc::clone(answer));
+        let runs = Self::of(document);
+        Rc::new(Self { search, ..runs })
+    }
+
+    /// With a run, in the place of the last one of the same planner.
+    pub(crate) fn with(document: &Document, run: Run) -> Rc<Self> {
+        let mut runs = Self::of(document);
+        runs.planned.retain(|other| other.planner != run.planner);
+        runs.planned.push(run);
+        runs.planned.sort_by_key(|run| run.planner);
+        Rc::new(runs)
+    }
+
+    /// The plan of one of them.
+    pub(crate) fn plan(&self, by: By) -> Option<&Rc<Answer>> {
+        let answer = match by {
+            By::Search => self.search.as_ref(),
+            By::Planner(planner) => {
+                let run = self.planned.iter().find(|run| run.planner == planner);
+                match &run?.end {
+                    End::Plan(answer) => Some(answer),
+                    End::Nothing(_) => None,
+                }
+            }
+        };
+        answer.filter(|answer| answer.plan().is_some())
+    }
+}
+
+/// The plan of a planner as an answer; `None` without one.
+///
+/// Optimal is what no plan can better in any cost: so only where the objective is
+/// the one cost that the planner proved. Otherwise what is proved stands in the
+/// bounds alone.
+pub(crate) fn solved(told: &PlanAnswer) -> Option<SolveAnswer> {
+    let plan = told.plan.clone()?;
+    let is_best =
+        told.objective.costs().len() == 1 && matches!(told.ended, PlanEnd::Best { within: None });
+    Some(SolveAnswer {
+        giveway: told.giveway,
+        status: if is_best {
+            Status::Optimal
+        } else {
+            Status::Feasible
+        },
+        costs: told.costs,
+        bounds: told.bounds.clone(),
+        within: None,
+        complete: is_best,
+        reason: match &told.ended {
+            PlanEnd::Stopped { reason } => Some(reason.clone()),
+            PlanEnd::Best { within: Some(_) } => told_words::notes(told).into_iter().next(),
+            _ => None,
+        },
+        plan: Some(plan),
+        stats: Stats {
+            cpu_seconds: told.stats.cpu_seconds,
+            ..Stats::default()
+        },
+    })
+}
