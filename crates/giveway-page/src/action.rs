@@ -171,8 +171,7 @@ pub enum BoardAction {
 pub enum SolveAction {
     /// Solve the scene that the page opens on: it is no step of its own.
     Begin,
-    /// Solve the scene on the board: from the best plan so far, where a search was
-    /// cut off.
+    /// Solve the scene on the board, from the best plan so far where there is one.
     Solve,
     /// Plan the scene with a planner of the textbook.
     Plan(Planner),
@@ -184,8 +183,7 @@ pub enum SolveAction {
     Cancel,
     /// Show a plan of the front, by its number.
     ShowPoint(usize),
-    /// Prove again what was answered last, to the question or of the plan, and
-    /// check the proofs.
+    /// Prove again what was answered last, of question or plan, and check the proofs.
     CheckProof,
     /// The worker got to know something.
     Progress {
