@@ -5,7 +5,8 @@ use giveway_model::{Agent, Cell, Scene};
 use super::{after, edit, fresh, stroke};
 use crate::sample::solved;
 use crate::{
-    Action, BoardAction, Edit, FileAction, Phase, Selection, SolveAction, State, Tool, ViewAction,
+    Action, BoardAction, Edit, FileAction, MAX_SIDE, Phase, Selection, SolveAction, State, Tool,
+    ViewAction,
 };
 
 fn row(state: &State, y: usize) -> &str {
@@ -174,7 +175,7 @@ fn opening_cancels_a_solve() {
 #[test]
 fn what_cannot_be_drawn_or_solved_is_refused_and_the_old_scene_stays() {
     let before = solved();
-    let wide = ".".repeat(300);
+    let wide = ".".repeat(MAX_SIDE as usize + 1);
     for rows in [&["..", "."][..], &[], &[wide.as_str()], &["x"]] {
         let state = after(&before, [open(rows)]);
         let notice = state.view.notice.clone().unwrap();
