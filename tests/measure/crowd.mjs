@@ -7,11 +7,11 @@ import { SOLVED, figure, inPage, smoothness } from "./figure.mjs";
 import { Tab } from "./process.mjs";
 
 /** Crowds: how many agents, on how many cells a side, the least frames a second, and by how many keys nearer. */
-const CROWDS = [[100, 64, 58], [300, 64, 30], [50, 256, 50], [1000, 256, 30], [1000, 256, 30, 5]];
+const CROWDS = [[100, 64, 58], [300, 64, 30], [50, 256, 50], [1000, 256, 30], [1000, 256, 30, 5], [1000, 512, 30]];
 /** A plan of another maker on a map of the standard benchmark, and the least frames a second. */
 const STANDARD = ["random-32-32-20_random-1_300.tracker.csv", "300 agents playing on random-32-32-20", 58];
 /** Cells a side of the largest map that the page takes. */
-const LARGEST = 256;
+const LARGEST = 512;
 /** Cells that are painted, one a frame. */
 const PAINTED = 100;
 
