@@ -3,9 +3,13 @@
 
 mod random;
 
+use giveway_model::Question;
+
+use super::answered;
+use crate::reduce::tests::after;
 use crate::{
-    Action, Draft, Mode, State, ask, board, changing, inspect, link, planners, reduce, steering,
-    table, words,
+    Action, AskAction, Draft, Edit, Mode, SolveAction, State, ask, board, changing, inspect, link,
+    planners, reduce, steering, table, words,
 };
 
 /// How many actions in all.
@@ -119,4 +123,20 @@ fn show(state: &State) {
         }
         Mode::Editing | Mode::Changing(_) | Mode::Comparing(_) => {}
     }
+}
+
+/// Found by chance.
+#[test]
+fn clearing_a_clear_scene_leaves_the_question_with_its_plan() {
+    let scene = giveway_model::Scene {
+        map: vec!["..".into()],
+        ..giveway_model::Scene::default()
+    };
+    let state = State::new(Draft::new(scene).unwrap());
+    let solved = answered(&after(&state, [Action::Solve(SolveAction::Solve)]));
+    let asked = after(&solved, [Action::Ask(AskAction::Ask(Question::Plan))]);
+    assert!(asked.document.mode.asking().is_some());
+    let cleared = after(&asked, [Action::Edit(Edit::Clear)]);
+    assert_eq!(cleared.document.answer, None);
+    assert_eq!(cleared.document.mode, Mode::Editing);
 }

@@ -2,15 +2,12 @@
 
 use std::rc::Rc;
 
-use giveway_model::{Question, Scene};
-use giveway_solve::{SilentHost, Status, serve};
+use giveway_solve::Status;
 
 use super::{answered, asked};
 use crate::ask::card;
 use crate::reduce::tests::after;
-use crate::{
-    Action, AskAction, Draft, Edit, Mode, Phase, PlayAction, SolveAction, State, ViewAction,
-};
+use crate::{Action, AskAction, Phase, PlayAction, ViewAction};
 
 #[test]
 fn the_other_plan_is_shown_and_taken() {
@@ -84,25 +81,4 @@ fn a_repair_is_an_edit_that_can_be_undone() {
     assert_eq!(undone.document.draft, before);
     let none = after(&state, [Action::Ask(AskAction::TakeRepair(7))]);
     assert_eq!(none, state);
-}
-
-#[test]
-fn clearing_a_clear_scene_leaves_the_question_with_its_plan() {
-    let scene = Scene {
-        map: vec!["..".into()],
-        ..Scene::default()
-    };
-    let state = State::new(Draft::new(scene).unwrap());
-    let state = after(&state, [Action::Solve(SolveAction::Solve)]);
-    let (job, request) = state.work.request().unwrap();
-    let response = Box::new(serve(&request, &SilentHost));
-    let solved = after(
-        &state,
-        [Action::Solve(SolveAction::Respond { job, response })],
-    );
-    let asked = after(&solved, [Action::Ask(AskAction::Ask(Question::Plan))]);
-    assert!(asked.document.mode.asking().is_some());
-    let cleared = after(&asked, [Action::Edit(Edit::Clear)]);
-    assert_eq!(cleared.document.answer, None);
-    assert_eq!(cleared.document.mode, Mode::Editing);
 }
