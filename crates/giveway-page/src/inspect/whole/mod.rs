@@ -5,7 +5,7 @@ mod costs;
 mod tests;
 mod words;
 
-use giveway_solve::words::reach_of_bounds;
+use giveway_solve::{Status, words::reach_of_bounds};
 
 use crate::timeline::work_done;
 use crate::{Answer, Size, State};
@@ -94,6 +94,11 @@ fn tell(whole: &mut Whole, answer: &Answer) {
     if let Some(planner) = answer.by {
         planner.title().clone_into(&mut work);
     } else if work.is_empty() {
+        // Of a search that was stopped the work is not known, nor of a plan from
+        // elsewhere.
+        if !matches!(solved.status, Status::Optimal | Status::Impossible) {
+            return;
+        }
         "Proved without SAT".clone_into(&mut work);
     }
     let seconds = match solved.stats.cpu_seconds {

@@ -19,6 +19,11 @@ pub(super) fn claim(answer: &Answer) -> String {
     }
     match answer.by {
         Some(_) if solved.status == Status::Feasible => crate::planners::claim(answer),
+        None if solved.status == Status::Feasible => match solved.reason {
+            // The reason says why there is no more.
+            Some(_) => "The best plan so far.".to_owned(),
+            None => "Nobody has asked here whether it is the best.".to_owned(),
+        },
         _ => giveway_solve::words::claim(solved),
     }
 }
