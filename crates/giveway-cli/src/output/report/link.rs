@@ -68,6 +68,6 @@ mod tests {
         let begin = "https://example.org/giveway/#giveway=1&map=3.3f&name=a&";
         assert!(to.address().unwrap().starts_with(begin), "{to:?}");
         assert!(to.address().unwrap().ends_with("!lr"), "{to:?}");
-        assert_eq!(link("http://localhost:8080", 257), Link::TooLarge);
+        assert_eq!(link("http://localhost:8080", 513), Link::TooLarge);
     }
 }
