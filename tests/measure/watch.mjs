@@ -87,3 +87,22 @@ export function solveAtOnce() {
   };
   requestAnimationFrame(look);
 }
+
+/** Milliseconds from a click on `Solve` until a robot is drawn elsewhere. */
+export function solveUntilPlaying() {
+  const places = () => [...document.querySelectorAll(".agent")].map((agent) => agent.getAttribute("transform")).join();
+  return new Promise((resolve) => {
+    const begin = performance.now();
+    const before = places();
+    const buttons = [...document.querySelectorAll("button")];
+    buttons.find((button) => button.textContent.trim() === "Solve").click();
+    const look = (now) => {
+      if (places() === before) {
+        requestAnimationFrame(look);
+      } else {
+        resolve(now - begin);
+      }
+    };
+    requestAnimationFrame(look);
+  });
+}

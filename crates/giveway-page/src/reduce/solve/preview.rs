@@ -41,12 +41,19 @@ fn next(state: &State) -> Option<Answer> {
         return None;
     }
     run.plan.as_ref()?;
-    let is_newer = run.preview.as_ref().is_none_or(|p| p.solved.costs != run.best);
+    let is_newer = run
+        .preview
+        .as_ref()
+        .is_none_or(|p| p.solved.costs != run.best);
     if !is_newer || is_on_its_way(state) {
         return None;
     }
     let solved = run.so_far(None).filter(|solved| solved.plan.is_some())?;
-    Some(Answer::new(Rc::clone(&run.draft), Rc::clone(&run.request), solved))
+    Some(Answer::new(
+        Rc::clone(&run.draft),
+        Rc::clone(&run.request),
+        solved,
+    ))
 }
 
 /// Whether a plan of the scene is shown between its start and its end.

@@ -74,7 +74,10 @@ fn play(state: &State, action: PlayAction) -> State {
 fn answered(state: &State, solved: SolveAnswer) -> State {
     let job = state.work.id().unwrap();
     let response = Box::new(Response::Solved(solved));
-    after(state, [Action::Solve(SolveAction::Respond { job, response })])
+    after(
+        state,
+        [Action::Solve(SolveAction::Respond { job, response })],
+    )
 }
 
 #[test]
@@ -96,12 +99,18 @@ fn a_better_plan_waits_until_no_robot_would_jump() {
     let playing = tell(&play(&first, PlayAction::Reach(4)), later(1));
     assert!(Rc::ptr_eq(playing.so_far().unwrap(), &shown));
     let paused = tell(&play(&playing, PlayAction::Pause), later(0));
-    assert!(Rc::ptr_eq(paused.so_far().unwrap(), &shown), "it is looked at");
+    assert!(
+        Rc::ptr_eq(paused.so_far().unwrap(), &shown),
+        "it is looked at"
+    );
     let end = play(&playing, PlayAction::Reach(shown.makespan()));
     let better = end.so_far().unwrap();
     assert!(better.makespan() < shown.makespan());
     let playback = end.view.playback;
-    assert_eq!((playback.time, playback.playing), (better.makespan(), false));
+    assert_eq!(
+        (playback.time, playback.playing),
+        (better.makespan(), false)
+    );
     let start = play(&paused, PlayAction::Seek(0));
     assert_eq!(start.so_far().unwrap().makespan(), shown.makespan() - 3);
     assert_eq!(start.view.playback.time, 0);
