@@ -88,19 +88,18 @@ export function solveAtOnce() {
   requestAnimationFrame(look);
 }
 
-/** Milliseconds from a click on `Solve` until a robot is drawn elsewhere. */
+/** Milliseconds from a click on `Solve` until the plan that plays has come to its first step. */
 export function solveUntilPlaying() {
-  const places = () => [...document.querySelectorAll(".agent")].map((agent) => agent.getAttribute("transform")).join();
+  const hasMoved = () => !["0", undefined].includes(document.querySelector(".clock b")?.textContent);
   return new Promise((resolve) => {
     const begin = performance.now();
-    const before = places();
     const buttons = [...document.querySelectorAll("button")];
     buttons.find((button) => button.textContent.trim() === "Solve").click();
     const look = (now) => {
-      if (places() === before) {
-        requestAnimationFrame(look);
-      } else {
+      if (hasMoved()) {
         resolve(now - begin);
+      } else {
+        requestAnimationFrame(look);
       }
     };
     requestAnimationFrame(look);
