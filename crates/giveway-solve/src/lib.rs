@@ -35,8 +35,8 @@ pub use answer::{CheckAnswer, FrontAnswer, SolveAnswer, Stats, Status};
 pub use certify::CertifyRequest;
 pub use host::{Host, SilentHost};
 pub use progress::Progress;
-pub use request::{CheckRequest, Limits, Request, SolveRequest};
-pub use service::{Refusal, Response, serve};
+pub use request::{Basic, CheckRequest, Limits, Request, SolveRequest};
+pub use service::{Refusal, Response, serve, serve_basic};
 
 /// The examples of the README are tests.
 #[cfg(doctest)]
