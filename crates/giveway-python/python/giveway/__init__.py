@@ -1,0 +1,1 @@
+from giveway._native import VERSION as __version__
