@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import dataclasses
-import functools
 import json
 import types
 import typing
@@ -14,11 +13,6 @@ if TYPE_CHECKING:
     from typing_extensions import Self
 
 Reader = Callable[[Any], Any]
-
-
-def key(name: str, **options: Any) -> Any:
-    """A field whose key in JSON is not its name."""
-    return dataclasses.field(metadata={"key": name}, **options)
 
 
 def optional(name: str | None = None, **options: Any) -> Any:
@@ -69,13 +63,23 @@ def plain(value: Any) -> Any:
     return value
 
 
-@functools.cache
-def _fields(cls: type) -> list[tuple[str, str, Reader, bool]]:
+Field = tuple[str, str, Reader, bool]
+_known: dict[type, list[Field]] = {}
+
+
+def _fields(cls: type) -> list[Field]:
+    """Of each field its name, its key, its reader, and whether it may be left out."""
+    if cls not in _known:
+        _known[cls] = _found(cls)
+    return _known[cls]
+
+
+def _found(cls: type) -> list[Field]:
     hints = typing.get_type_hints(cls)
     return [
         (field.name, field.metadata.get("key") or field.name, _reader(hints[field.name]),
          bool(field.metadata.get("optional")))
-        for field in dataclasses.fields(cls)  # type: ignore[arg-type]
+        for field in dataclasses.fields(cls)
         if not field.metadata.get("hidden")
     ]
 

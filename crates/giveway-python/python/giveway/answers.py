@@ -7,7 +7,7 @@ from collections.abc import Mapping
 from dataclasses import dataclass, field
 from typing import Any, ClassVar, Literal, TypeVar
 
-from giveway._record import Record, key, optional
+from giveway._record import Record, optional
 from giveway.plan import Plan
 from giveway.scene import Cell, Cost, Scene
 
@@ -20,10 +20,10 @@ class Costs(Record):
     """All five costs of a plan."""
 
     makespan: int
-    sum_of_costs: int = key("sum-of-costs")
-    charges: int = field()
-    moves: int = field()
-    waits: int = field()
+    sum_of_costs: int = field(metadata={"key": "sum-of-costs"})
+    charges: int
+    moves: int
+    waits: int
 
 
 @dataclass(frozen=True)
@@ -158,6 +158,8 @@ class Explanation(Record):
 @dataclass(frozen=True)
 class MethodAnswer(Record):
     """What a method makes of a change, with the names of the agents that it keeps, retimes ..."""
+
+    document: ClassVar[bool] = True
 
     status: Status
     costs: Costs | None
