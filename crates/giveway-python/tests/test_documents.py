@@ -57,11 +57,12 @@ def test_the_notebook() -> None:
     assert "animateTransform" in shown[2]._repr_svg_()
 
 
-def test_types_are_strict() -> None:
+@pytest.mark.parametrize("part", ["python/giveway", "tests"])
+def test_types_are_strict(part: str) -> None:
     pytest.importorskip("mypy")
-    folder = Path(giveway.__file__).parent
-    assert (folder / "py.typed").is_file()
-    checked = subprocess.run(
-        [sys.executable, "-m", "mypy", "--strict", "--config-file", str(CLONE / "pyproject.toml"), str(folder)],
-        capture_output=True, text=True, check=False)
+    # The tests are a program that uses the package as it is installed.
+    assert (Path(giveway.__file__).parent / "py.typed").is_file()
+    folder = CLONE / "crates/giveway-python" / part
+    command = [sys.executable, "-m", "mypy", "--strict", "--config-file", str(CLONE / "pyproject.toml"), str(folder)]
+    checked = subprocess.run(command, capture_output=True, text=True, check=False)
     assert checked.returncode == 0, checked.stdout
