@@ -27,6 +27,7 @@ pub mod service;
 mod solve;
 #[cfg(test)]
 mod tests;
+mod verify;
 pub mod words;
 
 use giveway_planners::{first, lns, local, single, terrain, walk};
@@ -37,6 +38,7 @@ pub use host::{Host, SilentHost};
 pub use progress::Progress;
 pub use request::{Basic, CheckRequest, Limits, Request, SolveRequest};
 pub use service::{Refusal, Response, serve, serve_basic};
+pub use verify::verify;
 
 /// The examples of the README are tests.
 #[cfg(doctest)]

@@ -89,6 +89,27 @@ impl Refusal {
     }
 }
 
+impl Refusal {
+    /// What is wrong with the request, each fault with its place in it.
+    pub fn faults(self) -> Vec<Fault> {
+        let in_part = |faults: Vec<Fault>, part| -> Vec<Fault> {
+            let faults = faults.into_iter();
+            faults.map(|fault| fault.of_part(part)).collect()
+        };
+        let (part, expected) = match self {
+            Self::Scene { faults } => return in_part(faults, "scene"),
+            Self::Changes { faults } => return in_part(faults, "changes"),
+            Self::Request { fault } => return vec![fault],
+            Self::Plan { .. } => ("plan", "a plan that breaks no rule"),
+            Self::Question { .. } => ("question", "what can be asked of the plan"),
+        };
+        let found = self.sentences().into_iter();
+        found
+            .map(|found| Fault::at(part, found, expected))
+            .collect()
+    }
+}
+
 /// Serves a request; the same request gives the same response, stats and
 /// budgets in seconds apart.
 pub fn serve(request: &Request, host: &dyn Host) -> Response {
