@@ -9,6 +9,7 @@ mod explain;
 mod manual;
 mod proof;
 mod solve;
+mod sweep;
 mod verify;
 
 use crate::{
@@ -32,6 +33,8 @@ pub(crate) fn run(args: &Args, clock: Clock) -> Result<Exit, Failure> {
         Command::Explain(explain) => explain::run(explain, &args.common, clock),
         Command::Convert(convert) => convert::run(convert, &args.common),
         Command::Verify(verify) => verify::run(verify, &args.common),
+        Command::Sweep(sweep) => sweep::run(sweep, &args.common),
+        Command::Table(table) => sweep::table(table),
         Command::Completions { shell } => manual::completions(*shell),
         Command::Man { command } => manual::man(command.as_deref()),
     }
