@@ -101,7 +101,7 @@ fn on_time_both_have_to_be_in_the_middle() {
     assert_eq!(
         texts[2..],
         [
-            "A and B join the proof: they get in others' way.",
+            "A and B join the proof: they get in each other's way.",
             "No plan has less than sum of costs 5.",
             "Plan and bound meet: sum of costs 5. No plan is better.",
         ]

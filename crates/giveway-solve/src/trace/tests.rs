@@ -3,8 +3,8 @@
 use giveway_model::{Cost, Objective};
 
 use super::{
-    AgentLeast, AgentLimit, Condition, Core, Literals, Recorder, SearchEvent, SearchTrace,
-    Together, words,
+    AgentLeast, AgentLimit, Condition, Core, EarlierCore, Entrant, Literals, Recorder, SearchEvent,
+    SearchTrace, Together, words,
 };
 
 fn recorder() -> Recorder {
@@ -121,6 +121,35 @@ fn one_robot_is_held_up_by_others() {
 }
 
 #[test]
+fn who_joins_gets_in_the_way() {
+    let entrant = |agent: &str, with: &[&str]| Entrant {
+        agent: agent.to_owned(),
+        with: with.iter().map(|&name| name.to_owned()).collect(),
+    };
+    for (agents, sentence) in [
+        (
+            vec![entrant("A", &["B"]), entrant("B", &["A"])],
+            "A and B join the proof: they get in each other's way.",
+        ),
+        (
+            vec![entrant("A", &["B"]), entrant("B", &["A", "C"])],
+            "A and B join the proof: they get in others' way.",
+        ),
+        (
+            vec![entrant("A", &["B", "C"])],
+            "A joins the proof: it gets in the way of B and C.",
+        ),
+        (
+            vec![entrant("A", &[])],
+            "A joins the proof: its way around the others costs more than alone.",
+        ),
+    ] {
+        let event = SearchEvent::Entered { agents };
+        assert_eq!(words::sentence(&Objective::default(), &event), sentence);
+    }
+}
+
+#[test]
 fn among_some_plans_these_may_be_the_reason() {
     let mut core = core(Cost::Charges, &[("A", 1, 1)]);
     core.condition.given.insert(Cost::Makespan, 14);
@@ -129,7 +158,7 @@ fn among_some_plans_these_may_be_the_reason() {
 
 #[test]
 fn what_robots_need_together_is_counted() {
-    let earlier = super::EarlierCore {
+    let earlier = EarlierCore {
         event: 3,
         at_most: 1,
     };

@@ -164,7 +164,15 @@ fn entered(agents: &[Entrant]) -> String {
             one.agent,
             in_a_row(&one.with)
         ),
-        _ => format!("{} join the proof: they get in others' way.", who(&names)),
+        _ => {
+            let with = agents.iter().flat_map(|agent| &agent.with);
+            let is_among = |name: &String| names.contains(&name.as_str());
+            let whose = match with.into_iter().all(is_among) {
+                true => "each other's",
+                false => "others'",
+            };
+            format!("{} join the proof: they get in {whose} way.", who(&names))
+        }
     }
 }
 

@@ -55,7 +55,10 @@ fn a_trace_is_told_on_the_way_and_a_step_of_it_can_be_asked_about() {
         .collect();
     let events = answer["trace"]["events"].as_array().unwrap();
     assert_eq!(told, events.iter().collect::<Vec<&Value>>());
-    let core = events.iter().find(|event| event["event"] == "core").unwrap();
+    let core = events
+        .iter()
+        .find(|event| event["event"] == "core")
+        .unwrap();
     let asked = json!({ "scene": scene, "cost": core["cost"], "agents": core["limits"] });
     let together = giveway_wasm::together(&object(&asked), &js("undefined")).unwrap();
     let together = data(&together);
