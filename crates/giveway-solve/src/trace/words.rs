@@ -107,7 +107,7 @@ pub fn condition(condition: &Condition, cost: Cost) -> Option<String> {
 fn under(plans: &Condition, cost: Cost, claim: &str) -> String {
     match condition(plans, cost) {
         None => claim.to_owned(),
-        Some(plans) => format!("{plans}: {}", claim),
+        Some(plans) => format!("{plans}: {claim}"),
     }
 }
 
@@ -167,9 +167,10 @@ fn entered(agents: &[Entrant]) -> String {
         _ => {
             let with = agents.iter().flat_map(|agent| &agent.with);
             let is_among = |name: &String| names.contains(&name.as_str());
-            let whose = match with.into_iter().all(is_among) {
-                true => "each other's",
-                false => "others'",
+            let whose = if with.into_iter().all(is_among) {
+                "each other's"
+            } else {
+                "others'"
             };
             format!("{} join the proof: they get in {whose} way.", who(&names))
         }
