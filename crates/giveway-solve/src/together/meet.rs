@@ -82,7 +82,11 @@ impl Pair<'_> {
             _ => (a, b, MeetingKind::Vertex { cell }),
         };
         let passes = [a, b].map(|agent| {
-            let since = if agent.1.rests(time) { agent.1.by } else { time };
+            let since = if agent.1.rests(time) {
+                agent.1.by
+            } else {
+                time
+            };
             pass(agent, cell, since)
         });
         Some((meeting([first, second], time, kind), passes.into()))
