@@ -73,6 +73,7 @@ fn called(function: &str, text: &str, host: &dyn Host) -> Result<String, Failure
         "change" => Request::Change(read(text)?),
         "audit" => Request::Audit(read(text)?),
         "plan" => Request::Plan(read(text)?),
+        "together" => Request::Together(read(text)?),
         "certify" => Request::Certify(read(text)?),
         "verify" => return verified(&read(text)?, host),
         "compare" => return compared(read(text)?),
@@ -115,6 +116,7 @@ fn respond(response: Response) -> Result<String, Failure> {
         Response::Changed(answer) => write(&answer),
         Response::Audited(answer) => write(&answer),
         Response::Planned(answer) => write(&answer),
+        Response::Together(answer) => write(&answer),
         Response::Refused(refusal) => {
             let code = match refusal {
                 Refusal::Scene { .. } => Code::BadScene,

@@ -6,6 +6,7 @@ use serde::{Deserialize, Serialize};
 
 use crate::audit::AuditRequest;
 use crate::change::ChangeRequest;
+use crate::together::TogetherRequest;
 use crate::{CertifyRequest, explain::ExplainRequest, plan::PlanRequest};
 
 /// A request to the [service](crate::service).
@@ -26,6 +27,8 @@ pub enum Request {
     Audit(AuditRequest),
     /// Find a plan with a planner of the textbook.
     Plan(PlanRequest),
+    /// Why can some agents not all keep their limits?
+    Together(TogetherRequest),
 }
 
 /// A request that needs no more than search and judge.
@@ -49,7 +52,8 @@ impl Request {
             | Self::Explain(_)
             | Self::Certify(_)
             | Self::Audit(_)
-            | Self::Plan(_) => None,
+            | Self::Plan(_)
+            | Self::Together(_) => None,
         }
     }
 }
@@ -80,6 +84,9 @@ pub struct SolveRequest {
     /// are optimal, it may decide which of them is found.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub start: Option<Plan>,
+    /// Whether to tell how the plan was found and proved; not with `pareto`.
+    #[serde(default)]
+    pub trace: bool,
     /// The budget.
     #[serde(default, deserialize_with = "from_object")]
     pub limits: Limits,

@@ -23,3 +23,4 @@ mod proof;
 mod run;
 mod solve;
 mod sweep;
+mod traces;
