@@ -6,7 +6,7 @@ use serde::{Deserialize, Serialize};
 
 use crate::audit::AuditRequest;
 use crate::change::ChangeRequest;
-use crate::{CertifyRequest, explain::ExplainRequest, plan::PlanRequest};
+use crate::{CertifyRequest, explain::ExplainRequest, freedom::FreedomRequest, plan::PlanRequest};
 
 /// A request to the [service](crate::service).
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, BorshSerialize, BorshDeserialize)]
@@ -26,6 +26,8 @@ pub enum Request {
     Audit(AuditRequest),
     /// Find a plan with a planner of the textbook.
     Plan(PlanRequest),
+    /// Tell what must be so in every best plan.
+    Freedom(FreedomRequest),
 }
 
 /// Find and prove the best plan, or the Pareto front.

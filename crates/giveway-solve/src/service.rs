@@ -15,6 +15,7 @@ use crate::{
     certify::certify,
     change::{self, ChangeAnswer},
     explain::{ExplainAnswer, engine},
+    freedom::{self, FreedomAnswer},
     pareto,
     plan::{self, PlanAnswer},
     solve::{self, Task},
@@ -40,6 +41,8 @@ pub enum Response {
     Audited(Box<AuditAnswer>),
     /// To [`Request::Plan`].
     Planned(Box<PlanAnswer>),
+    /// To [`Request::Freedom`].
+    Freedom(Box<FreedomAnswer>),
     /// The request is wrong; nothing was done.
     Refused(Refusal),
 }
@@ -109,6 +112,10 @@ pub fn serve(request: &Request, host: &dyn Host) -> Response {
         },
         Request::Plan(request) => match plan::serve(request, host) {
             Ok(answer) => Response::Planned(Box::new(answer)),
+            Err(refusal) => Response::Refused(refusal),
+        },
+        Request::Freedom(request) => match freedom::serve(request, host) {
+            Ok(answer) => Response::Freedom(Box::new(answer)),
             Err(refusal) => Response::Refused(refusal),
         },
         Request::Change(request) => match change::serve(request, host) {

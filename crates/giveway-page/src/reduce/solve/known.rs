@@ -23,7 +23,10 @@ impl Solving {
                 self.plan = Some(Rc::new(plan));
             }
             Progress::Plan { costs, .. } => self.best = Some(costs),
-            Progress::Size { .. } | Progress::Explained { .. } | Progress::Certifying { .. } => {}
+            Progress::Size { .. }
+            | Progress::Explained { .. }
+            | Progress::Freedom { .. }
+            | Progress::Certifying { .. } => {}
         }
     }
 

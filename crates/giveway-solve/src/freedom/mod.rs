@@ -1,0 +1,12 @@
+//! What must be so: what all best plans have in common, and what is free to choose.
+
+mod answer;
+mod request;
+mod serve;
+
+pub use answer::{
+    About, Closed, CriticalCell, Farthest, FreedomAnswer, Hold, Known, Later, Need, PlanCount,
+    Plans, Proved, Shared, Slack, Step, Visit, Ways, same_steps,
+};
+pub use request::{DEFAULT_COUNT, FreedomPart, FreedomRequest};
+pub(crate) use serve::serve;
