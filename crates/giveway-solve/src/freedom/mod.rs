@@ -1,6 +1,15 @@
 //! What must be so: what all best plans have in common, and what is free to choose.
 
 mod answer;
+mod backbone;
+mod count;
+mod critical;
+mod every;
+mod farthest;
+mod formula;
+mod hold;
+mod later;
+mod parts;
 mod request;
 mod serve;
 

@@ -28,10 +28,10 @@ pub enum FreedomPart {
     Slack,
     /// How many best plans there are, and the ways that agents can choose from.
     Plans,
-    /// Another best plan, as different from this one as can be.
-    Farthest,
     /// What closing each free cell would cost.
     Critical,
+    /// Another best plan, as different from this one as can be.
+    Farthest,
 }
 
 impl FreedomPart {
@@ -40,8 +40,8 @@ impl FreedomPart {
         Self::Backbone,
         Self::Slack,
         Self::Plans,
-        Self::Farthest,
         Self::Critical,
+        Self::Farthest,
     ];
 }
 

@@ -1,8 +1,11 @@
 //! A freedom request, from the scene to the answer, part after part.
 
-use giveway_model::{Instance, Objective, Plan, Version, check::check};
+use giveway_model::{Costs, Instance, Plan, Version, check::check};
 
-use super::{About, FreedomAnswer, FreedomRequest};
+use super::{
+    About, FreedomAnswer, FreedomRequest,
+    parts::{self, Subject},
+};
 use crate::{
     Host, Refusal, Status,
     solve::{self, Solved, Task},
@@ -13,14 +16,32 @@ use crate::{
 /// # Errors
 /// When the scene is no instance, or the plan that was handed in breaks a rule.
 pub(crate) fn serve(request: &FreedomRequest, host: &dyn Host) -> Result<FreedomAnswer, Refusal> {
-    let instance =
-        Instance::new(request.scene.clone()).map_err(|faults| Refusal::Scene { faults })?;
+    let scene = &request.scene;
+    let instance = Instance::new(scene.clone()).map_err(|faults| Refusal::Scene { faults })?;
     let given = given(&instance, request)?;
     let objective = request.objective.clone();
     let mut task = Task::new(instance, objective, request.within, request.limits, host);
     task.start.clone_from(&given);
     let solved = solve::solve(&task);
-    let answer = begun(&task, given, &solved);
+    let mut answer = begun(&task, given, &solved);
+    let best = answer.costs.zip(answer.plan.clone());
+    if let (Status::Optimal, Some((costs, plan)), Some(optimum)) =
+        (answer.status, best, solved.reach)
+    {
+        answer.pending = request.asked();
+        let subject = Subject {
+            task: &task,
+            scene,
+            plan: &plan,
+            costs,
+            optimum,
+            count: request.count_limit(),
+        };
+        if let Err(stop) = parts::serve(&subject, &mut answer) {
+            answer.reason = Some(stop.sentence().to_owned());
+        }
+    }
+    answer.stats = task.budget.stats();
     Ok(answer)
 }
 
@@ -40,11 +61,11 @@ fn given(instance: &Instance, request: &FreedomRequest) -> Result<Option<Plan>, 
 /// What is known when the search for the best plan has ended.
 fn begun(task: &Task, given: Option<Plan>, solved: &Solved) -> FreedomAnswer {
     let best = &solved.answer;
+    let vector = |costs: &Costs| costs.vector(&task.objective);
     let as_good = |plan: &Plan| {
         let own = check(&task.instance, plan).costs?;
-        let best = best.costs?;
         let soon = task.within.is_none_or(|within| own.makespan <= within);
-        (soon && vector(&own, task) == vector(&best, task)).then_some(own)
+        (soon && Some(vector(&own)) == best.costs.as_ref().map(vector)).then_some(own)
     };
     let (about, costs, plan) = match given {
         None => (About::Found, best.costs, best.plan.clone()),
@@ -68,22 +89,7 @@ fn begun(task: &Task, given: Option<Plan>, solved: &Solved) -> FreedomAnswer {
         pending: Vec::new(),
         complete: best.complete,
         within: best.within,
-        reason: reason(best.status, best.reason.clone()),
+        reason: best.reason.clone(),
         stats: task.budget.stats(),
-    }
-}
-
-/// Costs as they are compared.
-fn vector(costs: &giveway_model::Costs, task: &Task) -> Vec<u32> {
-    let objective: &Objective = &task.objective;
-    costs.vector(objective)
-}
-
-/// Why there is nothing to say of all best plans; nothing where there is.
-fn reason(status: Status, reason: Option<String>) -> Option<String> {
-    match status {
-        Status::Optimal => None,
-        Status::Feasible => reason.or_else(|| Some("The plan is not proved to be best.".into())),
-        Status::Impossible | Status::Unknown => reason,
     }
 }

@@ -71,8 +71,9 @@ pub struct FreedomAnswer {
     /// What closing each free cell would cost, in the order of the rows.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub critical: Option<Vec<CriticalCell>>,
-    /// The parts that are still to come, in an answer that is told on the way; a part
-    /// under way may be there already, with what is open in it.
+    /// The parts that are not finished: still to come, in an answer that is told on
+    /// the way; in the end, those for which the budget did not suffice. Of a part
+    /// under way there is what is known, and what is open in it.
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
     pub pending: Vec<FreedomPart>,
     /// Whether what is said of all best plans holds whatever the horizon. Of closed
