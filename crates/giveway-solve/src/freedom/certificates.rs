@@ -98,8 +98,12 @@ impl FreedomAnswer {
             } => (BTreeMap::new(), true, *proved),
             _ => return None,
         };
+        let mut scene = scene_without(&instance.to_scene(), it.cell)?;
+        scene.name = format!("{} without {}", instance.name(), it.cell)
+            .trim()
+            .to_owned();
         Some(CertifyRequest {
-            scene: scene_without(&instance.to_scene(), it.cell)?,
+            scene,
             bounds,
             impossible,
             complete: proved == Proved::ForEver,
