@@ -80,6 +80,8 @@ export type Progress =
   | { event: "plan"; costs: Record<Cost, number>; plan: Plan }
   | { event: "size"; variables: number; clauses: number; conflicts: number }
   | { event: "explained"; answer: ExplainAnswer }
+  /** What is known so far; `pending` has the parts that are to come. */
+  | { event: "freedom"; answer: FreedomAnswer }
   | { event: "certifying"; claim: string; checking: boolean };
 
 /** For what may take long. */
