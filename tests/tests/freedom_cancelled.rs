@@ -84,7 +84,10 @@ fn a_part_of_an_answer_is_a_part_of_the_whole() {
         }
     }
     pending.dedup();
-    assert!(pending.len() > 2, "it was cut off in several parts: {pending:?}");
+    assert!(
+        pending.len() > 2,
+        "it was cut off in several parts: {pending:?}"
+    );
 }
 
 fn expect_part(answer: &FreedomAnswer, whole: &FreedomAnswer) {

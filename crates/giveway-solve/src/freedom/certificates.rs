@@ -99,9 +99,8 @@ impl FreedomAnswer {
             _ => return None,
         };
         let mut scene = scene_without(&instance.to_scene(), it.cell)?;
-        scene.name = format!("{} without {}", instance.name(), it.cell)
-            .trim()
-            .to_owned();
+        let name = format!("{} without {}", instance.name(), it.cell);
+        name.trim().clone_into(&mut scene.name);
         Some(CertifyRequest {
             scene,
             bounds,
