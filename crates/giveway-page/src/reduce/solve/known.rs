@@ -26,6 +26,7 @@ impl Solving {
             Progress::Size { .. }
             | Progress::Explained { .. }
             | Progress::Traced { .. }
+            | Progress::Freedom { .. }
             | Progress::Certifying { .. } => {}
         }
     }
