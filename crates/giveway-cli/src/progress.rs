@@ -137,7 +137,7 @@ impl Known {
             }
             Progress::Plan { costs, .. } => self.best = Some(*costs),
             Progress::Size { conflicts, .. } => self.conflicts = *conflicts,
-            Progress::Explained { .. } | Progress::Certifying { .. } => {}
+            Progress::Explained { .. } | Progress::Traced { .. } | Progress::Certifying { .. } => {}
         }
     }
 

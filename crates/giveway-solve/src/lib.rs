@@ -27,6 +27,8 @@ pub mod service;
 mod solve;
 #[cfg(test)]
 mod tests;
+pub mod together;
+pub mod trace;
 pub mod words;
 
 use giveway_planners::{first, lns, local, single, terrain, walk};

@@ -54,6 +54,9 @@ pub struct SolveRequest {
     /// are optimal, it may decide which of them is found.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub start: Option<Plan>,
+    /// Whether to tell how the plan was found and proved; not with `pareto`.
+    #[serde(default)]
+    pub trace: bool,
     /// The budget.
     #[serde(default, deserialize_with = "from_object")]
     pub limits: Limits,

@@ -174,6 +174,7 @@ pub(crate) fn answer(task: &Task, problem: &Problem, verdict: Verdict) -> Solved
         reason,
         plan,
         stats: task.budget.stats(),
+        trace: None,
     };
     Solved { answer, reach }
 }

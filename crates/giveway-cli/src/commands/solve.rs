@@ -41,6 +41,7 @@ pub(crate) fn run(args: &Solve, common: &Common, clock: Clock) -> Result<Exit, F
         pareto: args.pareto,
         within: args.within,
         start: None,
+        trace: false,
         limits: limits(args, clock),
     });
     let host = CommandHost::new(clock, common.quiet, objective.clone());

@@ -50,6 +50,7 @@ fn solve_request() -> SolveRequest {
         pareto: true,
         within: Some(30),
         start: Some(some_plan()),
+        trace: true,
         limits: Limits {
             seconds: Some(0.5),
             conflicts: Some(u64::MAX),

@@ -23,7 +23,10 @@ impl Solving {
                 self.plan = Some(Rc::new(plan));
             }
             Progress::Plan { costs, .. } => self.best = Some(costs),
-            Progress::Size { .. } | Progress::Explained { .. } | Progress::Certifying { .. } => {}
+            Progress::Size { .. }
+            | Progress::Explained { .. }
+            | Progress::Traced { .. }
+            | Progress::Certifying { .. } => {}
         }
     }
 
@@ -50,6 +53,7 @@ impl Solving {
             reason: Some(reason.to_owned()),
             plan: plan.cloned(),
             stats: Stats::default(),
+            trace: None,
         })
     }
 }

@@ -1,0 +1,8 @@
+//! How the best plan was found and proved, told in the problem's own words: the
+//! events of a search in order, as plain data, with sentences apart.
+
+mod core;
+mod event;
+
+pub use core::{AgentLeast, AgentLimit, Condition, Core, EarlierCore, Literals, Together};
+pub use event::{Cannot, Entrant, FoundBy, Restart, SearchEvent, SearchTrace, Stopped, TraceEvent};
