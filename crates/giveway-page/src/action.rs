@@ -10,6 +10,7 @@ use crate::audit::AuditAction;
 use crate::changing::Choice;
 use crate::files::Opened;
 use crate::find::FindAction;
+use crate::inside::InsideAction;
 use crate::intake::{Save, protocol::Reply};
 use crate::link::Linked;
 use crate::planners::By;
@@ -44,6 +45,8 @@ pub enum Action {
     Steer(Lead),
     /// A plan of elsewhere is judged.
     Audit(AuditAction),
+    /// How the plan was found is looked into.
+    Inside(InsideAction),
     /// A robot is looked for by its name.
     Find(FindAction),
     /// Other people's files come in and go out.

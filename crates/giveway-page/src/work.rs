@@ -10,6 +10,7 @@ use giveway_solve::plan::{PlanRequest, Planner};
 use giveway_solve::{CertifyRequest, Request, SolveRequest};
 
 use crate::changing::Changing;
+use crate::inside::Looking;
 use crate::{Answer, Document, Draft, Mode};
 
 /// What runs in the worker: at most one job. No two jobs ever have the same
@@ -40,6 +41,8 @@ pub enum Task {
     Certify(Certifying),
     /// Ways to go on are looked for where the world changes.
     Change(Adapting),
+    /// A planner is looked into.
+    Look(Looking),
 }
 
 /// A scene on its way to an answer, and what is known so far.
@@ -208,6 +211,7 @@ impl Task {
             Self::Explain(request) => Request::Explain((**request).clone()),
             Self::Certify(run) => Request::Certify((*run.request).clone()),
             Self::Change(run) => Request::Change((*run.request).clone()),
+            Self::Look(looking) => looking.request(),
         }
     }
 
@@ -232,6 +236,11 @@ impl Task {
                         && document.mode == Mode::Editing
                 }
             },
+            Self::Look(looking) => {
+                Rc::ptr_eq(&looking.draft, &document.draft)
+                    && looking.within == document.within
+                    && document.mode == Mode::Editing
+            }
             Self::Change(run) => {
                 let changing = document.mode.changing();
                 changing.is_some_and(|changing| Rc::ptr_eq(changing, &run.changing))

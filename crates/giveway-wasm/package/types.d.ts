@@ -495,6 +495,8 @@ export type PlanTrace = { giveway: 1 } & (
       stuck: StuckAgent | null;
       /** How far the one that is stuck comes. */
       furthest?: (Cell | null)[];
+      /** Whether no cell is left free for it there. */
+      dead_end?: boolean;
     }[];
   }
   | { planner: "cbs"; nodes: TreeNode[]; left_out: number }

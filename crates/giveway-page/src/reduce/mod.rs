@@ -7,6 +7,7 @@ mod change;
 mod document;
 mod file;
 mod find;
+mod inside;
 mod intake;
 mod job;
 mod planners;
@@ -42,6 +43,7 @@ pub fn reduce(state: &State, action: Action) -> State {
         step(&mut next, action);
         // What runs is always about what there is.
         next.work.keep_to(&next.document);
+        inside::ask(&mut next);
     }
     next
 }
@@ -65,7 +67,12 @@ fn step(state: &mut State, action: Action) {
         Action::Audit(action) => audit::audit(state, action),
         Action::Find(action) => find::find(state, action),
         Action::Intake(action) => intake::intake(state, action),
-        Action::Play(action) => play::play(state, action),
+        Action::Inside(action) => inside::inside(state, action),
+        Action::Play(action) => {
+            if !inside::plays(state, action) {
+                play::play(state, action);
+            }
+        }
         Action::View(action) => view::view(state, &action),
         Action::Slot(action) => slot::slot(state, action),
     }
@@ -93,6 +100,7 @@ pub(crate) const fn only_looks(action: &Action) -> bool {
         | Action::Change(_)
         | Action::Steer(_)
         | Action::Audit(_)
+        | Action::Inside(_)
         | Action::Find(_)
         | Action::Intake(_)
         | Action::Slot(_) => false,

@@ -19,12 +19,18 @@ impl State {
     /// plan of a question where that takes its place; the one that is previewed
     /// where the world changes.
     pub fn shown(&self) -> Option<&Rc<Answer>> {
+        if let Some(answer) = self.inside_plan() {
+            return Some(answer);
+        }
         self.document.shown(!self.view.is_wide)
     }
 
     /// The answer that is shown beside that one: the other plan of a question,
     /// where there is room for it; or that of another planner.
     pub fn beside(&self) -> Option<&Rc<Answer>> {
+        if self.is_inside() {
+            return None;
+        }
         let other = match &self.document.mode {
             Mode::Editing => {
                 let runs = Runs::fresh(&self.document)?;

@@ -14,8 +14,9 @@ use crate::{
 /// Where an agent can be at a time, and from where and when it came there.
 type Layer = BTreeMap<Vertex, (Vertex, usize)>;
 
-/// The walk of an agent that lasts longest without a collision. An agent that can
-/// keep out of the way for ever goes as near to its goal as it can, and no further.
+/// The walk of an agent that lasts longest without a collision, and whether it ends
+/// for lack of a free vertex. An agent that can keep out of the way for ever goes as
+/// near to its goal as it can, and no further.
 ///
 /// # Errors
 /// When the budget is spent.
@@ -24,7 +25,7 @@ pub(super) fn furthest(
     agent: AgentId,
     horizon: u32,
     budget: &dyn Budget,
-) -> Result<Walk, Stop> {
+) -> Result<(Walk, bool), Stop> {
     let problem = others.problem();
     let task = &problem.tasks[agent];
     let is_free = |time: usize, v: Vertex| {
@@ -82,7 +83,7 @@ pub(super) fn furthest(
     };
     let mut walk = Walk::new();
     let Some((_, mut time, mut v)) = end else {
-        return Ok(walk);
+        return Ok((walk, !lasts));
     };
     loop {
         walk.push(Place::At(v));
@@ -96,5 +97,5 @@ pub(super) fn furthest(
         (v, time) = (from, before);
     }
     walk.reverse();
-    Ok(walk)
+    Ok((walk, !lasts))
 }

@@ -93,6 +93,7 @@ pub fn prioritised(
             planned: Vec::new(),
             stuck: None,
             furthest: Walk::new(),
+            dead_end: false,
         };
         let tried = match Timetable::new(problem) {
             Some(nobody) => attempt.run(nobody, horizon, traced, &mut places, budget),
@@ -199,7 +200,8 @@ impl Attempt {
             let Some(walk) = walk else {
                 self.stuck = Some(Stuck { agent, around });
                 if *places > 0 {
-                    self.furthest = furthest::furthest(&others, agent, horizon, budget)?;
+                    (self.furthest, self.dead_end) =
+                        furthest::furthest(&others, agent, horizon, budget)?;
                     *places = places.saturating_sub(self.furthest.len());
                 }
                 return Ok(walks);

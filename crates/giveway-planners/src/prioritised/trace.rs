@@ -39,4 +39,6 @@ pub struct Attempt {
     /// How far whoever is stuck comes: the longest walk of its own around those
     /// before it. Empty where nobody is, or too many walks were told before.
     pub furthest: Walk,
+    /// Whether that walk ends where no vertex is left free for the next step.
+    pub dead_end: bool,
 }

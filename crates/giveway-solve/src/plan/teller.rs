@@ -85,6 +85,7 @@ impl Teller<'_> {
             planned: planned.collect(),
             stuck: attempt.stuck.as_ref().map(|stuck| self.stuck(stuck)),
             furthest: self.path(&attempt.furthest),
+            dead_end: attempt.dead_end,
         }
     }
 

@@ -105,6 +105,14 @@ pub struct OrderTried {
     /// Left out where paths are too many to be told.
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
     pub furthest: Path,
+    /// Whether that path ends where no cell is left free for its next step.
+    #[serde(default, skip_serializing_if = "is_false")]
+    pub dead_end: bool,
+}
+
+#[expect(clippy::trivially_copy_pass_by_ref, reason = "as serde calls it")]
+const fn is_false(value: &bool) -> bool {
+    !*value
 }
 
 /// An agent that got a path.

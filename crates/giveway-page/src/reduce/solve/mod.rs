@@ -4,7 +4,7 @@ mod answered;
 mod begin;
 mod known;
 
-use super::{ask, job, planners, proof};
+use super::{ask, inside, job, planners, proof};
 use crate::{Document, SolveAction, State, Task};
 
 pub(super) use answered::{answered, front};
@@ -57,6 +57,9 @@ pub(super) fn cancel(state: &mut State) {
             if asking.is_some_and(|asking| asking.told.is_none()) {
                 ask::close(state);
             }
+        }
+        Some(Task::Look(looking)) => {
+            inside::told(state, &looking, Err("You stopped the planner.".to_owned()));
         }
         Some(Task::Certify(_) | Task::Change(_)) | None => {}
     }
