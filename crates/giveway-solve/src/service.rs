@@ -126,6 +126,13 @@ fn serve_solve(request: &SolveRequest, host: &dyn Host) -> Response {
     let objective = request.objective.clone();
     let mut task = Task::new(instance, objective, request.within, request.limits, host);
     task.start.clone_from(&request.start);
+    if request.trace {
+        if request.pareto {
+            let fault = Fault::at("trace", "true with \"pareto\"", "the trace of one search");
+            return Response::Refused(Refusal::Request { fault });
+        }
+        task = task.traced(host, request.limits);
+    }
     if !request.pareto {
         return Response::Solved(solve::solve(&task).answer);
     }

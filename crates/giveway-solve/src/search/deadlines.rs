@@ -141,6 +141,11 @@ impl Deadlines {
         (covered < until).then(|| covered.saturating_add(delay).min(until))
     }
 
+    /// The horizon, where a cap of it became a clause.
+    pub(super) fn horizon_in_force(&self) -> Option<u32> {
+        self.entered.then_some(self.latest)
+    }
+
     /// Whether what was shown under the caps of these agents, and of no others,
     /// was shown without the horizon.
     pub(super) fn free_of_horizon(&self, agents: &[AgentId]) -> bool {

@@ -6,7 +6,7 @@ use borsh::{BorshDeserialize, BorshSerialize};
 use giveway_model::{Cost, Costs, Objective, Version, message::read_map};
 use serde::{Deserialize, Serialize};
 
-use super::{AgentLeast, Core};
+use super::{AgentLeast, Condition, Core};
 
 /// How the best plan was found and proved: the first events and the last.
 #[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize, BorshSerialize, BorshDeserialize)]
@@ -82,9 +82,9 @@ pub enum SearchEvent {
     Closed {
         /// The cost that is bounded.
         cost: Cost,
-        /// The optima of the costs before it, which the plans have that are spoken of.
-        #[borsh(deserialize_with = "read_map")]
-        given: BTreeMap<Cost, u32>,
+        /// Of which plans this is so.
+        #[serde(default, skip_serializing_if = "Condition::is_empty")]
+        condition: Condition,
         /// The bound before.
         from: u32,
         /// The bound from now on: what the best plan has.

@@ -3,6 +3,8 @@
 
 mod core;
 mod event;
+mod recorder;
 
 pub use core::{AgentLeast, AgentLimit, Condition, Core, EarlierCore, Literals, Together};
 pub use event::{Cannot, Entrant, FoundBy, Restart, SearchEvent, SearchTrace, Stopped, TraceEvent};
+pub(crate) use recorder::{Names, Recorder};

@@ -30,6 +30,8 @@ impl Search<'_, '_, '_> {
                 .harden(agent, self.team.deadline(agent))
             && let Some(by) = self.team.by(agent, cap)
         {
+            // (One of the horizon may be taken for one of these: no harm is done.)
+            self.stages.worse.in_force |= self.stages.worse.at_most.is_some();
             self.team.harden(by);
         }
     }

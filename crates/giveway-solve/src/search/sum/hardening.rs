@@ -26,6 +26,7 @@ impl SumStage {
         self.hardened = Some((best, self.bound));
         let gap = best.saturating_sub(self.bound);
         let slack = gap.saturating_sub(u32::from(self.last));
+        search.exclude_worse(best.saturating_sub(u32::from(self.last)));
         for agent in 0..search.problem.agents() {
             if !search.team.is_inside(agent) {
                 let most = search.problem.least_cost(agent).saturating_add(slack);
@@ -40,7 +41,7 @@ impl SumStage {
                 }
                 Soft::Total { totalizer, k } => {
                     if let Some(&more) = self.totalizers[totalizer].get(k) {
-                        search.team.harden(!more);
+                        search.harden_for_better(!more);
                     }
                 }
             }
