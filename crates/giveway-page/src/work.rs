@@ -7,6 +7,7 @@ use giveway_model::{Cost, Costs, Plan, Question};
 use giveway_solve::change::ChangeRequest;
 use giveway_solve::explain::ExplainRequest;
 use giveway_solve::plan::{PlanRequest, Planner};
+use giveway_solve::trace::SearchTrace;
 use giveway_solve::{CertifyRequest, Request, SolveRequest};
 
 use crate::changing::Changing;
@@ -62,6 +63,8 @@ pub struct Solving {
     pub best: Option<Costs>,
     /// That plan.
     pub plan: Option<Rc<Plan>>,
+    /// What it told of its steps so far.
+    pub trace: Option<Rc<SearchTrace>>,
     /// How large the formula is.
     pub size: Size,
     /// The question to ask about the plan once there is one.

@@ -1,5 +1,6 @@
 //! What a phone shows below the board.
 
+use giveway_page::inside::Method;
 use giveway_page::{Action, Tab, ViewAction};
 use web_sys::HtmlElement;
 use yew::prelude::*;
@@ -9,6 +10,8 @@ pub(super) struct TabsProps {
     pub tab: Tab,
     /// Whether a plan of elsewhere is checked.
     pub checks: bool,
+    /// What is looked into in the place of the lanes.
+    pub inside: Option<Method>,
     pub send: Callback<Action>,
 }
 
@@ -21,7 +24,12 @@ const TABS: [(Tab, &str, &str); 3] = [
 /// The tabs; wider pages show all three places at once and no tabs.
 #[component]
 pub(super) fn Tabs(props: &TabsProps) -> Html {
-    let TabsProps { tab, checks, send } = props;
+    let TabsProps {
+        tab,
+        checks,
+        inside,
+        send,
+    } = props;
     let list = use_node_ref();
     let onkeydown = {
         let (list, send, tab) = (list.clone(), send.clone(), *tab);
@@ -51,8 +59,12 @@ pub(super) fn Tabs(props: &TabsProps) -> Html {
     };
     let one = |&(choice, name, place): &(Tab, &'static str, &'static str)| {
         let is_shown = choice == *tab;
-        let name = match choice {
-            Tab::Inspector if *checks => "Check",
+        let name = match (choice, *inside) {
+            (Tab::Timeline, Some(_)) => "How it was proved",
+            (Tab::Inspector, Some(Method::Proof)) => "Step",
+            (Tab::Inspector, Some(Method::Tree)) => "Node",
+            (Tab::Inspector, Some(Method::Orders)) => "Order",
+            (Tab::Inspector, None) if *checks => "Check",
             _ => name,
         };
         html! {

@@ -15,6 +15,7 @@ mod occupied;
 mod outline;
 mod place;
 mod reasons;
+mod shade;
 #[cfg(test)]
 mod tests;
 mod tile;
@@ -32,6 +33,7 @@ pub use minimap::{Minimap, dots};
 pub use names::{CellNames, Window};
 pub use occupied::Occupied;
 pub(crate) use place::place_of;
+pub(crate) use shade::shade;
 pub use reasons::{Later, Place, Reasons, Spot, Try, reasons};
 pub use track::{Badge, Charge, Pose, Track};
 pub use way::{Way, WayEnds};

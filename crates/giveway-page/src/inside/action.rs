@@ -31,6 +31,10 @@ pub enum InsideAction {
     Tick,
     /// Asks again what was not answered.
     Again,
+    /// Looks at the robots of a step alone, by the number of its event; or at all.
+    Alone(Option<u64>),
+    /// Asks why there is no plan.
+    Reasons,
     /// Goes back to the lanes and plays the plan.
     PlayPlan,
 }

@@ -3,7 +3,7 @@
 use giveway_model::{Cell, check};
 use giveway_solve::plan::{NodeFate, ToldConflict, ToldConstraint};
 
-use super::{Method, TreeRun, index, steps};
+use super::{Method, TreeRun, index, proof, steps};
 use crate::State;
 use crate::board::CELL;
 
@@ -71,7 +71,7 @@ pub fn overlay(state: &State) -> Overlay {
         return overlay;
     }
     match state.inside.method {
-        Method::Proof => {}
+        Method::Proof => proof::overlay(&mut overlay, state),
         Method::Tree => in_tree(&mut overlay, state),
         Method::Orders => in_order(&mut overlay, state),
     }
@@ -79,7 +79,7 @@ pub fn overlay(state: &State) -> Overlay {
 }
 
 /// The middle of a cell, in units.
-pub(super) fn middle(cell: Cell) -> (f64, f64) {
+pub(crate) fn middle(cell: Cell) -> (f64, f64) {
     let middle = |n: u32| (f64::from(n.cast_signed()) + 0.5) * CELL;
     (middle(cell.x), middle(cell.y))
 }

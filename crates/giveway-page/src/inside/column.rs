@@ -1,6 +1,6 @@
 //! What the column beside the board says of the step that is looked at.
 
-use super::{InsideAction, Method, node, order};
+use super::{InsideAction, Method, node, order, proof};
 use crate::State;
 
 /// What it says.
@@ -12,6 +12,8 @@ pub struct Column {
     pub title: String,
     /// What the step comes to.
     pub verdict: Option<Verdict>,
+    /// Why it is so, in sentences.
+    pub why: Vec<String>,
     /// Lists of facts, each with its title.
     pub facts: Vec<(String, Vec<Fact>)>,
     /// What to go on to, with its title.
@@ -22,6 +24,8 @@ pub struct Column {
     pub table: Option<Listed>,
     /// What is proved beside it.
     pub note: Option<String>,
+    /// Whether the record can be saved.
+    pub can_export: bool,
     /// A remark.
     pub remark: Option<String>,
     /// What stays at its foot.
@@ -33,6 +37,8 @@ pub struct Column {
 pub enum Tint {
     /// It tells.
     Info,
+    /// It tells of something aside.
+    Told,
     /// Something is proved.
     Proved,
     /// Something works.
@@ -46,6 +52,7 @@ impl Tint {
     pub const fn look(self) -> (&'static str, &'static str) {
         match self {
             Self::Info => ("needless", "tree"),
+            Self::Told => ("", "clock"),
             Self::Proved => ("checked", "proved"),
             Self::Fine => ("fine", "check"),
             Self::Stuck => ("necessary", "cancel"),
@@ -151,7 +158,7 @@ pub fn column(state: &State) -> Option<Column> {
         return None;
     }
     match state.inside.method {
-        Method::Proof => None,
+        Method::Proof => proof::column(state),
         Method::Tree => node::column(state),
         Method::Orders => order::column(state),
     }

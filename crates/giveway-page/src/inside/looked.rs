@@ -4,6 +4,7 @@ use std::collections::BTreeMap;
 use std::rc::Rc;
 
 use giveway_model::{Costs, Path, Plan};
+use giveway_solve::together::TogetherAnswer;
 use giveway_solve::plan::{NodeFate, OrderTried, PlanAnswer, TreeNode, Went, words};
 
 use super::looking::{Looking, What};
@@ -18,6 +19,8 @@ pub(crate) struct Looked {
     pub(crate) tree: Option<Result<Rc<TreeRun>, String>>,
     /// What came of orders.
     pub(crate) orders: Vec<OrderRun>,
+    /// What was found out about the robots of steps, by the numbers of their events.
+    pub(crate) together: BTreeMap<u64, Result<Rc<TogetherAnswer>, String>>,
     /// Why no more orders are tried, as a sentence.
     pub(crate) failed: Option<String>,
 }
@@ -72,6 +75,7 @@ impl Looked {
             within: looking.within,
             tree: None,
             orders: Vec::new(),
+            together: BTreeMap::new(),
             failed: None,
         });
         let (costs, told) = match answer {

@@ -13,7 +13,9 @@ mod looking;
 mod node;
 mod order;
 mod orders;
+mod nothing;
 mod plan;
+pub(crate) mod proof;
 mod steps;
 mod tree;
 
@@ -26,7 +28,9 @@ pub use legend::{Sign, legend};
 pub(crate) use looked::{Looked, OrderRun, TreeRun};
 pub(crate) use looking::wanted;
 pub use looking::{Looking, What};
+pub use nothing::{Nothing, nothing, said};
 pub use orders::{Note, notes};
+pub use proof::{Chart, Dot, Kind, ProofRow, Tick, chart, rows};
 pub(crate) use plan::{conflict_time, of_node, of_order};
 pub(crate) use steps::place;
 pub use steps::{Steps, steps};
@@ -71,6 +75,8 @@ pub struct Inside {
     pub is_playing: bool,
     /// The step of the proof, by its row; `None`: the last one, whichever that is.
     pub(crate) step: Option<usize>,
+    /// The step whose robots are looked at alone, by the number of its event.
+    pub(crate) alone: Option<u64>,
     /// The node of the tree, by its number.
     pub(crate) node: u64,
     /// The order, by its place in the list.

@@ -1,6 +1,6 @@
 //! The steps of what is looked at: which one is shown, of how many.
 
-use super::Method;
+use super::{Method, proof};
 use crate::State;
 
 /// Where one is among the steps.
@@ -41,7 +41,10 @@ const fn first(state: &State) -> usize {
 pub(crate) fn place(state: &State) -> Option<(usize, usize, String)> {
     let inside = &state.inside;
     match inside.method {
-        Method::Proof => None,
+        Method::Proof => {
+            let (at, last) = proof::chosen(state)?;
+            Some((at, last, format!("of {last} steps")))
+        }
         Method::Tree => {
             let tree = state.looked()?.tree.as_ref()?.as_ref().ok()?;
             let last = tree.opened.len();

@@ -2,9 +2,10 @@
 
 use std::rc::Rc;
 
+use giveway_model::Question;
 use giveway_solve::plan::PlanAnswer;
 
-use super::play;
+use super::{ask, play};
 use crate::inside::{
     InsideAction, Looked, Looking, Method, conflict_time, of_node, of_order, place, wanted,
 };
@@ -28,6 +29,10 @@ pub(super) fn inside(state: &mut State, action: InsideAction) {
         InsideAction::Last => go(state, |_, last| last),
         InsideAction::Back => go(state, |at, _| at.saturating_sub(1)),
         InsideAction::Next => go(state, |at, _| at + 1),
+        InsideAction::Alone(number) => {
+            (state.inside.alone, state.inside.step) = (number, number.map(|_| 0));
+        }
+        InsideAction::Reasons => ask::ask(state, &Question::Unsolvable),
         InsideAction::Play(on) => play_on(state, on),
         InsideAction::Tick if state.inside.is_playing => tick(state),
         InsideAction::Tick => {}
@@ -167,7 +172,7 @@ fn settle(state: &mut State) {
 }
 
 /// Asks for what is missing, where the worker has nothing else to do.
-pub(super) fn ask(state: &mut State) {
+pub(super) fn look(state: &mut State) {
     if let Some(looking) = wanted(state) {
         state.work.start(Task::Look(looking));
     }

@@ -43,7 +43,7 @@ pub fn reduce(state: &State, action: Action) -> State {
         step(&mut next, action);
         // What runs is always about what there is.
         next.work.keep_to(&next.document);
-        inside::ask(&mut next);
+        inside::look(&mut next);
     }
     next
 }

@@ -106,11 +106,16 @@ pub(in crate::reduce) fn start(state: &mut State, how: Start) {
             .and_then(|from| from.solved.plan.as_ref())
             .or(dropped)
             .cloned(),
+        trace: goes_on && audit.is_none(),
         limits: Limits {
             seconds: Some(f64::from(state.settings.seconds)),
             ..Limits::default()
         },
         ..SolveRequest::default()
+    };
+    let request = SolveRequest {
+        trace: request.trace && !request.pareto,
+        ..request
     };
     state.work.start(Task::Solve(Solving {
         draft: Rc::clone(&document.draft),
@@ -122,6 +127,7 @@ pub(in crate::reduce) fn start(state: &mut State, how: Start) {
         plan: None,
         planner: how.planner,
         from,
+        trace: None,
         size: Size::default(),
         then: how.then,
         arrival: how.arrival,

@@ -1,0 +1,176 @@
+//! What the column says of a step of the proof.
+
+use giveway_model::Cost;
+use giveway_model::words::{count, grouped, value};
+use giveway_solve::trace::{AgentLeast, Core, SearchEvent, TraceEvent, words};
+
+use super::{chosen, chosen_event, rows};
+use crate::State;
+use crate::inside::column::{Button, Column, Listed, Tint, Verdict};
+use crate::inside::{InsideAction, index};
+
+/// So many robots are listed.
+const LISTED: usize = 40;
+
+pub(crate) fn column(state: &State) -> Option<Column> {
+    let (at, last) = chosen(state)?;
+    let event = chosen_event(state)?;
+    let title = rows::text(event);
+    let mut column = Column {
+        over: match state.inside.alone {
+            Some(_) => format!("These robots alone: step {at} of {last}"),
+            None => format!("Step {at} of {last}"),
+        },
+        verdict: verdict(event, &title),
+        title,
+        foot: foot(state, event, at, last),
+        can_export: true,
+        ..Column::default()
+    };
+    about(state, event, &mut column);
+    Some(column)
+}
+
+/// The step as it is read aloud.
+pub(crate) fn step_text(state: &State) -> Option<String> {
+    let event = chosen_event(state)?;
+    let text = rows::text(event);
+    Some(match bound(&event.event) {
+        Some((_, to)) => format!("{text}: at least {to}"),
+        None => text,
+    })
+}
+
+/// The bounds before and after an event that raises one.
+const fn bound(event: &SearchEvent) -> Option<(Option<u32>, u32)> {
+    match event {
+        SearchEvent::Alone { at_least, .. } => Some((None, *at_least)),
+        SearchEvent::Core(core) => Some((Some(core.from), core.to)),
+        SearchEvent::Closed { from, to, .. } => Some((Some(*from), *to)),
+        _ => None,
+    }
+}
+
+fn verdict(event: &TraceEvent, title: &str) -> Option<Verdict> {
+    let tint = match &event.event {
+        SearchEvent::Impossible(_) => Tint::Stuck,
+        SearchEvent::Plan { .. } => Tint::Fine,
+        SearchEvent::Alone { .. }
+        | SearchEvent::Core(_)
+        | SearchEvent::Closed { .. }
+        | SearchEvent::Exhausted { .. }
+        | SearchEvent::Met { .. } => Tint::Proved,
+        _ => Tint::Told,
+    };
+    let (word, beside) = match (&event.event, bound(&event.event)) {
+        (_, Some((from, to))) => {
+            let was = from.map_or_else(String::new, |from| format!("was {from}"));
+            (format!("At least {to}"), was)
+        }
+        (SearchEvent::Plan { .. }, _) => ("A better plan".to_owned(), String::new()),
+        (SearchEvent::Met { .. }, _) => ("Proved".to_owned(), String::new()),
+        (SearchEvent::Impossible(_), _) => ("No plan".to_owned(), String::new()),
+        (SearchEvent::Exhausted { .. }, _) => ("Proved".to_owned(), String::new()),
+        _ => return None,
+    };
+    let text = match &event.event {
+        SearchEvent::Core(core) => so(core),
+        _ if event.text.trim_end_matches('.') == title => String::new(),
+        _ => event.text.clone(),
+    };
+    Some(Verdict {
+        tint,
+        word,
+        beside,
+        text,
+    })
+}
+
+/// What follows from a core, and of which plans.
+fn so(core: &Core) -> String {
+    let bound = value(core.cost, core.to);
+    match words::condition(&core.condition, core.cost) {
+        None => format!("So no plan has less than {bound}."),
+        Some(plans) => format!("{plans}, no plan has less than {bound}."),
+    }
+}
+
+/// Robots, work and remarks.
+fn about(state: &State, event: &TraceEvent, column: &mut Column) {
+    match &event.event {
+        SearchEvent::Alone { cost, agents, .. } => {
+            column.table = Some(table(state, "What each robot needs alone", *cost, agents));
+        }
+        SearchEvent::Core(core) => {
+            let own: Vec<AgentLeast> = match &core.together {
+                Some(together) => together.agents.clone(),
+                None => core
+                    .limits
+                    .iter()
+                    .map(|limit| AgentLeast {
+                        agent: limit.agent.clone(),
+                        least: limit.least,
+                    })
+                    .collect(),
+            };
+            column.table = Some(table(state, "The robots of this step", core.cost, &own));
+            if core.took > 0 {
+                let took = u32::try_from(core.took).unwrap_or(u32::MAX);
+                column.remark = Some(format!(
+                    "The solver met {} on the way to it.",
+                    count(took, "conflict")
+                ));
+            }
+        }
+        SearchEvent::Closed { took, .. } if *took > 0 => {
+            column.remark = Some(format!(
+                "The solver met {} conflicts on the way to it.",
+                grouped(*took)
+            ));
+        }
+        _ => {}
+    }
+}
+
+fn table(state: &State, title: &str, cost: Cost, agents: &[AgentLeast]) -> Listed {
+    let answer = state.document.fresh_answer();
+    let arrival = |name: &str| {
+        let answer = answer?;
+        let agent = index(state, name)?;
+        *answer.arrivals.get(answer.agent(&answer.draft, agent)?)?
+    };
+    let is_time = matches!(cost, Cost::Makespan | Cost::SumOfCosts);
+    let row = |own: &AgentLeast| {
+        let best = arrival(&own.agent).filter(|_| is_time);
+        let best = best.map_or("\u{2013}".to_owned(), |time| time.to_string());
+        (
+            index(state, &own.agent),
+            own.agent.clone(),
+            [own.least.to_string(), best],
+        )
+    };
+    Listed {
+        title: title.to_owned(),
+        columns: if is_time {
+            ["On time", "In the plan"]
+        } else {
+            ["Alone", "In the plan"]
+        },
+        rows: agents.iter().take(LISTED).map(row).collect(),
+    }
+}
+
+fn foot(state: &State, event: &TraceEvent, at: usize, last: usize) -> Vec<Button> {
+    let before = (at > 0).then_some(InsideAction::Back);
+    let next = (at < last).then_some(InsideAction::Next);
+    let mut foot = vec![Button::new("back", "Step before", before, false)];
+    if matches!(event.event, SearchEvent::Impossible(_)) && state.inside.alone.is_none() {
+        let reasons = Some(InsideAction::Reasons);
+        foot.push(Button::new("", "Why is there no plan?", reasons, true));
+    } else if next.is_none() && state.inside.alone.is_some() {
+        foot.push(Button::new("", "All robots again", Some(InsideAction::Alone(None)), true));
+    } else {
+        foot.push(Button::new("", "Next step", next, true));
+    }
+    foot
+}

@@ -1,0 +1,334 @@
+//! The proof: its chart, whose playhead is a slider, and its steps as a list.
+
+use std::ops::Range;
+use std::rc::Rc;
+
+use giveway_page::inside::{Chart, InsideAction, Kind, ProofRow, Tick, chart, rows};
+use giveway_page::timeline::whole;
+use giveway_page::{Action, PlayAction};
+use wasm_bindgen::JsCast;
+use wasm_bindgen::closure::Closure;
+use web_sys::{Element, HtmlElement, ResizeObserver};
+use yew::prelude::*;
+
+use super::waiting;
+use crate::held::use_held;
+use crate::icon;
+use crate::timeline::DockProps;
+
+/// The height of a row, in pixels: where there is room for a line, and where there is
+/// not. As in the style sheet.
+const ROW: (f64, f64) = (30.0, 52.0);
+/// The list is narrow up to this width, in pixels.
+const NARROW: f64 = 420.0;
+/// Rows drawn beyond those that are seen, on each side.
+const MORE: usize = 6;
+
+/// What is seen: the room of the chart, and of the list with what it was scrolled by.
+#[derive(Clone, Copy, Default, PartialEq)]
+struct Sight {
+    chart: (f64, f64),
+    list: (f64, f64),
+    top: f64,
+}
+
+impl Sight {
+    fn row(&self) -> f64 {
+        if self.list.0 <= NARROW { ROW.1 } else { ROW.0 }
+    }
+
+    fn rows(&self) -> Range<usize> {
+        let first = whole(self.top / self.row()) as usize;
+        let last = whole((self.top + self.list.1) / self.row()) as usize + 1;
+        first.saturating_sub(MORE)..last + MORE
+    }
+}
+
+/// Chart and list.
+#[component]
+pub(super) fn Proof(props: &DockProps) -> Html {
+    let DockProps { state, send } = props;
+    let (place, list) = (use_node_ref(), use_node_ref());
+    let sight = use_state_eq(Sight::default);
+    let look = {
+        let (place, list, setter) = (place.clone(), list.clone(), sight.setter());
+        use_memo((), move |()| {
+            let look: Rc<dyn Fn()> = Rc::new(move || {
+                let size = |at: &NodeRef| {
+                    let at = at.cast::<Element>();
+                    at.map_or((0.0, 0.0), |at| {
+                        (f64::from(at.client_width()), f64::from(at.client_height()))
+                    })
+                };
+                let top = list.cast::<Element>().map_or(0, |list| list.scroll_top());
+                setter.set(Sight {
+                    chart: size(&place),
+                    list: size(&list),
+                    top: f64::from(top),
+                });
+            });
+            look
+        })
+    };
+    let look: Rc<dyn Fn()> = (*look).clone();
+    let (shown, count) = rows(state, &sight.rows());
+    {
+        let (look, places) = (Rc::clone(&look), [place.clone(), list.clone()]);
+        use_effect_with(count == 0, move |_| {
+            look();
+            let resized = Closure::<dyn FnMut()>::new(move || look());
+            let observer = ResizeObserver::new(resized.as_ref().unchecked_ref()).ok();
+            if let Some(observer) = &observer {
+                for place in places.iter().filter_map(NodeRef::cast::<Element>) {
+                    observer.observe(&place);
+                }
+            }
+            move || {
+                if let Some(observer) = observer {
+                    observer.disconnect();
+                }
+                drop(resized);
+            }
+        });
+    }
+    let drawn = chart(state, sight.chart).filter(|_| sight.chart.0 > 0.0);
+    let chosen = drawn.as_ref().map(|chart| chart.head.1);
+    let focus = use_held(|| false);
+    {
+        let (list, row, focus) = (list.clone(), sight.row(), Rc::clone(&focus));
+        // Whoever scrolled away from the end is left there while more steps come.
+        let follows = use_held(|| (None::<usize>, 0_usize));
+        use_effect_with((chosen, count, row.to_bits()), move |_| {
+            let (before, rows) = follows.get();
+            follows.set((chosen, count));
+            let Some((at, list)) = chosen.zip(list.cast::<Element>()) else {
+                return;
+            };
+            let (top, high) = (f64::from(list.scroll_top()), f64::from(list.client_height()));
+            let is_at_end = top + high + row * 2.0 >= rows as f64 * row;
+            if before == Some(at) || (count != rows && !is_at_end && before.is_some()) {
+                return;
+            }
+            let y = at as f64 * row;
+            if y < top || y + row > top + high {
+                list.set_scroll_top((y + row - high).max(y.min(top)).ceil() as i32);
+            }
+        });
+    }
+    {
+        let list = list.clone();
+        use_effect(move || {
+            if focus.take()
+                && let Some(list) = list.cast::<Element>()
+                && let Ok(Some(button)) = list.query_selector("[aria-current]")
+                && let Ok(button) = button.dyn_into::<HtmlElement>()
+            {
+                let _ = button.focus();
+            }
+        });
+    }
+    if count == 0 {
+        return waiting(state, send);
+    }
+    let row = sight.row();
+    let above = shown.first().map_or(0, |first| first.number);
+    let below = count.saturating_sub(above + shown.len());
+    let spacer = |rows: usize| {
+        (rows > 0).then(|| {
+            let height = (rows as f64 * row).to_string();
+            html! { <li aria-hidden="true"><svg class="spacer" width="1" {height} /></li> }
+        })
+    };
+    let onscroll = {
+        let look = Rc::clone(&look);
+        move |_: Event| look()
+    };
+    let narrow = (row > ROW.0).then_some("tall");
+    html! {
+        <div class={classes!("proof", "lanes")} id="lanes">
+            <div class="chart-at" ref={place}>
+                if let Some(drawn) = drawn { <ChartSlider chart={drawn} {count} send={send.clone()} /> }
+            </div>
+            <ol class={classes!("plist", narrow)} aria-label="Steps" ref={list} {onscroll} onkeydown={keys(send)}>
+                { spacer(above) }
+                { for shown.iter().map(|row| show_row(row, count, send)) }
+                { spacer(below) }
+            </ol>
+        </div>
+    }
+}
+
+/// Arrow keys go from step to step.
+fn keys(send: &Callback<Action>) -> Callback<KeyboardEvent> {
+    let send = send.clone();
+    Callback::from(move |event: KeyboardEvent| {
+        let action = match event.key().as_str() {
+            "ArrowDown" => InsideAction::Next,
+            "ArrowUp" => InsideAction::Back,
+            _ => return,
+        };
+        event.prevent_default();
+        event.stop_propagation();
+        send.emit(Action::Inside(action));
+    })
+}
+
+fn show_row(row: &ProofRow, count: usize, send: &Callback<Action>) -> Html {
+    let number = row.number;
+    let class = match row.kind {
+        Kind::Bound => "",
+        Kind::Plan => "found",
+        Kind::Aside => "aside",
+        Kind::Head => "head-row",
+        Kind::End => "fin",
+    };
+    html! {
+        <li key={number} aria-posinset={(number + 1).to_string()} aria-setsize={count.to_string()}>
+            <button type="button" {class} aria-current={row.is_chosen.then_some("step")} title={row.text.clone()}
+                onclick={send.reform(move |_| Action::Inside(InsideAction::Step(number)))}>
+                if row.kind == Kind::End {
+                    <span class="k">{ icon::show("proved") }</span>
+                } else {
+                    <span class="k">{ number }</span>
+                }
+                <span class="said">{ row.text.clone() }</span>
+                if let Some((words, figure)) = &row.figure {
+                    <em>{ *words }{ " " }<b>{ figure.clone() }</b></em>
+                }
+            </button>
+        </li>
+    }
+}
+
+#[derive(Clone, PartialEq, Properties)]
+struct ChartProps {
+    chart: Chart,
+    /// How many steps there are in all.
+    count: usize,
+    send: Callback<Action>,
+}
+
+/// The chart, and the slider over it.
+#[component]
+fn ChartSlider(props: &ChartProps) -> Html {
+    let ChartProps { chart, count, send } = props;
+    let dragging = use_held(|| false);
+    let seek = {
+        let (chart, send) = (chart.clone(), send.clone());
+        move |event: &PointerEvent| {
+            let Some(place) = event.current_target() else { return };
+            let Ok(place) = place.dyn_into::<Element>() else { return };
+            let x = f64::from(event.client_x()) - place.get_bounding_client_rect().left();
+            send.emit(Action::Inside(InsideAction::Step(chart.step_at(x))));
+        }
+    };
+    let onpointerdown = {
+        let (dragging, seek) = (Rc::clone(&dragging), seek.clone());
+        move |event: PointerEvent| {
+            if event.button() != 0 {
+                return;
+            }
+            if let Some(Ok(place)) = event.current_target().map(JsCast::dyn_into::<Element>) {
+                let _ = place.set_pointer_capture(event.pointer_id());
+            }
+            dragging.set(true);
+            seek(&event);
+        }
+    };
+    let onpointermove = {
+        let dragging = Rc::clone(&dragging);
+        move |event: PointerEvent| {
+            if dragging.get() {
+                seek(&event);
+            }
+        }
+    };
+    let release = move |_: PointerEvent| dragging.set(false);
+    let onkeydown = {
+        let (send, at, last) = (send.clone(), chart.head.1, count.saturating_sub(1));
+        move |event: KeyboardEvent| {
+            if event.ctrl_key() || event.meta_key() || event.alt_key() {
+                return;
+            }
+            let page = (last / 10).max(5);
+            let action = match event.key().as_str() {
+                "ArrowRight" | "ArrowUp" => Action::Play(PlayAction::StepForward),
+                "ArrowLeft" | "ArrowDown" => Action::Play(PlayAction::StepBack),
+                "PageUp" => Action::Inside(InsideAction::Step((at + page).min(last))),
+                "PageDown" => Action::Inside(InsideAction::Step(at.saturating_sub(page))),
+                "Home" => Action::Inside(InsideAction::First),
+                "End" => Action::Inside(InsideAction::Last),
+                _ => return,
+            };
+            event.prevent_default();
+            event.stop_propagation();
+            send.emit(action);
+        }
+    };
+    html! {
+        <>
+            { picture(chart) }
+            <div class="chart-slide" role="slider" tabindex="0" aria-label="Step" aria-valuemin="0" aria-valuemax={(count - 1).to_string()}
+                aria-valuenow={chart.head.1.to_string()} aria-valuetext={format!("{} of {}", chart.head.1, count - 1)}
+                {onpointerdown} {onpointermove} onpointerup={release.clone()} onpointercancel={release} {onkeydown}></div>
+        </>
+    }
+}
+
+fn picture(chart: &Chart) -> Html {
+    let Chart {
+        head: (x, number),
+        across_from: (left, right),
+        ..
+    } = *chart;
+    let across = |tick: &Tick| {
+        let y = tick.at.to_string();
+        html! {
+            <>
+                <line class="gl" x1={left.to_string()} x2={right.to_string()} y1={y.clone()} y2={y} />
+                <text x={(left - 8.0).to_string()} y={(tick.at + 4.0).to_string()} text-anchor="end">{ tick.value }</text>
+            </>
+        }
+    };
+    let below = |tick: &Tick| html! { <text class="bx" x={tick.at.to_string()} y="100%" dy="-7" text-anchor="middle">{ tick.value }</text> };
+    let dot = |index: usize| {
+        let dot = chart.dots[index].as_ref();
+        dot.map(|dot| {
+            let (class, name, by) = if index == 0 { ("dp up", "tu", 17.0) } else { ("dp", "td", -8.0) };
+            let is_left = x + 50.0 > right;
+            let (at, anchor) = if is_left { (x - 10.0, "end") } else { (x + 10.0, "start") };
+            html! {
+                <>
+                    <circle class={class} cx={x.to_string()} cy={dot.y.to_string()} r="5" />
+                    <text class={name} x={at.to_string()} y={(dot.y + by).to_string()} text-anchor={anchor}>{ dot.value }</text>
+                </>
+            }
+        })
+    };
+    // Where the playhead's own figures stand, the name of the line makes way.
+    let label = |class: &'static str, y: Option<f64>, words: &'static str| {
+        let y = y.filter(|_| x > left + 130.0)?;
+        Some(html! { <text {class} x={(left + 8.0).to_string()} y={y.to_string()}>{ words }</text> })
+    };
+    html! {
+        <svg class="chart" role="img" aria-label={chart.name.clone()} width="100%" height="100%">
+            <defs><pattern id="chart-gap" width="9" height="9" patternUnits="userSpaceOnUse" patternTransform="rotate(25)"><path d="M4 0V9" /></pattern></defs>
+            { for chart.across.iter().map(across) }
+            <path class="gaph" d={chart.gap.clone()} />
+            <path class="dn" d={chart.best.clone()} />
+            <path class="up" d={chart.bound.clone()} />
+            { label("td", chart.names[1], "Best plan so far") }
+            { label("tu", chart.names[0], "Proved: at least") }
+            <text class="tt" x={left.to_string()} y="12">{ chart.title.clone() }</text>
+            <line class="ph" x1={x.to_string()} x2={x.to_string()} y1="18" y2="100%" />
+            { dot(1) }{ dot(0) }
+            { for chart.below.iter().map(below) }
+            if let Some((x, y)) = chart.seal {
+                <g class="meet" transform={format!("translate({x} {y})")}><circle r="10" /><path d="m-4 0 3 3 5-6" /></g>
+            }
+            <svg class="thumb-at" x={x.to_string()} y="100%" overflow="visible">
+                <rect class="pt" x="-16" y="-24" width="32" height="22" rx="11" /><text class="ptt" y="-9" text-anchor="middle">{ number }</text>
+            </svg>
+        </svg>
+    }
+}
