@@ -30,6 +30,8 @@ pub struct TraceEvent {
     pub number: u64,
     /// Conflicts of the SAT solver in the whole search up to now.
     pub conflicts: u64,
+    /// What it says, as a sentence that is true by itself: see [`super::words`].
+    pub text: String,
     /// What happened.
     #[serde(flatten)]
     pub event: SearchEvent,

@@ -4,6 +4,7 @@
 mod core;
 mod event;
 mod recorder;
+pub mod words;
 
 pub use core::{AgentLeast, AgentLimit, Condition, Core, EarlierCore, Literals, Together};
 pub use event::{Cannot, Entrant, FoundBy, Restart, SearchEvent, SearchTrace, Stopped, TraceEvent};

@@ -6,7 +6,7 @@ use std::mem;
 
 use giveway_model::{Cost, Objective};
 
-use super::{AgentLeast, AgentLimit, SearchEvent, SearchTrace, TraceEvent};
+use super::{AgentLeast, AgentLimit, SearchEvent, SearchTrace, TraceEvent, words};
 use crate::encode::collisions::AgentId;
 
 /// The host is told of so many events at once, or of fewer after so many seconds: a
@@ -114,6 +114,7 @@ impl Recorder {
         let event = TraceEvent {
             number,
             conflicts,
+            text: words::sentence(&self.objective, &event),
             event,
         };
         self.untold.borrow_mut().push(event.clone());
