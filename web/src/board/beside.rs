@@ -4,6 +4,7 @@
 use std::rc::Rc;
 
 use giveway_page::board::{Camera, Cast, Window};
+use giveway_page::inside::Overlay;
 use web_sys::KeyboardEvent;
 use yew::prelude::*;
 

@@ -12,7 +12,7 @@ use web_sys::{Element, HtmlElement, ResizeObserver};
 use yew::prelude::*;
 
 use super::waiting;
-use crate::held::use_held;
+use crate::held::{Held, use_held};
 use crate::icon;
 use crate::timeline::DockProps;
 
@@ -95,7 +95,7 @@ pub(super) fn Proof(props: &DockProps) -> Html {
     let chosen = drawn.as_ref().map(|chart| chart.head.1);
     let focus = use_held(|| false);
     {
-        let (list, row, focus) = (list.clone(), sight.row(), Rc::clone(&focus));
+        let (list, row) = (list.clone(), sight.row());
         // Whoever scrolled away from the end is left there while more steps come.
         let follows = use_held(|| (None::<usize>, 0_usize));
         use_effect_with((chosen, count, row.to_bits()), move |_| {
@@ -116,7 +116,7 @@ pub(super) fn Proof(props: &DockProps) -> Html {
         });
     }
     {
-        let list = list.clone();
+        let (list, focus) = (list.clone(), Rc::clone(&focus));
         use_effect(move || {
             if focus.take()
                 && let Some(list) = list.cast::<Element>()
@@ -149,7 +149,7 @@ pub(super) fn Proof(props: &DockProps) -> Html {
             <div class="chart-at" ref={place}>
                 if let Some(drawn) = drawn { <ChartSlider chart={drawn} {count} send={send.clone()} /> }
             </div>
-            <ol class={classes!("plist", narrow)} aria-label="Steps" ref={list} {onscroll} onkeydown={keys(send)}>
+            <ol class={classes!("plist", narrow)} aria-label="Steps" ref={list} {onscroll} onkeydown={keys(&focus, send)}>
                 { spacer(above) }
                 { for shown.iter().map(|row| show_row(row, count, send)) }
                 { spacer(below) }
@@ -159,8 +159,8 @@ pub(super) fn Proof(props: &DockProps) -> Html {
 }
 
 /// Arrow keys go from step to step.
-fn keys(send: &Callback<Action>) -> Callback<KeyboardEvent> {
-    let send = send.clone();
+fn keys(focus: &Rc<Held<bool>>, send: &Callback<Action>) -> Callback<KeyboardEvent> {
+    let (focus, send) = (Rc::clone(focus), send.clone());
     Callback::from(move |event: KeyboardEvent| {
         let action = match event.key().as_str() {
             "ArrowDown" => InsideAction::Next,
@@ -169,6 +169,7 @@ fn keys(send: &Callback<Action>) -> Callback<KeyboardEvent> {
         };
         event.prevent_default();
         event.stop_propagation();
+        focus.set(true);
         send.emit(Action::Inside(action));
     })
 }

@@ -10,7 +10,7 @@ use giveway_solve::trace::{SearchEvent, SearchTrace, TraceEvent};
 pub use chart::{Chart, Dot, Tick, chart};
 pub(crate) use column::{column, step_text};
 pub use rows::{Kind, ProofRow, rows};
-pub(crate) use seen::{lit, overlay};
+pub(crate) use seen::overlay;
 
 use crate::State;
 use crate::planners::Runs;

@@ -55,7 +55,7 @@ pub(super) fn known(trace: &SearchTrace) -> Vec<Known> {
     let mut cost = trace.objective.costs().first().copied().unwrap_or(Cost::Makespan);
     let mut bounds: BTreeMap<Cost, u32> = BTreeMap::new();
     let mut best: Option<Costs> = None;
-    let mut rise = |bounds: &mut BTreeMap<Cost, u32>, cost: Cost, to: u32| {
+    let rise = |bounds: &mut BTreeMap<Cost, u32>, cost: Cost, to: u32| {
         let bound = bounds.entry(cost).or_insert(to);
         *bound = to.max(*bound);
     };

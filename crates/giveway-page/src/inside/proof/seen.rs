@@ -12,7 +12,7 @@ use crate::inside::board::{Meeting, Overlay, Shade, middle};
 use crate::inside::index;
 
 /// The robots that a step is about; `None` where it is about all.
-pub(crate) fn lit(state: &State) -> Option<Vec<usize>> {
+fn lit(state: &State) -> Option<Vec<usize>> {
     let names: Vec<&String> = match &chosen_event(state)?.event {
         SearchEvent::Core(core) => match (&core.together, core.sums.is_empty()) {
             (Some(together), false) => together.agents.iter().map(|own| &own.agent).collect(),
