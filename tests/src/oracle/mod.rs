@@ -18,6 +18,7 @@ mod contrast;
 mod joint;
 mod law;
 mod leniency;
+mod limited;
 mod lone;
 mod near;
 mod price;
@@ -35,6 +36,7 @@ pub use changed::{Changed, Held, Known, map_after};
 pub use contrast::Contrast;
 use joint::Joint;
 pub use leniency::Leniency;
+pub use limited::{AtMost, least_alone, some_plan_keeps};
 pub use near::{Distance, least_distance};
 use search::{Aim, Limit, Search};
 
