@@ -61,7 +61,8 @@ pub(super) fn furthest(
                     let mut against = others.against(time as u32, arc.id);
                     against.any(|other| problem.collide(agent, other))
                 };
-                if !is_against(time) && !(arc.slow && is_against(time + 1)) {
+                let is_blocked = is_against(time) || (arc.slow && is_against(time + 1));
+                if !is_blocked {
                     reach(arc.to, steps);
                 }
             }

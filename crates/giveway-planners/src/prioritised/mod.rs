@@ -95,12 +95,11 @@ pub fn prioritised(
             furthest: Walk::new(),
             dead_end: false,
         };
-        let tried = match Timetable::new(problem) {
-            Some(nobody) => attempt.run(nobody, horizon, traced, &mut places, budget),
-            None => {
-                let nobody = Reservations::new(problem);
-                attempt.run(nobody, horizon, traced, &mut places, budget)
-            }
+        let tried = if let Some(nobody) = Timetable::new(problem) {
+            attempt.run(nobody, horizon, traced, &mut places, budget)
+        } else {
+            let nobody = Reservations::new(problem);
+            attempt.run(nobody, horizon, traced, &mut places, budget)
         };
         outcome.tried += 1;
         let stuck = attempt.stuck.clone();

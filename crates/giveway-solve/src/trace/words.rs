@@ -104,7 +104,7 @@ pub fn condition(condition: &Condition, cost: Cost) -> Option<String> {
 fn under(plans: &Condition, cost: Cost, claim: &str) -> String {
     match condition(plans, cost) {
         None => claim.to_owned(),
-        Some(plans) => format!("{plans}: {}", claim),
+        Some(plans) => format!("{plans}: {claim}"),
     }
 }
 

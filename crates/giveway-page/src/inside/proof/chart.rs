@@ -7,6 +7,7 @@ use giveway_solve::trace::SearchEvent;
 
 use super::rows::{Known, known};
 use super::{chosen, steps, trace};
+use crate::timeline::whole;
 use crate::{State, words};
 
 /// Around the lines, in pixels: left, right, above, below.
@@ -67,7 +68,7 @@ impl Chart {
         let (first, last) = self.steps;
         let (left, right) = self.across_from;
         let share = ((x - left) / (right - left).max(1.0)).clamp(0.0, 1.0);
-        first + (share * (last - first) as f64).round() as usize
+        first + whole((share * (last - first) as f64).round()) as usize
     }
 }
 
@@ -198,7 +199,7 @@ fn below(
     x: impl Fn(usize) -> f64,
     room: f64,
 ) -> Vec<Tick> {
-    let fits = (room / 44.0).max(1.0) as usize;
+    let fits = whole(room / 44.0).max(1) as usize;
     let every = (last - first).div_ceil(fits).max(1);
     let steps = (first..=last).step_by(every);
     let is_apart = |step: &usize| (x(*step) - x(at)).abs() > 26.0;

@@ -68,9 +68,10 @@ fn verdict(event: &TraceEvent, title: &str) -> Option<Verdict> {
             (format!("At least {to}"), was)
         }
         (SearchEvent::Plan { .. }, _) => ("A better plan".to_owned(), String::new()),
-        (SearchEvent::Met { .. }, _) => ("Proved".to_owned(), String::new()),
+        (SearchEvent::Met { .. } | SearchEvent::Exhausted { .. }, _) => {
+            ("Proved".to_owned(), String::new())
+        }
         (SearchEvent::Impossible(_), _) => ("No plan".to_owned(), String::new()),
-        (SearchEvent::Exhausted { .. }, _) => ("Proved".to_owned(), String::new()),
         _ => return None,
     };
     let text = match &event.event {

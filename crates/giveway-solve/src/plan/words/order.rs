@@ -21,17 +21,15 @@ pub fn around(order: &OrderTried, place: usize) -> String {
 /// where the order works.
 pub fn why_stuck(order: &OrderTried) -> Option<String> {
     let stuck = order.stuck.as_ref()?;
-    let mut text = format!("{}.", is_stuck(stuck));
-    if let Some(end) = order.furthest.last().copied().flatten() {
-        let last = order.furthest.len() - 1;
-        text += &if order.dead_end {
-            format!(
-                " At time {last} it stands at {end}, and has no free cell at time {}.",
-                last + 1
-            )
-        } else {
-            format!(" It comes as near as {end} at time {last}, and no further.")
-        };
-    }
-    Some(text)
+    let stuck = is_stuck(stuck);
+    let Some(end) = order.furthest.last().copied().flatten() else {
+        return Some(format!("{stuck}."));
+    };
+    let last = order.furthest.len() - 1;
+    Some(if order.dead_end {
+        let next = last + 1;
+        format!("{stuck}. At time {last} it stands at {end}, and has no free cell at time {next}.")
+    } else {
+        format!("{stuck}. It comes as near as {end} at time {last}, and no further.")
+    })
 }
