@@ -3,7 +3,7 @@
 use std::ops::Range;
 
 use giveway_page::form;
-use giveway_page::inside::Note;
+use giveway_page::inside::{Note, Stop};
 use giveway_page::timeline::{Axis, Lane, Row, Shapes};
 use yew::prelude::*;
 
@@ -87,7 +87,7 @@ pub(super) fn LaneRow(props: &LaneRowProps) -> Html {
                 </span>
             </button>
             if !props.bursts.is_empty() { { bursts(props) } }
-            if let Some((time, said)) = note.and_then(|note| note.stop.as_ref()) { { stop(props, *time, said) } }
+            if let Some(end) = note.and_then(|note| note.stop.as_ref()) { { stop(props, end) } }
             if let Some(other) = other {
                 <div class="halves">
                     { bars("This plan", [&props.lanes, &props.others], [index, other]) }
@@ -124,10 +124,13 @@ fn bursts(props: &LaneRowProps) -> Html {
 }
 
 /// Where the agent ends without having arrived.
-fn stop(props: &LaneRowProps, time: u32, said: &str) -> Html {
+fn stop(props: &LaneRowProps, end: &Stop) -> Html {
     let LaneRowProps { axis, row, .. } = props;
-    let width = said.chars().count() as f64 * 6.4 + 38.0;
-    let x = axis.x(f64::from(time)) + 6.0;
+    let wide = |said: &str| said.chars().count() as f64 * 7.2 + 38.0;
+    let x = axis.x(f64::from(end.time)) + 6.0;
+    let fits = x + wide(&end.text) <= axis.width();
+    let said = if fits { end.text.as_str() } else { end.short };
+    let width = wide(said);
     let x = x.min(axis.width() - width).max(0.0);
     html! {
         <svg class="bars bad-at stop" width={axis.width().to_string()} height={row.height.to_string()}>

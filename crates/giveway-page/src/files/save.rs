@@ -51,7 +51,7 @@ pub fn plan_file(state: &State) -> Option<Saved> {
 
 /// How the plan was found and proved; `None` where no record was kept.
 pub fn trace_file(state: &State) -> Option<Saved> {
-    let trace = state.document.fresh_answer()?.solved.trace.as_ref()?;
+    let trace = crate::inside::record(state)?;
     let stem = file_stem(&state.document.draft.scene().name, "scene");
     Some(Saved {
         name: format!("{stem}-trace.json"),

@@ -31,8 +31,8 @@ pub enum InsideAction {
     Tick,
     /// Asks again what was not answered.
     Again,
-    /// Looks at the robots of a step alone, by the number of its event; or at all.
-    Alone(Option<u64>),
+    /// Looks at the robots of the chosen step alone; or at all again.
+    Alone(bool),
     /// Asks why there is no plan.
     Reasons,
     /// Goes back to the lanes and plays the plan.

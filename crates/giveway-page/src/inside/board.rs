@@ -84,7 +84,7 @@ pub(crate) fn middle(cell: Cell) -> (f64, f64) {
     (middle(cell.x), middle(cell.y))
 }
 
-fn between([a, b]: [Cell; 2]) -> (f64, f64) {
+pub(crate) fn between([a, b]: [Cell; 2]) -> (f64, f64) {
     let ((x, y), (u, v)) = (middle(a), middle(b));
     (f64::midpoint(x, u), f64::midpoint(y, v))
 }
@@ -107,9 +107,15 @@ fn in_tree(overlay: &mut Overlay, state: &State) {
 
 fn place(conflict: &ToldConflict) -> (f64, f64) {
     match *conflict {
-        ToldConflict::Vertex { cell, .. } | ToldConflict::Target { cell, .. } => middle(cell),
+        ToldConflict::Vertex { cell, .. } | ToldConflict::Target { cell, .. } => foot(cell),
         ToldConflict::Swap { edge, .. } => between(edge),
     }
+}
+
+/// Below two robots that are on one cell.
+fn foot(cell: Cell) -> (f64, f64) {
+    let (x, y) = middle(cell);
+    (x, y + 38.0)
 }
 
 /// The first conflict of the plan that is shown, where it was not told.
@@ -118,7 +124,7 @@ fn first_conflict(state: &State) -> Option<(f64, f64)> {
     let instance = answer.draft.instance().ok()?;
     let report = check::check(instance, answer.plan()?);
     let first = report.violations.first()?;
-    first.cell.map(middle).or_else(|| first.edge.map(between))
+    first.cell.map(foot).or_else(|| first.edge.map(between))
 }
 
 /// What the nodes up to the root ask, the newest on a place above the others.

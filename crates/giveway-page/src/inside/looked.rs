@@ -4,11 +4,25 @@ use std::collections::BTreeMap;
 use std::rc::Rc;
 
 use giveway_model::{Costs, Path, Plan};
-use giveway_solve::together::TogetherAnswer;
 use giveway_solve::plan::{NodeFate, OrderTried, PlanAnswer, TreeNode, Went, words};
+use giveway_solve::together::TogetherAnswer;
+use giveway_solve::trace::Core;
 
 use super::looking::{Looking, What};
 use crate::{Document, Draft};
+
+/// So many steps are remembered whose robots were looked at.
+const MOST_CLOSER: usize = 40;
+
+/// What the worker told.
+pub(crate) enum Told {
+    /// Of a planner.
+    Planned(Box<PlanAnswer>),
+    /// Of the robots of a step.
+    Together(Box<TogetherAnswer>),
+    /// Nothing, and why, as a sentence.
+    Not(String),
+}
 
 /// What was found out about a scene.
 #[derive(Clone, Debug, PartialEq)]
@@ -19,8 +33,8 @@ pub(crate) struct Looked {
     pub(crate) tree: Option<Result<Rc<TreeRun>, String>>,
     /// What came of orders.
     pub(crate) orders: Vec<OrderRun>,
-    /// What was found out about the robots of steps, by the numbers of their events.
-    pub(crate) together: BTreeMap<u64, Result<Rc<TogetherAnswer>, String>>,
+    /// What was found out about the robots of steps, the last of them.
+    closer: Vec<(Core, Result<Rc<TogetherAnswer>, String>)>,
     /// Why no more orders are tried, as a sentence.
     pub(crate) failed: Option<String>,
 }
@@ -65,7 +79,7 @@ impl Looked {
     pub(crate) fn with(
         before: Option<&Self>,
         looking: &Looking,
-        answer: Result<PlanAnswer, String>,
+        answer: Told,
     ) -> Self {
         let is_same = |looked: &&Self| {
             Rc::ptr_eq(&looked.draft, &looking.draft) && looked.within == looking.within
@@ -75,12 +89,18 @@ impl Looked {
             within: looking.within,
             tree: None,
             orders: Vec::new(),
-            together: BTreeMap::new(),
+            closer: Vec::new(),
             failed: None,
         });
+        if let What::Together(core) = &looking.what {
+            looked.look_closer((**core).clone(), answer);
+            return looked;
+        }
         let (costs, told) = match answer {
-            Ok(answer) => (answer.costs, went(answer)),
-            Err(why) => (None, Err(why)),
+            Told::Planned(answer) => (answer.costs, went(*answer)),
+            Told::Not(why) => (None, Err(why)),
+            // The answer to another request.
+            Told::Together(_) => return looked,
         };
         match (&looking.what, told) {
             (What::Tree, told) => {
@@ -108,10 +128,28 @@ impl Looked {
         }
     }
 
+    fn look_closer(&mut self, core: Core, answer: Told) {
+        let told = match answer {
+            Told::Together(answer) => Ok(Rc::from(answer)),
+            Told::Not(why) => Err(why),
+            Told::Planned(_) => return,
+        };
+        self.closer.retain(|(other, _)| *other != core);
+        self.closer.insert(0, (core, told));
+        self.closer.truncate(MOST_CLOSER);
+    }
+
+    /// What was found out about the robots of a step; `None` where that was not asked.
+    pub(crate) fn closer(&self, core: &Core) -> Option<&Result<Rc<TogetherAnswer>, String>> {
+        let mut closer = self.closer.iter();
+        closer.find(|(other, _)| other == core).map(|(_, told)| told)
+    }
+
     /// The same without what was not answered.
     pub(crate) fn again(&self) -> Self {
         Self {
             tree: self.tree.clone().filter(Result::is_ok),
+            closer: self.closer.iter().filter(|(_, told)| told.is_ok()).cloned().collect(),
             failed: None,
             ..self.clone()
         }

@@ -4,13 +4,17 @@
 use std::rc::Rc;
 
 use giveway_solve::plan::{PlanRequest, Planner};
+use giveway_solve::together::TogetherRequest;
+use giveway_solve::trace::Core;
 use giveway_solve::{Limits, Request};
 
-use super::{Looked, Method};
+use super::{Looked, Method, proof};
 use crate::{Draft, State};
 
 /// So many robots have few enough orders to try them all.
 const ALL_ORDERS: usize = 4;
+/// How long the robots of a step are looked at, in seconds: the next step waits.
+const CLOSER: f64 = 4.0;
 
 /// Something that is asked about the scene.
 #[derive(Clone, Debug, PartialEq)]
@@ -34,11 +38,24 @@ pub enum What {
     Order(Vec<String>),
     /// Orders until one works.
     Orders,
+    /// Why the robots of a step cannot all keep their limits.
+    Together(Box<Core>),
 }
 
 impl Looking {
     pub(crate) fn request(&self) -> Request {
+        let scene = self.draft.scene().clone();
         let (planner, order) = match &self.what {
+            What::Together(core) => {
+                let limits = Limits {
+                    seconds: Some(CLOSER.min(f64::from(self.seconds))),
+                    ..Limits::default()
+                };
+                return Request::Together(TogetherRequest {
+                    limits,
+                    ..TogetherRequest::about(core, scene)
+                });
+            }
             What::Tree => (Planner::Cbs, None),
             What::Order(order) => (Planner::Prioritised, Some(order.clone())),
             What::Orders => (Planner::Prioritised, None),
@@ -51,7 +68,7 @@ impl Looking {
                 seconds: Some(f64::from(self.seconds)),
                 ..Limits::default()
             },
-            ..PlanRequest::new(self.draft.scene().clone(), planner)
+            ..PlanRequest::new(scene, planner)
         })
     }
 }
@@ -64,7 +81,7 @@ pub(crate) fn wanted(state: &State) -> Option<Looking> {
     }
     let looked = state.looked();
     let what = match state.inside.method {
-        Method::Proof => return None,
+        Method::Proof => proof::unknown_core(state).map(|core| What::Together(Box::new(core.clone()))),
         Method::Tree => {
             let is_known = looked.is_some_and(|looked| looked.tree.is_some());
             (!is_known).then_some(What::Tree)

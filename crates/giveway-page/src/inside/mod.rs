@@ -21,17 +21,20 @@ mod tree;
 
 use std::rc::Rc;
 
+use giveway_solve::trace::Core;
+
 pub use action::InsideAction;
 pub use board::{Ban, Meeting, Overlay, Shade, overlay};
 pub use column::{Button, Choice, Column, Fact, Listed, OrderRow, Tint, Verdict, column};
 pub use legend::{Sign, legend};
-pub(crate) use looked::{Looked, OrderRun, TreeRun};
+pub(crate) use looked::{Looked, OrderRun, Told, TreeRun};
 pub(crate) use looking::wanted;
 pub use looking::{Looking, What};
 pub use nothing::{Nothing, nothing, said};
-pub use orders::{Note, notes};
+pub use orders::{Note, Stop, notes};
 pub use proof::{Chart, Dot, Kind, ProofRow, Tick, chart, rows};
-pub(crate) use plan::{conflict_time, of_node, of_order};
+pub(crate) use proof::trace as record;
+pub(crate) use plan::{conflict_time, of_node, of_order, two_on_a_cell};
 pub(crate) use steps::place;
 pub use steps::{Steps, steps};
 pub use tree::{Fold, NodeBox, TreeView, view as tree_view};
@@ -75,8 +78,8 @@ pub struct Inside {
     pub is_playing: bool,
     /// The step of the proof, by its row; `None`: the last one, whichever that is.
     pub(crate) step: Option<usize>,
-    /// The step whose robots are looked at alone, by the number of its event.
-    pub(crate) alone: Option<u64>,
+    /// The robots that are looked at alone.
+    pub(crate) alone: Option<AloneView>,
     /// The node of the tree, by its number.
     pub(crate) node: u64,
     /// The order, by its place in the list.
@@ -89,6 +92,15 @@ pub struct Inside {
     pub(crate) shown: Option<Rc<Answer>>,
 }
 
+/// Some robots that are looked at alone.
+#[derive(Clone, Debug, PartialEq)]
+pub(crate) struct AloneView {
+    /// The step that they are of.
+    pub(crate) core: Rc<Core>,
+    /// The row of that step among those of all robots.
+    pub(crate) back: usize,
+}
+
 impl State {
     /// Whether the page shows how the plan was found.
     pub fn is_inside(&self) -> bool {
@@ -98,6 +110,11 @@ impl State {
     /// Whether there is something to look into: nothing else is done with the plan.
     pub fn can_look_inside(&self) -> bool {
         self.document.mode == Mode::Editing && !self.is_embedded()
+    }
+
+    /// How many steps there are to go through.
+    pub(crate) fn inside_steps(&self) -> usize {
+        steps::place(self).map_or(0, |(_, last, _)| last)
     }
 
     /// The plan of the node or the order that is looked at.

@@ -5,6 +5,24 @@ use giveway_solve::plan::words;
 use super::{Method, index, steps};
 use crate::State;
 
+/// Where a robot ends without having arrived.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Stop {
+    /// The time.
+    pub time: u32,
+    /// What is said of it.
+    pub text: String,
+    /// The same where there is little room.
+    pub short: &'static str,
+}
+
+impl Stop {
+    /// How many more times the axis has, so that there is room behind the lane.
+    pub fn room(&self) -> u32 {
+        ((self.time + 1) * 45 / 100 + 1).min(12)
+    }
+}
+
 /// What the lane of a robot says.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Note {
@@ -14,8 +32,8 @@ pub struct Note {
     pub place: usize,
     /// Around whom it plans.
     pub around: String,
-    /// Where it ends without having arrived: the time, and what is said of it.
-    pub stop: Option<(u32, String)>,
+    /// Where it ends without having arrived.
+    pub stop: Option<Stop>,
     /// Whether it has planned by the step that is shown.
     pub is_planned: bool,
 }
@@ -35,13 +53,18 @@ pub fn notes(state: &State) -> Option<Vec<Note>> {
         let said = if run.told.dead_end {
             format!("no free cell at {}", last.saturating_add(1))
         } else {
-            "no way to its goal".to_owned()
+            "no way on".to_owned()
+        };
+        let stop = Stop {
+            time: last,
+            text: said,
+            short: "stuck",
         };
         Some(Note {
             agent: index(state, name)?,
             place: place + 1,
             around: words::around(&run.told, place),
-            stop: is_stuck.then_some((last, said)).filter(|_| place < at),
+            stop: (is_stuck && place < at).then_some(stop),
             is_planned: place < at,
         })
     };

@@ -2,12 +2,13 @@
 
 use std::rc::Rc;
 
+use giveway_model::check::Rule;
 use giveway_model::{Costs, Path, Plan, Version, check};
-use giveway_solve::plan::{NodeFate, words};
+use giveway_solve::plan::{NodeFate, ToldConflict, words};
 use giveway_solve::{SolveAnswer, SolveRequest, Stats, Status};
 
-use super::{OrderRun, TreeRun};
-use crate::{Answer, Draft};
+use super::{Method, OrderRun, TreeRun, index};
+use crate::{Answer, Draft, State};
 
 /// The plan of a node.
 pub(crate) fn of_node(draft: &Rc<Draft>, tree: &TreeRun, node: u64) -> Rc<Answer> {
@@ -26,6 +27,35 @@ pub(crate) fn conflict_time(answer: &Answer, tree: &TreeRun, node: u64) -> u32 {
             report.violations.first().map_or(0, |first| first.time)
         }
         _ => 0,
+    }
+}
+
+/// The two robots that are on one cell in the conflict of the chosen node, and when;
+/// of its own plan only.
+pub(crate) fn two_on_a_cell(state: &State, answer: &Rc<Answer>) -> Option<([usize; 2], u32)> {
+    let shown = state.inside_plan()?;
+    if !Rc::ptr_eq(shown, answer) || state.inside.method != Method::Tree {
+        return None;
+    }
+    let tree = state.looked()?.tree.as_ref()?.as_ref().ok()?;
+    match &tree.node(state.inside.node)?.fate {
+        NodeFate::Split { conflict, .. } => match conflict {
+            ToldConflict::Vertex { agents, time, .. }
+            | ToldConflict::Target { agents, time, .. } => {
+                let [a, b] = agents;
+                Some(([index(state, a)?, index(state, b)?], *time))
+            }
+            ToldConflict::Swap { .. } => None,
+        },
+        NodeFate::Open => {
+            let report = check::check(answer.draft.instance().ok()?, answer.plan()?);
+            let first = report.violations.first()?;
+            let (Rule::Vertex, [a, b]) = (first.rule, first.agents.as_slice()) else {
+                return None;
+            };
+            Some(([index(state, a)?, index(state, b)?], first.time))
+        }
+        _ => None,
     }
 }
 

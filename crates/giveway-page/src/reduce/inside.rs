@@ -3,11 +3,12 @@
 use std::rc::Rc;
 
 use giveway_model::Question;
-use giveway_solve::plan::PlanAnswer;
+use giveway_solve::Response;
 
 use super::{ask, play};
 use crate::inside::{
-    InsideAction, Looked, Looking, Method, conflict_time, of_node, of_order, place, wanted,
+    InsideAction, Looked, Looking, Method, Told, conflict_time, of_node, of_order, place, proof,
+    wanted,
 };
 use crate::{PlayAction, Selection, State, Tab, Task};
 
@@ -29,9 +30,7 @@ pub(super) fn inside(state: &mut State, action: InsideAction) {
         InsideAction::Last => go(state, |_, last| last),
         InsideAction::Back => go(state, |at, _| at.saturating_sub(1)),
         InsideAction::Next => go(state, |at, _| at + 1),
-        InsideAction::Alone(number) => {
-            (state.inside.alone, state.inside.step) = (number, number.map(|_| 0));
-        }
+        InsideAction::Alone(on) => alone(state, on),
         InsideAction::Reasons => ask::ask(state, &Question::Unsolvable),
         InsideAction::Play(on) => play_on(state, on),
         InsideAction::Tick if state.inside.is_playing => tick(state),
@@ -77,10 +76,26 @@ fn show(state: &mut State, on: bool) {
     state.view.playback.playing = false;
     state.view.selection = Selection::Nothing;
     if on {
+        // A proof is told from its beginning; that of a search that goes on, by its end.
+        if state.inside.step.is_none() && !proof::is_running(state) {
+            state.inside.step = Some(0);
+        }
         state.view.tab = Tab::Timeline;
         state.view.playback.stop_at(0);
     }
     settle(state);
+}
+
+/// Looks at the robots of the chosen step alone, or goes back to that step.
+fn alone(state: &mut State, on: bool) {
+    state.inside.is_playing = false;
+    if on {
+        if let Some(view) = proof::view_alone(state) {
+            (state.inside.alone, state.inside.step) = (Some(view), Some(0));
+        }
+    } else if let Some(view) = state.inside.alone.take() {
+        state.inside.step = Some(view.back);
+    }
 }
 
 fn by(state: &mut State, method: Method) {
@@ -178,8 +193,29 @@ pub(super) fn look(state: &mut State) {
     }
 }
 
-/// What was asked was answered, or why it was not.
-pub(super) fn told(state: &mut State, looking: &Looking, answer: Result<PlanAnswer, String>) {
+/// A search begins: what the last one told is over.
+pub(super) fn begin(state: &mut State) {
+    let inside = &mut state.inside;
+    (inside.step, inside.alone, inside.is_playing) = (None, None, false);
+}
+
+/// The worker answered what was asked.
+pub(super) fn respond(state: &mut State, looking: &Looking, response: Response) {
+    let told = match response {
+        Response::Planned(answer) => Told::Planned(answer),
+        Response::Together(answer) => Told::Together(answer),
+        Response::Refused(refusal) => Told::Not(refusal.sentences().join(" ")),
+        _ => return,
+    };
+    learn(state, looking, told);
+}
+
+/// What was asked will not be answered, and why, as a sentence.
+pub(super) fn not_told(state: &mut State, looking: &Looking, why: &str) {
+    learn(state, looking, Told::Not(why.to_owned()));
+}
+
+fn learn(state: &mut State, looking: &Looking, answer: Told) {
     let before = state.inside.looked.as_deref();
     let is_new = before.is_none_or(|looked| !looked.is_of(&state.document));
     let looked = Looked::with(before, looking, answer);

@@ -51,11 +51,7 @@ pub(super) fn respond(state: &mut State, id: u64, response: Response) {
         (Task::Explain(_), Response::Explained(answer)) => ask::learn(state, *answer),
         (Task::Certify(run), Response::Certified(report)) => proof::checked(state, &run, *report),
         (Task::Change(run), Response::Changed(told)) => change::answered(state, &run, *told),
-        (Task::Look(looking), Response::Planned(told)) => inside::told(state, &looking, Ok(*told)),
-        (Task::Look(looking), Response::Refused(refusal)) => {
-            let why = refusal.sentences().join(" ");
-            inside::told(state, &looking, Err(why));
-        }
+        (Task::Look(looking), response) => inside::respond(state, &looking, response),
         (task, Response::Refused(refusal)) => refused(state, &task, &refusal),
         _ => {}
     }

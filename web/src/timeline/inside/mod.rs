@@ -1,5 +1,6 @@
 //! How the plan was found, in the place of the lanes: the proof, the tree, the orders.
 
+mod chart;
 mod proof;
 mod switch;
 mod tree;

@@ -53,7 +53,7 @@ fn Switch(props: &SwitchProps) -> Html {
     let one = |(index, name): (usize, &&'static str)| {
         let is_chosen = index == *chosen;
         html! {
-            <button type="button" role="tab" aria-selected={is_chosen.to_string()} aria-pressed={is_chosen.then_some("true")}
+            <button type="button" role="tab" aria-selected={is_chosen.to_string()}
                 tabindex={if is_chosen { "0" } else { "-1" }} onclick={choose.reform(move |_| index)}>{ *name }</button>
         }
     };

@@ -93,7 +93,11 @@ pub fn chart(state: &State, (width, height): (f64, f64)) -> Option<Chart> {
         left + share * (right - left)
     };
     let y = |value: u32| {
-        let share = f64::from(value - low) / f64::from((high - low).max(1));
+        // A value that never changes stands in the middle.
+        let share = match high - low {
+            0 => 0.5,
+            all => f64::from(value - low) / f64::from(all),
+        };
         bottom - share * (bottom - top)
     };
     let mut lines = [String::new(), String::new()];

@@ -1,12 +1,14 @@
 //! What the column says of a step of the proof.
 
 use giveway_model::Cost;
-use giveway_model::words::{count, grouped, value};
+use giveway_model::words::{and, count, grouped, value};
 use giveway_solve::trace::{AgentLeast, Core, SearchEvent, TraceEvent, words};
 
-use super::{chosen, chosen_event, rows};
+use super::closer::{alone, chosen_core, limits, told, view_alone};
+use super::why::{question, why};
+use super::{chosen, chosen_event, rows, trace};
 use crate::State;
-use crate::inside::column::{Button, Column, Listed, Tint, Verdict};
+use crate::inside::column::{Button, Choice, Column, Listed, Tint, Verdict};
 use crate::inside::{InsideAction, index};
 
 /// So many robots are listed.
@@ -17,17 +19,21 @@ pub(crate) fn column(state: &State) -> Option<Column> {
     let event = chosen_event(state)?;
     let title = rows::text(event);
     let mut column = Column {
-        over: match state.inside.alone {
-            Some(_) => format!("These robots alone: step {at} of {last}"),
+        over: match alone(state) {
+            Some((view, _)) => {
+                let names: Vec<String> = limits(&view.core).into_iter().map(|own| own.agent).collect();
+                format!("{} alone: step {at} of {last}", and(&names))
+            }
             None => format!("Step {at} of {last}"),
         },
         verdict: verdict(event, &title),
         title,
         foot: foot(state, event, at, last),
-        can_export: true,
+        can_export: trace(state).is_some(),
         ..Column::default()
     };
     about(state, event, &mut column);
+    closer(state, &mut column);
     Some(column)
 }
 
@@ -93,6 +99,26 @@ fn so(core: &Core) -> String {
     match words::condition(&core.condition, core.cost) {
         None => format!("So no plan has less than {bound}."),
         Some(plans) => format!("{plans}, no plan has less than {bound}."),
+    }
+}
+
+/// Why the robots of the step cannot, and the way to their own proof.
+fn closer(state: &State, column: &mut Column) {
+    let Some((core, told)) = chosen_core(state).zip(told(state)) else {
+        return;
+    };
+    column.why = why(core, told);
+    let proof = told.alone.as_ref().and_then(|alone| alone.solved.trace.as_ref());
+    if let Some(proof) = proof.filter(|_| view_alone(state).is_some()) {
+        let last = super::steps(proof).count().saturating_sub(1);
+        let last = u32::try_from(last).unwrap_or(u32::MAX);
+        let choice = Choice {
+            agent: None,
+            text: question(core),
+            small: format!("The proof for these robots alone: {}", count(last, "step")),
+            action: InsideAction::Alone(true),
+        };
+        column.choices = Some(("Look closer".to_owned(), vec![choice]));
     }
 }
 
@@ -162,16 +188,25 @@ fn table(state: &State, title: &str, cost: Cost, agents: &[AgentLeast]) -> Liste
 }
 
 fn foot(state: &State, event: &TraceEvent, at: usize, last: usize) -> Vec<Button> {
-    let before = (at > 0).then_some(InsideAction::Back);
     let next = (at < last).then_some(InsideAction::Next);
-    let mut foot = vec![Button::new("back", "Step before", before, false)];
-    if matches!(event.event, SearchEvent::Impossible(_)) && state.inside.alone.is_none() {
-        let reasons = Some(InsideAction::Reasons);
-        foot.push(Button::new("", "Why is there no plan?", reasons, true));
-    } else if next.is_none() && state.inside.alone.is_some() {
-        foot.push(Button::new("", "All robots again", Some(InsideAction::Alone(None)), true));
-    } else {
-        foot.push(Button::new("", "Next step", next, true));
+    let step = Button::new("", "Next step", next, true);
+    if alone(state).is_some() {
+        let back = |is_primary| {
+            Button::new("back", "All robots again", Some(InsideAction::Alone(false)), is_primary)
+        };
+        return match next {
+            Some(_) => vec![back(false), step],
+            None => vec![back(true)],
+        };
     }
-    foot
+    let before = (at > 0).then_some(InsideAction::Back);
+    let can_play = next.is_none() && state.document.fresh_answer().is_some_and(|a| a.plan().is_some());
+    let on = match &event.event {
+        SearchEvent::Impossible(_) => {
+            Button::new("", "Why is there no plan?", Some(InsideAction::Reasons), true)
+        }
+        _ if can_play => Button::new("play", "Play the plan", Some(InsideAction::PlayPlan), true),
+        _ => step,
+    };
+    vec![Button::new("back", "Step before", before, false), on]
 }

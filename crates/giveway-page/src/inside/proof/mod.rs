@@ -1,13 +1,16 @@
 //! The proof of the search: its events as steps, as a chart, and on the board.
 
 mod chart;
+mod closer;
 mod column;
 mod rows;
 mod seen;
+mod why;
 
 use giveway_solve::trace::{SearchEvent, SearchTrace, TraceEvent};
 
 pub use chart::{Chart, Dot, Tick, chart};
+pub(crate) use closer::{unknown_core, view_alone};
 pub(crate) use column::{column, step_text};
 pub use rows::{Kind, ProofRow, rows};
 pub(crate) use seen::overlay;
@@ -18,7 +21,7 @@ use crate::planners::Runs;
 /// The trace that is looked at: of the search that runs, of the answer, or of some
 /// robots alone. `None` where there is none.
 pub(crate) fn trace(state: &State) -> Option<&SearchTrace> {
-    if let Some(alone) = alone(state) {
+    if let Some(alone) = closer::alone_trace(state) {
         return Some(alone);
     }
     let run = state.work.solving().filter(|run| run.planner.is_none());
@@ -28,13 +31,6 @@ pub(crate) fn trace(state: &State) -> Option<&SearchTrace> {
     let document = &state.document;
     let own = document.fresh_answer().and_then(|answer| answer.solved.trace.as_ref());
     own.or_else(|| Runs::fresh(document)?.searched()?.solved.trace.as_ref())
-}
-
-/// The trace of the robots of a step alone, where that is looked at.
-pub(crate) fn alone(state: &State) -> Option<&SearchTrace> {
-    let number = state.inside.alone?;
-    let together = state.looked()?.together.get(&number)?.as_ref().ok()?;
-    together.alone.as_ref()?.solved.trace.as_ref()
 }
 
 /// Whether the search still runs.

@@ -22,6 +22,8 @@ pub enum Kind {
     Head,
     /// The end.
     End,
+    /// The search was cut off.
+    Stopped,
 }
 
 /// A step as a row.
@@ -121,7 +123,8 @@ fn kind(trace: &SearchTrace, event: &SearchEvent) -> Kind {
         SearchEvent::Met { costs, .. } if costs.len() < trace.objective.costs().len() => {
             Kind::Bound
         }
-        SearchEvent::Met { .. } | SearchEvent::Impossible(_) | SearchEvent::Stopped(_) => Kind::End,
+        SearchEvent::Met { .. } | SearchEvent::Impossible(_) => Kind::End,
+        SearchEvent::Stopped(_) => Kind::Stopped,
         _ => Kind::Aside,
     }
 }

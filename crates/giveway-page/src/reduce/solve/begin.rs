@@ -8,7 +8,7 @@ use giveway_solve::plan::Planner;
 use giveway_solve::{Limits, SolveRequest, Status};
 
 use crate::front::has_front;
-use crate::reduce::{ask, change, stroke};
+use crate::reduce::{ask, change, inside, stroke};
 use crate::{Answer, Arrival, Mode, Notice, Size, Solving, State, Task};
 
 /// How a solve begins.
@@ -117,6 +117,7 @@ pub(in crate::reduce) fn start(state: &mut State, how: Start) {
         trace: request.trace && !request.pareto,
         ..request
     };
+    let is_search = how.planner.is_none();
     state.work.start(Task::Solve(Solving {
         draft: Rc::clone(&document.draft),
         request: Rc::new(request),
@@ -133,4 +134,7 @@ pub(in crate::reduce) fn start(state: &mut State, how: Start) {
         then: how.then,
         arrival: how.arrival,
     }));
+    if is_search {
+        inside::begin(state);
+    }
 }

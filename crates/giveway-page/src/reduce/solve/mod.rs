@@ -61,7 +61,7 @@ pub(super) fn cancel(state: &mut State) {
             }
         }
         Some(Task::Look(looking)) => {
-            inside::told(state, &looking, Err("You stopped the planner.".to_owned()));
+            inside::not_told(state, &looking, "You stopped it.");
         }
         Some(Task::Certify(_) | Task::Change(_)) | None => {}
     }
