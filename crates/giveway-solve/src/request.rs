@@ -6,6 +6,7 @@ use serde::{Deserialize, Serialize};
 
 use crate::audit::AuditRequest;
 use crate::change::ChangeRequest;
+use crate::together::TogetherRequest;
 use crate::{CertifyRequest, explain::ExplainRequest, plan::PlanRequest};
 
 /// A request to the [service](crate::service).
@@ -26,6 +27,8 @@ pub enum Request {
     Audit(AuditRequest),
     /// Find a plan with a planner of the textbook.
     Plan(PlanRequest),
+    /// Why can some agents not all keep their limits?
+    Together(TogetherRequest),
 }
 
 /// Find and prove the best plan, or the Pareto front.

@@ -12,12 +12,14 @@ use serde::{Deserialize, Serialize};
 use crate::{
     CheckAnswer, CheckRequest, FrontAnswer, Host, Request, SolveAnswer, SolveRequest,
     audit::{self, AuditAnswer},
+    budget::Budget,
     certify::certify,
     change::{self, ChangeAnswer},
     explain::{ExplainAnswer, engine},
     pareto,
     plan::{self, PlanAnswer},
     solve::{self, Task},
+    together::{self, TogetherAnswer},
 };
 
 /// What comes back. An error is a response, too.
@@ -40,6 +42,8 @@ pub enum Response {
     Audited(Box<AuditAnswer>),
     /// To [`Request::Plan`].
     Planned(Box<PlanAnswer>),
+    /// To [`Request::Together`].
+    Together(Box<TogetherAnswer>),
     /// The request is wrong; nothing was done.
     Refused(Refusal),
 }
@@ -111,6 +115,10 @@ pub fn serve(request: &Request, host: &dyn Host) -> Response {
             Ok(answer) => Response::Planned(Box::new(answer)),
             Err(refusal) => Response::Refused(refusal),
         },
+        Request::Together(request) => match together::serve(request, host) {
+            Ok(answer) => Response::Together(Box::new(answer)),
+            Err(refusal) => Response::Refused(refusal),
+        },
         Request::Change(request) => match change::serve(request, host) {
             Ok(answer) => Response::Changed(Box::new(answer)),
             Err(refusal) => Response::Refused(refusal),
@@ -131,7 +139,7 @@ fn serve_solve(request: &SolveRequest, host: &dyn Host) -> Response {
             let fault = Fault::at("trace", "true with \"pareto\"", "the trace of one search");
             return Response::Refused(Refusal::Request { fault });
         }
-        task = task.traced(host, request.limits);
+        task = task.traced(Budget::new(host, request.limits));
     }
     if !request.pareto {
         return Response::Solved(solve::solve(&task).answer);

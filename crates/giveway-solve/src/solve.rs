@@ -45,10 +45,10 @@ impl<'h> Task<'h> {
         }
     }
 
-    /// The same, told as a trace.
-    pub(crate) fn traced(mut self, host: &'h dyn Host, limits: Limits) -> Self {
+    /// The same, told as a trace, under a budget that nothing was spent of.
+    pub(crate) fn traced(mut self, budget: Budget<'h>) -> Self {
         let recorder = Recorder::new(names(&self), self.objective.clone());
-        self.budget = Rc::new(Budget::new(host, limits).traced(recorder));
+        self.budget = Rc::new(budget.traced(recorder));
         self
     }
 

@@ -12,7 +12,8 @@ pub struct TogetherAnswer {
     /// The format's version.
     pub giveway: Version,
     /// Where each can be while it keeps its limit, in the order of the request; none
-    /// where the limit is no time.
+    /// where the limit is no time, where an agent cannot do its task even alone, and
+    /// where the budget was spent.
     pub regions: Vec<Region>,
     /// Where an agent has to be at a time to keep its limit, as far as that explains
     /// the meetings.

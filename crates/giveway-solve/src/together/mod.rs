@@ -3,7 +3,14 @@
 //! them even by themselves.
 
 mod answer;
+mod keep;
+mod meet;
 mod request;
+mod serve;
+#[cfg(test)]
+mod tests;
+mod ways;
 
 pub use answer::{Alone, CellTimes, MeetingKind, MustMeet, MustPass, Region, TogetherAnswer};
 pub use request::TogetherRequest;
+pub(crate) use serve::serve;

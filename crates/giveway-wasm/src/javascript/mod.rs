@@ -250,6 +250,7 @@ fn respond(request: Request, host: &dyn Host) -> Result<JsValue, JsValue> {
         Response::Changed(answer) => objects::write(&answer),
         Response::Audited(answer) => objects::write(&answer),
         Response::Planned(answer) => objects::write(&answer),
+        Response::Together(answer) => objects::write(&answer),
         Response::Refused(refusal) => Err(refused(refusal)),
     }
 }
