@@ -1,5 +1,6 @@
 //! What is drawn over the map of a step of how the plan was found.
 
+use giveway_page::board::CELL;
 use giveway_page::form;
 use giveway_page::inside::{Ban, Meeting, Overlay, Shade};
 use yew::prelude::*;
@@ -7,9 +8,21 @@ use yew::prelude::*;
 use super::layers::square;
 use super::reasons::STAR;
 
+/// What is written over the map is at least so high, in pixels.
+const LETTERS: f64 = 11.0;
+/// The same in units, where cells are large enough for it.
+const LETTERS_AT: f64 = 18.0;
+
 #[derive(Clone, PartialEq, Properties)]
 pub(super) struct InsideProps {
     pub(super) overlay: Overlay,
+}
+
+#[derive(Clone, PartialEq, Properties)]
+pub(super) struct MarksProps {
+    pub(super) overlay: Overlay,
+    /// How large a cell is, in pixels.
+    pub(super) cell_px: f64,
 }
 
 /// Where robots can be; it lies on the floor.
@@ -23,8 +36,9 @@ pub(super) fn InsideFloor(props: &InsideProps) -> Html {
 
 /// What lies over all that stands and moves.
 #[component]
-pub(super) fn InsideMarks(props: &InsideProps) -> Html {
-    let overlay = &props.overlay;
+pub(super) fn InsideMarks(props: &MarksProps) -> Html {
+    let MarksProps { overlay, cell_px } = props;
+    let scale = (LETTERS / (LETTERS_AT * cell_px / CELL)).clamp(1.0, 2.4);
     let burst = |(x, y): &(f64, f64)| {
         html! {
             <g class="burst" transform={format!("translate({x} {y})")}>
@@ -34,23 +48,26 @@ pub(super) fn InsideMarks(props: &InsideProps) -> Html {
     };
     html! {
         <g aria-hidden="true">
-            { for overlay.bans.iter().map(ban) }
+            { for overlay.bans.iter().map(|each| ban(each, scale)) }
             { for overlay.bursts.iter().map(burst) }
-            { for overlay.meetings.iter().map(meeting) }
+            { for overlay.meetings.iter().map(|each| meeting(each, scale)) }
             if let Some((cell, text)) = &overlay.stuck {
                 { square("vcell", *cell, 4) }
-                { stuck_label(cell.x, cell.y, text) }
+                { stuck_label(cell.x, cell.y, text, scale) }
             }
         </g>
     }
 }
+
+/// The radius of the ring around a meeting, in units.
+const RING: f64 = 56.0;
 
 /// How wide a label is, in units.
 fn wide(text: &str) -> f64 {
     text.chars().count() as f64 * 9.6 + 22.0
 }
 
-fn ban(ban: &Ban) -> Html {
+fn ban(ban: &Ban, scale: f64) -> Html {
     let (x, y) = ban.label;
     let width = wide(&ban.text);
     html! {
@@ -61,7 +78,7 @@ fn ban(ban: &Ban) -> Html {
             if let Some([(x1, y1), (x2, y2)]) = ban.line {
                 <line class="at" x1={x1.to_string()} y1={y1.to_string()} x2={x2.to_string()} y2={y2.to_string()} />
             }
-            <g transform={format!("translate({x} {y})")}>
+            <g transform={format!("translate({x} {y}) scale({scale})")}>
                 <rect class="tg" x={(-width / 2.0).to_string()} y="-14" width={width.to_string()} height="28" rx="14" />
                 <text y="6" text-anchor="middle">{ ban.text.clone() }</text>
             </g>
@@ -69,13 +86,15 @@ fn ban(ban: &Ban) -> Html {
     }
 }
 
-fn meeting(meeting: &Meeting) -> Html {
-    let ((x, y), (u, v)) = (meeting.at, meeting.label);
+fn meeting(meeting: &Meeting, scale: f64) -> Html {
+    let (x, y) = meeting.at;
     let width = wide(&meeting.text) + 6.0;
+    let aside = RING + 8.0 + width * scale / 2.0;
+    let u = if meeting.is_left { x - aside } else { x + aside };
     html! {
         <>
-            <circle class="meetring" cx={x.to_string()} cy={y.to_string()} r="56" />
-            <g class="meet-at" transform={format!("translate({u} {v})")}>
+            <circle class="meetring" cx={x.to_string()} cy={y.to_string()} r={RING.to_string()} />
+            <g class="meet-at" transform={format!("translate({u} {y}) scale({scale})")}>
                 <rect x={(-width / 2.0).to_string()} y="-17" width={width.to_string()} height="34" rx="17" />
                 <text y="6" text-anchor="middle">{ meeting.text.clone() }</text>
             </g>
@@ -84,12 +103,13 @@ fn meeting(meeting: &Meeting) -> Html {
 }
 
 /// Above its cell, or below it in the first row.
-fn stuck_label(x: u32, y: u32, text: &str) -> Html {
+fn stuck_label(x: u32, y: u32, text: &str, scale: f64) -> Html {
     let middle = f64::from(x) * 100.0 + 50.0;
-    let at = if y == 0 { 122.0 } else { f64::from(y) * 100.0 - 20.0 };
+    let up = 17.0 * scale + 3.0;
+    let at = if y == 0 { CELL + up } else { f64::from(y) * CELL - up };
     let width = wide(text) + 6.0;
     html! {
-        <g class="stuck-at" transform={format!("translate({middle} {at})")}>
+        <g class="stuck-at" transform={format!("translate({middle} {at}) scale({scale})")}>
             <rect x={(-width / 2.0).to_string()} y="-17" width={width.to_string()} height="34" rx="17" />
             <text y="6" text-anchor="middle">{ text.to_owned() }</text>
         </g>

@@ -38,8 +38,8 @@ pub struct Shade {
 pub struct Meeting {
     /// The middle.
     pub at: (f64, f64),
-    /// The middle of what is said of it.
-    pub label: (f64, f64),
+    /// Whether what is said of it stands on its left.
+    pub is_left: bool,
     /// What is said of it.
     pub text: String,
 }

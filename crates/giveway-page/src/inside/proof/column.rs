@@ -1,7 +1,7 @@
 //! What the column says of a step of the proof.
 
 use giveway_model::Cost;
-use giveway_model::words::{and, count, grouped, value};
+use giveway_model::words::{and, count, grouped, name, value};
 use giveway_solve::trace::{AgentLeast, Core, SearchEvent, TraceEvent, words};
 
 use super::closer::{alone, chosen_core, limits, told, view_alone};
@@ -95,10 +95,15 @@ fn verdict(event: &TraceEvent, title: &str) -> Option<Verdict> {
 
 /// What follows from a core, and of which plans.
 fn so(core: &Core) -> String {
-    let bound = value(core.cost, core.to);
+    let no_plan = match core.cost {
+        Cost::Makespan | Cost::SumOfCosts => {
+            format!("no plan has a {} below {}", name(core.cost), core.to)
+        }
+        cost => format!("no plan has fewer than {}", value(cost, core.to)),
+    };
     match words::condition(&core.condition, core.cost) {
-        None => format!("So no plan has less than {bound}."),
-        Some(plans) => format!("{plans}, no plan has less than {bound}."),
+        None => format!("So {no_plan}."),
+        Some(plans) => format!("{plans}, {no_plan}."),
     }
 }
 

@@ -8,7 +8,7 @@ use giveway_solve::trace::SearchEvent;
 use super::closer::{alone, limits, told};
 use super::chosen_event;
 use crate::State;
-use crate::board::shade;
+use crate::board::{CELL, shade};
 use crate::inside::board::{Meeting, Overlay, Shade, between, middle};
 use crate::inside::index;
 
@@ -47,7 +47,14 @@ pub(crate) fn overlay(overlay: &mut Overlay, state: &State) {
         let Some(agent) = index(state, &region.agent) else {
             continue;
         };
-        let has = |cell: Cell| region.cells.iter().any(|times| times.cell == cell);
+        let mut is_in = vec![false; (size.0 * size.1) as usize];
+        let place = |cell: Cell| (cell.y * size.0 + cell.x) as usize;
+        for times in &region.cells {
+            if let Some(is_in) = is_in.get_mut(place(times.cell)) {
+                *is_in = true;
+            }
+        }
+        let has = |cell: Cell| is_in.get(place(cell)).copied().unwrap_or(false);
         overlay.shades.push(Shade {
             agent,
             path: shade(size, has),
@@ -63,11 +70,10 @@ fn mark(meeting: &MustMeet, width: u32) -> Meeting {
         MeetingKind::Swap { edge } => between(edge),
     };
     // Beside it, where the map has room.
-    let has_room = at.0 + 200.0 <= f64::from(width) * 100.0;
-    let aside = if has_room { 122.0 } else { -122.0 };
+    let is_left = at.0 + 300.0 > f64::from(width) * CELL && at.0 > 300.0;
     Meeting {
         at,
-        label: (at.0 + aside, at.1),
+        is_left,
         text: format!("time {}", meeting.time),
     }
 }
