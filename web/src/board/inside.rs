@@ -38,7 +38,8 @@ pub(super) fn InsideFloor(props: &InsideProps) -> Html {
 #[component]
 pub(super) fn InsideMarks(props: &MarksProps) -> Html {
     let MarksProps { overlay, cell_px } = props;
-    let scale = (LETTERS / (LETTERS_AT * cell_px / CELL)).clamp(1.0, 2.4);
+    let scale = (LETTERS / (LETTERS_AT * cell_px / CELL)).clamp(1.0, 7.0);
+    let ring = RING.max(RING_PX * CELL / cell_px);
     let burst = |(x, y): &(f64, f64)| {
         html! {
             <g class="burst" transform={format!("translate({x} {y})")}>
@@ -50,7 +51,7 @@ pub(super) fn InsideMarks(props: &MarksProps) -> Html {
         <g aria-hidden="true">
             { for overlay.bans.iter().map(|each| ban(each, scale)) }
             { for overlay.bursts.iter().map(burst) }
-            { for overlay.meetings.iter().map(|each| meeting(each, scale)) }
+            { for overlay.meetings.iter().map(|each| meeting(each, scale, ring)) }
             if let Some((cell, text)) = &overlay.stuck {
                 { square("vcell", *cell, 4) }
                 { stuck_label(cell.x, cell.y, text, scale) }
@@ -61,6 +62,8 @@ pub(super) fn InsideMarks(props: &MarksProps) -> Html {
 
 /// The radius of the ring around a meeting, in units.
 const RING: f64 = 56.0;
+/// It is at least so large, in pixels.
+const RING_PX: f64 = 9.0;
 
 /// How wide a label is, in units.
 fn wide(text: &str) -> f64 {
@@ -86,14 +89,14 @@ fn ban(ban: &Ban, scale: f64) -> Html {
     }
 }
 
-fn meeting(meeting: &Meeting, scale: f64) -> Html {
+fn meeting(meeting: &Meeting, scale: f64, ring: f64) -> Html {
     let (x, y) = meeting.at;
     let width = wide(&meeting.text) + 6.0;
-    let aside = RING + 8.0 + width * scale / 2.0;
+    let aside = ring + 8.0 + width * scale / 2.0;
     let u = if meeting.is_left { x - aside } else { x + aside };
     html! {
         <>
-            <circle class="meetring" cx={x.to_string()} cy={y.to_string()} r={RING.to_string()} />
+            <circle class="meetring" cx={x.to_string()} cy={y.to_string()} r={ring.to_string()} />
             <g class="meet-at" transform={format!("translate({u} {y}) scale({scale})")}>
                 <rect x={(-width / 2.0).to_string()} y="-17" width={width.to_string()} height="34" rx="17" />
                 <text y="6" text-anchor="middle">{ meeting.text.clone() }</text>

@@ -29,6 +29,12 @@ pub(super) fn show(column: &Column, state: &Shown, send: &Callback<Action>) -> H
                     <div class="prose">{ for column.why.iter().map(|text| html! { <p>{ text.clone() }</p> }) }</div>
                 </section>
             }
+            if let Some(means) = &column.means {
+                <section>
+                    <h3>{ "What this means" }</h3>
+                    <div class="prose"><p>{ means.clone() }</p></div>
+                </section>
+            }
             { for column.facts.iter().map(|(title, facts)| list(title, facts)) }
             if let Some((title, choices)) = &column.choices {
                 <section>
@@ -59,7 +65,7 @@ fn told(verdict: &Verdict) -> Html {
     html! {
         <div class={classes!("verdict", class)}>
             <p class="vb">{ icon::show(icon) }<b>{ verdict.word.clone() }</b><em>{ verdict.beside.clone() }</em></p>
-            <p class="vs">{ verdict.text.clone() }</p>
+            if !verdict.text.is_empty() { <p class="vs">{ verdict.text.clone() }</p> }
         </div>
     }
 }

@@ -46,7 +46,7 @@ pub fn Inspector(props: &InspectorProps) -> Html {
     let step = giveway_page::inside::column(state);
     let step = step.filter(|_| state.view.selection == Selection::Nothing);
     // Without a plan a phone has no tabs: this place is all there is.
-    let alone = state.plan().is_none().then_some("alone");
+    let alone = (state.plan().is_none() && !state.is_inside()).then_some("alone");
     html! {
         <aside class={classes!("insp", alone)} id="inspector" aria-label="Inspector">
             if let Some(column) = step {

@@ -14,6 +14,8 @@ pub struct Column {
     pub verdict: Option<Verdict>,
     /// Why it is so, in sentences.
     pub why: Vec<String>,
+    /// What it means, in sentences.
+    pub means: Option<String>,
     /// Lists of facts, each with its title.
     pub facts: Vec<(String, Vec<Fact>)>,
     /// What to go on to, with its title.

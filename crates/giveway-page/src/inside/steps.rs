@@ -1,5 +1,7 @@
 //! The steps of what is looked at: which one is shown, of how many.
 
+use giveway_model::words::count;
+
 use super::{Method, proof};
 use crate::State;
 
@@ -43,7 +45,8 @@ pub(crate) fn place(state: &State) -> Option<(usize, usize, String)> {
     match inside.method {
         Method::Proof => {
             let (at, last) = proof::chosen(state)?;
-            Some((at, last, format!("of {last} steps")))
+            let last_one = u32::try_from(last).unwrap_or(u32::MAX);
+            Some((at, last, format!("of {}", count(last_one, "step"))))
         }
         Method::Tree => {
             let tree = state.looked()?.tree.as_ref()?.as_ref().ok()?;

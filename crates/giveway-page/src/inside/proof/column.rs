@@ -5,6 +5,7 @@ use giveway_model::words::{and, count, grouped, name, value};
 use giveway_solve::trace::{AgentLeast, Core, SearchEvent, TraceEvent, words};
 
 use super::closer::{alone, chosen_core, limits, told, view_alone};
+use super::means::means;
 use super::why::{question, why};
 use super::{chosen, chosen_event, rows, trace};
 use crate::State;
@@ -29,6 +30,7 @@ pub(crate) fn column(state: &State) -> Option<Column> {
         verdict: verdict(event, &title),
         title,
         foot: foot(state, event, at, last),
+        means: means(&event.event).map(str::to_owned),
         can_export: trace(state).is_some(),
         ..Column::default()
     };

@@ -3,6 +3,7 @@
 mod chart;
 mod closer;
 mod column;
+mod means;
 mod rows;
 mod seen;
 mod why;

@@ -109,7 +109,12 @@ pub(super) fn text(event: &TraceEvent) -> String {
         SearchEvent::Core(core) => words::claim(core),
         _ => event.text.clone(),
     };
-    said.trim_end_matches('.').to_owned()
+    let said = said.trim_end_matches('.');
+    let short = match (&event.event, said.split_once(": ")) {
+        (SearchEvent::Alone { .. } | SearchEvent::Plan { .. }, Some((short, _))) => short,
+        _ => said,
+    };
+    short.to_owned()
 }
 
 fn kind(trace: &SearchTrace, event: &SearchEvent) -> Kind {
