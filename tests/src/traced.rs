@@ -106,8 +106,12 @@ impl Replay<'_> {
                 if core.to != core.from + 1 {
                     self.complain(format!("a core raises {} to {}", core.from, core.to));
                 }
-                if core.literals.after > core.literals.before.max(core.literals.after) {
-                    self.complain("a core became larger".to_owned());
+                let literals = core.literals;
+                if literals.after > literals.before {
+                    self.complain(format!("a core became larger: {literals:?}"));
+                }
+                if literals.after as usize != core.limits.len() + core.sums.len() {
+                    self.complain(format!("a core of {literals:?} has other limits"));
                 }
                 self.rise(core.cost, core.from, core.to);
             }

@@ -49,8 +49,6 @@ pub(crate) struct Budget<'h> {
     quiet: bool,
     /// Who writes down what the search does, where a trace is asked for.
     recorder: Option<Rc<Recorder>>,
-    /// Conflicts of the request before this part of it began.
-    conflicts_before: u64,
     /// Steps of joint states that may be looked at, and what is left of them.
     joint_given: u64,
     joint_left: Cell<u64>,
@@ -80,7 +78,6 @@ impl<'h> Budget<'h> {
             stopped: Cell::new(None),
             quiet: false,
             recorder: None,
-            conflicts_before: 0,
             joint_given: JOINT_STEPS,
             joint_left: Cell::new(JOINT_STEPS),
             most_clauses: u64::MAX,
@@ -105,7 +102,6 @@ impl<'h> Budget<'h> {
         );
         part.quiet = true;
         part.recorder.clone_from(&self.recorder);
-        part.conflicts_before = self.conflicts_before + spent;
         part.most_derived = self.most_derived.saturating_sub(self.derived.get());
         part.joint_given = self.joint_left.get().min(PART_JOINT_STEPS);
         part.joint_left.set(part.joint_given);
@@ -199,6 +195,9 @@ impl<'h> Budget<'h> {
 
     pub(crate) fn count_conflicts(&self, conflicts: u64) {
         self.conflicts.set(self.conflicts.get() + conflicts);
+        if let Some(recorder) = &self.recorder {
+            recorder.count_conflicts(conflicts);
+        }
     }
 
     pub(crate) fn count_derived(&self, clauses: u64) {
@@ -232,8 +231,7 @@ impl<'h> Budget<'h> {
     /// Writes an event down, where a trace is asked for: its number.
     pub(crate) fn record(&self, event: impl FnOnce(&Names) -> SearchEvent) -> Option<u64> {
         let recorder = self.recorder.as_ref()?;
-        let conflicts = self.conflicts_before + self.conflicts.get();
-        let number = recorder.record(conflicts, event(recorder.names()));
+        let number = recorder.record(event(recorder.names()));
         self.report_trace(recorder);
         Some(number)
     }

@@ -1,7 +1,7 @@
 import type {
   AuditAnswer, AuditRequest, CertifyRequest, ChangeAnswer, ChangeRequest, CheckAnswer, CheckRequest, CompareRequest,
   Comparison, ConvertAnswer, ConvertRequest, ExplainAnswer, ExplainRequest, Files, FrontAnswer, PlanAnswer, PlanRequest, Progress, ReadOptions,
-  Report, Schema, SolveAnswer, SolveRequest, VerifyRequest,
+  Report, Schema, SolveAnswer, SolveRequest, TogetherAnswer, TogetherRequest, VerifyRequest,
 } from "./types.js";
 
 export * from "./types.js";
@@ -24,6 +24,7 @@ export class Giveway {
   change(request: ChangeRequest, waiting?: Waiting): Promise<ChangeAnswer>;
   audit(request: AuditRequest, waiting?: Waiting): Promise<AuditAnswer>;
   plan(request: PlanRequest, waiting?: Waiting): Promise<PlanAnswer>;
+  together(request: TogetherRequest, waiting?: Waiting): Promise<TogetherAnswer>;
   compare(request: CompareRequest, waiting?: Waiting): Promise<Comparison>;
   readFiles(files: Record<string, string>, options?: ReadOptions, waiting?: Waiting): Promise<Files>;
   certify(request: CertifyRequest, waiting?: Waiting): Promise<Report>;

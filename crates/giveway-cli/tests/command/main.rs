@@ -22,3 +22,4 @@ mod planners;
 mod proof;
 mod run;
 mod solve;
+mod traces;

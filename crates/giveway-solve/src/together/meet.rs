@@ -81,9 +81,13 @@ impl Pair<'_> {
             (false, true) => (b, a, MeetingKind::Target { cell }),
             _ => (a, b, MeetingKind::Vertex { cell }),
         };
-        let passes = [a, b].map(|agent| match agent.1.rests(time) {
-            true => pass(agent, cell, agent.1.by),
-            false => pass(agent, cell, time),
+        let passes = [a, b].map(|agent| {
+            let since = if agent.1.rests(time) {
+                agent.1.by
+            } else {
+                time
+            };
+            pass(agent, cell, since)
         });
         Some((meeting([first, second], time, kind), passes.into()))
     }

@@ -21,14 +21,14 @@ const CROSSING: &str = r##"{
 }"##;
 
 /// A lane of two cells between two rooms, passed both ways at once.
-const LANE: &str = r##"{
+const LANE: &str = r#"{
     "giveway": 1,
     "map": [".##.", "....", ".##."],
     "agents": [
         { "name": "A", "start": [0, 1], "goal": [3, 1] },
         { "name": "B", "start": [3, 1], "goal": [0, 1] }
     ]
-}"##;
+}"#;
 
 fn scene(text: &str) -> Scene {
     native::read_scene(text).unwrap()
@@ -101,7 +101,7 @@ fn on_time_both_have_to_be_in_the_middle() {
     assert_eq!(
         texts[2..],
         [
-            "A and B join the proof: they get in others' way.",
+            "A and B join the proof: they get in each other's way.",
             "No plan has less than sum of costs 5.",
             "Plan and bound meet: sum of costs 5. No plan is better.",
         ]
@@ -147,6 +147,29 @@ fn in_a_lane_they_swap() {
     assert_eq!(meeting.kind, MeetingKind::Swap { edge });
     assert_eq!(meeting.time, 1);
     assert_eq!(answer.passes.len(), 4);
+    assert_eq!(answer.alone.unwrap().refuted, Some(true));
+}
+
+/// The step that `docs/trace.md` looks at.
+#[test]
+fn who_leaves_a_bay_swaps_with_who_comes_in() {
+    let door = r#"{
+        "giveway": 1,
+        "map": ["...#.", ".....", ".##.."],
+        "agents": [
+            { "name": "A", "start": [0, 2], "goal": [2, 0] },
+            { "name": "B", "start": [0, 1], "goal": [0, 2] },
+            { "name": "C", "start": [4, 2], "goal": [0, 1] }
+        ]
+    }"#;
+    let both = [limit("A", 4, 4), limit("B", 1, 1)];
+    let answer = told(request(door, Cost::SumOfCosts, &both));
+    let meetings = serde_json::to_value(&answer.meetings).unwrap();
+    let edge = json!([[0, 2], [0, 1]]);
+    assert_eq!(
+        meetings,
+        json!([{ "agents": ["A", "B"], "time": 0, "kind": "swap", "edge": edge }])
+    );
     assert_eq!(answer.alone.unwrap().refuted, Some(true));
 }
 

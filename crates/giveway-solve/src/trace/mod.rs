@@ -4,6 +4,8 @@
 mod core;
 mod event;
 mod recorder;
+#[cfg(test)]
+mod tests;
 pub mod words;
 
 pub use core::{AgentLeast, AgentLimit, Condition, Core, EarlierCore, Literals, Together};

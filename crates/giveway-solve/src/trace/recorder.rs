@@ -62,6 +62,9 @@ pub(crate) struct Recorder {
     /// How many of the first events and of the last are kept.
     kept: (usize, usize),
     count: Cell<u64>,
+    /// Conflicts of the SAT solver in the whole search, whichever part of its budget
+    /// they are spent of, and whoever writes an event down.
+    conflicts: Cell<u64>,
     /// The costs of which it is told what each agent needs alone.
     alone: RefCell<BTreeSet<Cost>>,
     first: RefCell<Vec<TraceEvent>>,
@@ -78,6 +81,7 @@ impl Recorder {
             objective,
             kept: (SearchTrace::FIRST, SearchTrace::LAST),
             count: Cell::new(0),
+            conflicts: Cell::new(0),
             alone: RefCell::new(BTreeSet::new()),
             first: RefCell::new(Vec::new()),
             last: RefCell::new(Vec::new()),
@@ -107,13 +111,18 @@ impl Recorder {
         self.count.get()
     }
 
+    /// Counts conflicts of the SAT solver.
+    pub(crate) fn count_conflicts(&self, conflicts: u64) {
+        self.conflicts.set(self.conflicts.get() + conflicts);
+    }
+
     /// Writes an event down: its number.
-    pub(crate) fn record(&self, conflicts: u64, event: SearchEvent) -> u64 {
+    pub(crate) fn record(&self, event: SearchEvent) -> u64 {
         let number = self.count.get();
         self.count.set(number + 1);
         let event = TraceEvent {
             number,
-            conflicts,
+            conflicts: self.conflicts.get(),
             text: words::sentence(&self.objective, &event),
             event,
         };

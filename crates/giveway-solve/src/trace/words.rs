@@ -78,7 +78,10 @@ pub fn claim(core: &Core) -> String {
         Some(together) if !is_core || is_long(core) => {
             need(core.cost, &together.agents, together.more)
         }
-        _ => cannot_keep(core.cost, &core.limits),
+        _ => match core.limits.as_slice() {
+            [limit] => cannot_alone(core, limit),
+            limits => cannot_keep(core.cost, limits),
+        },
     }
 }
 
@@ -161,7 +164,43 @@ fn entered(agents: &[Entrant]) -> String {
             one.agent,
             in_a_row(&one.with)
         ),
-        _ => format!("{} join the proof: they get in others' way.", who(&names)),
+        _ => {
+            let with = agents.iter().flat_map(|agent| &agent.with);
+            let is_among = |name: &String| names.contains(&name.as_str());
+            let whose = if with.into_iter().all(is_among) {
+                "each other's"
+            } else {
+                "others'"
+            };
+            format!("{} join the proof: they get in {whose} way.", who(&names))
+        }
+    }
+}
+
+/// `A3 cannot be on time: other robots are in its way.`
+fn cannot_alone(core: &Core, limit: &AgentLimit) -> String {
+    let AgentLimit {
+        agent,
+        least,
+        at_most,
+    } = limit;
+    let late = at_most.saturating_sub(*least);
+    let cannot = match (core.cost, late) {
+        (Cost::Makespan, _) => format!("{agent} cannot arrive by time {at_most}"),
+        (Cost::SumOfCosts, 0) => format!("{agent} cannot be on time"),
+        (Cost::SumOfCosts, late) => {
+            format!("{agent} is at least {} late", count(late + 1, "step"))
+        }
+        (Cost::Waits, 0) => format!("{agent} cannot do without waiting"),
+        (cost, _) => format!("{agent} needs more than {}", value(cost, *at_most)),
+    };
+    // Alone it could, among all plans; among others that may be the reason.
+    let plans = &core.condition;
+    let are_all = plans.given.is_empty() && plans.at_most.is_none() && plans.within.is_none();
+    if are_all && at_most >= least {
+        format!("{cannot}: other robots are in its way.")
+    } else {
+        format!("{cannot}.")
     }
 }
 
@@ -169,7 +208,6 @@ fn entered(agents: &[Entrant]) -> String {
 fn cannot_keep(cost: Cost, limits: &[AgentLimit]) -> String {
     let names: Vec<&str> = limits.iter().map(|limit| limit.agent.as_str()).collect();
     let all = match limits.len() {
-        1 => "",
         2 => "both ",
         _ => "all ",
     };
@@ -189,10 +227,6 @@ fn cannot_keep(cost: Cost, limits: &[AgentLimit]) -> String {
         (Some(0), Cost::SumOfCosts) => format!("{who} cannot {all}be on time."),
         (Some(0), Cost::Waits) => format!("{who} cannot {all}do without waiting."),
         (Some(0), _) => format!("{who} cannot {all}have as few {} as alone.", cost.name()),
-        (Some(more), Cost::SumOfCosts) if limits.len() == 1 => {
-            let steps = count(more, "step");
-            format!("{who} must be more than {steps} late.")
-        }
         (Some(more), Cost::SumOfCosts) => {
             let steps = count(more, "step");
             format!("{who} cannot {all}be at most {steps} late.")
@@ -217,13 +251,11 @@ fn one_by_one(cost: Cost, limits: &[AgentLimit]) -> String {
             }
         })
         .collect();
-    match parts.as_slice() {
-        [one] => format!("This is not possible: {one}."),
-        parts => format!("This is not possible together: {}.", and(parts)),
-    }
+    format!("This is not possible together: {}.", and(&parts))
 }
 
-/// `Six robots need 6 late steps together; 5 are not enough.`
+/// `Six robots need 6 late steps together; 5 are not enough.` `A1 and A2 need at least 1
+/// late step together.`
 fn need(cost: Cost, agents: &[AgentLeast], more: u32) -> String {
     let names: Vec<&str> = agents.iter().map(|agent| agent.agent.as_str()).collect();
     let (needs, together) = match names.as_slice() {
@@ -234,9 +266,12 @@ fn need(cost: Cost, agents: &[AgentLeast], more: u32) -> String {
         Cost::Makespan | Cost::SumOfCosts => count(more, "late step"),
         cost => format!("{} more than alone", value(cost, more)),
     };
-    let less = more.saturating_sub(1);
-    let are = if less == 1 { "is" } else { "are" };
     let who = who(&names);
+    let less = match more {
+        0 | 1 => return format!("{who} {needs} at least {what}{together}."),
+        more => more - 1,
+    };
+    let are = if less == 1 { "is" } else { "are" };
     format!("{who} {needs} {what}{together}; {less} {are} not enough.")
 }
 
