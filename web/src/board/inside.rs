@@ -93,7 +93,11 @@ fn meeting(meeting: &Meeting, scale: f64, ring: f64) -> Html {
     let (x, y) = meeting.at;
     let width = wide(&meeting.text) + 6.0;
     let aside = ring + 8.0 + width * scale / 2.0;
-    let u = if meeting.is_left { x - aside } else { x + aside };
+    let u = if meeting.is_left {
+        x - aside
+    } else {
+        x + aside
+    };
     html! {
         <>
             <circle class="meetring" cx={x.to_string()} cy={y.to_string()} r={ring.to_string()} />
@@ -109,7 +113,11 @@ fn meeting(meeting: &Meeting, scale: f64, ring: f64) -> Html {
 fn stuck_label(x: u32, y: u32, text: &str, scale: f64) -> Html {
     let middle = f64::from(x) * 100.0 + 50.0;
     let up = 17.0 * scale + 3.0;
-    let at = if y == 0 { CELL + up } else { f64::from(y) * CELL - up };
+    let at = if y == 0 {
+        CELL + up
+    } else {
+        f64::from(y) * CELL - up
+    };
     let width = wide(text) + 6.0;
     html! {
         <g class="stuck-at" transform={format!("translate({middle} {at}) scale({scale})")}>

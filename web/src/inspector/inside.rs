@@ -1,7 +1,7 @@
 //! What the column says of a step of how the plan was found.
 
-use giveway_page::{Action, files};
 use giveway_page::inside::{Button, Choice, Column, Fact, InsideAction, Listed, OrderRow, Verdict};
+use giveway_page::{Action, files};
 use yew::prelude::*;
 
 use crate::{Shown, glyph, icon};
@@ -146,7 +146,11 @@ pub(super) fn foot(column: &Column, send: &Callback<Action>) -> Html {
         return html! {};
     }
     let one = |button: &Button| {
-        let class = if button.is_primary { "primary" } else { "outline" };
+        let class = if button.is_primary {
+            "primary"
+        } else {
+            "outline"
+        };
         let press = button.action.map(|action| act(action, send));
         html! {
             <button type="button" class={classes!("btn", class)} aria-disabled={button.action.is_none().then_some("true")} onclick={press}>

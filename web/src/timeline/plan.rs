@@ -77,7 +77,10 @@ pub(super) fn Plan(props: &PlanProps) -> Html {
         .mode
         .steering()
         .map_or(0, |own| Steering::time(own));
-    let stop = notes.iter().flat_map(|notes| notes.iter()).find_map(|note| note.stop.as_ref());
+    let stop = notes
+        .iter()
+        .flat_map(|notes| notes.iter())
+        .find_map(|note| note.stop.as_ref());
     let stop = stop.map_or(0, |stop| stop.time + stop.room());
     let extent = Extent {
         last: answer.makespan().max(last).max(led).max(stop),

@@ -33,8 +33,8 @@ pub use minimap::{Minimap, dots};
 pub use names::{CellNames, Window};
 pub use occupied::Occupied;
 pub(crate) use place::place_of;
-pub(crate) use shade::shade;
 pub use reasons::{Later, Place, Reasons, Spot, Try, reasons};
+pub(crate) use shade::shade;
 pub use track::{Badge, Charge, Pose, Track};
 pub use way::{Way, WayEnds};
 

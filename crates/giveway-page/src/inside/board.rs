@@ -135,7 +135,9 @@ fn bans(state: &State, tree: &TreeRun) -> Vec<Ban> {
         let Some(mut ban) = ban(state, constraint) else {
             continue;
         };
-        let same = bans.iter().filter(|other| other.cell == ban.cell && other.line == ban.line);
+        let same = bans
+            .iter()
+            .filter(|other| other.cell == ban.cell && other.line == ban.line);
         let count = same.count();
         // Labels of one place stand below each other.
         ban.label.1 += 38.0 * count as f64;
@@ -208,8 +210,8 @@ fn in_order(overlay: &mut Overlay, state: &State) {
         return;
     };
     let shown = run.told.order.iter().take(at);
-    overlay.lit = (at < run.told.order.len())
-        .then(|| shown.filter_map(|name| index(state, name)).collect());
+    overlay.lit =
+        (at < run.told.order.len()).then(|| shown.filter_map(|name| index(state, name)).collect());
     let end = run.told.furthest.last().copied().flatten();
     if let Some(cell) = end.filter(|_| at > run.told.planned.len()) {
         let last = run.told.furthest.len() - 1;

@@ -27,7 +27,9 @@ pub fn legend(state: &State, overlay: &Overlay) -> Option<Vec<Sign>> {
     let mut signs = Vec::new();
     for (index, shade) in overlay.shades.iter().take(2).enumerate() {
         let agents = state.document.agents();
-        let name = agents.get(shade.agent).map_or("", |agent| agent.name.as_str());
+        let name = agents
+            .get(shade.agent)
+            .map_or("", |agent| agent.name.as_str());
         signs.push(Sign {
             class: "k-reach",
             agent: Some(shade.agent),

@@ -76,11 +76,7 @@ impl Looked {
     }
 
     /// What is known with an answer more; `answer` is why there is none.
-    pub(crate) fn with(
-        before: Option<&Self>,
-        looking: &Looking,
-        answer: Told,
-    ) -> Self {
+    pub(crate) fn with(before: Option<&Self>, looking: &Looking, answer: Told) -> Self {
         let is_same = |looked: &&Self| {
             Rc::ptr_eq(&looked.draft, &looking.draft) && looked.within == looking.within
         };
@@ -142,14 +138,21 @@ impl Looked {
     /// What was found out about the robots of a step; `None` where that was not asked.
     pub(crate) fn closer(&self, core: &Core) -> Option<&Result<Rc<TogetherAnswer>, String>> {
         let mut closer = self.closer.iter();
-        closer.find(|(other, _)| other == core).map(|(_, told)| told)
+        closer
+            .find(|(other, _)| other == core)
+            .map(|(_, told)| told)
     }
 
     /// The same without what was not answered.
     pub(crate) fn again(&self) -> Self {
         Self {
             tree: self.tree.clone().filter(Result::is_ok),
-            closer: self.closer.iter().filter(|(_, told)| told.is_ok()).cloned().collect(),
+            closer: self
+                .closer
+                .iter()
+                .filter(|(_, told)| told.is_ok())
+                .cloned()
+                .collect(),
             failed: None,
             ..self.clone()
         }

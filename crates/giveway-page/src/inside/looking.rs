@@ -81,7 +81,9 @@ pub(crate) fn wanted(state: &State) -> Option<Looking> {
     }
     let looked = state.looked();
     let what = match state.inside.method {
-        Method::Proof => proof::unknown_core(state).map(|core| What::Together(Box::new(core.clone()))),
+        Method::Proof => {
+            proof::unknown_core(state).map(|core| What::Together(Box::new(core.clone())))
+        }
         Method::Tree => {
             let is_known = looked.is_some_and(|looked| looked.tree.is_some());
             (!is_known).then_some(What::Tree)

@@ -11,9 +11,9 @@ mod legend;
 mod looked;
 mod looking;
 mod node;
+mod nothing;
 mod order;
 mod orders;
-mod nothing;
 mod plan;
 pub(crate) mod proof;
 mod steps;
@@ -32,9 +32,9 @@ pub(crate) use looking::wanted;
 pub use looking::{Looking, What};
 pub use nothing::{Nothing, nothing, said};
 pub use orders::{Note, Stop, notes};
-pub use proof::{Chart, Dot, Kind, ProofRow, Tick, chart, rows};
-pub(crate) use proof::trace as record;
 pub(crate) use plan::{conflict_time, of_node, of_order, two_on_a_cell};
+pub(crate) use proof::trace as record;
+pub use proof::{Chart, Dot, Kind, ProofRow, Tick, chart, rows};
 pub(crate) use steps::place;
 pub use steps::{Steps, steps};
 pub use tree::{Fold, NodeBox, TreeView, view as tree_view};
@@ -120,9 +120,10 @@ impl State {
     /// The plan of the node or the order that is looked at.
     pub(crate) fn inside_plan(&self) -> Option<&Rc<Answer>> {
         let is_other = self.is_inside() && self.inside.method != Method::Proof;
-        self.inside.shown.as_ref().filter(|answer| {
-            is_other && (Rc::ptr_eq(&answer.draft, &self.document.draft))
-        })
+        self.inside
+            .shown
+            .as_ref()
+            .filter(|answer| is_other && (Rc::ptr_eq(&answer.draft, &self.document.draft)))
     }
 
     /// What was found out about the scene on the board.

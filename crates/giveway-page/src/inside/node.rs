@@ -23,7 +23,9 @@ pub(super) fn column(state: &State) -> Option<Column> {
     let mut remark = None;
     if tree.left_out > 0 {
         let count = giveway_model::words::grouped(tree.left_out);
-        remark = Some(format!("{count} more nodes were made; only the first are kept."));
+        remark = Some(format!(
+            "{count} more nodes were made; only the first are kept."
+        ));
     }
     Some(Column {
         over: over(tree, node),
@@ -44,7 +46,12 @@ fn without(why: &str) -> Column {
         over: "CBS".to_owned(),
         title: "No conflict tree".to_owned(),
         remark: Some(why.to_owned()),
-        foot: vec![Button::new("", "Try again", Some(InsideAction::Again), false)],
+        foot: vec![Button::new(
+            "",
+            "Try again",
+            Some(InsideAction::Again),
+            false,
+        )],
         ..Column::default()
     }
 }
@@ -133,7 +140,9 @@ fn verdict(tree: &TreeRun, node: &TreeNode) -> (String, Verdict) {
 /// What all plans below a node keep, the newest first.
 fn constraints(state: &State, tree: &TreeRun, node: &TreeNode) -> Vec<Fact> {
     let line = tree.lineage(node.id);
-    let asked = line.iter().filter_map(|node| Some((node, node.constraint.as_ref()?)));
+    let asked = line
+        .iter()
+        .filter_map(|node| Some((node, node.constraint.as_ref()?)));
     let fact = |(node, constraint): (&&TreeNode, &ToldConstraint)| {
         let parent = node.parent.and_then(|parent| tree.node(parent));
         let who = words::subject(constraint);
@@ -197,7 +206,9 @@ fn best(tree: &TreeRun, node: &TreeNode) -> Option<String> {
 
 fn foot(tree: &TreeRun, node: &TreeNode) -> Vec<Button> {
     let turn = tree.lineage(node.id);
-    let mut opened = turn.iter().filter_map(|n| tree.opened.iter().position(|&id| id == n.id));
+    let mut opened = turn
+        .iter()
+        .filter_map(|n| tree.opened.iter().position(|&id| id == n.id));
     let next = opened.next().and_then(|turn| tree.opened.get(turn + 1));
     vec![
         Button::new("back", "Parent", node.parent.map(InsideAction::Node), false),

@@ -28,7 +28,11 @@ pub fn nothing(state: &State) -> Nothing {
     };
     let cancel = || Some(("Stop", Action::Solve(SolveAction::Cancel)));
     match state.inside.method {
-        _ if !is_ready => say("Nothing to look into yet", "The scene is not complete.", None),
+        _ if !is_ready => say(
+            "Nothing to look into yet",
+            "The scene is not complete.",
+            None,
+        ),
         Method::Proof => without_proof(state),
         Method::Tree if is_looking => say("CBS plans", "Its tree comes when it is done.", cancel()),
         Method::Orders if is_looking => say("One robot plans after the other", "", cancel()),
@@ -59,9 +63,8 @@ fn without_proof(state: &State) -> Nothing {
         };
     }
     let answer = state.document.fresh_answer();
-    let is_final = answer.is_some_and(|answer| {
-        matches!(answer.solved.status, Status::Optimal | Status::Impossible)
-    });
+    let is_final = answer
+        .is_some_and(|answer| matches!(answer.solved.status, Status::Optimal | Status::Impossible));
     if is_final {
         return Nothing {
             title: "No record of this proof was kept",
@@ -93,7 +96,10 @@ pub fn said(state: &State) -> String {
         Method::Tree => None,
         Method::Orders => column::column(state).and_then(|column| {
             let verdict = column.verdict?;
-            Some(format!("{} {}: {}", verdict.word, verdict.beside, verdict.text))
+            Some(format!(
+                "{} {}: {}",
+                verdict.word, verdict.beside, verdict.text
+            ))
         }),
     };
     told.unwrap_or_default()

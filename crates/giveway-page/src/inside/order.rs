@@ -21,7 +21,10 @@ pub(super) fn column(state: &State) -> Option<Column> {
     };
     let rows = looked.orders.iter().enumerate().skip(first).take(LISTED);
     let rows: Vec<OrderRow> = rows.map(|(place, run)| row(state, place, run)).collect();
-    let proved = state.document.fresh_answer().filter(|answer| answer.plan().is_some());
+    let proved = state
+        .document
+        .fresh_answer()
+        .filter(|answer| answer.plan().is_some());
     let note = proved.map(|answer| {
         let objective = &answer.draft.scene().objective;
         let costs = answer.solved.costs.unwrap_or_default();
@@ -36,9 +39,19 @@ pub(super) fn column(state: &State) -> Option<Column> {
         note,
         remark: looked.failed.clone().filter(|_| looked.orders.is_empty()),
         foot: if can_play {
-            vec![Button::new("play", "Play the best plan", Some(InsideAction::PlayPlan), true)]
+            vec![Button::new(
+                "play",
+                "Play the best plan",
+                Some(InsideAction::PlayPlan),
+                true,
+            )]
         } else if looked.failed.is_some() {
-            vec![Button::new("", "Try again", Some(InsideAction::Again), false)]
+            vec![Button::new(
+                "",
+                "Try again",
+                Some(InsideAction::Again),
+                false,
+            )]
         } else {
             Vec::new()
         },
@@ -73,7 +86,11 @@ fn verdict(state: &State, run: &OrderRun) -> Verdict {
 /// `All 6 orders get stuck`.
 fn title(state: &State, looked: &Looked) -> String {
     let count = looked.orders.len();
-    let stuck = looked.orders.iter().filter(|run| run.told.stuck.is_some()).count();
+    let stuck = looked
+        .orders
+        .iter()
+        .filter(|run| run.told.stuck.is_some())
+        .count();
     match all_orders(state.document.agents().len()) {
         Some(all) if count < all => format!("{count} of {all} orders"),
         Some(1) if stuck == 0 => "There is one order, and it works".to_owned(),
@@ -86,7 +103,11 @@ fn title(state: &State, looked: &Looked) -> String {
 }
 
 fn row(state: &State, place: usize, run: &OrderRun) -> OrderRow {
-    let agents = run.told.order.iter().map(|name| (index(state, name), name.clone()));
+    let agents = run
+        .told
+        .order
+        .iter()
+        .map(|name| (index(state, name), name.clone()));
     let objective = state.document.draft.scene().objective.costs().first();
     OrderRow {
         agents: agents.collect(),

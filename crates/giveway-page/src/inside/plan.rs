@@ -69,7 +69,13 @@ pub(crate) fn of_order(draft: &Rc<Draft>, run: &OrderRun, robots: usize) -> Rc<A
     for (name, path) in planned.chain(stuck).take(robots) {
         plan.paths.insert(name.clone(), path.clone());
     }
-    let arrived: Vec<&String> = run.told.planned.iter().take(robots).map(|own| &own.agent).collect();
+    let arrived: Vec<&String> = run
+        .told
+        .planned
+        .iter()
+        .take(robots)
+        .map(|own| &own.agent)
+        .collect();
     let mut answer = answer(draft, plan);
     let own = Rc::make_mut(&mut answer);
     for (agent, arrival) in draft.agents().iter().zip(&mut own.arrivals) {

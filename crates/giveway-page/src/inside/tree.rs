@@ -82,9 +82,7 @@ pub fn view(state: &State) -> Option<TreeView> {
     let tree = state.looked()?.tree.as_ref()?.as_ref().ok()?;
     let mut drawn = Drawn::new(state, tree, state.inside.node);
     drawn.add(0, 0, (1, 1));
-    let Drawn {
-        mut view, rows, ..
-    } = drawn;
+    let Drawn { mut view, rows, .. } = drawn;
     let right = view.nodes.iter().map(|node| node.at.0).fold(0.0, f64::max);
     let folds = if view.folds.is_empty() { 0.0 } else { 64.0 };
     view.size = (
@@ -140,7 +138,9 @@ impl<'a> Drawn<'a> {
         let children = self.shown_below(id);
         let slot = self.view.nodes.len();
         let x = MARGIN.0 + depth as f64 * STEP.0;
-        self.view.nodes.push(self.node_box(node, place, !children.is_empty()));
+        self.view
+            .nodes
+            .push(self.node_box(node, place, !children.is_empty()));
         let mut middles = Vec::new();
         let count = children.len();
         // After the root the path may go on further down.
@@ -166,7 +166,10 @@ impl<'a> Drawn<'a> {
             let bend = f64::midpoint(from, to);
             let line = &mut self.view.lines[usize::from(is_on)];
             // Writing to a string cannot fail.
-            let _ = write!(line, "M{from} {middle}C{bend} {middle} {bend} {below} {to} {below}");
+            let _ = write!(
+                line,
+                "M{from} {middle}C{bend} {middle} {bend} {below} {to} {below}"
+            );
         }
         self.view.nodes[slot].at = (x, middle - SIZE.1 / 2.0);
         self.view.nodes[slot].level = depth + 1;
@@ -182,7 +185,12 @@ impl<'a> Drawn<'a> {
             return children.to_vec();
         }
         if id == 0 && self.skipped > 0 {
-            return self.path.get(1 + self.skipped).copied().into_iter().collect();
+            return self
+                .path
+                .get(1 + self.skipped)
+                .copied()
+                .into_iter()
+                .collect();
         }
         if self.path.contains(&id) {
             children.to_vec()
@@ -219,7 +227,9 @@ impl<'a> Drawn<'a> {
         };
         let constraint = node.constraint.as_ref();
         let asks = constraint.map(|constraint| format!(", {}", words::constraint(constraint)));
-        let cost = node.cost.map_or("\u{2013}".to_owned(), |cost| cost.to_string());
+        let cost = node
+            .cost
+            .map_or("\u{2013}".to_owned(), |cost| cost.to_string());
         let said = match &node.fate {
             NodeFate::Split { conflict, .. } => words::conflict(conflict),
             _ => lines.join(" ").trim_end().to_owned(),
@@ -270,7 +280,10 @@ fn sizes(nodes: &[TreeNode]) -> BTreeMap<u64, usize> {
     let mut sizes: BTreeMap<u64, usize> = BTreeMap::new();
     // Children have greater numbers than their parents.
     for node in nodes.iter().rev() {
-        let own = *sizes.entry(node.id).and_modify(|size| *size += 1).or_insert(1);
+        let own = *sizes
+            .entry(node.id)
+            .and_modify(|size| *size += 1)
+            .or_insert(1);
         if let Some(parent) = node.parent {
             *sizes.entry(parent).or_insert(0) += own;
         }

@@ -26,8 +26,12 @@ pub(super) fn ChartSlider(props: &ChartProps) -> Html {
     let seek = {
         let (chart, send) = (chart.clone(), send.clone());
         move |event: &PointerEvent| {
-            let Some(place) = event.current_target() else { return };
-            let Ok(place) = place.dyn_into::<Element>() else { return };
+            let Some(place) = event.current_target() else {
+                return;
+            };
+            let Ok(place) = place.dyn_into::<Element>() else {
+                return;
+            };
             let x = f64::from(event.client_x()) - place.get_bounding_client_rect().left();
             send.emit(Action::Inside(InsideAction::Step(chart.step_at(x))));
         }
@@ -118,7 +122,9 @@ fn picture(chart: &Chart) -> Html {
     // Where the playhead's own figures stand, the name of the line makes way.
     let label = |class: &'static str, y: Option<f64>, words: &'static str| {
         let y = y.filter(|_| x > left + 130.0)?;
-        Some(html! { <text {class} x={(left + 8.0).to_string()} y={y.to_string()}>{ words }</text> })
+        Some(
+            html! { <text {class} x={(left + 8.0).to_string()} y={y.to_string()}>{ words }</text> },
+        )
     };
     html! {
         <svg class="chart" role="img" aria-label={chart.name.clone()} width="100%" height="100%">

@@ -18,8 +18,8 @@ use super::same::Same;
 use super::tabs::Tabs;
 use crate::icon;
 use proof::Proof;
-pub(super) use switch::places;
 use switch::methods;
+pub(super) use switch::places;
 use tree::Tree;
 
 /// How long a step is shown where they follow each other, in milliseconds.
@@ -94,7 +94,11 @@ fn waiting(state: &State, send: &Callback<Action>) -> Html {
 /// The buttons that step, and which step it is.
 fn keys(state: &State, send: &Callback<Action>) -> Html {
     let steps = steps(state);
-    let button = |icon: &'static str, name: &'static str, key: &str, action: InsideAction, on: bool| {
+    let button = |icon: &'static str,
+                  name: &'static str,
+                  key: &str,
+                  action: InsideAction,
+                  on: bool| {
         html! {
             <button type="button" class="btn ghost round" title={format!("{name} ({key})")} disabled={!on}
                 onclick={send.reform(move |_| Action::Inside(action))}>
@@ -105,7 +109,11 @@ fn keys(state: &State, send: &Callback<Action>) -> Html {
     let before = steps.as_ref().is_some_and(|steps| steps.has_before);
     let after = steps.as_ref().is_some_and(|steps| steps.has_after);
     let is_playing = steps.as_ref().is_some_and(|steps| steps.is_playing);
-    let (icon, name) = if is_playing { ("pause", "Pause") } else { ("play", "Play") };
+    let (icon, name) = if is_playing {
+        ("pause", "Pause")
+    } else {
+        ("play", "Play")
+    };
     let play = send.reform(move |_| Action::Inside(InsideAction::Play(!is_playing)));
     html! {
         <>

@@ -3,9 +3,9 @@
 use std::ops::Range;
 use std::rc::Rc;
 
+use giveway_page::Action;
 use giveway_page::inside::{InsideAction, Kind, ProofRow, chart, rows};
 use giveway_page::timeline::whole;
-use giveway_page::Action;
 use wasm_bindgen::JsCast;
 use wasm_bindgen::closure::Closure;
 use web_sys::{Element, HtmlElement, ResizeObserver};
@@ -105,7 +105,10 @@ pub(super) fn Proof(props: &DockProps) -> Html {
             let Some((at, list)) = chosen.zip(list.cast::<Element>()) else {
                 return;
             };
-            let (top, high) = (f64::from(list.scroll_top()), f64::from(list.client_height()));
+            let (top, high) = (
+                f64::from(list.scroll_top()),
+                f64::from(list.client_height()),
+            );
             let is_at_end = top + high + row * 2.0 >= rows as f64 * row;
             if before == Some(at) || (count != rows && !is_at_end && before.is_some()) {
                 return;

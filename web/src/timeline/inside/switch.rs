@@ -78,7 +78,9 @@ pub(in crate::timeline) fn places(state: &State, send: &Callback<Action>) -> Htm
 
 /// The methods.
 pub(super) fn methods(state: &State, send: &Callback<Action>) -> Html {
-    let chosen = Method::ALL.iter().position(|method| *method == state.inside.method);
+    let chosen = Method::ALL
+        .iter()
+        .position(|method| *method == state.inside.method);
     let choose = send.reform(|index: usize| {
         let method = Method::ALL.get(index).copied().unwrap_or_default();
         Action::Inside(InsideAction::By(method))

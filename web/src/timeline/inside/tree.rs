@@ -1,8 +1,8 @@
 //! The constraint tree: an SVG whose nodes are the items of a tree.
 
+use giveway_page::Action;
 use giveway_page::form;
 use giveway_page::inside::{Fold, InsideAction, NodeBox, TreeView};
-use giveway_page::Action;
 use web_sys::Element;
 use yew::prelude::*;
 
@@ -95,7 +95,9 @@ fn towards(view: &TreeView, key: &str) -> Option<u64> {
     let at = view.nodes.iter().position(|node| node.is_chosen)?;
     let level = view.nodes.get(at)?.level;
     let to = match key {
-        "ArrowLeft" => view.nodes[..at].iter().rposition(|node| node.level < level)?,
+        "ArrowLeft" => view.nodes[..at]
+            .iter()
+            .rposition(|node| node.level < level)?,
         "ArrowRight" => {
             let next = view.nodes.get(at + 1)?;
             (next.level > level).then_some(at + 1)?

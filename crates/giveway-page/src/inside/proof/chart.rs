@@ -85,7 +85,11 @@ pub fn chart(state: &State, (width, height): (f64, f64)) -> Option<Chart> {
     let last = last.map_or(known.len() - 1, |after| at + after - 1);
     let part = &known[first..=last];
 
-    let values = || part.iter().flat_map(|known| [known.bound, known.best]).flatten();
+    let values = || {
+        part.iter()
+            .flat_map(|known| [known.bound, known.best])
+            .flatten()
+    };
     let (low, high) = (values().min()?, values().max()?);
     let (left, right, top, bottom) = (MARGIN.0, width - MARGIN.1, MARGIN.2, height - MARGIN.3);
     let x = |step: usize| {
@@ -139,8 +143,12 @@ pub fn chart(state: &State, (width, height): (f64, f64)) -> Option<Chart> {
         dots: [dot(now.bound), dot(now.best)],
         seal: met.map(|value| (x(last), y(value))),
         names: [
-            part.iter().find_map(|known| known.bound).map(|value| y(value) + 17.0),
-            part.iter().find_map(|known| known.best).map(|value| y(value) - 8.0),
+            part.iter()
+                .find_map(|known| known.bound)
+                .map(|value| y(value) + 17.0),
+            part.iter()
+                .find_map(|known| known.best)
+                .map(|value| y(value) - 8.0),
         ],
         steps: (first, last),
         across_from: (left, right),
@@ -148,12 +156,7 @@ pub fn chart(state: &State, (width, height): (f64, f64)) -> Option<Chart> {
 }
 
 /// The gap between both lines, from where both are known.
-fn gap(
-    part: &[Known],
-    first: usize,
-    x: impl Fn(usize) -> f64,
-    y: impl Fn(u32) -> f64,
-) -> String {
+fn gap(part: &[Known], first: usize, x: impl Fn(usize) -> f64, y: impl Fn(u32) -> f64) -> String {
     let both = (first..).zip(part);
     let both = both.filter_map(|(step, known)| Some((x(step), known.bound?, known.best?)));
     let both: Vec<(f64, u32, u32)> = both.collect();
@@ -192,17 +195,17 @@ fn across(low: u32, high: u32, y: impl Fn(u32) -> f64) -> Vec<Tick> {
     if values.last().is_some_and(|&last| high - last > every / 2) {
         values.push(high);
     }
-    values.into_iter().map(|value| Tick { at: y(value), value }).collect()
+    values
+        .into_iter()
+        .map(|value| Tick {
+            at: y(value),
+            value,
+        })
+        .collect()
 }
 
 /// The numbers of steps, as many as fit; not where the chosen one stands.
-fn below(
-    first: usize,
-    last: usize,
-    at: usize,
-    x: impl Fn(usize) -> f64,
-    room: f64,
-) -> Vec<Tick> {
+fn below(first: usize, last: usize, at: usize, x: impl Fn(usize) -> f64, room: f64) -> Vec<Tick> {
     let fits = whole(room / 44.0).max(1) as usize;
     let every = (last - first).div_ceil(fits).max(1);
     let steps = (first..=last).step_by(every);

@@ -83,6 +83,9 @@ pub(super) fn keep(cost: Cost, limit: &AgentLimit) -> String {
         (Cost::SumOfCosts, 1) => "be at most 1 step late".to_owned(),
         (Cost::SumOfCosts, more) => format!("be at most {more} steps late"),
         (Cost::Waits, 0) => "do without waiting".to_owned(),
-        (cost, _) => format!("do with {}", giveway_model::words::value(cost, limit.at_most)),
+        (cost, _) => format!(
+            "do with {}",
+            giveway_model::words::value(cost, limit.at_most)
+        ),
     }
 }

@@ -22,7 +22,10 @@ pub(crate) fn column(state: &State) -> Option<Column> {
     let mut column = Column {
         over: match alone(state) {
             Some((view, _)) => {
-                let names: Vec<String> = limits(&view.core).into_iter().map(|own| own.agent).collect();
+                let names: Vec<String> = limits(&view.core)
+                    .into_iter()
+                    .map(|own| own.agent)
+                    .collect();
                 format!("{} alone: step {at} of {last}", and(&names))
             }
             None => format!("Step {at} of {last}"),
@@ -115,7 +118,10 @@ fn closer(state: &State, column: &mut Column) {
         return;
     };
     column.why = why(core, told);
-    let proof = told.alone.as_ref().and_then(|alone| alone.solved.trace.as_ref());
+    let proof = told
+        .alone
+        .as_ref()
+        .and_then(|alone| alone.solved.trace.as_ref());
     if let Some(proof) = proof.filter(|_| view_alone(state).is_some()) {
         let last = super::steps(proof).count().saturating_sub(1);
         let last = u32::try_from(last).unwrap_or(u32::MAX);
@@ -199,7 +205,12 @@ fn foot(state: &State, event: &TraceEvent, at: usize, last: usize) -> Vec<Button
     let step = Button::new("", "Next step", next, true);
     if alone(state).is_some() {
         let back = |is_primary| {
-            Button::new("back", "All robots again", Some(InsideAction::Alone(false)), is_primary)
+            Button::new(
+                "back",
+                "All robots again",
+                Some(InsideAction::Alone(false)),
+                is_primary,
+            )
         };
         return match next {
             Some(_) => vec![back(false), step],
@@ -207,11 +218,18 @@ fn foot(state: &State, event: &TraceEvent, at: usize, last: usize) -> Vec<Button
         };
     }
     let before = (at > 0).then_some(InsideAction::Back);
-    let can_play = next.is_none() && state.document.fresh_answer().is_some_and(|a| a.plan().is_some());
+    let can_play = next.is_none()
+        && state
+            .document
+            .fresh_answer()
+            .is_some_and(|a| a.plan().is_some());
     let on = match &event.event {
-        SearchEvent::Impossible(_) => {
-            Button::new("", "Why is there no plan?", Some(InsideAction::Reasons), true)
-        }
+        SearchEvent::Impossible(_) => Button::new(
+            "",
+            "Why is there no plan?",
+            Some(InsideAction::Reasons),
+            true,
+        ),
         _ if can_play => Button::new("play", "Play the plan", Some(InsideAction::PlayPlan), true),
         _ => step,
     };

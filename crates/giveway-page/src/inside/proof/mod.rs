@@ -30,7 +30,9 @@ pub(crate) fn trace(state: &State) -> Option<&SearchTrace> {
         return run.trace.as_deref();
     }
     let document = &state.document;
-    let own = document.fresh_answer().and_then(|answer| answer.solved.trace.as_ref());
+    let own = document
+        .fresh_answer()
+        .and_then(|answer| answer.solved.trace.as_ref());
     own.or_else(|| Runs::fresh(document)?.searched()?.solved.trace.as_ref())
 }
 

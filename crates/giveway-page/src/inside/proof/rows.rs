@@ -54,7 +54,12 @@ pub(super) struct Known {
 
 /// What is known after each step.
 pub(super) fn known(trace: &SearchTrace) -> Vec<Known> {
-    let mut cost = trace.objective.costs().first().copied().unwrap_or(Cost::Makespan);
+    let mut cost = trace
+        .objective
+        .costs()
+        .first()
+        .copied()
+        .unwrap_or(Cost::Makespan);
     let mut bounds: BTreeMap<Cost, u32> = BTreeMap::new();
     let mut best: Option<Costs> = None;
     let rise = |bounds: &mut BTreeMap<Cost, u32>, cost: Cost, to: u32| {
@@ -141,12 +146,18 @@ fn figure(trace: &SearchTrace, event: &SearchEvent) -> Option<(&'static str, Str
         SearchEvent::Core(core) => at_least(core.to),
         SearchEvent::Closed { to, .. } => at_least(*to),
         SearchEvent::Plan { costs, .. } => {
-            let values = trace.objective.costs().iter().map(|&cost| costs.get(cost).to_string());
+            let values = trace
+                .objective
+                .costs()
+                .iter()
+                .map(|&cost| costs.get(cost).to_string());
             Some(("plan", values.collect::<Vec<String>>().join(", ")))
         }
         SearchEvent::Met { costs, .. } => {
             let objective = trace.objective.costs().iter();
-            let values = objective.filter_map(|cost| costs.get(cost)).map(ToString::to_string);
+            let values = objective
+                .filter_map(|cost| costs.get(cost))
+                .map(ToString::to_string);
             Some(("", values.collect::<Vec<String>>().join(", ")))
         }
         _ => None,

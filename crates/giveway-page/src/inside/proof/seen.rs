@@ -5,8 +5,8 @@ use giveway_model::Cell;
 use giveway_solve::together::{MeetingKind, MustMeet};
 use giveway_solve::trace::SearchEvent;
 
-use super::closer::{alone, limits, told};
 use super::chosen_event;
+use super::closer::{alone, limits, told};
 use crate::State;
 use crate::board::{CELL, shade};
 use crate::inside::board::{Meeting, Overlay, Shade, between, middle};
@@ -23,12 +23,19 @@ fn lit(state: &State) -> Option<Vec<usize>> {
         SearchEvent::Core(core) => limits(core).into_iter().map(|limit| limit.agent).collect(),
         SearchEvent::Entered { agents } => {
             let with = agents.iter().flat_map(|agent| agent.with.iter().cloned());
-            agents.iter().map(|agent| agent.agent.clone()).chain(with).collect()
+            agents
+                .iter()
+                .map(|agent| agent.agent.clone())
+                .chain(with)
+                .collect()
         }
         SearchEvent::Impossible(cannot) if !cannot.agents.is_empty() => cannot.agents.clone(),
         _ => {
             let (view, _) = alone(state)?;
-            limits(&view.core).into_iter().map(|limit| limit.agent).collect()
+            limits(&view.core)
+                .into_iter()
+                .map(|limit| limit.agent)
+                .collect()
         }
     };
     Some(names.iter().filter_map(|name| index(state, name)).collect())
@@ -42,7 +49,10 @@ pub(crate) fn overlay(overlay: &mut Overlay, state: &State) {
     };
     let grid = state.document.draft.grid();
     let size = (grid.width(), grid.height());
-    let regions = told.regions.iter().filter(|region| !region.cells.is_empty());
+    let regions = told
+        .regions
+        .iter()
+        .filter(|region| !region.cells.is_empty());
     for region in regions.take(SHADES) {
         let Some(agent) = index(state, &region.agent) else {
             continue;

@@ -34,9 +34,7 @@ impl Solving {
                     trace.push(event);
                 }
             }
-            Progress::Size { .. }
-            | Progress::Explained { .. }
-            | Progress::Certifying { .. } => {}
+            Progress::Size { .. } | Progress::Explained { .. } | Progress::Certifying { .. } => {}
         }
     }
 

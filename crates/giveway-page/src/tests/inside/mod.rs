@@ -7,7 +7,6 @@ mod tree;
 
 use giveway_model::format::native;
 use giveway_model::{Agent, Cell, Cost, Objective, Scene};
-use giveway_solve::Limits;
 
 use super::{answered, saying};
 use crate::inside::{
@@ -56,7 +55,9 @@ fn crossing() -> State {
 
 /// Three robots in a corridor with one bay: whoever goes first blocks another one.
 fn last_in() -> State {
-    State::new(draft(include_str!("../../../../../static/examples/last-in.json")))
+    State::new(draft(include_str!(
+        "../../../../../static/examples/last-in.json"
+    )))
 }
 
 const SOLVE: Action = Action::Solve(SolveAction::Solve);
@@ -98,7 +99,10 @@ fn it_opens_in_the_place_of_the_lanes_and_closes() {
 
 #[test]
 fn the_best_plan_is_played_from_its_end() {
-    let state = inside(&solved(&crossing()), [InsideAction::Show(true), InsideAction::Last]);
+    let state = inside(
+        &solved(&crossing()),
+        [InsideAction::Show(true), InsideAction::Last],
+    );
     let button = shown(&state).foot.pop().unwrap();
     assert_eq!((button.text, button.is_primary), ("Play the plan", true));
     let playing = inside(&state, [button.action.unwrap()]);
@@ -130,7 +134,10 @@ fn an_answer_without_a_record_says_so() {
 #[test]
 fn what_was_chosen_is_said_to_those_who_listen() {
     let state = inside(&solved(&crossing()), [InsideAction::Show(true)]);
-    assert_eq!(said(&state), "Each robot alone, by its fastest way: at least 4");
+    assert_eq!(
+        said(&state),
+        "Each robot alone, by its fastest way: at least 4"
+    );
     assert_eq!(said(&inside(&state, [InsideAction::Show(false)])), "");
 }
 

@@ -2,7 +2,7 @@
 
 use std::cell::RefCell;
 
-use giveway_solve::{Host, Progress, SilentHost, serve};
+use giveway_solve::{Host, Progress, serve};
 
 use super::*;
 use crate::inside::{Kind, chart, rows};
@@ -37,14 +37,23 @@ fn it_is_told_from_the_bounds_alone_to_the_end() {
     let state = open();
     let told = texts(&state);
     assert_eq!(told[0], "Each robot alone, by its fastest way");
-    assert!(told.contains(&"A and B cannot both be on time".to_owned()), "{told:?}");
+    assert!(
+        told.contains(&"A and B cannot both be on time".to_owned()),
+        "{told:?}"
+    );
     assert_eq!(
         told.last().unwrap(),
         "Plan and bound meet: sum of costs 5, makespan 3. No plan is better"
     );
     let (all, count) = rows(&state, &(0..100));
     assert_eq!(all.len(), count);
-    assert_eq!(all.iter().filter(|row| row.is_chosen).map(|row| row.number).sum::<usize>(), 0);
+    assert_eq!(
+        all.iter()
+            .filter(|row| row.is_chosen)
+            .map(|row| row.number)
+            .sum::<usize>(),
+        0
+    );
     assert_eq!(all.last().unwrap().kind, Kind::End);
     // Only what is seen is made.
     let (some, of) = rows(&state, &(1..3));
@@ -83,7 +92,10 @@ fn keys_step_through_it() {
     let end = press(&next, "End");
     assert_eq!(at(&end), (count - 1).to_string());
     assert_eq!(at(&press(&end, "Home")), "0");
-    assert_eq!(end.view.playback, state.view.playback, "the plan stands still");
+    assert_eq!(
+        end.view.playback, state.view.playback,
+        "the plan stands still"
+    );
 }
 
 #[test]
@@ -120,6 +132,21 @@ impl Host for Ear {
     }
 }
 
+/// Somebody who stops at once.
+struct Stopping;
+
+impl Host for Stopping {
+    fn wall_seconds(&self) -> f64 {
+        0.0
+    }
+
+    fn cancelled(&self) -> bool {
+        true
+    }
+
+    fn progress(&self, _: &Progress) {}
+}
+
 #[test]
 fn it_grows_while_the_search_goes_on_and_follows_its_end() {
     let mut state = inside(&after(&crossing(), [SOLVE]), [InsideAction::Show(true)]);
@@ -128,17 +155,30 @@ fn it_grows_while_the_search_goes_on_and_follows_its_end() {
     let response = Box::new(serve(&request, &ear));
     let mut counts = Vec::new();
     let events: Vec<Progress> = ear.0.into_inner();
-    assert!(events.iter().any(|event| matches!(event, Progress::Traced { .. })));
+    assert!(
+        events
+            .iter()
+            .any(|event| matches!(event, Progress::Traced { .. }))
+    );
     for event in events {
-        state = after(&state, [Action::Solve(SolveAction::Progress { job, event })]);
+        state = after(
+            &state,
+            [Action::Solve(SolveAction::Progress { job, event })],
+        );
         let (told, count) = rows(&state, &(0..100));
-        assert!(told.last().is_none_or(|last| last.is_chosen), "it follows the end");
+        assert!(
+            told.last().is_none_or(|last| last.is_chosen),
+            "it follows the end"
+        );
         assert_eq!(overlay(&state).shades, [], "the worker is busy");
         counts.push(count);
     }
     assert!(counts.is_sorted() && counts.last() > Some(&1), "{counts:?}");
     let live = texts(&state);
-    let done = after(&state, [Action::Solve(SolveAction::Respond { job, response })]);
+    let done = after(
+        &state,
+        [Action::Solve(SolveAction::Respond { job, response })],
+    );
     let told = texts(&done);
     assert_eq!(told[..live.len()], live, "the record is what was told live");
     assert_eq!(at(&done), (told.len() - 1).to_string());
@@ -153,7 +193,10 @@ fn a_step_that_a_person_chose_stays_while_more_come() {
     let _ = serve(&request, &ear);
     let mut state = state;
     for event in ear.0.into_inner() {
-        state = after(&state, [Action::Solve(SolveAction::Progress { job, event })]);
+        state = after(
+            &state,
+            [Action::Solve(SolveAction::Progress { job, event })],
+        );
         if steps(&state).is_some() {
             state = inside(&state, [InsideAction::Step(0)]);
             assert_eq!(at(&state), "0");
@@ -165,28 +208,24 @@ fn a_step_that_a_person_chose_stays_while_more_come() {
 fn what_was_cut_off_has_no_seal() {
     let state = after(&crossing(), [SOLVE]);
     let (job, request) = state.work.request().unwrap();
-    let giveway_solve::Request::Solve(mut solve) = request else {
-        panic!("it solves");
-    };
-    solve.limits = Limits {
-        conflicts: Some(0),
-        ..Limits::default()
-    };
-    let response = Box::new(serve(&giveway_solve::Request::Solve(solve), &SilentHost));
-    let state = after(&state, [Action::Solve(SolveAction::Respond { job, response })]);
+    let response = Box::new(serve(&request, &Stopping));
+    let state = after(
+        &state,
+        [Action::Solve(SolveAction::Respond { job, response })],
+    );
     let state = inside(&state, [InsideAction::Show(true), InsideAction::Last]);
     let (told, _) = rows(&state, &(0..100));
-    if let Some(last) = told.last() {
-        assert_ne!(last.kind, Kind::End, "{last:?}");
-    }
+    assert_eq!(
+        told.last().map(|last| last.kind),
+        Some(Kind::Stopped),
+        "{told:?}"
+    );
     let drawn = chart(&state, (400.0, 200.0));
     assert!(drawn.is_none_or(|chart| chart.seal.is_none()));
 }
 
 #[test]
 fn no_plan_opens_the_reasons() {
-    let state = solved(&page(&["a..A", "####"], &[Cost::SumOfCosts]));
-    let _ = saying(&state);
     let stuck = solved(&State::new(draft(
         r#"{ "giveway": 1, "map": ["..."], "agents": [
             { "name": "A", "start": [0, 0], "goal": [2, 0] },

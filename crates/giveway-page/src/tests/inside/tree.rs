@@ -1,7 +1,5 @@
 //! The conflict tree of CBS.
 
-use giveway_solve::Response;
-
 use super::*;
 use crate::board::Cast;
 use crate::inside::{TreeView, tree_view};
@@ -21,7 +19,10 @@ fn it_is_asked_for_once_when_it_is_opened() {
     assert!(matches!(asked.work.task(), Some(Task::Look(_))));
     assert_eq!(nothing(&asked).title, "CBS plans");
     let state = settled(&asked);
-    let closed = inside(&state, [InsideAction::Show(false), InsideAction::Show(true)]);
+    let closed = inside(
+        &state,
+        [InsideAction::Show(false), InsideAction::Show(true)],
+    );
     assert!(closed.work.is_idle());
     assert_eq!(view(&closed), view(&state));
 }
@@ -43,7 +44,11 @@ fn nodes_say_their_cost_and_conflict() {
             ("5", "No conflict: / the best plan".to_owned()),
         ]
     );
-    let places: Vec<_> = drawn.nodes.iter().map(|node| (node.level, node.place)).collect();
+    let places: Vec<_> = drawn
+        .nodes
+        .iter()
+        .map(|node| (node.level, node.place))
+        .collect();
     assert_eq!(places, [(1, (1, 1)), (2, (1, 2)), (2, (2, 2))]);
     assert_eq!(drawn.nodes[0].is_expanded, Some(true));
     let column = shown(&state);
@@ -66,7 +71,10 @@ fn the_board_shows_the_plan_of_the_node_at_its_conflict() {
     assert_eq!(shown(&best).verdict.unwrap().word, "The best plan");
     let bans = overlay(&best).bans;
     assert_eq!(bans.len(), 1);
-    assert_eq!((bans[0].cell, bans[0].text.as_str()), (Some(Cell::new(1, 1)), "at 1"));
+    assert_eq!(
+        (bans[0].cell, bans[0].text.as_str()),
+        (Some(Cell::new(1, 1)), "at 1")
+    );
     assert!(bans[0].is_asked);
     let parent = shown(&best).foot[0].action.unwrap();
     assert_eq!(parent, InsideAction::Node(0));
@@ -108,15 +116,16 @@ fn large_trees_fold_what_is_beside_the_path() {
 
 #[test]
 fn why_there_is_none_is_said() {
-    let asked = inside(&crate::sample::solved(), [InsideAction::By(Method::Tree)]);
-    let (job, request) = asked.work.request().unwrap();
-    let response = Box::new(giveway_solve::serve(&request, &giveway_solve::SilentHost));
-    assert!(!matches!(*response, Response::Solved(_)));
-    let state = after(&asked, [Action::Solve(SolveAction::Respond { job, response })]);
+    let asked = inside(&crossing(), [InsideAction::By(Method::Tree)]);
+    let state = after(&asked, [Action::Solve(SolveAction::Cancel)]);
     assert!(state.work.is_idle(), "it is not asked over and over");
     assert_eq!(tree_view(&state), None);
+    assert_eq!(nothing(&state).text, "You stopped it.");
     let column = shown(&state);
-    assert_eq!(column.title, "No conflict tree");
-    let why = column.remark.unwrap();
-    assert!(why.contains("CBS cannot"), "{why}");
+    assert_eq!(
+        (column.title.as_str(), column.remark.as_deref()),
+        ("No conflict tree", Some("You stopped it."))
+    );
+    let again = settled(&inside(&state, [column.foot[0].action.unwrap()]));
+    assert_eq!(view(&again), view(&open(&crossing())));
 }

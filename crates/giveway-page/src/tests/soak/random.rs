@@ -69,7 +69,11 @@ impl Session {
             13 => InsideAction::Alone(n > 1),
             _ => *self
                 .rng
-                .choice(&[InsideAction::Again, InsideAction::Reasons, InsideAction::PlayPlan])
+                .choice(&[
+                    InsideAction::Again,
+                    InsideAction::Reasons,
+                    InsideAction::PlayPlan,
+                ])
                 .unwrap(),
         }
     }

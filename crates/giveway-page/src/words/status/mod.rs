@@ -58,7 +58,10 @@ pub fn standing(state: &State) -> Standing {
     {
         return say(audit::badge(audit), audit::sentence(audit));
     }
-    let task = state.work.task().filter(|task| !matches!(task, Task::Look(_)));
+    let task = state
+        .work
+        .task()
+        .filter(|task| !matches!(task, Task::Look(_)));
     if let Some(task) = task {
         return working(state, task);
     }
