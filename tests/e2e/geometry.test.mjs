@@ -122,7 +122,7 @@ describe("the geometry", () => {
   }, { tabs: ["Step", "How it was proved"] });
   state("the conflict tree", (playground) => look(playground, PILLARS, "Conflict tree"), { tabs: ["Node", "How it was proved"] });
   state("orders of robots", async (playground) => {
-    await playground.example("Last in");
+    await playground.example("Last in, first out");
     await playground.says(/^Optimal: makespan 10/);
     await look(playground, undefined, "One by one");
     await playground.inspector.getByRole("button", { name: /stuck$/ }).last().click();

@@ -137,7 +137,7 @@ describe("how it was proved", () => {
       await look(playground, PILLARS, "Conflict tree");
       const tree = playground.page.getByRole("tree", { name: "Conflict tree" });
       const items = tree.getByRole("treeitem");
-      assert.match(await selected(tree), /^Cost 17: A2 and A3 meet at \(3, 1\) at time 2/);
+      assert.match(await selected(tree), /^Cost 17: A2 and A3 meet, \(3, 1\) at time 2/);
       assert.equal(await items.first().getAttribute("aria-level"), "1");
       await audit(playground, "the tree");
       await playground.picture(`inside-tree-${theme}`);
@@ -150,7 +150,7 @@ describe("how it was proved", () => {
     }, { theme, screens, reducedMotion: "reduce" });
 
     flow(`shows orders of robots (${theme})`, async (playground) => {
-      await playground.example("Last in");
+      await playground.example("Last in, first out");
       await playground.says(/^Optimal: /);
       await openOn(playground, "One by one");
       const { inspector, page } = playground;

@@ -30,6 +30,8 @@ pub(super) fn Tabs(props: &TabsProps) -> Html {
         inside,
         send,
     } = props;
+    // A proof has no plan table.
+    let count = TABS.len() - usize::from(inside.is_some());
     let list = use_node_ref();
     let onkeydown = {
         let (list, send, tab) = (list.clone(), send.clone(), *tab);
@@ -39,10 +41,10 @@ pub(super) fn Tabs(props: &TabsProps) -> Html {
                 .position(|&(other, ..)| other == tab)
                 .unwrap_or(0);
             let to = match event.key().as_str() {
-                "ArrowRight" => (at + 1) % TABS.len(),
-                "ArrowLeft" => (at + TABS.len() - 1) % TABS.len(),
+                "ArrowRight" => (at + 1) % count,
+                "ArrowLeft" => (at + count - 1) % count,
                 "Home" => 0,
-                "End" => TABS.len() - 1,
+                "End" => count - 1,
                 _ => return,
             };
             event.prevent_default();
@@ -75,7 +77,7 @@ pub(super) fn Tabs(props: &TabsProps) -> Html {
     };
     html! {
         <div class="tabs" role="tablist" aria-label="Below the board" ref={list} {onkeydown}>
-            { for TABS.iter().map(one) }
+            { for TABS.iter().take(count).map(one) }
         </div>
     }
 }

@@ -230,18 +230,14 @@ impl<'a> Drawn<'a> {
         let cost = node
             .cost
             .map_or("\u{2013}".to_owned(), |cost| cost.to_string());
-        let said = match &node.fate {
-            NodeFate::Split { conflict, .. } => words::conflict(conflict),
-            _ => lines.join(" ").trim_end().to_owned(),
+        // What is seen is what is said, and a little more.
+        let said = match lines[0].strip_suffix(':') {
+            Some(first) => format!("{first}: {}", lines[1]),
+            None => lines.join(", "),
         };
-        let fate = match node.fate {
-            NodeFate::Open => ", never opened",
-            _ => "",
-        };
-        let what = match node.cost {
-            Some(cost) => format!("Cost {cost}"),
-            None => "No way".to_owned(),
-        };
+        let what = node
+            .cost
+            .map_or_else(String::new, |cost| format!("Cost {cost}: "));
         NodeBox {
             id: node.id,
             at: (0.0, 0.0),
@@ -250,7 +246,7 @@ impl<'a> Drawn<'a> {
             agent: constraint.and_then(|asked| index(self.state, words::subject(asked))),
             class,
             is_chosen,
-            name: format!("{what}: {said}{}{fate}", asks.unwrap_or_default()),
+            name: format!("{what}{said}{}", asks.unwrap_or_default()),
             level: 1,
             place,
             is_expanded: (!self.tree.children(node.id).is_empty()).then_some(has_children),

@@ -136,7 +136,7 @@ fn picture(chart: &Chart) -> Html {
             { label("td", chart.names[1], "Best plan so far") }
             { label("tu", chart.names[0], "Proved: at least") }
             <text class="tt" x={right.to_string()} y="12" text-anchor="end">{ chart.title.clone() }</text>
-            <line class="ph" x1={x.to_string()} x2={x.to_string()} y1="18" y2="100%" />
+            <line class="ph" x1={x.to_string()} x2={x.to_string()} y1="22" y2="100%" />
             { dot(1) }{ dot(0) }
             { for chart.below.iter().map(below) }
             if let Some((x, y)) = chart.seal {

@@ -2,6 +2,8 @@
 
 use giveway_page::inside::{InsideAction, Method};
 use giveway_page::{Action, State};
+use gloo::timers::callback::Timeout;
+use wasm_bindgen::JsCast;
 use web_sys::HtmlElement;
 use yew::prelude::*;
 
@@ -26,9 +28,9 @@ fn Switch(props: &SwitchProps) -> Html {
         chosen,
         choose,
     } = props;
-    let list = use_node_ref();
+    let label = *label;
     let onkeydown = {
-        let (list, choose) = (list.clone(), choose.clone());
+        let choose = choose.clone();
         let (at, count) = (*chosen, names.len());
         move |event: KeyboardEvent| {
             let to = match event.key().as_str() {
@@ -41,14 +43,15 @@ fn Switch(props: &SwitchProps) -> Html {
             event.prevent_default();
             event.stop_propagation();
             choose.emit(to);
-            let list = list.cast::<HtmlElement>();
-            let button = list.and_then(|list| list.children().item(to as u32));
-            if let Some(button) =
-                button.and_then(|button| wasm_bindgen::JsCast::dyn_into::<HtmlElement>(button).ok())
-            {
-                let _ = button.focus();
-            }
+            keep_focus(label);
         }
+    };
+    let choose = {
+        let choose = choose.clone();
+        Callback::from(move |index: usize| {
+            choose.emit(index);
+            keep_focus(label);
+        })
     };
     let one = |(index, name): (usize, &&'static str)| {
         let is_chosen = index == *chosen;
@@ -58,10 +61,24 @@ fn Switch(props: &SwitchProps) -> Html {
         }
     };
     html! {
-        <div class={classes!("seg", *class)} role="tablist" aria-label={*label} ref={list} {onkeydown}>
+        <div class={classes!("seg", *class)} role="tablist" aria-label={label} {onkeydown}>
             { for names.iter().enumerate().map(one) }
         </div>
     }
+}
+
+/// Leaves the focus on the chosen tab of these, though all around it is drawn anew.
+fn keep_focus(label: &'static str) {
+    let focus = move || {
+        let tab = format!("[role=tablist][aria-label=\"{label}\"] [aria-selected=true]");
+        let document = gloo::utils::document();
+        if let Ok(Some(tab)) = document.query_selector(&tab)
+            && let Ok(tab) = tab.dyn_into::<HtmlElement>()
+        {
+            let _ = tab.focus();
+        }
+    };
+    Timeout::new(0, focus).forget();
 }
 
 /// The lanes, or how they were found.

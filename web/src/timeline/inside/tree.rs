@@ -69,15 +69,14 @@ fn node_box(node: &NodeBox, send: &Callback<Action>) -> Html {
             aria-posinset={node.place.0.to_string()} aria-setsize={node.place.1.to_string()}
             aria-selected={node.is_chosen.to_string()} aria-expanded={node.is_expanded.map(|is| is.to_string())} onclick={choose}>
             <rect class="nb" width={width.to_string()} height={height.to_string()} rx="8" />
-            <text class="c" x="14" y="25">{ node.cost.clone() }</text>
-            <text class="t t1" x="44" y="16.5">{ first }</text>
+            <text class="c" x="14" y="25">{ node.cost.clone() }</text>{ " " }
+            <text class="t t1" x="44" y="16.5">{ first }</text>{ " " }
             <text class="t" x="44" y="30.5">{ second }</text>
             if let Some(agent) = node.agent {
                 <g class={form::class(agent)} transform="translate(0 19)">
                     <circle class="cirb" r="8.5" /><g transform="scale(.24)">{ crate::form(agent) }</g>
                 </g>
             }
-            <title>{ node.name.clone() }</title>
         </g>
     }
 }

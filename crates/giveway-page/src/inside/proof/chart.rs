@@ -11,7 +11,7 @@ use crate::timeline::whole;
 use crate::{State, words};
 
 /// Around the lines, in pixels: left, right, above, below.
-const MARGIN: (f64, f64, f64, f64) = (44.0, 18.0, 26.0, 42.0);
+const MARGIN: (f64, f64, f64, f64) = (44.0, 18.0, 42.0, 42.0);
 
 /// The chart, in pixels.
 #[derive(Clone, Debug, Default, PartialEq)]

@@ -142,18 +142,18 @@ fn about(state: &State, event: &TraceEvent, column: &mut Column) {
             column.table = Some(table(state, "What each robot needs alone", *cost, agents));
         }
         SearchEvent::Core(core) => {
-            let own: Vec<AgentLeast> = match &core.together {
-                Some(together) => together.agents.clone(),
-                None => core
-                    .limits
-                    .iter()
-                    .map(|limit| AgentLeast {
-                        agent: limit.agent.clone(),
-                        least: limit.least,
-                    })
-                    .collect(),
-            };
-            column.table = Some(table(state, "The robots of this step", core.cost, &own));
+            let asked = limits(core);
+            let is_on_time = asked.iter().all(|limit| limit.at_most == limit.least);
+            let own = asked.into_iter().map(|limit| AgentLeast {
+                agent: limit.agent,
+                least: limit.at_most,
+            });
+            let own: Vec<AgentLeast> = own.collect();
+            let mut table = table(state, "The robots of this step", core.cost, &own);
+            if !is_on_time {
+                table.columns[0] = "At most";
+            }
+            column.table = Some(table);
             if core.took > 0 {
                 let took = u32::try_from(core.took).unwrap_or(u32::MAX);
                 column.remark = Some(format!(
@@ -173,7 +173,7 @@ fn about(state: &State, event: &TraceEvent, column: &mut Column) {
 }
 
 fn table(state: &State, title: &str, cost: Cost, agents: &[AgentLeast]) -> Listed {
-    let answer = state.document.fresh_answer();
+    let answer = state.document.fresh_answer().or_else(|| state.so_far());
     let arrival = |name: &str| {
         let answer = answer?;
         let agent = index(state, name)?;
