@@ -63,6 +63,7 @@ describe("how it was proved", () => {
     await list.waitFor();
     assert.equal(await focused(playground), "How it was proved");
     await chosen(playground, /^Each robot alone/);
+    await playground.button("Play").focus();
     await playground.key(".", ".");
     await stands(playground, 2);
     await playground.key(",");

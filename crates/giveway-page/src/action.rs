@@ -23,8 +23,7 @@ use crate::{Edit, Fill, Lit, Moment, Notice, Selection, Speed, Tab, Theme, Tool}
 pub enum Action {
     /// Documents come and go.
     File(FileAction),
-    /// An edit that is made beside the board: of the scene, or of the world where
-    /// that changes.
+    /// An edit beside the board: of the scene, or of the world where that changes.
     Edit(Edit),
     /// Takes the last step back.
     Undo,
@@ -32,8 +31,7 @@ pub enum Action {
     Redo,
     /// On the board.
     Board(BoardAction),
-    /// The pointer went on over several cells since the last frame, each as by
-    /// [`BoardAction::Drag`].
+    /// Several cells since the last frame, each as by [`BoardAction::Drag`].
     DragOver(Vec<Cell>),
     /// The solver.
     Solve(SolveAction),

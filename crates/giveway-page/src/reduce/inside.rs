@@ -75,12 +75,12 @@ fn show(state: &mut State, on: bool) {
     state.inside.is_playing = false;
     state.view.playback.playing = false;
     state.view.selection = Selection::Nothing;
+    state.view.tab = Tab::Timeline;
     if on {
         // A proof is told from its beginning; that of a search that goes on, by its end.
         if state.inside.step.is_none() && !proof::is_running(state) {
             state.inside.step = Some(0);
         }
-        state.view.tab = Tab::Timeline;
         state.view.playback.stop_at(0);
     }
     settle(state);

@@ -83,7 +83,7 @@ fn waiting(state: &State, send: &Callback<Action>) -> Html {
         html! { <button type="button" class="btn outline" onclick={press}>{ text }</button> }
     });
     html! {
-        <div class="nil lanes">
+        <div class="nil lanes" id="lanes">
             { icon::show("clock") }
             <p><b>{ nothing.title }</b>{ nothing.text }</p>
             { button }

@@ -41,7 +41,7 @@ pub(super) fn Tree(props: &TreeProps) -> Html {
     let (width, height) = view.size;
     let [lines, on] = view.lines.clone();
     html! {
-        <div class="treew lanes" ref={place}>
+        <div class="treew lanes" id="lanes" ref={place}>
             <svg class="tree" role="tree" aria-label="Conflict tree" tabindex="0" width={width.to_string()} height={height.to_string()}
                 aria-activedescendant={chosen.map(|node| id(node.id))} {onkeydown}>
                 <path class="e" d={lines} role="presentation" />
