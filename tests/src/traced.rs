@@ -154,7 +154,7 @@ impl Replay<'_> {
     fn rise(&mut self, cost: Cost, from: u32, to: u32) {
         let known = self.bounds.get(&cost).copied();
         // After a new beginning it begins with what agents need alone.
-        if known.is_some_and(|known| known != 0 && known != from) || known.is_none() {
+        if known.is_none_or(|known| known != 0 && known != from) {
             self.complain(format!("{cost:?} is {known:?}, but rises from {from}"));
         }
         if to <= from {

@@ -54,6 +54,8 @@ class Answer(Record):
     stats: Stats
     #: Why there is no plan or no proof.
     reason: str | None = optional()
+    #: How it was found and proved, where that was asked for.
+    trace: dict[str, Any] | None = optional()
 
 
 @dataclass(frozen=True)

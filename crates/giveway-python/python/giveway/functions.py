@@ -32,8 +32,9 @@ def _scene(scene: AnyScene) -> Scene | None:
 @overload
 def solve(
     scene: AnyScene, *, objective: Objective | None = None, planner: None = None, within: int | None = None,
-    start: AnyPlan | None = None, time_limit: float | None = None, conflict_limit: int | None = None,
-    memory_limit: int | None = None, on_progress: OnProgress | None = None, should_stop: ShouldStop | None = None,
+    start: AnyPlan | None = None, trace: bool = False, time_limit: float | None = None,
+    conflict_limit: int | None = None, memory_limit: int | None = None, on_progress: OnProgress | None = None,
+    should_stop: ShouldStop | None = None,
 ) -> Answer: ...
 @overload
 def solve(
@@ -61,7 +62,7 @@ def solve(
     request = without_none(scene=data(scene), objective=_objective(objective), within=within)
     request["limits"] = limits(time_limit, conflict_limit, memory_limit)
     if planner is None:
-        request |= without_none(start=start)
+        request |= without_none(start=start, trace=trace)
         solved = call("solve", request, on_progress, should_stop)
         return on(_scene(scene), Answer.from_dict(solved))
     request |= without_none(planner=planner, order=order, trace=trace)

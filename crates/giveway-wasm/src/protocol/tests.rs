@@ -173,9 +173,9 @@ fn plans_of_the_textbook_come_back() {
 
 #[test]
 fn traces_and_their_steps_come_back() {
-    let text = r##"{ "giveway": 1, "map": [".##.", "....", ".##."], "agents": [
+    let text = r#"{ "giveway": 1, "map": [".##.", "....", ".##."], "agents": [
         { "name": "A", "start": [0, 1], "goal": [3, 1] },
-        { "name": "B", "start": [3, 1], "goal": [0, 1] }] }"##;
+        { "name": "B", "start": [3, 1], "goal": [0, 1] }] }"#;
     let scene = native::read_scene(text).unwrap();
     let request = Request::Solve(SolveRequest {
         scene: scene.clone(),
