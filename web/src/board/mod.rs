@@ -127,7 +127,7 @@ pub fn Board(props: &BoardProps) -> Html {
                 { floor::hatch() }
                 { layers(state, &cast, other.as_ref(), &sight, &overlay) }
                 <ReasonMarks {reasons} />
-                <InsideMarks overlay={overlay.clone()} cell_px={frame.cell_px} />
+                <InsideMarks overlay={overlay.clone()} cell_px={frame.cell_px} columns={board.0} />
                 { problems(state) }
                 { ghost::show(state) }
                 <g aria-hidden="true">
