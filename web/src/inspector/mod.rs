@@ -50,7 +50,8 @@ pub fn Inspector(props: &InspectorProps) -> Html {
     html! {
         <aside class={classes!("insp", alone)} id="inspector" aria-label="Inspector">
             if let Some(column) = step {
-                <div class="scroll" key={format!("inside {}", column.title)}>{ inside::show(&column, state, send) }</div>
+                // Where no button is in it, the keyboard scrolls the place itself.
+                <div class="scroll" key={format!("inside {}", column.title)} tabindex={(!column.has_buttons()).then_some("0")}>{ inside::show(&column, state, send) }</div>
                 { inside::foot(&column, send) }
             } else if let Some(card) = ask::card(state) {
                 <div class="scroll">{ answer::show(&card, send) }{ proof::show(state, send) }</div>

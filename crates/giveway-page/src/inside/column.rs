@@ -34,6 +34,13 @@ pub struct Column {
     pub foot: Vec<Button>,
 }
 
+impl Column {
+    /// Whether there is something to press in it, but for what stays at its foot.
+    pub const fn has_buttons(&self) -> bool {
+        self.choices.is_some() || self.orders.is_some() || self.can_export
+    }
+}
+
 /// The colours of a verdict.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Tint {
