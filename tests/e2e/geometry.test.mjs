@@ -206,7 +206,7 @@ async function everywhere(playground, name, tabs, screens) {
     const [width, height] = screen;
     await page.setViewportSize({ width, height });
     await settled(page);
-    const list = page.getByRole("tablist", { name: "Below the board" }).getByRole("tab");
+    const list = page.getByRole("tablist", { name: "Below the board", exact: true }).getByRole("tab");
     const some = await list.count() > 0 ? tabs : [""];
     for (const [t, tab] of some.entries()) {
       if (tab) {
