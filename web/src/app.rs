@@ -87,7 +87,7 @@ pub fn App() -> Html {
     let in_proof = state.is_inside() && state.inside.method == Method::Proof;
     html! {
         <ContextProvider<Clock> context={(*clock).clone()}>
-            <div class={classes!("app", phase_class(&state), is_answering.then_some("answering"), in_proof.then_some("in-proof"))} data-tab={tab(state.view.tab)}>
+            <div class={classes!("app", phase_class(&state), is_answering.then_some("answering"), state.is_inside().then_some("inside"), in_proof.then_some("in-proof"))} data-tab={tab(state.view.tab)}>
                 <TopBar state={settled.clone()} panel={panel.clone()} send={send.clone()}
                     show={show.clone()} />
                 <StatusBar state={settled.clone()} panel={panel.clone()} send={send.clone()}

@@ -50,7 +50,7 @@ pub(super) fn show(column: &Column, state: &Shown, send: &Callback<Action>) -> H
             }
             if let Some(listed) = &column.table { { table(listed) } }
             if let Some(press) = column.can_export.then(|| export.clone()) {
-                <p class="sealed"><button type="button" class="link" onclick={press}>{ "Save this record" }</button></p>
+                <p><button type="button" class="btn outline" onclick={press}>{ icon::show("save") }<span>{ "Save this record" }</span></button></p>
             }
             if let Some(note) = &column.note {
                 <p class="sealed">{ icon::show("proved") }<span>{ note.clone() }</span></p>
