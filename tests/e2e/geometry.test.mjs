@@ -11,6 +11,7 @@ import { adapt, begin, join as joins, running } from "./change.mjs";
 import { root } from "./dist.mjs";
 import { flows, isLong } from "./flow.mjs";
 import { geometry } from "./geometry.mjs";
+import { PILLARS, look } from "./inside.mjs";
 import { lead, rows, steps } from "./steer.mjs";
 
 const PICTURES = join(root, "target/e2e/geometry");
@@ -114,6 +115,18 @@ describe("the geometry", () => {
     await playground.open({ name: "no.json", bytes: Buffer.from("{") });
     await playground.notice.getByRole("button", { name: "Dismiss" }).waitFor();
   });
+  state("a step of the proof", async (playground) => {
+    await look(playground, PILLARS, "Proof");
+    await playground.page.getByRole("button", { name: /cannot both be on time/ }).first().click();
+    await playground.inspector.getByText(/^To be on time/).first().waitFor();
+  }, { tabs: ["Step", "How it was proved"] });
+  state("the conflict tree", (playground) => look(playground, PILLARS, "Conflict tree"), { tabs: ["Node", "How it was proved"] });
+  state("orders of robots", async (playground) => {
+    await playground.example("Last in, first out");
+    await playground.says(/^Optimal: makespan 10/);
+    await look(playground, undefined, "One by one");
+    await playground.inspector.getByRole("button", { name: /stuck$/ }).last().click();
+  }, { tabs: ["Order", "How it was proved"] });
   state("the page inside another", async (playground) => {
     await opening(playground);
     const link = await share(playground);
@@ -193,11 +206,11 @@ async function everywhere(playground, name, tabs, screens) {
     const [width, height] = screen;
     await page.setViewportSize({ width, height });
     await settled(page);
-    const list = page.getByRole("tab");
+    const list = page.getByRole("tablist", { name: "Below the board", exact: true }).getByRole("tab");
     const some = await list.count() > 0 ? tabs : [""];
     for (const [t, tab] of some.entries()) {
       if (tab) {
-        await page.getByRole("tab", { name: tab, exact: true }).evaluate((button) => button.click());
+        await list.filter({ hasText: tab }).evaluate((button) => button.click());
       }
       for (const [f, font] of FONTS.entries()) {
         await put(page, font);

@@ -2,6 +2,7 @@
 
 use std::rc::Rc;
 
+use giveway_page::inside::Method;
 use giveway_page::{Action, Draft, FileAction, Phase, Tab, Tool};
 use yew::prelude::*;
 
@@ -83,9 +84,10 @@ pub fn App() -> Html {
     let is_answering = state.document.mode.asking().is_some();
     // For the places that show nothing of a stroke on its way.
     let settled = state.settled();
+    let in_proof = state.is_inside() && state.inside.method == Method::Proof;
     html! {
         <ContextProvider<Clock> context={(*clock).clone()}>
-            <div class={classes!("app", phase_class(&state), is_answering.then_some("answering"))} data-tab={tab(state.view.tab)}>
+            <div class={classes!("app", phase_class(&state), is_answering.then_some("answering"), state.is_inside().then_some("inside"), in_proof.then_some("in-proof"))} data-tab={tab(state.view.tab)}>
                 <TopBar state={settled.clone()} panel={panel.clone()} send={send.clone()}
                     show={show.clone()} />
                 <StatusBar state={settled.clone()} panel={panel.clone()} send={send.clone()}

@@ -10,6 +10,7 @@ use crate::audit::AuditAction;
 use crate::changing::Choice;
 use crate::files::Opened;
 use crate::find::FindAction;
+use crate::inside::InsideAction;
 use crate::intake::{Save, protocol::Reply};
 use crate::link::Linked;
 use crate::planners::By;
@@ -22,8 +23,7 @@ use crate::{Edit, Fill, Lit, Moment, Notice, Selection, Speed, Tab, Theme, Tool}
 pub enum Action {
     /// Documents come and go.
     File(FileAction),
-    /// An edit that is made beside the board: of the scene, or of the world where
-    /// that changes.
+    /// An edit beside the board: of the scene, or of the world where that changes.
     Edit(Edit),
     /// Takes the last step back.
     Undo,
@@ -31,8 +31,7 @@ pub enum Action {
     Redo,
     /// On the board.
     Board(BoardAction),
-    /// The pointer went on over several cells since the last frame, each as by
-    /// [`BoardAction::Drag`].
+    /// Several cells since the last frame, each as by [`BoardAction::Drag`].
     DragOver(Vec<Cell>),
     /// The solver.
     Solve(SolveAction),
@@ -44,6 +43,8 @@ pub enum Action {
     Steer(Lead),
     /// A plan of elsewhere is judged.
     Audit(AuditAction),
+    /// How the plan was found is looked into.
+    Inside(InsideAction),
     /// A robot is looked for by its name.
     Find(FindAction),
     /// Other people's files come in and go out.

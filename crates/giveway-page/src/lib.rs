@@ -32,6 +32,7 @@ pub mod form;
 pub mod front;
 mod gesture;
 mod history;
+pub mod inside;
 pub mod inspect;
 pub mod intake;
 mod kept;

@@ -44,7 +44,7 @@ impl State {
             Some(Task::Explain(_)) => return Phase::Asking,
             Some(Task::Certify(_)) => return Phase::Checking,
             Some(Task::Change(_)) => return Phase::Adapting,
-            None => {}
+            Some(Task::Look(_)) | None => {}
         }
         match self.document.mode {
             Mode::Changing(_) => return Phase::Changing,

@@ -7,9 +7,11 @@ use giveway_model::{Cost, Costs, Plan, Question};
 use giveway_solve::change::ChangeRequest;
 use giveway_solve::explain::ExplainRequest;
 use giveway_solve::plan::{PlanRequest, Planner};
+use giveway_solve::trace::SearchTrace;
 use giveway_solve::{CertifyRequest, Request, SolveRequest};
 
 use crate::changing::Changing;
+use crate::inside::Looking;
 use crate::{Answer, Document, Draft, Mode};
 
 /// What runs in the worker: at most one job. No two jobs ever have the same
@@ -40,6 +42,8 @@ pub enum Task {
     Certify(Certifying),
     /// Ways to go on are looked for where the world changes.
     Change(Adapting),
+    /// A planner is looked into.
+    Look(Looking),
 }
 
 /// A scene on its way to an answer, and what is known so far.
@@ -59,6 +63,8 @@ pub struct Solving {
     pub best: Option<Costs>,
     /// That plan.
     pub plan: Option<Rc<Plan>>,
+    /// What it told of its steps so far.
+    pub trace: Option<Rc<SearchTrace>>,
     /// The plan that the board shows while the search goes on; a better one may be
     /// known.
     pub preview: Option<Rc<Answer>>,
@@ -215,6 +221,7 @@ impl Task {
             Self::Explain(request) => Request::Explain((**request).clone()),
             Self::Certify(run) => Request::Certify((*run.request).clone()),
             Self::Change(run) => Request::Change((*run.request).clone()),
+            Self::Look(looking) => looking.request(),
         }
     }
 
@@ -239,6 +246,11 @@ impl Task {
                         && document.mode == Mode::Editing
                 }
             },
+            Self::Look(looking) => {
+                Rc::ptr_eq(&looking.draft, &document.draft)
+                    && looking.within == document.within
+                    && document.mode == Mode::Editing
+            }
             Self::Change(run) => {
                 let changing = document.mode.changing();
                 changing.is_some_and(|changing| Rc::ptr_eq(changing, &run.changing))

@@ -715,8 +715,12 @@ export type PlanTrace = { giveway: 1 } & (
     planner: "prioritised";
     orders: {
       order: string[];
-      planned: { agent: string; arrival: number; alone: number; around: string[] }[];
+      planned: { agent: string; arrival: number; alone: number; around: string[]; path?: (Cell | null)[] }[];
       stuck: StuckAgent | null;
+      /** How far the one that is stuck comes. */
+      furthest?: (Cell | null)[];
+      /** Whether no cell is left free for it there. */
+      dead_end?: boolean;
     }[];
   }
   | { planner: "cbs"; nodes: TreeNode[]; left_out: number }
@@ -742,6 +746,8 @@ export interface TreeNode {
   /** Null where a robot cannot keep its constraints. */
   cost: number | null;
   conflicts: number;
+  /** The paths that its parent has not; all of the root. */
+  paths?: Record<string, (Cell | null)[]>;
   fate: "open" | "dead" | "split" | "best";
   /** Which one it was to be taken out of the open list, from 0. */
   turn?: number;

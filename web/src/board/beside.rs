@@ -4,6 +4,7 @@
 use std::rc::Rc;
 
 use giveway_page::board::{Camera, Cast, Window};
+use giveway_page::inside::Overlay;
 use web_sys::KeyboardEvent;
 use yew::prelude::*;
 
@@ -65,7 +66,7 @@ pub(crate) fn Beside(props: &BesideProps) -> Html {
                 aria-rowcount={board.1.to_string()} aria-colcount={board.0.to_string()}
                 aria-activedescendant={cells::id(name, cursor)}
                 viewBox={view_box(&frame)} {onkeydown}>
-                { layers(state, cast, versus.as_ref(), &sight) }
+                { layers(state, cast, versus.as_ref(), &sight, &Overlay::default()) }
                 <Cells
                     of={*name}
                     draft={Rc::clone(state.world())}

@@ -5,11 +5,13 @@ use std::rc::Rc;
 use giveway_model::{Cell, sorting};
 use giveway_page::audit::ahead;
 use giveway_page::board::{Cast, Detail, FloorLook};
+use giveway_page::inside::{Method, Overlay};
 use yew::prelude::*;
 
 use super::agents::Agents;
 use super::axis::Axis;
 use super::floor::FloorShapes;
+use super::inside::InsideFloor;
 use super::marks::Marks;
 use super::viewport::Sight;
 use super::ways::Ways;
@@ -22,7 +24,10 @@ pub(super) fn layers(
     cast: &Rc<Cast>,
     versus: Option<&Rc<Cast>>,
     sight: &Sight,
+    overlay: &Overlay,
 ) -> Html {
+    let lit = overlay.lit.clone();
+    let is_proof = state.is_inside() && state.inside.method == Method::Proof;
     let frame = sight.get();
     let detail = frame.detail();
     let selected = state.selected_agent();
@@ -31,11 +36,12 @@ pub(super) fn layers(
         <>
             <FloorShapes draft={Rc::clone(state.world())} look={FloorLook::of(frame.cell_px)}
                 used_by={state.view.layers.heat.then(|| Rc::clone(cast))} />
-            if state.view.layers.trails {
+            <InsideFloor overlay={overlay.clone()} />
+            if state.view.layers.trails && !is_proof {
                 <Ways cast={Rc::clone(cast)} {selected} ahead={ahead(state)} />
             }
-            <Agents cast={Rc::clone(cast)} versus={versus.cloned()} {detail} {selected} sight={Rc::clone(sight)} />
-            <Marks cast={Rc::clone(cast)} {detail} />
+            <Agents cast={Rc::clone(cast)} versus={versus.cloned()} {detail} {selected} lit={lit.clone()} sight={Rc::clone(sight)} />
+            <Marks cast={Rc::clone(cast)} {detail} {lit} />
             if detail == Detail::All {
                 <Axis {frame} {board} />
             }

@@ -3,6 +3,8 @@
 
 use giveway_page::board::Kind;
 use giveway_page::find::FindAction;
+use giveway_page::form;
+use giveway_page::inside::Sign;
 use giveway_page::{Action, State, ViewAction};
 use yew::prelude::*;
 
@@ -17,6 +19,8 @@ const MANY: usize = 12;
 /// What to explain, and how the view can change.
 pub(super) struct Under<'a> {
     pub(super) kinds: Vec<Kind>,
+    /// What is explained instead.
+    pub(super) signs: Option<Vec<Sign>>,
     pub(super) look: &'a Callback<Look>,
     pub(super) is_fit: bool,
     pub(super) is_nearest: bool,
@@ -38,11 +42,19 @@ pub(super) fn under(props: &Under<'_>) -> Html {
             </button>
         }
     };
+    let sign = |sign: &Sign| {
+        let class = classes!(sign.class, sign.agent.map(form::class));
+        html! { <li><i {class}></i>{ sign.words.clone() }</li> }
+    };
+    let signs: Html = match &props.signs {
+        Some(signs) => signs.iter().map(sign).collect(),
+        None => props.kinds.iter().map(kind).collect(),
+    };
     let said = slot::said(props.state);
     html! {
         <div class="under">
             { slot::show(props.state, said.as_ref(), props.send) }
-            <ul class="legend" aria-label="Legend" hidden={said.is_some()}>{ for props.kinds.iter().map(kind) }</ul>
+            <ul class="legend" aria-label="Legend" hidden={said.is_some()}>{ signs }</ul>
             <div class="zoom" role="group" aria-label="View">
                 { find(props) }
                 { follow(props) }

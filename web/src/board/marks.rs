@@ -20,6 +20,8 @@ const STAR: &str = "M0-25 7.4-8.5 25-6.5 11.9 5.4 15.6 23 0 14.2-15.6 23-11.9 5.
 pub(super) struct MarksProps {
     pub(super) cast: Rc<Cast>,
     pub(super) detail: Detail,
+    /// Whose goals are seen; all where there is none.
+    pub(super) lit: Option<Vec<usize>>,
 }
 
 /// All flags and stars.
@@ -46,7 +48,12 @@ pub(super) fn Marks(props: &MarksProps) -> Html {
             }
         });
     }
+    let is_dim = |mark: &Mark| {
+        let lit = props.lit.as_ref();
+        lit.is_some_and(|lit| !lit.contains(&mark.agent))
+    };
     let shape = |mark: &Mark| match props.detail {
+        _ if is_dim(mark) => html! { <g></g> },
         Detail::Dots => dot(mark),
         detail => match mark.kind {
             MarkKind::Goal => flag(mark, detail),

@@ -14,6 +14,7 @@ mod floor;
 mod follow;
 mod gestures;
 mod ghost;
+mod inside;
 mod keys;
 mod layers;
 mod legend;
@@ -38,6 +39,7 @@ use crate::{Shown, icon};
 use beside::Beside;
 use casts::use_casts;
 use cells::Cells;
+use inside::InsideMarks;
 use layers::{layers, problems, square};
 use legend::{Under, under};
 pub(crate) use picture::picture;
@@ -98,6 +100,7 @@ pub fn Board(props: &BoardProps) -> Html {
     let page = rows.1 - rows.0;
     let onkeydown = keys::use_cursor_keys(state.view.cursor, &props.send, &look, page);
 
+    let overlay = giveway_page::inside::overlay(state);
     let reasons = giveway_page::board::reasons(state);
     let kinds: Vec<Kind> = legend(state, &cast);
     let is_stale = state.shows_stale() && cast.has_plan();
@@ -122,8 +125,9 @@ pub fn Board(props: &BoardProps) -> Html {
                 onpointerleave={gestures.leave} onwheel={gestures.wheel}
                 onkeydown={onkeydown.clone()}>
                 { floor::hatch() }
-                { layers(state, &cast, other.as_ref(), &sight) }
+                { layers(state, &cast, other.as_ref(), &sight, &overlay) }
                 <ReasonMarks {reasons} />
+                <InsideMarks overlay={overlay.clone()} cell_px={frame.cell_px} columns={board.0} />
                 { problems(state) }
                 { ghost::show(state) }
                 <g aria-hidden="true">
@@ -145,6 +149,7 @@ pub fn Board(props: &BoardProps) -> Html {
     };
     let below = Under {
         kinds,
+        signs: giveway_page::inside::legend(state, &overlay),
         look: &look,
         is_fit: viewport.camera.is_fit(),
         is_nearest: viewport.is_nearest(board),

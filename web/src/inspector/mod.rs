@@ -8,6 +8,7 @@ mod cell;
 mod change;
 mod edit;
 mod front;
+mod inside;
 mod planners;
 mod proof;
 mod questions;
@@ -42,11 +43,17 @@ pub fn Inspector(props: &InspectorProps) -> Html {
     let elsewhere = giveway_page::audit::facts(state);
     // Another agent or a cell is looked at in between.
     let elsewhere = elsewhere.filter(|_| state.view.selection == Selection::Nothing);
+    let step = giveway_page::inside::column(state);
+    let step = step.filter(|_| state.view.selection == Selection::Nothing);
     // Without a plan a phone has no tabs: this place is all there is.
-    let alone = state.plan().is_none().then_some("alone");
+    let alone = (state.plan().is_none() && !state.is_inside()).then_some("alone");
     html! {
         <aside class={classes!("insp", alone)} id="inspector" aria-label="Inspector">
-            if let Some(card) = ask::card(state) {
+            if let Some(column) = step {
+                // Where no button is in it, the keyboard scrolls the place itself.
+                <div class="scroll" key={format!("inside {}", column.title)} tabindex={(!column.has_buttons()).then_some("0")}>{ inside::show(&column, state, send) }</div>
+                { inside::foot(&column, send) }
+            } else if let Some(card) = ask::card(state) {
                 <div class="scroll">{ answer::show(&card, send) }{ proof::show(state, send) }</div>
                 { answer::foot(&card, send) }
             } else if let Some(facts) = &elsewhere {

@@ -3,6 +3,7 @@
 use std::ops::Range;
 
 use giveway_page::form;
+use giveway_page::inside::{Note, Stop};
 use giveway_page::timeline::{Axis, Lane, Row, Shapes};
 use yew::prelude::*;
 
@@ -29,6 +30,8 @@ pub(super) struct LaneRowProps {
     pub level: Option<u32>,
     /// What becomes of the agent, while ways to go on are compared.
     pub fate: Option<String>,
+    /// What is said of the agent in its order.
+    pub note: Option<Note>,
     pub selected: bool,
     /// Whether the tab key comes to it.
     pub tab_stop: bool,
@@ -56,19 +59,24 @@ pub(super) fn LaneRow(props: &LaneRowProps) -> Html {
             </div>
         }
     };
-    let title = match &props.fate {
+    let note = props.note.as_ref();
+    let told = note.map(|note| format!("{}, {}", note.place, note.around));
+    let title = match props.fate.as_ref().or(told.as_ref()) {
         Some(fate) => format!("{}, {fate}", lane.name),
         None => lane.name.clone(),
     };
     html! {
-        <div class={classes!("row", "lane", form::class(lane.agent), props.selected.then_some("sel"))}
+        <div class={classes!("row", "lane", form::class(lane.agent), note.is_some_and(|note| !note.is_planned).then_some("later"), props.selected.then_some("sel"))}
             onclick={props.pick.reform(move |_| index)}>
             <button type="button" class="lab" aria-pressed={props.selected.to_string()}
                 tabindex={if props.tab_stop { "0" } else { "-1" }} data-lane={index.to_string()} title={title}>
+                if let Some(note) = note { <b class="no">{ note.place }</b> }
                 { glyph::show(lane.agent, "lane-glyph") }
                 <span class="lane-name">
                     <b>{ lane.name.clone() }</b>
-                    if let Some(fate) = &props.fate {
+                    if let Some(note) = note {
+                        <small>{ note.around.clone() }</small>
+                    } else if let Some(fate) = &props.fate {
                         <small class="fate">{ fate.clone() }</small>
                     } else if let Some((level, capacity)) = level {
                         <small>{ format!("{level} of {capacity}") }</small>
@@ -79,6 +87,7 @@ pub(super) fn LaneRow(props: &LaneRowProps) -> Html {
                 </span>
             </button>
             if !props.bursts.is_empty() { { bursts(props) } }
+            if let Some(end) = note.and_then(|note| note.stop.as_ref()) { { stop(props, end) } }
             if let Some(other) = other {
                 <div class="halves">
                     { bars("This plan", [&props.lanes, &props.others], [index, other]) }
@@ -110,6 +119,25 @@ fn bursts(props: &LaneRowProps) -> Html {
     html! {
         <svg class="bars bad-at" width={axis.width().to_string()} height={row.height.to_string()} aria-hidden="true">
             { for props.bursts.iter().filter(is_seen).map(one) }
+        </svg>
+    }
+}
+
+/// Where the agent ends without having arrived.
+fn stop(props: &LaneRowProps, end: &Stop) -> Html {
+    let LaneRowProps { axis, row, .. } = props;
+    let wide = |said: &str| said.chars().count() as f64 * 7.2 + 38.0;
+    let x = axis.x(f64::from(end.time)) + 6.0;
+    let fits = x + wide(&end.text) <= axis.width();
+    let said = if fits { end.text.as_str() } else { end.short };
+    let width = wide(said);
+    let x = x.min(axis.width() - width).max(0.0);
+    html! {
+        <svg class="bars bad-at stop" width={axis.width().to_string()} height={row.height.to_string()}>
+            <g transform={format!("translate({x} {})", row.middle() - 12.0)}>
+                <rect width={width.to_string()} height="24" rx="12" />
+                <path d="m11 8 8 8m0-8-8 8" /><text x="27" y="16">{ said.to_owned() }</text>
+            </g>
         </svg>
     }
 }

@@ -3,6 +3,7 @@
 
 mod epochs;
 mod head;
+mod inside;
 mod lane;
 mod plan;
 mod plan_table;
@@ -14,11 +15,14 @@ mod tabs;
 mod transport;
 mod wait;
 
+use std::rc::Rc;
+
 use giveway_model::Question;
 use giveway_page::{Action, AskAction, Phase, ViewAction, ask};
 use yew::prelude::*;
 
 use crate::{Shown, icon};
+use inside::{Inside, places};
 use plan::Plan;
 use same::Same;
 use tabs::Tabs;
@@ -53,6 +57,9 @@ pub fn Dock(props: &DockProps) -> Html {
             }
         });
     }
+    if state.is_inside() {
+        return html! { <Inside ..props.clone() /> };
+    }
     let run = state.work.solving();
     if let Some(run) = run.filter(|_| waits(state)) {
         let plays = state.so_far().is_some();
@@ -60,6 +67,8 @@ pub fn Dock(props: &DockProps) -> Html {
             <section class={classes!("dock", "wait", "calm", plays.then_some("plays"))} aria-label="Timeline">
                 if plays {
                     { transport(props) }
+                } else {
+                    <div class="over-wait">{ places(state, send) }</div>
                 }
                 <Wait id={state.work.id().unwrap_or(0)} run={run.clone()} table={state.view.table} />
             </section>
@@ -83,8 +92,8 @@ pub fn Dock(props: &DockProps) -> Html {
         return html! {
             <section class={classes!("dock", calm.then_some("calm"), stale.then_some("stale"))} aria-label="Timeline">
                 { transport(props) }
-                <Tabs tab={state.view.tab} checks={state.audit().is_some()} send={send.clone()} />
-                <Plan answer={Same::new(answer)} beside={state.beside().cloned().map(Same::new)} state={state.clone()} send={send.clone()} />
+                <Tabs tab={state.view.tab} checks={state.audit().is_some()} inside={None::<giveway_page::inside::Method>} send={send.clone()} />
+                <Plan answer={Same::new(answer)} beside={state.beside().cloned().map(Same::new)} notes={None::<Rc<Vec<giveway_page::inside::Note>>>} state={state.clone()} send={send.clone()} />
             </section>
         };
     }
@@ -103,6 +112,7 @@ pub fn Dock(props: &DockProps) -> Html {
     };
     html! {
         <section class="dock empty" aria-label="Timeline">
+            if state.document.fresh_answer().is_some() { <div class="over-wait">{ places(state, send) }</div> }
             <div class="nil">
                 { icon::show("clock") }
                 <p><b>{ head }</b>{ text }</p>

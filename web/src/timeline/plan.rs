@@ -3,6 +3,7 @@
 use std::rc::Rc;
 
 use giveway_page::audit;
+use giveway_page::inside::Note;
 use giveway_page::steering::Steering;
 use giveway_page::timeline::{Lane, Row};
 use giveway_page::{Action, Answer, BoardAction, Selection, changing, table};
@@ -25,6 +26,8 @@ pub(super) struct PlanProps {
     pub answer: Same<Answer>,
     /// The plan beside it.
     pub beside: Option<Same<Answer>>,
+    /// Of an order: what the lanes say, in the order in which robots plan.
+    pub notes: Option<Rc<Vec<Note>>>,
     pub state: Shown,
     pub send: Callback<Action>,
 }
@@ -35,13 +38,22 @@ pub(super) fn Plan(props: &PlanProps) -> Html {
     let PlanProps {
         answer,
         beside,
+        notes,
         state,
         send,
     } = props;
     let draft = Same::new(Rc::clone(&state.document.draft));
-    let lanes = use_memo((answer.clone(), draft.clone()), |(answer, draft)| {
-        table::lanes(answer, draft)
-    });
+    let lanes = use_memo(
+        (answer.clone(), draft.clone(), notes.clone()),
+        |(answer, draft, notes)| {
+            let mut lanes = table::lanes(answer, draft);
+            if let Some(notes) = notes {
+                let place = |lane: &Lane| notes.iter().position(|note| note.agent == lane.agent);
+                lanes.sort_by_key(place);
+            }
+            lanes
+        },
+    );
     let lanes = Same::new(lanes);
     let batteries = lanes.iter().filter(|lane| lane.capacity.is_some()).count();
     let others = use_memo((beside.clone(), draft), |(beside, draft)| match beside {
@@ -51,6 +63,8 @@ pub(super) fn Plan(props: &PlanProps) -> Html {
     let others = Same::new(others);
     let row = if beside.is_some() {
         Row::HALF
+    } else if notes.is_some() {
+        Row::WIDE
     } else {
         Row::of(lanes.len(), batteries)
     };
@@ -63,8 +77,13 @@ pub(super) fn Plan(props: &PlanProps) -> Html {
         .mode
         .steering()
         .map_or(0, |own| Steering::time(own));
+    let stop = notes
+        .iter()
+        .flat_map(|notes| notes.iter())
+        .find_map(|note| note.stop.as_ref());
+    let stop = stop.map_or(0, |stop| stop.time + stop.room());
     let extent = Extent {
-        last: answer.makespan().max(last).max(led),
+        last: answer.makespan().max(last).max(led).max(stop),
         lanes: lanes.len(),
         lane: height,
         rows: lanes.len() + batteries,
@@ -143,6 +162,7 @@ pub(super) fn Plan(props: &PlanProps) -> Html {
                 bursts={lanes.get(index).map(|lane| audit::bursts_of(state, &lane.name)).unwrap_or_default()}
                 level={lanes.get(index).and_then(|lane| lane.level_at(time))}
                 fate={lanes.get(index).and_then(|lane| changing::fate(state, &lane.name))} selected={selected == Some(index)}
+                note={notes.as_ref().and_then(|notes| notes.get(index)).cloned()}
                 tab_stop={index == tab_stop} pick={pick.clone()} />
         }
     };
@@ -167,7 +187,7 @@ pub(super) fn Plan(props: &PlanProps) -> Html {
                     <i class="head" ref={moved.head.clone()}></i>
                 </div>
             </div>
-            <div class={classes!("tblwrap", (!state.view.table).then_some("closed"), gutter)} id="plan-table" ref={table_ref.clone()}
+            <div class={classes!("tblwrap", (!state.view.table || notes.is_some()).then_some("closed"), gutter)} id="plan-table" ref={table_ref.clone()}
                 role="group" aria-label="Plan table" tabindex="0"
                 onscroll={scrolled(&table_ref, &lanes_ref)}>
                 <PlanTable lanes={lanes.clone()} {axis} label={seen.label} columns={seen.columns.clone()} rows={seen.rows.clone()}

@@ -1,5 +1,6 @@
 //! What a phone shows below the board.
 
+use giveway_page::inside::Method;
 use giveway_page::{Action, Tab, ViewAction};
 use web_sys::HtmlElement;
 use yew::prelude::*;
@@ -9,6 +10,8 @@ pub(super) struct TabsProps {
     pub tab: Tab,
     /// Whether a plan of elsewhere is checked.
     pub checks: bool,
+    /// What is looked into in the place of the lanes.
+    pub inside: Option<Method>,
     pub send: Callback<Action>,
 }
 
@@ -21,7 +24,14 @@ const TABS: [(Tab, &str, &str); 3] = [
 /// The tabs; wider pages show all three places at once and no tabs.
 #[component]
 pub(super) fn Tabs(props: &TabsProps) -> Html {
-    let TabsProps { tab, checks, send } = props;
+    let TabsProps {
+        tab,
+        checks,
+        inside,
+        send,
+    } = props;
+    // A proof has no plan table.
+    let count = TABS.len() - usize::from(inside.is_some());
     let list = use_node_ref();
     let onkeydown = {
         let (list, send, tab) = (list.clone(), send.clone(), *tab);
@@ -31,10 +41,10 @@ pub(super) fn Tabs(props: &TabsProps) -> Html {
                 .position(|&(other, ..)| other == tab)
                 .unwrap_or(0);
             let to = match event.key().as_str() {
-                "ArrowRight" => (at + 1) % TABS.len(),
-                "ArrowLeft" => (at + TABS.len() - 1) % TABS.len(),
+                "ArrowRight" => (at + 1) % count,
+                "ArrowLeft" => (at + count - 1) % count,
                 "Home" => 0,
-                "End" => TABS.len() - 1,
+                "End" => count - 1,
                 _ => return,
             };
             event.prevent_default();
@@ -51,8 +61,12 @@ pub(super) fn Tabs(props: &TabsProps) -> Html {
     };
     let one = |&(choice, name, place): &(Tab, &'static str, &'static str)| {
         let is_shown = choice == *tab;
-        let name = match choice {
-            Tab::Inspector if *checks => "Check",
+        let name = match (choice, *inside) {
+            (Tab::Timeline, Some(_)) => "How it was proved",
+            (Tab::Inspector, Some(Method::Proof)) => "Step",
+            (Tab::Inspector, Some(Method::Tree)) => "Node",
+            (Tab::Inspector, Some(Method::Orders)) => "Order",
+            (Tab::Inspector, None) if *checks => "Check",
             _ => name,
         };
         html! {
@@ -63,7 +77,7 @@ pub(super) fn Tabs(props: &TabsProps) -> Html {
     };
     html! {
         <div class="tabs" role="tablist" aria-label="Below the board" ref={list} {onkeydown}>
-            { for TABS.iter().map(one) }
+            { for TABS.iter().take(count).map(one) }
         </div>
     }
 }

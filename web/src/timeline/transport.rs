@@ -16,7 +16,8 @@ pub(super) fn transport(props: &DockProps) -> Html {
     let DockProps { state, send } = props;
     let (playback, last) = (state.view.playback, state.last_time());
     html! {
-        <div class="transport">
+        <div class={classes!("transport", state.can_look_inside().then_some("two"))}>
+            { super::places(state, send) }
             { play_keys(state, send) }
             // No live region: nobody wants every step read aloud.
             <p class="clock" title={format!("Time {} of {last}", playback.time)}><b>{ playback.time }</b><span>{ format!(" of {last}") }</span></p>

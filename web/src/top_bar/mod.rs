@@ -3,6 +3,7 @@
 mod menu;
 
 use giveway_page::find::FindAction;
+use giveway_page::inside::{InsideAction, Method};
 use giveway_page::{Action, ViewAction, words};
 use web_sys::{Event, HtmlInputElement};
 use yew::prelude::*;
@@ -166,6 +167,7 @@ pub(crate) fn TopBar(props: &TopBarProps) -> Html {
                         { copy_item(state, &is_copied, send) }
                         { item("share", "Share", share) }
                         <hr />
+                        { inside_items(state, send, show) }
                         { item("search", "Find a robot", find) }
                         { item("settings", "Settings", show.reform(|_| Panel::Settings)) }
                         { item("theme", &theme_title, theme) }
@@ -174,6 +176,36 @@ pub(crate) fn TopBar(props: &TopBarProps) -> Html {
                 }
             </div>
         </header>
+    }
+}
+
+/// What a phone shows in the place of the lanes: wider pages have tabs for it.
+fn inside_items(state: &Shown, send: &Callback<Action>, show: &Callback<Panel>) -> Html {
+    if !state.can_look_inside() {
+        return html! {};
+    }
+    let press = |action: InsideAction| {
+        let (send, show) = (send.clone(), show.clone());
+        Callback::from(move |_: MouseEvent| {
+            show.emit(Panel::Nothing);
+            send.emit(Action::Inside(action));
+        })
+    };
+    let icon = |method: Method| match method {
+        Method::Proof => "proved",
+        Method::Tree => "tree",
+        Method::Orders => "agent",
+    };
+    let method = |method: Method| {
+        let name = format!("How it was proved: {}", method.title().to_lowercase());
+        item(icon(method), &name, press(InsideAction::By(method)))
+    };
+    html! {
+        <>
+            if state.is_inside() { { item("clock", "Timeline", press(InsideAction::Show(false))) } }
+            { for Method::ALL.into_iter().map(method) }
+            <hr />
+        </>
     }
 }
 

@@ -8,7 +8,7 @@ use giveway_model::check::Rule;
 use giveway_model::format::foreign::Heading;
 
 use super::{Mark, Pose, Track, Way, marks};
-use crate::{Answer, Draft, State};
+use crate::{Answer, Draft, State, inside};
 use giveway_model::sorting::sort;
 
 /// The agents of a draft and what they do by the plan shown, if any.
@@ -140,9 +140,17 @@ struct Aside {
 /// How much smaller two robots on one cell are drawn, and how far apart in cells.
 const TWO: (f64, f64) = (0.74, 0.44);
 
-/// Who is on one cell with another one, by the rules that a plan of elsewhere breaks.
+/// Who is on one cell with another one, by the rules that a plan of elsewhere breaks,
+/// or by the conflict of a node that is looked at.
 fn asides(state: &State, answer: &Rc<Answer>, agents: &[Agent]) -> BTreeMap<usize, Vec<Aside>> {
     let mut asides: BTreeMap<usize, Vec<Aside>> = BTreeMap::new();
+    if let Some((pair, time)) = inside::two_on_a_cell(state, answer) {
+        for (agent, is_left) in pair.into_iter().zip([true, false]) {
+            let time = f64::from(time);
+            asides.insert(agent, vec![Aside { time, is_left }]);
+        }
+        return asides;
+    }
     let plans = state.audit().into_iter().flat_map(|audit| &audit.plans);
     let mut own = plans.filter(|dropped| Rc::ptr_eq(&dropped.answer, answer));
     let violations = own

@@ -15,6 +15,7 @@ mod occupied;
 mod outline;
 mod place;
 mod reasons;
+mod shade;
 #[cfg(test)]
 mod tests;
 mod tile;
@@ -33,6 +34,7 @@ pub use names::{CellNames, Window};
 pub use occupied::Occupied;
 pub(crate) use place::place_of;
 pub use reasons::{Later, Place, Reasons, Spot, Try, reasons};
+pub(crate) use shade::shade;
 pub use track::{Badge, Charge, Pose, Track};
 pub use way::{Way, WayEnds};
 

@@ -49,6 +49,16 @@ pub fn plan_file(state: &State) -> Option<Saved> {
     })
 }
 
+/// How the plan was found and proved; `None` where no record was kept.
+pub fn trace_file(state: &State) -> Option<Saved> {
+    let trace = crate::inside::record(state)?;
+    let stem = file_stem(&state.document.draft.scene().name, "scene");
+    Some(Saved {
+        name: format!("{stem}-trace.json"),
+        text: serde_json::to_string_pretty(trace).ok()?,
+    })
+}
+
 /// What changed while the plan ran; `None` where nothing did, and where the plan
 /// is stale.
 pub fn changes_file(state: &State) -> Option<Saved> {

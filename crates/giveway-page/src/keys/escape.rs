@@ -1,12 +1,13 @@
 //! Escape, which closes one thing after the other.
 
+use crate::inside::InsideAction;
 use crate::steering::Lead;
 use crate::{
     Action, AskAction, BoardAction, ChangeAction, Phase, Selection, SolveAction, State, ViewAction,
 };
 
-/// What Escape closes first: what is being placed, what runs, the notice, a question,
-/// what is led, the selection, the changes of the world.
+/// What Escape closes first: what is being placed, what runs, the notice, robots that
+/// are looked at alone, a question, what is led, the selection, the changes of the world.
 pub(super) fn escape(state: &State) -> Option<Action> {
     if state.has_gesture() {
         Some(Action::Board(BoardAction::Abandon))
@@ -17,6 +18,8 @@ pub(super) fn escape(state: &State) -> Option<Action> {
         Some(Action::Solve(SolveAction::Cancel))
     } else if state.view.notice.is_some() {
         Some(Action::View(ViewAction::DismissNotice))
+    } else if state.is_inside() && state.inside.alone.is_some() {
+        Some(Action::Inside(InsideAction::Alone(false)))
     } else if state.document.mode.asking().is_some() {
         Some(Action::Ask(AskAction::Close))
     } else if let Some(own) = state.document.mode.steering() {

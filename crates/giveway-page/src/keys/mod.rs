@@ -65,8 +65,12 @@ fn meant(key: Key<'_>, state: &State) -> Option<Command> {
     if let Some(lead) = leads(key.name, state) {
         return Some(Command::Act(Action::Steer(lead)));
     }
-    let playing = state.view.playback.playing;
-    let has_plan = state.last_time() > 0;
+    // Keys step through how the plan was found where that is shown.
+    let (playing, has_plan) = if state.is_inside() {
+        (state.inside.is_playing, state.inside_steps() > 0)
+    } else {
+        (state.view.playback.playing, state.last_time() > 0)
+    };
     let on_plan = |action| has_plan.then_some(action);
     let action = match key.name {
         "?" => return Some(Command::Help),

@@ -96,6 +96,11 @@ impl Runs {
         Rc::new(runs)
     }
 
+    /// The last answer of the search.
+    pub(crate) const fn searched(&self) -> Option<&Rc<Answer>> {
+        self.search.as_ref()
+    }
+
     /// The plan of one of them.
     pub(crate) fn plan(&self, by: By) -> Option<&Rc<Answer>> {
         let answer = match by {

@@ -3,7 +3,7 @@
 
 use giveway_solve::{Progress, Refusal, Response};
 
-use super::{ask, change, planners, proof, solve};
+use super::{ask, change, inside, planners, proof, solve};
 use crate::{Adapting, Mode, Notice, Size, Solving, State, Task};
 
 /// Something became known on the way.
@@ -51,6 +51,7 @@ pub(super) fn respond(state: &mut State, id: u64, response: Response) {
         (Task::Explain(_), Response::Explained(answer)) => ask::learn(state, *answer),
         (Task::Certify(run), Response::Certified(report)) => proof::checked(state, &run, *report),
         (Task::Change(run), Response::Changed(told)) => change::answered(state, &run, *told),
+        (Task::Look(looking), response) => inside::respond(state, &looking, response),
         (task, Response::Refused(refusal)) => refused(state, &task, &refusal),
         _ => {}
     }
@@ -62,6 +63,7 @@ fn refused(state: &mut State, task: &Task, refusal: &Refusal) {
         Task::Explain(_) => "The question cannot be answered.",
         Task::Certify(_) => "The proof cannot be checked.",
         Task::Change(_) => "The changes were refused.",
+        Task::Look(_) => "The planner refused the scene.",
     };
     if let Task::Explain(_) = task {
         let is_stuck = matches!(state.document.mode, Mode::Stuck(..));

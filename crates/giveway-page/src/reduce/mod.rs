@@ -7,6 +7,7 @@ mod change;
 mod document;
 mod file;
 mod find;
+mod inside;
 mod intake;
 mod job;
 mod planners;
@@ -46,6 +47,7 @@ pub fn reduce(state: &State, action: Action) -> State {
         if had_plan && next.so_far().is_none() {
             document::keep_to_plan(&mut next);
         }
+        inside::look(&mut next);
     }
     next
 }
@@ -69,7 +71,12 @@ fn step(state: &mut State, action: Action) {
         Action::Audit(action) => audit::audit(state, action),
         Action::Find(action) => find::find(state, action),
         Action::Intake(action) => intake::intake(state, action),
-        Action::Play(action) => play::play(state, action),
+        Action::Inside(action) => inside::inside(state, action),
+        Action::Play(action) => {
+            if !inside::plays(state, action) {
+                play::play(state, action);
+            }
+        }
         Action::View(action) => view::view(state, &action),
         Action::Slot(action) => slot::slot(state, action),
     }
@@ -97,6 +104,7 @@ pub(crate) const fn only_looks(action: &Action) -> bool {
         | Action::Change(_)
         | Action::Steer(_)
         | Action::Audit(_)
+        | Action::Inside(_)
         | Action::Find(_)
         | Action::Intake(_)
         | Action::Slot(_) => false,

@@ -8,6 +8,7 @@ mod shown;
 mod world;
 
 use crate::history::Moment;
+use crate::inside::Inside;
 use crate::intake::Intake;
 use crate::{Document, Draft, History, Place, Selection, Settings, View, Work};
 
@@ -24,6 +25,8 @@ pub struct State {
     pub work: Work,
     /// Other people's files on their way in.
     pub intake: Intake,
+    /// What is looked at of how the plan was found.
+    pub inside: Inside,
     /// What is shown of the document, and how.
     pub view: View,
     /// What a person set, for all scenes.
@@ -55,6 +58,7 @@ impl State {
             document,
             work: Work::default(),
             intake: Intake::default(),
+            inside: Inside::default(),
             view: View::default(),
             settings: Settings::default(),
             history: History::default(),

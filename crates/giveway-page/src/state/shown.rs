@@ -19,8 +19,8 @@ impl State {
     /// goes on; a plan of one's own; the other plan of a question where that takes
     /// its place; the one that is previewed where the world changes.
     pub fn shown(&self) -> Option<&Rc<Answer>> {
-        let so_far = self.so_far();
-        so_far.or_else(|| self.document.shown(!self.view.is_wide))
+        let known = self.inside_plan().or_else(|| self.so_far());
+        known.or_else(|| self.document.shown(!self.view.is_wide))
     }
 
     /// The best plan so far of a search that goes on, where the board shows it.
@@ -38,6 +38,9 @@ impl State {
     /// The answer that is shown beside that one: the other plan of a question,
     /// where there is room for it; or that of another planner.
     pub fn beside(&self) -> Option<&Rc<Answer>> {
+        if self.is_inside() {
+            return None;
+        }
         let other = match &self.document.mode {
             Mode::Editing => {
                 let runs = Runs::fresh(&self.document)?;

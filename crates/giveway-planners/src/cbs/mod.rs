@@ -167,6 +167,9 @@ impl Search<'_> {
             });
             if let Some(child) = calmer {
                 // It keeps all constraints of the node, too.
+                if let Some(tree) = &mut self.tree {
+                    tree.bypass(id, child.walks_beside(Some(&node)));
+                }
                 node.ways = child.ways;
                 node.conflicts = child.conflicts;
                 bypassed += 1;
@@ -180,27 +183,37 @@ impl Search<'_> {
             };
             self.decide(id, fate);
             for (constraint, child) in children {
-                self.push(child, Some((id, constraint)), budget);
+                self.push(child, Some((id, constraint, &node)), budget);
             }
             return Ok(None);
         }
     }
 
     /// Opens a node, where it has walks.
-    fn push(&mut self, node: Option<Node>, from: Option<(u64, Constraint)>, budget: &dyn Budget) {
+    fn push(
+        &mut self,
+        node: Option<Node>,
+        from: Option<(u64, Constraint, &Node)>,
+        budget: &dyn Budget,
+    ) {
         let id = self.made;
         self.made += 1;
         let cost = node
             .as_ref()
             .map(|node| self.aim.of_arrivals(self.problem, node.arrivals()));
         let conflicts = node.as_ref().map_or(0, |node| node.conflicts.len());
+        let parent = from.map(|(.., parent)| parent);
         if let Some(tree) = &mut self.tree {
             tree.add(TreeNode {
                 id,
-                parent: from.map(|(parent, _)| parent),
-                constraint: from.map(|(_, constraint)| constraint),
+                parent: from.map(|(parent, ..)| parent),
+                constraint: from.map(|(_, constraint, _)| constraint),
                 cost,
                 conflicts,
+                walks: node
+                    .iter()
+                    .flat_map(|node| node.walks_beside(parent))
+                    .collect(),
                 fate: if cost.is_some() {
                     Fate::Open
                 } else {

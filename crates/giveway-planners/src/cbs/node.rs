@@ -91,6 +91,21 @@ impl Node {
         256 + 16 * self.constraints.len() + 16 * self.ways.len() + 32 * self.conflicts.len()
     }
 
+    /// The walks that are not those of another node; all without one.
+    pub(super) fn walks_beside<'a>(
+        &'a self,
+        other: Option<&'a Self>,
+    ) -> impl Iterator<Item = (AgentId, Rc<Walk>)> + 'a {
+        let walks = self.ways.iter().map(|way| &way.walk).enumerate();
+        let has = |other: &Self, agent: AgentId, walk: &Rc<Walk>| {
+            let own = other.ways.get(agent);
+            own.is_some_and(|own| Rc::ptr_eq(&own.walk, walk) || own.walk == *walk)
+        };
+        walks
+            .filter(move |(agent, walk)| !other.is_some_and(|other| has(other, *agent, walk)))
+            .map(|(agent, walk)| (agent, Rc::clone(walk)))
+    }
+
     /// When each agent arrives.
     pub(super) fn arrivals(&self) -> impl Iterator<Item = u32> + '_ {
         self.ways.iter().map(|way| arrival(&way.walk))

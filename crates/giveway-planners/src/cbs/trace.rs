@@ -1,6 +1,10 @@
 //! The constraint tree as data, for whoever wants to see how CBS went.
 
+use std::collections::BTreeMap;
+use std::rc::Rc;
+
 use super::{Cardinality, Conflict, Constraint};
+use crate::{AgentId, walk::Walk};
 
 /// Nodes that a tree tells at most.
 const MOST: usize = 1_000;
@@ -42,6 +46,9 @@ pub struct TreeNode {
     pub cost: Option<u32>,
     /// How many conflicts its walks have, as they were made.
     pub conflicts: usize,
+    /// The walks that its parent has not; all of the root. Those of a node that was
+    /// split are the ones that have the conflict.
+    pub walks: BTreeMap<AgentId, Rc<Walk>>,
     /// What became of it.
     pub fate: Fate,
 }
@@ -67,6 +74,13 @@ impl Tree {
     pub(super) fn decide(&mut self, id: u64, fate: Fate) {
         if let Some(node) = self.nodes.get_mut(id as usize) {
             node.fate = fate;
+        }
+    }
+
+    /// Notes that a node has other walks now.
+    pub(super) fn bypass(&mut self, id: u64, walks: impl IntoIterator<Item = (AgentId, Rc<Walk>)>) {
+        if let Some(node) = self.nodes.get_mut(id as usize) {
+            node.walks.extend(walks);
         }
     }
 }

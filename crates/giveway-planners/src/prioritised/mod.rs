@@ -6,6 +6,7 @@
 //! where that comes to an order seen before, orders are drawn by lot (always the
 //! same). Plain tasks are planned by safe intervals, batteries by space-time A*.
 
+mod furthest;
 #[cfg(test)]
 mod tests;
 mod trace;
@@ -67,6 +68,8 @@ pub struct Outcome {
 
 /// Attempts that are told at most.
 const MOST_TOLD: usize = 200;
+/// Walks are told up to so many places in all.
+const MOST_PLACES: usize = 20_000;
 
 /// Plans the agents one after the other, no walk longer than the horizon.
 pub fn prioritised(
@@ -81,6 +84,7 @@ pub fn prioritised(
         tried: 0,
         attempts: traced.then(Vec::new),
     };
+    let mut places = if traced { MOST_PLACES } else { 0 };
     let mut orders = Orders::new(problem, order);
     let mut current = orders.first();
     outcome.ended = loop {
@@ -88,10 +92,14 @@ pub fn prioritised(
             order: current.clone(),
             planned: Vec::new(),
             stuck: None,
+            furthest: Walk::new(),
+            dead_end: false,
         };
-        let tried = match Timetable::new(problem) {
-            Some(nobody) => attempt.run(nobody, horizon, traced, budget),
-            None => attempt.run(Reservations::new(problem), horizon, traced, budget),
+        let tried = if let Some(nobody) = Timetable::new(problem) {
+            attempt.run(nobody, horizon, traced, &mut places, budget)
+        } else {
+            let nobody = Reservations::new(problem);
+            attempt.run(nobody, horizon, traced, &mut places, budget)
         };
         outcome.tried += 1;
         let stuck = attempt.stuck.clone();
@@ -162,12 +170,13 @@ impl Orders {
 
 impl Attempt {
     /// Plans in its order, from nobody on; the walks are by agent, and a plan
-    /// unless one is stuck.
+    /// unless one is stuck. So many places are still told of them.
     fn run(
         &mut self,
         mut others: impl Others,
         horizon: u32,
         traced: bool,
+        places: &mut usize,
         budget: &dyn Budget,
     ) -> Result<Vec<Walk>, Stop> {
         let mut walks = vec![Walk::new(); self.order.len()];
@@ -189,13 +198,21 @@ impl Attempt {
             };
             let Some(walk) = walk else {
                 self.stuck = Some(Stuck { agent, around });
+                if *places > 0 {
+                    (self.furthest, self.dead_end) =
+                        furthest::furthest(&others, agent, horizon, budget)?;
+                    *places = places.saturating_sub(self.furthest.len());
+                }
                 return Ok(walks);
             };
+            let is_told = walk.len() <= *places;
+            *places = places.saturating_sub(walk.len());
             self.planned.push(Planned {
                 agent,
                 arrival: arrival(&walk),
                 alone,
                 around,
+                walk: if is_told { walk.clone() } else { Walk::new() },
             });
             others.add(agent, &walk);
             walks[agent] = walk;

@@ -4,7 +4,9 @@ use super::{Ended, Order, Outcome, Planned, Stuck, prioritised};
 use crate::{
     budget::{Budget, HeldBytes, Stop, Unlimited},
     problem::Problem,
+    single::Place,
     tests::instance,
+    walk::arrival,
 };
 
 fn planned(picture: &str, order: &Order) -> Outcome {
@@ -34,8 +36,34 @@ fn who_arrives_first_in_the_corridor_blocks_the_other() {
         arrival: 1,
         alone: 1,
         around: Vec::new(),
+        walk: attempts[0].planned[0].walk.clone(),
     };
     assert_eq!(attempts[0].planned, [b]);
+}
+
+/// How far the one that got stuck in the first order came, as columns.
+fn came(picture: &str, order: &[usize]) -> Vec<u32> {
+    let problem = Problem::new(&instance(picture), &Unlimited::default()).ok();
+    let problem = problem.unwrap();
+    let order = Order::Given(order.to_vec());
+    let outcome = prioritised(&problem, &order, 30, true, &Unlimited::default());
+    let furthest = &outcome.attempts.unwrap()[0].furthest;
+    let column = |place: &Place| match *place {
+        Place::At(v) => problem.terrain.cell(v).x,
+        Place::Along(_) => panic!("no slow move"),
+    };
+    furthest.iter().map(column).collect()
+}
+
+#[test]
+fn who_is_pushed_into_a_dead_end_lasts_until_there_is_no_cell_left() {
+    // b runs to the end of the corridor, ahead of it a, which cannot pass.
+    assert_eq!(came("A b . . a . B", &[1, 0]), [4, 5, 6, 6, 6]);
+}
+
+#[test]
+fn who_can_wait_for_ever_goes_as_near_as_it_can() {
+    assert_eq!(came(CORRIDOR, &[1, 0]), [0, 1, 2]);
 }
 
 #[test]
@@ -82,7 +110,9 @@ fn who_goes_around_somebody_says_whom() {
         arrival: 3,
         alone: 2,
         around: vec![0],
+        walk: planned[1].walk.clone(),
     };
+    assert_eq!(arrival(&late.walk), 3);
     assert_eq!(planned[1], late);
 }
 

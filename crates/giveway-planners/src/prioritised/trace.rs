@@ -1,6 +1,6 @@
 //! What happened in one order: who was planned around whom, and who got stuck.
 
-use crate::AgentId;
+use crate::{AgentId, walk::Walk};
 
 /// An agent that got a walk.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -14,6 +14,8 @@ pub struct Planned {
     /// Where it arrives later than alone: whom it would have met on the best way
     /// of its own that meets the fewest.
     pub around: Vec<AgentId>,
+    /// Its walk; empty where too many were told before.
+    pub walk: Walk,
 }
 
 /// An agent that has no walk around those before it.
@@ -34,4 +36,9 @@ pub struct Attempt {
     pub planned: Vec<Planned>,
     /// Who did not, if somebody did not.
     pub stuck: Option<Stuck>,
+    /// How far whoever is stuck comes: the longest walk of its own around those
+    /// before it. Empty where nobody is, or too many walks were told before.
+    pub furthest: Walk,
+    /// Whether that walk ends where no vertex is left free for the next step.
+    pub dead_end: bool,
 }

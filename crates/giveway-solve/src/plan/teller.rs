@@ -1,6 +1,6 @@
 //! From the numbers of planners to names and cells.
 
-use giveway_model::{Cell, Version};
+use giveway_model::{Cell, Path, Version};
 use giveway_planners::{
     AgentId,
     cbs::{Cardinality, Conflict, Constraint, Fate, Kind, Rule, Tree},
@@ -9,6 +9,7 @@ use giveway_planners::{
     planner::Trace,
     prioritised::{Attempt, Stuck},
     problem::Problem,
+    single::Place,
     terrain::Vertex,
 };
 
@@ -77,11 +78,14 @@ impl Teller<'_> {
             arrival: planned.arrival,
             alone: planned.alone,
             around: self.all(&planned.around),
+            path: self.path(&planned.walk),
         });
         OrderTried {
             order: self.all(&attempt.order),
             planned: planned.collect(),
             stuck: attempt.stuck.as_ref().map(|stuck| self.stuck(stuck)),
+            furthest: self.path(&attempt.furthest),
+            dead_end: attempt.dead_end,
         }
     }
 
@@ -117,6 +121,11 @@ impl Teller<'_> {
                 .map(|constraint| self.constraint(constraint)),
             cost: node.cost,
             conflicts: node.conflicts as u64,
+            paths: node
+                .walks
+                .iter()
+                .map(|(&agent, walk)| (self.name(agent), self.path(walk)))
+                .collect(),
             fate: self.fate(&node.fate),
         });
         Went::Cbs {
@@ -203,6 +212,14 @@ impl Teller<'_> {
                 }
             }
         }
+    }
+
+    fn path(&self, walk: &[Place]) -> Path {
+        let cell = |place: &Place| match *place {
+            Place::At(v) => Some(self.cell(v)),
+            Place::Along(_) => None,
+        };
+        walk.iter().map(cell).collect()
     }
 
     fn cell(&self, v: Vertex) -> Cell {

@@ -3,7 +3,7 @@
 use giveway_model::{Cost, format::native};
 use serde_json::{Value, json};
 
-use super::{Lack, PlanAnswer, PlanEnd, PlanRequest, Planner, words};
+use super::{Lack, PlanAnswer, PlanEnd, PlanRequest, PlanTrace, Planner, Went, words};
 use crate::{Host, Limits, Progress, Refusal, Request, Response, SilentHost, serve};
 
 const CROSSING: &str = r##"{
@@ -218,16 +218,22 @@ fn a_constraint_tree_is_told_by_names_and_cells() {
             {
                 "id": 0, "parent": null, "constraint": null, "cost": 4, "conflicts": 1,
                 "fate": "split", "turn": 0, "bypassed": 0,
+                "paths": {
+                    "A": [[0, 1], [1, 1], [2, 1]],
+                    "B": [[1, 0], [1, 1], [1, 2]]
+                },
                 "conflict": {
                     "kind": "vertex", "agents": ["A", "B"], "cell": [1, 1], "time": 1, "delays": 2
                 }
             },
             {
                 "id": 1, "parent": 0, "constraint": with("not-at"), "cost": 5, "conflicts": 0,
+                "paths": { "A": [[0, 1], [0, 1], [1, 1], [2, 1]] },
                 "fate": "open"
             },
             {
                 "id": 2, "parent": 0, "constraint": with("at"), "cost": 5, "conflicts": 0,
+                "paths": { "B": [[1, 0], [1, 0], [1, 1], [1, 2]] },
                 "fate": "best", "turn": 1, "bypassed": 0
             }
         ]
@@ -243,13 +249,52 @@ fn an_order_is_told_by_names() {
         "orders": [{
             "order": ["A", "B"],
             "planned": [
-                { "agent": "A", "arrival": 2, "alone": 2, "around": [] },
-                { "agent": "B", "arrival": 3, "alone": 2, "around": ["A"] }
+                {
+                    "agent": "A", "arrival": 2, "alone": 2, "around": [],
+                    "path": [[0, 1], [1, 1], [2, 1]]
+                },
+                {
+                    "agent": "B", "arrival": 3, "alone": 2, "around": ["A"],
+                    "path": [[1, 0], [1, 0], [1, 1], [1, 2]]
+                }
             ],
             "stuck": null
         }]
     });
     assert_eq!(trace(CROSSING, Planner::Prioritised), expected);
+}
+
+/// A1 to A3 in a row, with one bay behind them: whoever leads runs into a dead end.
+const LAST_IN: &str = include_str!("../../../../static/examples/last-in.json");
+
+#[test]
+fn who_is_stuck_tells_how_far_it_comes() {
+    let order = ["A3", "A2", "A1"].map(str::to_owned).to_vec();
+    let request = PlanRequest {
+        order: Some(order),
+        trace: true,
+        ..request(LAST_IN, Planner::Prioritised)
+    };
+    let Some(PlanTrace {
+        went: Went::Prioritised { orders },
+        ..
+    }) = planned(request).trace
+    else {
+        panic!("no orders");
+    };
+    let why = words::why_stuck(&orders[0]);
+    assert_eq!(
+        why.as_deref(),
+        Some(
+            "A1 cannot get past A2 and A3. At time 5 it stands at (6, 1), and has no free cell at \
+             time 6."
+        )
+    );
+    let around = [0, 1, 2].map(|place| words::around(&orders[0], place));
+    assert_eq!(
+        around,
+        ["plans freely", "plans around A3", "around A3 and A2"]
+    );
 }
 
 #[test]

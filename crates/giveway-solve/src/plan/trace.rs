@@ -1,7 +1,9 @@
 //! How a planner went, with names and cells instead of numbers.
 
+use std::collections::BTreeMap;
+
 use borsh::{BorshDeserialize, BorshSerialize};
-use giveway_model::{Cell, Version};
+use giveway_model::{Cell, Path, Version, message::read_map};
 use serde::{Deserialize, Serialize};
 
 use super::StuckAgent;
@@ -99,6 +101,18 @@ pub struct OrderTried {
     pub planned: Vec<PlannedAgent>,
     /// The one that did not; `null` where the order works.
     pub stuck: Option<StuckAgent>,
+    /// How far that one comes: the longest path of its own around those before it.
+    /// Left out where paths are too many to be told.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub furthest: Path,
+    /// Whether that path ends where no cell is left free for its next step.
+    #[serde(default, skip_serializing_if = "is_false")]
+    pub dead_end: bool,
+}
+
+#[expect(clippy::trivially_copy_pass_by_ref, reason = "as serde calls it")]
+const fn is_false(value: &bool) -> bool {
+    !*value
 }
 
 /// An agent that got a path.
@@ -112,6 +126,9 @@ pub struct PlannedAgent {
     pub alone: u32,
     /// Where it arrives later than alone: whom it had to avoid.
     pub around: Vec<String>,
+    /// Its path; left out where paths are too many to be told.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub path: Path,
 }
 
 /// A node of the constraint tree.
@@ -128,6 +145,11 @@ pub struct TreeNode {
     pub cost: Option<u32>,
     /// How many conflicts its paths have.
     pub conflicts: u64,
+    /// The paths that its parent has not; all of the root. Those of a node that was
+    /// split are the ones that have the conflict.
+    #[serde(default, skip_serializing_if = "BTreeMap::is_empty")]
+    #[borsh(deserialize_with = "read_map")]
+    pub paths: BTreeMap<String, Path>,
     /// What became of it.
     #[serde(flatten)]
     pub fate: NodeFate,

@@ -1,9 +1,15 @@
 //! What a planner came to, in sentences: one text for the page and the command.
 
+mod order;
+mod tree;
+
 use giveway_model::words::{and, name, sentence, values};
 
 use super::{Lack, PlanAnswer, PlanEnd, StuckAgent};
 use crate::words::{FOR_EVER, Headline};
+
+pub use order::{around, why_stuck};
+pub use tree::{branch, conflict, conflict_lines, constraint, moment, parties, subject};
 
 /// How it ended, in a sentence. It begins with words that may be made bold.
 pub fn headline(answer: &PlanAnswer) -> Headline {

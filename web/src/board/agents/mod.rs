@@ -24,6 +24,8 @@ pub(super) struct AgentsProps {
     pub(super) versus: Option<Rc<Cast>>,
     pub(super) detail: Detail,
     pub(super) selected: Option<usize>,
+    /// Whom a step is about: the others are faint.
+    pub(super) lit: Option<Vec<usize>>,
     /// What is in sight.
     pub(super) sight: Sight,
 }
@@ -89,9 +91,11 @@ fn agent_shape(props: &AgentsProps, agent: usize) -> Html {
     let detail = props.detail;
     let has_battery = props.cast.agents[agent].battery.is_some();
     let is_selected = props.selected == Some(agent);
+    let lit = props.lit.as_ref().map(|lit| lit.contains(&agent));
     let class = classes!(
         "agent",
         form::class(agent),
+        (lit == Some(false)).then_some("dim"),
         (!has_battery).then_some("no-battery")
     );
     let selection = html! {
@@ -99,6 +103,9 @@ fn agent_shape(props: &AgentsProps, agent: usize) -> Html {
             if props.versus.is_some() {
                 // Around the ring of the selection.
                 <circle class="diffring" r={if is_selected { "54" } else { "47" }} />
+            }
+            if lit == Some(true) && !is_selected {
+                <circle class="litring" r="46" />
             }
             if is_selected {
                 <circle class="selring" r="47" />

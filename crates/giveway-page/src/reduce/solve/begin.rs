@@ -8,7 +8,7 @@ use giveway_solve::plan::Planner;
 use giveway_solve::{Limits, SolveRequest, Status};
 
 use crate::front::has_front;
-use crate::reduce::{ask, change, stroke};
+use crate::reduce::{ask, change, inside, stroke};
 use crate::{Answer, Arrival, Mode, Notice, Size, Solving, State, Task};
 
 /// How a solve begins.
@@ -106,12 +106,18 @@ pub(in crate::reduce) fn start(state: &mut State, how: Start) {
             .and_then(|from| from.solved.plan.as_ref())
             .or(dropped)
             .cloned(),
+        trace: goes_on && audit.is_none(),
         limits: Limits {
             seconds: Some(f64::from(state.settings.seconds)),
             ..Limits::default()
         },
         ..SolveRequest::default()
     };
+    let request = SolveRequest {
+        trace: request.trace && !request.pareto,
+        ..request
+    };
+    let is_search = how.planner.is_none();
     state.work.start(Task::Solve(Solving {
         draft: Rc::clone(&document.draft),
         request: Rc::new(request),
@@ -123,8 +129,12 @@ pub(in crate::reduce) fn start(state: &mut State, how: Start) {
         preview: None,
         planner: how.planner,
         from,
+        trace: None,
         size: Size::default(),
         then: how.then,
         arrival: how.arrival,
     }));
+    if is_search {
+        inside::begin(state);
+    }
 }

@@ -3,6 +3,7 @@
 use std::rc::Rc;
 
 use giveway_model::{Version, check};
+use giveway_solve::trace::SearchTrace;
 use giveway_solve::{Progress, SolveAnswer, Stats, Status};
 
 use crate::Solving;
@@ -23,9 +24,18 @@ impl Solving {
                 self.plan = Some(Rc::new(plan));
             }
             Progress::Plan { costs, .. } => self.best = Some(costs),
+            Progress::Traced { events } => {
+                let objective = || self.draft.scene().objective.clone();
+                let trace = self
+                    .trace
+                    .get_or_insert_with(|| Rc::new(SearchTrace::new(objective())));
+                let trace = Rc::make_mut(trace);
+                for event in events {
+                    trace.push(event);
+                }
+            }
             Progress::Size { .. }
             | Progress::Explained { .. }
-            | Progress::Traced { .. }
             | Progress::Freedom { .. }
             | Progress::Certifying { .. } => {}
         }
@@ -59,7 +69,7 @@ impl Solving {
             reason,
             plan: plan.cloned(),
             stats: Stats::default(),
-            trace: None,
+            trace: self.trace.as_deref().cloned(),
         })
     }
 }

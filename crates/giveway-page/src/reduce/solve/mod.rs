@@ -5,7 +5,7 @@ mod begin;
 mod known;
 mod preview;
 
-use super::{ask, job, planners, proof};
+use super::{ask, inside, job, planners, proof};
 use crate::{Document, SolveAction, State, Task};
 
 pub(super) use answered::{answered, front};
@@ -59,6 +59,9 @@ pub(super) fn cancel(state: &mut State) {
             if asking.is_some_and(|asking| asking.told.is_none()) {
                 ask::close(state);
             }
+        }
+        Some(Task::Look(looking)) => {
+            inside::not_told(state, &looking, "You stopped it.");
         }
         Some(Task::Certify(_) | Task::Change(_)) | None => {}
     }

@@ -58,6 +58,7 @@ fn best() -> SolveAnswer {
         complete: true,
         reason: None,
         plan: Some(plan),
+        trace: None,
         stats: Stats::default(),
         trace: None,
     }

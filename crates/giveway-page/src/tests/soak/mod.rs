@@ -8,8 +8,8 @@ use giveway_model::Question;
 use super::answered;
 use crate::reduce::tests::after;
 use crate::{
-    Action, AskAction, Draft, Edit, Mode, SolveAction, State, ask, board, changing, inspect, link,
-    planners, reduce, steering, table, words,
+    Action, AskAction, Draft, Edit, Mode, SolveAction, State, ask, board, changing, inside,
+    inspect, link, planners, reduce, steering, table, words,
 };
 
 /// How many actions in all.
@@ -99,6 +99,21 @@ fn show(state: &State) {
     let _ = (steering::facts(state), state.can_change());
     let _ = planners::table(state);
     let _ = board::Cast::of(state);
+    let overlay = inside::overlay(state);
+    let _ = (
+        inside::legend(state, &overlay),
+        inside::column(state),
+        inside::said(state),
+    );
+    let _ = (
+        inside::rows(state, &(0..50)),
+        inside::chart(state, (300.0, 200.0)),
+    );
+    let _ = (
+        inside::tree_view(state),
+        inside::notes(state),
+        inside::steps(state),
+    );
     for agent in 0..=state.world().agents().len() {
         let _ = inspect::agent(state, agent);
         let _ = changing::offers(state, agent);

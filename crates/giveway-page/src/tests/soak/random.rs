@@ -10,6 +10,7 @@ use crate::action::IntakeAction;
 use crate::audit::AuditAction;
 use crate::files::Opened;
 use crate::find::FindAction;
+use crate::inside::{InsideAction, Method};
 use crate::intake::protocol::{Read, Task};
 use crate::intake::work;
 use crate::planners::By;
@@ -44,10 +45,36 @@ impl Session {
             80..88 => vec![Action::Change(self.change())],
             88..91 => vec![Action::Steer(self.lead())],
             91..93 => vec![Action::Audit(self.audit())],
-            93..97 => self.look(),
+            93..95 => self.look(),
+            95..97 => vec![Action::Inside(self.inside())],
             97 => self.dropped(),
             98 => self.find(),
             _ => vec![self.file()],
+        }
+    }
+
+    fn inside(&mut self) -> InsideAction {
+        let n = self.rng.usize(0..6);
+        match self.rng.u8(0..15) {
+            0..2 => InsideAction::Show(n > 0),
+            2..5 => InsideAction::By(*self.rng.choice(&Method::ALL).unwrap()),
+            5 => InsideAction::Step(n),
+            6 => InsideAction::Node(n as u64),
+            7 => InsideAction::Order(n),
+            8 => InsideAction::Robots(n),
+            9 => InsideAction::Last,
+            10 => InsideAction::Next,
+            11 => InsideAction::Play(n > 0),
+            12 => InsideAction::Tick,
+            13 => InsideAction::Alone(n > 1),
+            _ => *self
+                .rng
+                .choice(&[
+                    InsideAction::Again,
+                    InsideAction::Reasons,
+                    InsideAction::PlayPlan,
+                ])
+                .unwrap(),
         }
     }
 

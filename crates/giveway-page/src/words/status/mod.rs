@@ -58,7 +58,11 @@ pub fn standing(state: &State) -> Standing {
     {
         return say(audit::badge(audit), audit::sentence(audit));
     }
-    if let Some(task) = state.work.task() {
+    let task = state
+        .work
+        .task()
+        .filter(|task| !matches!(task, Task::Look(_)));
+    if let Some(task) = task {
         return working(state, task);
     }
     if let Some(placing) = state.placing() {
@@ -108,6 +112,7 @@ fn working(state: &State, task: &Task) -> Standing {
         }
         Task::Certify(run) => say(Badge::Checking, proof::doing(run)),
         Task::Change(run) => say(Badge::Adapting, change::adapting(run)),
+        Task::Look(_) => resting(state),
     }
 }
 

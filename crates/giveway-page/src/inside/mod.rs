@@ -1,0 +1,140 @@
+//! How the plan was found and proved, to be stepped through: the proof of the search,
+//! the tree of CBS, the orders of prioritised planning.
+//!
+//! All of it is looked at and nobody would miss it: it belongs to the scene on the
+//! board, and is asked again where that is another one.
+
+mod action;
+mod board;
+mod column;
+mod legend;
+mod looked;
+mod looking;
+mod node;
+mod nothing;
+mod order;
+mod orders;
+mod plan;
+pub(crate) mod proof;
+mod steps;
+mod tree;
+
+use std::rc::Rc;
+
+use giveway_solve::trace::Core;
+
+pub use action::InsideAction;
+pub use board::{Ban, Meeting, Overlay, Shade, overlay};
+pub use column::{Button, Choice, Column, Fact, Listed, OrderRow, Tint, Verdict, column};
+pub use legend::{Sign, legend};
+pub(crate) use looked::{Looked, OrderRun, Told, TreeRun};
+pub(crate) use looking::wanted;
+pub use looking::{Looking, What};
+pub use nothing::{Nothing, nothing, said};
+pub use orders::{Note, Stop, notes};
+pub(crate) use plan::{conflict_time, of_node, of_order, two_on_a_cell};
+pub(crate) use proof::trace as record;
+pub use proof::{Chart, Dot, Kind, ProofRow, Tick, chart, rows};
+pub(crate) use steps::place;
+pub use steps::{Steps, steps};
+pub use tree::{Fold, NodeBox, TreeView, view as tree_view};
+
+use crate::{Answer, Mode, State};
+
+/// A way to find a plan that can be looked into.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum Method {
+    /// The search for the best plan and its proof.
+    #[default]
+    Proof,
+    /// CBS: a tree of constraints.
+    Tree,
+    /// Prioritised planning: one order after the other.
+    Orders,
+}
+
+impl Method {
+    /// All, in the order of their tabs.
+    pub const ALL: [Self; 3] = [Self::Proof, Self::Tree, Self::Orders];
+
+    /// Its name.
+    pub const fn title(self) -> &'static str {
+        match self {
+            Self::Proof => "Proof",
+            Self::Tree => "Conflict tree",
+            Self::Orders => "One by one",
+        }
+    }
+}
+
+/// What is looked at of how the plan was found.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Inside {
+    /// Whether it has the place of the lanes.
+    pub is_open: bool,
+    /// Of which method.
+    pub method: Method,
+    /// Whether its steps follow each other by themselves.
+    pub is_playing: bool,
+    /// The step of the proof, by its row; `None`: the last one, whichever that is.
+    pub(crate) step: Option<usize>,
+    /// The robots that are looked at alone.
+    pub(crate) alone: Option<AloneView>,
+    /// The node of the tree, by its number.
+    pub(crate) node: u64,
+    /// The order, by its place in the list.
+    pub(crate) order: usize,
+    /// How many of its robots have planned; `None`: all.
+    pub(crate) robots: Option<usize>,
+    /// What was found out about the scene.
+    pub(crate) looked: Option<Rc<Looked>>,
+    /// The plan of the node, or of the order so far.
+    pub(crate) shown: Option<Rc<Answer>>,
+}
+
+/// Some robots that are looked at alone.
+#[derive(Clone, Debug, PartialEq)]
+pub(crate) struct AloneView {
+    /// The step that they are of.
+    pub(crate) core: Rc<Core>,
+    /// The row of that step among those of all robots.
+    pub(crate) back: usize,
+}
+
+impl State {
+    /// Whether the page shows how the plan was found.
+    pub fn is_inside(&self) -> bool {
+        self.inside.is_open && self.can_look_inside()
+    }
+
+    /// Whether there is something to look into: nothing else is done with the plan.
+    pub fn can_look_inside(&self) -> bool {
+        self.document.mode == Mode::Editing && !self.is_embedded()
+    }
+
+    /// How many steps there are to go through.
+    pub(crate) fn inside_steps(&self) -> usize {
+        steps::place(self).map_or(0, |(_, last, _)| last)
+    }
+
+    /// The plan of the node or the order that is looked at.
+    pub(crate) fn inside_plan(&self) -> Option<&Rc<Answer>> {
+        let is_other = self.is_inside() && self.inside.method != Method::Proof;
+        self.inside
+            .shown
+            .as_ref()
+            .filter(|answer| is_other && (Rc::ptr_eq(&answer.draft, &self.document.draft)))
+    }
+
+    /// What was found out about the scene on the board.
+    pub(crate) fn looked(&self) -> Option<&Looked> {
+        let looked = self.inside.looked.as_deref()?;
+        looked.is_of(&self.document).then_some(looked)
+    }
+}
+
+/// The index of a robot on the board.
+pub(crate) fn index(state: &State, name: &str) -> Option<usize> {
+    let mut agents = state.document.draft.agents().iter();
+    agents.position(|agent| agent.name == name)
+}

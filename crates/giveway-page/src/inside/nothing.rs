@@ -1,0 +1,106 @@
+//! What is said where there is nothing to look into, and of the step for those who
+//! listen.
+
+use giveway_solve::Status;
+
+use super::{InsideAction, Method, column, proof};
+use crate::{Action, SolveAction, State, Task};
+
+/// What is said where there is nothing to look into.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Nothing {
+    /// In short.
+    pub title: &'static str,
+    /// What to do.
+    pub text: String,
+    /// A button: its words, and what it does.
+    pub action: Option<(&'static str, Action)>,
+}
+
+/// What is said; where something runs, that it does.
+pub fn nothing(state: &State) -> Nothing {
+    let is_looking = matches!(state.work.task(), Some(Task::Look(_)));
+    let is_ready = state.document.draft.instance().is_ok();
+    let say = |title, text: &str, action| Nothing {
+        title,
+        text: text.to_owned(),
+        action,
+    };
+    let cancel = || Some(("Stop", Action::Solve(SolveAction::Cancel)));
+    match state.inside.method {
+        _ if !is_ready => say(
+            "Nothing to look into yet",
+            "The scene is not complete.",
+            None,
+        ),
+        Method::Proof => without_proof(state),
+        Method::Tree if is_looking => say("CBS plans", "Its tree comes when it is done.", cancel()),
+        Method::Orders if is_looking => say("One robot plans after the other", "", cancel()),
+        _ if !state.work.is_idle() => say(
+            "The solver is busy",
+            "This planner comes next, when the solver is done.",
+            None,
+        ),
+        _ => {
+            let failed = state.looked().and_then(|looked| match state.inside.method {
+                Method::Tree => looked.tree.as_ref()?.as_ref().err(),
+                _ => looked.failed.as_ref(),
+            });
+            let text = failed.map_or("", String::as_str);
+            let again = ("Try again", Action::Inside(InsideAction::Again));
+            say("Nothing was found out", text, Some(again))
+        }
+    }
+}
+
+fn without_proof(state: &State) -> Nothing {
+    let solve = |words| Some((words, Action::Solve(SolveAction::Solve)));
+    if proof::is_running(state) {
+        return Nothing {
+            title: "The search begins",
+            text: "Its steps come here.".to_owned(),
+            action: None,
+        };
+    }
+    let answer = state.document.fresh_answer();
+    let is_final = answer
+        .is_some_and(|answer| matches!(answer.solved.status, Status::Optimal | Status::Impossible));
+    if is_final {
+        return Nothing {
+            title: "No record of this proof was kept",
+            text: "Solve again to see how.".to_owned(),
+            action: solve("Solve again"),
+        };
+    }
+    let text = if state.document.is_stale() {
+        "The scene has changed since this plan. Solve again to see how."
+    } else {
+        "Solve the scene to see how the best plan is found and proved."
+    };
+    Nothing {
+        title: "Nothing is proved yet",
+        text: text.to_owned(),
+        action: solve("Solve"),
+    }
+}
+
+/// What is chosen, for those who listen; nothing while steps come by themselves.
+pub fn said(state: &State) -> String {
+    if !state.is_inside() {
+        return String::new();
+    }
+    let told = match state.inside.method {
+        Method::Proof if proof::is_running(state) && state.inside.step.is_none() => None,
+        Method::Proof => proof::step_text(state),
+        // A tree says its items by itself.
+        Method::Tree => None,
+        Method::Orders => column::column(state).and_then(|column| {
+            let verdict = column.verdict?;
+            Some(format!(
+                "{} {}: {}",
+                verdict.word, verdict.beside, verdict.text
+            ))
+        }),
+    };
+    told.unwrap_or_default()
+}

@@ -1,0 +1,152 @@
+//! How the plan was found, looked into: opened, stepped through, and asked about.
+
+mod closer;
+mod orders;
+mod proof;
+mod tree;
+
+use giveway_model::format::native;
+use giveway_model::{Agent, Cell, Cost, Objective, Scene};
+
+use super::{answered, saying};
+use crate::inside::{
+    Column, InsideAction, Method, Nothing, column, legend, nothing, overlay, said, steps,
+};
+use crate::reduce::tests::after;
+use crate::{Action, Draft, Edit, PlayAction, Selection, SolveAction, State, Tab, Task};
+
+fn draft(scene: &str) -> Draft {
+    Draft::new(native::read_scene(scene).unwrap()).unwrap()
+}
+
+/// Robots `a` to `d`, each from its lower to its upper letter.
+fn page(map: &[&str], costs: &[Cost]) -> State {
+    let find = |letter: char| {
+        let rows = (0..).zip(map);
+        let mut cells =
+            rows.flat_map(|(y, row)| (0..).zip(row.chars()).map(move |(x, c)| (x, y, c)));
+        let found = cells.find(|&(_, _, c)| c == letter);
+        found.map(|(x, y, _)| Cell::new(x, y))
+    };
+    let agent = |letter: char| {
+        let goal = letter.to_ascii_uppercase();
+        Some(Agent {
+            name: goal.to_string(),
+            start: find(letter)?,
+            goal: find(goal)?,
+            waypoints: Vec::new(),
+            battery: None,
+        })
+    };
+    let ground = |row: &&str| row.replace(|c: char| c.is_alphabetic(), ".");
+    let scene = Scene {
+        map: map.iter().map(ground).collect(),
+        agents: "abcd".chars().filter_map(agent).collect(),
+        objective: Objective::new(costs.to_vec()).unwrap(),
+        ..Scene::default()
+    };
+    State::new(Draft::new(scene).unwrap())
+}
+
+/// Two robots that want the middle cell at the same time.
+fn crossing() -> State {
+    page(&[".b.", "a.A", ".B."], &[Cost::SumOfCosts, Cost::Makespan])
+}
+
+/// Three robots in a corridor with one bay: whoever goes first blocks another one.
+fn last_in() -> State {
+    State::new(draft(include_str!(
+        "../../../../../static/examples/last-in.json"
+    )))
+}
+
+const SOLVE: Action = Action::Solve(SolveAction::Solve);
+
+fn inside(state: &State, actions: impl IntoIterator<Item = InsideAction>) -> State {
+    after(state, actions.into_iter().map(Action::Inside))
+}
+
+/// With the answers to all that is asked, one after the other.
+fn settled(state: &State) -> State {
+    let mut state = state.clone();
+    while !state.work.is_idle() {
+        state = answered(&state);
+    }
+    state
+}
+
+fn solved(state: &State) -> State {
+    settled(&after(state, [SOLVE]))
+}
+
+fn shown(state: &State) -> Column {
+    column(state).unwrap()
+}
+
+#[test]
+fn it_opens_in_the_place_of_the_lanes_and_closes() {
+    let state = solved(&crossing());
+    assert!(!state.is_inside() && column(&state).is_none());
+    let open = inside(&state, [InsideAction::Show(true)]);
+    assert!(open.is_inside());
+    assert_eq!(open.view.tab, Tab::Timeline);
+    assert_eq!(open.document, state.document, "it only looks");
+    assert!(!open.history.can_undo() || state.history.can_undo());
+    let closed = inside(&open, [InsideAction::Show(false)]);
+    assert!(!closed.is_inside() && column(&closed).is_none());
+    assert!(legend(&closed, &overlay(&closed)).is_none());
+}
+
+#[test]
+fn the_best_plan_is_played_from_its_end() {
+    let state = inside(
+        &solved(&crossing()),
+        [InsideAction::Show(true), InsideAction::Last],
+    );
+    let button = shown(&state).foot.pop().unwrap();
+    assert_eq!((button.text, button.is_primary), ("Play the plan", true));
+    let playing = inside(&state, [button.action.unwrap()]);
+    assert!(!playing.is_inside() && playing.view.playback.playing);
+}
+
+#[test]
+fn without_a_plan_it_says_what_to_do() {
+    let state = inside(&crossing(), [InsideAction::Show(true)]);
+    let Nothing { title, action, .. } = nothing(&state);
+    assert_eq!(title, "Nothing is proved yet");
+    let running = after(&state, [action.unwrap().1]);
+    assert_eq!(nothing(&running).title, "The search begins");
+    // Nothing of the old scene is told of the new one.
+    let edited = after(&solved(&running), [Action::Edit(Edit::Clear)]);
+    assert_eq!(column(&edited), None);
+    assert_eq!(overlay(&edited), crate::inside::Overlay::default());
+}
+
+#[test]
+fn an_answer_without_a_record_says_so() {
+    let state = inside(&crate::sample::solved(), [InsideAction::Show(true)]);
+    let told = nothing(&state);
+    assert_eq!(told.title, "No record of this proof was kept");
+    assert_eq!(told.text, "Solve again to see how.");
+    assert!(crate::files::trace_file(&state).is_none());
+}
+
+#[test]
+fn what_was_chosen_is_said_to_those_who_listen() {
+    let state = inside(&solved(&crossing()), [InsideAction::Show(true)]);
+    assert_eq!(
+        said(&state),
+        "Each robot alone, by its fastest way: at least 4"
+    );
+    assert_eq!(said(&inside(&state, [InsideAction::Show(false)])), "");
+}
+
+#[test]
+fn a_robot_that_is_selected_is_told_of_and_given_up_by_the_next_step() {
+    let state = inside(&solved(&crossing()), [InsideAction::Show(true)]);
+    let selected = after(&state, [super::select(0)]);
+    assert_eq!(selected.view.selection, Selection::Agent(0));
+    assert!(selected.is_inside());
+    let next = inside(&selected, [InsideAction::Next]);
+    assert_eq!(next.view.selection, Selection::Nothing);
+}

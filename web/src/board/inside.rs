@@ -1,0 +1,161 @@
+//! What is drawn over the map of a step of how the plan was found.
+
+use giveway_page::board::CELL;
+use giveway_page::form;
+use giveway_page::inside::{Ban, Meeting, Overlay, Shade};
+use yew::prelude::*;
+
+use super::layers::square;
+use super::reasons::STAR;
+
+/// What is written over the map is at least so high, in pixels.
+const LETTERS: f64 = 11.0;
+/// The same in units, where cells are large enough for it.
+const LETTERS_AT: f64 = 18.0;
+
+#[derive(Clone, PartialEq, Properties)]
+pub(super) struct InsideProps {
+    pub(super) overlay: Overlay,
+}
+
+#[derive(Clone, PartialEq, Properties)]
+pub(super) struct MarksProps {
+    pub(super) overlay: Overlay,
+    /// How large a cell is, in pixels.
+    pub(super) cell_px: f64,
+    /// How many columns the map has.
+    pub(super) columns: u32,
+}
+
+/// Where robots can be; it lies on the floor.
+#[component]
+pub(super) fn InsideFloor(props: &InsideProps) -> Html {
+    let shade = |shade: &Shade| {
+        html! { <path class={classes!("reach", form::class(shade.agent))} fill-rule="evenodd" d={shade.path.clone()} /> }
+    };
+    html! { <g aria-hidden="true">{ for props.overlay.shades.iter().map(shade) }</g> }
+}
+
+/// What lies over all that stands and moves.
+#[component]
+pub(super) fn InsideMarks(props: &MarksProps) -> Html {
+    let MarksProps {
+        overlay,
+        cell_px,
+        columns,
+    } = props;
+    let scale = (LETTERS / (LETTERS_AT * cell_px / CELL)).clamp(1.0, 7.0);
+    let label = Label {
+        scale,
+        right: f64::from(*columns) * CELL,
+    };
+    let ring = RING.max(RING_PX * CELL / cell_px);
+    let burst = |(x, y): &(f64, f64)| {
+        html! {
+            <g class="burst" transform={format!("translate({x} {y})")}>
+                <path d={STAR} /><path class="ex" d="M0-11V3M0 11v.1" />
+            </g>
+        }
+    };
+    html! {
+        <g aria-hidden="true">
+            { for overlay.bans.iter().map(|each| ban(each, label)) }
+            { for overlay.bursts.iter().map(burst) }
+            { for overlay.meetings.iter().map(|each| meeting(each, label, ring)) }
+            if let Some((cell, text)) = &overlay.stuck {
+                { square("vcell", *cell, 4) }
+                { stuck_label(cell.x, cell.y, text, label) }
+            }
+        </g>
+    }
+}
+
+/// The radius of the ring around a meeting, in units.
+const RING: f64 = 56.0;
+/// It is at least so large, in pixels.
+const RING_PX: f64 = 9.0;
+
+/// How labels are written.
+#[derive(Clone, Copy)]
+struct Label {
+    /// How much larger than drawn.
+    scale: f64,
+    /// Where the map ends, in units.
+    right: f64,
+}
+
+impl Label {
+    /// The middle of a label of so much width that is wanted somewhere: the map's
+    /// edges cut nothing off.
+    fn on_map(self, x: f64, width: f64) -> f64 {
+        let half = width * self.scale / 2.0 + 3.0;
+        x.min(self.right - half).max(half)
+    }
+}
+
+/// How wide a label is, in units.
+fn wide(text: &str) -> f64 {
+    text.chars().count() as f64 * 9.6 + 22.0
+}
+
+fn ban(ban: &Ban, label: Label) -> Html {
+    let (x, y) = ban.label;
+    let width = wide(&ban.text);
+    let (x, scale) = (label.on_map(x, width), label.scale);
+    html! {
+        <g class={classes!("ban", form::class(ban.agent), ban.is_asked.then_some("asked"))}>
+            if let Some(cell) = ban.cell {
+                <rect class="at" x={(100 * cell.x + 7).to_string()} y={(100 * cell.y + 7).to_string()} width="86" height="86" rx="14" />
+            }
+            if let Some([(x1, y1), (x2, y2)]) = ban.line {
+                <line class="at" x1={x1.to_string()} y1={y1.to_string()} x2={x2.to_string()} y2={y2.to_string()} />
+            }
+            <g transform={format!("translate({x} {y}) scale({scale})")}>
+                <rect class="tg" x={(-width / 2.0).to_string()} y="-14" width={width.to_string()} height="28" rx="14" />
+                <text y="6" text-anchor="middle">{ ban.text.clone() }</text>
+            </g>
+        </g>
+    }
+}
+
+fn meeting(meeting: &Meeting, label: Label, ring: f64) -> Html {
+    let (x, y) = meeting.at;
+    let width = wide(&meeting.text) + 6.0;
+    let scale = label.scale;
+    let aside = ring + 8.0 + width * scale / 2.0;
+    let u = if meeting.is_left {
+        x - aside
+    } else {
+        x + aside
+    };
+    let u = label.on_map(u, width);
+    html! {
+        <>
+            <circle class="meetring" cx={x.to_string()} cy={y.to_string()} r={ring.to_string()} />
+            <g class="meet-at" transform={format!("translate({u} {y}) scale({scale})")}>
+                <rect x={(-width / 2.0).to_string()} y="-17" width={width.to_string()} height="34" rx="17" />
+                <text y="6" text-anchor="middle">{ meeting.text.clone() }</text>
+            </g>
+        </>
+    }
+}
+
+/// Above its cell, or below it in the first row.
+fn stuck_label(x: u32, y: u32, text: &str, label: Label) -> Html {
+    let scale = label.scale;
+    let middle = f64::from(x) * 100.0 + 50.0;
+    let up = 17.0 * scale + 3.0;
+    let at = if y == 0 {
+        CELL + up
+    } else {
+        f64::from(y) * CELL - up
+    };
+    let width = wide(text) + 6.0;
+    let middle = label.on_map(middle, width);
+    html! {
+        <g class="stuck-at" transform={format!("translate({middle} {at}) scale({scale})")}>
+            <rect x={(-width / 2.0).to_string()} y="-17" width={width.to_string()} height="34" rx="17" />
+            <text y="6" text-anchor="middle">{ text.to_owned() }</text>
+        </g>
+    }
+}

@@ -1,0 +1,134 @@
+//! How the plan was found, in the place of the lanes: the proof, the tree, the orders.
+
+mod chart;
+mod proof;
+mod switch;
+mod tree;
+
+use std::rc::Rc;
+
+use giveway_page::inside::{InsideAction, Method, notes, steps};
+use giveway_page::{Action, State};
+use gloo::timers::callback::Interval;
+use yew::prelude::*;
+
+use super::DockProps;
+use super::plan::Plan;
+use super::same::Same;
+use super::tabs::Tabs;
+use crate::icon;
+use proof::Proof;
+use switch::methods;
+pub(super) use switch::places;
+use tree::Tree;
+
+/// How long a step is shown where they follow each other, in milliseconds.
+const STEP_MS: u32 = 1000;
+
+/// What stands below the board.
+#[component]
+pub(super) fn Inside(props: &DockProps) -> Html {
+    let DockProps { state, send } = props;
+    {
+        let send = send.clone();
+        use_effect_with(state.inside.is_playing, move |&is_playing| {
+            let tick = move || send.emit(Action::Inside(InsideAction::Tick));
+            let ticking = is_playing.then(|| Interval::new(STEP_MS, tick));
+            move || drop(ticking)
+        });
+    }
+    let class = match state.inside.method {
+        Method::Proof => "pf-proof",
+        Method::Tree => "pf-tree",
+        Method::Orders => "pf-orders",
+    };
+    html! {
+        <section class={classes!("dock", "pf", "calm", class)} aria-label="How it was proved">
+            <div class="transport">
+                { places(state, send) }
+                { keys(state, send) }
+                <span class="grow"></span>
+                { methods(state, send) }
+            </div>
+            <Tabs tab={state.view.tab} checks={false} inside={Some(state.inside.method)} send={send.clone()} />
+            { body(props) }
+            <p class="vh" aria-live="polite">{ giveway_page::inside::said(state) }</p>
+        </section>
+    }
+}
+
+fn body(props: &DockProps) -> Html {
+    let DockProps { state, send } = props;
+    match state.inside.method {
+        Method::Proof => html! { <Proof ..props.clone() /> },
+        Method::Tree => match giveway_page::inside::tree_view(state) {
+            Some(view) => html! { <Tree {view} send={send.clone()} /> },
+            None => waiting(state, send),
+        },
+        Method::Orders => match (notes(state), state.shown()) {
+            (Some(notes), Some(answer)) => html! {
+                <Plan answer={Same::new(Rc::clone(answer))} beside={None::<Same<_>>} notes={Rc::new(notes)}
+                    state={state.clone()} send={send.clone()} />
+            },
+            _ => waiting(state, send),
+        },
+    }
+}
+
+/// While nothing is known yet, or where nothing could be found out.
+fn waiting(state: &State, send: &Callback<Action>) -> Html {
+    let nothing = giveway_page::inside::nothing(state);
+    let button = nothing.action.map(|(text, action)| {
+        let press = send.reform(move |_: MouseEvent| action.clone());
+        html! { <button type="button" class="btn outline" onclick={press}>{ text }</button> }
+    });
+    html! {
+        <div class="nil lanes" id="lanes">
+            { icon::show("clock") }
+            <p><b>{ nothing.title }</b>{ nothing.text }</p>
+            { button }
+        </div>
+    }
+}
+
+/// The buttons that step, and which step it is.
+fn keys(state: &State, send: &Callback<Action>) -> Html {
+    let steps = steps(state);
+    let button = |icon: &'static str,
+                  name: &'static str,
+                  key: &str,
+                  action: InsideAction,
+                  on: bool| {
+        html! {
+            <button type="button" class="btn ghost round" title={format!("{name} ({key})")} disabled={!on}
+                onclick={send.reform(move |_| Action::Inside(action))}>
+                { icon::show(icon) }<span class="vh">{ name }</span>
+            </button>
+        }
+    };
+    let before = steps.as_ref().is_some_and(|steps| steps.has_before);
+    let after = steps.as_ref().is_some_and(|steps| steps.has_after);
+    let is_playing = steps.as_ref().is_some_and(|steps| steps.is_playing);
+    let (icon, name) = if is_playing {
+        ("pause", "Pause")
+    } else {
+        ("play", "Play")
+    };
+    let play = send.reform(move |_| Action::Inside(InsideAction::Play(!is_playing)));
+    html! {
+        <>
+            <div class="keys">
+                { button("start", "First step", "Home", InsideAction::First, before) }
+                { button("step-back", "Step before", ",", InsideAction::Back, before) }
+                <button type="button" class="btn playb" title={format!("{name} (Space)")} disabled={!before && !after} onclick={play}>
+                    { icon::show(icon) }<span class="vh">{ name }</span>
+                </button>
+                { button("step", "Next step", ".", InsideAction::Next, after) }
+                { button("end", "Last step", "End", InsideAction::Last, after) }
+            </div>
+            if let Some(steps) = steps {
+                <p class="clock"><b>{ steps.at }</b><span>{ format!(" {}", steps.of) }</span></p>
+            }
+        </>
+    }
+}
