@@ -10,6 +10,7 @@ use crate::audit::AuditAction;
 use crate::changing::Choice;
 use crate::files::Opened;
 use crate::find::FindAction;
+use crate::freedom::FreedomAction;
 use crate::intake::{Save, protocol::Reply};
 use crate::link::Linked;
 use crate::planners::By;
@@ -46,6 +47,8 @@ pub enum Action {
     Audit(AuditAction),
     /// A robot is looked for by its name.
     Find(FindAction),
+    /// What must be so is laid over the plan.
+    Freedom(FreedomAction),
     /// Other people's files come in and go out.
     Intake(IntakeAction),
     /// The plan plays.

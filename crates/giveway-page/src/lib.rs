@@ -29,6 +29,7 @@ pub mod examples;
 pub mod files;
 pub mod find;
 pub mod form;
+pub mod freedom;
 pub mod front;
 mod gesture;
 mod history;

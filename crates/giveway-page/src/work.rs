@@ -6,6 +6,7 @@ use std::rc::Rc;
 use giveway_model::{Cost, Costs, Plan, Question};
 use giveway_solve::change::ChangeRequest;
 use giveway_solve::explain::ExplainRequest;
+use giveway_solve::freedom::FreedomRequest;
 use giveway_solve::plan::{PlanRequest, Planner};
 use giveway_solve::{CertifyRequest, Request, SolveRequest};
 
@@ -40,6 +41,8 @@ pub enum Task {
     Certify(Certifying),
     /// Ways to go on are looked for where the world changes.
     Change(Adapting),
+    /// What must be so is looked for; what is known stands in the document.
+    Freedom(Rc<FreedomRequest>),
 }
 
 /// A scene on its way to an answer, and what is known so far.
@@ -208,6 +211,7 @@ impl Task {
             Self::Explain(request) => Request::Explain((**request).clone()),
             Self::Certify(run) => Request::Certify((*run.request).clone()),
             Self::Change(run) => Request::Change((*run.request).clone()),
+            Self::Freedom(request) => Request::Freedom((**request).clone()),
         }
     }
 
@@ -235,6 +239,11 @@ impl Task {
             Self::Change(run) => {
                 let changing = document.mode.changing();
                 changing.is_some_and(|changing| Rc::ptr_eq(changing, &run.changing))
+            }
+            Self::Freedom(request) => {
+                let freedom = document.freedom();
+                freedom.is_some_and(|freedom| Rc::ptr_eq(&freedom.request, request))
+                    && matches!(document.mode, Mode::Editing)
             }
         }
     }

@@ -1,18 +1,21 @@
 //! Escape, which closes one thing after the other.
 
+use crate::freedom::FreedomAction;
 use crate::steering::Lead;
 use crate::{
     Action, AskAction, BoardAction, ChangeAction, Phase, Selection, SolveAction, State, ViewAction,
 };
 
 /// What Escape closes first: what is being placed, what runs, the notice, a question,
-/// what is led, the selection, the changes of the world.
+/// what is led, the selection, the changes of the world, what is laid over the plan.
 pub(super) fn escape(state: &State) -> Option<Action> {
     if state.has_gesture() {
         Some(Action::Board(BoardAction::Abandon))
+    } else if state.closed_cell().is_some() && state.view.selection == Selection::Nothing {
+        Some(Action::Freedom(FreedomAction::Open))
     } else if matches!(
         state.phase(),
-        Phase::Solving | Phase::Asking | Phase::Checking | Phase::Adapting
+        Phase::Solving | Phase::Asking | Phase::Checking | Phase::Counting | Phase::Adapting
     ) {
         Some(Action::Solve(SolveAction::Cancel))
     } else if state.view.notice.is_some() {
@@ -31,6 +34,8 @@ pub(super) fn escape(state: &State) -> Option<Action> {
         Some(Action::Board(BoardAction::Select(Selection::Nothing)))
     } else if state.document.mode.changing().is_some() {
         Some(Action::Change(ChangeAction::Discard))
+    } else if state.freedom().is_some() {
+        Some(Action::Freedom(FreedomAction::Show(false)))
     } else {
         None
     }

@@ -3,7 +3,7 @@
 
 use giveway_solve::{Progress, Refusal, Response};
 
-use super::{ask, change, planners, proof, solve};
+use super::{ask, change, freedom, planners, proof, solve};
 use crate::{Adapting, Mode, Notice, Size, Solving, State, Task};
 
 /// Something became known on the way.
@@ -31,6 +31,7 @@ pub(super) fn progress(state: &mut State, id: u64, event: Progress) {
             run.at = Some((claim, checking));
         }
         (Task::Explain(_), Progress::Explained { answer }) => ask::learn(state, *answer),
+        (Task::Freedom(_), Progress::Freedom { answer }) => freedom::learn(state, *answer),
         _ => {}
     }
 }
@@ -47,6 +48,7 @@ pub(super) fn respond(state: &mut State, id: u64, response: Response) {
         (Task::Solve(run), Response::Planned(told)) => planners::planned(state, &run, &told),
         (Task::Explain(_), Response::Explained(answer)) => ask::learn(state, *answer),
         (Task::Certify(run), Response::Certified(report)) => proof::checked(state, &run, *report),
+        (Task::Freedom(_), Response::Freedom(answer)) => freedom::learn(state, *answer),
         (Task::Change(run), Response::Changed(told)) => change::answered(state, &run, *told),
         (task, Response::Refused(refusal)) => refused(state, &task, &refusal),
         _ => {}
@@ -59,6 +61,7 @@ fn refused(state: &mut State, task: &Task, refusal: &Refusal) {
         Task::Explain(_) => "The question cannot be answered.",
         Task::Certify(_) => "The proof cannot be checked.",
         Task::Change(_) => "The changes were refused.",
+        Task::Freedom(_) => "What must be so cannot be told of this plan.",
     };
     if let Task::Explain(_) = task {
         let is_stuck = matches!(state.document.mode, Mode::Stuck(..));

@@ -7,6 +7,7 @@ mod change;
 mod document;
 mod file;
 mod find;
+mod freedom;
 mod intake;
 mod job;
 mod planners;
@@ -64,6 +65,7 @@ fn step(state: &mut State, action: Action) {
         Action::Steer(lead) => steer::steer(state, lead),
         Action::Audit(action) => audit::audit(state, action),
         Action::Find(action) => find::find(state, action),
+        Action::Freedom(action) => freedom::freedom(state, action),
         Action::Intake(action) => intake::intake(state, action),
         Action::Play(action) => play::play(state, action),
         Action::View(action) => view::view(state, &action),
@@ -94,6 +96,7 @@ pub(crate) const fn only_looks(action: &Action) -> bool {
         | Action::Steer(_)
         | Action::Audit(_)
         | Action::Find(_)
+        | Action::Freedom(_)
         | Action::Intake(_)
         | Action::Slot(_) => false,
     }

@@ -19,13 +19,16 @@ impl State {
     /// plan of a question where that takes its place; the one that is previewed
     /// where the world changes.
     pub fn shown(&self) -> Option<&Rc<Answer>> {
-        self.document.shown(!self.view.is_wide)
+        let is_alone = !self.view.is_wide;
+        let other = self.farthest().filter(|_| is_alone);
+        other.or_else(|| self.document.shown(is_alone))
     }
 
     /// The answer that is shown beside that one: the other plan of a question,
     /// where there is room for it; or that of another planner.
     pub fn beside(&self) -> Option<&Rc<Answer>> {
         let other = match &self.document.mode {
+            Mode::Editing if self.farthest().is_some() => self.farthest(),
             Mode::Editing => {
                 let runs = Runs::fresh(&self.document)?;
                 let this = self.document.answer.as_ref();

@@ -58,6 +58,6 @@ pub(super) fn cancel(state: &mut State) {
                 ask::close(state);
             }
         }
-        Some(Task::Certify(_) | Task::Change(_)) | None => {}
+        Some(Task::Certify(_) | Task::Change(_) | Task::Freedom(_)) | None => {}
     }
 }
