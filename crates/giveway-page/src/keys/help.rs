@@ -31,7 +31,6 @@ pub const HELP: [(&str, &[Row]); 5] = [
             row(&[",", "."], "One step back, one step forward"),
             row(&["Home", "End"], "To the start, to the end"),
             row(&["X"], "Change the world at the time shown"),
-            row(&["M"], "What must be so"),
         ],
     ),
     (

@@ -7,7 +7,6 @@ mod tests;
 
 use crate::audit::AuditAction;
 use crate::find::FindAction;
-use crate::freedom::FreedomAction;
 use crate::reduce::only_looks;
 use crate::steering::Lead;
 use crate::{Action, BoardAction, ChangeAction, PlayAction, SolveAction, State, Tool, ViewAction};
@@ -90,10 +89,6 @@ fn meant(key: Key<'_>, state: &State) -> Option<Command> {
             has_agents.then_some(Action::Find(FindAction::Open))
         }
         "n" | "N" => state.audit().map(|_| Action::Audit(AuditAction::Next)),
-        "m" | "M" => {
-            let is_on = state.freedom().is_some();
-            on_plan(Action::Freedom(FreedomAction::Show(!is_on)))
-        }
         "x" | "X" => state
             .can_change()
             .then_some(Action::Change(ChangeAction::Begin)),
