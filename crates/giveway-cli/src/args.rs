@@ -13,6 +13,7 @@ mod change;
 mod compare;
 mod convert;
 mod explain;
+mod freedom;
 mod reading;
 mod solve;
 
@@ -22,6 +23,7 @@ pub(crate) use change::Change;
 pub(crate) use compare::Compare;
 pub(crate) use convert::Convert;
 pub(crate) use explain::Explain;
+pub(crate) use freedom::Freedom;
 pub(crate) use reading::Reading;
 pub(crate) use solve::Solve;
 
@@ -103,6 +105,8 @@ pub(crate) enum Command {
     Compare(Compare),
     /// Explain why a plan is as it is, or why there is none
     Explain(Explain),
+    /// Tell what must be so in every best plan, and what is free to choose
+    Freedom(Freedom),
     /// Find new plans after the world has changed
     Change(Change),
     /// Check an exported certificate again, without the solver

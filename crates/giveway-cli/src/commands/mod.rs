@@ -6,6 +6,7 @@ mod check;
 mod compare;
 mod convert;
 mod explain;
+mod freedom;
 mod manual;
 mod proof;
 mod solve;
@@ -30,6 +31,7 @@ pub(crate) fn run(args: &Args, clock: Clock) -> Result<Exit, Failure> {
         Command::Audit(audit) => audit::run(audit, &args.common, clock),
         Command::Compare(compare) => compare::run(compare, &args.common),
         Command::Explain(explain) => explain::run(explain, &args.common, clock),
+        Command::Freedom(freedom) => freedom::run(freedom, &args.common, clock),
         Command::Convert(convert) => convert::run(convert, &args.common),
         Command::Verify(verify) => verify::run(verify, &args.common),
         Command::Completions { shell } => manual::completions(*shell),

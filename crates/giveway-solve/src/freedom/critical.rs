@@ -137,7 +137,8 @@ impl<'t, 'h> Critical<'t, 'h> {
         let Some(it) = self.cells.get_mut(number) else {
             return Ok(());
         };
-        let Some(instance) = without(self.scene, it.cell) else {
+        let closed = scene_without(self.scene, it.cell).map(Instance::new);
+        let Some(Ok(instance)) = closed else {
             return Ok(());
         };
         let budget = Rc::new(self.task.budget.part(Limits::default()));
@@ -217,8 +218,8 @@ fn used(every: &Every, plan: &[Way]) -> std::collections::BTreeSet<Cell> {
     cells.collect()
 }
 
-/// The instance without a cell.
-fn without(scene: &Scene, cell: Cell) -> Option<Instance> {
+/// The scene without a cell; `None` off the map.
+pub(super) fn scene_without(scene: &Scene, cell: Cell) -> Option<Scene> {
     let mut scene = scene.clone();
     let row = scene.map.get_mut(cell.y as usize)?;
     let wall = Ground::Obstacle.to_char();
@@ -227,5 +228,5 @@ fn without(scene: &Scene, cell: Cell) -> Option<Instance> {
         .enumerate()
         .map(|(x, here)| if x == cell.x as usize { wall } else { here })
         .collect();
-    Instance::new(scene).ok()
+    Some(scene)
 }

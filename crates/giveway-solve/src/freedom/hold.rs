@@ -25,7 +25,9 @@ impl Holding<'_> {
         let Some(&first) = self.objective.costs().first() else {
             return Ok(Vec::new());
         };
-        let most = check(self.instance, self.plan).costs.map(|costs| costs.get(first));
+        let most = check(self.instance, self.plan)
+            .costs
+            .map(|costs| costs.get(first));
         let others = self.instance.agents().iter().filter(|it| it.name != name);
         let at_rest = others.map(|it| self.plan.path(&it.name).len()).max();
         let at_rest = at_rest.unwrap_or(0) as u32;

@@ -2,6 +2,7 @@
 
 mod answer;
 mod backbone;
+mod certificates;
 mod count;
 mod critical;
 mod every;
@@ -12,10 +13,12 @@ mod later;
 mod parts;
 mod request;
 mod serve;
+pub mod words;
 
 pub use answer::{
     About, Closed, CriticalCell, Farthest, FreedomAnswer, Hold, Known, Later, Need, PlanCount,
     Plans, Proved, Shared, Slack, Step, Visit, Ways, same_steps,
 };
+pub use certificates::Certificate;
 pub use request::{DEFAULT_COUNT, FreedomPart, FreedomRequest};
 pub(crate) use serve::serve;

@@ -16,7 +16,8 @@ pub struct Visit {
     pub time: u32,
     /// The cell; `null` in transit.
     pub cell: Option<Cell>,
-    /// Whether the agent is there at that time in every best plan.
+    /// Whether the agent is there at that time in every best plan; in transit: whether
+    /// it is between the same two cells, in the same direction.
     pub always: Known,
     /// Whether it is there at that time in no best plan but this one.
     pub only: Known,

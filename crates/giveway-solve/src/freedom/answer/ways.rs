@@ -66,9 +66,9 @@ pub enum Farthest {
     Found {
         /// The plan.
         plan: Box<Plan>,
-        /// In how many entries it differs: times at which an agent is elsewhere, or
-        /// charges in one plan alone. Arrived agents are at their goals where they
-        /// stay, and nowhere where they vanish.
+        /// In how many entries it differs: times at which an agent is elsewhere (or in
+        /// transit elsewhere), or charges in one plan alone. Arrived agents are at
+        /// their goals where they stay, and nowhere where they vanish.
         differs: u32,
         /// Whether it is proved that no best plan differs in more.
         most: Known,

@@ -20,7 +20,9 @@ pub(in crate::freedom) fn caps(
     horizon: u32,
     optimum: Reach,
 ) -> Caps {
-    let horizon = optimum.within().map_or(horizon, |within| within.min(horizon));
+    let horizon = optimum
+        .within()
+        .map_or(horizon, |within| within.min(horizon));
     let counts = |cost| objective.costs().contains(&cost);
     let total: u32 = problem.optima.iter().sum();
     let delay = best.sum_of_costs.saturating_sub(total);

@@ -182,7 +182,10 @@ impl<'h> BestPlans<'h> {
     }
 
     /// A literal for each of some vertices that holds whenever anybody is there.
-    pub(super) fn uses(&mut self, vertices: impl IntoIterator<Item = Vertex>) -> Vec<(Vertex, Lit)> {
+    pub(super) fn uses(
+        &mut self,
+        vertices: impl IntoIterator<Item = Vertex>,
+    ) -> Vec<(Vertex, Lit)> {
         let each = vertices.into_iter();
         let uses: Vec<(Vertex, Lit)> = each.map(|v| (v, self.sat.fresh())).collect();
         for code in &self.agents {
