@@ -1,10 +1,13 @@
 // Many agents, and large maps.
 
+import { readFileSync } from "node:fs";
 import { join } from "node:path";
 
 import { root } from "../e2e/dist.mjs";
+import { eventually } from "../e2e/wait.mjs";
 import { SOLVED, figure, inPage, smoothness } from "./figure.mjs";
 import { Tab } from "./process.mjs";
+import { solveUntilPlaying } from "./watch.mjs";
 
 /** Crowds: how many agents, on how many cells a side, the least frames a second, and by how many keys nearer. */
 const CROWDS = [[100, 64, 58], [300, 64, 30], [50, 256, 50], [1000, 256, 30], [1000, 256, 30, 5], [1000, 512, 30]];
@@ -42,6 +45,41 @@ export async function crowd(url) {
     }));
   }
   return figures;
+}
+
+/** A crowd is solved: how soon it moves, while the search goes on, and what that takes. */
+export async function atOnce(url) {
+  const [map, count] = ["warehouse-10-20-10-2-1", 300];
+  const scene = { giveway: 1, name: map, objective: ["sum-of-costs", "makespan"], ...benchmark(map, count) };
+  return inPage(url, async (playground, browser) => {
+    const { page } = playground;
+    await playground.says(SOLVED);
+    await playground.open({ name: "crowd.json", bytes: JSON.stringify(scene) });
+    await playground.shows(map);
+    const moved = await page.evaluate(solveUntilPlaying);
+    const tab = await Tab.of(browser);
+    let most = 0;
+    await eventually("the end of the solve", () => {
+      most = Math.max(most, tab.bytes());
+      return playground.button("Solve").isVisible();
+    }, Boolean, 120_000);
+    const what = `${count} agents of ${map}`;
+    return [
+      figure(`from Solve until ${what} move`, moved / 1000, "s", { most: 2, digits: 2 }),
+      figure(`memory of the tab at most, ${what} solved for 30 s`, most / 1e6, "MB", { most: 600 }),
+    ];
+  });
+}
+
+/** The first agents of a scenario of the standard benchmark. */
+function benchmark(name, count) {
+  const read = (end) => readFileSync(join(root, `tests/data/movingai/${name}${end}`), "utf8").split("\n");
+  const map = read(".map").slice(4).filter((line) => line !== "").map((line) => line.replaceAll(/[^.]/g, "#"));
+  const agents = read("-random-1.scen").slice(1, count + 1).map((line, n) => {
+    const fields = line.split("\t").map(Number);
+    return { name: `R${n + 1}`, start: fields.slice(4, 6), goal: fields.slice(6, 8) };
+  });
+  return { map, agents };
 }
 
 /** Plays, so many keys nearer. */

@@ -5,7 +5,7 @@ import { join } from "node:path";
 import { root } from "../e2e/dist.mjs";
 import { eventually } from "../e2e/wait.mjs";
 import { revising } from "./change.mjs";
-import { crowd, painting } from "./crowd.mjs";
+import { atOnce, crowd, painting } from "./crowd.mjs";
 import { SOLVED, figure, inPage, middle, smoothness } from "./figure.mjs";
 import { network } from "./network.mjs";
 import { Tab } from "./process.mjs";
@@ -17,7 +17,7 @@ const TIMES = 5;
 const SOLVING = 8;
 
 /** The figures by what they are about: functions of the page's address. */
-export const FIGURES = { opening, network, playing, crowd, painting, solving, bound, proof, revising, memory };
+export const FIGURES = { opening, network, playing, crowd, atOnce, painting, solving, bound, proof, revising, memory };
 
 async function opening(url) {
   const paints = [];

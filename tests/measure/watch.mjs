@@ -87,3 +87,21 @@ export function solveAtOnce() {
   };
   requestAnimationFrame(look);
 }
+
+/** Milliseconds from a click on `Solve` until the plan that plays has come to its first step. */
+export function solveUntilPlaying() {
+  const hasMoved = () => !["0", undefined].includes(document.querySelector(".clock b")?.textContent);
+  return new Promise((resolve) => {
+    const begin = performance.now();
+    const buttons = [...document.querySelectorAll("button")];
+    buttons.find((button) => button.textContent.trim() === "Solve").click();
+    const look = (now) => {
+      if (hasMoved()) {
+        resolve(now - begin);
+      } else {
+        requestAnimationFrame(look);
+      }
+    };
+    requestAnimationFrame(look);
+  });
+}

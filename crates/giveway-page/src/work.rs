@@ -62,6 +62,9 @@ pub struct Solving {
     pub best: Option<Costs>,
     /// That plan.
     pub plan: Option<Rc<Plan>>,
+    /// The plan that the board shows while the search goes on; a better one may be
+    /// known.
+    pub preview: Option<Rc<Answer>>,
     /// How large the formula is.
     pub size: Size,
     /// The question to ask about the plan once there is one.
@@ -157,16 +160,20 @@ impl Work {
         }
     }
 
+    /// The solve that runs, to take in what it tells.
+    pub(crate) fn solving_mut(&mut self) -> Option<&mut Solving> {
+        match &mut self.job.as_mut()?.task {
+            Task::Solve(solving) => Some(solving),
+            _ => None,
+        }
+    }
+
     /// A person asks for what runs already: its answer is a step of its own then.
     /// `false` where nothing is solved.
     pub(crate) fn ask_for(&mut self) -> bool {
-        match self.job.as_mut().map(|job| &mut job.task) {
-            Some(Task::Solve(run)) => {
-                run.arrival = Arrival::Step;
-                true
-            }
-            _ => false,
-        }
+        let run = self.solving_mut();
+        let runs = run.map(|run| run.arrival = Arrival::Step);
+        runs.is_some()
     }
 
     /// Starts a task in the place of what ran.

@@ -81,8 +81,8 @@ fn goes_by(key: &str, ctrl: bool, page: u32) -> Option<(i32, i32)> {
 /// Wherever the focus is, but not in a field: `+`, `-` and `0` change the view.
 #[hook]
 pub(super) fn use_view_keys(look: &Callback<Look>) {
-    let look = look.clone();
-    use_effect_with((), move |()| {
+    use_effect_with(look.clone(), move |look| {
+        let look = look.clone();
         let listener = EventListener::new(&gloo::utils::window(), "keydown", move |event| {
             let Some(event) = event.dyn_ref::<KeyboardEvent>() else {
                 return;

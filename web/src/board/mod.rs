@@ -100,7 +100,7 @@ pub fn Board(props: &BoardProps) -> Html {
 
     let reasons = giveway_page::board::reasons(state);
     let kinds: Vec<Kind> = legend(state, &cast);
-    let is_stale = state.document.is_stale() && cast.has_plan();
+    let is_stale = state.shows_stale() && cast.has_plan();
     let class = classes!(
         "map",
         detail.class(),

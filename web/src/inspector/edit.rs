@@ -137,7 +137,7 @@ pub(super) fn whole(state: &Shown, send: &Callback<Action>) -> Html {
                 { number("Width, cells", Some(width), sides, None, &side(|n, _, height| Edit::Resize(n, height))) }
                 { number("Height, cells", Some(height), sides, None, &side(|n, width, _| Edit::Resize(width, n))) }
             </div>
-            <h4>{ "Random scene" }</h4>
+            <h3>{ "Random scene" }</h3>
             <div class="fields">
                 { number("Obstacles, %", Some(fill.obstacles), (0, DENSEST), None, &set(|obstacles, fill| Fill { obstacles, ..fill })) }
                 { number("Robots", Some(fill.agents), (0, most), None, &set(|agents, fill| Fill { agents, ..fill })) }

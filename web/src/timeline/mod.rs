@@ -53,6 +53,18 @@ pub fn Dock(props: &DockProps) -> Html {
             }
         });
     }
+    let run = state.work.solving();
+    if let Some(run) = run.filter(|_| waits(state)) {
+        let plays = state.so_far().is_some();
+        return html! {
+            <section class={classes!("dock", "wait", "calm", plays.then_some("plays"))} aria-label="Timeline">
+                if plays {
+                    { transport(props) }
+                }
+                <Wait id={state.work.id().unwrap_or(0)} run={run.clone()} table={state.view.table} />
+            </section>
+        };
+    }
     if let Some(answer) = state.playing().cloned() {
         // The one dark button is elsewhere while the plan is not the answer.
         let calm = matches!(
@@ -68,19 +80,12 @@ pub fn Dock(props: &DockProps) -> Html {
                 | Phase::Steering
                 | Phase::Auditing
         ) || ask::offers_next_step(state);
-        let stale = state.document.is_stale();
+        let stale = state.shows_stale();
         return html! {
             <section class={classes!("dock", calm.then_some("calm"), stale.then_some("stale"))} aria-label="Timeline">
                 { transport(props) }
                 <Tabs tab={state.view.tab} checks={state.audit().is_some()} send={send.clone()} />
                 <Plan answer={Same::new(answer)} beside={state.beside().cloned().map(Same::new)} state={state.clone()} send={send.clone()} />
-            </section>
-        };
-    }
-    if let Some(run) = state.work.solving() {
-        return html! {
-            <section class="dock wait" aria-label="Timeline">
-                <Wait id={state.work.id().unwrap_or(0)} run={run.clone()} table={state.view.table} />
             </section>
         };
     }
@@ -110,6 +115,13 @@ pub fn Dock(props: &DockProps) -> Html {
             </div>
         </section>
     }
+}
+
+/// Whether the bounds of a search stand where the lanes will be: no plan had lanes
+/// before it began.
+fn waits(state: &Shown) -> bool {
+    let is_new = state.so_far().is_some() && state.document.fresh_answer().is_none();
+    is_new || state.playing().is_none()
 }
 
 fn is_low_window() -> bool {

@@ -122,7 +122,10 @@ async fn who_looks_elsewhere_is_no_longer_followed() {
     let select = BoardAction::Select(Selection::Agent(0));
     state = reduce(&state, Action::Board(select));
     state = reduce(&state, Action::View(ViewAction::Follow(true)));
-    let stage = Stage::of(state).await;
+    let free = reduce(&state, Action::View(ViewAction::Follow(false)));
+    let mut stage = Stage::of(free).await;
+    stage.show(state);
+    gloo::timers::future::TimeoutFuture::new(50).await;
     let board = stage.find("[role=grid]").await;
     // Nearer and farther it goes along.
     press(&board, "+");

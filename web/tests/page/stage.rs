@@ -101,6 +101,8 @@ impl Stage {
             app: Some(app),
         };
         stage.find("[role=grid]").await;
+        // What listens to keys begins after the first rendering.
+        TimeoutFuture::new(PAUSE_MS).await;
         stage
     }
 

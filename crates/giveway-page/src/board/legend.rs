@@ -108,7 +108,7 @@ pub fn legend(state: &State, cast: &Cast) -> Vec<Kind> {
     let rows = || (0..grid.height()).map(|y| grid.row(y));
     let has_ground = |is: fn(Ground) -> bool| rows().any(|row| row.iter().any(|&g| is(g)));
     let has_mark = |kind| cast.marks.iter().any(|mark| mark.kind == kind);
-    let is_stale = state.document.is_stale() && cast.has_plan();
+    let is_stale = state.shows_stale() && cast.has_plan();
     let moves = cast.tracks.iter().any(|track| track.arrival() > 0);
     let problems = state.document.draft.problems();
     let reasons = super::reasons(state);

@@ -54,10 +54,7 @@ pub(crate) fn settle(state: &mut State) {
         | Mode::Querying(..)
         | Mode::Judging(..) => {}
     }
-    let last = state.last_time();
-    if state.view.playback.time > last {
-        state.view.playback.stop_at(last);
-    }
+    keep_to_plan(state);
     state.view.cursor = state.document.draft.clamp(state.view.cursor);
     match state.view.selection {
         Selection::Agent(agent) if !state.is_there(agent) => {
@@ -67,6 +64,14 @@ pub(crate) fn settle(state: &mut State) {
             state.view.selection = Selection::Cell(state.document.draft.clamp(cell));
         }
         Selection::Agent(_) | Selection::Nothing => {}
+    }
+}
+
+/// The time as far as there is a plan.
+pub(super) fn keep_to_plan(state: &mut State) {
+    let last = state.last_time();
+    if state.view.playback.time > last {
+        state.view.playback.stop_at(last);
     }
 }
 

@@ -104,7 +104,7 @@ fn plan_for(state: &State, format: Format) -> Option<giveway_model::Plan> {
     let has_plans = format != Format::MovingAi;
     let answer = state
         .shown()
-        .filter(|_| has_plans && !state.document.is_stale())?;
+        .filter(|_| has_plans && !state.shows_stale())?;
     answer.plan().filter(|_| answer.course.is_none()).cloned()
 }
 

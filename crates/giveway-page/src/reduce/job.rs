@@ -26,7 +26,10 @@ pub(super) fn progress(state: &mut State, id: u64, event: Progress) {
                 conflicts,
             };
         }
-        (Task::Solve(run), event) => run.learn(event),
+        (Task::Solve(run), event) => {
+            run.learn(event);
+            solve::preview(state);
+        }
         (Task::Certify(run), Progress::Certifying { claim, checking }) => {
             run.at = Some((claim, checking));
         }

@@ -42,7 +42,11 @@ pub fn reduce(state: &State, action: Action) -> State {
     if !next.is_embedded() || only_looks(&action) {
         step(&mut next, action);
         // What runs is always about what there is.
+        let had_plan = next.so_far().is_some();
         next.work.keep_to(&next.document);
+        if had_plan && next.so_far().is_none() {
+            document::keep_to_plan(&mut next);
+        }
     }
     next
 }

@@ -1,5 +1,6 @@
 //! The time shown.
 
+use super::solve;
 use crate::{PlayAction, State};
 
 pub(super) fn play(state: &mut State, action: PlayAction) {
@@ -13,6 +14,7 @@ pub(super) fn play(state: &mut State, action: PlayAction) {
         PlayAction::Reach(time) => reach(state, time),
         PlayAction::SetSpeed(speed) => state.view.playback.speed = speed,
     }
+    solve::preview(state);
 }
 
 fn begin(state: &mut State) {

@@ -15,13 +15,26 @@ impl State {
         matches!(self.work.task(), Some(Task::Explain(_)))
     }
 
-    /// The answer that is shown: the last one, or a plan of one's own; the other
-    /// plan of a question where that takes its place; the one that is previewed
-    /// where the world changes.
+    /// The answer that is shown: the last one, or the best so far of a search that
+    /// goes on; a plan of one's own; the other plan of a question where that takes
+    /// its place; the one that is previewed where the world changes.
     pub fn shown(&self) -> Option<&Rc<Answer>> {
         let is_alone = !self.view.is_wide;
         let other = self.farthest().filter(|_| is_alone);
-        other.or_else(|| self.document.shown(is_alone))
+        let so_far = self.so_far().or(other);
+        so_far.or_else(|| self.document.shown(is_alone))
+    }
+
+    /// The best plan so far of a search that goes on, where the board shows it.
+    pub fn so_far(&self) -> Option<&Rc<Answer>> {
+        let run = self.work.solving()?;
+        let is_shown = self.document.mode == Mode::Editing;
+        run.preview.as_ref().filter(|_| is_shown)
+    }
+
+    /// Whether the answer that is shown is of a draft before the last edit.
+    pub fn shows_stale(&self) -> bool {
+        self.so_far().is_none() && self.document.is_stale()
     }
 
     /// The answer that is shown beside that one: the other plan of a question,

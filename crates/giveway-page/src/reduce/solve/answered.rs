@@ -33,8 +33,14 @@ pub(in crate::reduce) fn answered(state: &mut State, run: Solving, solved: Solve
         Some(from) => merged(&from.solved, solved, objective),
         None => solved,
     };
-    let answer = Rc::new(Answer::new(run.draft, run.request, solved));
+    let (draft, request) = (Rc::clone(&run.draft), Rc::clone(&run.request));
+    let answer = Rc::new(Answer::new(draft, request, solved));
+    let before = state.view.playback;
     arrive(state, &answer, None, run.arrival);
+    if run.previews(&answer) {
+        // It is shown already, and goes on.
+        state.view.playback = before;
+    }
     if let Some(question) = run.then {
         ask::ask(state, &question);
     }

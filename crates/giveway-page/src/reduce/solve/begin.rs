@@ -120,6 +120,7 @@ pub(in crate::reduce) fn start(state: &mut State, how: Start) {
             .map_or_else(BTreeMap::new, |from| from.solved.bounds.clone()),
         best: from.as_ref().and_then(|from| from.solved.costs),
         plan: None,
+        preview: None,
         planner: how.planner,
         from,
         size: Size::default(),

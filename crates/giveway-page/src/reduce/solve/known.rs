@@ -33,6 +33,11 @@ impl Solving {
     /// What is known where the search ends before its answer; `None` where that
     /// is nothing.
     pub(super) fn stopped(&self, reason: &str) -> Option<SolveAnswer> {
+        self.so_far(Some(reason.to_owned()))
+    }
+
+    /// What is known so far; `None` where that is nothing.
+    pub(super) fn so_far(&self, reason: Option<String>) -> Option<SolveAnswer> {
         let plan = self.plan.as_deref().filter(|plan| {
             let instance = self.draft.instance();
             instance.is_ok_and(|instance| check::check(instance, plan).violations.is_empty())
@@ -50,7 +55,7 @@ impl Solving {
             bounds: self.bounds.clone(),
             within: self.request.within,
             complete: false,
-            reason: Some(reason.to_owned()),
+            reason,
             plan: plan.cloned(),
             stats: Stats::default(),
         })

@@ -3,12 +3,14 @@
 mod answered;
 mod begin;
 mod known;
+mod preview;
 
 use super::{ask, job, planners, proof};
 use crate::{Document, SolveAction, State, Task};
 
 pub(super) use answered::{answered, front};
 pub(super) use begin::{Start, start};
+pub(super) use preview::preview;
 
 use answered::show_point;
 

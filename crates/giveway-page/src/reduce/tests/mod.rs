@@ -3,6 +3,7 @@
 mod ask;
 mod edit;
 mod play;
+mod preview;
 mod proof;
 mod solve;
 mod stale;
