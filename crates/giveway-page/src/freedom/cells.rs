@@ -4,8 +4,10 @@
 use giveway_model::{Cell, Cost};
 use giveway_solve::freedom::{Closed, FreedomAnswer, Proved};
 
-use super::words::{price, worse};
-use crate::State;
+use super::words::{outcome, price, worse};
+use crate::board::CELL;
+use crate::words::at;
+use crate::{Point, State};
 
 /// How much it matters that a cell is open.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -27,6 +29,42 @@ pub struct Number {
     pub weight: Weight,
     /// What stands there: `+2`, `sum +2`, `no plan`.
     pub text: String,
+    /// What pressing it looks at; nothing where that is not known.
+    pub title: Option<String>,
+}
+
+impl Number {
+    /// Left of it and above it within its cell, in units, and how high it is.
+    pub const LEFT: f64 = 8.0;
+    /// See [`Number::LEFT`].
+    pub const TOP: f64 = 70.0;
+    /// See [`Number::LEFT`].
+    pub const HEIGHT: f64 = 25.0;
+
+    /// How wide it is, in units: within its cell.
+    pub fn width(&self) -> f64 {
+        let letters = f64::from(u8::try_from(self.text.chars().count()).unwrap_or(u8::MAX));
+        (14.0 + 11.0 * letters).clamp(42.0, 86.0)
+    }
+
+    /// Whether its text has to be narrower than it would be.
+    pub fn is_tight(&self) -> bool {
+        self.text.chars().count() > 7
+    }
+}
+
+/// The cell whose number is at a point of the board, where pressing it closes the cell
+/// for a look.
+pub fn pressed(state: &State, point: Point) -> Option<Cell> {
+    let cell = state.document.draft.clamp(point.nearest_cell());
+    let numbers = numbers(state);
+    let number = numbers.iter().find(|number| number.cell == cell)?;
+    let within = |at: f64, side: u32| (at - f64::from(side) + 0.5) * CELL;
+    let (x, y) = (within(point.x, cell.x), within(point.y, cell.y));
+    // Whoever aims at it may miss it by a little.
+    let is_hit = x >= 0.0 && x <= Number::LEFT + number.width() + Number::LEFT;
+    let is_hit = is_hit && y >= Number::TOP - Number::LEFT && y <= CELL;
+    (is_hit && number.title.is_some()).then_some(cell)
 }
 
 /// How far a proof reaches, where that is not for ever.
@@ -66,10 +104,12 @@ pub fn numbers(state: &State) -> Vec<Number> {
             Closed::Impossible { .. } => return None,
             Closed::Optimal { .. } => (Weight::Costs, short(told, &it.closed)?),
         };
+        let outcome = outcome(told, &it.closed).filter(|_| matters(&it.closed));
         Some(Number {
             cell: it.cell,
             weight,
             text,
+            title: outcome.map(|outcome| format!("Close {}: {outcome}", at(it.cell))),
         })
     };
     cells.filter_map(number).collect()

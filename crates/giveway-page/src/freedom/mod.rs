@@ -17,7 +17,7 @@ use giveway_solve::{Limits, SolveAnswer, Stats, Status};
 
 use crate::{Answer, Document, Draft, Mode, State, Task};
 
-pub use cells::{Number, Weight, notes, numbers};
+pub use cells::{Number, Weight, notes, numbers, pressed};
 pub use column::{CellRow, Cells, Column, Late, Other, Row, Section, Ways, column};
 pub use lanes::{LaneMarks, Marked, lane, late};
 pub use lines::{Lines, lines};
@@ -73,6 +73,8 @@ pub struct ClosedCell {
     pub sentence: String,
     /// The scene in which it is closed.
     pub(crate) draft: Rc<Draft>,
+    /// The best plan while it was open.
+    pub(crate) before: Rc<Answer>,
     /// Whether it is still to be found out what must be so.
     pub(crate) goes_on: bool,
 }
@@ -242,6 +244,11 @@ impl State {
         let closed = self.view.overlay.closed.as_deref();
         closed.filter(|closed| Rc::ptr_eq(&closed.draft, &self.document.draft))
     }
+}
+
+/// Whether nothing is left to look for.
+pub(crate) fn is_done(told: &FreedomAnswer) -> bool {
+    told.status == Status::Optimal && told.pending.is_empty()
 }
 
 /// Whether a plan is proved to be a best one in one world.

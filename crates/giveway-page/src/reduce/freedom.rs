@@ -10,7 +10,7 @@ use giveway_solve::freedom::FreedomAnswer;
 use super::document::{amend, edit_scene, settle, undo};
 use super::{ask, solve};
 use crate::edit::{Edit, Paint};
-use crate::freedom::{ClosedCell, Freedom, FreedomAction, closing, refusal};
+use crate::freedom::{ClosedCell, Freedom, FreedomAction, closing, is_done, refusal};
 use crate::{Document, Selection, State, Tab, Task};
 
 pub(super) fn freedom(state: &mut State, action: FreedomAction) {
@@ -76,11 +76,7 @@ fn go_on(state: &mut State) {
     let Some(known) = state.freedom().filter(|_| !state.is_counting()) else {
         return;
     };
-    if known
-        .told
-        .as_ref()
-        .is_some_and(|told| told.pending.is_empty())
-    {
+    if known.told.as_deref().is_some_and(is_done) {
         return;
     }
     let begun = known.going_on(limits(state));
@@ -111,9 +107,17 @@ pub(super) fn learn(state: &mut State, told: FreedomAnswer) {
     }
 }
 
+/// It cannot be told: then nothing is laid over the plan.
+pub(super) fn refused(state: &mut State) {
+    state.view.overlay.is_on = false;
+}
+
 /// Closes a cell, as a step that [`open`] takes back, and shows the best plan then.
 fn close(state: &mut State, cell: Cell) {
     let Some(sentence) = closing(state, cell) else {
+        return;
+    };
+    let Some(before) = state.document.fresh_answer().cloned() else {
         return;
     };
     let goes_on = state.is_counting();
@@ -128,6 +132,7 @@ fn close(state: &mut State, cell: Cell) {
         cell,
         sentence,
         draft: Rc::clone(&state.document.draft),
+        before,
         goes_on,
     }));
 }

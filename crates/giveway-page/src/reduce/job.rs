@@ -74,6 +74,9 @@ fn refused(state: &mut State, task: &Task, refusal: &Refusal) {
             return;
         }
     }
+    if let Task::Freedom(_) = task {
+        freedom::refused(state);
+    }
     state.view.notice = Some(Notice {
         sentence: sentence.to_owned(),
         details: match refusal {

@@ -7,7 +7,7 @@ use giveway_model::Plan;
 use crate::audit::Beside;
 use crate::planners::Runs;
 use crate::steering::Steering;
-use crate::{Answer, Mode, State, Task};
+use crate::{Answer, Draft, Mode, State, Task};
 
 impl State {
     /// Whether more of an answer to the question is being looked for.
@@ -42,6 +42,7 @@ impl State {
     pub fn beside(&self) -> Option<&Rc<Answer>> {
         let other = match &self.document.mode {
             Mode::Editing if self.farthest().is_some() => self.farthest(),
+            Mode::Editing if self.open_before().is_some() => self.open_before(),
             Mode::Editing => {
                 let runs = Runs::fresh(&self.document)?;
                 let this = self.document.answer.as_ref();
@@ -52,6 +53,23 @@ impl State {
             mode => mode.asking()?.other.as_ref(),
         };
         other.filter(|_| self.view.is_wide)
+    }
+
+    /// The best plan before a cell was closed for a look, where there is one without
+    /// it to look at, too.
+    fn open_before(&self) -> Option<&Rc<Answer>> {
+        let closed = self.closed_cell()?;
+        let is_found = self.document.plan().is_some();
+        is_found.then_some(&closed.before)
+    }
+
+    /// The scene on the board of the plan beside: a cell that is closed for a look is
+    /// open there.
+    pub fn world_beside(&self) -> &Rc<Draft> {
+        match self.open_before() {
+            Some(before) if self.document.mode == Mode::Editing => &before.draft,
+            _ => self.world(),
+        }
     }
 
     /// The plan that is shown, stale or not.

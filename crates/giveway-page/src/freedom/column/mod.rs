@@ -8,7 +8,7 @@ mod ways;
 use giveway_solve::freedom::{Farthest, Known, PlanCount, same_steps};
 use giveway_solve::words::reach;
 
-use super::{Freedom, doing};
+use super::{Freedom, doing, is_done};
 use crate::State;
 use crate::words::count;
 
@@ -154,7 +154,7 @@ fn lead(freedom: &Freedom, is_only: bool) -> String {
 /// That something is open, and why.
 fn stopped(freedom: &Freedom, is_counting: bool) -> Option<String> {
     let told = freedom.told.as_deref();
-    let is_done = told.is_some_and(|told| told.pending.is_empty());
+    let is_done = told.is_some_and(is_done);
     if is_counting || is_done {
         return None;
     }
