@@ -12,6 +12,7 @@ mod cells;
 mod coalesced;
 mod floor;
 mod follow;
+mod freedom;
 mod gestures;
 mod ghost;
 mod keys;
@@ -31,6 +32,7 @@ mod ways;
 use std::rc::Rc;
 
 use giveway_page::board::{CELL, Cast, Frame, Kind, Minimap, Window, legend};
+use giveway_page::freedom::notes;
 use giveway_page::{Action, Answer, Selection, Tool, ask, words};
 use yew::prelude::*;
 
@@ -38,7 +40,7 @@ use crate::{Shown, icon};
 use beside::Beside;
 use casts::use_casts;
 use cells::Cells;
-use layers::{layers, problems, square};
+use layers::{Place, layers, problems, square};
 use legend::{Under, under};
 pub(crate) use picture::picture;
 pub(crate) use preview::Preview;
@@ -122,7 +124,7 @@ pub fn Board(props: &BoardProps) -> Html {
                 onpointerleave={gestures.leave} onwheel={gestures.wheel}
                 onkeydown={onkeydown.clone()}>
                 { floor::hatch() }
-                { layers(state, &cast, other.as_ref(), &sight) }
+                { layers(state, Place::Board, &cast, other.as_ref(), &sight) }
                 <ReasonMarks {reasons} />
                 { problems(state) }
                 { ghost::show(state) }
@@ -138,7 +140,9 @@ pub fn Board(props: &BoardProps) -> Html {
                     cast={Rc::clone(&cast)}
                     time={state.view.playback.time}
                     window={Window::around(cursor, &frame, board)}
-                    selection={state.view.selection} />
+                    selection={state.view.selection}
+                    notes={notes(state)} />
+                { freedom::presses(state, detail) }
                 <g aria-hidden="true">{ square("cursor", cursor, 2) }</g>
             </svg>
         </div>

@@ -7,6 +7,7 @@ mod audit;
 mod cell;
 mod change;
 mod edit;
+mod freedom;
 mod front;
 mod planners;
 mod proof;
@@ -84,6 +85,7 @@ fn content(state: &Shown, send: &Callback<Action>) -> Html {
             Some(facts) => html! {
                 <>
                     { agent::show(&facts, send) }
+                    { freedom::part(state, send) }
                     { audit::conflicts(giveway_page::audit::conflicts(state).as_ref(), send) }
                     { edit::problems(state, send, |problem| problem.agent == Some(index)) }
                     { edit::agent(state, index, send) }
@@ -95,12 +97,16 @@ fn content(state: &Shown, send: &Callback<Action>) -> Html {
             Some(facts) => html! {
                 <>
                     { cell::show(state, &facts, send) }
+                    { freedom::part(state, send) }
                     { edit::problems(state, send, |problem| problem.cell == Some(cell)) }
                 </>
             },
             None => whole::show(state, send),
         },
-        Selection::Nothing => whole::show(state, send),
+        Selection::Nothing => match giveway_page::freedom::column(state) {
+            Some(column) => freedom::show(&column, state.view.is_wide, send),
+            None => whole::show(state, send),
+        },
     }
 }
 

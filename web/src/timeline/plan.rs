@@ -5,7 +5,7 @@ use std::rc::Rc;
 use giveway_page::audit;
 use giveway_page::steering::Steering;
 use giveway_page::timeline::{Lane, Row};
-use giveway_page::{Action, Answer, BoardAction, Selection, changing, table};
+use giveway_page::{Action, Answer, BoardAction, Selection, changing, freedom, table};
 use web_sys::Element;
 use yew::prelude::*;
 
@@ -142,7 +142,8 @@ pub(super) fn Plan(props: &PlanProps) -> Html {
             <LaneRow key={index} lanes={lanes.clone()} others={others.clone()} {index} {axis} {row} columns={seen.columns.clone()}
                 bursts={lanes.get(index).map(|lane| audit::bursts_of(state, &lane.name)).unwrap_or_default()}
                 level={lanes.get(index).and_then(|lane| lane.level_at(time))}
-                fate={lanes.get(index).and_then(|lane| changing::fate(state, &lane.name))} selected={selected == Some(index)}
+                fate={lanes.get(index).and_then(|lane| changing::fate(state, &lane.name).or_else(|| freedom::late(state, &lane.name)))}
+                marks={lanes.get(index).and_then(|lane| freedom::lane(state, &lane.name))} selected={selected == Some(index)}
                 tab_stop={index == tab_stop} pick={pick.clone()} />
         }
     };

@@ -1,6 +1,7 @@
 //! The transport: time shown, playing, speed, and what is shown of the plan.
 
 use giveway_page::changing::columns;
+use giveway_page::freedom::{Chip, FreedomAction, TITLE, chip};
 use giveway_page::{Action, ChangeAction, FileAction, PlayAction, Speed, State, ViewAction, table};
 use gloo::timers::callback::Timeout;
 use yew::prelude::*;
@@ -79,6 +80,23 @@ fn change(props: &DockProps) -> Html {
     }
 }
 
+/// The chip that lays what must be so over the plan; where that cannot be, it says why.
+fn must_be_so(state: &State, send: &Callback<Action>) -> Html {
+    let (on, title) = match chip(state) {
+        Chip::Off(why) => (None, why.to_owned()),
+        Chip::Ready => (Some(false), format!("{TITLE} (m)")),
+        Chip::On => (Some(true), format!("{TITLE} (m)")),
+    };
+    let is_on = on == Some(true);
+    html! {
+        <button type="button" class={classes!("btn", "chip", is_on.then_some("on"))} {title}
+            aria-pressed={is_on.to_string()} aria-disabled={on.is_none().then_some("true")}
+            onclick={send.reform(move |_| Action::Freedom(FreedomAction::Show(!is_on)))}>
+            { icon::show("free") }<span>{ TITLE }</span>
+        </button>
+    }
+}
+
 fn views(props: &DockProps) -> Html {
     let DockProps { state, send } = props;
     let chip = |class: &'static str,
@@ -97,6 +115,7 @@ fn views(props: &DockProps) -> Html {
     let view = &state.view;
     html! {
         <div class="views">
+            { must_be_so(state, send) }
             { chip("view", "trail", "Trails", view.layers.trails, Action::View(ViewAction::ShowTrails(!view.layers.trails))) }
             { chip("view", "heat", "Heat map", view.layers.heat, Action::View(ViewAction::ShowHeat(!view.layers.heat))) }
             { chip("", "down", "Plan table", view.table, Action::View(ViewAction::ShowTable(!view.table))) }

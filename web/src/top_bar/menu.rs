@@ -42,6 +42,7 @@ pub(super) fn save_items(state: &Shown, send: &Callback<Action>, show: &Callback
     let scene = press(|state, _| crate::files::save(&files::scene_file(state)));
     let plan = press(|state, _| save_if(files::plan_file(state)));
     let changes = press(|state, _| save_if(files::changes_file(state)));
+    let freedom = press(|state, _| save_if(files::freedom_file(state)));
     let svg = press(|state, send| crate::files::save_picture(state, false, send));
     let png = press(|state, send| crate::files::save_picture(state, true, send));
     let other = show.reform(|_: MouseEvent| Panel::SaveAs);
@@ -55,6 +56,7 @@ pub(super) fn save_items(state: &Shown, send: &Callback<Action>, show: &Callback
             { item("save", "Save scene", scene) }
             if has_plan { { item("save", "Save plan", plan) } }
             if has_changes { { item("save", "Save changes", changes) } }
+            if state.is_laid_over() { { item("save", "Save what must be so", freedom) } }
             { item("save", others, other) }
             { item("save", "Save picture (SVG)", svg) }
             { item("save", "Save picture (PNG)", png) }

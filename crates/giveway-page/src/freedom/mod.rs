@@ -79,6 +79,13 @@ pub struct ClosedCell {
     pub(crate) goes_on: bool,
 }
 
+impl ClosedCell {
+    /// `(5, 2) is closed`.
+    pub fn title(&self) -> String {
+        format!("{} is closed", crate::words::at(self.cell))
+    }
+}
+
 impl Freedom {
     /// A request about a plan that is proved to be a best one; `None` without a plan.
     pub(crate) fn about(answer: &Rc<Answer>, limits: Limits) -> Option<Self> {
