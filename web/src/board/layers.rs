@@ -31,7 +31,7 @@ impl Place {
     pub(super) fn world(self, state: &Shown) -> &Rc<Draft> {
         match self {
             Self::Board => state.world(),
-            Self::Beside => state.world_beside(),
+            Self::Beside => state.world_of(state.beside()),
         }
     }
 }

@@ -32,7 +32,7 @@ mod ways;
 use std::rc::Rc;
 
 use giveway_page::board::{CELL, Cast, Frame, Kind, Minimap, Window, legend};
-use giveway_page::freedom::notes;
+use giveway_page::freedom::{claim, notes};
 use giveway_page::{Action, Answer, Selection, Tool, ask, words};
 use yew::prelude::*;
 
@@ -173,7 +173,7 @@ pub fn Board(props: &BoardProps) -> Html {
                 </figure>
                 if let Some(other) = other {
                     <figure class="pl other">
-                        { caption(OTHER, state.beside(), ask::closeness(state)) }
+                        { caption(OTHER, state.beside(), ask::closeness(state).or_else(|| claim(state))) }
                         <Beside name={OTHER} state={state.clone()} cast={other} versus={Rc::clone(&cast)}
                             camera={viewport.camera} {onkeydown} />
                     </figure>

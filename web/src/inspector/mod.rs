@@ -39,6 +39,14 @@ pub fn Inspector(props: &InspectorProps) -> Html {
         .mode
         .steering()
         .map_or(0, |own| own.agent + 1);
+    // So is what must be so, and a cell that is closed to see what then must be.
+    let column = giveway_page::freedom::column(state);
+    let column = column.filter(|_| state.view.selection == Selection::Nothing);
+    let above = match (state.closed_cell(), &column) {
+        (Some(_), _) => "closed",
+        (None, Some(_)) => "freedom",
+        (None, None) => "",
+    };
     let opened = use_state_eq(String::new);
     let elsewhere = giveway_page::audit::facts(state);
     // Another agent or a cell is looked at in between.
@@ -57,7 +65,7 @@ pub fn Inspector(props: &InspectorProps) -> Html {
                 </div>
                 { audit::foot(facts, state.view.is_wide, send) }
             } else {
-                <div class="scroll" key={led}>
+                <div class="scroll" key={format!("{led} {above}")}>
                     { content(state, send) }
                     { steer::begin(state, send) }
                     { change::begin(state, send) }

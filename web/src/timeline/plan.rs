@@ -44,7 +44,8 @@ pub(super) fn Plan(props: &PlanProps) -> Html {
     });
     let lanes = Same::new(lanes);
     let batteries = lanes.iter().filter(|lane| lane.capacity.is_some()).count();
-    let others = use_memo((beside.clone(), draft), |(beside, draft)| match beside {
+    let open = Same::new(Rc::clone(state.world_of(state.beside())));
+    let others = use_memo((beside.clone(), open), |(beside, draft)| match beside {
         Some(beside) => table::lanes(beside, draft),
         None => Vec::<Lane>::new(),
     });

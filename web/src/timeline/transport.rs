@@ -80,6 +80,27 @@ fn change(props: &DockProps) -> Html {
     }
 }
 
+/// The chip of the trails, in whose place what must be so stands where that is laid over
+/// the plan: they come back with a press.
+fn trails(state: &State, send: &Callback<Action>) -> Html {
+    let is_covered = state.is_laid_over();
+    let on = state.view.layers.trails && !is_covered;
+    let press = send.reform(move |_| Action::View(ViewAction::ShowTrails(!on)));
+    let uncover = send.reform(|()| Action::Freedom(FreedomAction::Show(false)));
+    let onclick = move |event: MouseEvent| {
+        if is_covered {
+            uncover.emit(());
+        }
+        press.emit(event);
+    };
+    html! {
+        <button type="button" class={classes!("btn", "chip", "view", on.then_some("on"))} title="Trails"
+            aria-pressed={on.to_string()} {onclick}>
+            { icon::show("trail") }<span>{ "Trails" }</span>
+        </button>
+    }
+}
+
 /// The chip that lays what must be so over the plan; where that cannot be, it says why.
 fn must_be_so(state: &State, send: &Callback<Action>) -> Html {
     let (on, title) = match chip(state) {
@@ -116,7 +137,7 @@ fn views(props: &DockProps) -> Html {
     html! {
         <div class="views">
             { must_be_so(state, send) }
-            { chip("view", "trail", "Trails", view.layers.trails, Action::View(ViewAction::ShowTrails(!view.layers.trails))) }
+            { trails(state, send) }
             { chip("view", "heat", "Heat map", view.layers.heat, Action::View(ViewAction::ShowHeat(!view.layers.heat))) }
             { chip("", "down", "Plan table", view.table, Action::View(ViewAction::ShowTable(!view.table))) }
             <CopyButton ..props.clone() />

@@ -37,22 +37,27 @@ pub struct Marked {
 pub fn lane(state: &State, name: &str) -> Option<LaneMarks> {
     let told = state.freedom()?.told.as_deref()?;
     let visits = told.backbone.as_ref()?.get(name)?.clone();
-    let slack = told.slack.as_ref().and_then(|slack| slack.get(name));
     Some(LaneMarks {
         visits,
-        late: slack.and_then(giveway_solve::freedom::Slack::late),
+        late: hold(state, name),
     })
 }
 
 /// How late a robot may be, beside its name: `up to 3 late`.
 pub fn late(state: &State, name: &str) -> Option<String> {
-    let told = state.freedom()?.told.as_deref()?;
-    Some(match told.slack.as_ref()?.get(name)?.late()? {
+    Some(match hold(state, name)? {
         Hold::Steps(0) => "no slack".to_owned(),
         Hold::Steps(steps) => format!("up to {steps} late"),
         Hold::Unlimited => "no hurry".to_owned(),
         Hold::InTransit => return None,
     })
+}
+
+/// How late a robot may be, where it goes by the plan that this is about.
+fn hold(state: &State, name: &str) -> Option<Hold> {
+    let told = state.freedom()?.told.as_deref()?;
+    let slack = told.slack.as_ref()?.get(name)?;
+    slack.late().filter(|_| state.farthest().is_none())
 }
 
 impl LaneMarks {

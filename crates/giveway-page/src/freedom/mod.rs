@@ -253,6 +253,15 @@ impl State {
     }
 }
 
+/// What is claimed of the plan beside.
+pub fn claim(state: &State) -> Option<&'static str> {
+    if state.farthest().is_some() {
+        Some("as good")
+    } else {
+        state.open_before().map(|_| "while the cell was open")
+    }
+}
+
 /// Whether nothing is left to look for.
 pub(crate) fn is_done(told: &FreedomAnswer) -> bool {
     told.status == Status::Optimal && told.pending.is_empty()

@@ -57,18 +57,19 @@ impl State {
 
     /// The best plan before a cell was closed for a look, where there is one without
     /// it to look at, too.
-    fn open_before(&self) -> Option<&Rc<Answer>> {
+    pub(crate) fn open_before(&self) -> Option<&Rc<Answer>> {
         let closed = self.closed_cell()?;
         let is_found = self.document.plan().is_some();
         is_found.then_some(&closed.before)
     }
 
-    /// The scene on the board of the plan beside: a cell that is closed for a look is
-    /// open there.
-    pub fn world_beside(&self) -> &Rc<Draft> {
-        match self.open_before() {
-            Some(before) if self.document.mode == Mode::Editing => &before.draft,
-            _ => self.world(),
+    /// The scene on the board of an answer: a cell that is closed for a look is open on
+    /// that of the plan before.
+    pub fn world_of(&self, answer: Option<&Rc<Answer>>) -> &Rc<Draft> {
+        let before = self.open_before().zip(answer);
+        match before.filter(|(before, answer)| Rc::ptr_eq(before, answer)) {
+            Some((before, _)) => &before.draft,
+            None => self.world(),
         }
     }
 

@@ -2,6 +2,7 @@
 
 mod audit;
 mod change;
+mod freedom;
 mod planners;
 mod soak;
 mod steer;

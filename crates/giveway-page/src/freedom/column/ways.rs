@@ -65,7 +65,8 @@ fn waits(steps: &[giveway_solve::freedom::Step]) -> String {
     sorting::sort(&mut cells);
     let mut named: Vec<String> = Vec::new();
     for (_, cell) in cells {
-        let cell = format!("at {}", at(cell));
+        // No line ends within a cell's numbers.
+        let cell = format!("at {}", at(cell).replace(' ', "\u{a0}"));
         if !named.contains(&cell) {
             named.push(cell);
         }

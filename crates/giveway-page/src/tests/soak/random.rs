@@ -10,6 +10,7 @@ use crate::action::IntakeAction;
 use crate::audit::AuditAction;
 use crate::files::Opened;
 use crate::find::FindAction;
+use crate::freedom::FreedomAction;
 use crate::intake::protocol::{Read, Task};
 use crate::intake::work;
 use crate::planners::By;
@@ -46,7 +47,8 @@ impl Session {
             91..93 => vec![Action::Audit(self.audit())],
             93..97 => self.look(),
             97 => self.dropped(),
-            98 => self.find(),
+            98 if self.rng.bool() => self.find(),
+            98 => vec![Action::Freedom(self.freedom())],
             _ => vec![self.file()],
         }
     }
@@ -174,6 +176,18 @@ impl Session {
             5 => Lead::Charge,
             6 => Lead::Back,
             _ => Lead::Discard,
+        }
+    }
+
+    fn freedom(&mut self) -> FreedomAction {
+        match self.rng.u8(0..12) {
+            0..5 => FreedomAction::Show(true),
+            5 => FreedomAction::Show(false),
+            6 => FreedomAction::Ask,
+            7 => FreedomAction::GoOn,
+            8 => FreedomAction::ShowOther(self.rng.bool()),
+            9 | 10 => FreedomAction::Close(self.cell()),
+            _ => FreedomAction::Open,
         }
     }
 
