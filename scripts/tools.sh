@@ -199,6 +199,38 @@ set_up_checker() {
     unlock_cache
 }
 
+# A Python of its own with the packages of tests/requirements.txt. Where there is no Python,
+# or no index of packages can be reached, $python is empty and the tests of its package are
+# skipped.
+set_up_python() {
+    python=
+    if ! python3 -c 'import sys, venv, ensurepip; sys.exit(sys.version_info < (3, 10))' 2>/dev/null; then
+        step "Without Python 3.10 or later with venv: the tests of its package are skipped"
+        return
+    fi
+    local version list home
+    version=$(python3 -c 'import sys; print("%d.%d" % sys.version_info[:2])')
+    list=crates/giveway-python/tests/requirements.txt
+    # A folder of its own beside the tools, since it cannot be moved or published.
+    home=$cache/python/$version-$(sha256sum <"$list" | cut -c 1-12)
+    lock_cache
+    if [[ ! -e $home/whole ]]; then
+        step "Installing the packages of $list into $cache (pip)"
+        rm -rf "$home"
+        mkdir -p "$cache/python"
+        python3 -m venv "$home" || fail "python3 could not make a virtual environment"
+        if "$home/bin/python" -m pip install --quiet --disable-pip-version-check -r "$list"; then
+            touch "$home/whole"
+        fi
+    fi
+    unlock_cache
+    if [[ -e $home/whole ]]; then
+        python=$home/bin/python
+    else
+        step "pip could not install the packages of $list: the tests of the package for Python are skipped"
+    fi
+}
+
 # What opens it.
 set_up_browser() {
     local missing=()
@@ -231,5 +263,6 @@ set_up_tests() {
     rm -rf "$cache/tools/build"
     unlock_cache
     set_up_checker
+    set_up_python
     set_up_browser
 }

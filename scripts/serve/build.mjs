@@ -6,8 +6,8 @@ import { join } from "node:path";
 
 const PROFILE = "quick";
 const TARGET = "wasm32-unknown-unknown";
-/** The page, and the workers that solve and that read. */
-const PROGRAMS = ["app", "solver", "reader"];
+/** The page, and what its workers run. */
+const PROGRAMS = ["app", "solver", "analyst", "reader"];
 
 /**
  * Compiles the Wasm and puts it into the folder.

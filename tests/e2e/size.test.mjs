@@ -17,7 +17,7 @@ import { serve } from "./server.mjs";
 const STAGES = [
   ["until something moves", /^$|^style-|^opening-|^boot-|^static\/opening\.json$|^icon\.svg$|^manifest\./, 25_000],
   ["until the application is there", /^app-|^static\/icons\.svg$/, 560_000],
-  ["until it can solve", /^worker-|^solver-/, 890_000],
+  ["until it can solve", /^worker-|^solver-/, 830_000],
 ];
 
 let host;

@@ -1,5 +1,6 @@
 // A worker that does not start, or breaks off: it is told, and mended.
 
+import assert from "node:assert/strict";
 import { describe } from "node:test";
 
 import { bytes, files } from "./dist.mjs";
@@ -9,6 +10,7 @@ import { eventually } from "./wait.mjs";
 const OPENING = /^Optimal: makespan 18/;
 const LOADER = "**/worker-*.js";
 const SCRIPT = "**/solver-*.js";
+const ANALYST = /\/analyst[-_]/;
 const PROGRAM = "**/solver-*.wasm";
 
 describe("a broken worker", () => {
@@ -39,6 +41,27 @@ describe("a broken worker", () => {
       await playground.warns(/^\s*$/);
     }, { screens, complains: true, before: (context) => context.route(path, answer) });
   }
+
+  flow("that answers is loaded when something is asked; where it is missing, solving goes on", async (playground, { context, page }) => {
+    const asked = [];
+    page.on("request", (request) => asked.push(request.url()));
+    await playground.example("Who waits?");
+    await playground.says(/^Optimal: /);
+    assert.deepEqual(asked.filter((url) => ANALYST.test(url)), [], "loaded before anything was asked");
+    await context.route(ANALYST, missing);
+    await ask(playground);
+    await playground.warns(/The part of the solver that answers could not be loaded\. Try again when the network is back\./);
+    await playground.example("Crossing");
+    await playground.says(/^Optimal: /);
+    await context.unroute(ANALYST);
+    await playground.example("Who waits?");
+    await playground.says(/^Optimal: /);
+    await ask(playground);
+    await playground.inspector.getByText("Needless").first().waitFor();
+    // From now on it solves, too.
+    await playground.example("Crossing");
+    await playground.says(/^Optimal: /);
+  }, { screens, complains: true });
 
   flow("that breaks off is replaced, and the scene stays", async (playground, { context, page }) => {
     await playground.says(OPENING);
@@ -76,3 +99,9 @@ describe("a broken worker", () => {
     await eventually("no worker but one", () => page.workers().length, (count) => count === 1);
   }, { screens });
 });
+
+/** Asks why the second agent of `Who waits?` waits. */
+async function ask(playground) {
+  await playground.inspector.getByRole("button", { name: /^A2\b/ }).first().click();
+  await playground.inspector.getByRole("button", { name: /^Why does A2 wait at \(3, 1\)\?/ }).first().click();
+}

@@ -61,7 +61,7 @@ export async function atOnce(url) {
     let most = 0;
     await eventually("the end of the solve", () => {
       most = Math.max(most, tab.bytes());
-      return playground.button("Solve").isVisible();
+      return playground.solver.isVisible();
     }, Boolean, 120_000);
     const what = `${count} agents of ${map}`;
     return [

@@ -108,7 +108,12 @@ mod layers {
         let allowed = [("giveway-web", "giveway-wasm")];
         let mut complaints = Vec::new();
         for (name, dependencies) in crates() {
-            for front in ["giveway-cli", "giveway-web", "giveway-wasm"] {
+            for front in [
+                "giveway-cli",
+                "giveway-web",
+                "giveway-wasm",
+                "giveway-python",
+            ] {
                 let excused = name == "giveway-tests" || allowed.contains(&(name.as_str(), front));
                 if !excused && dependencies.iter().any(|d| d == front) {
                     complaints.push(format!("{name} depends on {front}"));
@@ -130,7 +135,15 @@ mod layers {
             "giveway-page",
         ] {
             let (_, dependencies) = crates.iter().find(|(name, _)| name == layer).unwrap();
-            for front in ["web-sys", "js-sys", "wasm-bindgen", "yew", "gloo", "clap"] {
+            for front in [
+                "web-sys",
+                "js-sys",
+                "wasm-bindgen",
+                "yew",
+                "gloo",
+                "clap",
+                "pyo3",
+            ] {
                 if dependencies.iter().any(|d| d == front) {
                     complaints.push(format!("{layer} depends on {front}"));
                 }

@@ -50,6 +50,26 @@ impl Fault {
         self.column = Some(column);
         self
     }
+
+    /// The same fault, with the name of its file before its place.
+    #[must_use]
+    pub fn in_file(mut self, name: &str) -> Self {
+        self.place = match self.place.as_str() {
+            "" => name.to_owned(),
+            place => format!("{name}: {place}"),
+        };
+        self
+    }
+
+    /// The same fault of a part of something larger, such as the scene of a request.
+    #[must_use]
+    pub fn of_part(mut self, part: &str) -> Self {
+        self.place = match self.place.as_str() {
+            "" => part.to_owned(),
+            inner => format!("{part}.{inner}"),
+        };
+        self
+    }
 }
 
 impl fmt::Display for Fault {

@@ -28,6 +28,7 @@ pub mod service;
 mod solve;
 #[cfg(test)]
 mod tests;
+mod verify;
 pub mod words;
 
 use giveway_planners::{first, lns, local, single, terrain, walk};
@@ -36,8 +37,9 @@ pub use answer::{CheckAnswer, FrontAnswer, SolveAnswer, Stats, Status};
 pub use certify::CertifyRequest;
 pub use host::{Host, SilentHost};
 pub use progress::Progress;
-pub use request::{CheckRequest, Limits, Request, SolveRequest};
-pub use service::{Refusal, Response, serve};
+pub use request::{Basic, CheckRequest, Limits, Request, SolveRequest};
+pub use service::{Refusal, Response, serve, serve_basic};
+pub use verify::verify;
 
 /// The examples of the README are tests.
 #[cfg(doctest)]

@@ -30,6 +30,33 @@ pub enum Request {
     Freedom(FreedomRequest),
 }
 
+/// A request that needs no more than search and judge.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Basic<'a> {
+    /// Find and prove the best plan.
+    Solve(&'a SolveRequest),
+    /// Go on with a plan around which the world changes.
+    Change(&'a ChangeRequest),
+}
+
+impl Request {
+    /// The request as one that [`serve_basic`](crate::serve_basic) serves; `None`
+    /// where it takes [`serve`](crate::serve).
+    pub const fn basic(&self) -> Option<Basic<'_>> {
+        match self {
+            Self::Solve(request) if !request.pareto => Some(Basic::Solve(request)),
+            Self::Change(request) => Some(Basic::Change(request)),
+            Self::Solve(_)
+            | Self::Check(_)
+            | Self::Explain(_)
+            | Self::Certify(_)
+            | Self::Audit(_)
+            | Self::Plan(_)
+            | Self::Freedom(_) => None,
+        }
+    }
+}
+
 /// Find and prove the best plan, or the Pareto front.
 #[derive(
     Clone, Debug, Default, PartialEq, Serialize, Deserialize, BorshSerialize, BorshDeserialize,

@@ -10,10 +10,10 @@ use giveway_proof::Report;
 use serde::{Deserialize, Serialize};
 
 use crate::{
-    CheckAnswer, CheckRequest, FrontAnswer, Host, Request, SolveAnswer, SolveRequest,
+    Basic, CheckAnswer, CheckRequest, FrontAnswer, Host, Request, SolveAnswer, SolveRequest,
     audit::{self, AuditAnswer},
     certify::certify,
-    change::{self, ChangeAnswer},
+    change::{self, ChangeAnswer, ChangeRequest},
     explain::{ExplainAnswer, engine},
     freedom::{self, FreedomAnswer},
     pareto,
@@ -92,6 +92,27 @@ impl Refusal {
     }
 }
 
+impl Refusal {
+    /// What is wrong with the request, each fault with its place in it.
+    pub fn faults(self) -> Vec<Fault> {
+        let in_part = |faults: Vec<Fault>, part| -> Vec<Fault> {
+            let faults = faults.into_iter();
+            faults.map(|fault| fault.of_part(part)).collect()
+        };
+        let (part, expected) = match self {
+            Self::Scene { faults } => return in_part(faults, "scene"),
+            Self::Changes { faults } => return in_part(faults, "changes"),
+            Self::Request { fault } => return vec![fault],
+            Self::Plan { .. } => ("plan", "a plan that breaks no rule"),
+            Self::Question { .. } => ("question", "what can be asked of the plan"),
+        };
+        let found = self.sentences().into_iter();
+        found
+            .map(|found| Fault::at(part, found, expected))
+            .collect()
+    }
+}
+
 /// Serves a request; the same request gives the same response, stats and
 /// budgets in seconds apart.
 pub fn serve(request: &Request, host: &dyn Host) -> Response {
@@ -118,24 +139,39 @@ pub fn serve(request: &Request, host: &dyn Host) -> Response {
             Ok(answer) => Response::Freedom(Box::new(answer)),
             Err(refusal) => Response::Refused(refusal),
         },
-        Request::Change(request) => match change::serve(request, host) {
-            Ok(answer) => Response::Changed(Box::new(answer)),
-            Err(refusal) => Response::Refused(refusal),
-        },
+        Request::Change(request) => serve_change(request, host),
+    }
+}
+
+/// Serves what needs no more than search and judge, as [`serve`] does: a program that
+/// calls nothing else is small, and soon there.
+pub fn serve_basic(request: Basic<'_>, host: &dyn Host) -> Response {
+    match request {
+        Basic::Solve(request) => serve_best(request, host),
+        Basic::Change(request) => serve_change(request, host),
     }
 }
 
 fn serve_solve(request: &SolveRequest, host: &dyn Host) -> Response {
-    let instance = match Instance::new(request.scene.clone()) {
-        Ok(instance) => instance,
-        Err(faults) => return Response::Refused(Refusal::Scene { faults }),
-    };
-    let objective = request.objective.clone();
-    let mut task = Task::new(instance, objective, request.within, request.limits, host);
-    task.start.clone_from(&request.start);
-    if !request.pareto {
-        return Response::Solved(solve::solve(&task).answer);
+    if request.pareto {
+        serve_front(request, host)
+    } else {
+        serve_best(request, host)
     }
+}
+
+fn serve_best(request: &SolveRequest, host: &dyn Host) -> Response {
+    match task(request, host) {
+        Ok(task) => Response::Solved(solve::solve(&task).answer),
+        Err(refusal) => Response::Refused(refusal),
+    }
+}
+
+fn serve_front(request: &SolveRequest, host: &dyn Host) -> Response {
+    let task = match task(request, host) {
+        Ok(task) => task,
+        Err(refusal) => return Response::Refused(refusal),
+    };
     let costs = task.objective.costs().len();
     if !(2..=3).contains(&costs) {
         let fault = Fault::at(
@@ -146,6 +182,22 @@ fn serve_solve(request: &SolveRequest, host: &dyn Host) -> Response {
         return Response::Refused(Refusal::Request { fault });
     }
     Response::Front(pareto::front(&task))
+}
+
+fn task<'a>(request: &SolveRequest, host: &'a dyn Host) -> Result<Task<'a>, Refusal> {
+    let instance =
+        Instance::new(request.scene.clone()).map_err(|faults| Refusal::Scene { faults })?;
+    let objective = request.objective.clone();
+    let mut task = Task::new(instance, objective, request.within, request.limits, host);
+    task.start.clone_from(&request.start);
+    Ok(task)
+}
+
+fn serve_change(request: &ChangeRequest, host: &dyn Host) -> Response {
+    match change::serve(request, host) {
+        Ok(answer) => Response::Changed(Box::new(answer)),
+        Err(refusal) => Response::Refused(refusal),
+    }
 }
 
 fn serve_check(request: &CheckRequest) -> Response {

@@ -1,8 +1,9 @@
 //! Giveway for JavaScript, and in a page's worker.
 //!
-//! [`solve`], [`check`], [`explain`] and the others answer in the thread that
-//! calls them, from and to plain objects. [`serve_messages`] answers the messages of [`protocol`] in a
-//! Web Worker. Both go through the solver's one service. Nothing here draws.
+//! [`solve`], [`check`], [`explain`] and the others answer in the thread that calls
+//! them, from and to plain objects. [`serve_messages`] answers the messages of
+//! [`protocol`] in a Web Worker, [`serve_basic_messages`] the first of them in a smaller
+//! program. All go through the solver's one service. Nothing here draws.
 
 mod budget;
 mod host;
@@ -17,4 +18,4 @@ pub use javascript::{
     audit, certify, change, check, compare_plans, convert, explain, plan, read_files,
     read_moving_ai, read_plan, read_scene, schema, solve, verify,
 };
-pub use worker::serve_messages;
+pub use worker::{serve_basic_messages, serve_messages};

@@ -2,7 +2,7 @@
 
 use std::cell::Cell;
 
-use giveway_solve::{Host, Progress, serve};
+use giveway_solve::{Host, Progress, Request, Response, serve, serve_basic};
 use js_sys::Uint8Array;
 use wasm_bindgen::{JsCast as _, closure::Closure};
 use web_sys::{DedicatedWorkerGlobalScope, MessageEvent};
@@ -18,26 +18,39 @@ thread_local! {
     static AT: Cell<Option<u32>> = const { Cell::new(None) };
 }
 
+/// What answers a request; `None` where the program is not the one for it.
+type Serve = fn(&Request, &dyn Host) -> Option<Response>;
+
 /// Answers the messages of [`protocol`](crate::protocol) from now on, in the
 /// worker that it is called in. This is all that a worker's `main` has to do.
 pub fn serve_messages() {
+    listen(|request, host| Some(serve(request, host)));
+}
+
+/// Answers those messages whose request is [basic](Request::basic), and fails on others.
+/// A program with this `main` is a third smaller.
+pub fn serve_basic_messages() {
+    listen(|request, host| request.basic().map(|basic| serve_basic(basic, host)));
+}
+
+fn listen(serve: Serve) {
     std::panic::set_hook(Box::new(|panic| {
         post(&Message::Failed {
             id: AT.get(),
             sentence: format!("The solver broke down, which is a fault of this program: {panic}"),
         });
     }));
-    let listen = Closure::<dyn Fn(MessageEvent)>::new(|event: MessageEvent| {
+    let listen = Closure::<dyn Fn(MessageEvent)>::new(move |event: MessageEvent| {
         let bytes = event.data().dyn_ref().map(Uint8Array::to_vec);
-        answer(&bytes.unwrap_or_default(), &post);
+        answer(&bytes.unwrap_or_default(), serve, &post);
     });
     scope().set_onmessage(Some(listen.as_ref().unchecked_ref()));
-    listen.forget(); // it listens as long as the worker trajectories
+    listen.forget(); // it listens as long as the worker lives
     post(&Message::Ready);
 }
 
 /// Answers one message.
-fn answer(bytes: &[u8], post: &dyn Fn(&Message)) {
+fn answer(bytes: &[u8], serve: Serve, post: &dyn Fn(&Message)) {
     match Ask::from_bytes(bytes) {
         Ok(Ask { id, request }) => {
             AT.set(Some(id));
@@ -48,7 +61,13 @@ fn answer(bytes: &[u8], post: &dyn Fn(&Message)) {
             let host = WebHost::new(&listen, None);
             let response = serve(&within_budget(request), &host as &dyn Host);
             AT.set(None);
-            post(&Message::Answer { id, response });
+            post(&match response {
+                Some(response) => Message::Answer { id, response },
+                None => Message::Failed {
+                    id: Some(id),
+                    sentence: "This program only finds plans and follows changes.".to_owned(),
+                },
+            });
         }
         Err(sentence) => post(&Message::Failed { id: None, sentence }),
     }

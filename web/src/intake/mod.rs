@@ -15,7 +15,7 @@ use yew::prelude::*;
 
 use crate::dialog::Panel;
 use crate::held::Held;
-use crate::solver::{Event, Hired, Program, READER};
+use crate::solver::{Event, Hired, Name, Program};
 use crate::{Shown, files};
 
 /// Does what [`Intake`] says, and sends what the reader tells. What turns out to be
@@ -56,7 +56,7 @@ impl Reader {
     fn new(send: Callback<Action>) -> Self {
         Self(Rc::new(Inner {
             send,
-            program: Rc::new(Program::new(READER)),
+            program: Rc::new(Program::new(Name::Reader)),
             worker: Held::default(),
             job: Cell::default(),
             waiting: Held::default(),
@@ -99,7 +99,7 @@ impl Reader {
     fn hire(&self) {
         let reader = self.clone();
         let program = Rc::clone(&self.0.program);
-        match Hired::start(program, READER, Rc::new(move |event| reader.hear(event))) {
+        match Hired::start(program, Rc::new(move |event| reader.hear(event))) {
             Ok(hired) => self.0.worker.set(Some(Rc::new(hired))),
             Err(sentence) => self.broken(sentence),
         }

@@ -3,6 +3,9 @@
 //! A worker cannot hear while it works, so a run that is no longer wanted is
 //! ended together with its worker, and another is started at once, to be warm
 //! for the next run. An idle worker is kept.
+//!
+//! The worker's program is the solver, which is small, until something is asked that
+//! takes the analyst; from then on it is the analyst, who can all that the solver can.
 
 mod program;
 mod worker;
@@ -11,19 +14,15 @@ use std::cell::Cell;
 use std::rc::Rc;
 
 use giveway_page::{Action, SolveAction, Work};
-use giveway_solve::Progress;
+use giveway_solve::{Progress, Request};
 use giveway_wasm::protocol::{Ask, Message};
 use gloo::render::{AnimationFrame, request_animation_frame};
 use yew::prelude::*;
 
 use crate::Shown;
 use crate::held::Held;
-pub(crate) use program::Program;
+pub(crate) use program::{Name, Program};
 pub(crate) use worker::{Event, Hired};
-
-/// What the page's HTML calls the solver, and the reader.
-const SOLVER: &str = "solver";
-pub(crate) const READER: &str = "reader";
 
 /// Runs what [`Work`] says, and sends what the solver tells.
 #[hook]
@@ -42,7 +41,10 @@ struct Solver(Rc<Inner>);
 
 struct Inner {
     send: Callback<Action>,
-    program: Rc<Program>,
+    solver: Rc<Program>,
+    analyst: Rc<Program>,
+    /// Whether the worker runs the analyst.
+    is_analyst: Cell<bool>,
     worker: Held<Option<Rc<Hired>>>,
     /// The run that the worker is to do, or does.
     run: Cell<Option<u64>>,
@@ -63,7 +65,9 @@ impl Solver {
     fn new(send: Callback<Action>) -> Self {
         let solver = Self(Rc::new(Inner {
             send,
-            program: Rc::new(Program::new(SOLVER)),
+            solver: Rc::new(Program::new(Name::Solver)),
+            analyst: Rc::new(Program::new(Name::Analyst)),
+            is_analyst: Cell::default(),
             worker: Held::default(),
             run: Cell::default(),
             waiting: Held::default(),
@@ -84,6 +88,8 @@ impl Solver {
         let busy = inner.run.take().is_some() && !was_waiting;
         let wanted = work.request();
         let is_wanted = wanted.is_some();
+        let for_analyst = |(_, request): &(u64, Request)| request.basic().is_none();
+        let is_other = wanted.as_ref().is_some_and(for_analyst) && !inner.is_analyst.replace(true);
         if let Some((run, request)) = wanted {
             let ask = Ask {
                 id: message_id(run),
@@ -93,7 +99,7 @@ impl Solver {
             inner.waiting.set(Some(ask.to_bytes()));
         }
         let absent = inner.worker.get().is_none();
-        if busy || (absent && is_wanted) {
+        if busy || is_other || (absent && is_wanted) {
             self.hire();
         }
         self.post();
@@ -104,7 +110,12 @@ impl Solver {
         drop(self.0.worker.take());
         let solver = self.clone();
         let hear = Rc::new(move |event| solver.hear(event));
-        match Hired::start(Rc::clone(&self.0.program), SOLVER, hear) {
+        let program = if self.0.is_analyst.get() {
+            &self.0.analyst
+        } else {
+            &self.0.solver
+        };
+        match Hired::start(Rc::clone(program), hear) {
             Ok(hired) => self.0.worker.set(Some(Rc::new(hired))),
             Err(sentence) => self.fail(sentence, false),
         }
@@ -174,6 +185,9 @@ impl Solver {
         let run = self.0.run.take();
         if had_started {
             self.hire();
+        } else {
+            // Solving may still be possible, where a network has come to an end.
+            self.0.is_analyst.set(false);
         }
         if let Some(run) = run {
             self.0.send.emit(Action::Solve(SolveAction::Crash {

@@ -13,19 +13,54 @@ use crate::held::Held;
 /// What a host must call Wasm for a browser to compile it while it arrives.
 const TYPE: &str = "application/wasm";
 
+/// The programs, by what they are for.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Name {
+    /// Finds plans, and follows changes.
+    Solver,
+    /// All that can be asked.
+    Analyst,
+    /// Reads and writes other people's files.
+    Reader,
+}
+
+impl Name {
+    /// What the page's HTML calls it.
+    pub(super) const fn key(self) -> &'static str {
+        match self {
+            Self::Solver => "solver",
+            Self::Analyst => "analyst",
+            Self::Reader => "reader",
+        }
+    }
+
+    /// What a person reads of it: who solves and who answers is one to them.
+    pub(super) const fn word(self) -> &'static str {
+        match self {
+            Self::Solver | Self::Analyst => "solver",
+            Self::Reader => "reader",
+        }
+    }
+}
+
 /// The program, or the way to it.
 pub(crate) struct Program {
-    name: &'static str,
+    name: Name,
     promise: Held<Option<Rc<Promise>>>,
 }
 
 impl Program {
-    /// A program by the name that the page's HTML has for it.
-    pub(crate) fn new(name: &'static str) -> Self {
+    /// A program that nobody has fetched yet.
+    pub(crate) fn new(name: Name) -> Self {
         Self {
             name,
             promise: Held::default(),
         }
+    }
+
+    /// Which it is.
+    pub(super) const fn name(&self) -> Name {
+        self.name
     }
 
     /// The compiled module, fetched at the first call; at the next one, too,
@@ -43,14 +78,17 @@ impl Program {
         module.map_err(|error| {
             self.promise.set(None);
             let error = js_sys::Error::from(error).message();
-            format!("The browser could not load the {}: {error}", self.name)
+            format!(
+                "The browser could not load the {}: {error}",
+                self.name.word()
+            )
         })
     }
 }
 
-async fn compile(name: &'static str) -> Result<JsValue, JsValue> {
+async fn compile(name: Name) -> Result<JsValue, JsValue> {
     let refuse = |sentence: String| JsValue::from(js_sys::Error::new(&sentence));
-    let address = written(&format!("giveway-{name}")).map_err(refuse)?;
+    let address = written(&format!("giveway-{}", name.key())).map_err(refuse)?;
     let fetched = JsFuture::from(gloo::utils::window().fetch_with_str(&address)).await?;
     let response: Response = fetched.unchecked_into();
     if !response.ok() {

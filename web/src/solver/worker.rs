@@ -48,12 +48,9 @@ impl Hired {
     ///
     /// # Errors
     /// Why the browser starts none, as a sentence.
-    pub(crate) fn start(
-        program: Rc<Program>,
-        name: &'static str,
-        hear: Rc<dyn Fn(Event)>,
-    ) -> Result<Self, String> {
-        let address = written(&format!("giveway-{name}-worker"))?;
+    pub(crate) fn start(program: Rc<Program>, hear: Rc<dyn Fn(Event)>) -> Result<Self, String> {
+        let name = program.name();
+        let address = written(&format!("giveway-{}-worker", name.key()))?;
         let worker = begin(&address).map_err(|error| {
             let error = js_sys::Error::from(error).message();
             format!("The browser allows no worker: {error}")
@@ -88,7 +85,7 @@ impl Hired {
             }
         });
         let patience = Timeout::new(PATIENCE_MS, move || {
-            let sentence = format!("The {name}'s file did not arrive within a minute.");
+            let sentence = format!("The {}'s file did not arrive within a minute.", name.word());
             hear(Event::Broke(sentence));
         });
         Ok(Self {

@@ -1,5 +1,6 @@
 //! Files as text: the project's own JSON, and foreign formats.
 
+pub mod convert;
 mod file_name;
 pub mod foreign;
 mod json;

@@ -92,11 +92,14 @@ pub(super) fn crash(state: &mut State, id: u64, sentence: String, had_started: b
     if state.work.id() != Some(id) {
         return;
     }
+    let is_solving = state.work.solving().is_some();
     solve::cancel(state);
     let what = if had_started {
         "The solver broke off and was started again. Your scene is as it was."
-    } else {
+    } else if is_solving {
         "The solver could not be started. Press Solve to try again."
+    } else {
+        "The part of the solver that answers could not be loaded. Try again when the network is back."
     };
     state.view.notice = Some(Notice {
         sentence: what.to_owned(),

@@ -6,7 +6,8 @@ use giveway_model::{Instance, Plan, check::check};
 
 use super::{instance, random};
 use crate::{
-    Host, Limits, Progress, Request, Response, SilentHost, SolveAnswer, SolveRequest, Status, serve,
+    Host, Limits, Progress, Request, Response, SilentHost, SolveAnswer, SolveRequest, Status,
+    serve, serve_basic,
 };
 
 /// Notes the plans that it is told of; gives up after so many of them, and
@@ -150,7 +151,7 @@ fn the_first_plan_told_of_is_the_one_given() {
 
 #[test]
 fn the_same_request_gives_the_same_answer() {
-    for seed in 0..20 {
+    for seed in 0..60 {
         let instance = random(seed, 3);
         let start = solve(&request(&instance, None), &SilentHost).plan;
         let request = request(&instance, start);
@@ -185,4 +186,30 @@ fn what_the_judge_does_not_pass_is_ignored() {
     assert_eq!((answer.status, answer.plan), (Status::Impossible, None));
     let soon = Listener::new(usize::MAX, 1);
     assert_eq!(solve(&tight, &soon).status, Status::Unknown);
+}
+
+#[test]
+fn what_a_small_program_serves_is_what_the_whole_serves() {
+    let plan = |response| match response {
+        Response::Solved(answer) => answer.plan,
+        other => panic!("expected a plan, found {other:?}"),
+    };
+    let mut solved = 0;
+    for seed in 0..60 {
+        let solve = SolveRequest {
+            scene: random(seed, 2).to_scene(),
+            ..SolveRequest::default()
+        };
+        let front = SolveRequest {
+            pareto: true,
+            ..solve.clone()
+        };
+        assert_eq!(Request::Solve(front).basic(), None);
+        let solve = Request::Solve(solve);
+        let basic = solve.basic().expect("a solve is basic");
+        let whole = plan(serve(&solve, &SilentHost));
+        solved += usize::from(whole.is_some());
+        assert_eq!(plan(serve_basic(basic, &SilentHost)), whole);
+    }
+    assert!(solved > 3, "only {solved} of 60 scenes have a plan");
 }

@@ -14,7 +14,7 @@ mod texts;
 use std::collections::BTreeMap;
 
 use giveway_model::{Fault, Instance, Plan, Scene, compare, format};
-use giveway_proof::{Budget, Bundle, Report};
+use giveway_proof::Bundle;
 use giveway_solve::audit::AuditRequest;
 use giveway_solve::change::ChangeRequest;
 use giveway_solve::plan::PlanRequest;
@@ -174,35 +174,15 @@ struct VerifyRequest {
 /// A certificate that does not hold is no error: its report says so.
 #[wasm_bindgen(skip_typescript)]
 pub fn verify(request: &JsValue, options: &JsValue) -> Result<JsValue, JsValue> {
-    let VerifyRequest { files, limits } = objects::read(request)?;
+    let VerifyRequest { files, mut limits } = objects::read(request)?;
+    limits.memory_bytes.get_or_insert(MEMORY_BYTES);
     let files: Bundle = files
         .into_iter()
         .map(|(name, text)| (name, text.into_bytes()))
         .collect();
     with_callbacks(options, |host| {
-        objects::write(&checked(&files, limits, host))
+        objects::write(&giveway_solve::verify(&files, limits, host))
     })
-}
-
-fn checked(files: &Bundle, limits: Limits, host: &dyn Host) -> Report {
-    let start = host.wall_seconds();
-    let most = limits.memory_bytes.unwrap_or(MEMORY_BYTES);
-    let go_on = || {
-        let in_time = limits
-            .seconds
-            .is_none_or(|limit| host.wall_seconds() - start < limit);
-        in_time && host.memory_bytes() <= most && !host.cancelled()
-    };
-    let tell = |claim: &giveway_proof::Claim| {
-        let (claim, checking) = (claim.sentence(), true);
-        host.progress(&Progress::Certifying { claim, checking });
-    };
-    let budget = Budget {
-        go_on: &go_on,
-        tell: &tell,
-        ..Budget::default()
-    };
-    giveway_proof::verify(files, &budget)
 }
 
 /// The JSON Schema of all objects.
@@ -256,34 +236,9 @@ fn respond(request: Request, host: &dyn Host) -> Result<JsValue, JsValue> {
 }
 
 fn refused(refusal: Refusal) -> JsValue {
-    let at = |place: &str, mut fault: Fault| {
-        fault.place = match fault.place.as_str() {
-            "" => place.to_owned(),
-            inner => format!("{place}.{inner}"),
-        };
-        fault
+    let code = match refusal {
+        Refusal::Scene { .. } => Code::BadScene,
+        _ => Code::BadInput,
     };
-    match refusal {
-        Refusal::Scene { faults } => {
-            let faults: Vec<Fault> = faults.into_iter().map(|f| at("scene", f)).collect();
-            error(Code::BadScene, &faults)
-        }
-        Refusal::Request { fault } => error(Code::BadInput, &[fault]),
-        Refusal::Changes { faults } => {
-            let faults: Vec<Fault> = faults.into_iter().map(|f| at("changes", f)).collect();
-            error(Code::BadInput, &faults)
-        }
-        refusal => {
-            let (place, expected) = match refusal {
-                Refusal::Plan { .. } => ("plan", "a plan that breaks no rule"),
-                _ => ("question", "what can be asked of the plan"),
-            };
-            let found = refusal.sentences();
-            let faults: Vec<Fault> = found
-                .into_iter()
-                .map(|found| Fault::at(place, found, expected))
-                .collect();
-            error(Code::BadInput, &faults)
-        }
-    }
+    error(code, &refusal.faults())
 }

@@ -102,6 +102,38 @@ pub enum Refused {
     Apart(String),
 }
 
+impl Refused {
+    /// The same as faults whose places are files.
+    pub fn faults(self) -> Vec<Fault> {
+        match self {
+            Self::File { file, faults } => {
+                let faults = faults.into_iter();
+                faults.map(|fault| fault.in_file(&file)).collect()
+            }
+            Self::Missing { file, what, .. } => {
+                let found = match &what {
+                    Missing::Map(Some(map)) => format!("a file for the map {map}"),
+                    Missing::Map(None) => "a file for a map".to_owned(),
+                    Missing::Scenario => "a plan without the starts of its robots".to_owned(),
+                    Missing::Problem => "a solution without its problem".to_owned(),
+                };
+                let expected = match what {
+                    Missing::Map(_) => "that map among the files",
+                    Missing::Scenario => "its scenario (.scen) among the files",
+                    Missing::Problem => {
+                        "the file of its problem, with map and robots, among the files"
+                    }
+                };
+                vec![Fault::at(file, found, expected)]
+            }
+            Self::Apart(sentence) => {
+                let found = sentence.trim_end_matches('.');
+                vec![Fault::at("", found, "files that belong together")]
+            }
+        }
+    }
+}
+
 /// Matches files to each other.
 ///
 /// # Errors

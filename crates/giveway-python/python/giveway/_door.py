@@ -1,0 +1,56 @@
+"""The door to the part in Rust: requests as JSON, errors raised."""
+
+from __future__ import annotations
+
+import json
+import threading
+from collections.abc import Callable, Mapping
+from typing import Any
+
+from giveway import _native
+from giveway._record import Record, plain
+from giveway.errors import CODES, Fault
+
+#: An event on the way to an answer, in the shapes of the JSON: its ``event`` is ``bound``,
+#: ``plan``, ``size``, ``explained`` or ``certifying``.
+Progress = dict[str, Any]
+OnProgress = Callable[[Progress], object]
+ShouldStop = Callable[[], bool]
+
+
+def call(
+    function: str,
+    request: Mapping[str, Any] | str,
+    on_progress: OnProgress | None = None,
+    should_stop: ShouldStop | None = None,
+) -> Any:
+    """Calls a function of the part in Rust; other threads run meanwhile."""
+    hear = None
+    if on_progress is not None:
+        listener = on_progress
+
+        def hear(text: str) -> object:
+            return listener(json.loads(text))
+
+    text = request if isinstance(request, str) else json.dumps(plain(request), separators=(",", ":"))
+    in_main = threading.current_thread() is threading.main_thread()
+    answered, answer = _native.call(function, text, hear, should_stop, in_main)
+    if answered:
+        return json.loads(answer)
+    failure = json.loads(answer)
+    raise CODES[failure["code"]](tuple(Fault.from_dict(fault) for fault in failure["faults"]))
+
+
+def without_none(**values: Any) -> dict[str, Any]:
+    """What is given."""
+    return {name: plain(value) for name, value in values.items() if value is not None}
+
+
+def limits(time_limit: float | None, conflict_limit: int | None, memory_limit: int | None) -> dict[str, Any]:
+    """The budget of a request."""
+    return without_none(seconds=time_limit, conflicts=conflict_limit, memory_bytes=memory_limit)
+
+
+def data(value: Record | Mapping[str, Any]) -> Any:
+    """Plain data of a record, or what is plain data already."""
+    return plain(value)

@@ -1,0 +1,172 @@
+"""What can be asked: each function takes records or plain data, and gives a record."""
+
+from __future__ import annotations
+
+import shlex
+from collections.abc import Mapping, Sequence
+from os import PathLike
+from pathlib import Path
+from typing import Any, Union, overload
+
+from giveway._door import OnProgress, ShouldStop, call, data, limits, without_none
+from giveway.answers import (
+    Answer, AuditAnswer, ChangeAnswer, Converted, Explanation, Front, Planner, PlannerAnswer, Report, Verdict, on,
+)
+from giveway.plan import Plan
+from giveway.scene import Cost, Scene
+
+AnyScene = Union[Scene, Mapping[str, Any]]
+AnyPlan = Union[Plan, Mapping[str, Any]]
+#: Costs, the most important first; a text may have several, with commas.
+Objective = Union[str, Sequence[Cost]]
+
+
+def _objective(objective: Objective | None) -> list[str] | None:
+    return objective.split(",") if isinstance(objective, str) else None if objective is None else list(objective)
+
+
+def _scene(scene: AnyScene) -> Scene | None:
+    return scene if isinstance(scene, Scene) else None
+
+
+@overload
+def solve(
+    scene: AnyScene, *, objective: Objective | None = None, planner: None = None, within: int | None = None,
+    start: AnyPlan | None = None, time_limit: float | None = None, conflict_limit: int | None = None,
+    memory_limit: int | None = None, on_progress: OnProgress | None = None, should_stop: ShouldStop | None = None,
+) -> Answer: ...
+@overload
+def solve(
+    scene: AnyScene, *, objective: Objective | None = None, planner: Planner, within: int | None = None,
+    order: Sequence[str] | None = None, trace: bool = False, time_limit: float | None = None,
+    memory_limit: int | None = None, on_progress: OnProgress | None = None, should_stop: ShouldStop | None = None,
+) -> PlannerAnswer: ...
+def solve(
+    scene: AnyScene, *, objective: Objective | None = None, planner: Planner | None = None, within: int | None = None,
+    start: AnyPlan | None = None, order: Sequence[str] | None = None, trace: bool = False,
+    time_limit: float | None = None, conflict_limit: int | None = None, memory_limit: int | None = None,
+    on_progress: OnProgress | None = None, should_stop: ShouldStop | None = None,
+) -> Answer | PlannerAnswer:
+    """Finds and proves the best plan, or finds one with a planner of the textbook.
+
+    Limits: wall seconds, conflicts of the SAT solver, bytes. Ctrl-C raises
+    ``KeyboardInterrupt``; ``should_stop`` ends the search in what is known by then.
+
+    >>> from giveway import Agent, Scene
+    >>> scene = Scene(map=("...",), agents=(Agent("A", (0, 0), (2, 0)),))
+    >>> answer = solve(scene, objective="sum-of-costs", time_limit=10)
+    >>> answer.status, answer.costs.sum_of_costs, answer.plan.paths["A"]
+    ('optimal', 2, ((0, 0), (1, 0), (2, 0)))
+    """
+    request = without_none(scene=data(scene), objective=_objective(objective), within=within)
+    request["limits"] = limits(time_limit, conflict_limit, memory_limit)
+    if planner is None:
+        request |= without_none(start=start)
+        solved = call("solve", request, on_progress, should_stop)
+        return on(_scene(scene), Answer.from_dict(solved))
+    request |= without_none(planner=planner, order=order, trace=trace)
+    planned = call("plan", request, on_progress, should_stop)
+    return on(_scene(scene), PlannerAnswer.from_dict(planned))
+
+
+def pareto(
+    scene: AnyScene, objective: Objective, *, within: int | None = None, time_limit: float | None = None,
+    conflict_limit: int | None = None, memory_limit: int | None = None, on_progress: OnProgress | None = None,
+    should_stop: ShouldStop | None = None,
+) -> Front:
+    """All non-dominated costs of two or three, a plan each."""
+    request = without_none(scene=scene, objective=_objective(objective), within=within, pareto=True)
+    request["limits"] = limits(time_limit, conflict_limit, memory_limit)
+    return on(_scene(scene), Front.from_dict(call("solve", request, on_progress, should_stop)))
+
+
+def check(scene: AnyScene, plan: AnyPlan, changes: Mapping[str, Any] | None = None) -> Verdict:
+    """Judges a plan: every rule that it breaks.
+
+    >>> from giveway import Agent, Plan, Scene
+    >>> scene = Scene(map=("...",), agents=(Agent("A", (0, 0), (2, 0)),))
+    >>> [violation.rule for violation in check(scene, Plan({"A": ((0, 0), (2, 0))})).violations]
+    ['move']
+    """
+    return Verdict.from_dict(call("check", without_none(scene=scene, plan=plan, changes=changes)))
+
+
+def explain(
+    scene: AnyScene, question: str | Mapping[str, Any], plan: AnyPlan | None = None, *,
+    changes: Mapping[str, Any] | None = None, at: int | None = None, objective: Objective | None = None,
+    within: int | None = None, time_limit: float | None = None, conflict_limit: int | None = None,
+    memory_limit: int | None = None, on_progress: OnProgress | None = None, should_stop: ShouldStop | None = None,
+) -> Explanation:
+    """Answers a question about a plan, or about there being none.
+
+    The question is plain data, such as ``{"kind": "wait", "agent": "A1"}``, or in the words
+    of the command: ``"wait A1 --at 3,1"``. Without a plan the scene is solved first.
+    """
+    if isinstance(question, str):
+        question = call("read-question", {"words": shlex.split(question)})
+    request = without_none(
+        scene=scene, question=question, plan=plan, changes=changes, at=at, objective=_objective(objective), within=within)
+    request["limits"] = limits(time_limit, conflict_limit, memory_limit)
+    return on(_scene(scene), Explanation.from_dict(call("explain", request, on_progress, should_stop)))
+
+
+def change(
+    scene: AnyScene, plan: AnyPlan, changes: Mapping[str, Any], *, since: int | None = None,
+    methods: Sequence[str] = ("revise", "replan"), objective: Objective | None = None, within: int | None = None,
+    time_limit: float | None = None, conflict_limit: int | None = None, memory_limit: int | None = None,
+    on_progress: OnProgress | None = None, should_stop: ShouldStop | None = None,
+) -> ChangeAnswer:
+    """Goes on with a plan around which the world changes, by each method, compared."""
+    request = without_none(
+        scene=scene, plan=plan, changes=changes, since=since, methods=methods,
+        objective=_objective(objective), within=within)
+    request["limits"] = limits(time_limit, conflict_limit, memory_limit)
+    return on(_scene(scene), ChangeAnswer.from_dict(call("change", request, on_progress, should_stop)))
+
+
+def audit(
+    scene: AnyScene, plan: AnyPlan, *, objective: Objective | None = None, within: int | None = None,
+    time_limit: float | None = None, conflict_limit: int | None = None, memory_limit: int | None = None,
+    on_progress: OnProgress | None = None, should_stop: ShouldStop | None = None,
+) -> AuditAnswer:
+    """Judges any plan, and tells how far it is from the best."""
+    request = without_none(scene=scene, plan=plan, objective=_objective(objective), within=within)
+    request["limits"] = limits(time_limit, conflict_limit, memory_limit)
+    return on(_scene(scene), AuditAnswer.from_dict(call("audit", request, on_progress, should_stop)))
+
+
+def convert(files: Mapping[str, str] | Sequence[str | PathLike[str]], to: str, agents: int | None = None) -> Converted:
+    """Writes instances and plans in another format: ``giveway``, ``movingai``, ``tracker``,
+    ``paths.txt``, ``result.txt``, ``multi-robot``, ``lorr``, ``asprilo`` or ``mapfw``.
+
+    Files are texts by their names, or paths.
+    """
+    if not isinstance(files, Mapping):
+        files = {Path(path).name: Path(path).read_text(encoding="utf-8") for path in files}
+    return Converted.from_dict(call("convert", without_none(files=files, to=to, agents=agents)))
+
+
+def verify(
+    certificate: Mapping[str, str] | str | PathLike[str], *, time_limit: float | None = None,
+    on_progress: OnProgress | None = None, should_stop: ShouldStop | None = None,
+) -> Report:
+    """Checks a certificate again: its folder, or the texts of its files by their names.
+
+    One that does not hold is no error: its report says so.
+    """
+    if not isinstance(certificate, Mapping):
+        paths = [path for path in sorted(Path(certificate).iterdir())]
+        # What is no regular file counts as an empty one, and is refused by its fingerprint.
+        certificate = {
+            path.name: path.read_text(encoding="utf-8", errors="replace")
+            if path.is_file() and not path.is_symlink() else ""
+            for path in paths
+        }
+    request = {"files": certificate, "limits": limits(time_limit, None, None)}
+    return Report.from_dict(call("verify", request, on_progress, should_stop))
+
+
+def schema() -> dict[str, Any]:
+    """The JSON Schema of all data: ``$defs`` has one of each."""
+    read: dict[str, Any] = call("schema", "")
+    return read

@@ -1,0 +1,127 @@
+"""Plans: where each agent is at each time."""
+
+from __future__ import annotations
+
+import dataclasses
+import json
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass, field
+from typing import TYPE_CHECKING, Any, ClassVar
+
+from giveway._door import call
+from giveway._record import Record, optional
+from giveway.scene import Cell, Scene
+
+if TYPE_CHECKING:
+    import numpy
+    import numpy.typing
+
+
+@dataclass(frozen=True)
+class Plan(Record):
+    """Where each agent is at each time up to its arrival.
+
+    >>> plan = Plan({"A": ((0, 0), (1, 0))})
+    >>> plan.paths["A"][-1], plan.makespan, plan.at(9)
+    ((1, 0), 1, {'A': (1, 0)})
+    """
+
+    document: ClassVar[bool] = True
+
+    #: By the names of the agents; ``None`` in transit on a slow move.
+    paths: Mapping[str, tuple[Cell | None, ...]]
+    charges: Mapping[str, tuple[int, ...]] = field(default_factory=dict)
+    #: The time of an agent's first entry, where it is not 0.
+    start_times: Mapping[str, int] = optional("from", default_factory=dict)
+    #: The time from which a removed agent is gone.
+    until: Mapping[str, int] = optional(default_factory=dict)
+    #: The last time whose changes the plan takes into account.
+    knows: int | None = optional()
+    #: What agents slept through at their goals before a change made them go on.
+    slept: Mapping[str, tuple[tuple[int, int], ...]] = optional(default_factory=dict)
+    #: The scene that it was made for, to be drawn with; plans of answers have it.
+    scene: Scene | None = field(default=None, compare=False, repr=False, metadata={"hidden": True})
+
+    @classmethod
+    def from_dict(cls, data: Mapping[str, Any]) -> Plan:
+        """Reads plain data; it is not judged."""
+        return cls.from_json(json.dumps(data))
+
+    @classmethod
+    def from_json(cls, text: str) -> Plan:
+        """Reads JSON; a fault has its line and column. The plan is not judged."""
+        return cls._of(call("read-plan", text))
+
+    @classmethod
+    def _of(cls, data: Mapping[str, Any]) -> Plan:
+        return super().from_dict(data)
+
+    @classmethod
+    def from_numpy(cls, array: Any, agents: Sequence[str], scene: Scene | None = None) -> Plan:
+        """The plan of whole steps ``[agent, time, 2]``; repeats at the end are cut."""
+        paths = {}
+        for name, rows in zip(agents, array):
+            path = [None if x < 0 else (int(x), int(y)) for x, y in rows]
+            while len(path) > 1 and path[-1] == path[-2]:
+                path.pop()
+            paths[name] = tuple(path)
+        return cls(paths, scene=scene)
+
+    def to_numpy(self) -> numpy.typing.NDArray[numpy.int32]:
+        """The paths as ``[agent, time, 2]``, agents in the order of ``paths``, from time 0 to
+        the makespan. After its arrival an agent stays where it is, or is gone where the rules
+        say so. Where it is at no cell, in transit or not there, both numbers are -1."""
+        import numpy
+
+        times = range(self.makespan + 1)
+        rows = [[self.cell(name, time) or (-1, -1) for time in times] for name in self.paths]
+        return numpy.array(rows, dtype=numpy.int32).reshape(len(rows), len(times), 2)
+
+    def arrival(self, agent: str) -> int:
+        """When the path of an agent ends."""
+        return self.start_times.get(agent, 0) + len(self.paths[agent]) - 1
+
+    @property
+    def makespan(self) -> int:
+        """When the last path ends."""
+        return max((self.arrival(agent) for agent in self.paths), default=0)
+
+    def cell(self, agent: str, time: int) -> Cell | None:
+        """Where an agent is; ``None`` in transit, before it comes and after it has gone."""
+        path, index = self.paths[agent], time - self.start_times.get(agent, 0)
+        if index < 0 or not path or time >= self.until.get(agent, time + 1):
+            return None
+        if index < len(path):
+            return path[index]
+        vanishes = self.scene is not None and self.scene.rules is not None and self.scene.rules.at_goal == "vanish"
+        return None if vanishes else path[-1]
+
+    def at(self, time: int) -> dict[str, Cell | None]:
+        """Where everyone is."""
+        return {agent: self.cell(agent, time) for agent in self.paths}
+
+    def on(self, scene: Scene) -> Plan:
+        """The same plan with a scene to be drawn with."""
+        return dataclasses.replace(self, scene=scene)
+
+    def animate(self, seconds_per_step: float = 0.5) -> Animation:
+        """A picture that moves."""
+        return Animation(self, seconds_per_step)
+
+    def _repr_svg_(self) -> str:
+        from giveway import _draw
+
+        return _draw.plan(self)
+
+
+@dataclass(frozen=True)
+class Animation:
+    """A plan that a notebook plays."""
+
+    plan: Plan
+    seconds_per_step: float = 0.5
+
+    def _repr_svg_(self) -> str:
+        from giveway import _draw
+
+        return _draw.animation(self.plan, self.seconds_per_step)

@@ -1,0 +1,127 @@
+"""Scenes: a map, and agents with their tasks."""
+
+from __future__ import annotations
+
+import json
+from collections.abc import Mapping
+from dataclasses import dataclass
+from os import PathLike
+from pathlib import Path
+from typing import Any, ClassVar, Literal
+
+from giveway._door import call
+from giveway._record import Record, optional
+
+#: ``(x, y)``, from (0, 0) at the top left, y down.
+Cell = tuple[int, int]
+Cost = Literal["makespan", "sum-of-costs", "charges", "moves", "waits"]
+
+
+@dataclass(frozen=True)
+class Battery(Record):
+    """A battery, in time steps."""
+
+    capacity: int
+    initial: int
+
+
+@dataclass(frozen=True)
+class Agent(Record):
+    """An agent and its task; without a battery it moves without limit."""
+
+    name: str
+    start: Cell
+    goal: Cell
+    waypoints: tuple[Cell, ...] = optional(default=())
+    battery: Battery | None = optional()
+
+
+@dataclass(frozen=True)
+class Rules(Record):
+    """The rules; by default agents stay at their goals, and the floor is 0."""
+
+    at_goal: Literal["stay", "vanish"] = "stay"
+    battery_floor: int = 0
+
+
+@dataclass(frozen=True)
+class Scene(Record):
+    """An instance of the problem.
+
+    >>> scene = Scene(map=("...",), agents=(Agent("A", (0, 0), (2, 0)),))
+    >>> scene.width, scene.height
+    (3, 1)
+    """
+
+    document: ClassVar[bool] = True
+
+    #: Rows from the top: ``.`` free, ``#`` obstacle, ``~`` slow zone, ``+`` charger, ``*`` both.
+    map: tuple[str, ...]
+    agents: tuple[Agent, ...] = ()
+    name: str = optional(default="")
+    rules: Rules | None = optional()
+    objective: tuple[Cost, ...] = optional(default=())
+
+    @property
+    def width(self) -> int:
+        """Cells in a row."""
+        return len(self.map[0])
+
+    @property
+    def height(self) -> int:
+        """Rows."""
+        return len(self.map)
+
+    @classmethod
+    def from_dict(cls, data: Mapping[str, Any]) -> Scene:
+        """Reads and checks plain data."""
+        return cls.from_json(json.dumps(data))
+
+    @classmethod
+    def from_json(cls, text: str) -> Scene:
+        """Reads and checks JSON; a fault has its line and column."""
+        return cls._of(call("read-scene", text))
+
+    @classmethod
+    def from_file(cls, path: str | PathLike[str]) -> Scene:
+        """Reads and checks a file of JSON."""
+        return cls.from_json(Path(path).read_text(encoding="utf-8"))
+
+    @classmethod
+    def from_movingai(
+        cls, map: str | PathLike[str], scen: str | PathLike[str], agents: int | None = None
+    ) -> Scene:
+        """The scene of a MovingAI ``.map`` and the first agents of a ``.scen``, by their paths."""
+        request = {
+            "map": Path(map).read_text(encoding="utf-8"),
+            "scenario": Path(scen).read_text(encoding="utf-8"),
+            "name": Path(scen).stem, "agents": agents,
+        }
+        return cls._of(call("read-movingai", request))
+
+    @classmethod
+    def _of(cls, data: Mapping[str, Any]) -> Scene:
+        # What the part in Rust gave needs no second check.
+        return super().from_dict(data)
+
+    def to_networkx(self) -> Any:
+        """The map as a ``networkx.Graph``: nodes are cells with ``slow`` and ``charger``,
+        edges have the ``steps`` that a move takes."""
+        import networkx
+
+        graph = networkx.Graph()
+        for y, row in enumerate(self.map):
+            for x, sign in enumerate(row):
+                if sign != "#":
+                    graph.add_node((x, y), slow=sign in "~*", charger=sign in "+*")
+        for x, y in list(graph):
+            for other in ((x + 1, y), (x, y + 1)):
+                if other in graph:
+                    slow = graph.nodes[x, y]["slow"] and graph.nodes[other]["slow"]
+                    graph.add_edge((x, y), other, steps=2 if slow else 1)
+        return graph
+
+    def _repr_svg_(self) -> str:
+        from giveway import _draw
+
+        return _draw.scene(self)

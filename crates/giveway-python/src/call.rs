@@ -1,0 +1,241 @@
+//! One door for all functions: a name and a request as JSON in, an answer as JSON out.
+
+use std::collections::BTreeMap;
+use std::panic::{AssertUnwindSafe, catch_unwind};
+
+use giveway_model::format::{convert, from_object, native, schema};
+use giveway_model::question::from_words;
+use giveway_model::{Fault, Instance, Plan, Scene, compare};
+use giveway_proof::Bundle;
+use giveway_solve::{Host, Limits, Refusal, Request, Response, serve, verify};
+use serde::{Deserialize, Deserializer, Serialize, de::DeserializeOwned};
+
+use crate::files;
+
+/// What kind of thing is wrong.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
+#[serde(rename_all = "kebab-case")]
+pub enum Code {
+    /// A request is not of the type that it should be.
+    BadInput,
+    /// A scene is no instance of the problem.
+    BadScene,
+    /// A text is not of the format.
+    BadText,
+    /// The program has a fault.
+    Broken,
+}
+
+/// Why there is no answer; there is at least one fault.
+#[derive(Clone, Debug, PartialEq, Eq, Serialize)]
+pub struct Failure {
+    /// What kind of thing is wrong.
+    pub code: Code,
+    /// What exactly, and where.
+    pub faults: Vec<Fault>,
+}
+
+impl Failure {
+    pub(crate) fn new(code: Code, faults: Vec<Fault>) -> Self {
+        Self { code, faults }
+    }
+
+    pub(crate) fn input(fault: Fault) -> Self {
+        Self::new(Code::BadInput, vec![fault])
+    }
+}
+
+/// Calls a function by its name.
+///
+/// # Errors
+/// When the request or what it holds is wrong. A panic, which nothing from outside should
+/// cause, is told the same way.
+///
+/// ```
+/// use giveway_solve::SilentHost;
+/// let scene = r#"{ "giveway": 1, "map": [".."], "agents": [{ "name": "A", "start": [0, 0], "goal": [1, 0] }] }"#;
+/// let request = format!(r#"{{ "scene": {scene} }}"#);
+/// let answer = giveway_python::call("solve", &request, &SilentHost).unwrap();
+/// assert!(answer.contains(r#""status":"optimal""#));
+/// ```
+pub fn call(function: &str, request: &str, host: &dyn Host) -> Result<String, Failure> {
+    catch_unwind(AssertUnwindSafe(|| called(function, request, host))).unwrap_or_else(|_| {
+        let fault = Fault::at("", "a fault of this program", "none; please report it");
+        Err(Failure::new(Code::Broken, vec![fault]))
+    })
+}
+
+fn called(function: &str, text: &str, host: &dyn Host) -> Result<String, Failure> {
+    let request = match function {
+        "solve" => Request::Solve(read(text)?),
+        "check" => Request::Check(read(text)?),
+        "explain" => Request::Explain(read(text)?),
+        "change" => Request::Change(read(text)?),
+        "audit" => Request::Audit(read(text)?),
+        "plan" => Request::Plan(read(text)?),
+        "certify" => Request::Certify(read(text)?),
+        "verify" => return verified(&read(text)?, host),
+        "compare" => return compared(read(text)?),
+        "convert" => {
+            let converted = convert::convert(&read(text)?);
+            return write(&converted.map_err(|faults| Failure::new(Code::BadText, faults))?);
+        }
+        "read-files" => return write(&files::gathered(&read(text)?)?),
+        "read-movingai" => return write(&files::moving_ai(&read(text)?)?),
+        "read-scene" => {
+            let read = native::read_instance(text);
+            let instance = read.map_err(|faults| Failure::new(Code::BadText, faults))?;
+            return write(&instance.to_scene());
+        }
+        "read-plan" => {
+            let read = native::read_plan(text);
+            return write(&read.map_err(|fault| Failure::new(Code::BadText, vec![fault]))?);
+        }
+        "read-question" => return question(&read(text)?),
+        "schema" => return Ok(schema().to_owned()),
+        _ => {
+            let found = format!("the unknown function \"{function}\"");
+            return Err(Failure::input(Fault::at("", found, "one of this package")));
+        }
+    };
+    respond(serve(&request, host))
+}
+
+fn respond(response: Response) -> Result<String, Failure> {
+    match response {
+        Response::Solved(answer) => write(&answer),
+        Response::Front(answer) => write(&answer),
+        Response::Checked(answer) => write(&answer),
+        Response::Explained(answer) => write(&answer),
+        Response::Certified(report) => write(&report),
+        Response::Changed(answer) => write(&answer),
+        Response::Audited(answer) => write(&answer),
+        Response::Planned(answer) => write(&answer),
+        Response::Refused(refusal) => {
+            let code = match refusal {
+                Refusal::Scene { .. } => Code::BadScene,
+                _ => Code::BadInput,
+            };
+            Err(Failure::new(code, refusal.faults()))
+        }
+    }
+}
+
+/// Reads a request; its faults have the keys on the way to their place, and no line of a
+/// text that nobody sees.
+fn read<T: DeserializeOwned>(text: &str) -> Result<T, Failure> {
+    struct Object<T>(T);
+
+    impl<'de, T: Deserialize<'de>> Deserialize<'de> for Object<T> {
+        fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
+            from_object(deserializer).map(Self)
+        }
+    }
+
+    let object = native::read_object::<Object<T>>(text);
+    object.map(|object| object.0).map_err(|fault| {
+        let (line, column) = (None, None);
+        Failure::input(Fault {
+            line,
+            column,
+            ..fault
+        })
+    })
+}
+
+fn write<T: Serialize>(data: &T) -> Result<String, Failure> {
+    serde_json::to_string(data).map_err(|error| {
+        let fault = Fault::at("", error.to_string(), "data that JSON can hold");
+        Failure::new(Code::Broken, vec![fault])
+    })
+}
+
+/// What is checked again: the files of a certificate, and how long that may take.
+#[derive(Deserialize)]
+#[serde(deny_unknown_fields)]
+struct VerifyRequest {
+    files: BTreeMap<String, String>,
+    #[serde(default, deserialize_with = "from_object")]
+    limits: Limits,
+}
+
+fn verified(request: &VerifyRequest, host: &dyn Host) -> Result<String, Failure> {
+    let files = request.files.iter();
+    let files: Bundle = files
+        .map(|(name, text)| (name.clone(), text.clone().into_bytes()))
+        .collect();
+    write(&verify(&files, request.limits, host))
+}
+
+/// Two plans of one scene.
+#[derive(Deserialize)]
+#[serde(deny_unknown_fields)]
+struct CompareRequest {
+    scene: Scene,
+    plans: [Plan; 2],
+}
+
+fn compared(request: CompareRequest) -> Result<String, Failure> {
+    let instance = Instance::new(request.scene).map_err(|faults| {
+        let faults = Refusal::Scene { faults }.faults();
+        Failure::new(Code::BadScene, faults)
+    })?;
+    let [one, other] = &request.plans;
+    write(&compare::compare(&instance, one, other))
+}
+
+/// A question in the words of the command.
+#[derive(Deserialize)]
+#[serde(deny_unknown_fields)]
+struct Words {
+    words: Vec<String>,
+}
+
+fn question(request: &Words) -> Result<String, Failure> {
+    match from_words(&request.words) {
+        Ok(question) => write(&question),
+        Err(error) => {
+            let found = error.to_string().trim_end_matches('.').to_owned();
+            let expected = "a question in the words of `giveway explain`";
+            Err(Failure::input(Fault::at("question", found, expected)))
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use giveway_solve::SilentHost;
+
+    use super::*;
+
+    fn refused(function: &str, request: &str) -> (Code, String) {
+        let failure = call(function, request, &SilentHost).unwrap_err();
+        (failure.code, failure.faults[0].place.clone())
+    }
+
+    #[test]
+    fn what_is_wrong_is_told_with_its_place() {
+        let map = r#""giveway": 1, "map": ["..#"]"#;
+        let goal = |goal: &str| {
+            let agent = format!(r#"{{ "name": "A", "start": [0, 0], "goal": {goal} }}"#);
+            format!(r#"{{ "scene": {{ {map}, "agents": [{agent}] }} }}"#)
+        };
+        let place = "scene.agents[0].goal".to_owned();
+        let input = refused("solve", &goal("[0, \"x\"]"));
+        assert_eq!(input, (Code::BadInput, format!("{place}[1]")));
+        assert_eq!(refused("solve", &goal("[2, 0]")), (Code::BadScene, place));
+        assert_eq!(refused("sing", "{}"), (Code::BadInput, String::new()));
+        assert_eq!(
+            refused("read-question", r#"{ "words": ["sing"] }"#).1,
+            "question"
+        );
+        let (code, _) = refused("read-scene", "{");
+        assert_eq!(code, Code::BadText);
+    }
+
+    #[test]
+    fn files_that_are_no_certificate_are_rejected_in_a_report() {
+        let report = call("verify", r#"{ "files": {} }"#, &SilentHost).unwrap();
+        assert!(report.contains(r#""accepted":false"#), "{report}");
+    }
+}

@@ -1,0 +1,109 @@
+"""The answers are those that were recorded of the command and of the package for JavaScript."""
+
+from __future__ import annotations
+
+import json
+from typing import Any
+
+import pytest
+from conftest import DATA, RECORDED, read, scene
+
+import giveway
+
+CASES = [
+    ("warehouse", "seed/warehouse", {}),
+    ("warehouse-charges", "seed/warehouse", {"objective": "charges,makespan"}),
+    ("scenario-1", "seed/scenario-1", {}),
+    ("scenario-6", "seed/scenario-6", {}),
+    ("dynamic-3x3", "seed/dynamic-3x3", {}),
+    ("A05", "mmapf/A05_mm_10x10_o10_a10", {}),
+    ("A10", "mmapf/A10_mm_15x15_o15_a16", {}),
+    ("B09", "mmapf/B09_cl_16x16_e_a30", {"objective": ["sum-of-costs"]}),
+    ("A05-cut-short", "mmapf/A05_mm_10x10_o10_a10", {"conflict_limit": 100}),
+]
+
+
+def timeless(answer: Any) -> Any:
+    """The answer with all its seconds 0, as they were recorded."""
+    text = json.dumps(answer)
+    return json.loads(text, object_hook=lambda data: {**data, "cpu_seconds": 0.0} if "cpu_seconds" in data else data)
+
+
+@pytest.mark.parametrize(("name", "of", "options"), CASES, ids=[name for name, _, _ in CASES])
+def test_solve(name: str, of: str, options: dict[str, Any]) -> None:
+    answer = giveway.solve(giveway.Scene.from_file(DATA / f"{of}.json"), **options)
+    assert timeless(answer.to_dict()) == timeless(read(RECORDED / f"{name}.json"))
+    # Plain data is taken as well, and gives the same.
+    assert giveway.solve(scene(of), **options).plan == answer.plan
+
+
+def test_pareto() -> None:
+    front = giveway.pareto(scene("seed/warehouse"), "makespan,charges")
+    assert timeless(front.to_dict()) == timeless(read(RECORDED / "front.json"))
+
+
+@pytest.mark.parametrize(("name", "plan"), [
+    ("change-3x3", "dynamic-3x3.plan"), ("change-3x3-later", "dynamic-3x3.plan-t1"),
+])
+def test_change(name: str, plan: str) -> None:
+    answer = giveway.change(
+        scene("seed/dynamic-3x3"), scene(f"seed/{plan}"), scene("seed/dynamic-3x3.changes"),
+        methods=["revise", "tunnel=1", "replan"])
+    assert timeless(answer.to_dict()) == timeless(read(RECORDED / f"{name}.json"))
+    assert answer.plan == answer.methods[str(answer.adopted)].plan
+
+
+def test_random_instances() -> None:
+    rows = read(RECORDED / "random.json")
+    assert len(rows) > 40
+    for row in rows:
+        answer = giveway.solve(row["scene"], conflict_limit=row["conflicts"])
+        plan = None if answer.plan is None else answer.plan.to_json()
+        kept = json.dumps(json.loads(row["plan"]), separators=(",", ":"))
+        assert (answer.status, plan or "null") == (row["status"], kept)
+
+
+def test_other_functions() -> None:
+    warehouse = giveway.Scene.from_file(DATA / "seed/warehouse.json")
+    plan = giveway.solve(warehouse).plan
+    assert plan is not None and plan.scene is warehouse
+    assert giveway.check(warehouse, plan).valid
+    audited = giveway.audit(warehouse, plan)
+    assert (audited.legal, audited.status, audited.gap) == (True, "optimal", 0.0)
+    by_words = giveway.explain(warehouse, "charges A1", plan)
+    by_data = giveway.explain(warehouse, {"kind": "charges", "agent": "A1"}, plan)
+    assert by_words.words == by_data.words and by_words.verdict == by_data.verdict
+    assert giveway.Explanation.from_dict(by_words.to_dict()) == by_words
+    assert not giveway.verify(DATA / "wrong/f2-conclusion").accepted
+
+
+@pytest.mark.parametrize("planner", ["prioritised", "cbs", "pibt", "lacam", "lns"])
+def test_planners(planner: Any) -> None:
+    answer = giveway.solve(scene("seed/dynamic-3x3"), planner=planner, time_limit=20)
+    assert answer.planner == planner and answer.plan is not None
+    assert giveway.check(scene("seed/dynamic-3x3"), answer.plan).valid
+    assert answer.status == ("optimal" if planner == "cbs" else "feasible")
+
+
+def test_files() -> None:
+    folder = DATA / "movingai"
+    map, scen = folder / "empty-8-8.map", folder / "empty-8-8-random-1.scen"
+    scene_of_files = giveway.Scene.from_movingai(map, scen, agents=3)
+    assert (scene_of_files.width, len(scene_of_files.agents)) == (8, 3)
+    converted = giveway.convert([map, scen], "giveway", agents=3)
+    assert giveway.Scene.from_json(next(iter(converted.files.values()))).agents == scene_of_files.agents
+
+
+def test_records_have_the_keys_of_the_schema() -> None:
+    definitions = giveway.schema()["$defs"]
+    shapes: dict[str, type[Any]] = {
+        "instance": giveway.Scene, "agent": giveway.Agent, "battery": giveway.Battery, "rules": giveway.Rules,
+        "plan": giveway.Plan, "costs": giveway.Costs, "stats": giveway.Stats, "solveResult": giveway.Answer,
+        "paretoResult": giveway.Front, "planResult": giveway.PlannerAnswer, "checkResult": giveway.Verdict,
+        "witness": giveway.Violation, "explainResult": giveway.Explanation, "changeResult": giveway.ChangeAnswer,
+    }
+    from giveway._record import _fields
+
+    for name, shape in shapes.items():
+        keys = {key for _, key, _, _ in _fields(shape)} | ({"giveway"} if shape.document else set())
+        assert keys == set(definitions[name]["properties"]), name
