@@ -23,6 +23,10 @@ use crate::{
     terrain::Vertex,
 };
 
+/// Conflicts that the search without a cell may take, round after round: so that what is
+/// shown soon does not wait for what takes long.
+const ROUNDS: [Option<u64>; 3] = [Some(3_000), Some(30_000), None];
+
 /// What closing cells would cost, as far as it is known.
 pub(super) struct Critical<'t, 'h> {
     task: &'t Task<'h>,
@@ -30,6 +34,10 @@ pub(super) struct Critical<'t, 'h> {
     optimum: Reach,
     costs: Costs,
     cells: Vec<CriticalCell>,
+    /// Which of the [`ROUNDS`] it is.
+    round: usize,
+    /// The next cell of this round.
+    next: usize,
 }
 
 impl<'t, 'h> Critical<'t, 'h> {
@@ -56,6 +64,8 @@ impl<'t, 'h> Critical<'t, 'h> {
             optimum,
             costs,
             cells: cells.collect(),
+            round: 0,
+            next: 0,
         }
     }
 
@@ -123,17 +133,26 @@ impl<'t, 'h> Critical<'t, 'h> {
         }
     }
 
-    /// The number of the first cell, from one on, that costs something nobody knows.
-    pub(super) fn next(&self, from: usize) -> Option<usize> {
-        let mut rest = self.cells.iter().enumerate().skip(from);
-        rest.find(|(_, it)| it.closed.is_open()).map(|(i, _)| i)
-    }
-
-    /// Solves the scene without a cell.
+    /// Solves the scene without one of the cells that are open; whether any is left.
     ///
     /// # Errors
-    /// When the budget is spent.
-    pub(super) fn solve(&mut self, number: usize) -> Result<(), Stop> {
+    /// When the budget is spent; what is known until then stays.
+    pub(super) fn solve_next(&mut self) -> Result<bool, Stop> {
+        while let Some(&conflicts) = ROUNDS.get(self.round) {
+            let mut rest = self.cells.iter().enumerate().skip(self.next);
+            if let Some((number, _)) = rest.find(|(_, it)| it.closed.is_open()) {
+                self.next = number + 1;
+                self.solve(number, conflicts)?;
+                return Ok(true);
+            }
+            self.round += 1;
+            self.next = 0;
+        }
+        Ok(false)
+    }
+
+    /// Solves the scene without a cell, as long as it takes no more conflicts.
+    fn solve(&mut self, number: usize, conflicts: Option<u64>) -> Result<(), Stop> {
         let Some(it) = self.cells.get_mut(number) else {
             return Ok(());
         };
@@ -141,7 +160,11 @@ impl<'t, 'h> Critical<'t, 'h> {
         let Some(Ok(instance)) = closed else {
             return Ok(());
         };
-        let budget = Rc::new(self.task.budget.part(Limits::default()));
+        let limits = Limits {
+            conflicts,
+            ..Limits::default()
+        };
+        let budget = Rc::new(self.task.budget.part(limits));
         let closed = Task {
             instance,
             objective: self.task.objective.clone(),

@@ -80,15 +80,32 @@ impl<'a, 'h> Every<'a, 'h> {
         let Some(ways) = self.formula.find(assumptions)? else {
             return Ok(false);
         };
-        let report = check(self.instance, &self.plan(&ways));
-        let vector = report.costs.map(|costs| costs.vector(self.objective));
-        if !report.violations.is_empty() || vector.as_ref() != Some(&self.best) {
-            return Err(Stop::Contradiction);
-        }
-        if self.known.insert(ways.clone()) {
-            self.found.push(ways);
+        if !self.known.contains(&ways) {
+            if !self.passes(&ways) {
+                return Err(Stop::Contradiction);
+            }
+            self.keep(ways);
         }
         Ok(true)
+    }
+
+    /// Keeps ways that may be a best plan, where they are one that was not known.
+    pub(super) fn offer(&mut self, ways: Vec<Way>) {
+        if !self.known.contains(&ways) && self.passes(&ways) {
+            self.keep(ways);
+        }
+    }
+
+    /// Whether the judge passes ways, and they are as good as the best plan.
+    fn passes(&self, ways: &[Way]) -> bool {
+        let report = check(self.instance, &self.plan(ways));
+        let vector = report.costs.map(|costs| costs.vector(self.objective));
+        report.violations.is_empty() && vector.as_ref() == Some(&self.best)
+    }
+
+    fn keep(&mut self, ways: Vec<Way>) {
+        self.known.insert(ways.clone());
+        self.found.push(ways);
     }
 
     /// Literals one of which fails in every other plan than this one.

@@ -13,6 +13,8 @@ mod later;
 mod parts;
 mod request;
 mod serve;
+mod variations;
+mod ways;
 pub mod words;
 
 pub use answer::{

@@ -3,7 +3,7 @@
 use giveway_model::{Costs, Plan, Scene, sorting::map};
 
 use super::{
-    FreedomAnswer, FreedomPart, Hold, Slack,
+    FreedomAnswer, FreedomPart, Hold, Plans, Slack,
     backbone::Backbone,
     count::Count,
     critical::Critical,
@@ -12,6 +12,7 @@ use super::{
     formula::{BestPlans, caps, names, ways_of},
     hold::Holding,
     later::Latest,
+    ways::Choices,
 };
 use crate::{
     Progress,
@@ -55,19 +56,28 @@ pub(super) fn serve(subject: &Subject, answer: &mut FreedomAnswer) -> Result<(),
     let formula = BestPlans::new(&problem, &caps, best, &task.budget)?;
     let own = ways_of(&problem, &task.instance, subject.plan).ok_or(Stop::Contradiction)?;
     let mut every = Every::new(&problem, &task.instance, best, formula, own);
-    let mut all_found = false;
+    let mut counting = Counting {
+        count: Count::new(subject.count),
+        choices: Choices::new(&every),
+    };
     for part in answer.pending.clone() {
         match part {
             FreedomPart::Backbone => backbone(&mut every, answer)?,
             FreedomPart::Slack => slack(subject, &mut every, answer)?,
-            FreedomPart::Plans => all_found = plans(subject, &mut every, answer)?,
+            FreedomPart::Plans => counting.begin(subject, &mut every, answer)?,
             FreedomPart::Critical => critical(subject, &mut every, answer)?,
-            FreedomPart::Farthest => farthest(&mut every, all_found, answer)?,
+            FreedomPart::Farthest => farthest(&mut every, counting.count.is_exact(), answer)?,
         }
-        answer.pending.retain(|&pending| pending != part);
+        if part != FreedomPart::Plans || counting.count.is_exact() {
+            answer.pending.retain(|&pending| pending != part);
+        }
         if !answer.pending.is_empty() {
             tell(task, answer);
         }
+    }
+    if answer.pending.contains(&FreedomPart::Plans) {
+        counting.finish(subject, &mut every, answer)?;
+        answer.pending.clear();
     }
     Ok(())
 }
@@ -105,12 +115,53 @@ fn slack(subject: &Subject, every: &mut Every, answer: &mut FreedomAnswer) -> Re
     ended
 }
 
-/// Whether all best plans were found.
-fn plans(subject: &Subject, every: &mut Every, answer: &mut FreedomAnswer) -> Result<bool, Stop> {
-    let mut count = Count::new(every, subject.count);
-    let ended = count.settle(every);
-    answer.plans = Some(count.told(every));
-    ended.map(|()| count.is_exact())
+/// How many best plans there are, and what agents can choose from: begun in its turn,
+/// and finished after all other parts, as that may take longest.
+struct Counting {
+    count: Count,
+    choices: Choices,
+}
+
+impl Counting {
+    fn begin(
+        &mut self,
+        subject: &Subject,
+        every: &mut Every,
+        answer: &mut FreedomAnswer,
+    ) -> Result<(), Stop> {
+        let ended = self.count.begin(every, &subject.task.budget);
+        if self.count.is_exact() {
+            self.choices.close(every);
+        }
+        self.tell(every, answer);
+        ended
+    }
+
+    fn finish(
+        &mut self,
+        subject: &Subject,
+        every: &mut Every,
+        answer: &mut FreedomAnswer,
+    ) -> Result<(), Stop> {
+        let counted = self.count.settle(every, &subject.task.budget);
+        let ended = counted.and_then(|()| {
+            if self.count.is_exact() {
+                self.choices.close(every);
+                return Ok(());
+            }
+            self.choices.settle(every, subject.count)
+        });
+        self.tell(every, answer);
+        ended
+    }
+
+    fn tell(&mut self, every: &Every, answer: &mut FreedomAnswer) {
+        self.choices.learn(every);
+        answer.plans = Some(Plans {
+            number: self.count.told(every),
+            ways: self.choices.told(every),
+        });
+    }
 }
 
 fn critical(subject: &Subject, every: &mut Every, answer: &mut FreedomAnswer) -> Result<(), Stop> {
@@ -119,15 +170,14 @@ fn critical(subject: &Subject, every: &mut Every, answer: &mut FreedomAnswer) ->
     let ended = critical.sort_out(every);
     answer.critical = Some(critical.told());
     ended?;
-    let mut number = 0;
-    while let Some(next) = critical.next(number) {
+    loop {
         tell(task, answer);
-        let ended = critical.solve(next);
+        let ended = critical.solve_next();
         answer.critical = Some(critical.told());
-        ended?;
-        number = next + 1;
+        if !ended? {
+            return Ok(());
+        }
     }
-    Ok(())
 }
 
 fn farthest(every: &mut Every, all_found: bool, answer: &mut FreedomAnswer) -> Result<(), Stop> {

@@ -8,6 +8,7 @@ mod agent;
 mod caps;
 mod costs;
 mod layers;
+mod succession;
 mod way;
 
 use std::rc::Rc;
@@ -25,6 +26,7 @@ use crate::{
 use agent::AgentCode;
 
 pub(super) use caps::{Caps, caps};
+pub(super) use succession::Succession;
 pub(super) use way::{Way, names, plan_of, ways_of};
 
 /// The formula.
