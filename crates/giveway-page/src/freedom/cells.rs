@@ -62,8 +62,9 @@ pub fn pressed(state: &State, point: Point) -> Option<Cell> {
     let within = |at: f64, side: u32| (at - f64::from(side) + 0.5) * CELL;
     let (x, y) = (within(point.x, cell.x), within(point.y, cell.y));
     // Whoever aims at it may miss it by a little.
-    let is_hit = x >= 0.0 && x <= Number::LEFT + number.width() + Number::LEFT;
-    let is_hit = is_hit && y >= Number::TOP - Number::LEFT && y <= CELL;
+    let across = 0.0..=Number::LEFT + number.width() + Number::LEFT;
+    let down = Number::TOP - Number::LEFT..=CELL;
+    let is_hit = across.contains(&x) && down.contains(&y);
     (is_hit && number.title.is_some()).then_some(cell)
 }
 

@@ -27,9 +27,14 @@ pub struct CellRow {
     pub detail: String,
 }
 
+/// How bad it is that cells are closed: the least is the worst.
+type Rank = (bool, usize, i64);
+/// Cells of one rank.
+type Group<'a> = Vec<(Cell, &'a Closed)>;
+
 pub(super) fn cells(told: &FreedomAnswer, is_counting: bool) -> Option<Cells> {
     let all = told.critical.as_ref()?;
-    let mut groups: Vec<((bool, usize, i64), Vec<(Cell, &Closed)>)> = Vec::new();
+    let mut groups: Vec<(Rank, Group<'_>)> = Vec::new();
     for it in all.iter().filter(|it| matters(&it.closed)) {
         // No plan is the worst; then more of the first cost; then more of a later one.
         let rank = match worse(&told.objective, &it.closed) {
@@ -42,7 +47,7 @@ pub(super) fn cells(told: &FreedomAnswer, is_counting: bool) -> Option<Cells> {
         }
     }
     groups.sort_by_key(|(rank, _)| *rank);
-    let row = |(_, cells): &(_, Vec<(Cell, &Closed)>)| {
+    let row = |(_, cells): &(Rank, Group<'_>)| {
         let &(cell, closed) = cells.first()?;
         let parts = [more(told, closed, cells.len() - 1), reach(closed)];
         let parts: Vec<String> = parts.into_iter().flatten().collect();
