@@ -48,6 +48,9 @@ describe("what must be so", () => {
       await playground.showTab("Timeline");
       await lane(playground, /^A2: .*, 8 of 8 steps in every best plan$/).waitFor();
       await lane(playground, /^A3: .*, 1 of 6 steps in every best plan$/).waitFor();
+      // Labels are wider then: the line of the time stands where its number does.
+      const [line, thumb] = await Promise.all([".head", ".thumb"].map((part) => playground.page.locator(`#lanes ${part}`).boundingBox()));
+      assert.ok(Math.abs(line.x + line.width / 2 - thumb.x) < 1.5, `${line.x} and ${thumb.x}`);
       await playground.picture(`freedom-lanes-${theme}`);
       await playground.showTab("Inspector");
       await inspector.getByRole("button", { name: "Whole plan" }).click();

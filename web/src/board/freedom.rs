@@ -13,6 +13,8 @@ pub(super) struct OverlayProps {
     lines: Vec<Lines>,
     numbers: Vec<Number>,
     detail: Detail,
+    /// The robot selected: the lines of the others are paler.
+    selected: Option<usize>,
 }
 
 /// What lies on the ways, below robots and flags.
@@ -21,7 +23,8 @@ pub(super) fn overlay(state: &State, detail: Detail) -> Html {
         return Html::default();
     }
     let (lines, numbers) = (freedom::lines(state), freedom::numbers(state));
-    html! { <Overlay {lines} {numbers} {detail} /> }
+    let selected = state.selected_agent();
+    html! { <Overlay {lines} {numbers} {detail} {selected} /> }
 }
 
 /// Lines and numbers; drawn anew where more became known.
@@ -31,14 +34,16 @@ fn Overlay(props: &OverlayProps) -> Html {
         lines,
         numbers,
         detail,
+        selected,
     } = props;
+    let is_pale = |agent: usize| selected.is_some_and(|selected| selected != agent);
     // What is in every best plan lies on what is not.
     let layer = |class: [&'static str; 2], path: fn(&Lines) -> &str| {
         let line = |line: &Lines| {
             let d = path(line);
             (!d.is_empty()).then(|| {
                 html! {
-                    <g key={line.agent} class={form::class(line.agent)}>
+                    <g key={line.agent} class={classes!(form::class(line.agent), is_pale(line.agent).then_some("pale"))}>
                         <path class={class[0]} d={d.to_owned()} /><path class={class[1]} d={d.to_owned()} />
                     </g>
                 }
@@ -54,6 +59,7 @@ fn Overlay(props: &OverlayProps) -> Html {
         <g class="freedom" aria-hidden="true">
             { layer(["may-halo", "may"], |line| &line.may) }
             { layer(["may-halo", "unsure"], |line| &line.open) }
+            { layer(["may-halo", "only"], |line| &line.only) }
             { layer(["must-halo", "must"], |line| &line.must) }
             { for numbers.iter().filter_map(number) }
         </g>

@@ -64,12 +64,14 @@ pub(super) fn Plan(props: &PlanProps) -> Html {
         .mode
         .steering()
         .map_or(0, |own| Steering::time(own));
+    let fate = |name: &str| changing::fate(state, name).or_else(|| freedom::late(state, name));
     let extent = Extent {
         last: answer.makespan().max(last).max(led),
         lanes: lanes.len(),
         lane: height,
         rows: lanes.len() + batteries,
         least: table::least_column(answer),
+        tells: lanes.iter().any(|lane| fate(&lane.name).is_some()),
     };
     let (lanes_ref, table_ref) = (use_node_ref(), use_node_ref());
     let (seen, look) = use_seen(
@@ -143,7 +145,7 @@ pub(super) fn Plan(props: &PlanProps) -> Html {
             <LaneRow key={index} lanes={lanes.clone()} others={others.clone()} {index} {axis} {row} columns={seen.columns.clone()}
                 bursts={lanes.get(index).map(|lane| audit::bursts_of(state, &lane.name)).unwrap_or_default()}
                 level={lanes.get(index).and_then(|lane| lane.level_at(time))}
-                fate={lanes.get(index).and_then(|lane| changing::fate(state, &lane.name).or_else(|| freedom::late(state, &lane.name)))}
+                fate={lanes.get(index).and_then(|lane| fate(&lane.name))}
                 marks={lanes.get(index).and_then(|lane| freedom::lane(state, &lane.name))} selected={selected == Some(index)}
                 tab_stop={index == tab_stop} pick={pick.clone()} />
         }

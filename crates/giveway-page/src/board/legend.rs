@@ -38,6 +38,8 @@ pub enum Kind {
     Used,
     /// A way that every best plan has.
     Must,
+    /// A way that this one alone of all best plans has.
+    Only,
     /// A way that some best plans have.
     May,
     /// A way of which it is open whether every best plan has it.
@@ -67,6 +69,7 @@ impl Kind {
             Self::Wait => "Waits",
             Self::Used => "Darker: used more often",
             Self::Must => "In every best plan",
+            Self::Only => "In this plan alone",
             Self::May => "Free to choose",
             Self::Unsure => "Not known",
             Self::Price => "Closing this cell costs so much",
@@ -91,6 +94,7 @@ impl Kind {
             Self::Wait => "k-wait",
             Self::Used => "k-used",
             Self::Must => "k-must",
+            Self::Only => "k-only",
             Self::May => "k-may",
             Self::Unsure => "k-unsure",
             Self::Price => "k-price",

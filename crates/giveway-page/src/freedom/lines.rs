@@ -16,6 +16,8 @@ pub struct Lines {
     pub agent: usize,
     /// Where every best plan leads it at the same time.
     pub must: String,
+    /// Where no best plan but this one does.
+    pub only: String,
     /// Where some best plan does.
     pub may: String,
     /// Where this plan does, and it is open whether every one does.
@@ -26,6 +28,7 @@ pub struct Lines {
 #[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
 enum Kind {
     Must,
+    Only,
     Open,
     May,
 }
@@ -63,6 +66,7 @@ pub fn lines(state: &State) -> Vec<Lines> {
         Lines {
             agent,
             must: path(Kind::Must),
+            only: path(Kind::Only),
             may: path(Kind::May),
             open: path(Kind::Open),
         }
@@ -77,8 +81,11 @@ fn own(visits: &[Visit]) -> Vec<((Cell, Cell), Kind)> {
     for (at, visit) in visits.iter().enumerate() {
         let Some(cell) = visit.cell else { continue };
         if let Some((from, before)) = last {
-            let kind = match known(&visits[from..=at]) {
+            let visits = &visits[from..=at];
+            let is_only = visits.iter().any(|visit| visit.only.is_proved());
+            let kind = match known(visits) {
                 Known::Yes => Kind::Must,
+                Known::No if is_only => Kind::Only,
                 Known::No => Kind::May,
                 Known::Open => Kind::Open,
             };

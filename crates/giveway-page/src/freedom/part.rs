@@ -105,6 +105,9 @@ fn of_cell(freedom: &Freedom, told: &FreedomAnswer, cell: Cell) -> Part {
         let fact = match here {
             Some(visit) => match visit.always {
                 Known::Yes => format!("{name} must be here at time {}.", visit.time),
+                Known::No if visit.only.is_proved() => {
+                    format!("{name} is here at time {} in this plan alone.", visit.time)
+                }
                 Known::No => format!("{name} need not be here at time {}.", visit.time),
                 Known::Open => format!(
                     "Whether {name} must be here at time {} is open.",

@@ -14,6 +14,7 @@ pub(crate) fn signs(state: &State) -> Vec<Kind> {
     let mut slacks = slacks.into_iter().flat_map(|slacks| slacks.values());
     let signs = [
         (Kind::Must, lines.iter().any(|line| !line.must.is_empty())),
+        (Kind::Only, lines.iter().any(|line| !line.only.is_empty())),
         (Kind::May, lines.iter().any(|line| !line.may.is_empty())),
         (Kind::Unsure, lines.iter().any(|line| !line.open.is_empty())),
         (Kind::Price, !numbers(state).is_empty()),

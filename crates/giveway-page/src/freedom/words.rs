@@ -17,6 +17,9 @@ pub(crate) fn refusal(state: &State) -> Option<&'static str> {
     if !matches!(document.mode, Mode::Editing | Mode::Asking(_)) {
         return Some("This is about the best plan of the scene. Finish first what you do with it.");
     }
+    if state.work.solving().is_some() {
+        return Some("A plan is being sought: this is about the best one.");
+    }
     let Some(answer) = document.fresh_answer() else {
         return Some(if document.is_stale() {
             "The scene has changed since this plan. Solve again."

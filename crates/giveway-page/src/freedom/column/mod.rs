@@ -141,6 +141,11 @@ fn lead(freedom: &Freedom, is_only: bool) -> String {
         all += steps;
         open |= visits.iter().any(|visit| visit.always == Known::Open);
     }
+    if same == all && freedom.count().is_some() {
+        return format!(
+            "All {all} steps are the same in every best plan, but not when robots charge."
+        );
+    }
     let verb = if same == 1 { "is" } else { "are" };
     if open {
         format!(

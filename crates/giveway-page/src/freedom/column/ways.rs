@@ -53,7 +53,10 @@ fn fixed(told: &FreedomAnswer, name: &str) -> String {
     match visits.map(|visits| same_steps(visits)) {
         None => String::new(),
         Some((0, _)) => "no step is fixed".to_owned(),
-        Some((1, all)) => format!("1 of {all} steps is fixed"),
+        Some((1, all)) if all > 1 => format!("1 of {all} steps is fixed"),
+        Some((same, all)) if same == all => {
+            "every step is fixed, but not when it charges".to_owned()
+        }
         Some((same, all)) => format!("{same} of {all} steps are fixed"),
     }
 }

@@ -101,6 +101,39 @@ fn lines_are_solid_where_every_best_plan_goes_and_dotted_elsewhere() {
 }
 
 #[test]
+fn moves_of_this_plan_alone_have_a_line_of_their_own() {
+    let state = page(
+        &["...", "...", "..."],
+        &[[(0, 1), (2, 1)], [(1, 0), (1, 2)]],
+    );
+    let state = answered(&after(&state, [Action::Solve(SolveAction::Solve)]));
+    let state = answered(&after(&state, [SHOW]));
+    assert!(saying(&state).ends_with(" There are 2 such plans."));
+    let all = lines(&state);
+    assert!(all.iter().any(|line| !line.only.is_empty()));
+    let middle = Action::Board(BoardAction::Select(Selection::Cell(Cell::new(1, 1))));
+    let facts = part(&after(&state, [middle])).unwrap().facts;
+    let is_alone = |fact: &&String| fact.ends_with(" in this plan alone.");
+    assert_eq!(facts.iter().filter(is_alone).count(), 2, "{facts:?}");
+}
+
+#[test]
+fn where_only_charges_differ_it_says_so() {
+    let state = answered(&after(&crate::sample::solved(), [SHOW]));
+    assert!(saying(&state).ends_with(" There are 2 such plans."));
+    let column = told_of(&state);
+    assert_eq!(
+        column.lead,
+        "All 35 steps are the same in every best plan, but not when robots charge."
+    );
+    let ways = known(column.ways.unwrap());
+    assert_eq!(
+        ways.rows[0].detail,
+        "every step is fixed, but not when it charges"
+    );
+}
+
+#[test]
 fn lanes_tell_what_is_fixed_and_how_late_a_robot_may_be() {
     let state = told();
     let answer = state.shown().unwrap();
