@@ -343,13 +343,13 @@ fn differs(instance: &Instance, plan: &Plan, latest: u32, course: &Course) -> u3
     let mut count = 0;
     for (i, agent) in instance.agents().iter().enumerate() {
         let path = plan.path(&agent.name);
-        for time in 0..=latest as usize {
+        let until = course.iter().take(latest as usize + 1);
+        for (time, (places, charges)) in until.enumerate() {
             let here = match at(path, time) {
                 Some(here) => here,
                 None if instance.stays() => Where::At(agent.goal),
                 None => Where::Gone,
             };
-            let (places, charges) = &course[time];
             count += u32::from(places[i] != here);
             let charged = plan.charges(&agent.name).contains(&(time as u32));
             count += u32::from(charges[i] != charged);

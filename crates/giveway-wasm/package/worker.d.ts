@@ -1,6 +1,6 @@
 import type {
   AuditAnswer, AuditRequest, CertifyRequest, ChangeAnswer, ChangeRequest, CheckAnswer, CheckRequest, CompareRequest,
-  Comparison, ConvertAnswer, ConvertRequest, ExplainAnswer, ExplainRequest, Files, FrontAnswer, PlanAnswer, PlanRequest, Progress, ReadOptions,
+  Comparison, ConvertAnswer, ConvertRequest, ExplainAnswer, ExplainRequest, Files, FreedomAnswer, FreedomRequest, FrontAnswer, PlanAnswer, PlanRequest, Progress, ReadOptions,
   Report, Schema, SolveAnswer, SolveRequest, VerifyRequest,
 } from "./types.js";
 
@@ -23,6 +23,7 @@ export class Giveway {
   explain(request: ExplainRequest, waiting?: Waiting): Promise<ExplainAnswer>;
   change(request: ChangeRequest, waiting?: Waiting): Promise<ChangeAnswer>;
   audit(request: AuditRequest, waiting?: Waiting): Promise<AuditAnswer>;
+  freedom(request: FreedomRequest, waiting?: Waiting): Promise<FreedomAnswer>;
   plan(request: PlanRequest, waiting?: Waiting): Promise<PlanAnswer>;
   compare(request: CompareRequest, waiting?: Waiting): Promise<Comparison>;
   readFiles(files: Record<string, string>, options?: ReadOptions, waiting?: Waiting): Promise<Files>;

@@ -47,6 +47,10 @@ pub(crate) struct Freedom {
 
 /// The parts of the answer.
 #[derive(Clone, Copy, Debug, ClapArgs)]
+#[allow(
+    clippy::struct_excessive_bools,
+    reason = "each is an option by itself, in any combination"
+)]
 pub(crate) struct Parts {
     /// Tell which steps are the same in every best plan, and which only this one has
     #[arg(long)]

@@ -16,6 +16,7 @@ mod check;
 mod compare;
 mod convert;
 mod explain;
+mod freedom;
 mod harmless_input;
 mod manual;
 mod planners;

@@ -98,8 +98,11 @@ impl FreedomAnswer {
             } => (BTreeMap::new(), true, *proved),
             _ => return None,
         };
+        let mut scene = scene_without(&instance.to_scene(), it.cell)?;
+        let name = format!("{} without {}", instance.name(), it.cell);
+        name.trim().clone_into(&mut scene.name);
         Some(CertifyRequest {
-            scene: scene_without(&instance.to_scene(), it.cell)?,
+            scene,
             bounds,
             impossible,
             complete: proved == Proved::ForEver,

@@ -40,13 +40,13 @@ impl Holding<'_> {
             let mut steps = 0;
             loop {
                 budget.check()?;
-                let stands = self.standing(name, time, steps + 1).into_iter();
+                let mut stands = self.standing(name, time, steps + 1).into_iter();
                 let passes = |plan: Plan| {
                     let report = check(self.instance, &plan);
                     let cost = report.costs.map(|costs| costs.get(first));
                     report.violations.is_empty() && cost.is_some() && cost <= most
                 };
-                if !stands.map(passes).any(|passes| passes) {
+                if !stands.any(passes) {
                     holds.push(Hold::Steps(steps));
                     break;
                 }

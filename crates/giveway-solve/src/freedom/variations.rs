@@ -5,7 +5,7 @@
 //! variable of the formula. Here one agent takes another way of the same arrival among
 //! the others. The judge decides whether that is a best plan.
 
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, btree_map::Entry};
 
 use super::{
     every::Every,
@@ -75,12 +75,9 @@ impl Variations {
         budget.check()?;
         let arrival = own.arrival();
         let key = (agent, arrival);
-        if !self.successions.contains_key(&key) {
-            let succession = Succession::new(every.problem, key, budget)?;
-            self.successions.insert(key, succession);
-        }
-        let Some(all) = self.successions.get(&key) else {
-            return Ok(());
+        let all = match self.successions.entry(key) {
+            Entry::Occupied(known) => known.into_mut(),
+            Entry::Vacant(new) => new.insert(Succession::new(every.problem, key, budget)?),
         };
         let taken = taken(every, plan, agent, arrival);
         let others = |time: u32| taken.get(time as usize).map_or(&[][..], Vec::as_slice);

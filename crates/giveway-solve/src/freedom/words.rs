@@ -53,7 +53,7 @@ pub fn plans_found(number: PlanCount) -> String {
         PlanCount::MoreThan(n) => format!("There are more than {} best plans.", grouped(n.into())),
         PlanCount::AtLeast(n) => {
             let plans = count(n, "best plan");
-            format!("{plans} found so far; there may be more.")
+            format!("{plans} found so far. There may be more.")
         }
     }
 }
@@ -114,14 +114,12 @@ fn is_open(visit: &Visit) -> bool {
 pub fn late(agent: &str, slack: &Slack) -> String {
     match slack.late() {
         None => format!("{agent} has nothing to do"),
-        Some(Hold::Steps(0)) => format!("{agent} cannot be late everywhere without harm"),
+        Some(Hold::Steps(0)) => format!("{agent} has no step to spare somewhere on its way"),
         Some(Hold::Steps(steps)) => {
-            format!(
-                "{agent} could be {} late without harm",
-                count(steps, "step")
-            )
+            let steps = count(steps, "step");
+            format!("{agent} could be {steps} late without harm")
         }
-        Some(_) => format!("{agent} could be late for as long as it likes"),
+        Some(_) => format!("{agent} can be as late as it likes without harm"),
     }
 }
 
@@ -133,10 +131,10 @@ pub fn later(slack: &Slack) -> String {
             let steps = count(steps, "step");
             format!("arrives up to {steps} later in other best plans")
         }
-        Later::AtLeast(0) => "may arrive later in other best plans: not settled".to_owned(),
+        Later::AtLeast(0) => "may arrive later in other best plans; that is open".to_owned(),
         Later::AtLeast(steps) => {
             let steps = count(steps, "step");
-            format!("arrives {steps} later in some best plan, perhaps more")
+            format!("arrives at least {steps} later in some best plan")
         }
     }
 }

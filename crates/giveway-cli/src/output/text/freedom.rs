@@ -119,7 +119,10 @@ fn cells(answer: &FreedomAnswer) -> String {
     let open = cells.iter().filter(|it| it.closed.is_open()).count();
     let mut text = format!("{}: ", bold("Critical cells"));
     let _ = match critical.len() {
-        0 if open == 0 => writeln!(text, "Any one free cell can be closed without loss."),
+        0 if open == 0 => writeln!(
+            text,
+            "Any one cell that is no start, goal or waypoint can be closed without loss."
+        ),
         0 => writeln!(text, "{} open.", count(open as u32, "cell")),
         n => writeln!(
             text,
