@@ -16,6 +16,7 @@ mod explain;
 mod freedom;
 mod reading;
 mod solve;
+mod sweep;
 
 pub(crate) use address::Address;
 pub(crate) use audit::Audit;
@@ -26,6 +27,7 @@ pub(crate) use explain::Explain;
 pub(crate) use freedom::Freedom;
 pub(crate) use reading::Reading;
 pub(crate) use solve::Solve;
+pub(crate) use sweep::{Sweep, Table};
 
 const ABOUT: &str = "Plans for several robots on a grid, proved best";
 
@@ -113,6 +115,10 @@ pub(crate) enum Command {
     Verify(Verify),
     /// Write instances and plans in another format
     Convert(Convert),
+    /// Do many tasks, such as a benchmark, or a part of them
+    Sweep(Sweep),
+    /// Make tables and plots of a sweep's results
+    Table(Table),
     /// Write a completion script for a shell to standard output
     Completions {
         /// The shell

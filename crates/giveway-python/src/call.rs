@@ -10,7 +10,7 @@ use giveway_proof::Bundle;
 use giveway_solve::{Host, Limits, Refusal, Request, Response, serve, verify};
 use serde::{Deserialize, Deserializer, Serialize, de::DeserializeOwned};
 
-use crate::files;
+use crate::{files, sweep};
 
 /// What kind of thing is wrong.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
@@ -93,6 +93,10 @@ fn called(function: &str, text: &str, host: &dyn Host) -> Result<String, Failure
         }
         "read-question" => return question(&read(text)?),
         "schema" => return Ok(schema().to_owned()),
+        "sweep-tasks" => return write(&sweep::tasks(&read(text)?)?),
+        "sweep-run" => return write(&sweep::row(&read(text)?, host)),
+        "sweep-skipped" => return write(&sweep::skipped(&read(text)?)),
+        "sweep-table" => return write(&sweep::table(&read(text)?)?),
         _ => {
             let found = format!("the unknown function \"{function}\"");
             return Err(Failure::input(Fault::at("", found, "one of this package")));

@@ -10,6 +10,7 @@ mod freedom;
 mod manual;
 mod proof;
 mod solve;
+mod sweep;
 mod verify;
 
 use crate::{
@@ -34,6 +35,8 @@ pub(crate) fn run(args: &Args, clock: Clock) -> Result<Exit, Failure> {
         Command::Freedom(freedom) => freedom::run(freedom, &args.common, clock),
         Command::Convert(convert) => convert::run(convert, &args.common),
         Command::Verify(verify) => verify::run(verify, &args.common),
+        Command::Sweep(sweep) => sweep::run(sweep, &args.common),
+        Command::Table(table) => sweep::table(table),
         Command::Completions { shell } => manual::completions(*shell),
         Command::Man { command } => manual::man(command.as_deref()),
     }

@@ -23,3 +23,4 @@ mod planners;
 mod proof;
 mod run;
 mod solve;
+mod sweep;
