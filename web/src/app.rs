@@ -142,7 +142,7 @@ fn phase_class(state: &Shown) -> &'static str {
         Phase::Comparing if state.view.tool != Tool::Select => "st-changing",
         Phase::Editing => "st-editing",
         Phase::Solving => "st-solving",
-        Phase::Asking | Phase::Checking => "st-asking",
+        Phase::Asking | Phase::Checking | Phase::Counting => "st-asking",
         Phase::Planned | Phase::Found => "st-planned",
         Phase::Changing | Phase::Adapting => "st-changing",
         Phase::Comparing => "st-comparing",

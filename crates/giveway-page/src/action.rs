@@ -10,11 +10,12 @@ use crate::audit::AuditAction;
 use crate::changing::Choice;
 use crate::files::Opened;
 use crate::find::FindAction;
+use crate::freedom::FreedomAction;
 use crate::inside::InsideAction;
 use crate::intake::{Save, protocol::Reply};
 use crate::link::Linked;
 use crate::planners::By;
-use crate::slot::{Elsewhere, Lost, Unkept};
+use crate::slot::SlotAction;
 use crate::steering::Lead;
 use crate::{Edit, Fill, Lit, Moment, Notice, Selection, Speed, Tab, Theme, Tool};
 
@@ -47,6 +48,8 @@ pub enum Action {
     Inside(InsideAction),
     /// A robot is looked for by its name.
     Find(FindAction),
+    /// What must be so is laid over the plan.
+    Freedom(FreedomAction),
     /// Other people's files come in and go out.
     Intake(IntakeAction),
     /// The plan plays.
@@ -55,29 +58,6 @@ pub enum Action {
     View(ViewAction),
     /// The page has something to say by itself, or was heard.
     Slot(SlotAction),
-}
-
-/// The page has something to say by itself, or was heard.
-#[derive(Clone, Debug, PartialEq)]
-pub enum SlotAction {
-    /// What the browser kept could not be opened.
-    Lose(Lost),
-    /// What could not be opened was downloaded, or need not be told any longer.
-    Settle,
-    /// The browser does not keep the document.
-    Unkept(Unkept),
-    /// The browser keeps the document again.
-    Kept,
-    /// Another tab keeps something else of this scene.
-    Differ(Box<Elsewhere>),
-    /// The other tab has what is here again.
-    Agree,
-    /// Takes what the other tab has.
-    TakeTheirs,
-    /// Stays with what is here.
-    KeepMine,
-    /// What is said was heard.
-    Close,
 }
 
 /// Documents come and go.

@@ -6,6 +6,7 @@ use giveway_model::{Agent, Plan};
 use giveway_proof::Report;
 
 use crate::course::World;
+use crate::freedom::Freedom;
 use crate::front::Front;
 use crate::planners::Runs;
 use crate::{Answer, Colours, Draft, Mode};
@@ -31,6 +32,9 @@ pub struct Document {
     /// What came of checking the proof of an answer; it may be of an older
     /// answer, see [`Document::report`].
     pub(crate) checked: Option<(Rc<Answer>, Rc<Report>)>,
+    /// What all best plans have in common; it may be of an older answer, see
+    /// [`Document::freedom`].
+    pub(crate) found_freedom: Option<Rc<Freedom>>,
     /// What is being done with the plan.
     pub mode: Mode,
     /// The colours of agents.
@@ -47,6 +51,7 @@ impl Document {
             found_front: None,
             found_plans: None,
             checked: None,
+            found_freedom: None,
             mode: Mode::Editing,
             colours: Colours::default(),
         }

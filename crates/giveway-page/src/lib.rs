@@ -29,6 +29,7 @@ pub mod examples;
 pub mod files;
 pub mod find;
 pub mod form;
+pub mod freedom;
 pub mod front;
 mod gesture;
 mod history;
@@ -65,7 +66,7 @@ pub mod words;
 mod work;
 
 pub use action::{
-    Action, AskAction, BoardAction, ChangeAction, FileAction, IntakeAction, PlayAction, SlotAction,
+    Action, AskAction, BoardAction, ChangeAction, FileAction, IntakeAction, PlayAction,
     SolveAction, ViewAction,
 };
 pub use answer::Answer;
@@ -84,6 +85,7 @@ pub use problems::Problem;
 pub use reduce::reduce;
 pub use reserve::Reserve;
 pub use settings::{Settings, Theme};
+pub use slot::SlotAction;
 pub use state::{By, Displaced, Notice, State};
 pub use tool::Tool;
 pub use view::{Layers, Place, Selection, Sought, Tab, View};

@@ -16,6 +16,8 @@ pub enum Phase {
     Asking,
     /// A proof is being checked.
     Checking,
+    /// What must be so is being looked for.
+    Counting,
     /// What changes in the world is being listed.
     Changing,
     /// Ways to go on are being looked for.
@@ -43,6 +45,7 @@ impl State {
             Some(Task::Solve(_)) => return Phase::Solving,
             Some(Task::Explain(_)) => return Phase::Asking,
             Some(Task::Certify(_)) => return Phase::Checking,
+            Some(Task::Freedom(_)) => return Phase::Counting,
             Some(Task::Change(_)) => return Phase::Adapting,
             Some(Task::Look(_)) | None => {}
         }

@@ -4,6 +4,7 @@
 use giveway_model::Cell;
 
 use crate::find::Find;
+use crate::freedom::Overlay;
 use crate::gesture::Gesture;
 use crate::planners::By;
 use crate::slot::Waiting;
@@ -97,6 +98,8 @@ pub struct View {
     pub(crate) conflict: Option<usize>,
     /// Whose plan is to be shown beside the one on the board.
     pub(crate) versus: Option<By>,
+    /// What is laid over the plan: what must be so.
+    pub(crate) overlay: Overlay,
     /// Whether the plan table is open.
     pub table: bool,
     /// Light or dark.
@@ -127,6 +130,7 @@ impl Default for View {
             sought: None,
             conflict: None,
             versus: None,
+            overlay: Overlay::default(),
             table: true,
             theme: Theme::System,
             tab: Tab::Timeline,

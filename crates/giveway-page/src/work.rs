@@ -6,6 +6,7 @@ use std::rc::Rc;
 use giveway_model::{Cost, Costs, Plan, Question};
 use giveway_solve::change::ChangeRequest;
 use giveway_solve::explain::ExplainRequest;
+use giveway_solve::freedom::FreedomRequest;
 use giveway_solve::plan::{PlanRequest, Planner};
 use giveway_solve::trace::SearchTrace;
 use giveway_solve::{CertifyRequest, Request, SolveRequest};
@@ -44,6 +45,8 @@ pub enum Task {
     Change(Adapting),
     /// A planner is looked into.
     Look(Looking),
+    /// What must be so is looked for; what is known stands in the document.
+    Freedom(Rc<FreedomRequest>),
 }
 
 /// A scene on its way to an answer, and what is known so far.
@@ -222,6 +225,7 @@ impl Task {
             Self::Certify(run) => Request::Certify((*run.request).clone()),
             Self::Change(run) => Request::Change((*run.request).clone()),
             Self::Look(looking) => looking.request(),
+            Self::Freedom(request) => Request::Freedom((**request).clone()),
         }
     }
 
@@ -254,6 +258,11 @@ impl Task {
             Self::Change(run) => {
                 let changing = document.mode.changing();
                 changing.is_some_and(|changing| Rc::ptr_eq(changing, &run.changing))
+            }
+            Self::Freedom(request) => {
+                let freedom = document.freedom();
+                freedom.is_some_and(|freedom| Rc::ptr_eq(&freedom.request, request))
+                    && matches!(document.mode, Mode::Editing)
             }
         }
     }

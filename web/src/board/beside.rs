@@ -9,7 +9,7 @@ use web_sys::KeyboardEvent;
 use yew::prelude::*;
 
 use super::cells::Cells;
-use super::layers::{layers, square};
+use super::layers::{Place, layers, square};
 use super::viewport::{use_sight, use_viewport};
 use super::{cells, view_box};
 use crate::Shown;
@@ -45,7 +45,8 @@ pub(crate) fn Beside(props: &BesideProps) -> Html {
         onkeydown,
     } = props;
     let area = use_node_ref();
-    let board = (state.world().grid().width(), state.world().grid().height());
+    let world = Place::Beside.world(state);
+    let board = (world.grid().width(), world.grid().height());
     let viewport = use_viewport(&area, board);
     let frame = viewport.frame_of(camera, board);
     let sight = use_sight(frame);
@@ -66,10 +67,10 @@ pub(crate) fn Beside(props: &BesideProps) -> Html {
                 aria-rowcount={board.1.to_string()} aria-colcount={board.0.to_string()}
                 aria-activedescendant={cells::id(name, cursor)}
                 viewBox={view_box(&frame)} {onkeydown}>
-                { layers(state, cast, versus.as_ref(), &sight, &Overlay::default()) }
+                { layers(state, Place::Beside, cast, versus.as_ref(), &sight, &Overlay::default()) }
                 <Cells
                     of={*name}
-                    draft={Rc::clone(state.world())}
+                    draft={Rc::clone(world)}
                     cast={Rc::clone(cast)}
                     time={state.view.playback.time}
                     window={Window::around(cursor, &frame, board)}

@@ -24,6 +24,9 @@ pub(super) struct CellsProps {
     pub(super) time: u32,
     pub(super) window: Window,
     pub(super) selection: Selection,
+    /// What the names of some cells end with.
+    #[prop_or_default]
+    pub(super) notes: Vec<(Cell, String)>,
 }
 
 impl PartialEq for CellsProps {
@@ -33,6 +36,7 @@ impl PartialEq for CellsProps {
             && self.time == other.time
             && self.window == other.window
             && self.selection == other.selection
+            && self.notes == other.notes
     }
 }
 
@@ -40,6 +44,7 @@ impl PartialEq for CellsProps {
 #[component]
 pub(super) fn Cells(props: &CellsProps) -> Html {
     let names = CellNames::new(&props.cast, props.time, props.draft.problems());
+    let names = names.noting(&props.notes);
     let selected = selected(props);
     let row = |y: u32| {
         let cell = |x: u32| {

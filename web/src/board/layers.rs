@@ -3,6 +3,7 @@
 use std::rc::Rc;
 
 use giveway_model::{Cell, sorting};
+use giveway_page::Draft;
 use giveway_page::audit::ahead;
 use giveway_page::board::{Cast, Detail, FloorLook};
 use giveway_page::inside::{Method, Overlay};
@@ -11,16 +12,37 @@ use yew::prelude::*;
 use super::agents::Agents;
 use super::axis::Axis;
 use super::floor::FloorShapes;
+use super::freedom;
 use super::inside::InsideFloor;
 use super::marks::Marks;
 use super::viewport::Sight;
 use super::ways::Ways;
 use crate::Shown;
 
+/// Which of two boards.
+#[derive(Clone, Copy, PartialEq, Eq)]
+pub(super) enum Place {
+    /// That of the plan on the page.
+    Board,
+    /// That of another plan, beside it.
+    Beside,
+}
+
+impl Place {
+    /// The scene on it.
+    pub(super) fn world(self, state: &Shown) -> &Rc<Draft> {
+        match self {
+            Self::Board => state.world(),
+            Self::Beside => state.world_of(state.beside()),
+        }
+    }
+}
+
 /// The map with all that stands and moves on it, from below to above; agents
 /// that are elsewhere in another plan are marked.
 pub(super) fn layers(
     state: &Shown,
+    place: Place,
     cast: &Rc<Cast>,
     versus: Option<&Rc<Cast>>,
     sight: &Sight,
@@ -31,13 +53,18 @@ pub(super) fn layers(
     let frame = sight.get();
     let detail = frame.detail();
     let selected = state.selected_agent();
-    let board = (state.world().grid().width(), state.world().grid().height());
+    let world = place.world(state);
+    let board = (world.grid().width(), world.grid().height());
+    // What must be so takes the place of the ways of the plan that it is laid over.
+    let is_laid_over = place == Place::Board && state.is_laid_over();
     html! {
         <>
-            <FloorShapes draft={Rc::clone(state.world())} look={FloorLook::of(frame.cell_px)}
+            <FloorShapes draft={Rc::clone(world)} look={FloorLook::of(frame.cell_px)}
                 used_by={state.view.layers.heat.then(|| Rc::clone(cast))} />
             <InsideFloor overlay={overlay.clone()} />
-            if state.view.layers.trails && !is_proof {
+            if is_laid_over {
+                { freedom::overlay(state, detail) }
+            } else if state.view.layers.trails && !is_proof {
                 <Ways cast={Rc::clone(cast)} {selected} ahead={ahead(state)} />
             }
             <Agents cast={Rc::clone(cast)} versus={versus.cloned()} {detail} {selected} lit={lit.clone()} sight={Rc::clone(sight)} />

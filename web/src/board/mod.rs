@@ -12,6 +12,7 @@ mod cells;
 mod coalesced;
 mod floor;
 mod follow;
+mod freedom;
 mod gestures;
 mod ghost;
 mod inside;
@@ -32,6 +33,7 @@ mod ways;
 use std::rc::Rc;
 
 use giveway_page::board::{CELL, Cast, Frame, Kind, Minimap, Window, legend};
+use giveway_page::freedom::{claim, notes};
 use giveway_page::{Action, Answer, Selection, Tool, ask, words};
 use yew::prelude::*;
 
@@ -40,7 +42,7 @@ use beside::Beside;
 use casts::use_casts;
 use cells::Cells;
 use inside::InsideMarks;
-use layers::{layers, problems, square};
+use layers::{Place, layers, problems, square};
 use legend::{Under, under};
 pub(crate) use picture::picture;
 pub(crate) use preview::Preview;
@@ -125,7 +127,7 @@ pub fn Board(props: &BoardProps) -> Html {
                 onpointerleave={gestures.leave} onwheel={gestures.wheel}
                 onkeydown={onkeydown.clone()}>
                 { floor::hatch() }
-                { layers(state, &cast, other.as_ref(), &sight, &overlay) }
+                { layers(state, Place::Board, &cast, other.as_ref(), &sight, &overlay) }
                 <ReasonMarks {reasons} />
                 <InsideMarks overlay={overlay.clone()} cell_px={frame.cell_px} columns={board.0} />
                 { problems(state) }
@@ -142,7 +144,9 @@ pub fn Board(props: &BoardProps) -> Html {
                     cast={Rc::clone(&cast)}
                     time={state.view.playback.time}
                     window={Window::around(cursor, &frame, board)}
-                    selection={state.view.selection} />
+                    selection={state.view.selection}
+                    notes={notes(state)} />
+                { freedom::presses(state, detail) }
                 <g aria-hidden="true">{ square("cursor", cursor, 2) }</g>
             </svg>
         </div>
@@ -174,7 +178,7 @@ pub fn Board(props: &BoardProps) -> Html {
                 </figure>
                 if let Some(other) = other {
                     <figure class="pl other">
-                        { caption(OTHER, state.beside(), ask::closeness(state)) }
+                        { caption(OTHER, state.beside(), ask::closeness(state).or_else(|| claim(state))) }
                         <Beside name={OTHER} state={state.clone()} cast={other} versus={Rc::clone(&cast)}
                             camera={viewport.camera} {onkeydown} />
                     </figure>

@@ -7,6 +7,7 @@ mod audit;
 mod cell;
 mod change;
 mod edit;
+mod freedom;
 mod front;
 mod inside;
 mod planners;
@@ -39,6 +40,14 @@ pub fn Inspector(props: &InspectorProps) -> Html {
         .mode
         .steering()
         .map_or(0, |own| own.agent + 1);
+    // So is what must be so, and a cell that is closed to see what then must be.
+    let column = giveway_page::freedom::column(state);
+    let column = column.filter(|_| state.view.selection == Selection::Nothing);
+    let above = match (state.closed_cell(), &column) {
+        (Some(_), _) => "closed",
+        (None, Some(_)) => "freedom",
+        (None, None) => "",
+    };
     let opened = use_state_eq(String::new);
     let elsewhere = giveway_page::audit::facts(state);
     // Another agent or a cell is looked at in between.
@@ -63,7 +72,7 @@ pub fn Inspector(props: &InspectorProps) -> Html {
                 </div>
                 { audit::foot(facts, state.view.is_wide, send) }
             } else {
-                <div class="scroll" key={led}>
+                <div class="scroll" key={format!("{led} {above}")}>
                     { content(state, send) }
                     { steer::begin(state, send) }
                     { change::begin(state, send) }
@@ -91,6 +100,7 @@ fn content(state: &Shown, send: &Callback<Action>) -> Html {
             Some(facts) => html! {
                 <>
                     { agent::show(&facts, send) }
+                    { freedom::part(state, send) }
                     { audit::conflicts(giveway_page::audit::conflicts(state).as_ref(), send) }
                     { edit::problems(state, send, |problem| problem.agent == Some(index)) }
                     { edit::agent(state, index, send) }
@@ -102,12 +112,16 @@ fn content(state: &Shown, send: &Callback<Action>) -> Html {
             Some(facts) => html! {
                 <>
                     { cell::show(state, &facts, send) }
+                    { freedom::part(state, send) }
                     { edit::problems(state, send, |problem| problem.cell == Some(cell)) }
                 </>
             },
             None => whole::show(state, send),
         },
-        Selection::Nothing => whole::show(state, send),
+        Selection::Nothing => match giveway_page::freedom::column(state) {
+            Some(column) => freedom::show(&column, state.view.is_wide, send),
+            None => whole::show(state, send),
+        },
     }
 }
 

@@ -8,7 +8,7 @@ use giveway_page::inspect::{CostFacts, whole};
 use giveway_page::{Action, Answer, BoardAction, Draft, Selection};
 use yew::prelude::*;
 
-use super::{audit, change, edit, front, planners, proof};
+use super::{audit, change, edit, freedom, front, planners, proof};
 use crate::{Shown, glyph, icon};
 
 /// So many agents are listed at first, and with every press of `More`.
@@ -26,6 +26,7 @@ pub(super) fn show(state: &Shown, send: &Callback<Action>) -> Html {
     let is_solving = state.work.solving().is_some();
     html! {
         <>
+            { freedom::closed(state, send) }
             <header class="ih"><div><h2>{ facts.title.clone() }</h2><p>{ facts.contents.clone() }</p></div></header>
             { edit::problems(state, send, |_| true) }
             if !facts.costs.is_empty() || !facts.claims.is_empty() || facts.work.is_some() {
@@ -38,6 +39,7 @@ pub(super) fn show(state: &Shown, send: &Callback<Action>) -> Html {
                     }
                     { proof::show(state, send) }
                     { audit::begin(question(state), send) }
+                    { freedom::begin(state, send) }
                 </section>
             }
             { planners::show(state, send) }

@@ -123,7 +123,7 @@ fn solve_button(state: &Shown, send: &Callback<Action>) -> Html {
             "Cancel (Escape)",
             Action::Solve(SolveAction::Cancel),
         ),
-        Phase::Solving | Phase::Asking | Phase::Checking | Phase::Adapting => (
+        Phase::Solving | Phase::Asking | Phase::Checking | Phase::Counting | Phase::Adapting => (
             "primary",
             "Cancel (Escape)",
             Action::Solve(SolveAction::Cancel),
@@ -167,7 +167,9 @@ fn solve_button(state: &Shown, send: &Callback<Action>) -> Html {
         ),
     };
     let word = match phase {
-        Phase::Solving | Phase::Asking | Phase::Checking | Phase::Adapting => "Cancel",
+        Phase::Solving | Phase::Asking | Phase::Checking | Phase::Counting | Phase::Adapting => {
+            "Cancel"
+        }
         Phase::Changing => "Find new plans",
         Phase::Comparing => "Find again",
         Phase::Steering => "Check my plan",

@@ -3,6 +3,7 @@
 use std::ops::Range;
 
 use giveway_page::form;
+use giveway_page::freedom::LaneMarks;
 use giveway_page::inside::{Note, Stop};
 use giveway_page::timeline::{Axis, Lane, Row, Shapes};
 use yew::prelude::*;
@@ -28,10 +29,13 @@ pub(super) struct LaneRowProps {
     pub columns: Range<u32>,
     /// The battery's level at the time shown.
     pub level: Option<u32>,
-    /// What becomes of the agent, while ways to go on are compared.
+    /// What becomes of the agent, while ways to go on are compared; how late it may be,
+    /// where what must be so is laid over the plan.
     pub fate: Option<String>,
     /// What is said of the agent in its order.
     pub note: Option<Note>,
+    /// What of it is in every best plan, where that is laid over the plan.
+    pub marks: Option<LaneMarks>,
     pub selected: bool,
     /// Whether the tab key comes to it.
     pub tab_stop: bool,
@@ -51,10 +55,13 @@ pub(super) fn LaneRow(props: &LaneRowProps) -> Html {
     let is_two = !props.others.is_empty();
     let level = props.level.zip(lane.capacity).filter(|_| !is_two);
     let other = props.others.iter().position(|o| o.agent == lane.agent);
-    let bars = |of: &'static str, lanes: [&Same<Vec<Lane>>; 2], indices: [usize; 2]| {
+    let bars = |of: &'static str,
+                lanes: [&Same<Vec<Lane>>; 2],
+                indices: [usize; 2],
+                marks: Option<LaneMarks>| {
         html! {
             <div class="half">
-                <Bars {of} lanes={lanes[0].clone()} index={indices[0]} versus={Some((lanes[1].clone(), indices[1]))}
+                <Bars {of} {marks} lanes={lanes[0].clone()} index={indices[0]} versus={Some((lanes[1].clone(), indices[1]))}
                     axis={props.axis} row={props.row} columns={props.columns.clone()} />
             </div>
         }
@@ -90,11 +97,11 @@ pub(super) fn LaneRow(props: &LaneRowProps) -> Html {
             if let Some(end) = note.and_then(|note| note.stop.as_ref()) { { stop(props, end) } }
             if let Some(other) = other {
                 <div class="halves">
-                    { bars("This plan", [&props.lanes, &props.others], [index, other]) }
-                    { bars("Other plan", [&props.others, &props.lanes], [other, index]) }
+                    { bars("This plan", [&props.lanes, &props.others], [index, other], props.marks.clone()) }
+                    { bars("Other plan", [&props.others, &props.lanes], [other, index], None) }
                 </div>
             } else {
-                <Bars of="" lanes={props.lanes.clone()} {index} versus={None::<(Same<Vec<Lane>>, usize)>}
+                <Bars of="" marks={props.marks.clone()} lanes={props.lanes.clone()} {index} versus={None::<(Same<Vec<Lane>>, usize)>}
                     axis={props.axis} row={props.row} columns={props.columns.clone()} />
             }
         </div>
@@ -150,6 +157,8 @@ struct BarsProps {
     index: usize,
     /// The lane of the other plan: what is not so in it is framed.
     versus: Option<(Same<Vec<Lane>>, usize)>,
+    /// What of it is in every best plan.
+    marks: Option<LaneMarks>,
     axis: Axis,
     row: Row,
     columns: Range<u32>,
@@ -163,6 +172,7 @@ fn Bars(props: &BarsProps) -> Html {
         lanes,
         index,
         versus,
+        marks,
         axis,
         row,
         columns,
@@ -170,14 +180,19 @@ fn Bars(props: &BarsProps) -> Html {
     let Some(lane) = lanes.get(*index) else {
         return Html::default();
     };
-    let shapes = Shapes::of(lane, *axis, *row, columns);
+    let is_alone = versus.is_none();
+    let Drawn {
+        shapes,
+        over,
+        sentence,
+    } = drawn(lane, marks.as_ref(), (*axis, *row, columns), is_alone);
     let versus = versus.as_ref();
     let other = versus.and_then(|(lanes, index)| lanes.get(*index));
     let frames = other.map(|other| Shapes::frames(lane, other, *axis, *row, columns));
     let label = if of.is_empty() {
-        lane.sentence()
+        sentence
     } else {
-        format!("{of}: {}", lane.sentence())
+        format!("{of}: {sentence}")
     };
     let middle = row.middle();
     let radius = shapes.charge_radius;
@@ -206,6 +221,7 @@ fn Bars(props: &BarsProps) -> Html {
             { path("waits", &shapes.waits) }
             { path("pauses", &shapes.pauses) }
             { path("after", &shapes.after) }
+            { for over.iter().filter_map(|(class, d)| path(class, d)) }
             { path("differs", &frames.unwrap_or_default()) }
             if let Some(x) = shapes.entry {
                 <path class="entry" d={format!("M{} {}l5 5-5 5", x - 10.0, middle - 5.0)} />
@@ -220,5 +236,39 @@ fn Bars(props: &BarsProps) -> Html {
             </svg>
         }
         </>
+    }
+}
+
+/// A lane as it is drawn and told.
+struct Drawn {
+    shapes: Shapes,
+    /// What is not in every best plan, and how late it may be: classes and paths.
+    over: [(&'static str, String); 4],
+    sentence: String,
+}
+
+fn drawn(
+    lane: &Lane,
+    marks: Option<&LaneMarks>,
+    (axis, row, columns): (Axis, Row, &Range<u32>),
+    is_alone: bool,
+) -> Drawn {
+    let Some(marks) = marks else {
+        return Drawn {
+            shapes: Shapes::of(lane, axis, row, columns),
+            over: <[(&str, String); 4]>::default(),
+            sentence: lane.sentence(),
+        };
+    };
+    let marked = marks.shapes(lane, axis, row, columns, is_alone);
+    Drawn {
+        shapes: marked.shapes,
+        over: [
+            ("free", marked.free),
+            ("open", marked.open),
+            ("late-hatch", marked.hatch),
+            ("late", marked.late),
+        ],
+        sentence: lane.sentence() + &marks.sentence(lane),
     }
 }

@@ -82,6 +82,7 @@ pub fn Dock(props: &DockProps) -> Html {
                 | Phase::Solving
                 | Phase::Asking
                 | Phase::Checking
+                | Phase::Counting
                 | Phase::Changing
                 | Phase::Adapting
                 | Phase::Comparing

@@ -6,7 +6,7 @@ use giveway_page::audit;
 use giveway_page::inside::Note;
 use giveway_page::steering::Steering;
 use giveway_page::timeline::{Lane, Row};
-use giveway_page::{Action, Answer, BoardAction, Selection, changing, table};
+use giveway_page::{Action, Answer, BoardAction, Selection, changing, freedom, table};
 use web_sys::Element;
 use yew::prelude::*;
 
@@ -56,7 +56,8 @@ pub(super) fn Plan(props: &PlanProps) -> Html {
     );
     let lanes = Same::new(lanes);
     let batteries = lanes.iter().filter(|lane| lane.capacity.is_some()).count();
-    let others = use_memo((beside.clone(), draft), |(beside, draft)| match beside {
+    let open = Same::new(Rc::clone(state.world_of(state.beside())));
+    let others = use_memo((beside.clone(), open), |(beside, draft)| match beside {
         Some(beside) => table::lanes(beside, draft),
         None => Vec::<Lane>::new(),
     });
@@ -82,12 +83,14 @@ pub(super) fn Plan(props: &PlanProps) -> Html {
         .flat_map(|notes| notes.iter())
         .find_map(|note| note.stop.as_ref());
     let stop = stop.map_or(0, |stop| stop.time + stop.room());
+    let fate = |name: &str| changing::fate(state, name).or_else(|| freedom::late(state, name));
     let extent = Extent {
         last: answer.makespan().max(last).max(led).max(stop),
         lanes: lanes.len(),
         lane: height,
         rows: lanes.len() + batteries,
         least: table::least_column(answer),
+        tells: lanes.iter().any(|lane| fate(&lane.name).is_some()),
     };
     let (lanes_ref, table_ref) = (use_node_ref(), use_node_ref());
     let (seen, look) = use_seen(
@@ -161,8 +164,9 @@ pub(super) fn Plan(props: &PlanProps) -> Html {
             <LaneRow key={index} lanes={lanes.clone()} others={others.clone()} {index} {axis} {row} columns={seen.columns.clone()}
                 bursts={lanes.get(index).map(|lane| audit::bursts_of(state, &lane.name)).unwrap_or_default()}
                 level={lanes.get(index).and_then(|lane| lane.level_at(time))}
-                fate={lanes.get(index).and_then(|lane| changing::fate(state, &lane.name))} selected={selected == Some(index)}
+                fate={lanes.get(index).and_then(|lane| fate(&lane.name))} selected={selected == Some(index)}
                 note={notes.as_ref().and_then(|notes| notes.get(index)).cloned()}
+                marks={lanes.get(index).and_then(|lane| freedom::lane(state, &lane.name))}
                 tab_stop={index == tab_stop} pick={pick.clone()} />
         }
     };

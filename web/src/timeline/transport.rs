@@ -1,6 +1,7 @@
 //! The transport: time shown, playing, speed, and what is shown of the plan.
 
 use giveway_page::changing::columns;
+use giveway_page::freedom::{Chip, FreedomAction, TITLE, chip};
 use giveway_page::{Action, ChangeAction, FileAction, PlayAction, Speed, State, ViewAction, table};
 use gloo::timers::callback::Timeout;
 use yew::prelude::*;
@@ -80,6 +81,44 @@ fn change(props: &DockProps) -> Html {
     }
 }
 
+/// The chip of the trails, in whose place what must be so stands where that is laid over
+/// the plan: they come back with a press.
+fn trails(state: &State, send: &Callback<Action>) -> Html {
+    let is_covered = state.is_laid_over();
+    let on = state.view.layers.trails && !is_covered;
+    let press = send.reform(move |_| Action::View(ViewAction::ShowTrails(!on)));
+    let uncover = send.reform(|()| Action::Freedom(FreedomAction::Show(false)));
+    let onclick = move |event: MouseEvent| {
+        if is_covered {
+            uncover.emit(());
+        }
+        press.emit(event);
+    };
+    html! {
+        <button type="button" class={classes!("btn", "chip", "view", on.then_some("on"))} title="Trails"
+            aria-pressed={on.to_string()} {onclick}>
+            { icon::show("trail") }<span>{ "Trails" }</span>
+        </button>
+    }
+}
+
+/// The chip that lays what must be so over the plan; where that cannot be, it says why.
+fn must_be_so(state: &State, send: &Callback<Action>) -> Html {
+    let (on, title) = match chip(state) {
+        Chip::Off(why) => (None, why.to_owned()),
+        Chip::Ready => (Some(false), format!("{TITLE} (m)")),
+        Chip::On => (Some(true), format!("{TITLE} (m)")),
+    };
+    let is_on = on == Some(true);
+    html! {
+        <button type="button" class={classes!("btn", "chip", is_on.then_some("on"))} {title}
+            aria-pressed={is_on.to_string()} aria-disabled={on.is_none().then_some("true")}
+            onclick={send.reform(move |_| Action::Freedom(FreedomAction::Show(!is_on)))}>
+            { icon::show("free") }<span>{ TITLE }</span>
+        </button>
+    }
+}
+
 fn views(props: &DockProps) -> Html {
     let DockProps { state, send } = props;
     let chip = |class: &'static str,
@@ -98,7 +137,8 @@ fn views(props: &DockProps) -> Html {
     let view = &state.view;
     html! {
         <div class="views">
-            { chip("view", "trail", "Trails", view.layers.trails, Action::View(ViewAction::ShowTrails(!view.layers.trails))) }
+            { must_be_so(state, send) }
+            { trails(state, send) }
             { chip("view", "heat", "Heat map", view.layers.heat, Action::View(ViewAction::ShowHeat(!view.layers.heat))) }
             { chip("", "down", "Plan table", view.table, Action::View(ViewAction::ShowTable(!view.table))) }
             <CopyButton ..props.clone() />

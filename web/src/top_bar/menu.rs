@@ -44,6 +44,7 @@ pub(super) fn save_items(state: &Shown, send: &Callback<Action>, show: &Callback
     let changes = press(|state, _| save_if(files::changes_file(state)));
     let has_trace = answer.is_some_and(|answer| answer.solved.trace.is_some());
     let trace = press(|state, _| save_if(files::trace_file(state)));
+    let freedom = press(|state, _| save_if(files::freedom_file(state)));
     let svg = press(|state, send| crate::files::save_picture(state, false, send));
     let png = press(|state, send| crate::files::save_picture(state, true, send));
     let other = show.reform(|_: MouseEvent| Panel::SaveAs);
@@ -58,6 +59,7 @@ pub(super) fn save_items(state: &Shown, send: &Callback<Action>, show: &Callback
             if has_plan { { item("save", "Save plan", plan) } }
             if has_changes { { item("save", "Save changes", changes) } }
             if has_trace { { item("save", "Save how it was proved", trace) } }
+            if state.is_laid_over() { { item("save", "Save what must be so", freedom) } }
             { item("save", others, other) }
             { item("save", "Save picture (SVG)", svg) }
             { item("save", "Save picture (PNG)", png) }

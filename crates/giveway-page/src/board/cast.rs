@@ -60,7 +60,7 @@ impl Cast {
     /// The cast of a state by the plan of an answer; without a plan, or with one
     /// that cannot be drawn on the map, agents stand at their starts.
     pub fn by(state: &State, answer: Option<&Rc<Answer>>) -> Self {
-        let draft = state.world();
+        let draft = state.world_of(answer);
         let answer = answer.filter(|answer| is_drawn(answer, draft));
         let agents = draft.agents().to_vec();
         let planned = answer.map_or_else(Vec::new, |answer| answer.agents_of(draft));
@@ -109,7 +109,7 @@ impl Cast {
 
     /// Whether this is still the cast of a state by the plan of an answer.
     pub fn is_by(&self, state: &State, answer: Option<&Rc<Answer>>) -> bool {
-        let draft = state.world();
+        let draft = state.world_of(answer);
         let answer = answer.filter(|answer| is_drawn(answer, draft));
         self.agents == draft.agents()
             && self.is_there == there(state)

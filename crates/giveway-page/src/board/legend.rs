@@ -3,7 +3,7 @@
 use giveway_model::Ground;
 
 use super::{Cast, MarkKind, Track};
-use crate::State;
+use crate::{State, freedom};
 
 /// A sign of the board.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -36,6 +36,18 @@ pub enum Kind {
     Wait,
     /// A cell that is used much.
     Used,
+    /// A way that every best plan has.
+    Must,
+    /// A way that this one alone of all best plans has.
+    Only,
+    /// A way that some best plans have.
+    May,
+    /// A way of which it is open whether every best plan has it.
+    Unsure,
+    /// What closing a cell costs.
+    Price,
+    /// How late a robot may be.
+    Late,
 }
 
 impl Kind {
@@ -56,6 +68,12 @@ impl Kind {
             Self::Ahead => "Way ahead",
             Self::Wait => "Waits",
             Self::Used => "Darker: used more often",
+            Self::Must => "In every best plan",
+            Self::Only => "In this plan alone",
+            Self::May => "Free to choose",
+            Self::Unsure => "Not known",
+            Self::Price => "Closing this cell costs so much",
+            Self::Late => "May be late",
         }
     }
 
@@ -75,12 +93,21 @@ impl Kind {
             Self::Ahead => "k-ahead",
             Self::Wait => "k-wait",
             Self::Used => "k-used",
+            Self::Must => "k-must",
+            Self::Only => "k-only",
+            Self::May => "k-may",
+            Self::Unsure => "k-unsure",
+            Self::Price => "k-price",
+            Self::Late => "k-late",
         }
     }
 }
 
 /// The signs on the board of a state, with its cast.
 pub fn legend(state: &State, cast: &Cast) -> Vec<Kind> {
+    if state.is_laid_over() {
+        return freedom::signs(state);
+    }
     let grid = state.world().grid();
     let rows = || (0..grid.height()).map(|y| grid.row(y));
     let has_ground = |is: fn(Ground) -> bool| rows().any(|row| row.iter().any(|&g| is(g)));

@@ -61,6 +61,7 @@ impl Window {
 #[derive(Clone, Debug, Default)]
 pub struct CellNames {
     parts: BTreeMap<Cell, Vec<String>>,
+    notes: Vec<(Cell, String)>,
 }
 
 impl CellNames {
@@ -109,6 +110,13 @@ impl CellNames {
         names
     }
 
+    /// The same, with what some names end with.
+    #[must_use]
+    pub fn noting(self, notes: &[(Cell, String)]) -> Self {
+        let notes = notes.to_vec();
+        Self { notes, ..self }
+    }
+
     fn add(&mut self, cell: Cell, part: String) {
         self.parts.entry(cell).or_default().push(part);
     }
@@ -131,6 +139,10 @@ impl CellNames {
                 name += ", ";
             }
             name += part;
+        }
+        for (_, note) in self.notes.iter().filter(|(noted, _)| *noted == cell) {
+            name += ", ";
+            name += note;
         }
         name
     }

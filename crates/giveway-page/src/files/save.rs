@@ -70,6 +70,18 @@ pub fn changes_file(state: &State) -> Option<Saved> {
     })
 }
 
+/// What must be so in every best plan, as far as it is known; `None` where it is not
+/// laid over the plan.
+pub fn freedom_file(state: &State) -> Option<Saved> {
+    let told = state.freedom()?.told.as_deref()?;
+    let stem = file_stem(&state.document.draft.scene().name, "scene");
+    let text = serde_json::to_string_pretty(told).ok()?;
+    Some(Saved {
+        name: format!("{stem}-freedom.json"),
+        text: text + "\n",
+    })
+}
+
 /// All that the browser keeps of the page, to be kept elsewhere.
 ///
 /// ```

@@ -1,5 +1,6 @@
 //! Escape, which closes one thing after the other.
 
+use crate::freedom::FreedomAction;
 use crate::inside::InsideAction;
 use crate::steering::Lead;
 use crate::{
@@ -7,13 +8,16 @@ use crate::{
 };
 
 /// What Escape closes first: what is being placed, what runs, the notice, robots that
-/// are looked at alone, a question, what is led, the selection, the changes of the world.
+/// are looked at alone, a question, what is led, the selection, the changes of the world,
+/// what is laid over the plan.
 pub(super) fn escape(state: &State) -> Option<Action> {
     if state.has_gesture() {
         Some(Action::Board(BoardAction::Abandon))
+    } else if state.closed_cell().is_some() && state.view.selection == Selection::Nothing {
+        Some(Action::Freedom(FreedomAction::Open))
     } else if matches!(
         state.phase(),
-        Phase::Solving | Phase::Asking | Phase::Checking | Phase::Adapting
+        Phase::Solving | Phase::Asking | Phase::Checking | Phase::Counting | Phase::Adapting
     ) {
         Some(Action::Solve(SolveAction::Cancel))
     } else if state.view.notice.is_some() {
@@ -34,6 +38,8 @@ pub(super) fn escape(state: &State) -> Option<Action> {
         Some(Action::Board(BoardAction::Select(Selection::Nothing)))
     } else if state.document.mode.changing().is_some() {
         Some(Action::Change(ChangeAction::Discard))
+    } else if state.freedom().is_some() {
+        Some(Action::Freedom(FreedomAction::Show(false)))
     } else {
         None
     }

@@ -67,6 +67,7 @@ pub const HELP: [(&str, &[Row]); 5] = [
             row(&["/"], "Find a robot by its name"),
             row(&["F"], "Follow the robot selected"),
             row(&["N"], "Next conflict (of the robot selected)"),
+            row(&["M"], "What must be so in every best plan"),
             row(&["?"], "This list"),
         ],
     ),

@@ -7,6 +7,7 @@ mod tests;
 
 use crate::audit::AuditAction;
 use crate::find::FindAction;
+use crate::freedom::FreedomAction;
 use crate::reduce::only_looks;
 use crate::steering::Lead;
 use crate::{Action, BoardAction, ChangeAction, PlayAction, SolveAction, State, Tool, ViewAction};
@@ -96,6 +97,9 @@ fn meant(key: Key<'_>, state: &State) -> Option<Command> {
         "x" | "X" => state
             .can_change()
             .then_some(Action::Change(ChangeAction::Begin)),
+        "m" | "M" => Some(Action::Freedom(FreedomAction::Show(
+            state.freedom().is_none(),
+        ))),
         name => tool(name).map(|tool| Action::Board(BoardAction::PickTool(tool))),
     };
     action.map(Command::Act)

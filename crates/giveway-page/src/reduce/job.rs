@@ -3,7 +3,7 @@
 
 use giveway_solve::{Progress, Refusal, Response};
 
-use super::{ask, change, inside, planners, proof, solve};
+use super::{ask, change, freedom, inside, planners, proof, solve};
 use crate::{Adapting, Mode, Notice, Size, Solving, State, Task};
 
 /// Something became known on the way.
@@ -34,6 +34,7 @@ pub(super) fn progress(state: &mut State, id: u64, event: Progress) {
             run.at = Some((claim, checking));
         }
         (Task::Explain(_), Progress::Explained { answer }) => ask::learn(state, *answer),
+        (Task::Freedom(_), Progress::Freedom { answer }) => freedom::learn(state, *answer),
         _ => {}
     }
 }
@@ -50,6 +51,7 @@ pub(super) fn respond(state: &mut State, id: u64, response: Response) {
         (Task::Solve(run), Response::Planned(told)) => planners::planned(state, &run, &told),
         (Task::Explain(_), Response::Explained(answer)) => ask::learn(state, *answer),
         (Task::Certify(run), Response::Certified(report)) => proof::checked(state, &run, *report),
+        (Task::Freedom(_), Response::Freedom(answer)) => freedom::learn(state, *answer),
         (Task::Change(run), Response::Changed(told)) => change::answered(state, &run, *told),
         (Task::Look(looking), response) => inside::respond(state, &looking, response),
         (task, Response::Refused(refusal)) => refused(state, &task, &refusal),
@@ -64,6 +66,7 @@ fn refused(state: &mut State, task: &Task, refusal: &Refusal) {
         Task::Certify(_) => "The proof cannot be checked.",
         Task::Change(_) => "The changes were refused.",
         Task::Look(_) => "The planner refused the scene.",
+        Task::Freedom(_) => "What must be so cannot be told of this plan.",
     };
     if let Task::Explain(_) = task {
         let is_stuck = matches!(state.document.mode, Mode::Stuck(..));
@@ -72,6 +75,9 @@ fn refused(state: &mut State, task: &Task, refusal: &Refusal) {
             // Nobody asked: what the methods answered tells the cause.
             return;
         }
+    }
+    if let Task::Freedom(_) = task {
+        freedom::refused(state);
     }
     state.view.notice = Some(Notice {
         sentence: sentence.to_owned(),

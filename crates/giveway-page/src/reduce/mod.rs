@@ -7,6 +7,7 @@ mod change;
 mod document;
 mod file;
 mod find;
+mod freedom;
 mod inside;
 mod intake;
 mod job;
@@ -70,6 +71,7 @@ fn step(state: &mut State, action: Action) {
         Action::Steer(lead) => steer::steer(state, lead),
         Action::Audit(action) => audit::audit(state, action),
         Action::Find(action) => find::find(state, action),
+        Action::Freedom(action) => freedom::freedom(state, action),
         Action::Intake(action) => intake::intake(state, action),
         Action::Inside(action) => inside::inside(state, action),
         Action::Play(action) => {
@@ -106,6 +108,7 @@ pub(crate) const fn only_looks(action: &Action) -> bool {
         | Action::Audit(_)
         | Action::Inside(_)
         | Action::Find(_)
+        | Action::Freedom(_)
         | Action::Intake(_)
         | Action::Slot(_) => false,
     }

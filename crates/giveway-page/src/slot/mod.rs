@@ -7,11 +7,11 @@ mod waiting;
 
 use std::rc::Rc;
 
-use crate::{Action, By, Draft, FileAction, SlotAction, State};
+use crate::{Action, By, Draft, FileAction, State};
 
 pub(crate) use differ::difference;
 pub use message::{Button, Kind, Message, Press};
-pub use waiting::{Elsewhere, Lost, Other, Unkept, Waiting};
+pub use waiting::{Elsewhere, Lost, Other, SlotAction, Unkept, Waiting};
 
 use message::button;
 

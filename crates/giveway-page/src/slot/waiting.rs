@@ -5,6 +5,29 @@ use std::rc::Rc;
 
 use crate::Moment;
 
+/// The page has something to say by itself, or was heard.
+#[derive(Clone, Debug, PartialEq)]
+pub enum SlotAction {
+    /// What the browser kept could not be opened.
+    Lose(Lost),
+    /// What could not be opened was downloaded, or need not be told any longer.
+    Settle,
+    /// The browser does not keep the document.
+    Unkept(Unkept),
+    /// The browser keeps the document again.
+    Kept,
+    /// Another tab keeps something else of this scene.
+    Differ(Box<Elsewhere>),
+    /// The other tab has what is here again.
+    Agree,
+    /// Takes what the other tab has.
+    TakeTheirs,
+    /// Stays with what is here.
+    KeepMine,
+    /// What is said was heard.
+    Close,
+}
+
 /// What the page has to say, until its turn comes.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Waiting {

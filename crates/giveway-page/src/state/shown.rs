@@ -7,7 +7,7 @@ use giveway_model::Plan;
 use crate::audit::Beside;
 use crate::planners::Runs;
 use crate::steering::Steering;
-use crate::{Answer, Mode, State, Task};
+use crate::{Answer, Draft, Mode, State, Task};
 
 impl State {
     /// Whether more of an answer to the question is being looked for.
@@ -19,8 +19,10 @@ impl State {
     /// goes on; a plan of one's own; the other plan of a question where that takes
     /// its place; the one that is previewed where the world changes.
     pub fn shown(&self) -> Option<&Rc<Answer>> {
-        let known = self.inside_plan().or_else(|| self.so_far());
-        known.or_else(|| self.document.shown(!self.view.is_wide))
+        let is_alone = !self.view.is_wide;
+        let other = self.farthest().filter(|_| is_alone);
+        let known = self.inside_plan().or_else(|| self.so_far()).or(other);
+        known.or_else(|| self.document.shown(is_alone))
     }
 
     /// The best plan so far of a search that goes on, where the board shows it.
@@ -42,6 +44,8 @@ impl State {
             return None;
         }
         let other = match &self.document.mode {
+            Mode::Editing if self.farthest().is_some() => self.farthest(),
+            Mode::Editing if self.open_before().is_some() => self.open_before(),
             Mode::Editing => {
                 let runs = Runs::fresh(&self.document)?;
                 let this = self.document.answer.as_ref();
@@ -52,6 +56,24 @@ impl State {
             mode => mode.asking()?.other.as_ref(),
         };
         other.filter(|_| self.view.is_wide)
+    }
+
+    /// The best plan before a cell was closed for a look, where there is one without
+    /// it to look at, too.
+    pub(crate) fn open_before(&self) -> Option<&Rc<Answer>> {
+        let closed = self.closed_cell()?;
+        let is_found = self.document.plan().is_some();
+        is_found.then_some(&closed.before)
+    }
+
+    /// The scene on the board of an answer: a cell that is closed for a look is open on
+    /// that of the plan before.
+    pub fn world_of(&self, answer: Option<&Rc<Answer>>) -> &Rc<Draft> {
+        let before = self.open_before().zip(answer);
+        match before.filter(|(before, answer)| Rc::ptr_eq(before, answer)) {
+            Some((before, _)) => &before.draft,
+            None => self.world(),
+        }
     }
 
     /// The plan that is shown, stale or not.

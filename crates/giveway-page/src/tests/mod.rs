@@ -2,6 +2,7 @@
 
 mod audit;
 mod change;
+mod freedom;
 mod inside;
 mod planners;
 mod soak;

@@ -12,3 +12,4 @@ pub use gauge::{Gauge, gauge, work_done};
 pub use lane::{Lane, Step, Way};
 pub use row::Row;
 pub use shapes::Shapes;
+pub(crate) use shapes::{rounded, stripes};

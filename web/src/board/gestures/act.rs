@@ -1,6 +1,7 @@
 //! What a press comes to: a stroke of a brush, or a selection.
 
 use giveway_model::Cell;
+use giveway_page::freedom::{FreedomAction, pressed};
 use giveway_page::steering::Lead;
 use giveway_page::{Action, BoardAction, Selection, Tool};
 use web_sys::PointerEvent;
@@ -8,6 +9,7 @@ use web_sys::PointerEvent;
 use super::place::Px;
 use super::{Act, Surface};
 use crate::board::coalesced::places;
+use crate::board::freedom::reads_numbers;
 
 impl Surface {
     pub(super) fn paints(&self) -> bool {
@@ -58,6 +60,13 @@ impl Surface {
         (is_loose || is_selected) && self.state.can_move(cell)
     }
 
+    /// The cell whose number is pressed at a pixel: what closing it costs.
+    fn number_at(&self, at: Px, time: f64) -> Option<Cell> {
+        let is_free = reads_numbers(self.frame.detail()) && self.agent_at(at, time).is_none();
+        let cell = is_free.then(|| pressed(&self.state, self.frame.point(at)));
+        cell.flatten()
+    }
+
     pub(super) fn select(&self, at: Px, time: f64) {
         let cell = self.cell(self.frame.point(at));
         if self.state.document.mode.steering().is_some() {
@@ -68,6 +77,11 @@ impl Surface {
         }
         if let Some(cell) = cell {
             self.send.emit(Action::Board(BoardAction::MoveCursor(cell)));
+        }
+        if let Some(closed) = self.number_at(at, time) {
+            self.send
+                .emit(Action::Freedom(FreedomAction::Close(closed)));
+            return;
         }
         let selection = match (self.agent_at(at, time), cell) {
             (Some(agent), _) => Selection::Agent(agent),

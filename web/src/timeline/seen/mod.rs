@@ -30,6 +30,8 @@ pub(super) struct Extent {
     pub rows: usize,
     /// The least width of a column of the table, in pixels.
     pub least: f64,
+    /// Whether labels tell what becomes of robots, and are wider for that.
+    pub tells: bool,
 }
 
 /// What is seen of it.

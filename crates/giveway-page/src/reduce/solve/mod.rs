@@ -63,6 +63,6 @@ pub(super) fn cancel(state: &mut State) {
         Some(Task::Look(looking)) => {
             inside::not_told(state, &looking, "You stopped it.");
         }
-        Some(Task::Certify(_) | Task::Change(_)) | None => {}
+        Some(Task::Certify(_) | Task::Change(_) | Task::Freedom(_)) | None => {}
     }
 }

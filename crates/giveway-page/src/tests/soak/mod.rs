@@ -8,8 +8,8 @@ use giveway_model::Question;
 use super::answered;
 use crate::reduce::tests::after;
 use crate::{
-    Action, AskAction, Draft, Edit, Mode, SolveAction, State, ask, board, changing, inside,
-    inspect, link, planners, reduce, steering, table, words,
+    Action, AskAction, Draft, Edit, Mode, SolveAction, State, ask, board, changing, freedom,
+    inside, inspect, link, planners, reduce, steering, table, words,
 };
 
 /// How many actions in all.
@@ -98,6 +98,8 @@ fn show(state: &State) {
     let _ = (changing::facts(state), changing::columns(state));
     let _ = (steering::facts(state), state.can_change());
     let _ = planners::table(state);
+    let _ = (freedom::column(state), freedom::part(state));
+    let _ = (freedom::lines(state), freedom::numbers(state));
     let _ = board::Cast::of(state);
     let overlay = inside::overlay(state);
     let _ = (
@@ -122,6 +124,8 @@ fn show(state: &State) {
         let lanes = table::lanes(answer, &state.document.draft);
         for lane in &lanes {
             let _ = (lane.sentence(), lane.level_at(state.view.playback.time));
+            let marks = freedom::lane(state, &lane.name);
+            let _ = marks.map(|marks| marks.sentence(lane));
         }
     }
     match &state.document.mode {

@@ -10,6 +10,7 @@ use crate::action::IntakeAction;
 use crate::audit::AuditAction;
 use crate::files::Opened;
 use crate::find::FindAction;
+use crate::freedom::FreedomAction;
 use crate::inside::{InsideAction, Method};
 use crate::intake::protocol::{Read, Task};
 use crate::intake::work;
@@ -48,7 +49,8 @@ impl Session {
             93..95 => self.look(),
             95..97 => vec![Action::Inside(self.inside())],
             97 => self.dropped(),
-            98 => self.find(),
+            98 if self.rng.bool() => self.find(),
+            98 => vec![Action::Freedom(self.freedom())],
             _ => vec![self.file()],
         }
     }
@@ -201,6 +203,18 @@ impl Session {
             5 => Lead::Charge,
             6 => Lead::Back,
             _ => Lead::Discard,
+        }
+    }
+
+    fn freedom(&mut self) -> FreedomAction {
+        match self.rng.u8(0..12) {
+            0..5 => FreedomAction::Show(true),
+            5 => FreedomAction::Show(false),
+            6 => FreedomAction::Ask,
+            7 => FreedomAction::GoOn,
+            8 => FreedomAction::ShowOther(self.rng.bool()),
+            9 | 10 => FreedomAction::Close(self.cell()),
+            _ => FreedomAction::Open,
         }
     }
 

@@ -8,7 +8,8 @@ use std::fmt::Write as _;
 use std::ops::Range;
 
 use super::{Axis, Lane, Row, Step, Way};
-use path::{px, rounded, stripes};
+use path::px;
+pub(crate) use path::{rounded, stripes};
 
 /// What is drawn of a lane; an empty path draws nothing.
 #[derive(Clone, Debug, Default, PartialEq)]

@@ -5,7 +5,7 @@ use std::fmt::Write as _;
 use crate::timeline::whole;
 
 /// A rectangle with round corners.
-pub(super) fn rounded(path: &mut String, left: f64, top: f64, width: f64, tall: f64, radius: f64) {
+pub(crate) fn rounded(path: &mut String, left: f64, top: f64, width: f64, tall: f64, radius: f64) {
     let radius = radius.min(width / 2.0);
     let (across, down) = (px(width - 2.0 * radius), px(tall - 2.0 * radius));
     let (left, top, r) = (px(left + radius), px(top), px(radius));
@@ -16,7 +16,7 @@ pub(super) fn rounded(path: &mut String, left: f64, top: f64, width: f64, tall: 
 }
 
 /// Slanted stripes that stay within a rectangle.
-pub(super) fn stripes(path: &mut String, left: f64, top: f64, width: f64, tall: f64) {
+pub(crate) fn stripes(path: &mut String, left: f64, top: f64, width: f64, tall: f64) {
     const EVERY: f64 = 8.0;
     let slant = tall * 0.45;
     let count = ((width - slant - 3.0) / EVERY).floor().max(0.0);

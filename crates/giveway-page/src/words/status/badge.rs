@@ -13,6 +13,8 @@ pub enum Badge {
     Asking,
     /// It checks a proof.
     Checking,
+    /// It looks for what must be so.
+    Counting,
     /// What changes in the world is being listed.
     Changing,
     /// It looks for ways to go on.
@@ -52,6 +54,7 @@ impl Badge {
             Self::Solving => "Solving",
             Self::Asking => "Asking",
             Self::Checking => "Checking",
+            Self::Counting => "Counting",
             Self::Changing => "Changing",
             Self::Adapting => "Looking",
             Self::Compared(1) => "1 answer",
@@ -79,7 +82,9 @@ impl Badge {
             Self::Compared(_) => "compare",
             Self::Steering => "steer",
             Self::Adopted | Self::Legal | Self::Found => "check",
-            Self::Solving | Self::Adapting | Self::Stopped | Self::Reading => "clock",
+            Self::Solving | Self::Adapting | Self::Counting | Self::Stopped | Self::Reading => {
+                "clock"
+            }
             Self::Asking => "question",
             Self::Checking => "search",
             Self::Proved => "proved",
@@ -95,6 +100,7 @@ impl Badge {
             Self::Solving
             | Self::Asking
             | Self::Checking
+            | Self::Counting
             | Self::Changing
             | Self::Adapting
             | Self::Compared(_)

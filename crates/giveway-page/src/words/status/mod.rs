@@ -7,7 +7,7 @@ mod resting;
 use giveway_model::words::capital;
 
 use crate::words::{change, question, steering};
-use crate::{Asking, Mode, State, Task, audit, proof};
+use crate::{Asking, Mode, State, Task, audit, freedom, proof};
 
 pub use badge::Badge;
 
@@ -86,7 +86,13 @@ pub fn standing(state: &State) -> Standing {
         Mode::Auditing(audit) | Mode::Querying(audit, _) => {
             say(audit::badge(audit), audit::sentence(audit))
         }
-        Mode::Editing | Mode::Asking(_) => resting(state),
+        Mode::Editing | Mode::Asking(_) => {
+            let mut standing = resting(state);
+            let number = state.freedom().and_then(|freedom| freedom.count());
+            let such = number.map(freedom::such_plans);
+            standing.sentence += such.as_deref().unwrap_or_default();
+            standing
+        }
     }
 }
 
@@ -113,6 +119,7 @@ fn working(state: &State, task: &Task) -> Standing {
         Task::Certify(run) => say(Badge::Checking, proof::doing(run)),
         Task::Change(run) => say(Badge::Adapting, change::adapting(run)),
         Task::Look(_) => resting(state),
+        Task::Freedom(_) => say(Badge::Counting, freedom::doing(state).unwrap_or_default()),
     }
 }
 
