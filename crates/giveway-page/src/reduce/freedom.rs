@@ -48,7 +48,9 @@ fn show(state: &mut State) -> bool {
         return false;
     }
     ask::close(state);
-    inside::inside(state, InsideAction::Show(false));
+    if state.inside.is_open {
+        inside::inside(state, InsideAction::Show(false));
+    }
     state.view.notice = None;
     state.view.playback.playing = false;
     state.view.overlay.is_on = true;

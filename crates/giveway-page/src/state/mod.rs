@@ -76,11 +76,17 @@ impl State {
         state
     }
 
-    /// The document, and where it is looked at.
+    /// The document, and where it is looked at: at a time that it has by itself, as what
+    /// else the board may show is not part of it.
     pub fn moment(&self) -> Moment {
+        let last = if self.shows_passing() {
+            self.document.shown(false).map_or(0, |own| own.makespan())
+        } else {
+            u32::MAX
+        };
         Moment {
             document: self.document.clone(),
-            time: self.view.playback.time,
+            time: self.view.playback.time.min(last),
             selection: self.view.selection,
         }
     }

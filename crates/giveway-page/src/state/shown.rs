@@ -32,6 +32,13 @@ impl State {
         run.preview.as_ref().filter(|_| is_shown)
     }
 
+    /// Whether the board shows a plan that is gone when the page is opened again: one of
+    /// another planner's order or tree, of a search that goes on, or the farthest one.
+    pub(crate) fn shows_passing(&self) -> bool {
+        let passing = [self.inside_plan(), self.so_far(), self.farthest()];
+        passing.iter().any(Option::is_some)
+    }
+
     /// Whether the answer that is shown is of a draft before the last edit.
     pub fn shows_stale(&self) -> bool {
         self.so_far().is_none() && self.document.is_stale()

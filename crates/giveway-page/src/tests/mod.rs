@@ -8,7 +8,7 @@ mod planners;
 mod soak;
 mod steer;
 
-use giveway_solve::{Response, SilentHost, serve};
+use giveway_solve::{Request, Response, SilentHost, serve};
 
 use crate::reduce::tests::after;
 use crate::{Action, BoardAction, PlayAction, Selection, SolveAction, State, words};
@@ -17,7 +17,11 @@ pub(crate) use change::{adopted, compared};
 
 /// What the solver answers to what runs.
 fn answer(state: &State) -> Action {
-    let (job, request) = state.work.request().expect("it works");
+    let (job, mut request) = state.work.request().expect("it works");
+    if let Request::Plan(plan) = &mut request {
+        // CBS searches for ever where there is no plan, and there is no clock here.
+        plan.limits.memory_bytes = Some(1 << 24);
+    }
     let response = Box::new(serve(&request, &SilentHost));
     Action::Solve(SolveAction::Respond { job, response })
 }

@@ -60,7 +60,6 @@ fn best() -> SolveAnswer {
         plan: Some(plan),
         trace: None,
         stats: Stats::default(),
-        trace: None,
     }
 }
 
