@@ -80,8 +80,19 @@ impl State {
     pub fn moment(&self) -> Moment {
         Moment {
             document: self.document.clone(),
-            time: self.view.playback.time,
+            time: self.document_time(),
             selection: self.view.selection,
+        }
+    }
+
+    /// The time shown, as far as the document's own plan goes: a plan that is only
+    /// looked at may go on for longer.
+    fn document_time(&self) -> u32 {
+        let time = self.view.playback.time;
+        let own = self.document.shown(!self.view.is_wide);
+        match self.inside_plan() {
+            Some(_) => time.min(own.map_or(0, |answer| answer.makespan())),
+            None => time,
         }
     }
 
