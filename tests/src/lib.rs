@@ -14,6 +14,7 @@ pub mod compare;
 pub mod environment;
 pub mod facts;
 pub mod forge;
+pub mod freedom;
 pub mod going_on;
 pub mod known;
 pub mod loiter;

@@ -13,8 +13,10 @@ mod change;
 mod compare;
 mod convert;
 mod explain;
+mod freedom;
 mod reading;
 mod solve;
+mod sweep;
 
 pub(crate) use address::Address;
 pub(crate) use audit::Audit;
@@ -22,8 +24,10 @@ pub(crate) use change::Change;
 pub(crate) use compare::Compare;
 pub(crate) use convert::Convert;
 pub(crate) use explain::Explain;
+pub(crate) use freedom::Freedom;
 pub(crate) use reading::Reading;
 pub(crate) use solve::Solve;
+pub(crate) use sweep::{Sweep, Table};
 
 const ABOUT: &str = "Plans for several robots on a grid, proved best";
 
@@ -103,12 +107,18 @@ pub(crate) enum Command {
     Compare(Compare),
     /// Explain why a plan is as it is, or why there is none
     Explain(Explain),
+    /// Tell what must be so in every best plan, and what is free to choose
+    Freedom(Freedom),
     /// Find new plans after the world has changed
     Change(Change),
     /// Check an exported certificate again, without the solver
     Verify(Verify),
     /// Write instances and plans in another format
     Convert(Convert),
+    /// Do many tasks, such as a benchmark, or a part of them
+    Sweep(Sweep),
+    /// Make tables and plots of a sweep's results
+    Table(Table),
     /// Write a completion script for a shell to standard output
     Completions {
         /// The shell

@@ -35,7 +35,8 @@ pub enum Conclusion {
     Believed,
     /// The plan is one, and there are bounds.
     Bounds,
-    /// There is no plan.
+    /// There is no plan; or of this kind there is none that is as good by all costs of
+    /// the objective.
     NoPlan {
         /// As this claim says.
         claim: Claim,
@@ -157,7 +158,7 @@ pub(crate) fn conclude(
     let condition = entries.first().and_then(|e| e.claim().condition.clone());
     let Some(costs) = costs else {
         let mut whole = entries.iter().filter(certified).map(Entry::claim);
-        let none = whole.find(|claim| claim.most.is_empty());
+        let none = whole.find(|claim| claim.most.is_empty() || is_none_as_good(objective, claim));
         return none.map(|claim| Conclusion::NoPlan {
             claim: claim.clone(),
         });
@@ -178,6 +179,13 @@ pub(crate) fn conclude(
     } else {
         Some(Conclusion::Bounds)
     }
+}
+
+/// Whether it says that of some kind no plan is as good as another, by all costs of the
+/// objective.
+fn is_none_as_good(objective: &Objective, claim: &Claim) -> bool {
+    let mut costs = objective.costs().iter();
+    claim.condition.is_some() && costs.all(|cost| claim.most.contains_key(cost))
 }
 
 /// How far claims reach together.

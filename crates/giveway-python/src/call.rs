@@ -10,7 +10,7 @@ use giveway_proof::Bundle;
 use giveway_solve::{Host, Limits, Refusal, Request, Response, serve, verify};
 use serde::{Deserialize, Deserializer, Serialize, de::DeserializeOwned};
 
-use crate::files;
+use crate::{files, sweep};
 
 /// What kind of thing is wrong.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
@@ -72,6 +72,7 @@ fn called(function: &str, text: &str, host: &dyn Host) -> Result<String, Failure
         "explain" => Request::Explain(read(text)?),
         "change" => Request::Change(read(text)?),
         "audit" => Request::Audit(read(text)?),
+        "freedom" => Request::Freedom(read(text)?),
         "plan" => Request::Plan(read(text)?),
         "together" => Request::Together(read(text)?),
         "certify" => Request::Certify(read(text)?),
@@ -94,6 +95,10 @@ fn called(function: &str, text: &str, host: &dyn Host) -> Result<String, Failure
         }
         "read-question" => return question(&read(text)?),
         "schema" => return Ok(schema().to_owned()),
+        "sweep-tasks" => return write(&sweep::tasks(&read(text)?)?),
+        "sweep-run" => return write(&sweep::row(&read(text)?, host)),
+        "sweep-skipped" => return write(&sweep::skipped(&read(text)?)),
+        "sweep-table" => return write(&sweep::table(&read(text)?)?),
         _ => {
             let found = format!("the unknown function \"{function}\"");
             return Err(Failure::input(Fault::at("", found, "one of this package")));
@@ -111,6 +116,7 @@ fn respond(response: Response) -> Result<String, Failure> {
         Response::Certified(report) => write(&report),
         Response::Changed(answer) => write(&answer),
         Response::Audited(answer) => write(&answer),
+        Response::Freedom(answer) => write(&answer),
         Response::Planned(answer) => write(&answer),
         Response::Together(answer) => write(&answer),
         Response::Refused(refusal) => {

@@ -10,6 +10,7 @@ mod files;
 mod host;
 #[cfg(feature = "module")]
 mod module;
+mod sweep;
 
 pub use call::{Code, Failure, call};
 pub use host::{Asked, NativeHost};

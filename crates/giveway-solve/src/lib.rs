@@ -13,6 +13,7 @@ pub mod change;
 mod counterfactual;
 mod encode;
 pub mod explain;
+pub mod freedom;
 mod host;
 mod joint;
 mod judged;

@@ -4,7 +4,7 @@ use borsh::{BorshDeserialize, BorshSerialize};
 use giveway_model::{Cost, Costs, Plan};
 use serde::{Deserialize, Serialize};
 
-use crate::{explain::ExplainAnswer, trace::TraceEvent};
+use crate::{explain::ExplainAnswer, freedom::FreedomAnswer, trace::TraceEvent};
 
 /// An event on the way to an answer.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, BorshSerialize, BorshDeserialize)]
@@ -51,6 +51,11 @@ pub enum Progress {
     Traced {
         /// The events.
         events: Vec<TraceEvent>,
+    },
+    /// More became known of all best plans.
+    Freedom {
+        /// The answer as far as it is known; `pending` names what is to come.
+        answer: Box<FreedomAnswer>,
     },
     /// A claim is being proved again, or its proof checked.
     Certifying {

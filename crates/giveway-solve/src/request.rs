@@ -7,7 +7,7 @@ use serde::{Deserialize, Serialize};
 use crate::audit::AuditRequest;
 use crate::change::ChangeRequest;
 use crate::together::TogetherRequest;
-use crate::{CertifyRequest, explain::ExplainRequest, plan::PlanRequest};
+use crate::{CertifyRequest, explain::ExplainRequest, freedom::FreedomRequest, plan::PlanRequest};
 
 /// A request to the [service](crate::service).
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, BorshSerialize, BorshDeserialize)]
@@ -27,6 +27,8 @@ pub enum Request {
     Audit(AuditRequest),
     /// Find a plan with a planner of the textbook.
     Plan(PlanRequest),
+    /// Tell what must be so in every best plan.
+    Freedom(FreedomRequest),
     /// Why can some agents not all keep their limits?
     Together(TogetherRequest),
 }
@@ -53,7 +55,8 @@ impl Request {
             | Self::Certify(_)
             | Self::Audit(_)
             | Self::Plan(_)
-            | Self::Together(_) => None,
+            | Self::Together(_)
+            | Self::Freedom(_) => None,
         }
     }
 }

@@ -16,6 +16,7 @@ use crate::{
     certify::certify,
     change::{self, ChangeAnswer, ChangeRequest},
     explain::{ExplainAnswer, engine},
+    freedom::{self, FreedomAnswer},
     pareto,
     plan::{self, PlanAnswer},
     solve::{self, Task},
@@ -44,6 +45,8 @@ pub enum Response {
     Planned(Box<PlanAnswer>),
     /// To [`Request::Together`].
     Together(Box<TogetherAnswer>),
+    /// To [`Request::Freedom`].
+    Freedom(Box<FreedomAnswer>),
     /// The request is wrong; nothing was done.
     Refused(Refusal),
 }
@@ -134,6 +137,10 @@ pub fn serve(request: &Request, host: &dyn Host) -> Response {
         },
         Request::Plan(request) => match plan::serve(request, host) {
             Ok(answer) => Response::Planned(Box::new(answer)),
+            Err(refusal) => Response::Refused(refusal),
+        },
+        Request::Freedom(request) => match freedom::serve(request, host) {
+            Ok(answer) => Response::Freedom(Box::new(answer)),
             Err(refusal) => Response::Refused(refusal),
         },
         Request::Together(request) => match together::serve(request, host) {

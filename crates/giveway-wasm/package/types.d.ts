@@ -84,6 +84,8 @@ export type Progress =
   | { event: "explained"; answer: ExplainAnswer }
   /** What a trace has more of by now. */
   | { event: "traced"; events: TraceEvent[] }
+  /** What is known so far; `pending` has the parts that are to come. */
+  | { event: "freedom"; answer: FreedomAnswer }
   | { event: "certifying"; claim: string; checking: boolean };
 
 /** For what may take long. */
@@ -541,6 +543,115 @@ export interface AuditAnswer {
   stats: Stats;
 }
 
+/** A part of what must be so. */
+export type FreedomPart = "backbone" | "slack" | "plans" | "critical" | "farthest";
+
+export interface FreedomRequest {
+  scene: Scene;
+  /** The plan that is looked at, which must break no rule; without one the scene is solved first. */
+  plan?: Plan;
+  /** Where it is not the scene's own. */
+  objective?: Cost[];
+  /** Only plans of at most this makespan. */
+  within?: number;
+  /** All where none is named. */
+  parts?: FreedomPart[];
+  /** The number of plans up to which is counted; 1,000 where it is not given. */
+  count?: number;
+  limits?: Limits;
+}
+
+/** Proved; disproved by a plan; or null, where it is open. */
+export type Known = boolean | null;
+
+/** One entry of an agent's path in the plan. */
+export interface Visit {
+  time: number;
+  /** null in transit. */
+  cell: Cell | null;
+  /** Whether every best plan has it. */
+  always: Known;
+  /** Whether no other best plan has it. */
+  only: Known;
+  /** The same of a charge at that time. */
+  charge?: { always: Known; only: Known };
+}
+
+export interface Counted {
+  count: number;
+  /** Whether it is proved that there are no others. */
+  complete: boolean;
+  known: "exactly" | "more-than" | "at-least";
+}
+
+/** The ways of one agent in best plans. */
+export interface Ways extends Counted {
+  /** Every step that it takes in a best plan that was found. */
+  steps: { time: number; from: Cell; to: Cell }[];
+  /** Whether it is proved that it takes no other step in any best plan. */
+  all: Known;
+}
+
+/** Steps for which an agent could stand still; null in transit. */
+export type Hold = number | "unlimited" | null;
+
+/** How late an agent could be. */
+export interface Slack {
+  /** How many steps later it arrives in some best plan, the others planned anew; null where it is open. */
+  arrival: number | null;
+  "arrival-at-least": number;
+  /** For how long it could stand still at each time, nobody else doing anything else. */
+  hold: Hold[];
+  /** The least of `hold`; null where it has nothing to do. */
+  late: Hold;
+}
+
+/** A free cell, and what it would cost to make it an obstacle. */
+export interface CriticalCell {
+  cell: Cell;
+  status: "optimal" | "impossible" | "unknown";
+  /** Of the best plan without the cell. */
+  costs: Record<Cost, number> | null;
+  /** How much more it has of each cost of the objective. */
+  deltas: Partial<Record<Cost, number>> | null;
+  /** Who needs the very cell. */
+  needed?: "start" | "goal" | "waypoint";
+  /** Where it is open: whether it is proved that something is lost. */
+  worse?: boolean;
+  complete: boolean;
+  within: number | null;
+}
+
+/** Another best plan, as different as can be. */
+export type Farthest =
+  | { status: "only" | "unknown" }
+  | { status: "found"; plan: Plan; differs: number; most: Known };
+
+/** What must be so in every best plan, and what is free to choose. */
+export interface FreedomAnswer {
+  giveway: 1;
+  /** The parts are there only where it is `optimal`: they speak of all best plans. */
+  status: Status;
+  objective: Cost[];
+  /** Which plan it is about. */
+  about: "given" | "found" | "better";
+  costs: Record<Cost, number> | null;
+  plan: Plan | null;
+  backbone?: Record<string, Visit[]>;
+  plans?: Counted & { ways: Record<string, Ways> };
+  farthest?: Farthest;
+  slack?: Record<string, Slack>;
+  critical?: CriticalCell[];
+  /** The parts that are not finished. */
+  pending?: FreedomPart[];
+  /** Whether what is said of all best plans holds whatever the horizon. */
+  complete: boolean;
+  within: number | null;
+  /** Why something is open. */
+  reason?: string;
+  stats: Stats;
+}
+
 /** A planner of the textbook. */
 export type Planner = "prioritised" | "cbs" | "pibt" | "lacam" | "lns";
 
@@ -795,6 +906,9 @@ export function change(request: ChangeRequest, options?: Options): ChangeAnswer;
 
 /** Judges a plan, and tells how far it is from the best. */
 export function audit(request: AuditRequest, options?: Options): AuditAnswer;
+
+/** Tells what must be so in every best plan, and what is free to choose. */
+export function freedom(request: FreedomRequest, options?: Options): FreedomAnswer;
 
 /** Finds a plan with a planner of the textbook. */
 export function plan(request: PlanRequest, options?: Options): PlanAnswer;

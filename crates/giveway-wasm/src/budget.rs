@@ -19,6 +19,7 @@ pub(crate) fn within_budget(mut request: Request) -> Request {
         Request::Audit(audit) => &mut audit.limits,
         Request::Plan(plan) => &mut plan.limits,
         Request::Together(together) => &mut together.limits,
+        Request::Freedom(freedom) => &mut freedom.limits,
         Request::Check(_) => return request,
     };
     limits.memory_bytes.get_or_insert(MEMORY_BYTES);

@@ -15,7 +15,7 @@ mod worker;
 pub use budget::MEMORY_BYTES;
 #[cfg(feature = "javascript")]
 pub use javascript::{
-    audit, certify, change, check, compare_plans, convert, explain, plan, read_files,
+    audit, certify, change, check, compare_plans, convert, explain, freedom, plan, read_files,
     read_moving_ai, read_plan, read_scene, schema, solve, together, verify,
 };
 pub use worker::{serve_basic_messages, serve_messages};

@@ -15,6 +15,7 @@
 
 mod changed;
 mod contrast;
+mod every;
 mod joint;
 mod law;
 mod leniency;
@@ -34,6 +35,7 @@ use crate::recount;
 
 pub use changed::{Changed, Held, Known, map_after};
 pub use contrast::Contrast;
+pub use every::{Course, Every, Where, is_legal};
 use joint::Joint;
 pub use leniency::Leniency;
 pub use limited::{AtMost, least_alone, some_plan_keeps};

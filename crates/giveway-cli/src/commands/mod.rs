@@ -6,9 +6,11 @@ mod check;
 mod compare;
 mod convert;
 mod explain;
+mod freedom;
 mod manual;
 mod proof;
 mod solve;
+mod sweep;
 mod verify;
 
 use crate::{
@@ -30,8 +32,11 @@ pub(crate) fn run(args: &Args, clock: Clock) -> Result<Exit, Failure> {
         Command::Audit(audit) => audit::run(audit, &args.common, clock),
         Command::Compare(compare) => compare::run(compare, &args.common),
         Command::Explain(explain) => explain::run(explain, &args.common, clock),
+        Command::Freedom(freedom) => freedom::run(freedom, &args.common, clock),
         Command::Convert(convert) => convert::run(convert, &args.common),
         Command::Verify(verify) => verify::run(verify, &args.common),
+        Command::Sweep(sweep) => sweep::run(sweep, &args.common),
+        Command::Table(table) => sweep::table(table),
         Command::Completions { shell } => manual::completions(*shell),
         Command::Man { command } => manual::man(command.as_deref()),
     }

@@ -6,8 +6,9 @@ use std::path::Path;
 
 use giveway_model::words::count;
 use giveway_model::{Fault, Instance, Plan};
-use giveway_proof::{Budget, Bundle, Solved, bundle::Entry, bundle::Manifest, export};
+use giveway_proof::{Budget, Solved, bundle::Entry, bundle::Manifest, export};
 use giveway_solve::explain::ExplainAnswer;
+use giveway_solve::freedom::{Certificate, FreedomAnswer};
 use giveway_solve::{CertifyRequest, SolveAnswer};
 
 use crate::{
@@ -69,8 +70,52 @@ pub(crate) fn write_explained(
     write(folder, &request.claims(instance), asker)
 }
 
+/// Certifies what `freedom` answered: a folder for each claim.
+pub(crate) fn write_freedom(
+    folder: &Path,
+    instance: &Instance,
+    answer: &FreedomAnswer,
+    asker: &Asker<'_>,
+) -> Result<(), Failure> {
+    let mut claims = Vec::new();
+    for Certificate { name, request } in answer.certificates(instance) {
+        let scene = Instance::new(request.scene.clone()).map_err(|faults| Failure::Input {
+            file: name.clone(),
+            faults,
+        })?;
+        claims.extend(write_bundle(
+            &folder.join(name),
+            &request.claims(&scene),
+            asker,
+        )?);
+    }
+    if claims.is_empty() {
+        files::make_folder(folder)?;
+    }
+    note(folder, "certificates", &claims, asker);
+    Ok(())
+}
+
 /// Writes a certificate, and tells on standard error what is in it.
 fn write(folder: &Path, solved: &Solved<'_>, asker: &Asker<'_>) -> Result<(), Failure> {
+    let claims = write_bundle(folder, solved, asker)?;
+    note(folder, "a certificate", &claims, asker);
+    Ok(())
+}
+
+fn note(folder: &Path, what: &str, claims: &[Entry], asker: &Asker<'_>) {
+    if !asker.common.quiet {
+        let summary = summary(claims);
+        stream::note(&format!("{}: {what}, {summary}", folder.to_string_lossy()));
+    }
+}
+
+/// Writes a certificate; what it claims.
+fn write_bundle(
+    folder: &Path,
+    solved: &Solved<'_>,
+    asker: &Asker<'_>,
+) -> Result<Vec<Entry>, Failure> {
     let go_on = || {
         let limit = asker.time_limit;
         limit.is_none_or(|limit| asker.clock.wall_seconds() < limit)
@@ -80,7 +125,11 @@ fn write(folder: &Path, solved: &Solved<'_>, asker: &Asker<'_>) -> Result<(), Fa
         ..Budget::default()
     };
     let bundle = export(solved, &budget);
-    let note = summary(&bundle);
+    let manifest = bundle.get("manifest.json");
+    let claims = manifest
+        .and_then(|text| serde_json::from_slice::<Manifest>(text).ok())
+        .map(|manifest| manifest.claims)
+        .unwrap_or_default();
     let mut texts = Vec::new();
     for (name, bytes) in bundle {
         let path = folder.join(&name);
@@ -90,19 +139,11 @@ fn write(folder: &Path, solved: &Solved<'_>, asker: &Asker<'_>) -> Result<(), Fa
     }
     files::make_folder(folder)?;
     files::write_all(&texts)?;
-    if !asker.common.quiet {
-        stream::note(&format!("{}: {note}", folder.to_string_lossy()));
-    }
-    Ok(())
+    Ok(claims)
 }
 
 /// How many claims rest on what.
-fn summary(bundle: &Bundle) -> String {
-    let manifest = bundle.get("manifest.json");
-    let claims = manifest
-        .and_then(|text| serde_json::from_slice::<Manifest>(text).ok())
-        .map(|manifest| manifest.claims)
-        .unwrap_or_default();
+fn summary(claims: &[Entry]) -> String {
     let number = |is: fn(&Entry) -> bool| claims.iter().filter(|entry| is(entry)).count() as u64;
     let proofs = number(|entry| matches!(entry, Entry::Proof { .. }));
     let searches = number(|entry| matches!(entry, Entry::Search { .. }));
@@ -120,5 +161,5 @@ fn summary(bundle: &Bundle) -> String {
     if parts.is_empty() {
         parts.push("nothing to prove".to_owned());
     }
-    format!("a certificate, {}", parts.join(", "))
+    parts.join(", ")
 }

@@ -15,12 +15,13 @@ mod exhausted;
 mod optima;
 mod reach;
 
-use giveway_model::Cost;
+use giveway_model::{Cost, Costs, Objective, sorting::map};
 
 use super::{
     aim::Bounded,
     closest::NoneCloser,
     growing::AssumptionCore,
+    horizon::Horizon,
     stage::{LimitTooLow, Search},
 };
 use crate::{budget::Stop, counterfactual::Unmeetable, problem::Problem, single::Hopeless};
@@ -76,6 +77,24 @@ pub(super) fn have_limited_time(problem: &Problem, bounded: &Bounded) -> bool {
     let longest = sum.map(|&sum| latest_of_sum(problem, sum));
     let mut latest = makespan.into_iter().chain(longest);
     latest.any(|latest| latest <= bounded.horizon.latest())
+}
+
+/// How far it reaches what is shown of all plans that are as good as the best one, up
+/// to a horizon: as far as the claim that it is the best, where none of them takes
+/// longer than the horizon.
+pub(crate) fn reach_of_best_plans(
+    problem: &Problem,
+    (objective, best): (&Objective, &Costs),
+    horizon: u32,
+    optimum: Reach,
+) -> Reach {
+    let limits = objective.costs().iter().map(|&cost| (cost, best.get(cost)));
+    let bounded = Bounded {
+        horizon: Horizon::at(horizon),
+        limits: map(limits),
+    };
+    let limited = have_limited_time(problem, &bounded).then_some(ForEver(()));
+    Reach::new(limited, horizon).and(optimum)
 }
 
 /// An agent that arrives too late, even alone, for what is asked for; and whether

@@ -17,6 +17,7 @@ use giveway_model::{Fault, Instance, Plan, Scene, compare, format};
 use giveway_proof::Bundle;
 use giveway_solve::audit::AuditRequest;
 use giveway_solve::change::ChangeRequest;
+use giveway_solve::freedom::FreedomRequest;
 use giveway_solve::plan::PlanRequest;
 use giveway_solve::together::TogetherRequest;
 use giveway_solve::{
@@ -100,6 +101,19 @@ pub fn audit(request: &JsValue, options: &JsValue) -> Result<JsValue, JsValue> {
         request,
         options,
         Request::Audit as fn(AuditRequest) -> Request,
+    )
+}
+
+/// Tells what must be so in every best plan, and what is free to choose.
+///
+/// # Errors
+/// As [`solve`]; also where the plan breaks a rule.
+#[wasm_bindgen(skip_typescript)]
+pub fn freedom(request: &JsValue, options: &JsValue) -> Result<JsValue, JsValue> {
+    serve_with(
+        request,
+        options,
+        Request::Freedom as fn(FreedomRequest) -> Request,
     )
 }
 
@@ -245,6 +259,7 @@ fn respond(request: Request, host: &dyn Host) -> Result<JsValue, JsValue> {
         Response::Audited(answer) => objects::write(&answer),
         Response::Planned(answer) => objects::write(&answer),
         Response::Together(answer) => objects::write(&answer),
+        Response::Freedom(answer) => objects::write(&answer),
         Response::Refused(refusal) => Err(refused(refusal)),
     }
 }

@@ -89,6 +89,27 @@ fn a_plan_is_read_audited_and_compared() {
 }
 
 #[wasm_bindgen_test]
+fn what_every_best_plan_has_is_told() {
+    let scene = json!({ "giveway": 1, "map": ["..#.", "...."],
+        "agents": [{ "name": "A1", "start": [0, 0], "goal": [3, 1] },
+            { "name": "A2", "start": [3, 0], "goal": [0, 1] }] });
+    let answer = data(&giveway_wasm::freedom(&object(&json!({ "scene": scene })), &NONE).unwrap());
+    assert_eq!(answer["status"], "optimal");
+    assert_eq!(answer["plans"]["count"], 7);
+    assert_eq!(answer["backbone"]["A2"][2]["always"], true);
+    assert_eq!(answer["critical"].as_array().unwrap().len(), 7);
+    assert!(answer.get("pending").is_none());
+    let request = json!({ "scene": scene, "parts": ["slack"] });
+    let answer = data(&giveway_wasm::freedom(&object(&request), &NONE).unwrap());
+    assert_eq!(answer["slack"]["A2"]["arrival"], 0);
+    assert!(answer.get("critical").is_none());
+    let plan = json!({ "giveway": 1, "paths": { "A1": [[0, 0]], "A2": [[3, 0]] } });
+    let request = json!({ "scene": scene, "plan": plan });
+    let (code, place, _) = told(&giveway_wasm::freedom(&object(&request), &NONE).unwrap_err());
+    assert_eq!((code.as_str(), place.as_str()), ("bad-input", "plan"));
+}
+
+#[wasm_bindgen_test]
 fn a_planner_of_the_textbook_plans_and_tells_how() {
     let scene = json!({ "giveway": 1, "map": ["#.#", "...", "#.#"], "objective": ["sum-of-costs"],
         "agents": [{ "name": "A", "start": [0, 1], "goal": [2, 1] },

@@ -34,7 +34,10 @@ impl Solving {
                     trace.push(event);
                 }
             }
-            Progress::Size { .. } | Progress::Explained { .. } | Progress::Certifying { .. } => {}
+            Progress::Size { .. }
+            | Progress::Explained { .. }
+            | Progress::Freedom { .. }
+            | Progress::Certifying { .. } => {}
         }
     }
 

@@ -60,6 +60,7 @@ fn best() -> SolveAnswer {
         plan: Some(plan),
         trace: None,
         stats: Stats::default(),
+        trace: None,
     }
 }
 

@@ -1,0 +1,62 @@
+//! The arguments of `giveway sweep` and `giveway table`.
+
+use std::path::PathBuf;
+
+use clap::Args as ClapArgs;
+use giveway_sweep::Shard;
+use giveway_sweep::table::{Show, Written};
+
+/// A benchmark of many instances, or a part of it.
+#[derive(Debug, ClapArgs)]
+#[command(after_help = "\
+A SPEC says what is combined with what; paths start from its folder:
+  objectives = [\"sum-of-costs\"]          # by default the instances' own
+  planners = [\"search\", \"cbs\"]           # by default search, the best plan with its proof
+  time-limit = 30                        # seconds a task; conflict-limit, memory-limit
+  skip-after = 2                         # so many misses in a row end a series
+  [[instances]]
+  files = [\"maze-32-32-2-*.scen\"]
+  agents = { from = 5, to = 50, step = 5 }   # or 20, or [5, 10]
+
+Each result is one line of JSON in the folder of results, written whole. What is there is not done
+again: run the same command once more, and it goes on. Every shard may run on another machine.
+
+Examples
+  giveway sweep maze.toml --list | wc -l
+  giveway sweep maze.toml --shard 3/64
+  giveway table maze-results")]
+pub(crate) struct Sweep {
+    /// What to do, a file of TOML
+    #[arg(value_name = "SPEC")]
+    pub(crate) spec: PathBuf,
+    /// List the tasks, a line of JSON each, and do nothing
+    #[arg(long)]
+    pub(crate) list: bool,
+    /// Do one part of so many, such as 3/64 [default: all of it]
+    #[arg(long, value_name = "I/N", default_value_t = Shard::ALL, hide_default_value = true)]
+    pub(crate) shard: Shard,
+    /// The folder of results [default: NAME-results beside NAME.toml]
+    #[arg(long, value_name = "DIR")]
+    pub(crate) results: Option<PathBuf>,
+}
+
+/// Tables and plots of a sweep's results.
+#[derive(Debug, ClapArgs)]
+#[command(after_help = "\
+Examples
+  giveway table maze-results
+  giveway table maze-results --show rows --to csv > rows.csv
+  giveway table maze-results more-results --show cactus --to svg > cactus.svg")]
+pub(crate) struct Table {
+    /// Folders of results, or files of them
+    #[arg(required = true, value_name = "RESULTS")]
+    pub(crate) results: Vec<PathBuf>,
+    /// What to show: summary (how many tasks of each map, objective, planner and number of robots
+    /// ended how), rows (every result), success (the share that was answered for good against the
+    /// number of robots), cactus (how many within how many CPU seconds each)
+    #[arg(long, default_value = "summary", value_name = "WHAT")]
+    pub(crate) show: Show,
+    /// How it is written: markdown, csv, or svg, a plot of success or cactus
+    #[arg(long, default_value = "markdown", value_name = "FORMAT")]
+    pub(crate) to: Written,
+}

@@ -1,0 +1,148 @@
+//! `giveway sweep`: many tasks, one result each; and `giveway table`: what came out.
+
+use std::collections::BTreeMap;
+use std::path::{Path, PathBuf};
+
+use giveway_solve::{Host, Progress};
+use giveway_sweep::table::write;
+use giveway_sweep::{Folder, Patience, Results, Row, Spec, Task, read, run as do_task};
+use serde::Serialize;
+
+use crate::{
+    args::{Common, Sweep, Table},
+    clock::Clock,
+    exit::Exit,
+    failure::Failure,
+    input::Source,
+    output::{plain, stream},
+};
+
+/// A task with its name.
+#[derive(Serialize)]
+struct Listed<'a> {
+    task: String,
+    #[serde(flatten)]
+    rest: &'a Task,
+}
+
+pub(crate) fn run(args: &Sweep, common: &Common) -> Result<Exit, Failure> {
+    let source = Source::read(&args.spec)?;
+    let spec = Spec::read(&source.text).map_err(|fault| source.fault(fault))?;
+    let folder = Folder::of(&args.spec);
+    let tasks = spec.tasks(&|pattern| folder.files(pattern));
+    let tasks = tasks.map_err(|fault| source.fault(fault))?;
+    let tasks = spec.part(&tasks, args.shard);
+    if args.list {
+        let lines = tasks.iter().map(listed);
+        return stream::file(lines.collect::<Result<String, _>>()?.as_bytes())
+            .map(|()| Exit::Answered);
+    }
+    let place = args.results.clone().unwrap_or_else(|| beside(&args.spec));
+    let mut results = Results::open(&place, args.shard).map_err(refused)?;
+    let mut patience = Patience::of(&spec);
+    let mut counts: BTreeMap<_, usize> = BTreeMap::new();
+    for (index, task) in tasks.iter().enumerate() {
+        let known = results.of(&task.name()).cloned();
+        let is_new = known.is_none();
+        let row = known.unwrap_or_else(|| done(task, &folder, &patience));
+        patience.note(task, &row);
+        *counts.entry(row.status).or_default() += 1;
+        if is_new {
+            if !common.quiet {
+                stream::error_lines(&[told(index + 1, tasks.len(), &row)]);
+            }
+            results.add(row).map_err(refused)?;
+        }
+    }
+    let counts = counts
+        .iter()
+        .map(|(status, count)| format!("{count} {}", status.word()));
+    let counts = counts.collect::<Vec<_>>().join(", ");
+    let text = format!(
+        "{} tasks: {counts}.\nResults are in {}.\n",
+        tasks.len(),
+        plain::text(&place.to_string_lossy())
+    );
+    stream::result(&text)?;
+    Ok(Exit::Answered)
+}
+
+/// The row of a task, done now if it is to be done at all.
+fn done(task: &Task, folder: &Folder, patience: &Patience) -> Row {
+    if patience.skips(task) {
+        return Row::skipped(task);
+    }
+    match folder.load(task) {
+        Ok(loaded) => do_task(
+            task,
+            &loaded.instance,
+            loaded.map.as_deref(),
+            &TaskHost::start(),
+        ),
+        Err(reason) => Row::error(task, reason),
+    }
+}
+
+fn listed(task: &Task) -> Result<String, Failure> {
+    let listed = Listed {
+        task: task.name(),
+        rest: task,
+    };
+    let text = serde_json::to_string(&listed);
+    text.map(|text| text + "\n")
+        .map_err(|error| refused(error.to_string()))
+}
+
+fn told(number: usize, count: usize, row: &Row) -> String {
+    let (task, status) = (plain::text(&row.task), row.status.word());
+    format!(
+        "{number} of {count}: {task}: {status} in {:.2} s",
+        row.took.wall_seconds
+    )
+}
+
+fn refused(sentence: impl AsRef<str>) -> Failure {
+    Failure::Refused(vec![plain::text(sentence.as_ref())])
+}
+
+/// `NAME-results` beside `NAME.toml`.
+fn beside(spec: &Path) -> PathBuf {
+    let stem = spec.file_stem().unwrap_or_default().to_string_lossy();
+    spec.with_file_name(format!("{stem}-results"))
+}
+
+/// Writes tables and plots.
+pub(crate) fn table(args: &Table) -> Result<Exit, Failure> {
+    let rows = read(&args.results).map_err(refused)?;
+    let text = write(&rows, args.show, args.to).map_err(refused)?;
+    stream::file(text.as_bytes())?;
+    Ok(Exit::Answered)
+}
+
+/// The surroundings of one task: its clocks begin with it.
+struct TaskHost {
+    clock: Clock,
+    cpu_before: f64,
+}
+
+impl TaskHost {
+    fn start() -> Self {
+        let clock = Clock::start();
+        Self {
+            clock,
+            cpu_before: clock.cpu_seconds(),
+        }
+    }
+}
+
+impl Host for TaskHost {
+    fn wall_seconds(&self) -> f64 {
+        self.clock.wall_seconds()
+    }
+
+    fn cpu_seconds(&self) -> f64 {
+        self.clock.cpu_seconds() - self.cpu_before
+    }
+
+    fn progress(&self, _: &Progress) {}
+}

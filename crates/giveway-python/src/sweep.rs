@@ -1,0 +1,112 @@
+//! Sweeps: the tasks of a spec, one of them done, tables of what came out.
+
+use std::path::{Path, PathBuf};
+
+use giveway_model::Fault;
+use giveway_model::format::read_text;
+use giveway_solve::Host;
+use giveway_sweep::table::{Show, Written, write};
+use giveway_sweep::{Folder, Row, Spec, Task, read, run};
+use serde::{Deserialize, Serialize};
+
+use crate::call::{Code, Failure};
+
+/// The spec whose tasks are wanted.
+#[derive(Deserialize)]
+#[serde(deny_unknown_fields)]
+pub(crate) struct SpecRequest {
+    spec: PathBuf,
+}
+
+/// The tasks of a spec.
+#[derive(Serialize)]
+pub(crate) struct Listed {
+    folder: PathBuf,
+    skip_after: Option<usize>,
+    tasks: Vec<NamedTask>,
+}
+
+/// A task with its names.
+#[derive(Serialize)]
+pub(crate) struct NamedTask {
+    name: String,
+    series: String,
+    task: Task,
+}
+
+/// A task, and the folder of its spec.
+#[derive(Deserialize)]
+#[serde(deny_unknown_fields)]
+pub(crate) struct TaskRequest {
+    folder: PathBuf,
+    task: Task,
+}
+
+/// The tables that can be made.
+#[derive(Deserialize)]
+#[serde(deny_unknown_fields)]
+pub(crate) struct TableRequest {
+    results: Vec<PathBuf>,
+    show: Show,
+    to: Written,
+}
+
+/// Lists the tasks.
+pub(crate) fn tasks(request: &SpecRequest) -> Result<Listed, Failure> {
+    let path = &request.spec;
+    let wrong = |fault: Fault| {
+        let fault = fault.in_file(&path.to_string_lossy());
+        Failure::new(Code::BadText, vec![fault])
+    };
+    let bytes = std::fs::read(path).map_err(|error| {
+        wrong(Fault::at(
+            "",
+            format!("\"{error}\" on reading"),
+            "a readable file",
+        ))
+    })?;
+    let spec = read_text(&bytes).and_then(Spec::read).map_err(wrong)?;
+    let folder = Folder::of(path);
+    let tasks = spec
+        .tasks(&|pattern| folder.files(pattern))
+        .map_err(wrong)?;
+    let named = tasks.into_iter().map(|task| NamedTask {
+        name: task.name(),
+        series: task.series(),
+        task,
+    });
+    Ok(Listed {
+        folder: path.parent().map(Path::to_owned).unwrap_or_default(),
+        skip_after: spec.skip_after,
+        tasks: named.collect(),
+    })
+}
+
+/// Does a task.
+pub(crate) fn row(request: &TaskRequest, host: &dyn Host) -> Row {
+    let task = &request.task;
+    match Folder::new(&request.folder).load(task) {
+        Ok(loaded) => run(task, &loaded.instance, loaded.map.as_deref(), host),
+        Err(reason) => Row::error(task, reason),
+    }
+}
+
+/// The row of a task that is not tried.
+pub(crate) fn skipped(request: &TaskRequest) -> Row {
+    Row::skipped(&request.task)
+}
+
+/// Makes a table or a plot.
+pub(crate) fn table(request: &TableRequest) -> Result<String, Failure> {
+    let wrong = |found: String| {
+        Failure::new(
+            Code::BadText,
+            vec![Fault::at("results", found, "rows of a sweep")],
+        )
+    };
+    let rows = read(&request.results).map_err(wrong)?;
+    write(&rows, request.show, request.to).map_err(|sentence| {
+        let found = sentence.trim_end_matches('.').to_owned();
+        Failure::input(Fault::at("to", found, "markdown, csv or svg"))
+    })
+}

@@ -1,0 +1,112 @@
+"""Sweeps: the same rows as the command, in one process and on a cluster of which a part is killed."""
+
+from __future__ import annotations
+
+import os
+import shutil
+import signal
+from pathlib import Path
+
+import pytest
+from conftest import DATA
+
+from giveway import BadText, sweep
+
+SPEC = """
+objectives = ["sum-of-costs,makespan", "makespan,sum-of-costs", "sum-of-costs", "makespan", "moves"]
+planners = ["search", "prioritised"]
+conflict-limit = 2000
+[[instances]]
+files = ["empty-8-8-*.scen"]
+agents = { from = 1, to = 25 }
+"""
+
+
+@pytest.fixture
+def spec(tmp_path: Path) -> Path:
+    for file in (DATA / "movingai").glob("empty-8-8*"):
+        shutil.copy(file, tmp_path)
+    path = tmp_path / "spec.toml"
+    path.write_text(SPEC)
+    return path
+
+
+def rows(results: Path) -> list[str]:
+    """Every row, but for the last column, which is time."""
+    lines = sweep.table(results, "rows", "csv").splitlines()
+    return [line.rsplit(",", 1)[0] for line in lines]
+
+
+def run_here(spec: Path, results: Path) -> None:
+    with sweep.Results(results, "here") as kept:
+        for task in sweep.tasks(spec).tasks:
+            if task.name not in kept.done:
+                kept.add(sweep.run(task))
+
+
+def test_tasks_are_listed_done_and_shown(spec: Path) -> None:
+    spec.write_text(SPEC.replace("to = 25", "to = 2"))
+    assert len(sweep.tasks(spec).tasks) == 40
+    results = spec.parent / "results"
+    run_here(spec, results)
+    assert len(rows(results)) == 41
+    assert sweep.table(results).startswith("| map |")
+    assert sweep.table([results], "cactus", "svg").startswith("<svg")
+    spec.write_text("[[instances]]\nfile = []")
+    with pytest.raises(BadText, match="line 2"):
+        sweep.tasks(spec)
+
+
+def test_a_row_that_was_cut_off_is_written_again(spec: Path) -> None:
+    spec.write_text(SPEC.replace("to = 25", "to = 1"))
+    results = spec.parent / "results"
+    run_here(spec, results)
+    whole = rows(results)
+    file = results / "results-here.jsonl"
+    file.write_bytes(file.read_bytes()[:-9])
+    assert len(rows(results)) == len(whole) - 1
+    run_here(spec, results)
+    assert rows(results) == whole
+
+
+def test_a_cluster_of_which_a_worker_is_killed_has_the_table_of_one_process(spec: Path) -> None:
+    distributed = pytest.importorskip("distributed")
+    from giveway.sweep import dask
+
+    results = spec.parent / "results"
+    killed: list[int] = []
+    with (
+        distributed.LocalCluster(n_workers=2, threads_per_worker=1, dashboard_address=None) as cluster,
+        distributed.Client(cluster) as client,
+    ):
+        count = 0
+
+        def kill_half_way(_: sweep.Row) -> None:
+            nonlocal count
+            count += 1
+            if count == 250:
+                pid = sorted(client.run(os.getpid).values())[0]
+                os.kill(pid, signal.SIGKILL)
+                killed.append(pid)
+
+        assert dask.run(spec, client, results, on_row=kill_half_way) == 500
+        assert dask.run(spec, client, results) == 0, "all of it is done"
+    assert len(killed) == 1
+    alone = spec.parent / "alone"
+    run_here(spec, alone)
+    assert rows(results) == rows(alone)
+    summary = [line.split("|")[:-2] for line in sweep.table(results).splitlines()]
+    assert summary == [line.split("|")[:-2] for line in sweep.table(alone).splitlines()]
+
+
+def test_a_series_that_became_too_hard_is_given_up(spec: Path) -> None:
+    distributed = pytest.importorskip("distributed")
+    from giveway.sweep import dask
+
+    spec.write_text("skip-after = 2\n" + SPEC.replace('"search", "prioritised"', '"prioritised", "pibt"').replace("to = 25", "to = 5"))
+    with distributed.Client(processes=False, dashboard_address=None) as client:
+        dask.run(spec, client, spec.parent / "results")
+    # They prove nothing, so each series has two tries.
+    found = [line.split(",") for line in sweep.table(spec.parent / "results", "rows", "csv").splitlines()[1:]]
+    assert len(found) == 2 * 5 * 5 * 2
+    assert sum("skipped" in row for row in found) == 2 * 3 * 5 * 2

@@ -1,0 +1,141 @@
+//! Certificates of what is claimed of all best plans, each by itself.
+//!
+//! What every best plan has is the contrast of a question turned round: no plan as good
+//! is otherwise. "Must it pass here?" is [`Question::Visit`] with a time, so that each
+//! such claim can be shown by a proof of a plain formula.
+
+use std::collections::BTreeMap;
+
+use giveway_model::{Cost, Instance, Question, sorting::map};
+use giveway_proof::{Claim, Condition};
+
+use super::{Closed, CriticalCell, FreedomAnswer, Known, Proved, Visit, critical::scene_without};
+use crate::{CertifyRequest, Status};
+
+/// A claim that can be certified by itself.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Certificate {
+    /// A name for its folder: letters, digits and hyphens.
+    pub name: String,
+    /// What is to be certified.
+    pub request: CertifyRequest,
+}
+
+impl FreedomAnswer {
+    /// All that is claimed and can be certified: that the plan is a best one, what
+    /// every best plan has, and what closing cells costs at least. The instance has
+    /// the objective of the answer.
+    pub fn certificates(&self, instance: &Instance) -> Vec<Certificate> {
+        let mut certificates = Vec::new();
+        if matches!(self.status, Status::Optimal | Status::Impossible) {
+            certificates.push(Certificate {
+                name: "best".to_owned(),
+                request: self.of_best(instance),
+            });
+        }
+        for (number, agent) in (1..).zip(instance.agents()) {
+            let visits = self.backbone.iter();
+            let visits = visits.filter_map(|backbone| backbone.get(&agent.name));
+            for visit in visits.flatten() {
+                for (what, question) in questions(&agent.name, visit) {
+                    certificates.push(Certificate {
+                        name: format!("robot-{number}-{what}-{}", visit.time),
+                        request: self.of_backbone(instance, question),
+                    });
+                }
+            }
+        }
+        for it in self.critical.iter().flatten() {
+            certificates.extend(self.of_closed(instance, it).map(|request| Certificate {
+                name: format!("without-{}-{}", it.cell.x, it.cell.y),
+                request,
+            }));
+        }
+        certificates
+    }
+
+    /// That no plan is better than this one, or that there is none.
+    fn of_best(&self, instance: &Instance) -> CertifyRequest {
+        CertifyRequest {
+            scene: instance.to_scene(),
+            bounds: self.best(),
+            impossible: self.status == Status::Impossible,
+            complete: self.complete,
+            within: self.within,
+            plan: self.plan.clone(),
+            ..CertifyRequest::default()
+        }
+    }
+
+    /// That no plan as good is as a question contrasts this one with.
+    fn of_backbone(&self, instance: &Instance, question: Question) -> CertifyRequest {
+        CertifyRequest {
+            scene: instance.to_scene(),
+            about: Claim {
+                most: self.best(),
+                condition: Some(Condition::Contrast(question)),
+                ..Claim::default()
+            },
+            impossible: true,
+            complete: self.complete,
+            within: self.within,
+            ..CertifyRequest::default()
+        }
+    }
+
+    /// That without a cell no plan costs less than is said, or there is none. Nothing
+    /// where nothing is lost, as the plan of the whole scene shows it, or where
+    /// somebody needs the very cell, so that no scene is left.
+    fn of_closed(&self, instance: &Instance, it: &CriticalCell) -> Option<CertifyRequest> {
+        let (bounds, impossible, proved) = match &it.closed {
+            Closed::Optimal { costs, proved, .. } if !it.closed.is_harmless() => {
+                let costs = self.objective.costs().iter().map(|&c| (c, costs.get(c)));
+                (map(costs), false, *proved)
+            }
+            Closed::Impossible {
+                needed: None,
+                proved,
+            } => (BTreeMap::new(), true, *proved),
+            _ => return None,
+        };
+        let mut scene = scene_without(&instance.to_scene(), it.cell)?;
+        let name = format!("{} without {}", instance.name(), it.cell);
+        name.trim().clone_into(&mut scene.name);
+        Some(CertifyRequest {
+            scene,
+            bounds,
+            impossible,
+            complete: proved == Proved::ForEver,
+            within: match proved {
+                Proved::ForEver => None,
+                Proved::Within(makespan) => Some(makespan),
+            },
+            ..CertifyRequest::default()
+        })
+    }
+
+    fn best(&self) -> BTreeMap<Cost, u32> {
+        let each = self.objective.costs().iter();
+        map(each.filter_map(|&cost| Some((cost, self.costs?.get(cost)))))
+    }
+}
+
+/// The questions that ask why something is so that every best plan has. Where an agent
+/// is in transit follows from where it is before and after; where it begins is no
+/// choice.
+fn questions(agent: &str, visit: &Visit) -> Vec<(&'static str, Question)> {
+    let mut questions = Vec::new();
+    let Some(at) = visit.cell else {
+        return questions;
+    };
+    let time = Some(visit.time);
+    if visit.always == Known::Yes && visit.time > 0 {
+        let agent = agent.to_owned();
+        questions.push(("at", Question::Visit { agent, at, time }));
+    }
+    if visit.charge.is_some_and(|it| it.always == Known::Yes) {
+        let (agent, at) = (agent.to_owned(), Some(at));
+        questions.push(("charges", Question::Charge { agent, at, time }));
+    }
+    questions
+}

@@ -1,0 +1,26 @@
+//! What must be so: what all best plans have in common, and what is free to choose.
+
+mod answer;
+mod backbone;
+mod certificates;
+mod count;
+mod critical;
+mod every;
+mod farthest;
+mod formula;
+mod hold;
+mod later;
+mod parts;
+mod request;
+mod serve;
+mod variations;
+mod ways;
+pub mod words;
+
+pub use answer::{
+    About, Closed, CriticalCell, Farthest, FreedomAnswer, Hold, Known, Later, Need, PlanCount,
+    Plans, Proved, Shared, Slack, Step, Visit, Ways, same_steps,
+};
+pub use certificates::Certificate;
+pub use request::{DEFAULT_COUNT, FreedomPart, FreedomRequest};
+pub(crate) use serve::serve;

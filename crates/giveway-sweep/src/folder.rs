@@ -1,0 +1,111 @@
+//! Where a sweep's files lie.
+
+use std::fs;
+use std::path::{Path, PathBuf};
+
+use giveway_model::format::{movingai, native, read_text};
+use giveway_model::{Fault, Instance};
+
+use crate::Task;
+
+/// The folder of a spec: paths in the spec start from it.
+#[derive(Clone, Debug)]
+pub struct Folder(PathBuf);
+
+/// An instance, with the name of its map if it has one.
+#[derive(Clone, Debug)]
+pub struct Loaded {
+    /// The instance, with the agents of its task.
+    pub instance: Instance,
+    /// The name of its map's file, without the ending.
+    pub map: Option<String>,
+}
+
+impl Folder {
+    /// A folder.
+    pub fn new(path: &Path) -> Self {
+        Self(path.to_owned())
+    }
+
+    /// The folder in which a spec lies.
+    pub fn of(spec: &Path) -> Self {
+        Self(spec.parent().map(Path::to_owned).unwrap_or_default())
+    }
+
+    /// The files that a pattern stands for, in the order of their names.
+    ///
+    /// # Errors
+    /// When it is no pattern, or a folder cannot be read.
+    pub fn files(&self, pattern: &str) -> Result<Vec<String>, Fault> {
+        let base = self.0.to_string_lossy();
+        let whole = match base.as_ref() {
+            "" => pattern.to_owned(),
+            base => format!("{}/{pattern}", glob::Pattern::escape(base)),
+        };
+        let wrong = |found: String| Fault::at("files", found, "a path, or a pattern with *");
+        let paths =
+            glob::glob(&whole).map_err(|error| wrong(format!("\"{pattern}\" ({error})")))?;
+        let mut files = Vec::new();
+        for path in paths {
+            let path = path.map_err(|error| wrong(error.to_string()))?;
+            if path.is_file() {
+                let own = path.strip_prefix(&self.0).unwrap_or(&path);
+                files.push(own.to_string_lossy().replace('\\', "/"));
+            }
+        }
+        files.sort();
+        Ok(files)
+    }
+
+    /// Reads the instance of a task.
+    ///
+    /// # Errors
+    /// Why it is none, as a sentence with the place.
+    pub fn load(&self, task: &Task) -> Result<Loaded, String> {
+        let path = self.0.join(&task.instance);
+        let text = read(&path)?;
+        if path.extension().is_some_and(|ending| ending == "scen") {
+            return scenario(&path, &text, task.agents);
+        }
+        if task.agents.is_some() {
+            return Err(format!(
+                "{}: found a number of agents, expected a scenario (.scen), of which some may be taken",
+                path.display()
+            ));
+        }
+        let instance = native::read_instance(&text).map_err(|faults| {
+            let faults: Vec<String> = faults.iter().map(ToString::to_string).collect();
+            format!("{}: {}", path.display(), faults.join("; "))
+        })?;
+        Ok(Loaded {
+            instance,
+            map: None,
+        })
+    }
+}
+
+fn scenario(path: &Path, text: &str, agents: Option<usize>) -> Result<Loaded, String> {
+    let at = |fault: Fault| format!("{}: {fault}", path.display());
+    let scenario = movingai::read_scenario(text).map_err(at)?;
+    let named = scenario.map_name().unwrap_or_default();
+    let name = named.rsplit(['/', '\\']).next().unwrap_or(named);
+    let beside = path.with_file_name(name);
+    let grid = movingai::read_map(&read(&beside)?)
+        .map_err(|fault| format!("{}: {fault}", beside.display()))?;
+    let stem = path.file_stem().unwrap_or_default().to_string_lossy();
+    let scene = movingai::to_scene(&stem, &grid, &scenario, agents).map_err(at)?;
+    let instance = Instance::new(scene).map_err(|faults| {
+        let faults: Vec<String> = faults.iter().map(ToString::to_string).collect();
+        format!("{}: {}", path.display(), faults.join("; "))
+    })?;
+    let map = beside
+        .file_stem()
+        .map(|stem| stem.to_string_lossy().into_owned());
+    Ok(Loaded { instance, map })
+}
+
+fn read(path: &Path) -> Result<String, String> {
+    let bytes = fs::read(path).map_err(|error| format!("{}: {error}", path.display()))?;
+    let text = read_text(&bytes).map_err(|fault| format!("{}: {fault}", path.display()))?;
+    Ok(text.to_owned())
+}

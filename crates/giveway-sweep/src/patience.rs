@@ -1,0 +1,68 @@
+//! Which tasks are skipped, since those before them were too hard.
+
+use std::collections::BTreeMap;
+
+use crate::{Row, Spec, Task};
+
+/// How the tasks of each series went so far.
+#[derive(Clone, Debug)]
+pub struct Patience {
+    after: Option<usize>,
+    misses: BTreeMap<String, usize>,
+}
+
+impl Patience {
+    /// That of a sweep, before its first task.
+    pub fn of(spec: &Spec) -> Self {
+        Self {
+            after: spec.skip_after,
+            misses: BTreeMap::new(),
+        }
+    }
+
+    /// Whether a task is not to be tried.
+    pub fn skips(&self, task: &Task) -> bool {
+        let misses = self.misses.get(&task.series()).copied().unwrap_or(0);
+        self.after.is_some_and(|after| misses >= after)
+    }
+
+    /// Notes how a task ended.
+    pub fn note(&mut self, task: &Task, row: &Row) {
+        if self.after.is_some() {
+            let misses = self.misses.entry(task.series()).or_default();
+            *misses = if row.status.is_closed() {
+                0
+            } else {
+                *misses + 1
+            };
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::RowStatus::{Feasible, Optimal, Unknown};
+
+    #[test]
+    fn a_series_is_given_up_after_so_many_misses_in_a_row() {
+        let spec =
+            "skip-after = 2\n[[instances]]\nfiles = [\"a\", \"b\"]\nagents = { from = 1, to = 5 }";
+        let spec = Spec::read(spec).unwrap();
+        let tasks = spec.tasks(&|file| Ok(vec![file.to_owned()])).unwrap();
+        let mut patience = Patience::of(&spec);
+        let of = |file: &str| {
+            tasks
+                .iter()
+                .filter(move |task| task.instance == file)
+                .collect::<Vec<_>>()
+        };
+        let ends = [Unknown, Optimal, Feasible, Unknown];
+        for (task, status) in of("a").into_iter().zip(ends) {
+            assert!(!patience.skips(task));
+            patience.note(task, &Row::bare(task, status, None));
+        }
+        assert!(patience.skips(of("a")[4]));
+        assert!(!patience.skips(of("b")[4]));
+    }
+}

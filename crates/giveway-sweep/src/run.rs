@@ -1,0 +1,78 @@
+//! One task, done.
+
+use giveway_model::Instance;
+use giveway_solve::plan::{PlanAnswer, PlanEnd, PlanRequest};
+use giveway_solve::{Host, Request, Response, SolveAnswer, SolveRequest, Status, serve};
+
+use crate::row::Took;
+use crate::{Method, Row, RowStatus, Task};
+
+/// Does a task on its instance; the clocks of the host begin with it.
+pub fn run(task: &Task, instance: &Instance, map: Option<&str>, host: &dyn Host) -> Row {
+    let objective = task.objective.clone();
+    let request = match task.planner {
+        Method::Search => Request::Solve(SolveRequest {
+            scene: instance.to_scene(),
+            objective: objective.clone(),
+            limits: task.limits,
+            ..SolveRequest::default()
+        }),
+        Method::Planner(planner) => Request::Plan(PlanRequest {
+            objective: objective.clone(),
+            limits: task.limits,
+            ..PlanRequest::new(instance.to_scene(), planner)
+        }),
+    };
+    let row = match serve(&request, host) {
+        Response::Solved(answer) => solved(task, &answer),
+        Response::Planned(answer) => planned(task, &answer),
+        Response::Refused(refusal) => Row::error(task, refusal.sentences().join("; ")),
+        _ => Row::error(
+            task,
+            "An answer to another request, a fault of this program.".to_owned(),
+        ),
+    };
+    Row {
+        map: map.map(str::to_owned),
+        agents: Some(instance.agents().len()),
+        objective: Some(objective.unwrap_or_else(|| instance.objective().clone())),
+        took: Took {
+            cpu_seconds: host.cpu_seconds(),
+            wall_seconds: host.wall_seconds(),
+        },
+        ..row
+    }
+}
+
+fn solved(task: &Task, answer: &SolveAnswer) -> Row {
+    let status = match answer.status {
+        Status::Optimal => RowStatus::Optimal,
+        Status::Feasible => RowStatus::Feasible,
+        Status::Impossible => RowStatus::Impossible,
+        Status::Unknown => RowStatus::Unknown,
+    };
+    Row {
+        complete: answer.complete,
+        within: answer.within,
+        costs: answer.costs,
+        bounds: answer.bounds.clone(),
+        ..Row::bare(task, status, answer.reason.clone())
+    }
+}
+
+fn planned(task: &Task, answer: &PlanAnswer) -> Row {
+    let (status, within) = match &answer.ended {
+        PlanEnd::Best { within } => (RowStatus::Optimal, *within),
+        PlanEnd::Refused { .. } => (RowStatus::Refused, None),
+        PlanEnd::Alone { .. } => (RowStatus::Impossible, None),
+        _ if answer.plan.is_some() => (RowStatus::Feasible, None),
+        _ => (RowStatus::Unknown, None),
+    };
+    Row {
+        complete: status.is_closed() && within.is_none(),
+        within,
+        costs: answer.costs,
+        bounds: answer.bounds.clone(),
+        ..Row::bare(task, status, None)
+    }
+}

@@ -1,0 +1,220 @@
+//! What a sweep combines, as a file of TOML says it.
+
+use giveway_model::{Fault, Objective};
+use serde::{Deserialize, Serialize};
+
+use crate::Method;
+
+/// A sweep: every instance with every number of agents, objective and planner.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields, rename_all = "kebab-case")]
+pub struct Spec {
+    /// The instances.
+    pub instances: Vec<Instances>,
+    /// The objectives, where they are not the instances' own: costs separated by commas.
+    #[serde(default)]
+    pub objectives: Vec<String>,
+    /// The planners; by default the search for the best plan.
+    #[serde(default)]
+    pub planners: Vec<Method>,
+    /// Wall seconds for each task.
+    #[serde(default)]
+    pub time_limit: Option<f64>,
+    /// Conflicts of the SAT solver for each task: a budget that is the same on every machine.
+    #[serde(default)]
+    pub conflict_limit: Option<u64>,
+    /// Bytes for each task.
+    #[serde(default)]
+    pub memory_limit: Option<u64>,
+    /// After so many tasks in a row without an optimal answer, larger numbers of agents of
+    /// the same series (instance, objective, planner) are skipped. By default none is.
+    #[serde(default)]
+    pub skip_after: Option<usize>,
+}
+
+/// Instances of one kind.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields, rename_all = "kebab-case")]
+pub struct Instances {
+    /// Paths from the folder of the spec: scenarios (`.scen`) with their maps beside them, or
+    /// instances of the project's own format. `*`, `?` and `**` stand for parts of names.
+    pub files: Vec<String>,
+    /// How many agents; by default all that a file has.
+    #[serde(default)]
+    pub agents: Option<Agents>,
+}
+
+/// Numbers of agents.
+#[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(untagged)]
+pub enum Agents {
+    /// One number.
+    One(usize),
+    /// Each of these.
+    Each(Vec<usize>),
+    /// From a number to another one, both among them.
+    Range(Range),
+}
+
+/// Numbers at equal distances.
+#[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct Range {
+    /// The first.
+    pub from: usize,
+    /// The last, where the step meets it.
+    pub to: usize,
+    /// From one to the next.
+    #[serde(default = "one")]
+    pub step: usize,
+}
+
+const fn one() -> usize {
+    1
+}
+
+/// More numbers of agents than anybody wants, and more tasks than a folder can hold.
+const MOST: usize = 10_000_000;
+
+impl Agents {
+    /// The numbers, in their order.
+    ///
+    /// # Errors
+    /// When there is none, one is 0, or a step is 0.
+    pub(crate) fn numbers(&self) -> Result<Vec<usize>, Fault> {
+        let fault = |found: String, expected: &str| Err(Fault::at("agents", found, expected));
+        let numbers: Vec<usize> = match self {
+            Self::One(number) => vec![*number],
+            Self::Each(numbers) => numbers.clone(),
+            Self::Range(Range { step: 0, .. }) => {
+                return fault("the step 0".to_owned(), "at least 1");
+            }
+            Self::Range(Range { from, to, step }) => {
+                (*from..=*to).step_by(*step).take(MOST + 1).collect()
+            }
+        };
+        if numbers.is_empty() {
+            return fault("no number".to_owned(), "at least one");
+        }
+        if numbers.contains(&0) {
+            return fault("0 agents".to_owned(), "at least 1");
+        }
+        if numbers.len() > MOST {
+            return fault(format!("more than {MOST} numbers"), "fewer");
+        }
+        Ok(numbers)
+    }
+}
+
+impl Spec {
+    /// Reads a spec.
+    ///
+    /// # Errors
+    /// What is wrong, with its line where the text is no TOML of this shape.
+    pub fn read(text: &str) -> Result<Self, Fault> {
+        let spec: Self = toml::from_str(text).map_err(|error| told(text, &error))?;
+        if spec.instances.is_empty() {
+            return Err(Fault::at("instances", "none", "at least one"));
+        }
+        for (place, limit) in [("time-limit", spec.time_limit)] {
+            if limit.is_some_and(|limit| !limit.is_finite() || limit < 0.0) {
+                return Err(Fault::at(place, format!("{limit:?}"), "seconds from 0"));
+            }
+        }
+        spec.objectives()?;
+        Ok(spec)
+    }
+
+    /// The objectives; `None` is an instance's own.
+    ///
+    /// # Errors
+    /// The first that is none.
+    pub(crate) fn objectives(&self) -> Result<Vec<Option<Objective>>, Fault> {
+        if self.objectives.is_empty() {
+            return Ok(vec![None]);
+        }
+        let read = |(index, text): (usize, &String)| {
+            text.parse().map(Some).map_err(|error| {
+                let found = format!("\"{text}\" ({error})");
+                Fault::at(format!("objectives[{index}]"), found, "costs with commas")
+            })
+        };
+        self.objectives.iter().enumerate().map(read).collect()
+    }
+
+    /// The planners.
+    pub(crate) fn methods(&self) -> Vec<Method> {
+        match self.planners.as_slice() {
+            [] => vec![Method::Search],
+            planners => planners.to_vec(),
+        }
+    }
+}
+
+/// What is wrong with a text, and where.
+fn told(text: &str, error: &toml::de::Error) -> Fault {
+    let expected = "a sweep: instances, objectives, planners, limits";
+    let found = error.message().trim_end_matches('.').replace('\n', ", ");
+    let fault = Fault::at("", found, expected);
+    match error.span() {
+        Some(span) => {
+            let before = text.get(..span.start).unwrap_or(text);
+            let line = before.matches('\n').count() + 1;
+            let column = before.rsplit('\n').next().unwrap_or("").chars().count() + 1;
+            fault.in_text(line, column)
+        }
+        None => fault,
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn refused(text: &str) -> String {
+        Spec::read(text).unwrap_err().to_string()
+    }
+
+    #[test]
+    fn what_is_wrong_is_told_with_its_place() {
+        assert!(
+            refused("instances = []").contains("instances"),
+            "{}",
+            refused("instances = []")
+        );
+        let typo = refused("[[instances]]\nfiles = []\nagent = 3");
+        assert!(typo.starts_with("line 3"), "{typo}");
+        let objective = refused("objectives = [\"time\"]\n[[instances]]\nfiles = []");
+        assert!(objective.contains("objectives[0]"), "{objective}");
+        let limit = refused("time-limit = -1.0\n[[instances]]\nfiles = []");
+        assert!(limit.contains("time-limit"), "{limit}");
+        assert!(!refused("é = [").is_empty());
+    }
+
+    #[test]
+    fn numbers_of_agents_are_written_in_three_ways() {
+        let numbers = |text: &str| {
+            let text = format!("[[instances]]\nfiles = []\nagents = {text}");
+            Spec::read(&text).unwrap().instances[0]
+                .agents
+                .clone()
+                .unwrap()
+                .numbers()
+        };
+        assert_eq!(numbers("7").unwrap(), [7]);
+        assert_eq!(numbers("[3, 1]").unwrap(), [3, 1]);
+        assert_eq!(
+            numbers("{ from = 5, to = 16, step = 5 }").unwrap(),
+            [5, 10, 15]
+        );
+        assert_eq!(numbers("{ from = 2, to = 4 }").unwrap(), [2, 3, 4]);
+        for wrong in [
+            "[]",
+            "0",
+            "{ from = 1, to = 2, step = 0 }",
+            "{ from = 2, to = 1 }",
+        ] {
+            assert!(numbers(wrong).is_err(), "{wrong}");
+        }
+    }
+}

@@ -1,0 +1,80 @@
+//! The curves of plots, as points.
+
+use std::collections::BTreeMap;
+
+use super::{Sheet, objective};
+use crate::Row;
+
+/// One curve: of one planner, and one objective where there are several.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Curve {
+    /// Its name in the legend.
+    pub name: String,
+    /// Its points, from left to right.
+    pub points: Vec<(f64, f64)>,
+}
+
+/// The share of tasks that were answered for good against the number of agents: a curve for
+/// each planner and objective, over all maps.
+pub fn success(rows: &[Row]) -> Vec<Curve> {
+    let curve = |rows: Vec<&Row>| {
+        let mut counts: BTreeMap<usize, (u32, u32)> = BTreeMap::new();
+        for row in rows {
+            if let Some(agents) = row.agents {
+                let (closed, tasks) = counts.entry(agents).or_default();
+                *closed += u32::from(row.status.is_closed());
+                *tasks += 1;
+            }
+        }
+        let share =
+            |(agents, (closed, tasks))| (agents as f64, f64::from(closed) / f64::from(tasks));
+        counts.into_iter().map(share).collect()
+    };
+    curves(rows, curve)
+}
+
+/// The cactus plot: within how many CPU seconds each how many tasks were answered for good.
+pub fn cactus(rows: &[Row]) -> Vec<Curve> {
+    let curve = |rows: Vec<&Row>| {
+        let closed = rows.iter().filter(|row| row.status.is_closed());
+        let mut seconds: Vec<f64> = closed.map(|row| row.took.cpu_seconds).collect();
+        seconds.sort_by(f64::total_cmp);
+        let point = |(index, seconds)| ((index + 1) as f64, seconds);
+        seconds.into_iter().enumerate().map(point).collect()
+    };
+    curves(rows, curve)
+}
+
+fn curves(rows: &[Row], curve: impl Fn(Vec<&Row>) -> Vec<(f64, f64)>) -> Vec<Curve> {
+    let mut named: BTreeMap<(String, String), Vec<&Row>> = BTreeMap::new();
+    for row in rows {
+        let key = (row.planner.to_string(), objective(row));
+        named.entry(key).or_default().push(row);
+    }
+    let first = named.keys().next().map(|(_, objective)| objective.clone());
+    let is_one = named
+        .keys()
+        .all(|(_, objective)| Some(objective) == first.as_ref());
+    let named = named.into_iter().map(|((planner, objective), rows)| Curve {
+        name: if is_one {
+            planner
+        } else {
+            format!("{planner}, {objective}")
+        },
+        points: curve(rows),
+    });
+    named.collect()
+}
+
+impl Sheet {
+    /// The points of curves.
+    pub fn of_curves(curves: &[Curve], x: &'static str, y: &'static str) -> Self {
+        let mut sheet = Self::new(&["curve", x, y]);
+        for curve in curves {
+            for (x, y) in &curve.points {
+                sheet.push(vec![curve.name.clone(), x.to_string(), format!("{y:.3}")]);
+            }
+        }
+        sheet
+    }
+}

@@ -1,0 +1,160 @@
+//! Tables and plots of rows.
+
+mod curves;
+mod plot;
+mod sheet;
+mod written;
+
+use std::collections::BTreeMap;
+
+pub use curves::{Curve, cactus, success};
+pub use plot::{Axes, plot};
+pub use sheet::Sheet;
+pub use written::{Show, Written, write};
+
+use crate::{Row, RowStatus};
+
+/// Rows that are counted together.
+#[derive(Clone, Debug, PartialEq, Eq, PartialOrd, Ord)]
+struct Group {
+    map: String,
+    objective: String,
+    planner: String,
+    agents: usize,
+}
+
+fn group(row: &Row) -> Group {
+    Group {
+        map: row.map.as_ref().unwrap_or(&row.instance).clone(),
+        objective: objective(row),
+        planner: row.planner.to_string(),
+        agents: row.agents.unwrap_or_default(),
+    }
+}
+
+fn objective(row: &Row) -> String {
+    let objective = row.objective.as_ref();
+    objective.map(ToString::to_string).unwrap_or_default()
+}
+
+/// A line for every map, objective, planner and number of agents: how many tasks ended how,
+/// the mean gap of those with a plan and a bound, the median of CPU seconds of the answered.
+pub fn summary(rows: &[Row]) -> Sheet {
+    let mut groups: BTreeMap<Group, Vec<&Row>> = BTreeMap::new();
+    for row in rows {
+        groups.entry(group(row)).or_default().push(row);
+    }
+    let mut sheet = Sheet::new(&[
+        "map",
+        "objective",
+        "planner",
+        "agents",
+        "tasks",
+        "optimal",
+        "feasible",
+        "impossible",
+        "unknown",
+        "refused",
+        "error",
+        "skipped",
+        "mean gap %",
+        "median CPU s",
+    ]);
+    for (group, rows) in groups {
+        let mut line = vec![
+            group.map,
+            group.objective,
+            group.planner,
+            group.agents.to_string(),
+            rows.len().to_string(),
+        ];
+        for status in [
+            RowStatus::Optimal,
+            RowStatus::Feasible,
+            RowStatus::Impossible,
+            RowStatus::Unknown,
+            RowStatus::Refused,
+            RowStatus::Error,
+            RowStatus::Skipped,
+        ] {
+            line.push(
+                rows.iter()
+                    .filter(|row| row.status == status)
+                    .count()
+                    .to_string(),
+            );
+        }
+        let gaps: Vec<f64> = rows.iter().filter_map(|row| row.gap()).collect();
+        let mean = gaps.iter().sum::<f64>() / gaps.len() as f64;
+        line.push(if gaps.is_empty() {
+            String::new()
+        } else {
+            format!("{:.2}", 100.0 * mean)
+        });
+        line.push(median(&rows).map_or_else(String::new, |seconds| format!("{seconds:.2}")));
+        sheet.push(line);
+    }
+    sheet
+}
+
+/// The middle CPU seconds of the rows that were answered; the lower of two in the middle.
+fn median(rows: &[&Row]) -> Option<f64> {
+    let closed = rows.iter().filter(|row| row.status.is_closed());
+    let mut seconds: Vec<f64> = closed.map(|row| row.took.cpu_seconds).collect();
+    seconds.sort_by(f64::total_cmp);
+    seconds.get(seconds.len().checked_sub(1)? / 2).copied()
+}
+
+/// A line for every row.
+pub fn all(rows: &[Row]) -> Sheet {
+    let mut sheet = Sheet::new(&[
+        "instance",
+        "map",
+        "agents",
+        "objective",
+        "planner",
+        "status",
+        "complete",
+        "within",
+        "first cost",
+        "bound",
+        "makespan",
+        "sum of costs",
+        "charges",
+        "moves",
+        "waits",
+        "CPU s",
+    ]);
+    for row in rows {
+        let number = |value: Option<u32>| value.map_or_else(String::new, |value| value.to_string());
+        let first = row
+            .objective
+            .as_ref()
+            .and_then(|objective| objective.costs().first());
+        let cost = |cost| row.costs.as_ref().map(|costs| costs.get(cost));
+        let mut line = vec![
+            row.instance.clone(),
+            row.map.clone().unwrap_or_default(),
+            row.agents
+                .map_or_else(String::new, |agents| agents.to_string()),
+            objective(row),
+            row.planner.to_string(),
+            row.status.word().to_owned(),
+            row.complete.to_string(),
+            number(row.within),
+            number(first.and_then(|&first| cost(first))),
+            number(first.and_then(|first| row.bounds.get(first).copied())),
+        ];
+        line.extend(
+            giveway_model::Cost::ALL
+                .iter()
+                .map(|&kind| number(cost(kind))),
+        );
+        line.push(format!("{:.2}", row.took.cpu_seconds));
+        sheet.push(line);
+    }
+    sheet
+}
+
+#[cfg(test)]
+mod tests;

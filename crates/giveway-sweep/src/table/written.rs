@@ -1,0 +1,102 @@
+//! What is made of rows, by its name.
+
+use std::str::FromStr;
+
+use serde::{Deserialize, Serialize};
+
+use super::{Axes, Curve, Sheet, all, cactus, plot, success, summary};
+use crate::Row;
+
+/// What a table or a plot shows.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(rename_all = "kebab-case")]
+pub enum Show {
+    /// How many tasks of each map, objective, planner and number of agents ended how.
+    #[default]
+    Summary,
+    /// Every row.
+    Rows,
+    /// The share of tasks that were answered for good against the number of agents.
+    Success,
+    /// How many tasks were answered for good within how many CPU seconds each.
+    Cactus,
+}
+
+/// How it is written.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(rename_all = "kebab-case")]
+pub enum Written {
+    /// A table for people and for pages.
+    #[default]
+    Markdown,
+    /// Comma-separated values.
+    Csv,
+    /// A plot.
+    Svg,
+}
+
+impl FromStr for Show {
+    type Err = String;
+
+    fn from_str(text: &str) -> Result<Self, String> {
+        Ok(match text {
+            "summary" => Self::Summary,
+            "rows" => Self::Rows,
+            "success" => Self::Success,
+            "cactus" => Self::Cactus,
+            _ => {
+                return Err(format!(
+                    "found \"{text}\", expected summary, rows, success or cactus"
+                ));
+            }
+        })
+    }
+}
+
+impl FromStr for Written {
+    type Err = String;
+
+    fn from_str(text: &str) -> Result<Self, String> {
+        Ok(match text {
+            "markdown" => Self::Markdown,
+            "csv" => Self::Csv,
+            "svg" => Self::Svg,
+            _ => return Err(format!("found \"{text}\", expected markdown, csv or svg")),
+        })
+    }
+}
+
+/// Makes a table or a plot.
+///
+/// # Errors
+/// When a table is wanted as a plot, as a sentence.
+pub fn write(rows: &[Row], show: Show, to: Written) -> Result<String, String> {
+    match show {
+        Show::Summary => sheet(&summary(rows), to),
+        Show::Rows => sheet(&all(rows), to),
+        Show::Success => drawn(&success(rows), Axes::Success, to),
+        Show::Cactus => drawn(&cactus(rows), Axes::Cactus, to),
+    }
+}
+
+fn drawn(curves: &[Curve], axes: Axes, to: Written) -> Result<String, String> {
+    let (x, y) = match axes {
+        Axes::Success => ("agents", "answered"),
+        Axes::Cactus => ("answered", "CPU s each"),
+    };
+    match to {
+        Written::Svg => plot(curves, axes),
+        to => sheet(&Sheet::of_curves(curves, x, y), to),
+    }
+}
+
+fn sheet(sheet: &Sheet, to: Written) -> Result<String, String> {
+    match to {
+        Written::Markdown => Ok(sheet.markdown()),
+        Written::Csv => Ok(sheet.csv()),
+        Written::Svg => Err(
+            "Found svg for a table, expected markdown or csv; success and cactus are drawn."
+                .to_owned(),
+        ),
+    }
+}

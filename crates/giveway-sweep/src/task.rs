@@ -1,0 +1,259 @@
+//! One thing to do: an instance, how many of its agents, an objective, a planner, a budget.
+
+use std::collections::{BTreeMap, BTreeSet};
+use std::fmt;
+use std::str::FromStr;
+
+use giveway_model::{Fault, Objective};
+use giveway_solve::Limits;
+use giveway_solve::plan::Planner;
+use serde::{Deserialize, Serialize};
+
+use crate::{Shard, Spec};
+
+/// Who plans.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Serialize, Deserialize)]
+#[serde(try_from = "String", into = "String")]
+pub enum Method {
+    /// The search for the best plan, with its proof.
+    Search,
+    /// A planner of the textbook.
+    Planner(Planner),
+}
+
+impl fmt::Display for Method {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::Search => f.write_str("search"),
+            Self::Planner(planner) => planner.fmt(f),
+        }
+    }
+}
+
+impl FromStr for Method {
+    type Err = String;
+
+    fn from_str(text: &str) -> Result<Self, String> {
+        if text == "search" {
+            return Ok(Self::Search);
+        }
+        let planner = text.parse().map_err(|_| {
+            format!("found the planner \"{text}\", expected search, prioritised, cbs, pibt, lacam or lns")
+        })?;
+        Ok(Self::Planner(planner))
+    }
+}
+
+impl TryFrom<String> for Method {
+    type Error = String;
+
+    fn try_from(text: String) -> Result<Self, String> {
+        text.parse()
+    }
+}
+
+impl From<Method> for String {
+    fn from(method: Method) -> Self {
+        method.to_string()
+    }
+}
+
+/// One thing to do.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct Task {
+    /// The path of its instance, from the folder of the spec.
+    pub instance: String,
+    /// The first so many agents; `None`: all of them.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub agents: Option<usize>,
+    /// The objective, where it is not the instance's own.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub objective: Option<Objective>,
+    /// Who plans.
+    pub planner: Method,
+    /// The budget.
+    #[serde(default)]
+    pub limits: Limits,
+}
+
+impl Task {
+    /// What tells it from all other tasks, in a line: the same task has the same name in
+    /// every run of a sweep, and another one where the budget is another.
+    pub fn name(&self) -> String {
+        let mut name = self.series();
+        let Limits {
+            seconds,
+            conflicts,
+            memory_bytes,
+        } = self.limits;
+        let mut add = |key: &str, value: Option<String>| {
+            if let Some(value) = value {
+                name.extend([" ", key, "=", &value]);
+            }
+        };
+        add("agents", self.agents.map(|agents| agents.to_string()));
+        add("seconds", seconds.map(|seconds| seconds.to_string()));
+        add(
+            "conflicts",
+            conflicts.map(|conflicts| conflicts.to_string()),
+        );
+        add("bytes", memory_bytes.map(|bytes| bytes.to_string()));
+        name
+    }
+
+    /// What it has in common with tasks of other numbers of agents.
+    pub fn series(&self) -> String {
+        let mut series = format!("{} planner={}", self.instance, self.planner);
+        if let Some(objective) = &self.objective {
+            series.extend([" objective=", &objective.to_string()]);
+        }
+        series
+    }
+}
+
+impl Spec {
+    /// Every task, the smallest numbers of agents of all instances first: so a sweep that
+    /// is cut off has done what was easy. `files` gives the paths that a pattern stands
+    /// for, in their order.
+    ///
+    /// # Errors
+    /// When a pattern stands for nothing, or a number of agents is wrong.
+    pub fn tasks(
+        &self,
+        files: &dyn Fn(&str) -> Result<Vec<String>, Fault>,
+    ) -> Result<Vec<Task>, Fault> {
+        let limits = Limits {
+            seconds: self.time_limit,
+            conflicts: self.conflict_limit,
+            memory_bytes: self.memory_limit,
+        };
+        let mut tasks = Vec::new();
+        for (index, instances) in self.instances.iter().enumerate() {
+            let place = format!("instances[{index}]");
+            let numbers = match &instances.agents {
+                None => vec![None],
+                Some(agents) => {
+                    let numbers = agents.numbers().map_err(|fault| fault.of_part(&place))?;
+                    numbers.into_iter().map(Some).collect()
+                }
+            };
+            for pattern in &instances.files {
+                let paths = files(pattern).map_err(|fault| fault.of_part(&place))?;
+                if paths.is_empty() {
+                    let found = format!("\"{pattern}\", which is no file");
+                    return Err(Fault::at(
+                        format!("{place}.files"),
+                        found,
+                        "a file, or a pattern of files",
+                    ));
+                }
+                for path in paths {
+                    for &agents in &numbers {
+                        for objective in self.objectives()? {
+                            for planner in self.methods() {
+                                tasks.push(Task {
+                                    instance: path.clone(),
+                                    agents,
+                                    objective: objective.clone(),
+                                    planner,
+                                    limits,
+                                });
+                            }
+                        }
+                    }
+                }
+            }
+        }
+        tasks.sort_by_key(|task| task.agents); // stable: the spec's order otherwise
+        let mut known = BTreeSet::new();
+        tasks.retain(|task| known.insert(task.name()));
+        Ok(tasks)
+    }
+
+    /// The tasks of a shard: every N-th. Where tasks may be skipped, every N-th series is,
+    /// whole, since who skips must know how the tasks before ended.
+    pub fn part(&self, tasks: &[Task], shard: Shard) -> Vec<Task> {
+        let chosen = tasks.iter().enumerate();
+        if self.skip_after.is_none() {
+            let own = chosen.filter(|(index, _)| shard.has(*index));
+            return own.map(|(_, task)| task.clone()).collect();
+        }
+        let mut series = BTreeMap::new();
+        let mut is_own = |task: &&Task| {
+            let next = series.len();
+            shard.has(*series.entry(task.series()).or_insert(next))
+        };
+        tasks.iter().filter(|task| is_own(task)).cloned().collect()
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    const SPEC: &str = r#"
+        objectives = ["makespan", "sum-of-costs,makespan"]
+        planners = ["search", "cbs"]
+        time-limit = 2.5
+        [[instances]]
+        files = ["b.scen", "*.scen"]
+        agents = [2, 1]
+        [[instances]]
+        files = ["own.json"]
+    "#;
+
+    fn tasks(spec: &Spec) -> Vec<Task> {
+        let files = |pattern: &str| {
+            let names = match pattern {
+                "*.scen" => vec!["a.scen", "b.scen"],
+                "none" => vec![],
+                one => vec![one],
+            };
+            Ok(names.into_iter().map(str::to_owned).collect())
+        };
+        spec.tasks(&files).unwrap()
+    }
+
+    #[test]
+    fn everything_is_combined_once_and_easy_tasks_come_first() {
+        let spec = Spec::read(SPEC).unwrap();
+        let tasks = tasks(&spec);
+        assert_eq!(tasks.len(), 4 + 2 * 2 * 4);
+        assert_eq!(
+            tasks[5].name(),
+            "b.scen planner=cbs objective=makespan agents=1 seconds=2.5"
+        );
+        let numbers: Vec<_> = tasks.iter().map(|task| task.agents).collect();
+        assert!(numbers.is_sorted(), "{numbers:?}");
+        let text = serde_json::to_string(&tasks[5]).unwrap();
+        assert_eq!(serde_json::from_str::<Task>(&text).unwrap(), tasks[5]);
+    }
+
+    #[test]
+    fn shards_have_every_task_once_and_series_whole_where_tasks_may_be_skipped() {
+        let mut spec = Spec::read(SPEC).unwrap();
+        let all = tasks(&spec);
+        for skip_after in [None, Some(1)] {
+            spec.skip_after = skip_after;
+            let shards = (1..=3).map(|index| spec.part(&all, Shard::new(index, 3).unwrap()));
+            let shards: Vec<Vec<Task>> = shards.collect();
+            let mut names: Vec<String> = shards.iter().flatten().map(Task::name).collect();
+            names.sort();
+            let mut expected: Vec<String> = all.iter().map(Task::name).collect();
+            expected.sort();
+            assert_eq!(names, expected);
+            let series =
+                |shard: &Vec<Task>| shard.iter().map(Task::series).collect::<BTreeSet<_>>();
+            let whole = series(&shards[0]).is_disjoint(&series(&shards[1]));
+            assert_eq!(whole, skip_after.is_some());
+        }
+    }
+
+    #[test]
+    fn a_pattern_for_nothing_is_refused() {
+        let spec = Spec::read("[[instances]]\nfiles = [\"x*\"]").unwrap();
+        let fault = spec.tasks(&|_| Ok(Vec::new())).unwrap_err().to_string();
+        assert!(fault.contains("instances[0].files"), "{fault}");
+    }
+}
