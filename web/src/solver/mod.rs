@@ -83,7 +83,7 @@ impl Solver {
         if inner.run.get() == work.id() {
             return;
         }
-        drop(inner.news.take());
+        self.forget_news();
         let was_waiting = inner.waiting.take().is_some();
         let busy = inner.run.take().is_some() && !was_waiting;
         let wanted = work.request();
@@ -161,7 +161,7 @@ impl Solver {
                 if self.is_at(id)
                     && let Some(run) = self.0.run.take()
                 {
-                    drop(self.0.news.take());
+                    self.forget_news();
                     let response = Box::new(response);
                     self.0
                         .send
@@ -180,7 +180,7 @@ impl Solver {
     /// Tells of a worker that is no more. One that had worked is replaced at
     /// once; for one that never started, another is tried at the next run.
     fn fail(&self, sentence: String, had_started: bool) {
-        drop(self.0.news.take());
+        self.forget_news();
         drop(self.0.waiting.take());
         let run = self.0.run.take();
         if had_started {
@@ -214,6 +214,14 @@ impl Solver {
             let solver = self.clone();
             news.frame = Some(request_animation_frame(move |_| solver.tell()));
         }
+        self.0.news.set(news);
+    }
+
+    /// What was heard is told no more. A frame that was asked for still comes, and
+    /// finds nothing: nothing hangs on whether it could be called off.
+    fn forget_news(&self) {
+        let mut news = self.0.news.take();
+        news.events.clear();
         self.0.news.set(news);
     }
 

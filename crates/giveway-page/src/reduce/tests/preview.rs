@@ -58,7 +58,6 @@ fn best() -> SolveAnswer {
         complete: true,
         reason: None,
         plan: Some(plan),
-        trace: None,
         stats: Stats::default(),
     }
 }

@@ -108,3 +108,10 @@ fn an_order_that_works_says_what_it_costs() {
         format!("It works in this order: {}", verdict.text)
     );
 }
+
+#[test]
+fn what_is_kept_is_at_a_time_of_its_own_plan() {
+    // The scene has no plan yet; the order that is looked at goes on until time 5.
+    let state = inside(&open(&last_in()), [InsideAction::Order(5)]);
+    assert_eq!((state.view.playback.time, state.moment().time), (5, 0));
+}
