@@ -25,6 +25,7 @@ pub mod random;
 pub mod recount;
 pub mod source;
 pub mod textbook;
+pub mod traced;
 pub mod truth;
 pub mod upheaval;
 pub mod wrong;

@@ -137,8 +137,10 @@ impl Known {
             }
             Progress::Plan { costs, .. } => self.best = Some(*costs),
             Progress::Size { conflicts, .. } => self.conflicts = *conflicts,
-            Progress::Explained { .. } | Progress::Freedom { .. } | Progress::Certifying { .. } => {
-            }
+            Progress::Explained { .. }
+            | Progress::Freedom { .. }
+            | Progress::Traced { .. }
+            | Progress::Certifying { .. } => {}
         }
     }
 

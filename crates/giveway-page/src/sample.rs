@@ -59,6 +59,7 @@ pub(crate) fn proved(objective: &Objective, costs: Costs, plan: Plan) -> SolveAn
         reason: None,
         plan: Some(plan),
         stats: Stats::default(),
+        trace: None,
     }
 }
 

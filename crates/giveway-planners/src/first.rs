@@ -23,7 +23,18 @@ const STATES_PER_AGENT: u64 = 30_000;
 /// Configurations that LaCAM makes, for each agent.
 const STEPS_PER_AGENT: u64 = 2_000;
 
-/// A plan, from walks of each agent apart that may collide; `None` where none is
+/// Who had a first plan.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum First {
+    /// Agents planned one after the other.
+    Prioritised,
+    /// LaCAM.
+    Lacam,
+    /// Collisions repaired in small groups.
+    Repair,
+}
+
+/// A plan and who had it, from walks of each agent apart that may collide; `None` where none is
 /// found soon. No walk is longer than the horizon.
 ///
 /// # Errors
@@ -33,7 +44,7 @@ pub fn first_plan(
     apart: Vec<Walk>,
     horizon: u32,
     budget: &dyn Budget,
-) -> Result<Option<Vec<Walk>>, Stop> {
+) -> Result<Option<(Vec<Walk>, First)>, Stop> {
     let tries = match Plain::new(problem) {
         Ok(_) => PLAIN_ORDERS,
         Err(_) => ORDERS,
@@ -41,7 +52,7 @@ pub fn first_plan(
     let states = STATES_PER_AGENT.saturating_mul(problem.agents() as u64);
     let part = Counted::new(budget, states);
     match prioritised(problem, &Order::Found { tries }, horizon, false, &part).ended {
-        Ended::Found(walks) => return Ok(Some(walks)),
+        Ended::Found(walks) => return Ok(Some((walks, First::Prioritised))),
         Ended::NoOrderWorks(_) => {}
         Ended::Stopped(_) => budget.check()?, // (else only this part is spent)
     }
@@ -55,9 +66,10 @@ pub fn first_plan(
         budget.check()?;
         let in_time = |walks: &Vec<Walk>| walks.iter().all(|walk| arrival(walk) <= horizon);
         let found = report.best.map(|found| found.walks).filter(in_time);
-        if found.is_some() {
-            return Ok(found);
+        if let Some(walks) = found {
+            return Ok(Some((walks, First::Lacam)));
         }
     }
-    repair(problem, apart, horizon, budget)
+    let repaired = repair(problem, apart, horizon, budget)?;
+    Ok(repaired.map(|walks| (walks, First::Repair)))
 }

@@ -72,7 +72,9 @@ fn called(function: &str, text: &str, host: &dyn Host) -> Result<String, Failure
         "explain" => Request::Explain(read(text)?),
         "change" => Request::Change(read(text)?),
         "audit" => Request::Audit(read(text)?),
+        "freedom" => Request::Freedom(read(text)?),
         "plan" => Request::Plan(read(text)?),
+        "together" => Request::Together(read(text)?),
         "certify" => Request::Certify(read(text)?),
         "verify" => return verified(&read(text)?, host),
         "compare" => return compared(read(text)?),
@@ -114,7 +116,9 @@ fn respond(response: Response) -> Result<String, Failure> {
         Response::Certified(report) => write(&report),
         Response::Changed(answer) => write(&answer),
         Response::Audited(answer) => write(&answer),
+        Response::Freedom(answer) => write(&answer),
         Response::Planned(answer) => write(&answer),
+        Response::Together(answer) => write(&answer),
         Response::Refused(refusal) => {
             let code = match refusal {
                 Refusal::Scene { .. } => Code::BadScene,

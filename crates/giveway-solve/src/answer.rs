@@ -6,7 +6,7 @@ use borsh::{BorshDeserialize, BorshSerialize};
 use giveway_model::{Cost, Costs, Plan, Version, check::Violation, message::read_map};
 use serde::{Deserialize, Serialize};
 
-use crate::{judged::told, search::Reach};
+use crate::{judged::told, search::Reach, trace::SearchTrace};
 
 /// What is known at the end. Running out is never "no solution".
 #[derive(
@@ -65,6 +65,9 @@ pub struct SolveAnswer {
     pub plan: Option<Plan>,
     /// How much work it took.
     pub stats: Stats,
+    /// How it was found and proved, where that was asked for.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub trace: Option<SearchTrace>,
 }
 
 impl SolveAnswer {
@@ -86,6 +89,7 @@ impl SolveAnswer {
             reason: Some(reason),
             plan: None,
             stats,
+            trace: None,
         }
     }
 }

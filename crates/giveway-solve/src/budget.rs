@@ -5,10 +5,15 @@
 //! only cut it short.
 
 use std::cell::Cell;
+use std::rc::Rc;
 
+use giveway_model::Cost;
 use giveway_planners::budget as planners;
 
-use crate::{Host, Limits, Progress, Stats};
+use crate::{
+    Host, Limits, Progress, Stats,
+    trace::{Names, Recorder, SearchEvent, SearchTrace},
+};
 
 pub(crate) use planners::{Held, HeldBytes, Stop};
 
@@ -42,6 +47,8 @@ pub(crate) struct Budget<'h> {
     stopped: Cell<Option<Stop>>,
     /// Whether the host hears nothing of what becomes known.
     quiet: bool,
+    /// Who writes down what the search does, where a trace is asked for.
+    recorder: Option<Rc<Recorder>>,
     /// Steps of joint states that may be looked at, and what is left of them.
     joint_given: u64,
     joint_left: Cell<u64>,
@@ -70,6 +77,7 @@ impl<'h> Budget<'h> {
             reported_at: Cell::new(0),
             stopped: Cell::new(None),
             quiet: false,
+            recorder: None,
             joint_given: JOINT_STEPS,
             joint_left: Cell::new(JOINT_STEPS),
             most_clauses: u64::MAX,
@@ -93,6 +101,7 @@ impl<'h> Budget<'h> {
             },
         );
         part.quiet = true;
+        part.recorder.clone_from(&self.recorder);
         part.most_derived = self.most_derived.saturating_sub(self.derived.get());
         part.joint_given = self.joint_left.get().min(PART_JOINT_STEPS);
         part.joint_left.set(part.joint_given);
@@ -109,6 +118,12 @@ impl<'h> Budget<'h> {
     pub(crate) fn count_joint(&self, steps: u64) {
         self.joint_left
             .set(self.joint_left.get().saturating_sub(steps));
+    }
+
+    /// The same budget, whose request is told as a trace.
+    pub(crate) fn traced(mut self, recorder: Recorder) -> Self {
+        self.recorder = Some(Rc::new(recorder));
+        self
     }
 
     /// The same budget with a limit of clauses that the SAT solver may derive.
@@ -180,10 +195,18 @@ impl<'h> Budget<'h> {
 
     pub(crate) fn count_conflicts(&self, conflicts: u64) {
         self.conflicts.set(self.conflicts.get() + conflicts);
+        if let Some(recorder) = &self.recorder {
+            recorder.count_conflicts(conflicts);
+        }
     }
 
     pub(crate) fn count_derived(&self, clauses: u64) {
         self.derived.set(self.derived.get() + clauses);
+    }
+
+    /// Conflicts of the SAT solver.
+    pub(crate) fn conflicts(&self) -> u64 {
+        self.conflicts.get()
     }
 
     /// Clauses that were given to the SAT solver.
@@ -205,8 +228,64 @@ impl<'h> Budget<'h> {
         }
     }
 
+    /// Writes an event down, where a trace is asked for: its number.
+    pub(crate) fn record(&self, event: impl FnOnce(&Names) -> SearchEvent) -> Option<u64> {
+        let recorder = self.recorder.as_ref()?;
+        let number = recorder.record(event(recorder.names()));
+        self.report_trace(recorder);
+        Some(number)
+    }
+
+    /// Writes down what each agent needs alone of a cost, once for each cost.
+    pub(crate) fn record_alone(&self, cost: Cost, least: &[u32]) {
+        let Some(recorder) = &self.recorder else {
+            return;
+        };
+        if recorder.is_first_of(cost) {
+            self.record(|names| SearchEvent::Alone {
+                cost,
+                agents: names.with_least(least),
+                at_least: match cost {
+                    Cost::Makespan => least.iter().copied().max().unwrap_or(0),
+                    _ => least.iter().sum(),
+                },
+            });
+        }
+    }
+
+    /// The number that the next event gets, where a trace is asked for.
+    pub(crate) fn next_event(&self) -> Option<u64> {
+        self.recorder.as_ref().map(|recorder| recorder.count())
+    }
+
+    /// Whether a trace is asked for.
+    pub(crate) const fn is_traced(&self) -> bool {
+        self.recorder.is_some()
+    }
+
+    /// Tells the host what was written down, once in a while.
+    fn report_trace(&self, recorder: &Recorder) {
+        if recorder.is_due(|| self.host.wall_seconds()) {
+            let events = recorder.take_untold();
+            self.host.progress(&Progress::Traced { events });
+        }
+    }
+
+    /// The trace so far, all of which the host has been told of now.
+    pub(crate) fn trace(&self) -> Option<SearchTrace> {
+        let recorder = self.recorder.as_ref()?;
+        let events = recorder.take_untold();
+        if !events.is_empty() {
+            self.host.progress(&Progress::Traced { events });
+        }
+        Some(recorder.trace())
+    }
+
     /// Tells the host the size of the work, when it has grown by a tenth.
     pub(crate) fn report_size(&self) {
+        if let Some(recorder) = &self.recorder {
+            self.report_trace(recorder);
+        }
         let size = self.clauses.get() + 10 * self.conflicts.get();
         if size > self.reported_at.get() + self.reported_at.get() / 10 + 1000 {
             self.reported_at.set(size);

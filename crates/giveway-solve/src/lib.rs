@@ -28,6 +28,8 @@ pub mod service;
 mod solve;
 #[cfg(test)]
 mod tests;
+pub mod together;
+pub mod trace;
 mod verify;
 pub mod words;
 

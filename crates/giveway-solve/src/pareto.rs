@@ -42,7 +42,9 @@ pub(crate) fn front(task: &Task) -> FrontAnswer {
         }
         let bounded = Bounded { horizon, limits };
         let verdict = best(task, &problem, &bounded);
-        let Solved { answer, reach: own } = answer(task, &problem, verdict);
+        let Solved {
+            answer, reach: own, ..
+        } = answer(task, &problem, verdict);
         // Each box was settled as far as all others.
         let both = reach.map_or(own, |reach| own.map(|own| reach.and(own)));
         match (answer.status, answer.costs) {

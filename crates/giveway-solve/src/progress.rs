@@ -4,7 +4,7 @@ use borsh::{BorshDeserialize, BorshSerialize};
 use giveway_model::{Cost, Costs, Plan};
 use serde::{Deserialize, Serialize};
 
-use crate::{explain::ExplainAnswer, freedom::FreedomAnswer};
+use crate::{explain::ExplainAnswer, freedom::FreedomAnswer, trace::TraceEvent};
 
 /// An event on the way to an answer.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, BorshSerialize, BorshDeserialize)]
@@ -45,6 +45,12 @@ pub enum Progress {
     Explained {
         /// The answer as far as it is known; `pending` names what is to come.
         answer: Box<ExplainAnswer>,
+    },
+    /// Steps of the search, where its trace is asked for: all of them, in order, some
+    /// at once.
+    Traced {
+        /// The events.
+        events: Vec<TraceEvent>,
     },
     /// More became known of all best plans.
     Freedom {

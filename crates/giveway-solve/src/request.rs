@@ -6,6 +6,7 @@ use serde::{Deserialize, Serialize};
 
 use crate::audit::AuditRequest;
 use crate::change::ChangeRequest;
+use crate::together::TogetherRequest;
 use crate::{CertifyRequest, explain::ExplainRequest, freedom::FreedomRequest, plan::PlanRequest};
 
 /// A request to the [service](crate::service).
@@ -28,6 +29,8 @@ pub enum Request {
     Plan(PlanRequest),
     /// Tell what must be so in every best plan.
     Freedom(FreedomRequest),
+    /// Why can some agents not all keep their limits?
+    Together(TogetherRequest),
 }
 
 /// A request that needs no more than search and judge.
@@ -52,6 +55,7 @@ impl Request {
             | Self::Certify(_)
             | Self::Audit(_)
             | Self::Plan(_)
+            | Self::Together(_)
             | Self::Freedom(_) => None,
         }
     }
@@ -83,6 +87,9 @@ pub struct SolveRequest {
     /// are optimal, it may decide which of them is found.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub start: Option<Plan>,
+    /// Whether to tell how the plan was found and proved; not with `pareto`.
+    #[serde(default)]
+    pub trace: bool,
     /// The budget.
     #[serde(default, deserialize_with = "from_object")]
     pub limits: Limits,

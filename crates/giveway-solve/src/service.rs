@@ -12,6 +12,7 @@ use serde::{Deserialize, Serialize};
 use crate::{
     Basic, CheckAnswer, CheckRequest, FrontAnswer, Host, Request, SolveAnswer, SolveRequest,
     audit::{self, AuditAnswer},
+    budget::Budget,
     certify::certify,
     change::{self, ChangeAnswer, ChangeRequest},
     explain::{ExplainAnswer, engine},
@@ -19,6 +20,7 @@ use crate::{
     pareto,
     plan::{self, PlanAnswer},
     solve::{self, Task},
+    together::{self, TogetherAnswer},
 };
 
 /// What comes back. An error is a response, too.
@@ -41,6 +43,8 @@ pub enum Response {
     Audited(Box<AuditAnswer>),
     /// To [`Request::Plan`].
     Planned(Box<PlanAnswer>),
+    /// To [`Request::Together`].
+    Together(Box<TogetherAnswer>),
     /// To [`Request::Freedom`].
     Freedom(Box<FreedomAnswer>),
     /// The request is wrong; nothing was done.
@@ -139,6 +143,10 @@ pub fn serve(request: &Request, host: &dyn Host) -> Response {
             Ok(answer) => Response::Freedom(Box::new(answer)),
             Err(refusal) => Response::Refused(refusal),
         },
+        Request::Together(request) => match together::serve(request, host) {
+            Ok(answer) => Response::Together(Box::new(answer)),
+            Err(refusal) => Response::Refused(refusal),
+        },
         Request::Change(request) => serve_change(request, host),
     }
 }
@@ -190,7 +198,14 @@ fn task<'a>(request: &SolveRequest, host: &'a dyn Host) -> Result<Task<'a>, Refu
     let objective = request.objective.clone();
     let mut task = Task::new(instance, objective, request.within, request.limits, host);
     task.start.clone_from(&request.start);
-    Ok(task)
+    if !request.trace {
+        return Ok(task);
+    }
+    if request.pareto {
+        let fault = Fault::at("trace", "true with \"pareto\"", "the trace of one search");
+        return Err(Refusal::Request { fault });
+    }
+    Ok(task.traced(Budget::new(host, request.limits)))
 }
 
 fn serve_change(request: &ChangeRequest, host: &dyn Host) -> Response {

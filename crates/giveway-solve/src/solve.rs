@@ -3,7 +3,9 @@
 use std::collections::BTreeMap;
 use std::rc::Rc;
 
-use giveway_model::{Costs, Instance, Objective, Plan, Version, check::check, words};
+use giveway_model::{
+    Cost, Costs, Instance, Objective, Plan, Version, check::check, sorting, words,
+};
 
 use crate::{
     Host, Limits, Progress, SolveAnswer, Status,
@@ -11,6 +13,7 @@ use crate::{
     judged::{Judged, told},
     problem::{Problem, ProblemError},
     search::{self, Aim, Bounded, Contact, Horizon, Reach, Verdict},
+    trace::{Cannot, Recorder, SearchEvent, Stopped},
     walk::{Walk, of_plan, to_plan},
 };
 
@@ -42,20 +45,58 @@ impl<'h> Task<'h> {
         }
     }
 
+    /// The same, told as a trace, under a budget that nothing was spent of.
+    pub(crate) fn traced(mut self, budget: Budget<'h>) -> Self {
+        let recorder = Recorder::new(names(&self), self.objective.clone());
+        self.budget = Rc::new(budget.traced(recorder));
+        self
+    }
+
     /// The horizon: what the person set, or the default of the problem's rules.
     pub(crate) fn horizon(&self, problem: &Problem) -> Horizon {
         Horizon::of(problem, self.instance.grid(), self.within, 0)
     }
 }
 
-/// The lexicographic optimum.
+/// The lexicographic optimum, with its trace where the budget writes one.
 pub(crate) fn solve(task: &Task) -> Solved {
+    let mut solved = untold(task);
+    task.budget.record(|_| end(task, &solved));
+    solved.answer.trace = task.budget.trace();
+    solved
+}
+
+/// The last event of a trace: what is known in the end.
+fn end(task: &Task, Solved { answer, clash, .. }: &Solved) -> SearchEvent {
+    match answer.status {
+        Status::Optimal => {
+            let costs = answer.costs.unwrap_or_default();
+            let known = task.objective.costs().iter();
+            SearchEvent::Met {
+                costs: sorting::map(known.map(|&cost| (cost, costs.get(cost)))),
+                within: answer.within,
+            }
+        }
+        Status::Impossible => SearchEvent::Impossible(Cannot {
+            agents: clash.clone(),
+            within: answer.within,
+        }),
+        Status::Feasible | Status::Unknown => SearchEvent::Stopped(Stopped {
+            reason: answer.reason.clone().unwrap_or_default(),
+            costs: answer.costs,
+            bounds: answer.bounds.clone(),
+        }),
+    }
+}
+
+fn untold(task: &Task) -> Solved {
     match Problem::new(&task.instance, &task.budget) {
         Ok(problem) => {
             let bounded = Bounded {
                 horizon: task.horizon(&problem),
                 limits: BTreeMap::new(),
             };
+            tell_alone(task, &problem);
             let verdict = best(task, &problem, &bounded);
             answer(task, &problem, verdict)
         }
@@ -74,10 +115,25 @@ pub(crate) fn solve(task: &Task) -> Solved {
     }
 }
 
+/// What each agent needs alone, where that is known at once.
+fn tell_alone(task: &Task, problem: &Problem) {
+    let budget = &task.budget;
+    match task.objective.costs().first() {
+        Some(Cost::Makespan) => budget.record_alone(Cost::Makespan, &problem.optima),
+        Some(Cost::SumOfCosts) if budget.is_traced() => {
+            let least = (0..problem.agents()).map(|agent| problem.least_cost(agent));
+            budget.record_alone(Cost::SumOfCosts, &least.collect::<Vec<u32>>());
+        }
+        _ => {}
+    }
+}
+
 /// An answer, with how far its claim reaches.
 pub(crate) struct Solved {
     pub(crate) answer: SolveAnswer,
     pub(crate) reach: Option<Reach>,
+    /// Agents that cannot all arrive, where there is no plan.
+    clash: Vec<String>,
 }
 
 /// The search for the best plan: it begins with the plan that is known, and
@@ -85,11 +141,12 @@ pub(crate) struct Solved {
 pub(crate) fn best(task: &Task, problem: &Problem, bounded: &Bounded) -> Verdict {
     let names = names(task);
     let start = start(task).and_then(|(plan, _)| of_plan(problem, &names, &plan));
-    let on_better = |walks: &[Walk]| {
+    let on_better = |walks: &[Walk], by| {
         let plan = to_plan(problem, &names, walks);
         let report = check(&task.instance, &plan);
         if let (true, Some(costs)) = (report.is_valid(), report.costs) {
             task.budget.report(&Progress::Plan { costs, plan });
+            task.budget.record(|_| SearchEvent::Plan { costs, by });
         }
     };
     let contact = Contact {
@@ -135,8 +192,16 @@ pub(crate) fn without_search(task: &Task, error: &ProblemError) -> Solved {
         ),
         ProblemError::Stopped(stop) => (Status::Unknown, None, stop.sentence().to_owned()),
     };
+    let clash = match *error {
+        ProblemError::Alone(agent, _) => vec![name(agent).to_owned()],
+        _ => Vec::new(),
+    };
     let answer = SolveAnswer::without_plan(status, reach, reason, task.budget.stats());
-    Solved { answer, reach }
+    Solved {
+        answer,
+        reach,
+        clash,
+    }
 }
 
 /// A verdict as an answer; its plan is judged before it is given away.
@@ -151,18 +216,17 @@ pub(crate) fn answer(task: &Task, problem: &Problem, verdict: Verdict) -> Solved
     });
     let (status, reach) = (judged.status, judged.reach);
     let (complete, within) = told(reach);
+    let clash: Vec<&str> = verdict
+        .clash
+        .iter()
+        .filter_map(|&i| names.get(i))
+        .map(String::as_str)
+        .collect();
     let reason = judged
         .stop
         .map(|stop| stop.sentence().to_owned())
-        .or_else(|| {
-            let clash: Vec<&str> = verdict
-                .clash
-                .iter()
-                .filter_map(|&i| names.get(i))
-                .map(String::as_str)
-                .collect();
-            (status == Status::Impossible).then(|| clash_sentence(&clash))
-        });
+        .or_else(|| (status == Status::Impossible).then(|| clash_sentence(&clash)));
+    let clash = clash.into_iter().map(str::to_owned).collect();
     let (plan, costs) = judged.plan.unzip();
     let answer = SolveAnswer {
         giveway: Version,
@@ -174,8 +238,13 @@ pub(crate) fn answer(task: &Task, problem: &Problem, verdict: Verdict) -> Solved
         reason,
         plan,
         stats: task.budget.stats(),
+        trace: None,
     };
-    Solved { answer, reach }
+    Solved {
+        answer,
+        reach,
+        clash,
+    }
 }
 
 /// Whom it concerns; the claim itself says at which horizon it holds.

@@ -12,7 +12,10 @@ export class Giveway {
 
   constructor(start = startWorker) {
     this.#start = start;
-    for (const call of ["solve", "check", "explain", "change", "audit", "freedom", "plan", "compare", "certify", "verify", "convert"]) {
+    for (const call of [
+      "solve", "check", "explain", "change", "audit", "freedom", "plan", "together", "compare", "certify", "verify",
+      "convert",
+    ]) {
       this[call] = (request, waiting) => this.#ask(call, request ?? null, waiting);
     }
     this.readFiles = (files, options, waiting) => this.#ask("readFiles", [files, options], waiting);

@@ -53,6 +53,8 @@ export interface SolveRequest {
   within?: number;
   /** A plan known already, to begin with; ignored where it breaks a rule or is beyond `within`. */
   start?: Plan;
+  /** Whether to tell how the plan was found and proved; not with `pareto`. */
+  trace?: boolean;
   limits?: Limits;
 }
 
@@ -80,6 +82,8 @@ export type Progress =
   | { event: "plan"; costs: Record<Cost, number>; plan: Plan }
   | { event: "size"; variables: number; clauses: number; conflicts: number }
   | { event: "explained"; answer: ExplainAnswer }
+  /** What a trace has more of by now. */
+  | { event: "traced"; events: TraceEvent[] }
   /** What is known so far; `pending` has the parts that are to come. */
   | { event: "freedom"; answer: FreedomAnswer }
   | { event: "certifying"; claim: string; checking: boolean };
@@ -115,6 +119,115 @@ export interface SolveAnswer {
   reason?: string;
   plan: Plan | null;
   stats: Stats;
+  /** Where it was asked for. */
+  trace?: SearchTrace;
+}
+
+/** How the best plan was found and proved: the first 200 steps and the last 2,000. */
+export interface SearchTrace {
+  giveway: 1;
+  objective: Cost[];
+  events: TraceEvent[];
+  /** How many steps there were between those. */
+  left_out: number;
+}
+
+/** A step of the search. */
+export type TraceEvent = {
+  /** Among all steps, from 0. */
+  number: number;
+  /** Conflicts of the SAT solver up to now. */
+  conflicts: number;
+  /** A sentence that is true by itself. */
+  text: string;
+} & (
+  | { event: "alone"; cost: Cost; agents: AgentLeast[]; at_least: number }
+  | {
+    event: "plan";
+    costs: Record<Cost, number>;
+    by: "given" | "alone" | "prioritised" | "lacam" | "repair" | "lns" | "solver" | "partly-solver" | "exhaustion";
+  }
+  /** The next cost, given those before it. */
+  | { event: "phase"; cost: Cost; given: Partial<Record<Cost, number>> }
+  | { event: "round"; cost: Cost }
+  | { event: "entered"; agents: { agent: string; with: string[] }[] }
+  | ({ event: "core" } & Core)
+  | { event: "closed"; cost: Cost; condition?: Condition; from: number; to: number; took: number }
+  | { event: "exhausted"; bounds: Partial<Record<Cost, number>> }
+  | { event: "restarted"; why: "more-time" | "horizon" }
+  | { event: "met"; costs: Partial<Record<Cost, number>>; within: number | null }
+  | { event: "impossible"; agents: string[]; within: number | null }
+  | { event: "stopped"; reason: string; costs: Record<Cost, number> | null; bounds: Partial<Record<Cost, number>> }
+);
+
+/** Limits that no plan keeps all at once, so that the bound rises. */
+export interface Core {
+  cost: Cost;
+  limits: AgentLimit[];
+  /** Earlier cores, by the numbers of their steps, of which no more than so many limits may be broken. */
+  sums?: { event: number; at_most: number }[];
+  /** What all robots of this core and those below it need beyond the least of each. */
+  together: { agents: AgentLeast[]; more: number } | null;
+  condition?: Condition;
+  from: number;
+  to: number;
+  /** Its size as first found, and once it was made smaller. */
+  literals: { before: number; after: number };
+  /** Conflicts that it took. */
+  took: number;
+}
+
+export interface AgentLeast {
+  agent: string;
+  /** What it needs alone. */
+  least: number;
+}
+
+export interface AgentLimit extends AgentLeast {
+  /** Of makespan and sum of costs: when it arrives at the latest. */
+  at_most: number;
+}
+
+/** Of which plans a claim is made; of all where it is not there. */
+export interface Condition {
+  given?: Partial<Record<Cost, number>>;
+  /** Plans with no more of the cost that is bounded. */
+  at_most?: number;
+  within?: number;
+  /** Plans of all robots, not of the named ones alone. */
+  others?: true;
+}
+
+/** Why can some robots not all keep their limits? */
+export interface TogetherRequest {
+  scene: Scene;
+  cost: Cost;
+  agents: AgentLimit[];
+  /** What they may have together beyond the least of each. */
+  more?: number;
+  /** Only plans of at most this makespan count. */
+  within?: number;
+  limits?: Limits;
+}
+
+export interface TogetherAnswer {
+  giveway: 1;
+  /** Where each can be, and from when to when, while it arrives in time. */
+  regions: { agent: string; by: number; cells: { cell: Cell; first: number; last: number }[] }[];
+  /** Where a robot has to be at a time, as far as that explains the meetings. */
+  passes: { agent: string; cell: Cell; time: number; rests: boolean }[];
+  /** Where two of them collide whichever ways they take. */
+  meetings: (
+    & { agents: [string, string]; time: number }
+    & ({ kind: "vertex" | "target"; cell: Cell } | { kind: "swap"; edge: [Cell, Cell] })
+  )[];
+  /** The search for these robots only; null where they are more than four. */
+  alone: {
+    scene: Scene;
+    solved: SolveAnswer;
+    /** Whether they cannot keep their limits even by themselves; null where that is open. */
+    refuted: boolean | null;
+  } | null;
 }
 
 /** The answer to a request with `pareto`: an answer a point. */
@@ -793,6 +906,9 @@ export function freedom(request: FreedomRequest, options?: Options): FreedomAnsw
 
 /** Finds a plan with a planner of the textbook. */
 export function plan(request: PlanRequest, options?: Options): PlanAnswer;
+
+/** Tells why some robots cannot all keep their limits: one step of a trace. */
+export function together(request: TogetherRequest, options?: Options): TogetherAnswer;
 
 /** Compares two plans of one scene. */
 export function compare(request: CompareRequest): Comparison;

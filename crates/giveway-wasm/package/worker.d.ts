@@ -1,7 +1,8 @@
 import type {
   AuditAnswer, AuditRequest, CertifyRequest, ChangeAnswer, ChangeRequest, CheckAnswer, CheckRequest, CompareRequest,
-  Comparison, ConvertAnswer, ConvertRequest, ExplainAnswer, ExplainRequest, Files, FreedomAnswer, FreedomRequest, FrontAnswer, PlanAnswer, PlanRequest, Progress, ReadOptions,
-  Report, Schema, SolveAnswer, SolveRequest, VerifyRequest,
+  Comparison, ConvertAnswer, ConvertRequest, ExplainAnswer, ExplainRequest, Files, FreedomAnswer, FreedomRequest, FrontAnswer,
+  PlanAnswer, PlanRequest, Progress, ReadOptions, Report, Schema, SolveAnswer, SolveRequest, TogetherAnswer, TogetherRequest,
+  VerifyRequest,
 } from "./types.js";
 
 export * from "./types.js";
@@ -25,6 +26,7 @@ export class Giveway {
   audit(request: AuditRequest, waiting?: Waiting): Promise<AuditAnswer>;
   freedom(request: FreedomRequest, waiting?: Waiting): Promise<FreedomAnswer>;
   plan(request: PlanRequest, waiting?: Waiting): Promise<PlanAnswer>;
+  together(request: TogetherRequest, waiting?: Waiting): Promise<TogetherAnswer>;
   compare(request: CompareRequest, waiting?: Waiting): Promise<Comparison>;
   readFiles(files: Record<string, string>, options?: ReadOptions, waiting?: Waiting): Promise<Files>;
   certify(request: CertifyRequest, waiting?: Waiting): Promise<Report>;

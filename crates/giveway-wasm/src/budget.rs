@@ -18,6 +18,7 @@ pub(crate) fn within_budget(mut request: Request) -> Request {
         Request::Change(change) => &mut change.limits,
         Request::Audit(audit) => &mut audit.limits,
         Request::Plan(plan) => &mut plan.limits,
+        Request::Together(together) => &mut together.limits,
         Request::Freedom(freedom) => &mut freedom.limits,
         Request::Check(_) => return request,
     };

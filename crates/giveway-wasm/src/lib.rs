@@ -16,6 +16,6 @@ pub use budget::MEMORY_BYTES;
 #[cfg(feature = "javascript")]
 pub use javascript::{
     audit, certify, change, check, compare_plans, convert, explain, freedom, plan, read_files,
-    read_moving_ai, read_plan, read_scene, schema, solve, verify,
+    read_moving_ai, read_plan, read_scene, schema, solve, together, verify,
 };
 pub use worker::{serve_basic_messages, serve_messages};

@@ -119,7 +119,7 @@ impl Joint {
             .collect();
         let mut found = Vec::new();
         let choices: Vec<&[Step]> = choices.iter().map(Vec::as_slice).collect();
-        self.combine(&choices, &mut Vec::new(), &mut |to, _, _| found.push(to));
+        self.combine(&choices, &mut Vec::new(), &mut |to, _| found.push(to));
         found
     }
 
@@ -130,6 +130,17 @@ impl Joint {
 
     /// The same with the agents that charge, a bit each.
     pub(crate) fn each_step(&self, states: &[usize], mut each: impl FnMut(Code, Price, u32)) {
+        self.each_of_all(states, |to, chosen| {
+            let price = chosen
+                .iter()
+                .fold(Price::default(), |sum, step| sum.and(step.price));
+            let charges = (0..chosen.len()).filter(|&i| chosen[i].price.charges > 0);
+            each(to, price, charges.fold(0, |set, i| set | 1 << i));
+        });
+    }
+
+    /// The same with the step of each agent.
+    pub(crate) fn each_of_all(&self, states: &[usize], mut each: impl FnMut(Code, &[Step])) {
         let choices: Vec<&[Step]> = self
             .agents
             .iter()
@@ -144,7 +155,7 @@ impl Joint {
         &self,
         choices: &[&[Step]],
         chosen: &mut Vec<Step>,
-        each: &mut impl FnMut(Code, Price, u32),
+        each: &mut impl FnMut(Code, &[Step]),
     ) {
         let a = chosen.len();
         let Some(steps) = choices.get(a) else {
@@ -152,15 +163,7 @@ impl Joint {
             if !self.in_order(&states) {
                 return;
             }
-            let price = chosen
-                .iter()
-                .fold(Price::default(), |sum, step| sum.and(step.price));
-            let charges = (0..chosen.len()).filter(|&i| chosen[i].price.charges > 0);
-            each(
-                self.encode(&states),
-                price,
-                charges.fold(0, |set, i| set | 1 << i),
-            );
+            each(self.encode(&states), chosen);
             return;
         };
         for &step in *steps {

@@ -19,6 +19,7 @@ mod every;
 mod joint;
 mod law;
 mod leniency;
+mod limited;
 mod lone;
 mod near;
 mod price;
@@ -37,6 +38,7 @@ pub use contrast::Contrast;
 pub use every::{Course, Every, Where, is_legal};
 use joint::Joint;
 pub use leniency::Leniency;
+pub use limited::{AtMost, least_alone, some_plan_keeps};
 pub use near::{Distance, least_distance};
 use search::{Aim, Limit, Search};
 

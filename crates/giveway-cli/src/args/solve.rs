@@ -22,6 +22,7 @@ Examples
   giveway solve warehouse.json
   giveway solve warehouse.json --objective charges,makespan --format json
   giveway solve empty-16-16-even-1.scen --agents 20 --time-limit 30
+  giveway solve warehouse.json --trace steps.json
   giveway solve warehouse.json --pareto --objective makespan,charges
   giveway solve warehouse.json --planner cbs --objective sum-of-costs --trace tree.json
 
@@ -58,8 +59,9 @@ pub(crate) struct Solve {
     /// not named come last [default: it looks for one]
     #[arg(long, value_name = "LIST", value_delimiter = ',', requires = "planner")]
     pub(crate) order: Option<Vec<String>>,
-    /// Write how the planner went into a file, as JSON
-    #[arg(long, value_name = "FILE", requires = "planner")]
+    /// Write into a file, as JSON, how the plan was found and proved, step by step; with --planner,
+    /// how the planner went
+    #[arg(long, value_name = "FILE", conflicts_with = "pareto")]
     pub(crate) trace: Option<PathBuf>,
     /// Write a certificate of what is proved into a new or empty folder: formulas, proofs, and
     /// a README; giveway verify checks it again

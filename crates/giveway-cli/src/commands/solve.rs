@@ -41,16 +41,22 @@ pub(crate) fn run(args: &Solve, common: &Common, clock: Clock) -> Result<Exit, F
         pareto: args.pareto,
         within: args.within,
         start: None,
+        trace: args.trace.is_some(),
         limits: limits(args, clock),
     });
     let host = CommandHost::new(clock, common.quiet, objective.clone());
     let response = serve(&request, &host);
     host.finish();
     match response {
-        Response::Solved(answer) => {
+        Response::Solved(mut answer) => {
+            // It goes into a file of its own.
+            let trace = answer.trace.take();
             output::answer(common.format, &answer, |columns| {
                 text::solve(&instance, &objective, &answer, columns)
             })?;
+            if let Some((path, trace)) = args.trace.as_deref().zip(trace) {
+                output::trace(path, &trace)?;
+            }
             if let Some(folder) = &args.proof {
                 let asker = proof::Asker {
                     time_limit: args.time_limit,

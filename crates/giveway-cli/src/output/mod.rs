@@ -13,11 +13,20 @@ pub(crate) mod text;
 pub(crate) mod words;
 
 pub(crate) use compared::{Compared, ComparedPlan};
-pub(crate) use json::text as json_text;
+
+use std::path::Path;
 
 use serde::Serialize;
 
 use crate::{args::Format, failure::Failure};
+
+/// Writes how a plan was found into a file of its own.
+pub(crate) fn trace(path: &Path, trace: &impl Serialize) -> Result<(), Failure> {
+    files::write_all(&[files::NewFile {
+        path: path.to_owned(),
+        text: json::text(trace)?,
+    }])
+}
 
 /// Writes an answer in the format asked for.
 ///

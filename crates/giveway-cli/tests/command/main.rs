@@ -24,3 +24,4 @@ mod proof;
 mod run;
 mod solve;
 mod sweep;
+mod traces;

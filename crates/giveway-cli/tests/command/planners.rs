@@ -143,7 +143,7 @@ fn options_that_do_not_fit_are_refused() {
         ),
         ("--planner cbs --pareto", "cannot be used with"),
         ("--planner cbs --proof folder", "cannot be used with"),
-        ("--trace trace.json", "--planner"),
+        ("--trace trace.json --pareto", "cannot be used with"),
         ("--order A1", "--planner"),
         ("--planner cbs --order A1", "expected it for prioritised"),
         ("--planner prioritised --order A9", "the name of a robot"),

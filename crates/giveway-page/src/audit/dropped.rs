@@ -40,6 +40,7 @@ impl Dropped {
             reason: None,
             plan: Some(plan),
             stats: Stats::default(),
+            trace: None,
         };
         let request = SolveRequest {
             scene: draft.scene().clone(),

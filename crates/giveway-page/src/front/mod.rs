@@ -81,6 +81,7 @@ impl Front {
             reason: None,
             plan: None,
             stats: Stats::default(),
+            trace: None,
         };
         Rc::new(Answer::new(
             Rc::clone(&self.draft),

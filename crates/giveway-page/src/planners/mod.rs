@@ -142,5 +142,6 @@ pub(crate) fn solved(told: &PlanAnswer) -> Option<SolveAnswer> {
             cpu_seconds: told.stats.cpu_seconds,
             ..Stats::default()
         },
+        trace: None,
     })
 }

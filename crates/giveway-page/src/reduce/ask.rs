@@ -189,6 +189,7 @@ fn show(state: &mut State, repair: Repair) {
         reason: None,
         plan: Some(repair.plan),
         stats: Stats::default(),
+        trace: None,
     };
     let answer = Answer::new(Rc::clone(&run.draft), Rc::clone(&run.request), solved);
     let document = Document {

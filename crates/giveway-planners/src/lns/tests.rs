@@ -33,7 +33,7 @@ fn planned(seed: u64) -> Option<(Instance, Problem, Vec<Walk>)> {
     let budget = Unlimited::default();
     let problem = Problem::new(&instance, &budget).ok()?;
     let apart = apart(&problem, &budget).unwrap();
-    let walks = first_plan(&problem, apart, EFFORT.horizon, &budget).unwrap()?;
+    let (walks, _) = first_plan(&problem, apart, EFFORT.horizon, &budget).unwrap()?;
     Some((instance, problem, walks))
 }
 

@@ -62,7 +62,7 @@ fn improve(
     let problem = asked.problem;
     let (horizon, objective) = (asked.horizon(), asked.objective);
     let walks = apart(problem, budget)?;
-    let Some(mut walks) = first_plan(problem, walks, horizon, budget)? else {
+    let Some((mut walks, _)) = first_plan(problem, walks, horizon, budget)? else {
         return Ok(());
     };
     best.offer(&walks);

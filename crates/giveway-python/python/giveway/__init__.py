@@ -3,17 +3,17 @@
 from giveway._door import Progress
 from giveway._native import VERSION as __version__
 from giveway.answers import (
-    Answer, AuditAnswer, ChangeAnswer, ChangeStep, Converted, Costs, Explanation, Front, MethodAnswer,
+    Answer, AuditAnswer, ChangeAnswer, ChangeStep, Converted, Costs, Explanation, Freedom, Front, MethodAnswer,
     PlannerAnswer, Report, Stats, Verdict, Violation,
 )
 from giveway.errors import BadInput, BadScene, BadText, Broken, Fault, GivewayError
-from giveway.functions import audit, change, check, convert, explain, pareto, schema, solve, verify
+from giveway.functions import audit, change, check, convert, explain, freedom, pareto, schema, solve, verify
 from giveway.plan import Animation, Plan
 from giveway.scene import Agent, Battery, Cell, Cost, Rules, Scene
 
 __all__ = [
     "Agent", "Animation", "Answer", "AuditAnswer", "BadInput", "BadScene", "BadText", "Battery", "Broken", "Cell",
-    "ChangeAnswer", "ChangeStep", "Converted", "Cost", "Costs", "Explanation", "Fault", "Front", "GivewayError",
+    "ChangeAnswer", "ChangeStep", "Converted", "Cost", "Costs", "Explanation", "Fault", "Freedom", "Front", "GivewayError",
     "MethodAnswer", "Plan", "PlannerAnswer", "Progress", "Report", "Rules", "Scene", "Stats", "Verdict", "Violation",
-    "__version__", "audit", "change", "check", "convert", "explain", "pareto", "schema", "solve", "verify",
+    "__version__", "audit", "change", "check", "convert", "explain", "freedom", "pareto", "schema", "solve", "verify",
 ]

@@ -12,6 +12,7 @@ from giveway.plan import Plan
 from giveway.scene import Cell, Cost, Scene
 
 Status = Literal["optimal", "feasible", "impossible", "unknown"]
+FreedomPart = Literal["backbone", "slack", "plans", "critical", "farthest"]
 Planner = Literal["prioritised", "cbs", "pibt", "lacam", "lns"]
 
 
@@ -54,6 +55,8 @@ class Answer(Record):
     stats: Stats
     #: Why there is no plan or no proof.
     reason: str | None = optional()
+    #: How it was found and proved, where that was asked for.
+    trace: dict[str, Any] | None = optional()
 
 
 @dataclass(frozen=True)
@@ -153,6 +156,41 @@ class Explanation(Record):
     optimal: bool | None = optional()
     excess: tuple[dict[str, Any], ...] = optional(default=())
     pending: tuple[str, ...] = optional(default=())
+
+
+@dataclass(frozen=True)
+class Freedom(Record):
+    """The answer of ``freedom``: what every best plan has in common, and what is free to choose.
+
+    ``True`` is proved, ``False`` is shown by a best plan, ``None`` is open.
+    """
+
+    document: ClassVar[bool] = True
+
+    #: What is known of the plan; the parts are there only where it is ``optimal``.
+    status: Status
+    objective: tuple[Cost, ...]
+    #: Which plan it is about.
+    about: Literal["given", "found", "better"]
+    costs: Costs | None
+    plan: Plan | None
+    complete: bool
+    within: int | None
+    stats: Stats
+    #: The entries of each agent's path: whether every best plan has them, or only this one.
+    backbone: Mapping[str, tuple[dict[str, Any], ...]] | None = optional()
+    #: How many best plans there are, and the ways that each agent can choose from.
+    plans: dict[str, Any] | None = optional()
+    #: Another best plan, as different as can be.
+    farthest: dict[str, Any] | None = optional()
+    #: How late each agent could be.
+    slack: Mapping[str, dict[str, Any]] | None = optional()
+    #: What closing each free cell would cost.
+    critical: tuple[dict[str, Any], ...] | None = optional()
+    #: The parts that are not finished.
+    pending: tuple[str, ...] = optional(default=())
+    #: Why something is open.
+    reason: str | None = optional()
 
 
 @dataclass(frozen=True)

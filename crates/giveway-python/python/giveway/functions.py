@@ -10,7 +10,7 @@ from typing import Any, Union, overload
 
 from giveway._door import OnProgress, ShouldStop, call, data, limits, without_none
 from giveway.answers import (
-    Answer, AuditAnswer, ChangeAnswer, Converted, Explanation, Front, Planner, PlannerAnswer, Report, Verdict, on,
+    Answer, AuditAnswer, ChangeAnswer, Converted, Explanation, Freedom, FreedomPart, Front, Planner, PlannerAnswer, Report, Verdict, on,
 )
 from giveway.plan import Plan
 from giveway.scene import Cost, Scene
@@ -32,8 +32,9 @@ def _scene(scene: AnyScene) -> Scene | None:
 @overload
 def solve(
     scene: AnyScene, *, objective: Objective | None = None, planner: None = None, within: int | None = None,
-    start: AnyPlan | None = None, time_limit: float | None = None, conflict_limit: int | None = None,
-    memory_limit: int | None = None, on_progress: OnProgress | None = None, should_stop: ShouldStop | None = None,
+    start: AnyPlan | None = None, trace: bool = False, time_limit: float | None = None,
+    conflict_limit: int | None = None, memory_limit: int | None = None, on_progress: OnProgress | None = None,
+    should_stop: ShouldStop | None = None,
 ) -> Answer: ...
 @overload
 def solve(
@@ -61,7 +62,7 @@ def solve(
     request = without_none(scene=data(scene), objective=_objective(objective), within=within)
     request["limits"] = limits(time_limit, conflict_limit, memory_limit)
     if planner is None:
-        request |= without_none(start=start)
+        request |= without_none(start=start, trace=trace)
         solved = call("solve", request, on_progress, should_stop)
         return on(_scene(scene), Answer.from_dict(solved))
     request |= without_none(planner=planner, order=order, trace=trace)
@@ -133,6 +134,28 @@ def audit(
     request = without_none(scene=scene, plan=plan, objective=_objective(objective), within=within)
     request["limits"] = limits(time_limit, conflict_limit, memory_limit)
     return on(_scene(scene), AuditAnswer.from_dict(call("audit", request, on_progress, should_stop)))
+
+
+def freedom(
+    scene: AnyScene, plan: AnyPlan | None = None, *, parts: Sequence[FreedomPart] = (), count: int | None = None,
+    objective: Objective | None = None, within: int | None = None, time_limit: float | None = None,
+    conflict_limit: int | None = None, memory_limit: int | None = None, on_progress: OnProgress | None = None,
+    should_stop: ShouldStop | None = None,
+) -> Freedom:
+    """Tells what every best plan has in common, how many there are (up to ``count``), how late each
+    agent could be, what closing each cell would cost, and another best plan as different as can be.
+
+    Without a plan the scene is solved first; without ``parts`` all of them are told.
+
+    >>> from giveway import Agent, Scene
+    >>> scene = Scene(map=("..", ".."), agents=(Agent("A", (0, 0), (1, 1)),))
+    >>> freedom(scene).plans["count"]
+    2
+    """
+    request = without_none(
+        scene=scene, plan=plan, parts=parts, count=count, objective=_objective(objective), within=within)
+    request["limits"] = limits(time_limit, conflict_limit, memory_limit)
+    return on(_scene(scene), Freedom.from_dict(call("freedom", request, on_progress, should_stop)))
 
 
 def convert(files: Mapping[str, str] | Sequence[str | PathLike[str]], to: str, agents: int | None = None) -> Converted:

@@ -77,7 +77,7 @@ fn search(
     bounded: &Bounded,
     freed: &BTreeSet<usize>,
 ) -> Verdict {
-    let on_better = |walks: &[Walk]| {
+    let on_better = |walks: &[Walk], _| {
         if let Some((plan, costs)) = judged(case, problem, freed, walks, &[]) {
             case.budget.report(&Progress::Plan { costs, plan });
         }

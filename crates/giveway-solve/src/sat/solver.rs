@@ -52,6 +52,8 @@ pub(crate) struct Sat<'h> {
     verify: bool,
     /// Literals of the last core that are known to be needed in it.
     pub(super) needed: Vec<Lit>,
+    /// The literals of the last core as varisat stated it.
+    stated: usize,
 }
 
 impl<'h> Sat<'h> {
@@ -75,6 +77,7 @@ impl<'h> Sat<'h> {
             buffer: Vec::new(),
             verify: true,
             needed: Vec::new(),
+            stated: 0,
         }
     }
 
@@ -110,6 +113,7 @@ impl<'h> Sat<'h> {
             return Ok(None);
         };
         self.needed.clear();
+        self.stated = core.len();
         if !self.verify {
             return Ok(Some(core));
         }
@@ -151,6 +155,12 @@ impl<'h> Sat<'h> {
         }
         self.needed = needed;
         Ok(proved)
+    }
+
+    /// The literals of the last core as varisat stated it, before it was verified and
+    /// made smaller.
+    pub(crate) const fn stated(&self) -> usize {
+        self.stated
     }
 
     /// The clauses derived in the whole request so far.

@@ -75,7 +75,7 @@ pub(crate) fn closest(
 ) -> Result<Option<Close>, Stop> {
     let objective = giveway_model::Objective::default();
     let latest = bounded.horizon.latest();
-    let mut incumbent = Incumbent::new(objective, latest, bounded.limits.clone(), &|_| {});
+    let mut incumbent = Incumbent::new(objective, latest, bounded.limits.clone(), &|_, _| {});
     let walks: Vec<Walk> = before.iter().map(|it| it.walk.clone()).collect();
     let subject = Subject {
         problem,

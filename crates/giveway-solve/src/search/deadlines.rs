@@ -23,6 +23,8 @@ pub(crate) enum Keeping {
 enum Reason {
     /// What is claimed excludes it at any horizon.
     Claim,
+    /// So does the best plan: only worse ones arrive later.
+    Best,
     /// It lies beyond the horizon.
     Horizon,
 }
@@ -94,13 +96,22 @@ impl Deadlines {
     /// Excludes later arrivals of an agent, as what is claimed does; whether
     /// that is news.
     pub(super) fn lower(&mut self, agent: AgentId, latest: u32) -> bool {
+        self.lower_for(agent, latest, Reason::Claim)
+    }
+
+    /// The same, as only plans worse than the best one have later arrivals.
+    pub(super) fn lower_by_best(&mut self, agent: AgentId, latest: u32) -> bool {
+        self.lower_for(agent, latest, Reason::Best)
+    }
+
+    fn lower_for(&mut self, agent: AgentId, latest: u32, reason: Reason) -> bool {
         let cap = &mut self.caps[agent];
         if latest >= cap.latest {
             return false;
         }
         *cap = Cap {
             latest,
-            reason: Reason::Claim,
+            reason,
             is_clause: false,
         };
         true
@@ -141,10 +152,21 @@ impl Deadlines {
         (covered < until).then(|| covered.saturating_add(delay).min(until))
     }
 
+    /// The horizon, where a cap of it became a clause.
+    pub(super) fn horizon_in_force(&self) -> Option<u32> {
+        self.entered.then_some(self.latest)
+    }
+
+    /// Whether only plans worse than the best one are known to have later arrivals of
+    /// an agent.
+    pub(super) fn is_of_best(&self, agent: AgentId) -> bool {
+        self.caps[agent].reason == Reason::Best
+    }
+
     /// Whether what was shown under the caps of these agents, and of no others,
     /// was shown without the horizon.
     pub(super) fn free_of_horizon(&self, agents: &[AgentId]) -> bool {
-        let claimed = |&agent: &AgentId| self.caps[agent].reason == Reason::Claim;
+        let claimed = |&agent: &AgentId| self.caps[agent].reason != Reason::Horizon;
         !self.entered && agents.iter().all(claimed)
     }
 }

@@ -44,6 +44,18 @@ pub(crate) enum Growing {
 pub(crate) struct AssumptionCore {
     lits: Vec<Lit>,
     agents: Vec<AgentId>,
+    effort: CoreEffort,
+}
+
+/// What it took to find a core.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct CoreEffort {
+    /// Its literals before it was verified and made smaller.
+    pub(crate) stated: usize,
+    /// Its literals in the end.
+    pub(crate) literals: usize,
+    /// Conflicts.
+    pub(crate) conflicts: u64,
 }
 
 /// Only [`Search::solve_growing`] makes one, so that a core is a proof.
@@ -56,6 +68,11 @@ impl AssumptionCore {
     /// The agents whose deadlines are among them.
     pub(crate) fn agents(&self) -> &[AgentId] {
         &self.agents
+    }
+
+    /// What it took to find it.
+    pub(crate) const fn effort(&self) -> CoreEffort {
+        self.effort
     }
 }
 
@@ -93,9 +110,11 @@ impl Search<'_, '_, '_> {
         }
         let mut assumptions = assumptions;
         assumptions.extend(guards.keys());
+        let before = self.allowed.budget.conflicts();
         let Outcome::Unsat(mut core) = self.team.solve(&assumptions)? else {
             return Ok(Growing::Model);
         };
+        let stated = self.team.stated();
         if self.minimises_cores() {
             core = self.team.minimise(core)?;
         }
@@ -114,6 +133,15 @@ impl Search<'_, '_, '_> {
         if grown {
             return Ok(Growing::Grown(core.len()));
         }
-        Ok(Growing::Core(AssumptionCore { lits: core, agents }))
+        let effort = CoreEffort {
+            stated,
+            literals: core.len(),
+            conflicts: self.allowed.budget.conflicts() - before,
+        };
+        Ok(Growing::Core(AssumptionCore {
+            lits: core,
+            agents,
+            effort,
+        }))
     }
 }

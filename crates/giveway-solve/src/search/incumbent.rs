@@ -5,13 +5,15 @@ use std::collections::BTreeMap;
 use giveway_model::{Cost, Costs, Objective};
 
 use crate::{
+    first::First,
     local::{Others, Reservations},
     problem::Problem,
+    trace::FoundBy,
     walk::{Walk, arrival, costs},
 };
 
-/// Is told of each better plan.
-pub(crate) type OnBetter<'a> = dyn Fn(&[Walk]) + 'a;
+/// Is told of each better plan, and who found it.
+pub(crate) type OnBetter<'a> = dyn Fn(&[Walk], FoundBy) + 'a;
 
 /// The best plan so far of those that keep within the limits.
 pub(crate) struct Incumbent<'a> {
@@ -39,7 +41,7 @@ impl<'a> Incumbent<'a> {
     }
 
     /// Keeps a plan if it is better than the best; true if it was.
-    pub(crate) fn offer(&mut self, problem: &Problem, walks: &[Walk]) -> bool {
+    pub(crate) fn offer(&mut self, problem: &Problem, walks: &[Walk], by: FoundBy) -> bool {
         let costs = costs(problem, walks);
         let kept = self
             .limits
@@ -54,7 +56,7 @@ impl<'a> Incumbent<'a> {
             return false;
         }
         self.best = Some((walks.to_vec(), costs));
-        (self.on_better)(walks);
+        (self.on_better)(walks, by);
         true
     }
 
@@ -75,6 +77,16 @@ impl<'a> Incumbent<'a> {
 
     pub(crate) fn objective(&self) -> &Objective {
         &self.objective
+    }
+}
+
+impl From<First> for FoundBy {
+    fn from(first: First) -> Self {
+        match first {
+            First::Prioritised => Self::Prioritised,
+            First::Lacam => Self::Lacam,
+            First::Repair => Self::Repair,
+        }
     }
 }
 

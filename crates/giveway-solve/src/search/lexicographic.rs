@@ -22,6 +22,7 @@ use crate::{
     lns::{Effort, Lns},
     local::apart,
     problem::Problem,
+    trace::FoundBy,
     walk::Walk,
 };
 
@@ -53,7 +54,7 @@ pub(crate) fn find(
 ) -> Verdict {
     let contact = Contact {
         start: None,
-        on_better: &|_| {},
+        on_better: &|_, _| {},
     };
     find_from(problem, objective, bounded, aim, &contact, budget)
 }
@@ -81,7 +82,7 @@ fn find_from(
         contact.on_better,
     );
     if let Some(walks) = contact.start {
-        incumbent.offer(problem, walks);
+        incumbent.offer(problem, walks, FoundBy::Given);
     }
     let mut verdict = Verdict {
         best: None,
@@ -131,13 +132,13 @@ fn run(given: Given, incumbent: &mut Incumbent, verdict: &mut Verdict) -> Result
     }
     let walks = apart(problem, budget)?;
     if free_of_collisions(problem, &walks) {
-        incumbent.offer(problem, &walks);
+        incumbent.offer(problem, &walks, FoundBy::Alone);
     } else if *aim == Aim::Best
         && incumbent.costs().is_none()
         // (Where any will do, SAT finds one as soon, and else refutes it.)
-        && let Some(plan) = first_plan(problem, walks.clone(), bounded.latest(), budget)?
+        && let Some((plan, by)) = first_plan(problem, walks.clone(), bounded.latest(), budget)?
     {
-        incumbent.offer(problem, &plan);
+        incumbent.offer(problem, &plan, by.into());
         first_polish(given, plan, incumbent)?;
     }
     if incumbent.costs().is_none() {
@@ -196,7 +197,7 @@ fn first_polish(given: Given, mut plan: Vec<Walk>, incumbent: &mut Incumbent) ->
             enough: 0,
         };
         let better = lns.improve(given.problem, &mut plan, effort, &objective, given.budget);
-        incumbent.offer(given.problem, &plan);
+        incumbent.offer(given.problem, &plan, FoundBy::Lns);
         if !better? {
             break;
         }

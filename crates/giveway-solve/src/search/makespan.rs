@@ -22,6 +22,7 @@ pub(crate) fn run(search: &mut Search, bound: &mut u32) -> Result<End, Stop> {
     *bound = trial;
     search.report_bound(Cost::Makespan, trial);
     search.begin(Cost::Makespan);
+    search.tell_phase(Cost::Makespan)?;
     search.minimise_cores(false);
     loop {
         if search.incumbent_meets(Cost::Makespan, trial) {
@@ -39,7 +40,8 @@ pub(crate) fn run(search: &mut Search, bound: &mut u32) -> Result<End, Stop> {
             }
             Growing::Grown(_) => search.polish(Cost::Makespan, trial)?,
             Growing::Core(core) if core.lits().is_empty() => return Ok(End::None),
-            Growing::Core(_) => {
+            Growing::Core(core) => {
+                search.tell_too_late(&core, trial);
                 trial += 1;
                 *bound = trial;
                 search.report_bound(Cost::Makespan, trial);

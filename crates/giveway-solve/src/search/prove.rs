@@ -2,7 +2,7 @@
 
 use std::rc::Rc;
 
-use giveway_model::Cost;
+use giveway_model::{Cost, sorting};
 
 use super::{
     aim::{Aim, Bounded, Verdict},
@@ -18,6 +18,7 @@ use crate::{
     budget::{Budget, Stop},
     joint,
     problem::Problem,
+    trace::{Restart, SearchEvent},
     walk::Walk,
 };
 
@@ -102,8 +103,12 @@ pub(super) fn or_exhausted<T>(
     budget.check()?;
     if let Some(optima) = for_ever::best(problem, given.bounded, incumbent, budget)? {
         verdict.bounds = optima.bounds;
+        let bounds = verdict.bounds.clone();
+        budget.record(|_| SearchEvent::Exhausted { bounds });
         return Ok(all_shown(Shown::Claim(optima.reason)));
     }
+    let why = Restart::MoreTime;
+    budget.record(|_| SearchEvent::Restarted { why });
     by_sat(given, incumbent, verdict)
 }
 
@@ -121,6 +126,8 @@ fn prove_by_sat(
         ..
     } = given;
     if let Some((cost, known)) = for_ever::known_for_ever(problem, bounded, incumbent, budget)? {
+        let bounds = sorting::map([(cost, known.least)]);
+        budget.record(|_| SearchEvent::Exhausted { bounds });
         let mut limited = bounded.clone();
         limited.limits.insert(cost, known.least);
         let limited = Given {
@@ -132,6 +139,8 @@ fn prove_by_sat(
         }
         // Its plans all need more time than the horizon allows.
         verdict.bounds.clear();
+        let why = Restart::Horizon;
+        budget.record(|_| SearchEvent::Restarted { why });
     }
     let shown = stages(given, walks, None, incumbent, verdict)?;
     shown.ok_or(Stop::Contradiction) // a plan is at hand, so there is one
@@ -174,6 +183,9 @@ fn stages(
             return Ok(None);
         };
         search.finish(cost, least);
+        if !last {
+            search.tell_met();
+        }
         if i == 0 && cost == Cost::Makespan {
             search = search.afresh(least, walks);
             search.keep_limits(bounded)?;

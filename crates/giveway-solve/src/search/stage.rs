@@ -9,6 +9,7 @@ mod caps;
 mod enter;
 mod limits;
 mod polish;
+mod tell;
 
 use std::collections::BTreeMap;
 use std::rc::Rc;
@@ -23,7 +24,8 @@ use super::{
     team::Team,
 };
 use crate::{
-    budget::Budget, encode::limit::SumLimit, problem::Problem, progress::Progress, walk::Walk,
+    budget::Budget, encode::limit::SumLimit, problem::Problem, progress::Progress, sat::Lit,
+    walk::Walk,
 };
 
 pub(super) use limits::{LimitTooLow, asked_below_minimum};
@@ -80,6 +82,17 @@ struct Stages {
     at_minima: Vec<Cost>,
     /// Whether cores are made smaller.
     minimises: bool,
+    /// What was excluded that only worse plans do, in the stage under way.
+    worse: Worse,
+}
+
+/// Plans that are worse than the best one may be excluded.
+#[derive(Clone, Copy, Default)]
+struct Worse {
+    /// The most that plans may have of the cost under way which are not excluded.
+    at_most: Option<u32>,
+    /// Whether a clause says so by now.
+    in_force: bool,
 }
 
 impl<'p, 'h, 'b> Search<'p, 'h, 'b> {
@@ -111,6 +124,7 @@ impl<'p, 'h, 'b> Search<'p, 'h, 'b> {
 
     /// Marks a cost as under way.
     pub(crate) fn begin(&mut self, cost: Cost) {
+        self.stages.worse = Worse::default();
         if !self.stages.begun.contains(&cost) {
             self.stages.begun.push(cost);
         }
@@ -180,6 +194,18 @@ impl<'p, 'h, 'b> Search<'p, 'h, 'b> {
     pub(crate) fn best(&self, cost: Cost) -> Option<u32> {
         let best = self.incumbent.costs()?.get(cost);
         self.incumbent_meets(cost, best).then_some(best)
+    }
+
+    /// From now on plans may be excluded that have more than this of the cost under
+    /// way.
+    pub(crate) const fn exclude_worse(&mut self, at_most: u32) {
+        self.stages.worse.at_most = Some(at_most);
+    }
+
+    /// Makes a literal hold that all plans keep but those that are excluded.
+    pub(crate) fn harden_for_better(&mut self, lit: Lit) {
+        self.stages.worse.in_force = true;
+        self.team.harden(lit);
     }
 
     /// Tells the host a proved bound.

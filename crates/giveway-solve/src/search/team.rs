@@ -7,7 +7,7 @@
 
 mod others;
 
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
 use std::rc::Rc;
 
 use giveway_model::Cost;
@@ -206,6 +206,11 @@ impl<'p, 'h> Team<'p, 'h> {
         Ok(least)
     }
 
+    /// The same, where it was asked before.
+    pub(crate) fn known_least(&self, agent: AgentId, cost: Cost) -> u32 {
+        self.minima.get(&(agent, cost)).copied().unwrap_or(0)
+    }
+
     /// Makes a literal hold for good.
     pub(crate) fn harden(&mut self, lit: Lit) {
         self.sat.clause(&[lit]);
@@ -228,6 +233,11 @@ impl<'p, 'h> Team<'p, 'h> {
         self.sat.refute(assumptions)
     }
 
+    /// The literals of the last core before it was verified and made smaller.
+    pub(crate) const fn stated(&self) -> usize {
+        self.sat.stated()
+    }
+
     /// Makes the core of the last call smaller, where that is cheap.
     pub(crate) fn minimise(&mut self, core: Vec<Lit>) -> Result<Vec<Lit>, Stop> {
         self.sat.minimise(core)
@@ -244,8 +254,8 @@ impl<'p, 'h> Team<'p, 'h> {
     }
 
     /// Plans outside agents around everyone else, and returns those that still
-    /// collide: they must enter.
-    pub(crate) fn collide(&mut self) -> Result<Vec<AgentId>, Stop> {
+    /// collide, each with whom it meets: they must enter.
+    pub(crate) fn collide(&mut self) -> Result<BTreeMap<AgentId, BTreeSet<AgentId>>, Stop> {
         let mut all = Reservations::of(self.problem, &self.walks);
         for agent in 0..self.walks.len() {
             if self.is_inside(agent) || all.met_by(agent, &self.walks[agent]).is_empty() {
@@ -263,9 +273,8 @@ impl<'p, 'h> Team<'p, 'h> {
             }
             all.add(agent, &self.walks[agent]);
         }
-        let colliding = (0..self.walks.len()).filter(|&agent| {
-            !self.is_inside(agent) && !all.met_by(agent, &self.walks[agent]).is_empty()
-        });
-        Ok(colliding.collect())
+        let outside = (0..self.walks.len()).filter(|&agent| !self.is_inside(agent));
+        let met = outside.map(|agent| (agent, all.met_by(agent, &self.walks[agent])));
+        Ok(map(met.filter(|(_, met)| !met.is_empty())))
     }
 }

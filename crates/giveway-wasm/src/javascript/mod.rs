@@ -19,6 +19,7 @@ use giveway_solve::audit::AuditRequest;
 use giveway_solve::change::ChangeRequest;
 use giveway_solve::freedom::FreedomRequest;
 use giveway_solve::plan::PlanRequest;
+use giveway_solve::together::TogetherRequest;
 use giveway_solve::{
     CertifyRequest, CheckRequest, Host, Limits, Progress, Refusal, Request, Response, SolveRequest,
     explain::ExplainRequest, serve,
@@ -126,6 +127,19 @@ pub fn plan(request: &JsValue, options: &JsValue) -> Result<JsValue, JsValue> {
         request,
         options,
         Request::Plan as fn(PlanRequest) -> Request,
+    )
+}
+
+/// Tells why some agents cannot all keep their limits.
+///
+/// # Errors
+/// As [`solve`]; also where an agent is none.
+#[wasm_bindgen(skip_typescript)]
+pub fn together(request: &JsValue, options: &JsValue) -> Result<JsValue, JsValue> {
+    serve_with(
+        request,
+        options,
+        Request::Together as fn(TogetherRequest) -> Request,
     )
 }
 
@@ -244,6 +258,7 @@ fn respond(request: Request, host: &dyn Host) -> Result<JsValue, JsValue> {
         Response::Changed(answer) => objects::write(&answer),
         Response::Audited(answer) => objects::write(&answer),
         Response::Planned(answer) => objects::write(&answer),
+        Response::Together(answer) => objects::write(&answer),
         Response::Freedom(answer) => objects::write(&answer),
         Response::Refused(refusal) => Err(refused(refusal)),
     }

@@ -5,6 +5,8 @@ use giveway_proof::{Checked, Claim, Report};
 use giveway_solve::audit::AuditRequest;
 use giveway_solve::change::{ChangeRequest, Method};
 use giveway_solve::plan::{PlanRequest, Planner};
+use giveway_solve::together::TogetherRequest;
+use giveway_solve::trace::{Core, SearchEvent};
 use giveway_solve::{
     CertifyRequest, CheckAnswer, CheckRequest, FrontAnswer, Limits, Progress, Refusal, Request,
     Response, SilentHost, SolveRequest, Status, serve,
@@ -50,6 +52,7 @@ fn solve_request() -> SolveRequest {
         pareto: true,
         within: Some(30),
         start: Some(some_plan()),
+        trace: true,
         limits: Limits {
             seconds: Some(0.5),
             conflicts: Some(u64::MAX),
@@ -166,6 +169,42 @@ fn plans_of_the_textbook_come_back() {
         check_ask(request);
         check_response(response);
     }
+}
+
+#[test]
+fn traces_and_their_steps_come_back() {
+    let text = r#"{ "giveway": 1, "map": [".##.", "....", ".##."], "agents": [
+        { "name": "A", "start": [0, 1], "goal": [3, 1] },
+        { "name": "B", "start": [3, 1], "goal": [0, 1] }] }"#;
+    let scene = native::read_scene(text).unwrap();
+    let request = Request::Solve(SolveRequest {
+        scene: scene.clone(),
+        trace: true,
+        ..SolveRequest::default()
+    });
+    let response = serve(&request, &SilentHost);
+    let Response::Solved(answer) = &response else {
+        panic!("{response:?}");
+    };
+    let events = answer.trace.clone().unwrap().events;
+    let cores = events.iter().filter_map(|event| match &event.event {
+        SearchEvent::Core(core) => Some(core),
+        _ => None,
+    });
+    let cores: Vec<&Core> = cores.collect();
+    assert!(!cores.is_empty());
+    for core in cores {
+        let request = Request::Together(TogetherRequest::about(core, scene.clone()));
+        let response = serve(&request, &SilentHost);
+        assert!(matches!(&response, Response::Together(_)), "{response:?}");
+        check_ask(request);
+        check_response(response);
+    }
+    check_message(&Message::Progress {
+        id: 7,
+        event: Progress::Traced { events },
+    });
+    check_response(response);
 }
 
 #[test]

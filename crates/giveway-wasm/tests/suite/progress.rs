@@ -33,6 +33,40 @@ fn bounds_and_plans_are_told_on_the_way_and_agree_with_the_answer() {
 }
 
 #[wasm_bindgen_test]
+fn a_trace_is_told_on_the_way_and_a_step_of_it_can_be_asked_about() {
+    let scene = json!({
+        "giveway": 1,
+        "map": [".##.", "....", ".##."],
+        "agents": [
+            { "name": "A", "start": [0, 1], "goal": [3, 1] },
+            { "name": "B", "start": [3, 1], "goal": [0, 1] }
+        ]
+    });
+    let request = object(&json!({ "scene": scene, "trace": true }));
+    let options = js("(() => { const heard = []; \
+        return { heard, options: { onProgress: (event) => heard.push(event) } }; })()");
+    let get = |key: &str| Reflect::get(&options, &key.into()).unwrap();
+    let answer = data(&giveway_wasm::solve(&request, &get("options")).unwrap());
+    let heard = data(&get("heard"));
+    let traced = heard.as_array().unwrap().iter();
+    let traced = traced.filter(|event| event["event"] == "traced");
+    let told: Vec<&Value> = traced
+        .flat_map(|event| event["events"].as_array().unwrap())
+        .collect();
+    let events = answer["trace"]["events"].as_array().unwrap();
+    assert_eq!(told, events.iter().collect::<Vec<&Value>>());
+    let core = events
+        .iter()
+        .find(|event| event["event"] == "core")
+        .unwrap();
+    let asked = json!({ "scene": scene, "cost": core["cost"], "agents": core["limits"] });
+    let together = giveway_wasm::together(&object(&asked), &js("undefined")).unwrap();
+    let together = data(&together);
+    assert_eq!(together["alone"]["refuted"], true);
+    assert_eq!(together["meetings"][0]["kind"], "swap");
+}
+
+#[wasm_bindgen_test]
 fn a_callback_may_itself_solve() {
     let request = object(&json!({ "scene": warehouse() }));
     let options = Object::new();

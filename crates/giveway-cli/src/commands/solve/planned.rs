@@ -1,11 +1,9 @@
 //! `giveway solve --planner`: a plan by a planner of the textbook.
 
-use std::path::Path;
-
 use giveway_model::{Instance, Objective};
 use giveway_solve::{
     Request, Response,
-    plan::{PlanAnswer, PlanEnd, PlanRequest, PlanTrace, Planner},
+    plan::{PlanAnswer, PlanEnd, PlanRequest, Planner},
     serve,
 };
 
@@ -16,11 +14,7 @@ use crate::{
     commands::{refused, unexpected},
     exit::Exit,
     failure::Failure,
-    output::{
-        self,
-        files::{self, NewFile},
-        text,
-    },
+    output::{self, text},
     progress::CommandHost,
 };
 
@@ -56,20 +50,13 @@ pub(super) fn run(
                 text::planned(instance, &answer, columns)
             })?;
             if let Some((path, trace)) = args.trace.as_deref().zip(trace) {
-                write_trace(path, &trace)?;
+                output::trace(path, &trace)?;
             }
             Ok(exit(&answer))
         }
         Response::Refused(refusal) => Err(refused(refusal, &args.source.instance)),
         _ => Err(unexpected(&args.source.instance)),
     }
-}
-
-fn write_trace(path: &Path, trace: &PlanTrace) -> Result<(), Failure> {
-    files::write_all(&[NewFile {
-        path: path.to_owned(),
-        text: output::json_text(trace)?,
-    }])
 }
 
 fn exit(answer: &PlanAnswer) -> Exit {

@@ -110,6 +110,7 @@ mod tests {
             reason: None,
             plan: None,
             stats: Stats::default(),
+            trace: None,
         };
         let answer = FrontAnswer {
             giveway: Version,

@@ -100,6 +100,7 @@ mod tests {
             reason: reason.map(str::to_owned),
             plan: None,
             stats: Stats::default(),
+            trace: None,
         }
     }
 

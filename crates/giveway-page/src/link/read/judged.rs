@@ -64,6 +64,7 @@ pub(super) fn answer(
         reason: None,
         plan,
         stats: Stats::default(),
+        trace: None,
     };
     let claim = parts.get("claim");
     let has_claim = claim.is_some_and(|claim| claim::read(&mut solved, claim).is_some());

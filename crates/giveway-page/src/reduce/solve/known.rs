@@ -25,6 +25,7 @@ impl Solving {
             Progress::Plan { costs, .. } => self.best = Some(costs),
             Progress::Size { .. }
             | Progress::Explained { .. }
+            | Progress::Traced { .. }
             | Progress::Freedom { .. }
             | Progress::Certifying { .. } => {}
         }
@@ -58,6 +59,7 @@ impl Solving {
             reason,
             plan: plan.cloned(),
             stats: Stats::default(),
+            trace: None,
         })
     }
 }

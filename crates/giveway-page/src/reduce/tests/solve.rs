@@ -36,6 +36,7 @@ pub(super) fn respond(run: u64, status: Status) -> Action {
         reason: None,
         plan: None,
         stats: Stats::default(),
+        trace: None,
     };
     Action::Solve(SolveAction::Respond {
         job: run,

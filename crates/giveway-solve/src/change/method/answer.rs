@@ -125,6 +125,7 @@ pub(super) fn answer(case: &Case<'_, '_>, found: &MethodFound) -> MethodAnswer {
             reason,
             plan,
             stats: case.budget.stats(),
+            trace: None,
         },
         kept,
         retimed,

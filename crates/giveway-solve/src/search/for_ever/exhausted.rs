@@ -10,6 +10,7 @@ use crate::{
     joint::{self, AllStates},
     problem::Problem,
     search::{aim::Bounded, incumbent::Incumbent, prove::Shown, tally::least},
+    trace::FoundBy,
 };
 
 impl From<AllStates> for ForEver {
@@ -82,7 +83,7 @@ pub(in crate::search) fn soonest(
     match joint::soonest(problem, budget)? {
         joint::Exhausted::None(shown) => Ok(Some(Shown::Claim(Some(shown.into())))),
         joint::Exhausted::Best(soonest, _) => {
-            incumbent.offer(problem, &soonest.walks);
+            incumbent.offer(problem, &soonest.walks, FoundBy::Exhaustion);
             let is_late = soonest.vector.first() > Some(&bounded.latest());
             Ok(is_late.then_some(Shown::Claim(None)))
         }
@@ -142,7 +143,7 @@ pub(in crate::search) fn best(
             joint::Exhausted::None(_) if incumbent.costs().is_some() => return Ok(None),
             joint::Exhausted::None(shown) => (None, shown),
             joint::Exhausted::Best(best, shown) => {
-                incumbent.offer(problem, &best.walks);
+                incumbent.offer(problem, &best.walks, FoundBy::Exhaustion);
                 (Some(best.vector), shown)
             }
         };

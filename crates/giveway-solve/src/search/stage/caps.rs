@@ -21,6 +21,14 @@ impl Search<'_, '_, '_> {
         }
     }
 
+    /// Allows no plan in which an agent arrives later, as only plans worse than the best
+    /// one have that.
+    pub(crate) fn lower_cap_by_best(&mut self, agent: AgentId, cap: u32) {
+        if self.allowed.deadlines.lower_by_best(agent, cap) {
+            self.harden_cap(agent);
+        }
+    }
+
     /// Makes the cap a clause, once the MDD reaches it.
     pub(super) fn harden_cap(&mut self, agent: AgentId) {
         if self.team.is_inside(agent)
@@ -30,6 +38,7 @@ impl Search<'_, '_, '_> {
                 .harden(agent, self.team.deadline(agent))
             && let Some(by) = self.team.by(agent, cap)
         {
+            self.stages.worse.in_force |= self.allowed.deadlines.is_of_best(agent);
             self.team.harden(by);
         }
     }

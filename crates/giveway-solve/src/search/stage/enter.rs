@@ -3,7 +3,7 @@
 use giveway_model::Cost;
 
 use super::Search;
-use crate::{budget::Stop, encode::collisions::AgentId, single::TaskConstraint};
+use crate::{budget::Stop, encode::collisions::AgentId, single::TaskConstraint, trace::FoundBy};
 
 impl Search<'_, '_, '_> {
     /// Takes an agent inside, with all that holds for good.
@@ -48,7 +48,8 @@ impl Search<'_, '_, '_> {
     /// had to enter, none where the walks are a plan.
     pub(crate) fn settle(&mut self) -> Result<Vec<AgentId>, Stop> {
         self.team.read();
-        let mut entering = self.team.collide()?;
+        let met = self.team.collide()?;
+        let mut entering: Vec<AgentId> = met.keys().copied().collect();
         for &cost in &self.stages.begun.clone() {
             for agent in self.above_minimum(cost)? {
                 if !entering.contains(&agent) {
@@ -59,9 +60,10 @@ impl Search<'_, '_, '_> {
         for &agent in &entering {
             self.enter(agent)?;
         }
+        self.tell_entered(&entering, &met);
         if entering.is_empty() {
             let walks = self.team.walks.clone();
-            self.incumbent.offer(self.problem, &walks);
+            self.incumbent.offer(self.problem, &walks, FoundBy::Solver);
         }
         Ok(entering)
     }

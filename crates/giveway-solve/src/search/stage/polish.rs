@@ -7,6 +7,7 @@ use crate::{
     budget::Stop,
     lns::{Effort, Lns},
     single::Task,
+    trace::FoundBy,
     walk::Walk,
 };
 
@@ -86,7 +87,8 @@ impl Search<'_, '_, '_> {
         let Some(walks) = self.incumbent.walks() else {
             return Ok(());
         };
-        let better = self.improve(walks.to_vec(), cost, bound, states)?;
+        let given = (walks.to_vec(), FoundBy::Lns);
+        let better = self.improve(given, cost, bound, states)?;
         let polishing = &mut self.polishing;
         polishing.in_vain = if better {
             0
@@ -102,11 +104,11 @@ impl Search<'_, '_, '_> {
         self.polishing.in_vain >= IN_VAIN
     }
 
-    /// Improves a plan by so many states, about, as long as its cost is above the
+    /// Improves a plan, which is told to be found by somebody, by so many states, about, as long as its cost is above the
     /// bound, and keeps it if it is the best; whether it became better.
     pub(crate) fn improve(
         &mut self,
-        mut walks: Vec<Walk>,
+        (mut walks, by): (Vec<Walk>, FoundBy),
         cost: Cost,
         bound: u32,
         states: u64,
@@ -125,7 +127,7 @@ impl Search<'_, '_, '_> {
             &objective,
             &self.allowed.budget,
         );
-        self.incumbent.offer(self.problem, &walks);
+        self.incumbent.offer(self.problem, &walks, by);
         improved
     }
 }

@@ -11,8 +11,11 @@ use std::collections::BTreeMap;
 
 use giveway_model::sorting;
 
-use super::{Soft, SumStage};
-use crate::{budget::Stop, encode::totalizer::totalizer, sat::Lit, search::stage::Search};
+use super::{PaidCore, Soft, SumStage};
+use crate::{
+    budget::Stop, encode::totalizer::totalizer, sat::Lit, search::growing::CoreEffort,
+    search::stage::Search,
+};
 
 /// Cores of more literals are not gone on with.
 const MOST_LITERALS: usize = 8;
@@ -31,8 +34,8 @@ impl SumStage {
             return Ok(softs);
         }
         while !search.incumbent_meets(self.cost, self.bound) {
-            for violations in self.cores.split_off(first) {
-                softs.push(self.total(search, &violations));
+            for core in self.cores.split_off(first) {
+                softs.push(self.total(search, &core));
             }
             let mut assumed = BTreeMap::new();
             for &soft in &softs {
@@ -45,11 +48,21 @@ impl SumStage {
             sorting::sort_by_key(&mut order, |lit| {
                 assumed.get(lit).is_some_and(|s| s.agent().is_some())
             });
+            let before = search.allowed.budget.conflicts();
             let core = match search.team.refute(&order)? {
                 Some(core) if !core.is_empty() => core,
                 _ => return Ok(assumed.into_values().collect()),
             };
-            self.pay(search, &core);
+            let effort = CoreEffort {
+                stated: search.team.stated(),
+                literals: core.len(),
+                conflicts: search.allowed.budget.conflicts() - before,
+            };
+            let limits: Vec<Soft> = core
+                .iter()
+                .filter_map(|lit| assumed.get(lit).copied())
+                .collect();
+            self.pay(search, &core, &limits, effort);
             let raised = assumed.into_iter().map(|(lit, soft)| {
                 let by = u32::from(core.contains(&lit));
                 soft.raised(by)
@@ -60,8 +73,9 @@ impl SumStage {
     }
 
     /// Counts the violations of a core, of which the core itself pays for one.
-    pub(super) fn total(&mut self, search: &mut Search, violations: &[Lit]) -> Soft {
-        let outputs = totalizer(violations, search.team.clauses());
+    pub(super) fn total(&mut self, search: &mut Search, core: &PaidCore) -> Soft {
+        let outputs = totalizer(&core.violations, search.team.clauses());
+        self.lineage.count(core.number);
         self.totalizers.push(outputs);
         Soft::Total {
             totalizer: self.totalizers.len() - 1,

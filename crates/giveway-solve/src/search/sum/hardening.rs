@@ -26,21 +26,22 @@ impl SumStage {
         self.hardened = Some((best, self.bound));
         let gap = best.saturating_sub(self.bound);
         let slack = gap.saturating_sub(u32::from(self.last));
+        search.exclude_worse(best.saturating_sub(u32::from(self.last)));
         for agent in 0..search.problem.agents() {
             if !search.team.is_inside(agent) {
                 let most = search.problem.least_cost(agent).saturating_add(slack);
-                search.lower_cap(agent, search.problem.time_of(agent, most));
+                search.lower_cap_by_best(agent, search.problem.time_of(agent, most));
             }
         }
         for soft in self.softs.values().chain(&self.waiting) {
             match soft.raised(slack) {
                 // (A cost is no time: who was woken has cost some already.)
                 Soft::Agent(agent, most) => {
-                    search.lower_cap(agent, search.problem.time_of(agent, most));
+                    search.lower_cap_by_best(agent, search.problem.time_of(agent, most));
                 }
                 Soft::Total { totalizer, k } => {
                     if let Some(&more) = self.totalizers[totalizer].get(k) {
-                        search.team.harden(!more);
+                        search.harden_for_better(!more);
                     }
                 }
             }

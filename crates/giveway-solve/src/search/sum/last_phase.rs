@@ -77,7 +77,8 @@ impl SumStage {
                     }
                     self.harden_by_gap(search);
                 }
-                Growing::Core(_) => {
+                Growing::Core(core) => {
+                    search.tell_closed(self.cost, (self.bound, best), core.effort());
                     if let Some(&more) = sum.get(gap as usize).filter(|_| !self.last) {
                         search.team.harden(!more);
                     }

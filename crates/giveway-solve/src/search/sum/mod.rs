@@ -19,6 +19,7 @@
 mod core_exhaustion;
 mod hardening;
 mod last_phase;
+mod lineage;
 mod soft;
 mod upper_bound;
 
@@ -27,11 +28,12 @@ use std::collections::BTreeMap;
 use giveway_model::Cost;
 
 use super::{
-    growing::{Growing, Until},
+    growing::{CoreEffort, Growing, Until},
     stage::{End, Search},
 };
 use crate::{budget::Stop, encode::collisions::AgentId, sat::Lit};
 use giveway_model::sorting::{sort, sort_by_key};
+use lineage::Lineage;
 use soft::Soft;
 
 /// A core of more literals ends a round: little is left to be unsatisfiable
@@ -55,12 +57,24 @@ pub(crate) struct SumStage {
     /// What cores set free, to be assumed again with the next round.
     waiting: Vec<Soft>,
     /// Violations of cores, to become totalizers with the next round.
-    cores: Vec<Vec<Lit>>,
+    cores: Vec<PaidCore>,
     totalizers: Vec<Vec<Lit>>,
     /// How often some agents have been a core.
     seen: BTreeMap<Vec<AgentId>, u32>,
     /// The best plan's cost and the bound of when levels were last excluded.
     hardened: Option<(u32, u32)>,
+    /// How many cores raised the bound.
+    paid: usize,
+    /// What each core builds on.
+    lineage: Lineage,
+}
+
+/// A core that raised the bound.
+struct PaidCore {
+    /// As the n-th, from 0.
+    number: usize,
+    /// Its assumptions, each violated.
+    violations: Vec<Lit>,
 }
 
 impl SumStage {
@@ -89,14 +103,19 @@ impl SumStage {
             totalizers: Vec::new(),
             seen: BTreeMap::new(),
             hardened: None,
+            paid: 0,
+            lineage: Lineage::default(),
         };
         *bound = stage.bound;
         search.report_bound(cost, stage.bound);
         search.begin(cost);
+        search.tell_phase(cost)?;
         search.minimise_cores(stage.light);
-        for agent in search.above_minimum(cost)? {
+        let above = search.above_minimum(cost)?;
+        for &agent in &above {
             search.enter(agent)?;
         }
+        search.tell_entered(&above, &BTreeMap::new());
         for agent in search.team.insiders() {
             stage.adopt(search, agent)?;
         }
@@ -137,13 +156,17 @@ impl SumStage {
                     }
                 }
                 Growing::Core(core) => {
+                    let effort = core.effort();
                     let core = core.lits();
                     if core.is_empty() {
                         let best = stage.excluded();
+                        if let Some(best) = best {
+                            search.tell_closed(cost, (stage.bound, best), effort);
+                        }
                         *bound = best.unwrap_or(stage.bound);
                         return Ok(best.map_or(End::None, End::Least));
                     }
-                    let learnt = stage.add_core(search, core);
+                    let learnt = stage.add_core(search, core, effort);
                     *bound = stage.bound;
                     learnt?;
                     search.polish(cost, stage.bound)?;
@@ -217,7 +240,12 @@ impl SumStage {
     }
 
     /// Takes a core in: raises the bound.
-    fn add_core(&mut self, search: &mut Search, core: &[Lit]) -> Result<(), Stop> {
+    fn add_core(
+        &mut self,
+        search: &mut Search,
+        core: &[Lit],
+        effort: CoreEffort,
+    ) -> Result<(), Stop> {
         if self.known {
             return Err(Stop::Contradiction);
         }
@@ -226,7 +254,7 @@ impl SumStage {
             .filter_map(|lit| self.softs.remove(lit))
             .collect();
         let first = self.cores.len();
-        self.pay(search, core);
+        self.pay(search, core, &softs, effort);
         let further = self.exhaust_core(search, &softs)?;
         let raised = softs.iter().map(|soft| soft.raised(further + 1));
         let softs = self.exhaust(search, raised.collect(), first)?;
@@ -234,15 +262,20 @@ impl SumStage {
         Ok(())
     }
 
-    /// Raises the bound by a core.
-    fn pay(&mut self, search: &mut Search, core: &[Lit]) {
+    /// Raises the bound by a core, which says that these limits cannot all be kept.
+    fn pay(&mut self, search: &mut Search, core: &[Lit], limits: &[Soft], effort: CoreEffort) {
         self.bound += 1;
         search.report_bound(self.cost, self.bound);
+        self.tell_core(search, limits, effort);
         if let [lit] = core {
             search.team.harden(!*lit);
         } else {
-            self.cores.push(core.iter().map(|&lit| !lit).collect());
+            self.cores.push(PaidCore {
+                number: self.paid,
+                violations: core.iter().map(|&lit| !lit).collect(),
+            });
         }
+        self.paid += 1;
     }
 
     /// Learns the cores of the same agents at higher levels, where there are
@@ -270,12 +303,20 @@ impl SumStage {
                 levels.push(core);
             }
             let highest = levels.last().map_or(&[][..], Vec::as_slice);
+            let before = search.allowed.budget.conflicts();
             if search.team.refute(highest)?.is_none() {
                 return Ok(learnt);
             }
+            let mut effort = CoreEffort {
+                stated: softs.len(),
+                literals: softs.len(),
+                conflicts: search.allowed.budget.conflicts() - before,
+            };
             // Lower levels exclude each other all the more.
-            for core in &levels {
-                self.pay(search, core);
+            for (level, core) in (learnt + 1..).zip(&levels) {
+                let limits: Vec<Soft> = softs.iter().map(|soft| soft.raised(level)).collect();
+                self.pay(search, core, &limits, effort);
+                effort.conflicts = 0;
             }
             learnt += step;
             step *= 2;
@@ -288,8 +329,12 @@ impl SumStage {
         for soft in std::mem::take(&mut self.waiting) {
             self.assume(search, soft)?;
         }
-        for violations in std::mem::take(&mut self.cores) {
-            let total = self.total(search, &violations);
+        let cores = std::mem::take(&mut self.cores);
+        if !cores.is_empty() {
+            search.tell_round(self.cost);
+        }
+        for core in cores {
+            let total = self.total(search, &core);
             self.assume(search, total)?;
         }
         Ok(())

@@ -15,6 +15,7 @@ use crate::{
     encode::collisions::AgentId,
     local::{Others, Query, Reservations, plan_one},
     search::{incumbent::free_of_collisions, stage::Search},
+    trace::FoundBy,
 };
 
 /// Clauses derived before the first such plan is made: what is proved sooner
@@ -65,7 +66,8 @@ impl SumStage {
             return Ok(()); // (a plan has to be one, whatever the model says)
         }
         for _ in 0..MOST_IMPROVEMENTS {
-            if !search.improve(walks, self.cost, self.bound, STATES)? {
+            let given = (walks, FoundBy::PartlySolver);
+            if !search.improve(given, self.cost, self.bound, STATES)? {
                 break;
             }
             walks = search

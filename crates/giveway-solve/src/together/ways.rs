@@ -1,0 +1,111 @@
+//! Where an agent alone can be at each time while it arrives by a deadline: its MDD,
+//! looked at cell by cell.
+
+use std::collections::{BTreeMap, BTreeSet};
+
+use super::{CellTimes, Region};
+use crate::{
+    budget::{Budget, Stop},
+    encode::collisions::AgentId,
+    problem::Problem,
+    single::{Mdd, Place},
+    terrain::Terrain,
+};
+
+/// All ways of an agent alone that arrive by a deadline.
+pub(super) struct Ways {
+    /// The places where it can be at each time up to the deadline.
+    layers: Vec<BTreeSet<Place>>,
+    /// Where it rests after arriving; `None` where it is gone then.
+    rests_at: Option<Place>,
+    /// When it arrives at the earliest.
+    earliest: u32,
+    /// The deadline.
+    pub(super) by: u32,
+}
+
+impl Ways {
+    /// The ways of an agent that arrive by a deadline. There are none where it
+    /// cannot.
+    ///
+    /// # Errors
+    /// When the budget is spent.
+    pub(super) fn of(
+        problem: &Problem,
+        agent: AgentId,
+        by: u32,
+        budget: &Budget,
+    ) -> Result<Self, Stop> {
+        let task = &problem.tasks[agent];
+        let earliest = problem.optima[agent];
+        let mut mdd = Mdd::new(task, earliest);
+        mdd.grow(
+            by,
+            task,
+            &problem.terrain,
+            &problem.cost_to_go[agent],
+            budget,
+        )?;
+        let mut layers = Vec::new();
+        for id in 0..mdd.size() {
+            let node = mdd.node(id);
+            let time = node.time as usize;
+            if layers.len() <= time {
+                layers.resize(time + 1, BTreeSet::new());
+            }
+            layers[time].insert(node.place);
+        }
+        Ok(Self {
+            layers,
+            rests_at: problem.rests(agent).then_some(Place::At(task.goal)),
+            earliest,
+            by,
+        })
+    }
+
+    /// The cells where it can be, by row.
+    pub(super) fn region(&self, agent: &str, terrain: &Terrain) -> Region {
+        let mut cells = BTreeMap::new();
+        for (time, places) in (0..).zip(&self.layers) {
+            for &place in places {
+                let cell = match place {
+                    Place::At(v) => terrain.cell(v),
+                    Place::Along(arc) => terrain.cell(terrain.ends(arc).0),
+                };
+                let times = cells.entry((cell.y, cell.x)).or_insert(CellTimes {
+                    cell,
+                    first: time,
+                    last: time,
+                });
+                times.last = time;
+            }
+        }
+        Region {
+            agent: agent.to_owned(),
+            by: self.by,
+            cells: cells.into_values().collect(),
+        }
+    }
+
+    /// Whether it has arrived by a time, and rests from then on, whichever way it
+    /// takes.
+    pub(super) fn rests(&self, time: u32) -> bool {
+        self.rests_at.is_some() && self.earliest <= self.by && self.by <= time
+    }
+
+    /// The one place where it is at a time, whichever way it takes.
+    pub(super) fn only_place(&self, time: u32) -> Option<Place> {
+        if self.rests(time) {
+            return self.rests_at;
+        }
+        let layer = self.layers.get(time as usize)?;
+        // From its earliest arrival on it may have arrived already.
+        let arrived = self.rests_at.filter(|_| time >= self.earliest);
+        if time > self.earliest && arrived.is_none() {
+            return None;
+        }
+        let mut places = layer.iter().copied().chain(arrived);
+        let first = places.next()?;
+        places.all(|place| place == first).then_some(first)
+    }
+}

@@ -1,0 +1,13 @@
+//! How the best plan was found and proved, told in the problem's own words: the
+//! events of a search in order, as plain data, with sentences apart.
+
+mod core;
+mod event;
+mod recorder;
+#[cfg(test)]
+mod tests;
+pub mod words;
+
+pub use core::{AgentLeast, AgentLimit, Condition, Core, EarlierCore, Literals, Together};
+pub use event::{Cannot, Entrant, FoundBy, Restart, SearchEvent, SearchTrace, Stopped, TraceEvent};
+pub(crate) use recorder::{Names, Recorder};
