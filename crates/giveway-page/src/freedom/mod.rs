@@ -182,9 +182,9 @@ impl Freedom {
 impl Document {
     /// What must be so, where it is of the plan that there is.
     pub(crate) fn freedom(&self) -> Option<&Rc<Freedom>> {
-        let answer = self.fresh_answer()?;
-        let found = self.found_freedom.as_ref();
-        found.filter(|freedom| Rc::ptr_eq(&freedom.about, answer))
+        let found = self.found_freedom.as_ref()?;
+        let is_of = Rc::ptr_eq(&found.about, self.fresh_answer()?);
+        is_of.then_some(found)
     }
 }
 
@@ -223,8 +223,9 @@ pub fn chip(state: &State) -> Chip {
 impl State {
     /// What must be so, where that is laid over the plan.
     pub(crate) fn freedom(&self) -> Option<&Rc<Freedom>> {
+        // Asked of every lane: nothing is compared where nothing is laid over the plan.
         let is_on = self.view.overlay.is_on && matches!(self.document.mode, Mode::Editing);
-        self.document.freedom().filter(|_| is_on)
+        if is_on { self.document.freedom() } else { None }
     }
 
     /// Whether it is laid over the plan, and what every best plan has is known: then
