@@ -78,6 +78,26 @@ describe("the geometry", () => {
     await playground.example("Thirty robots");
     await playground.button("Go on").waitFor();
   }, { tabs: ["Timeline"] });
+  state("what must be so", async (playground) => {
+    await opening(playground);
+    await playground.board.focus();
+    await playground.key("m");
+    await playground.inspector.getByText(/^This plan|^In it robots are elsewhere/).waitFor();
+  }, { tabs: ["Inspector", "Timeline"] });
+  state("another plan as good", async (playground) => {
+    await opening(playground);
+    await playground.board.focus();
+    await playground.key("m");
+    await playground.press("Show it beside this one");
+    await playground.other.waitFor();
+  }, { tabs: ["Inspector"] });
+  state("a cell that is closed", async (playground) => {
+    await opening(playground);
+    await playground.board.focus();
+    await playground.key("m");
+    await playground.inspector.getByRole("button", { name: /^Close .*makespan/ }).first().click();
+    await playground.says(/^Optimal: makespan (?!18)/);
+  }, { tabs: ["Inspector"] });
   state("an answer", answered, { tabs: ["Inspector", "Timeline"] });
   state("why there is no plan", why);
   state("a world that changes", async (playground) => {

@@ -164,7 +164,7 @@ pub(super) fn part(state: &State, send: &Callback<Action>) -> Html {
         }
     };
     html! {
-        <section class="must-be">
+        <section class="must-be-told">
             <h3>{ TITLE }</h3>
             { for part.facts.iter().map(|fact| html! { <p>{ fact.clone() }</p> }) }
             if !part.asks.is_empty() || part.closing.is_some() {

@@ -111,7 +111,7 @@ fn must_be_so(state: &State, send: &Callback<Action>) -> Html {
     };
     let is_on = on == Some(true);
     html! {
-        <button type="button" class={classes!("btn", "chip", is_on.then_some("on"))} {title}
+        <button type="button" class={classes!("btn", "chip", "must-be", is_on.then_some("on"))} {title}
             aria-pressed={is_on.to_string()} aria-disabled={on.is_none().then_some("true")}
             onclick={send.reform(move |_| Action::Freedom(FreedomAction::Show(!is_on)))}>
             { icon::show("free") }<span>{ TITLE }</span>

@@ -182,9 +182,9 @@ impl Freedom {
 impl Document {
     /// What must be so, where it is of the plan that there is.
     pub(crate) fn freedom(&self) -> Option<&Rc<Freedom>> {
-        let answer = self.fresh_answer()?;
-        let found = self.found_freedom.as_ref();
-        found.filter(|freedom| Rc::ptr_eq(&freedom.about, answer))
+        let found = self.found_freedom.as_ref()?;
+        let is_of = Rc::ptr_eq(&found.about, self.fresh_answer()?);
+        is_of.then_some(found)
     }
 }
 
@@ -224,9 +224,10 @@ impl State {
     /// What must be so, where that is laid over the plan; the board has other things to
     /// show while one looks into how the plan was found.
     pub(crate) fn freedom(&self) -> Option<&Rc<Freedom>> {
+        // Asked of every lane: nothing is compared where nothing is laid over the plan.
         let is_editing = matches!(self.document.mode, Mode::Editing);
         let is_on = self.view.overlay.is_on && is_editing && !self.is_inside();
-        self.document.freedom().filter(|_| is_on)
+        if is_on { self.document.freedom() } else { None }
     }
 
     /// Whether it is laid over the plan, and what every best plan has is known: then
