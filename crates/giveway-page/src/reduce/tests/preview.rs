@@ -59,6 +59,7 @@ fn best() -> SolveAnswer {
         reason: None,
         plan: Some(plan),
         stats: Stats::default(),
+        trace: None,
     }
 }
 
