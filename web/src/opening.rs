@@ -31,6 +31,8 @@ pub(crate) fn solved(state: &State) -> State {
     let plain = SolveRequest {
         scene: scene(),
         limits: request.limits,
+        // Its record is not worth the bytes: who wants it solves again.
+        trace: request.trace,
         ..SolveRequest::default()
     };
     if request != plain {
