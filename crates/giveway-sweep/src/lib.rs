@@ -1,9 +1,9 @@
 //! Sweeps: benchmarks of many instances, agents, objectives and planners.
 //!
 //! A [`Spec`] says what is combined with what, [`Spec::tasks`] lists the combinations,
-//! [`run`] does one [`Task`] and gives one [`Row`], which is one line of JSON. Rows are
+//! [`run()`] does one [`Task`] and gives one [`Row`], which is one line of JSON. Rows are
 //! kept in a folder, a file a shard ([`Results`]); what has a row is not done again.
-//! [`table`] makes tables and plots of them. There is no scheduler here: a shard is one
+//! [`mod@table`] makes tables and plots of them. There is no scheduler here: a shard is one
 //! process, and whoever has a cluster starts as many of them as it likes.
 //!
 //! ```
