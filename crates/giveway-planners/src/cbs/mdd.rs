@@ -81,14 +81,18 @@ impl Mdd {
                 let steps = node.steps.iter();
                 let steps = steps.filter_map(|&(next, arc)| Some(((*after.get(next)?)?, arc)));
                 node.steps = steps.collect();
+                node.steps.shrink_to_fit();
                 let leads = ends.next() == Some(&true) || !node.steps.is_empty();
                 numbers.push(leads.then_some(kept));
                 if leads {
                     kept += 1;
-                    bytes += 48 + 24 * node.steps.len();
+                    let steps = size_of::<(usize, Option<u32>)>() * node.steps.capacity();
+                    bytes += size_of::<Node>() + 16 + steps; // 16: what an allocation takes besides
                 }
                 leads
             });
+            layer.shrink_to_fit();
+            bytes += size_of::<Vec<Node>>() + 16;
             after = numbers;
         }
         Self {

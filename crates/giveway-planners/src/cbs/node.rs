@@ -13,6 +13,7 @@ use crate::{
     budget::{Budget, Stop},
     local::{Others, Reservations},
     problem::Problem,
+    single::Place,
     walk::{Walk, arrival},
 };
 
@@ -86,9 +87,13 @@ impl Node {
         Ok(Some(child))
     }
 
-    /// About what it holds beside the MDDs, in bytes.
+    /// About what it holds beside the MDDs, in bytes. Of its walks one is its own.
     pub(super) fn bytes(&self) -> usize {
-        256 + 16 * self.constraints.len() + 16 * self.ways.len() + 32 * self.conflicts.len()
+        let walk = self.ways.iter().map(|way| way.walk.len()).max();
+        256 + size_of::<Constraint>() * self.constraints.capacity()
+            + size_of::<Way>() * self.ways.capacity()
+            + size_of::<Conflict>() * self.conflicts.capacity()
+            + size_of::<Place>() * walk.unwrap_or(0)
     }
 
     /// The walks that are not those of another node; all without one.

@@ -1,3 +1,5 @@
+//! Tables and curves of a few rows.
+
 use giveway_model::{Cost, Costs};
 
 use super::*;

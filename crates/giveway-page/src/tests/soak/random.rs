@@ -1,19 +1,12 @@
 //! What a person does next, by chance.
 
-use std::rc::Rc;
-
 use giveway_model::{Cell, Question};
 use giveway_solve::plan::Planner;
 
 use super::Session;
-use crate::action::IntakeAction;
-use crate::audit::AuditAction;
-use crate::files::Opened;
 use crate::find::FindAction;
 use crate::freedom::FreedomAction;
 use crate::inside::{InsideAction, Method};
-use crate::intake::protocol::{Read, Task};
-use crate::intake::work;
 use crate::planners::By;
 use crate::steering::Lead;
 use crate::tests::{answer, seek};
@@ -23,7 +16,7 @@ use crate::{
 };
 
 impl Session {
-    fn cell(&mut self) -> Cell {
+    pub(super) fn cell(&mut self) -> Cell {
         let grid = self.state.document.draft.grid();
         // At times off the map.
         let (width, height) = (grid.width() + 1, grid.height() + 1);
@@ -233,55 +226,6 @@ impl Session {
             Action::View(ViewAction::SetSolveOnChange(self.rng.u8(0..4) == 0)),
             Action::View(ViewAction::SetFront(self.rng.u8(0..4) == 0)),
         ]
-    }
-
-    /// A plan of elsewhere for the scene, of random steps.
-    fn dropped(&mut self) -> Vec<Action> {
-        let scene = crate::files::scene_file(&self.state);
-        let mut paths = Vec::new();
-        for agent in self.state.document.draft.agents().to_vec() {
-            let mut path = vec![agent.start];
-            for _ in 0..self.rng.usize(0..5) {
-                path.push(self.cell());
-            }
-            path.push(agent.goal);
-            let path: Vec<String> = path
-                .iter()
-                .map(|cell| format!("[{}, {}]", cell.x, cell.y))
-                .collect();
-            paths.push(format!("\"{}\": [{}]", agent.name, path.join(", ")));
-        }
-        let plan = format!("{{\"giveway\": 1, \"paths\": {{{}}}}}", paths.join(", "));
-        let files = [(scene.name, scene.text), ("p.json".to_owned(), plan)];
-        let files = files.map(|(name, text)| Opened {
-            name,
-            bytes: text.into_bytes(),
-        });
-        let job = self.state.intake.next_id();
-        let read = Read {
-            files: files.to_vec(),
-            ..Read::default()
-        };
-        let reply = Rc::new(work(Task::Read(read)));
-        vec![
-            Action::Intake(IntakeAction::Read(files.to_vec())),
-            Action::Intake(IntakeAction::Reply { job, reply }),
-        ]
-    }
-
-    fn audit(&mut self) -> AuditAction {
-        let is = self.rng.bool();
-        match self.rng.u8(0..9) {
-            6 => AuditAction::Begin,
-            7 => AuditAction::Show(self.rng.usize(0..4)),
-            8 => AuditAction::Next,
-            0 => AuditAction::Find,
-            1 => AuditAction::Compare(is),
-            2 => AuditAction::ShowOther(is),
-            3 => AuditAction::Take,
-            4 => AuditAction::Choose(self.rng.usize(0..2)),
-            _ => AuditAction::Leave,
-        }
     }
 
     fn find(&mut self) -> Vec<Action> {
