@@ -20,6 +20,7 @@ function words(event: Progress): string {
     case "plan": return `a plan of makespan ${event.costs.makespan}`;
     case "size": return `${event.conflicts} conflicts`;
     case "explained": return event.answer.words;
+    case "freedom": return `${event.answer.plans?.count ?? 0} best plans so far`;
     case "traced": return event.events.map((step) => step.text).join(" ");
     case "certifying": return event.claim;
   }

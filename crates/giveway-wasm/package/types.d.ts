@@ -152,7 +152,7 @@ export type TraceEvent = {
   | { event: "round"; cost: Cost }
   | { event: "entered"; agents: { agent: string; with: string[] }[] }
   | ({ event: "core" } & Core)
-  | { event: "closed"; cost: Cost; condition?: Condition; from: number; to: number; took: number }
+  | { event: "closed"; cost: Cost; condition?: TraceCondition; from: number; to: number; took: number }
   | { event: "exhausted"; bounds: Partial<Record<Cost, number>> }
   | { event: "restarted"; why: "more-time" | "horizon" }
   | { event: "met"; costs: Partial<Record<Cost, number>>; within: number | null }
@@ -168,7 +168,7 @@ export interface Core {
   sums?: { event: number; at_most: number }[];
   /** What all robots of this core and those below it need beyond the least of each. */
   together: { agents: AgentLeast[]; more: number } | null;
-  condition?: Condition;
+  condition?: TraceCondition;
   from: number;
   to: number;
   /** Its size as first found, and once it was made smaller. */
@@ -189,7 +189,7 @@ export interface AgentLimit extends AgentLeast {
 }
 
 /** Of which plans a claim is made; of all where it is not there. */
-export interface Condition {
+export interface TraceCondition {
   given?: Partial<Record<Cost, number>>;
   /** Plans with no more of the cost that is bounded. */
   at_most?: number;
