@@ -30,11 +30,7 @@ impl Patience {
     pub fn note(&mut self, task: &Task, row: &Row) {
         if self.after.is_some() {
             let misses = self.misses.entry(task.series()).or_default();
-            *misses = if row.status.is_closed() {
-                0
-            } else {
-                *misses + 1
-            };
+            *misses = if row.is_success() { 0 } else { *misses + 1 };
         }
     }
 }

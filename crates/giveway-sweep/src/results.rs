@@ -100,8 +100,13 @@ pub fn read(paths: &[PathBuf]) -> Result<Vec<Row>, String> {
     let mut rows = BTreeMap::new();
     for path in paths {
         for path in lines_of(path)? {
-            let text = fs::read_to_string(&path)
-                .map_err(|error| format!("{}: {error}", path.display()))?;
+            let text = fs::read_to_string(&path).map_err(|error| match error.kind() {
+                io::ErrorKind::NotFound => format!(
+                    "{}: found no file of this name, expected a file or a folder of results",
+                    path.display()
+                ),
+                _ => format!("{}: {error}", path.display()),
+            })?;
             let whole = text.rfind('\n').map_or("", |last| &text[..last]);
             for (number, line) in whole
                 .lines()
@@ -110,7 +115,7 @@ pub fn read(paths: &[PathBuf]) -> Result<Vec<Row>, String> {
             {
                 let row: Row = serde_json::from_str(line).map_err(|error| {
                     format!(
-                        "{}: line {}: {error}, expected a row of a sweep",
+                        "{}: line {}: found what is no row ({error}), expected a row of a sweep",
                         path.display(),
                         number + 1
                     )

@@ -41,11 +41,6 @@ impl RowStatus {
             Self::Skipped => "skipped",
         }
     }
-
-    /// Whether the question was answered for good.
-    pub const fn is_closed(self) -> bool {
-        matches!(self, Self::Optimal | Self::Impossible)
-    }
 }
 
 /// What a task took. Nothing else of a row differs from run to run, but where a budget of
@@ -122,6 +117,16 @@ impl Row {
     /// What could not be read, with why.
     pub fn error(task: &Task, reason: String) -> Self {
         Self::bare(task, RowStatus::Error, Some(reason))
+    }
+
+    /// Whether the planner did what it promises: a proof that a plan is best or that there
+    /// is none, or, of one that proves nothing, a plan.
+    pub const fn is_success(&self) -> bool {
+        match self.status {
+            RowStatus::Optimal | RowStatus::Impossible => true,
+            RowStatus::Feasible => !self.planner.proves(),
+            _ => false,
+        }
     }
 
     /// How far the first cost is above its bound, in the bound: 0.01 is one percent.

@@ -69,7 +69,7 @@ fn planned(task: &Task, answer: &PlanAnswer) -> Row {
         _ => (RowStatus::Unknown, None),
     };
     Row {
-        complete: status.is_closed() && within.is_none(),
+        complete: matches!(status, RowStatus::Optimal | RowStatus::Impossible) && within.is_none(),
         within,
         costs: answer.costs,
         bounds: answer.bounds.clone(),

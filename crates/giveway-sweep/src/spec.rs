@@ -26,7 +26,7 @@ pub struct Spec {
     /// Bytes for each task.
     #[serde(default)]
     pub memory_limit: Option<u64>,
-    /// After so many tasks in a row without an optimal answer, larger numbers of agents of
+    /// After so many tasks in a row without success, larger numbers of agents of
     /// the same series (instance, objective, planner) are skipped. By default none is.
     #[serde(default)]
     pub skip_after: Option<usize>,

@@ -21,6 +21,13 @@ pub enum Method {
     Planner(Planner),
 }
 
+impl Method {
+    /// Whether it proves that a plan is best.
+    pub const fn proves(self) -> bool {
+        matches!(self, Self::Search | Self::Planner(Planner::Cbs))
+    }
+}
+
 impl fmt::Display for Method {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {

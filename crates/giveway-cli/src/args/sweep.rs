@@ -52,8 +52,7 @@ pub(crate) struct Table {
     #[arg(required = true, value_name = "RESULTS")]
     pub(crate) results: Vec<PathBuf>,
     /// What to show: summary (how many tasks of each map, objective, planner and number of robots
-    /// ended how), rows (every result), success (the share that was answered for good against the
-    /// number of robots), cactus (how many within how many CPU seconds each)
+    /// ended how), rows (every result), success (the success rate against the number of robots), cactus (how many within how many CPU seconds each)
     #[arg(long, default_value = "summary", value_name = "WHAT")]
     pub(crate) show: Show,
     /// How it is written: markdown, csv, or svg, a plot of success or cactus

@@ -114,6 +114,11 @@ fn beside(spec: &Path) -> PathBuf {
 /// Writes tables and plots.
 pub(crate) fn table(args: &Table) -> Result<Exit, Failure> {
     let rows = read(&args.results).map_err(refused)?;
+    if rows.is_empty() {
+        return Err(refused(
+            "There are no results in it; giveway sweep writes them into files that end in .jsonl.",
+        ));
+    }
     let text = write(&rows, args.show, args.to).map_err(refused)?;
     stream::file(text.as_bytes())?;
     Ok(Exit::Answered)

@@ -14,7 +14,7 @@ pub struct Curve {
     pub points: Vec<(f64, f64)>,
 }
 
-/// The share of tasks that were answered for good against the number of agents: a curve for
+/// The success rate: the share of tasks that succeeded, against the number of agents: a curve for
 /// each planner and objective, over all maps.
 pub fn success(rows: &[Row]) -> Vec<Curve> {
     let curve = |rows: Vec<&Row>| {
@@ -22,7 +22,7 @@ pub fn success(rows: &[Row]) -> Vec<Curve> {
         for row in rows {
             if let Some(agents) = row.agents {
                 let (closed, tasks) = counts.entry(agents).or_default();
-                *closed += u32::from(row.status.is_closed());
+                *closed += u32::from(row.is_success());
                 *tasks += 1;
             }
         }
@@ -33,10 +33,10 @@ pub fn success(rows: &[Row]) -> Vec<Curve> {
     curves(rows, curve)
 }
 
-/// The cactus plot: within how many CPU seconds each how many tasks were answered for good.
+/// The cactus plot: within how many CPU seconds each how many tasks succeeded.
 pub fn cactus(rows: &[Row]) -> Vec<Curve> {
     let curve = |rows: Vec<&Row>| {
-        let closed = rows.iter().filter(|row| row.status.is_closed());
+        let closed = rows.iter().filter(|row| row.is_success());
         let mut seconds: Vec<f64> = closed.map(|row| row.took.cpu_seconds).collect();
         seconds.sort_by(f64::total_cmp);
         let point = |(index, seconds)| ((index + 1) as f64, seconds);

@@ -38,7 +38,7 @@ fn objective(row: &Row) -> String {
 }
 
 /// A line for every map, objective, planner and number of agents: how many tasks ended how,
-/// the mean gap of those with a plan and a bound, the median of CPU seconds of the answered.
+/// the mean gap of those with a plan and a bound, the median of CPU seconds of the successful.
 pub fn summary(rows: &[Row]) -> Sheet {
     let mut groups: BTreeMap<Group, Vec<&Row>> = BTreeMap::new();
     for row in rows {
@@ -97,9 +97,9 @@ pub fn summary(rows: &[Row]) -> Sheet {
     sheet
 }
 
-/// The middle CPU seconds of the rows that were answered; the lower of two in the middle.
+/// The middle CPU seconds of the rows that succeeded; the lower of two in the middle.
 fn median(rows: &[&Row]) -> Option<f64> {
-    let closed = rows.iter().filter(|row| row.status.is_closed());
+    let closed = rows.iter().filter(|row| row.is_success());
     let mut seconds: Vec<f64> = closed.map(|row| row.took.cpu_seconds).collect();
     seconds.sort_by(f64::total_cmp);
     seconds.get(seconds.len().checked_sub(1)? / 2).copied()

@@ -7,9 +7,9 @@ use super::Curve;
 /// What a plot is of.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Axes {
-    /// The share of answered tasks against agents.
+    /// The success rate against agents.
     Success,
-    /// CPU seconds, on a scale of powers of ten, against answered tasks.
+    /// CPU seconds, on a scale of powers of ten, against tasks that succeeded.
     Cactus,
 }
 
@@ -60,7 +60,7 @@ fn draw(svg: &mut String, curves: &[Curve], axes: Axes) -> Drawn {
                 .configure_mesh()
                 .light_line_style(TRANSPARENT)
                 .x_desc("agents")
-                .y_desc("answered for good")
+                .y_desc("success rate")
                 .y_label_formatter(&|share| format!("{:.0} %", 100.0 * share))
                 .x_label_formatter(&|agents| format!("{agents:.0}"))
                 .label_style(FONT)
@@ -86,7 +86,7 @@ fn draw(svg: &mut String, curves: &[Curve], axes: Axes) -> Drawn {
             chart
                 .configure_mesh()
                 .light_line_style(TRANSPARENT)
-                .x_desc("tasks answered for good")
+                .x_desc("successful tasks")
                 .y_desc("CPU seconds each")
                 .x_label_formatter(&|tasks| format!("{tasks:.0}"))
                 .y_label_formatter(&|seconds| seconds.to_string())

@@ -80,3 +80,13 @@ fn curves_count_what_is_answered_for_good() {
         assert!(plot(&[], axes).is_ok(), "nothing to draw");
     }
 }
+
+#[test]
+fn a_planner_that_proves_nothing_succeeds_with_a_plan() {
+    let mut found = row(5, RowStatus::Feasible, 1.0);
+    assert!(!found.is_success(), "the search promises a proof");
+    found.planner = "lacam".parse().unwrap();
+    assert!(found.is_success());
+    found.status = RowStatus::Unknown;
+    assert!(!found.is_success());
+}

@@ -16,9 +16,9 @@ pub enum Show {
     Summary,
     /// Every row.
     Rows,
-    /// The share of tasks that were answered for good against the number of agents.
+    /// The success rate against the number of agents.
     Success,
-    /// How many tasks were answered for good within how many CPU seconds each.
+    /// How many tasks succeeded within how many CPU seconds each.
     Cactus,
 }
 
@@ -81,8 +81,8 @@ pub fn write(rows: &[Row], show: Show, to: Written) -> Result<String, String> {
 
 fn drawn(curves: &[Curve], axes: Axes, to: Written) -> Result<String, String> {
     let (x, y) = match axes {
-        Axes::Success => ("agents", "answered"),
-        Axes::Cactus => ("answered", "CPU s each"),
+        Axes::Success => ("agents", "success rate"),
+        Axes::Cactus => ("successful tasks", "CPU s each"),
     };
     match to {
         Written::Svg => plot(curves, axes),

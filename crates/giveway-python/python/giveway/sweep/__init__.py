@@ -46,7 +46,7 @@ class Sweep:
     """The tasks of a spec, easy ones first."""
 
     tasks: tuple[Task, ...]
-    #: After so many tasks of a series in a row without an answer for good, larger ones are skipped.
+    #: After so many tasks of a series in a row without success, larger ones are skipped.
     skip_after: int | None
 
     def series(self) -> dict[str, list[Task]]:
@@ -77,9 +77,10 @@ def skipped(task: Task) -> Row:
     return row
 
 
-def is_closed(row: Row) -> bool:
-    """Whether a task was answered for good."""
-    return row["status"] in ("optimal", "impossible")
+def is_success(row: Row) -> bool:
+    """Whether a planner did what it promises: a proof, or a plan of one that proves nothing."""
+    proves = row["planner"] in ("search", "cbs")
+    return row["status"] in ("optimal", "impossible") or (row["status"] == "feasible" and not proves)
 
 
 class Results:

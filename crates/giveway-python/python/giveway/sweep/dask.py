@@ -71,7 +71,7 @@ class _Chain:
         self._misses = 0
 
     def note(self, row: Row) -> None:
-        self._misses = 0 if sweep.is_closed(row) else self._misses + 1
+        self._misses = 0 if sweep.is_success(row) else self._misses + 1
 
     def next(self, on_row: Callable[[Row], object] | None) -> Task | None:
         """The next task to be done; those that have a row, or are skipped, are passed over."""
