@@ -197,14 +197,20 @@ fn what_is_wrong_is_told_and_the_other_tasks_go_on() {
     assert!(run.answer().contains("2 error"), "{}", run.out);
     let rows = rows(&folder, "spec-results");
     assert_eq!(rows.len(), 9);
-    folder.refuses("table nowhere", &expect![[r#"
+    folder.refuses(
+        "table nowhere",
+        &expect![[r#"
         exit 1
         nowhere: found no file of this name, expected a file or a folder of results
-    "#]]);
-    folder.refuses("table .", &expect![[r#"
+    "#]],
+    );
+    folder.refuses(
+        "table .",
+        &expect![[r#"
         exit 1
         There are no results in it; giveway sweep writes them into files that end in .jsonl.
-    "#]]);
+    "#]],
+    );
     fs::write(folder.path("spec-results/other.jsonl"), "{}\n").unwrap();
     let wrong = folder.run("table spec-results");
     assert_eq!(wrong.exit, Some(1));

@@ -4,6 +4,7 @@ mod audit;
 mod change;
 mod freedom;
 mod inside;
+mod picture;
 mod planners;
 mod soak;
 mod steer;
@@ -14,6 +15,7 @@ use crate::reduce::tests::after;
 use crate::{Action, BoardAction, PlayAction, Selection, SolveAction, State, words};
 
 pub(crate) use change::{adopted, compared};
+use picture::page;
 
 /// What the solver answers to what runs.
 fn answer(state: &State) -> Action {

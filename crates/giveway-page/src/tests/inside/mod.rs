@@ -6,9 +6,9 @@ mod proof;
 mod tree;
 
 use giveway_model::format::native;
-use giveway_model::{Agent, Cell, Cost, Objective, Scene};
+use giveway_model::{Cell, Cost};
 
-use super::{answered, saying};
+use super::{answered, page, saying};
 use crate::inside::{
     Column, InsideAction, Method, Nothing, column, legend, nothing, overlay, said, steps,
 };
@@ -17,35 +17,6 @@ use crate::{Action, Draft, Edit, PlayAction, Selection, SolveAction, State, Tab,
 
 fn draft(scene: &str) -> Draft {
     Draft::new(native::read_scene(scene).unwrap()).unwrap()
-}
-
-/// Robots `a` to `d`, each from its lower to its upper letter.
-fn page(map: &[&str], costs: &[Cost]) -> State {
-    let find = |letter: char| {
-        let rows = (0..).zip(map);
-        let mut cells =
-            rows.flat_map(|(y, row)| (0..).zip(row.chars()).map(move |(x, c)| (x, y, c)));
-        let found = cells.find(|&(_, _, c)| c == letter);
-        found.map(|(x, y, _)| Cell::new(x, y))
-    };
-    let agent = |letter: char| {
-        let goal = letter.to_ascii_uppercase();
-        Some(Agent {
-            name: goal.to_string(),
-            start: find(letter)?,
-            goal: find(goal)?,
-            waypoints: Vec::new(),
-            battery: None,
-        })
-    };
-    let ground = |row: &&str| row.replace(|c: char| c.is_alphabetic(), ".");
-    let scene = Scene {
-        map: map.iter().map(ground).collect(),
-        agents: "abcd".chars().filter_map(agent).collect(),
-        objective: Objective::new(costs.to_vec()).unwrap(),
-        ..Scene::default()
-    };
-    State::new(Draft::new(scene).unwrap())
 }
 
 /// Two robots that want the middle cell at the same time.

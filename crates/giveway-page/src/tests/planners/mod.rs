@@ -3,46 +3,17 @@
 
 mod table;
 
-use giveway_model::{Agent, Cell, Cost, Objective, Scene};
+use giveway_model::Cost;
 use giveway_solve::plan::Planner;
 use giveway_solve::{Progress, Request, Status};
 
-use super::{answered, saying};
+use super::{answered, page, saying};
 use crate::planners::{By, Place, Proved, Row, table};
 use crate::reduce::tests::after;
 use crate::{
     Action, ChangeAction, Draft, Edit, Phase, SolveAction, State, ViewAction, inspect, link,
     sample, words,
 };
-
-/// The page with a map and robots, each from its lower to its upper letter.
-fn page(map: &[&str], costs: &[Cost]) -> State {
-    let find = |letter: char| {
-        let rows = (0..).zip(map);
-        let mut cells =
-            rows.flat_map(|(y, row)| (0..).zip(row.chars()).map(move |(x, c)| (x, y, c)));
-        let found = cells.find(|&(_, _, c)| c == letter);
-        found.map(|(x, y, _)| Cell::new(x, y))
-    };
-    let agent = |letter: char| {
-        let goal = letter.to_ascii_uppercase();
-        Some(Agent {
-            name: goal.to_string(),
-            start: find(letter)?,
-            goal: find(goal)?,
-            waypoints: Vec::new(),
-            battery: None,
-        })
-    };
-    let ground = |row: &&str| row.replace(|c: char| c.is_alphabetic(), ".");
-    let scene = Scene {
-        map: map.iter().map(ground).collect(),
-        agents: "abc".chars().filter_map(agent).collect(),
-        objective: Objective::new(costs.to_vec()).unwrap(),
-        ..Scene::default()
-    };
-    State::new(Draft::new(scene).unwrap())
-}
 
 /// Two robots that want the middle cell at the same time.
 fn crossing(costs: &[Cost]) -> State {
