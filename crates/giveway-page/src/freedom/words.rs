@@ -2,6 +2,7 @@
 
 use giveway_model::words::name;
 use giveway_model::{Cost, Objective};
+use giveway_solve::Status;
 use giveway_solve::freedom::{Closed, FreedomAnswer, FreedomPart, PlanCount};
 
 use super::{Freedom, cells, is_best};
@@ -15,10 +16,10 @@ pub const TITLE: &str = "What must be so";
 pub(crate) fn refusal(state: &State) -> Option<&'static str> {
     let document = &state.document;
     if !matches!(document.mode, Mode::Editing | Mode::Asking(_)) {
-        return Some("This is about the best plan of the scene. Finish first what you do with it.");
+        return Some("This is about the best plan of the scene. Finish what you are doing first.");
     }
     if state.work.solving().is_some() {
-        return Some("A plan is being sought: this is about the best one.");
+        return Some("The search for the best plan is still running.");
     }
     let Some(answer) = document.fresh_answer() else {
         return Some(if document.is_stale() {
@@ -27,6 +28,9 @@ pub(crate) fn refusal(state: &State) -> Option<&'static str> {
             "Solve first: this is about the best plan."
         });
     };
+    if answer.solved.status == Status::Impossible {
+        return Some("There is no plan, so no best plans to compare.");
+    }
     if answer.course.is_some() {
         return Some("The world changes in this plan: this is about plans in one world.");
     }

@@ -251,6 +251,9 @@ fn where_it_cannot_be_told_it_says_why() {
         other => panic!("{other:?}"),
     };
     is_off(&empty, "Solve first");
+    let swap = page(&["...."], &[[(0, 0), (3, 0)], [(3, 0), (0, 0)]]);
+    let swap = answered(&after(&swap, [Action::Solve(SolveAction::Solve)]));
+    is_off(&swap, "There is no plan");
     let refused = after(&empty, [SHOW]);
     assert!(
         refused
