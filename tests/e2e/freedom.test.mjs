@@ -174,6 +174,31 @@ describe("what must be so", () => {
     await playground.warns(/^Solve first: this is about the best plan\./);
   });
 
+  flow("is saved with certificates of all of it, of a robot, of a cell", async (playground, { page }) => {
+    await shown(playground);
+    const certificates = async (words) => {
+      const download = page.waitForEvent("download", { timeout: 60_000 });
+      await playground.press(words);
+      const saved = await download;
+      assert.equal(saved.suggestedFilename(), "three-ways-certificate.zip");
+      const told = await playground.warns(/three-ways-certificate\.zip is saved\./);
+      assert.match(told, /It holds \d+ certificates?, all checked\./);
+      assert.match(told, /giveway verify three-ways-certificate\.zip/);
+      await playground.notice.getByRole("button", { name: "Dismiss" }).click();
+      const bytes = readFileSync(await saved.path());
+      assert.equal(bytes.subarray(0, 2).toString(), "PK");
+      return bytes.toString("latin1");
+    };
+    const all = await certificates("Save all certificates");
+    for (const file of ["best/manifest.json", "robot-2-at-3/manifest.json", "without-1-3/manifest.json"]) {
+      assert.ok(all.includes(file), file);
+    }
+    await playground.inspector.getByRole("button", { name: /^A2/ }).first().click();
+    const own = await certificates("Save its certificates");
+    assert.ok(own.includes("robot-2-at-3/README.md") && !own.includes("robot-1-") && !own.includes("best/"));
+    await playground.says(COUNTED);
+  });
+
   flow("is saved as JSON", async (playground, { page }) => {
     await shown(playground);
     const download = page.waitForEvent("download");

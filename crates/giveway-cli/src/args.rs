@@ -111,7 +111,7 @@ pub(crate) enum Command {
     Freedom(Freedom),
     /// Find new plans after the world has changed
     Change(Change),
-    /// Check an exported certificate again, without the solver
+    /// Check exported certificates again, without the solver
     Verify(Verify),
     /// Write instances and plans in another format
     Convert(Convert),
@@ -160,9 +160,9 @@ Example
   giveway solve warehouse.json --proof certificate
   giveway verify certificate")]
 pub(crate) struct Verify {
-    /// The folder that --proof wrote
-    #[arg(value_name = "DIR")]
-    pub(crate) folder: PathBuf,
+    /// The folder that --proof wrote, or the archive that the page saved
+    #[arg(value_name = "CERTIFICATE")]
+    pub(crate) certificate: PathBuf,
 }
 
 #[derive(Debug, ClapArgs)]

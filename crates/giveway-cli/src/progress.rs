@@ -140,7 +140,8 @@ impl Known {
             Progress::Explained { .. }
             | Progress::Freedom { .. }
             | Progress::Traced { .. }
-            | Progress::Certifying { .. } => {}
+            | Progress::Certifying { .. }
+            | Progress::Exporting { .. } => {}
         }
     }
 

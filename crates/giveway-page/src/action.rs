@@ -166,6 +166,8 @@ pub enum SolveAction {
     ShowPoint(usize),
     /// Prove again what was answered last, of question or plan, and check the proofs.
     CheckProof,
+    /// Make certificates of what the inspector tells, and save them.
+    SaveProof,
     /// The worker got to know something.
     Progress {
         /// The number of the job.

@@ -44,7 +44,7 @@ impl State {
         match self.work.task() {
             Some(Task::Solve(_)) => return Phase::Solving,
             Some(Task::Explain(_)) => return Phase::Asking,
-            Some(Task::Certify(_)) => return Phase::Checking,
+            Some(Task::Certify(_) | Task::Export(_)) => return Phase::Checking,
             Some(Task::Freedom(_)) => return Phase::Counting,
             Some(Task::Change(_)) => return Phase::Adapting,
             Some(Task::Look(_)) | None => {}

@@ -8,7 +8,7 @@ use giveway_solve::explain::Verdict;
 
 use crate::ask::Badge;
 use crate::words::grouped;
-use crate::{Certified, Certifying, State, Task};
+use crate::{Certifies, State, Task, certificate};
 
 /// The check of a proof.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -46,24 +46,36 @@ pub struct Line {
 /// What there is to show; nothing where nothing was proved.
 pub fn proof(state: &State) -> Option<Proof> {
     if let Some(Task::Certify(run)) = state.work.task() {
-        return Some(Proof::Running(doing(run)));
+        return Some(Proof::Running(doing(run.at.as_ref())));
     }
-    let report = match state.document.mode.asking() {
-        Some(asking) => asking.report.as_deref(),
-        None => state
-            .document
-            .report()
-            .filter(|_| !state.document.is_stale()),
-    };
-    match report {
+    if let Some(Task::Export(run)) = state.work.task() {
+        return Some(Proof::Running(certificate::doing(run)));
+    }
+    match report(state) {
         Some(report) => Some(Proof::Done(outcome(report))),
         None => request(state).map(|_| Proof::Offered),
     }
 }
 
+/// What came of the check of what the inspector shows.
+fn report(state: &State) -> Option<&Report> {
+    match state.document.mode.asking() {
+        Some(asking) => asking.report.as_deref(),
+        None => state
+            .document
+            .report()
+            .filter(|_| !state.document.is_stale()),
+    }
+}
+
+/// Whether it was checked, and holds.
+pub(crate) fn is_accepted(state: &State) -> bool {
+    report(state).is_some_and(|report| report.accepted)
+}
+
 /// What is to be certified: the answer to the question, where one was asked,
 /// else the plan, or that there is none.
-pub(crate) fn request(state: &State) -> Option<(Certified, CertifyRequest)> {
+pub(crate) fn request(state: &State) -> Option<(Certifies, CertifyRequest)> {
     if !state.work.is_idle() {
         return None;
     }
@@ -76,7 +88,7 @@ pub(crate) fn request(state: &State) -> Option<(Certified, CertifyRequest)> {
         }
         let (scene, objective) = (&answer.request.scene, &answer.request.objective);
         let request = CertifyRequest::of_solved(scene.clone(), objective.clone(), &answer.solved);
-        let about = Certified::Answer(Rc::clone(answer));
+        let about = Certifies::Answer(Rc::clone(answer));
         return claims_something(&request).then_some((about, request));
     };
     // Certificates are of plans in one world.
@@ -92,7 +104,7 @@ pub(crate) fn request(state: &State) -> Option<(Certified, CertifyRequest)> {
         instance = instance.with_objective(objective.clone());
     }
     let request = CertifyRequest::of_explained(&instance, asking.request.plan.as_ref(), told);
-    let about = Certified::Question(Rc::clone(&asking.request));
+    let about = Certifies::Question(Rc::clone(&asking.request));
     claims_something(&request).then_some((about, request))
 }
 
@@ -102,8 +114,8 @@ fn claims_something(request: &CertifyRequest) -> bool {
 }
 
 /// What a check is at, for the status and the inspector.
-pub(crate) fn doing(run: &Certifying) -> String {
-    match &run.at {
+pub(crate) fn doing(at: Option<&(String, bool)>) -> String {
+    match at {
         None => "Checking the proof.".to_owned(),
         Some((claim, false)) => format!("Proving again: {claim}"),
         Some((claim, true)) => format!("Checking the proof: {claim}"),

@@ -11,6 +11,7 @@ use giveway_solve::plan::{PlanRequest, Planner};
 use giveway_solve::trace::SearchTrace;
 use giveway_solve::{CertifyRequest, Request, SolveRequest};
 
+use crate::certificate::Exporting;
 use crate::changing::Changing;
 use crate::inside::Looking;
 use crate::{Answer, Document, Draft, Mode};
@@ -41,6 +42,8 @@ pub enum Task {
     Explain(Rc<ExplainRequest>),
     /// What was answered is proved again and checked.
     Certify(Certifying),
+    /// What was answered is made into files that anyone can check.
+    Export(Exporting),
     /// Ways to go on are looked for where the world changes.
     Change(Adapting),
     /// A planner is looked into.
@@ -105,18 +108,20 @@ pub struct Certifying {
     /// The request.
     pub request: Rc<CertifyRequest>,
     /// What is certified.
-    pub about: Certified,
+    pub about: Certifies,
     /// The claim that it has come to, and whether its proof is being checked.
     pub at: Option<(String, bool)>,
 }
 
 /// What is certified.
 #[derive(Clone, Debug, PartialEq)]
-pub enum Certified {
+pub enum Certifies {
     /// The plan, or that there is none.
     Answer(Rc<Answer>),
     /// The answer to a question.
     Question(Rc<ExplainRequest>),
+    /// What must be so in every best plan.
+    Freedom(Rc<FreedomRequest>),
 }
 
 /// How large a formula is, and how far its solution.
@@ -223,6 +228,7 @@ impl Task {
             Self::Solve(run) => run.request(),
             Self::Explain(request) => Request::Explain((**request).clone()),
             Self::Certify(run) => Request::Certify((*run.request).clone()),
+            Self::Export(run) => Request::Export((*run.request).clone()),
             Self::Change(run) => Request::Change((*run.request).clone()),
             Self::Look(looking) => looking.request(),
             Self::Freedom(request) => Request::Freedom((**request).clone()),
@@ -231,25 +237,15 @@ impl Task {
 
     /// Whether a document still holds what the task is about.
     fn is_about(&self, document: &Document) -> bool {
-        let asks = |request: &Rc<ExplainRequest>| {
-            let asking = document.mode.asking();
-            asking.is_some_and(|asking| Rc::ptr_eq(&asking.request, request))
-        };
         match self {
             Self::Solve(solving) => {
                 Rc::ptr_eq(&solving.draft, &document.draft)
                     && solving.request.within == document.within
                     && matches!(document.mode, Mode::Editing | Mode::Auditing(_))
             }
-            Self::Explain(request) => asks(request),
-            Self::Certify(run) => match &run.about {
-                Certified::Question(request) => asks(request),
-                Certified::Answer(about) => {
-                    let answer = document.answer.as_ref();
-                    answer.is_some_and(|answer| Rc::ptr_eq(answer, about))
-                        && document.mode == Mode::Editing
-                }
-            },
+            Self::Explain(request) => asks(document, request),
+            Self::Certify(run) => run.about.is_in(document),
+            Self::Export(run) => run.about.is_in(document),
             Self::Look(looking) => {
                 Rc::ptr_eq(&looking.draft, &document.draft)
                     && looking.within == document.within
@@ -259,11 +255,32 @@ impl Task {
                 let changing = document.mode.changing();
                 changing.is_some_and(|changing| Rc::ptr_eq(changing, &run.changing))
             }
+            Self::Freedom(request) => Certifies::Freedom(Rc::clone(request)).is_in(document),
+        }
+    }
+}
+
+impl Certifies {
+    /// Whether a document still holds it.
+    fn is_in(&self, document: &Document) -> bool {
+        match self {
+            Self::Question(request) => asks(document, request),
+            Self::Answer(about) => {
+                let answer = document.answer.as_ref();
+                answer.is_some_and(|answer| Rc::ptr_eq(answer, about))
+                    && document.mode == Mode::Editing
+            }
             Self::Freedom(request) => {
                 let freedom = document.freedom();
                 freedom.is_some_and(|freedom| Rc::ptr_eq(&freedom.request, request))
-                    && matches!(document.mode, Mode::Editing)
+                    && document.mode == Mode::Editing
             }
         }
     }
+}
+
+/// Whether it is asked what a request asks.
+fn asks(document: &Document, request: &Rc<ExplainRequest>) -> bool {
+    let asking = document.mode.asking();
+    asking.is_some_and(|asking| Rc::ptr_eq(&asking.request, request))
 }

@@ -114,6 +114,7 @@ fn respond(response: Response) -> Result<String, Failure> {
         Response::Checked(answer) => write(&answer),
         Response::Explained(answer) => write(&answer),
         Response::Certified(report) => write(&report),
+        Response::Exported(answer) => write(&answer),
         Response::Changed(answer) => write(&answer),
         Response::Audited(answer) => write(&answer),
         Response::Freedom(answer) => write(&answer),

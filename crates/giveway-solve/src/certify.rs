@@ -1,6 +1,8 @@
 //! Certificates of answers: what an answer claims, proved again and checked by
 //! what trusts no solver ([`giveway_proof`]).
 
+mod export;
+
 use std::collections::BTreeMap;
 
 use borsh::{BorshDeserialize, BorshSerialize};
@@ -16,6 +18,9 @@ use crate::{
     budget::Budget,
     explain::{ExplainAnswer, Verdict},
 };
+
+pub(crate) use export::export;
+pub use export::{Certificate, ExportAnswer, ExportRequest};
 
 /// Make a certificate of what was answered, and check it.
 #[derive(
@@ -103,6 +108,19 @@ impl CertifyRequest {
         }
     }
 
+    /// The instance, with the objective of the request.
+    ///
+    /// # Errors
+    /// What is wrong with the scene.
+    pub(crate) fn instance(&self) -> Result<Instance, Refusal> {
+        let instance = Instance::new(self.scene.clone());
+        let instance = instance.map_err(|faults| Refusal::Scene { faults })?;
+        Ok(match &self.objective {
+            Some(objective) => instance.with_objective(objective.clone()),
+            None => instance,
+        })
+    }
+
     /// The claims, as certificates are made of them. The instance is that of the
     /// scene, with the objective of the request.
     pub fn claims<'a>(&'a self, instance: &'a Instance) -> Solved<'a> {
@@ -121,17 +139,26 @@ impl CertifyRequest {
 /// A certificate, made and checked at once. What cannot be proved again within
 /// half of the time is part of the report, and said not to be.
 pub(crate) fn certify(request: &CertifyRequest, host: &dyn Host) -> Result<Report, Refusal> {
-    let mut instance =
-        Instance::new(request.scene.clone()).map_err(|faults| Refusal::Scene { faults })?;
-    if let Some(objective) = &request.objective {
-        instance = instance.with_objective(objective.clone());
-    }
+    let instance = request.instance()?;
+    let solved = request.claims(&instance);
+    Ok(within(request.limits, host, |making, checking| {
+        confirm(&solved, making, checking)
+    }))
+}
+
+/// Does what makes certificates and checks them, each within its budget: for making
+/// them there is half of the time.
+fn within<T>(
+    limits: Limits,
+    host: &dyn Host,
+    work: impl FnOnce(&giveway_proof::Budget<'_>, &giveway_proof::Budget<'_>) -> T,
+) -> T {
     let half = |seconds| 0.5 * seconds;
-    let making = Limits {
-        seconds: request.limits.seconds.map(half),
-        ..request.limits
+    let shorter = Limits {
+        seconds: limits.seconds.map(half),
+        ..limits
     };
-    let (making, checking) = (Budget::new(host, making), Budget::new(host, request.limits));
+    let (making, checking) = (Budget::new(host, shorter), Budget::new(host, limits));
     let tell = |checking| {
         move |claim: &Claim| {
             let claim = claim.sentence();
@@ -139,9 +166,8 @@ pub(crate) fn certify(request: &CertifyRequest, host: &dyn Host) -> Result<Repor
         }
     };
     let (makes, checks) = (tell(false), tell(true));
-    let size = size(&request.limits);
-    Ok(confirm(
-        &request.claims(&instance),
+    let size = size(&limits);
+    work(
         &giveway_proof::Budget {
             go_on: &|| making.check().is_ok(),
             tell: &makes,
@@ -152,7 +178,7 @@ pub(crate) fn certify(request: &CertifyRequest, host: &dyn Host) -> Result<Repor
             tell: &checks,
             ..size
         },
-    ))
+    )
 }
 
 /// What fits into the memory, by what formulas, proofs and states were measured

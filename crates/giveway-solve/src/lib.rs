@@ -36,7 +36,7 @@ pub mod words;
 use giveway_planners::{first, lns, local, single, terrain, walk};
 
 pub use answer::{CheckAnswer, FrontAnswer, SolveAnswer, Stats, Status};
-pub use certify::CertifyRequest;
+pub use certify::{Certificate, CertifyRequest, ExportAnswer, ExportRequest};
 pub use host::{Host, SilentHost};
 pub use progress::Progress;
 pub use request::{Basic, CheckRequest, Limits, Request, SolveRequest};

@@ -57,6 +57,13 @@ pub enum Progress {
         /// The answer as far as it is known; `pending` names what is to come.
         answer: Box<FreedomAnswer>,
     },
+    /// A certificate is begun.
+    Exporting {
+        /// How many were made before it.
+        done: u32,
+        /// How many there are.
+        of: u32,
+    },
     /// A claim is being proved again, or its proof checked.
     Certifying {
         /// The claim as a sentence.

@@ -7,7 +7,10 @@ use serde::{Deserialize, Serialize};
 use crate::audit::AuditRequest;
 use crate::change::ChangeRequest;
 use crate::together::TogetherRequest;
-use crate::{CertifyRequest, explain::ExplainRequest, freedom::FreedomRequest, plan::PlanRequest};
+use crate::{
+    CertifyRequest, ExportRequest, explain::ExplainRequest, freedom::FreedomRequest,
+    plan::PlanRequest,
+};
 
 /// A request to the [service](crate::service).
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, BorshSerialize, BorshDeserialize)]
@@ -21,6 +24,8 @@ pub enum Request {
     Explain(ExplainRequest),
     /// Prove again what was answered, and check the proofs.
     Certify(CertifyRequest),
+    /// The same, as files that anyone can check.
+    Export(ExportRequest),
     /// Go on with a plan around which the world changes.
     Change(ChangeRequest),
     /// Judge a plan, and tell how far it is from the best.
@@ -53,6 +58,7 @@ impl Request {
             | Self::Check(_)
             | Self::Explain(_)
             | Self::Certify(_)
+            | Self::Export(_)
             | Self::Audit(_)
             | Self::Plan(_)
             | Self::Together(_)

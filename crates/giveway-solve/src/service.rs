@@ -10,10 +10,11 @@ use giveway_proof::Report;
 use serde::{Deserialize, Serialize};
 
 use crate::{
-    Basic, CheckAnswer, CheckRequest, FrontAnswer, Host, Request, SolveAnswer, SolveRequest,
+    Basic, CheckAnswer, CheckRequest, ExportAnswer, FrontAnswer, Host, Request, SolveAnswer,
+    SolveRequest,
     audit::{self, AuditAnswer},
     budget::Budget,
-    certify::certify,
+    certify::{certify, export},
     change::{self, ChangeAnswer, ChangeRequest},
     explain::{ExplainAnswer, engine},
     freedom::{self, FreedomAnswer},
@@ -37,6 +38,8 @@ pub enum Response {
     Explained(Box<ExplainAnswer>),
     /// To [`Request::Certify`].
     Certified(Box<Report>),
+    /// To [`Request::Export`].
+    Exported(Box<ExportAnswer>),
     /// To [`Request::Change`].
     Changed(Box<ChangeAnswer>),
     /// To [`Request::Audit`].
@@ -129,6 +132,10 @@ pub fn serve(request: &Request, host: &dyn Host) -> Response {
         },
         Request::Certify(request) => match certify(request, host) {
             Ok(report) => Response::Certified(Box::new(report)),
+            Err(refusal) => Response::Refused(refusal),
+        },
+        Request::Export(request) => match export(request, host) {
+            Ok(answer) => Response::Exported(Box::new(answer)),
             Err(refusal) => Response::Refused(refusal),
         },
         Request::Audit(request) => match audit::serve(request, host) {

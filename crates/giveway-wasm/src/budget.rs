@@ -15,6 +15,7 @@ pub(crate) fn within_budget(mut request: Request) -> Request {
         Request::Solve(solve) => &mut solve.limits,
         Request::Explain(explain) => &mut explain.limits,
         Request::Certify(certify) => &mut certify.limits,
+        Request::Export(export) => &mut export.limits,
         Request::Change(change) => &mut change.limits,
         Request::Audit(audit) => &mut audit.limits,
         Request::Plan(plan) => &mut plan.limits,

@@ -8,10 +8,11 @@ use giveway_page::freedom::{
 use giveway_page::{Action, BoardAction, Selection, State};
 use yew::prelude::*;
 
+use super::proof;
 use crate::{glyph, icon};
 
 /// What is told of the plan as a whole.
-pub(super) fn show(column: &Column, is_wide: bool, send: &Callback<Action>) -> Html {
+pub(super) fn show(column: &Column, save: Html, is_wide: bool, send: &Callback<Action>) -> Html {
     html! {
         <div class="freedom-told">
             <header class="qh">
@@ -29,6 +30,7 @@ pub(super) fn show(column: &Column, is_wide: bool, send: &Callback<Action>) -> H
                 { section("Another plan as good", found, |found| other(found, is_wide, send)) }
             }
             if let Some(reach) = &column.reach { <p class="remark">{ reach.clone() }</p> }
+            { save }
         </div>
     }
 }
@@ -173,6 +175,7 @@ pub(super) fn part(state: &State, send: &Callback<Action>) -> Html {
                     if let Some((cell, title)) = &part.closing { <li>{ close(*cell, title, "", send) }</li> }
                 </ul>
             }
+            if chip(state) == Chip::On { { proof::saving(state, send) } }
         </section>
     }
 }

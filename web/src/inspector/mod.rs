@@ -119,7 +119,10 @@ fn content(state: &Shown, send: &Callback<Action>) -> Html {
             None => whole::show(state, send),
         },
         Selection::Nothing => match giveway_page::freedom::column(state) {
-            Some(column) => freedom::show(&column, state.view.is_wide, send),
+            Some(column) => {
+                let save = proof::saving(state, send);
+                freedom::show(&column, save, state.view.is_wide, send)
+            }
             None => whole::show(state, send),
         },
     }

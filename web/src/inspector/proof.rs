@@ -1,5 +1,7 @@
-//! The check of a proof: its button, what it is at, what came of it.
+//! The check of a proof: its button, what it is at, what came of it, and what saves its
+//! certificate.
 
+use giveway_page::certificate;
 use giveway_page::proof::{Line, Outcome, Proof, proof};
 use giveway_page::{Action, SolveAction, State};
 use yew::prelude::*;
@@ -14,11 +16,34 @@ pub(super) fn show(state: &State, send: &Callback<Action>) -> Html {
                 { icon::show("proved") }{ "Check the proof" }
             </button>
         },
-        Some(Proof::Running(doing)) => html! {
-            <ul class="pending proof-at"><li>{ doing.trim_end_matches('.').to_owned() }</li></ul>
-        },
-        Some(Proof::Done(outcome)) => done(&outcome),
+        Some(Proof::Running(doing)) => running(&doing),
+        Some(Proof::Done(outcome)) => html! { <>{ done(&outcome) }{ save(state, send) }</> },
     }
+}
+
+/// What saves certificates of what is told.
+pub(super) fn save(state: &State, send: &Callback<Action>) -> Html {
+    let Some(words) = certificate::offer(state) else {
+        return Html::default();
+    };
+    html! {
+        <button type="button" class="btn outline more" title="Files with which anyone can check it"
+            onclick={send.reform(|_| Action::Solve(SolveAction::SaveProof))}>
+            { icon::show("save") }{ words }
+        </button>
+    }
+}
+
+/// What is being checked or saved, where it is about what must be so.
+pub(super) fn saving(state: &State, send: &Callback<Action>) -> Html {
+    match proof(state) {
+        Some(Proof::Running(doing)) => running(&doing),
+        _ => save(state, send),
+    }
+}
+
+fn running(doing: &str) -> Html {
+    html! { <ul class="pending proof-at"><li>{ doing.trim_end_matches('.').to_owned() }</li></ul> }
 }
 
 fn done(outcome: &Outcome) -> Html {

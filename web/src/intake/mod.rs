@@ -10,6 +10,7 @@ use std::rc::Rc;
 use giveway_page::intake::Intake;
 use giveway_page::intake::protocol::{Message, Reply};
 use giveway_page::{Action, IntakeAction};
+use gloo::file::Blob;
 use yew::platform::spawn_local;
 use yew::prelude::*;
 
@@ -18,7 +19,7 @@ use crate::held::Held;
 use crate::solver::{Event, Hired, Name, Program};
 use crate::{Shown, files};
 
-/// Does what [`Intake`] says, and sends what the reader tells. What turns out to be
+/// Does what [`Intake`] says, saves what was packed, and sends what the reader tells. What turns out to be
 /// the page's own business is opened by it.
 #[hook]
 pub(crate) fn use_intake(state: &Shown, send: &Callback<Action>, show: &Callback<Panel>) {
@@ -29,6 +30,15 @@ pub(crate) fn use_intake(state: &Shown, send: &Callback<Action>, show: &Callback
     reader.0.state.set(Some(state.clone()));
     reader.0.show.set(Some(show.clone()));
     let state = state.clone();
+    {
+        let send = send.clone();
+        use_effect_with(state.intake.packed.clone(), move |packed| {
+            if let Some(packed) = packed {
+                files::save_as(&packed.name, Blob::new(packed.bytes.as_slice()));
+                send.emit(Action::Intake(IntakeAction::Saved));
+            }
+        });
+    }
     let job = state
         .intake
         .job()

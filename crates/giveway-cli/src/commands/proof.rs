@@ -8,8 +8,8 @@ use giveway_model::words::count;
 use giveway_model::{Fault, Instance, Plan};
 use giveway_proof::{Budget, Solved, bundle::Entry, bundle::Manifest, export};
 use giveway_solve::explain::ExplainAnswer;
-use giveway_solve::freedom::{Certificate, FreedomAnswer};
-use giveway_solve::{CertifyRequest, SolveAnswer};
+use giveway_solve::freedom::FreedomAnswer;
+use giveway_solve::{Certificate, CertifyRequest, SolveAnswer};
 
 use crate::{
     args::Common,

@@ -1,12 +1,14 @@
-//! `giveway verify`: checks an exported certificate again.
+//! `giveway verify`: checks exported certificates again.
 
-use std::collections::BTreeSet;
+use std::collections::{BTreeMap, BTreeSet};
 use std::fs::{self, File};
 use std::io::{self, Read};
 use std::path::Path;
 
-use giveway_model::Fault;
-use giveway_proof::{Budget, Bundle, Certified, bundle::Manifest, verify};
+use giveway_model::{Fault, Version};
+use giveway_proof::bundle::{Manifest, archive};
+use giveway_proof::{Budget, Bundle, Certified, Report, verify};
+use serde::Serialize;
 
 use crate::{
     args::{Common, Verify},
@@ -20,21 +22,74 @@ use crate::{
 const MOST_MANIFEST: u64 = 4 << 20;
 const MOST: u64 = 512 << 20;
 
+/// What came of checking several certificates.
+#[derive(Serialize)]
+struct Reports {
+    giveway: Version,
+    /// By their names.
+    certificates: BTreeMap<String, Report>,
+}
+
 pub(crate) fn run(args: &Verify, common: &Common) -> Result<Exit, Failure> {
-    let bundle = read(&args.folder)?;
-    let report = verify(&bundle, &Budget::default());
-    output::answer(common.format, &report, |_| text::verify(&report))?;
-    Ok(match (report.certified, report.stopped) {
-        (Certified::NotCertified, true) => Exit::Unknown,
-        (Certified::NotCertified, false) => Exit::Wrong,
-        (Certified::Proved | Certified::ProvedAndSearched, _) => Exit::Answered,
-    })
+    let reports = read(&args.certificate)?.into_iter();
+    let reports = reports.map(|(name, bundle)| (name, verify(&bundle, &Budget::default())));
+    let reports = Reports {
+        giveway: Version,
+        certificates: reports.collect(),
+    };
+    let is = |test: fn(&Report) -> bool| reports.certificates.values().any(test);
+    let exit = if is(|report| report.certified == Certified::NotCertified && !report.stopped) {
+        Exit::Wrong
+    } else if is(|report| report.certified == Certified::NotCertified) {
+        Exit::Unknown
+    } else {
+        Exit::Answered
+    };
+    match reports.certificates.first_key_value() {
+        Some((_, report)) if reports.certificates.len() == 1 => {
+            output::answer(common.format, report, |_| text::verify(report))?;
+        }
+        _ => output::answer(common.format, &reports, |_| {
+            text::verify_all(&reports.certificates)
+        })?,
+    }
+    Ok(exit)
+}
+
+/// The certificates of an archive, of a folder of folders, or the one of a folder.
+fn read(path: &Path) -> Result<archive::Bundles, Failure> {
+    let failure = |error: &io::Error| {
+        let fault = Fault::at("", error.to_string(), "a certificate");
+        Failure::input(path.to_string_lossy(), fault)
+    };
+    if fs::metadata(path)
+        .map_err(|error| failure(&error))?
+        .is_file()
+    {
+        let bytes = bounded(path, MOST).map_err(|error| failure(&error))?;
+        return archive::unpack(&bytes)
+            .map_err(|fault| Failure::input(path.to_string_lossy(), fault));
+    }
+    let mut bundles = archive::Bundles::new();
+    if !path.join(MANIFEST).exists() {
+        for entry in fs::read_dir(path).map_err(|error| failure(&error))? {
+            let entry = entry.map_err(|error| failure(&error))?;
+            if entry.path().join(MANIFEST).is_file() {
+                let name = entry.file_name().to_string_lossy().into_owned();
+                bundles.insert(name, read_folder(&entry.path())?);
+            }
+        }
+    }
+    if bundles.is_empty() {
+        bundles.insert(String::new(), read_folder(path)?);
+    }
+    Ok(bundles)
 }
 
 /// The manifest, and the files that it names: no others are read. Whatever else
 /// lies in the folder has no bytes, and is refused as something that does not
 /// belong there.
-fn read(folder: &Path) -> Result<Bundle, Failure> {
+fn read_folder(folder: &Path) -> Result<Bundle, Failure> {
     let failure = |path: &Path, error: &io::Error| {
         let fault = Fault::at("", error.to_string(), "the folder of a certificate");
         Failure::input(path.to_string_lossy(), fault)

@@ -20,7 +20,7 @@ pub(crate) use freedom::freedom;
 pub(crate) use front::front;
 pub(crate) use planned::planned;
 pub(crate) use solve::solve;
-pub(crate) use verify::verify;
+pub(crate) use verify::{verify, verify_all};
 
 use anstyle::{AnsiColor, Style};
 use giveway_model::words::count;

@@ -3,6 +3,7 @@
 use std::fs;
 
 use expect_test::expect;
+use giveway_proof::bundle::archive;
 use serde_json::{Value, json};
 
 use crate::audit::fits;
@@ -207,6 +208,66 @@ fn each_claim_has_a_certificate_of_its_own() {
         Together: there is no plan.
         Together: there is no plan.
     "#]].assert_eq(&said);
+}
+
+#[test]
+fn all_certificates_are_verified_at_once_as_folders_and_as_an_archive() {
+    let folder = folder();
+    folder
+        .run("freedom two.json --backbone --proof shown")
+        .answer_but_for_notes();
+    let run = folder.run("verify shown");
+    assert_eq!(run.exit, Some(0), "{}", run.err);
+    assert!(run.out.starts_with("best\nAccepted"), "{}", run.out);
+    assert!(
+        run.out.ends_with("9 of 9 certificates accepted.\n"),
+        "{}",
+        run.out
+    );
+
+    let mut bundles = archive::Bundles::new();
+    for entry in fs::read_dir(folder.path("shown")).unwrap() {
+        let entry = entry.unwrap();
+        let files = fs::read_dir(entry.path()).unwrap().map(|file| {
+            let file = file.unwrap();
+            let name = file.file_name().into_string().unwrap();
+            (name, fs::read(file.path()).unwrap())
+        });
+        let name = entry.file_name().into_string().unwrap();
+        bundles.insert(name, files.collect());
+    }
+    let bytes = archive::pack(&bundles).unwrap();
+    fs::write(folder.path("shown.zip"), &bytes).unwrap();
+    let packed = folder.run("verify shown.zip");
+    assert_eq!(packed.out, run.out);
+    let json = folder.run("verify shown.zip --format json").json();
+    assert_eq!(json["certificates"]["robot-1-at-3"]["accepted"], true);
+
+    // One that was changed, a file that is none, an archive that was cut off.
+    let plan = bundles
+        .get_mut("best")
+        .unwrap()
+        .get_mut("plan.json")
+        .unwrap();
+    plan.push(b'\n');
+    fs::write(folder.path("changed.zip"), archive::pack(&bundles).unwrap()).unwrap();
+    let changed = folder.run("verify changed.zip");
+    assert_eq!(changed.exit, Some(1), "{}", changed.out);
+    assert!(
+        changed.out.ends_with("8 of 9 certificates accepted.\n"),
+        "{}",
+        changed.out
+    );
+    fs::write(folder.path("cut.zip"), &bytes[..bytes.len() / 2]).unwrap();
+    for none in ["cut.zip", "two.json"] {
+        let run = folder.run(&format!("verify {none}"));
+        assert_eq!((run.exit, run.out.as_str()), (Some(1), ""), "{none}");
+        assert!(
+            run.err.contains("a zip archive of certificates"),
+            "{}",
+            run.err
+        );
+    }
 }
 
 #[test]

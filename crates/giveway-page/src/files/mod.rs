@@ -19,6 +19,7 @@ use kind::Kind;
 
 pub use blank::blank;
 pub use dropped::read_beside;
+pub(crate) use save::certificate_name;
 pub use save::{
     Saved, changes_file, freedom_file, kept_file, picture_name, plan_file, scene_file, trace_file,
 };

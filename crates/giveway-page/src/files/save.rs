@@ -97,6 +97,12 @@ pub fn kept_file(state: &State) -> Saved {
     }
 }
 
+/// The name of an archive of certificates.
+pub(crate) fn certificate_name(state: &State) -> String {
+    let stem = file_stem(&state.document.draft.scene().name, "scene");
+    format!("{stem}-certificate.zip")
+}
+
 /// The name of a picture of the board at the time shown, with its ending.
 ///
 /// ```

@@ -31,6 +31,8 @@ pub struct Intake {
     waiting: Rc<Vec<Opened>>,
     /// What was written last, to be saved.
     pub written: Option<Rc<Written>>,
+    /// What was packed, until it is saved.
+    pub packed: Option<Rc<Packed>>,
 }
 
 /// What the reader does, or waits for.
@@ -59,6 +61,15 @@ pub struct Written {
     pub losses: Vec<String>,
 }
 
+/// A file that is saved as soon as it is there.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Packed {
+    /// Its name.
+    pub name: String,
+    /// What is in it.
+    pub bytes: Vec<u8>,
+}
+
 /// What is to be written by the reader.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub enum Save {
@@ -73,7 +84,7 @@ impl Job {
     pub fn files(&self) -> &[Opened] {
         match &*self.task {
             Task::Read(read) => &read.files,
-            Task::Write { .. } | Task::Report { .. } => &[],
+            Task::Write { .. } | Task::Pack { .. } | Task::Report { .. } => &[],
         }
     }
 }
@@ -104,7 +115,7 @@ impl Intake {
         self.started += 1;
         let sentence = match &task {
             Task::Read(read) => format!("Reading {} …", names(&read.files)),
-            Task::Write { .. } | Task::Report { .. } => "Writing …".to_owned(),
+            Task::Write { .. } | Task::Pack { .. } | Task::Report { .. } => "Writing …".to_owned(),
         };
         self.job = Some(Job {
             id: self.started,

@@ -6,6 +6,7 @@ use std::collections::BTreeMap;
 use borsh::{BorshDeserialize, BorshSerialize};
 use giveway_model::format::foreign::{Conventions, ForeignPlan, Format};
 use giveway_model::{Cost, Plan, Scene};
+use giveway_solve::ExportAnswer;
 
 use crate::files::Opened;
 
@@ -33,6 +34,13 @@ pub enum Task {
         scene: Scene,
         /// The plan.
         plan: Option<Plan>,
+    },
+    /// Pack certificates into one file.
+    Pack {
+        /// Its name.
+        name: String,
+        /// The certificates.
+        answer: ExportAnswer,
     },
     /// Write a report of an audit.
     Report {
@@ -116,6 +124,8 @@ pub enum Reply {
     Refused(String, Vec<String>),
     /// Files to be saved (name and text), and what they cannot hold.
     Written(Vec<(String, String)>, Vec<String>),
+    /// One file, to be saved.
+    Packed(Vec<u8>),
 }
 
 /// A scene with its plans, as files tell them.

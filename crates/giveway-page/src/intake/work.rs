@@ -8,6 +8,8 @@ use giveway_model::format::foreign::{
 };
 use giveway_model::format::read_text;
 use giveway_model::{Cost, Fault, Instance, Plan, Scene};
+use giveway_proof::bundle::archive::pack;
+use giveway_solve::ExportAnswer;
 
 use super::protocol::{Found, Read, Reply, ReportKind, Task};
 use crate::State;
@@ -29,6 +31,7 @@ pub fn work(task: Task) -> Reply {
             scene,
             plan,
         } => writing(format, &stem, scene, plan.as_ref()),
+        Task::Pack { answer, .. } => packing(answer),
         Task::Report {
             kind,
             kept,
@@ -163,6 +166,24 @@ fn faulty(file: &str, faults: &[Fault]) -> (String, Vec<String>) {
     }
     let sentence = format!("{file} cannot be opened; the scene stays as it is.");
     (sentence, details)
+}
+
+/// Packs certificates into one file.
+fn packing(answer: ExportAnswer) -> Reply {
+    let bundles = answer.certificates.into_iter().map(|(name, it)| {
+        let files = it.files.into_iter();
+        (
+            name,
+            files.map(|(file, text)| (file, text.into())).collect(),
+        )
+    });
+    match pack(&bundles.collect()) {
+        Ok(bytes) => Reply::Packed(bytes),
+        Err(fault) => Reply::Refused(
+            "The certificates cannot be saved.".to_owned(),
+            vec![fault.to_string()],
+        ),
+    }
 }
 
 /// Writes a report of the audit in a kept document.

@@ -9,9 +9,9 @@ use super::{audit, file, stroke};
 use crate::action::IntakeAction;
 use crate::files::Opened;
 use crate::intake::protocol::{Found, Read, Reply, Task};
-use crate::intake::{self, Job, Save, Written, beside};
+use crate::intake::{self, Job, Packed, Save, Written, beside};
 use crate::link::keep_moment;
-use crate::{Notice, State};
+use crate::{Notice, State, certificate};
 
 pub(super) fn intake(state: &mut State, action: IntakeAction) {
     match action {
@@ -47,14 +47,18 @@ pub(super) fn intake(state: &mut State, action: IntakeAction) {
             }
         }
         IntakeAction::Save(what) => save(state, what),
-        IntakeAction::Saved => state.intake.written = None,
+        IntakeAction::Saved => {
+            state.intake.written = None;
+            state.intake.packed = None;
+        }
     }
 }
 
-fn begin(state: &mut State, task: Task) {
+pub(super) fn begin(state: &mut State, task: Task) {
     stroke::release(state);
     state.view.notice = None;
     state.intake.written = None;
+    state.intake.packed = None;
     state.intake.start(task);
 }
 
@@ -136,10 +140,11 @@ fn replied(state: &mut State, job: Job, reply: Reply) {
             });
         }
         Reply::Refused(sentence, details) => written_or_told(state, &job, sentence, details),
+        Reply::Packed(bytes) => packed(state, &job, bytes),
         Reply::Written(files, losses) => {
             let format = match &*job.task {
                 Task::Write { format, .. } => Some(*format),
-                Task::Read(_) | Task::Report { .. } => None,
+                Task::Read(_) | Task::Pack { .. } | Task::Report { .. } => None,
             };
             state.intake.written = Some(Rc::new(Written {
                 format,
@@ -147,6 +152,15 @@ fn replied(state: &mut State, job: Job, reply: Reply) {
                 losses,
             }));
         }
+    }
+}
+
+/// Certificates are one file now.
+fn packed(state: &mut State, job: &Job, bytes: Vec<u8>) {
+    if let Task::Pack { name, answer } = &*job.task {
+        state.view.notice = Some(certificate::saved(name, answer));
+        let name = name.clone();
+        state.intake.packed = Some(Rc::new(Packed { name, bytes }));
     }
 }
 

@@ -33,6 +33,13 @@ pub(super) fn progress(state: &mut State, id: u64, event: Progress) {
         (Task::Certify(run), Progress::Certifying { claim, checking }) => {
             run.at = Some((claim, checking));
         }
+        (Task::Export(run), Progress::Certifying { claim, checking }) => {
+            run.at = Some((claim, checking));
+        }
+        (Task::Export(run), Progress::Exporting { done, of }) => {
+            run.made = (done, of);
+            run.at = None;
+        }
         (Task::Explain(_), Progress::Explained { answer }) => ask::learn(state, *answer),
         (Task::Freedom(_), Progress::Freedom { answer }) => freedom::learn(state, *answer),
         _ => {}
@@ -51,6 +58,7 @@ pub(super) fn respond(state: &mut State, id: u64, response: Response) {
         (Task::Solve(run), Response::Planned(told)) => planners::planned(state, &run, &told),
         (Task::Explain(_), Response::Explained(answer)) => ask::learn(state, *answer),
         (Task::Certify(run), Response::Certified(report)) => proof::checked(state, &run, *report),
+        (Task::Export(_), Response::Exported(answer)) => proof::exported(state, *answer),
         (Task::Freedom(_), Response::Freedom(answer)) => freedom::learn(state, *answer),
         (Task::Change(run), Response::Changed(told)) => change::answered(state, &run, *told),
         (Task::Look(looking), response) => inside::respond(state, &looking, response),
@@ -64,6 +72,7 @@ fn refused(state: &mut State, task: &Task, refusal: &Refusal) {
         Task::Solve(_) => "The solver refused the scene.",
         Task::Explain(_) => "The question cannot be answered.",
         Task::Certify(_) => "The proof cannot be checked.",
+        Task::Export(_) => "The certificate cannot be made.",
         Task::Change(_) => "The changes were refused.",
         Task::Look(_) => "The planner refused the scene.",
         Task::Freedom(_) => "What must be so cannot be told of this plan.",

@@ -1,12 +1,13 @@
-//! The check of a proof: started, done.
+//! The check of a proof: started, done, its certificates saved.
 
 use std::rc::Rc;
 
 use giveway_proof::Report;
-use giveway_solve::{CertifyRequest, Limits};
+use giveway_solve::{CertifyRequest, ExportAnswer, ExportRequest, Limits};
 
-use super::{ask, stroke};
-use crate::{Certified, Certifying, State, Task, proof};
+use super::{ask, intake, stroke};
+use crate::certificate::{self, Exporting};
+use crate::{Certifies, Certifying, State, Task, files, intake::protocol, proof};
 
 /// Starts it where there is something to be checked.
 pub(super) fn start(state: &mut State) {
@@ -17,10 +18,7 @@ pub(super) fn start(state: &mut State) {
     state.view.notice = None;
     state.work.start(Task::Certify(Certifying {
         request: Rc::new(CertifyRequest {
-            limits: Limits {
-                seconds: Some(f64::from(state.settings.seconds)),
-                ..Limits::default()
-            },
+            limits: limits(state),
             ..request
         }),
         about,
@@ -28,14 +26,51 @@ pub(super) fn start(state: &mut State) {
     }));
 }
 
+/// Starts what makes certificates of what the inspector tells.
+pub(super) fn export(state: &mut State) {
+    stroke::release(state);
+    let Some((about, certificates)) = certificate::certificates(state) else {
+        return ask::refuse(state, "There is nothing proved to be saved.");
+    };
+    state.view.notice = None;
+    let made = (0, u32::try_from(certificates.len()).unwrap_or(u32::MAX));
+    let limits = limits(state);
+    state.work.start(Task::Export(Exporting {
+        request: Rc::new(ExportRequest {
+            certificates,
+            limits,
+        }),
+        about,
+        made,
+        at: None,
+    }));
+}
+
+/// They are made: they become one file.
+pub(super) fn exported(state: &mut State, answer: ExportAnswer) {
+    if answer.certificates.is_empty() {
+        return ask::refuse(state, "Time ran out before the first certificate was made.");
+    }
+    let name = files::certificate_name(state);
+    intake::begin(state, protocol::Task::Pack { name, answer });
+}
+
+fn limits(state: &State) -> Limits {
+    Limits {
+        seconds: Some(f64::from(state.settings.seconds)),
+        ..Limits::default()
+    }
+}
+
 /// It is done.
 pub(super) fn checked(state: &mut State, run: &Certifying, report: Report) {
     let report = Rc::new(report);
     match &run.about {
-        Certified::Answer(answer) => {
+        Certifies::Answer(answer) => {
             state.document.checked = Some((Rc::clone(answer), report));
         }
-        Certified::Question(_) => {
+        Certifies::Freedom(_) => {}
+        Certifies::Question(_) => {
             if let Some(asking) = state.document.mode.asking_mut() {
                 asking.report = Some(report);
             }

@@ -87,7 +87,11 @@ impl State {
         Moment {
             document: self.document.clone(),
             time: self.view.playback.time.min(last),
-            selection: self.view.selection,
+            // Whoever comes back to a plan of their own sees the robot that they lead.
+            selection: match self.document.mode.steering() {
+                Some(own) => Selection::Agent(own.agent),
+                None => self.view.selection,
+            },
         }
     }
 

@@ -9,6 +9,8 @@
 //! | `NAME.cnf`, `NAME.drat` | the formula of a claim and the proof that it is unsatisfiable |
 //! | `NAME.names.txt` | what the variables of the formula stand for |
 
+#[cfg(feature = "archive")]
+pub mod archive;
 mod export;
 pub(crate) mod manifest;
 mod missing;

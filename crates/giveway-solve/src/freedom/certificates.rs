@@ -6,52 +6,71 @@
 
 use std::collections::BTreeMap;
 
-use giveway_model::{Cost, Instance, Question, sorting::map};
+use giveway_model::{Cell, Cost, Instance, Question, sorting::map};
 use giveway_proof::{Claim, Condition};
 
 use super::{Closed, CriticalCell, FreedomAnswer, Known, Proved, Visit, critical::scene_without};
-use crate::{CertifyRequest, Status};
-
-/// A claim that can be certified by itself.
-#[derive(Clone, Debug, PartialEq)]
-pub struct Certificate {
-    /// A name for its folder: letters, digits and hyphens.
-    pub name: String,
-    /// What is to be certified.
-    pub request: CertifyRequest,
-}
+use crate::{Certificate, CertifyRequest, Status};
 
 impl FreedomAnswer {
     /// All that is claimed and can be certified: that the plan is a best one, what
     /// every best plan has, and what closing cells costs at least. The instance has
     /// the objective of the answer.
     pub fn certificates(&self, instance: &Instance) -> Vec<Certificate> {
-        let mut certificates = Vec::new();
-        if matches!(self.status, Status::Optimal | Status::Impossible) {
-            certificates.push(Certificate {
-                name: "best".to_owned(),
-                request: self.of_best(instance),
-            });
-        }
-        for (number, agent) in (1..).zip(instance.agents()) {
+        let best = matches!(self.status, Status::Optimal | Status::Impossible);
+        let best = best.then(|| Certificate {
+            name: "best".to_owned(),
+            request: self.of_best(instance),
+        });
+        let closed = self.critical.iter().flatten();
+        let closed = closed.filter_map(|it| self.of_closed(instance, it));
+        let visits = self.of_visits(instance, |_, _| true);
+        best.into_iter().chain(visits).chain(closed).collect()
+    }
+
+    /// All that is claimed of an agent and can be certified: where it must be.
+    pub fn certificates_of_agent<'a>(
+        &'a self,
+        instance: &'a Instance,
+        agent: &'a str,
+    ) -> impl Iterator<Item = Certificate> + 'a {
+        self.of_visits(instance, move |name, _| name == agent)
+    }
+
+    /// All that is claimed of a cell and can be certified: who must be there, what
+    /// closing it costs at least.
+    pub fn certificates_of_cell<'a>(
+        &'a self,
+        instance: &'a Instance,
+        cell: Cell,
+    ) -> impl Iterator<Item = Certificate> + 'a {
+        let closed = self.critical.iter().flatten();
+        let closed = closed.filter(move |it| it.cell == cell);
+        let closed = closed.filter_map(|it| self.of_closed(instance, it));
+        let visits = self.of_visits(instance, move |_, visit| visit.cell == Some(cell));
+        visits.chain(closed)
+    }
+
+    /// What every best plan has, of some visits of some agents.
+    fn of_visits<'a>(
+        &'a self,
+        instance: &'a Instance,
+        wanted: impl Fn(&str, &Visit) -> bool + 'a,
+    ) -> impl Iterator<Item = Certificate> + 'a {
+        let agents = (1..).zip(instance.agents());
+        let visits = agents.flat_map(|(number, agent)| {
             let visits = self.backbone.iter();
             let visits = visits.filter_map(|backbone| backbone.get(&agent.name));
-            for visit in visits.flatten() {
-                for (what, question) in questions(&agent.name, visit) {
-                    certificates.push(Certificate {
-                        name: format!("robot-{number}-{what}-{}", visit.time),
-                        request: self.of_backbone(instance, question),
-                    });
-                }
-            }
-        }
-        for it in self.critical.iter().flatten() {
-            certificates.extend(self.of_closed(instance, it).map(|request| Certificate {
-                name: format!("without-{}-{}", it.cell.x, it.cell.y),
-                request,
-            }));
-        }
-        certificates
+            visits.flatten().map(move |visit| (number, agent, visit))
+        });
+        let visits = visits.filter(move |(_, agent, visit)| wanted(&agent.name, visit));
+        visits.flat_map(move |(number, agent, visit)| {
+            let questions = questions(&agent.name, visit).into_iter();
+            questions.map(move |(what, question)| Certificate {
+                name: format!("robot-{number}-{what}-{}", visit.time),
+                request: self.of_backbone(instance, question),
+            })
+        })
     }
 
     /// That no plan is better than this one, or that there is none.
@@ -86,7 +105,7 @@ impl FreedomAnswer {
     /// That without a cell no plan costs less than is said, or there is none. Nothing
     /// where nothing is lost, as the plan of the whole scene shows it, or where
     /// somebody needs the very cell, so that no scene is left.
-    fn of_closed(&self, instance: &Instance, it: &CriticalCell) -> Option<CertifyRequest> {
+    fn of_closed(&self, instance: &Instance, it: &CriticalCell) -> Option<Certificate> {
         let (bounds, impossible, proved) = match &it.closed {
             Closed::Optimal { costs, proved, .. } if !it.closed.is_harmless() => {
                 let costs = self.objective.costs().iter().map(|&c| (c, costs.get(c)));
@@ -101,7 +120,7 @@ impl FreedomAnswer {
         let mut scene = scene_without(&instance.to_scene(), it.cell)?;
         let name = format!("{} without {}", instance.name(), it.cell);
         name.trim().clone_into(&mut scene.name);
-        Some(CertifyRequest {
+        let request = CertifyRequest {
             scene,
             bounds,
             impossible,
@@ -111,6 +130,10 @@ impl FreedomAnswer {
                 Proved::Within(makespan) => Some(makespan),
             },
             ..CertifyRequest::default()
+        };
+        Some(Certificate {
+            name: format!("without-{}-{}", it.cell.x, it.cell.y),
+            request,
         })
     }
 

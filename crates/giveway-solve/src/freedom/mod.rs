@@ -21,6 +21,5 @@ pub use answer::{
     About, Closed, CriticalCell, Farthest, FreedomAnswer, Hold, Known, Later, Need, PlanCount,
     Plans, Proved, Shared, Slack, Step, Visit, Ways, same_steps,
 };
-pub use certificates::Certificate;
 pub use request::{DEFAULT_COUNT, FreedomPart, FreedomRequest};
 pub(crate) use serve::serve;

@@ -1,13 +1,27 @@
 //! The answer of `verify` as text.
 
+use std::collections::BTreeMap;
 use std::fmt::Write as _;
 
-use anstyle::AnsiColor;
+use anstyle::{AnsiColor, Style};
 use giveway_model::words::count;
 use giveway_proof::{Certified, Checked, Report};
 
 use super::paint;
 use crate::output::plain;
+
+/// Several certificates, each with its name, and how many of them hold.
+pub(crate) fn verify_all(reports: &BTreeMap<String, Report>) -> String {
+    let mut text = String::new();
+    for (name, report) in reports {
+        let name = paint(Style::new().bold(), &plain::text(name));
+        let _ = writeln!(text, "{name}\n{}", verify(report));
+    }
+    let held = reports.values().filter(|report| report.accepted).count();
+    let all = count(reports.len() as u64, "certificate");
+    let _ = writeln!(text, "{held} of {all} accepted.");
+    text
+}
 
 /// The verdict, and what each claim rests on.
 pub(crate) fn verify(report: &Report) -> String {

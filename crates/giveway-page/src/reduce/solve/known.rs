@@ -37,7 +37,8 @@ impl Solving {
             Progress::Size { .. }
             | Progress::Explained { .. }
             | Progress::Freedom { .. }
-            | Progress::Certifying { .. } => {}
+            | Progress::Certifying { .. }
+            | Progress::Exporting { .. } => {}
         }
     }
 

@@ -28,6 +28,7 @@ pub(super) fn solve(state: &mut State, action: SolveAction) {
         SolveAction::Cancel => cancel(state),
         SolveAction::ShowPoint(point) => show_point(state, point),
         SolveAction::CheckProof => proof::start(state),
+        SolveAction::SaveProof => proof::export(state),
         SolveAction::Progress { job, event } => job::progress(state, job, event),
         SolveAction::Respond { job, response } => job::respond(state, job, *response),
         SolveAction::Crash {
@@ -63,6 +64,6 @@ pub(super) fn cancel(state: &mut State) {
         Some(Task::Look(looking)) => {
             inside::not_told(state, &looking, "You stopped it.");
         }
-        Some(Task::Certify(_) | Task::Change(_) | Task::Freedom(_)) | None => {}
+        Some(Task::Certify(_) | Task::Export(_) | Task::Change(_) | Task::Freedom(_)) | None => {}
     }
 }

@@ -1,6 +1,7 @@
 //! What must be so, with the solver's own answers: asked, laid over the plan, cut off,
 //! closed cells, and undo in between.
 
+mod certificates;
 mod closed;
 mod steps;
 mod told;

@@ -126,13 +126,14 @@ impl Session {
             .rng
             .choice(&[By::Search, By::Planner(planner)])
             .unwrap();
-        let solve = match self.rng.u8(0..13) {
+        let solve = match self.rng.u8(0..14) {
             10 => SolveAction::Plan(planner),
             11 => SolveAction::ShowPlan(by),
             12 => SolveAction::ShowBeside(by),
             0..4 => SolveAction::Solve,
             4 => SolveAction::Cancel,
             5 => SolveAction::CheckProof,
+            13 => SolveAction::SaveProof,
             6 => SolveAction::ShowPoint(0),
             _ => return self.answer(),
         };

@@ -6,7 +6,7 @@ use super::{cells, leading, path, rows};
 use crate::keys::{Command, Key, command};
 use crate::reduce::tests::after;
 use crate::tests::select;
-use crate::{Action, BoardAction, Selection, State, reduce};
+use crate::{Action, BoardAction, Selection, State, link, reduce};
 
 #[test]
 fn keys_lead_and_escape_leaves() {
@@ -52,6 +52,12 @@ fn keys_lead_and_escape_leaves() {
     let state = after(&state, [look, Action::Board(BoardAction::UseTool)]);
     assert_eq!(path(&state, "A1").len(), 7, "Enter goes to the cursor");
     let other = after(&state, [select(1)]);
+    let kept = link::kept(&link::keep(&other)).unwrap();
+    assert_eq!(
+        link::keep(&kept),
+        link::keep(&other),
+        "it is kept as it opens"
+    );
     let back = act("Escape", &other).unwrap();
     assert_eq!(back.view.selection, Selection::Agent(0));
     assert_eq!(act("Escape", &back).unwrap().document.mode.steering(), None);

@@ -6,6 +6,7 @@ mod resting;
 
 use giveway_model::words::capital;
 
+use crate::certificate;
 use crate::words::{change, question, steering};
 use crate::{Asking, Mode, State, Task, audit, freedom, proof};
 
@@ -116,7 +117,8 @@ fn working(state: &State, task: &Task) -> Standing {
             let sentence = asking.map_or_else(String::new, |asking| asked(asking));
             say(Badge::Asking, sentence)
         }
-        Task::Certify(run) => say(Badge::Checking, proof::doing(run)),
+        Task::Certify(run) => say(Badge::Checking, proof::doing(run.at.as_ref())),
+        Task::Export(run) => say(Badge::Checking, certificate::doing(run)),
         Task::Change(run) => say(Badge::Adapting, change::adapting(run)),
         Task::Look(_) => resting(state),
         Task::Freedom(_) => say(Badge::Counting, freedom::doing(state).unwrap_or_default()),
