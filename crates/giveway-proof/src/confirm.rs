@@ -6,13 +6,10 @@ use std::collections::BTreeMap;
 use giveway_model::{Instance, check};
 
 use crate::again::{Proof, check_claims, check_plan, check_proof, formula};
-use crate::bundle::proof_files;
+use crate::bundle::{Entry, proof_files};
 use crate::conclude::{Whole, check_together, conclude};
 use crate::report::Fault;
 use crate::{Budget, Report, Solved, show::show};
-
-/// The texts of proofs by their names.
-type Proofs = BTreeMap<String, Vec<u8>>;
 
 /// Proves everything that the solver claims within one budget, and checks it
 /// within another. Where the plan keeps the rules, the report is the one that
@@ -36,11 +33,21 @@ type Proofs = BTreeMap<String, Vec<u8>>;
 /// assert!(confirm(&solved, &Budget::default(), &Budget::default()).accepted);
 /// ```
 pub fn confirm(solved: &Solved<'_>, proving: &Budget<'_>, checking: &Budget<'_>) -> Report {
-    let Solved { instance, plan, .. } = *solved;
-    let mut proofs = Proofs::new();
+    let mut proofs = BTreeMap::new();
     let entries = show(solved, proving, &mut |name, _, proof| {
         proofs.insert(name.to_owned(), proof);
     });
+    check_shown(solved, &entries, checking, &|name| proofs.get(name))
+}
+
+/// Checks what shows the claims, as it was made: entries, and proofs by their names.
+pub(crate) fn check_shown<'a>(
+    solved: &Solved<'_>,
+    entries: &[Entry],
+    budget: &Budget<'_>,
+    proofs: &dyn Fn(&str) -> Option<&'a Vec<u8>>,
+) -> Report {
+    let Solved { instance, plan, .. } = *solved;
     Report::of(|claims| {
         let costs = plan.and_then(|plan| check::costs(instance, plan));
         if let Some(plan) = plan {
@@ -49,23 +56,23 @@ pub fn confirm(solved: &Solved<'_>, proving: &Budget<'_>, checking: &Budget<'_>)
         check_together(&Whole {
             instance,
             plan,
-            entries: &entries,
+            entries,
         })?;
-        check_claims(instance, &entries, checking, claims, &|proof| {
-            check_kept(&proofs, instance, proof, checking)
+        check_claims(instance, entries, budget, claims, &|proof| {
+            check_kept(proofs(proof.name), instance, proof, budget)
         })?;
-        Ok(conclude(instance.objective(), costs, &entries))
+        Ok(conclude(instance.objective(), costs, entries))
     })
 }
 
 fn check_kept(
-    proofs: &Proofs,
+    kept: Option<&Vec<u8>>,
     instance: &Instance,
     proof: &Proof<'_>,
     budget: &Budget<'_>,
 ) -> Result<usize, Fault> {
     let [_, drat, _] = proof_files(proof.name);
-    let text = proofs.get(proof.name).map_or(Ok(""), |proof| {
+    let text = kept.map_or(Ok(""), |proof| {
         std::str::from_utf8(proof).map_err(|_| Fault::of(&drat, "it is not text"))
     })?;
     let formula = formula(instance, proof, budget)?.text();

@@ -4,20 +4,48 @@ use std::collections::BTreeMap;
 
 use giveway_model::{check, format::native};
 
-use super::{Bundle, INSTANCE, MANIFEST, Manifest, PLAN, README, fingerprint, proof_files};
-use crate::{Budget, Solved, show::show};
+use super::{Bundle, Entry, INSTANCE, MANIFEST, Manifest, PLAN, README, fingerprint, proof_files};
+use crate::confirm::check_shown;
+use crate::{Budget, Report, Solved, show::show};
 
 /// Makes a certificate of everything that the solver claims. What cannot be
 /// certified within the budget is part of it, too, and said not to be.
 pub fn export(solved: &Solved<'_>, budget: &Budget<'_>) -> Bundle {
-    let Solved { instance, plan, .. } = *solved;
-    let mut bundle = Bundle::new();
-    let claims = show(solved, budget, &mut |name, formula, proof| {
-        let [cnf, drat, names] = proof_files(name);
-        bundle.insert(cnf, formula.text().into_bytes());
-        bundle.insert(drat, proof);
-        bundle.insert(names, formula.names_text(instance).into_bytes());
+    let (entries, proofs) = shown(solved, budget);
+    written(solved, entries, proofs)
+}
+
+/// Makes a certificate and checks it before it is written: the report is that of
+/// [`verify`](crate::verify()), without the code that reads files.
+pub fn export_checked(
+    solved: &Solved<'_>,
+    making: &Budget<'_>,
+    checking: &Budget<'_>,
+) -> (Bundle, Report) {
+    let (entries, proofs) = shown(solved, making);
+    let report = check_shown(solved, &entries, checking, &|name| {
+        let [_, drat, _] = proof_files(name);
+        proofs.get(&drat)
     });
+    (written(solved, entries, proofs), report)
+}
+
+/// What shows the claims, with the files of proofs.
+fn shown(solved: &Solved<'_>, budget: &Budget<'_>) -> (Vec<Entry>, Bundle) {
+    let mut proofs = Bundle::new();
+    let entries = show(solved, budget, &mut |name, formula, proof| {
+        let [cnf, drat, names] = proof_files(name);
+        proofs.insert(cnf, formula.text().into_bytes());
+        proofs.insert(drat, proof);
+        proofs.insert(names, formula.names_text(solved.instance).into_bytes());
+    });
+    (entries, proofs)
+}
+
+/// All files, with those of proofs.
+fn written(solved: &Solved<'_>, entries: Vec<Entry>, proofs: Bundle) -> Bundle {
+    let Solved { instance, plan, .. } = *solved;
+    let mut bundle = proofs;
     let scene = native::write_scene(&instance.to_scene());
     bundle.insert(INSTANCE.to_owned(), scene.into_bytes());
     if let Some(plan) = plan {
@@ -28,7 +56,7 @@ pub fn export(solved: &Solved<'_>, budget: &Budget<'_>) -> Bundle {
         version: 1,
         objective: instance.objective().clone(),
         costs: plan.and_then(|plan| check::costs(instance, plan)),
-        claims,
+        claims: entries,
         files: BTreeMap::new(),
     };
     let text = manifest.readme(instance);

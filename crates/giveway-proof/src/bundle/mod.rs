@@ -18,7 +18,7 @@ pub(crate) mod readme;
 
 use std::collections::BTreeMap;
 
-pub use export::export;
+pub use export::{export, export_checked};
 pub use manifest::{Entry, Manifest, Method, fingerprint};
 pub use missing::Missing;
 

@@ -4,7 +4,7 @@ use std::collections::BTreeMap;
 
 use borsh::{BorshDeserialize, BorshSerialize};
 use giveway_model::{format::from_object, message::read_map};
-use giveway_proof::{Report, bundle::export as export_files, verify};
+use giveway_proof::{Report, bundle::export_checked};
 use serde::{Deserialize, Serialize};
 
 use super::{CertifyRequest, within};
@@ -89,9 +89,7 @@ fn one(request: &CertifyRequest, limits: Limits, host: &dyn Host) -> Result<Expo
     let instance = request.instance()?;
     let solved = request.claims(&instance);
     let (bundle, report) = within(limits, host, |making, checking| {
-        let bundle = export_files(&solved, making);
-        let report = verify(&bundle, checking);
-        (bundle, report)
+        export_checked(&solved, making, checking)
     });
     // All of them are written as texts.
     let text = |bytes: Vec<u8>| String::from_utf8_lossy(&bytes).into_owned();
@@ -105,7 +103,7 @@ fn one(request: &CertifyRequest, limits: Limits, host: &dyn Host) -> Result<Expo
 #[cfg(test)]
 mod tests {
     use giveway_model::{Instance, Scene, format::native};
-    use giveway_proof::Bundle;
+    use giveway_proof::{Bundle, verify};
 
     use super::*;
     use crate::freedom::FreedomRequest;
