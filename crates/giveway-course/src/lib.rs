@@ -6,5 +6,7 @@
 //! the playground's page are two programs; they talk in messages ([`port`]). Nothing
 //! here draws, waits, or knows that there is a browser.
 
+pub mod judge;
+pub mod learner;
 pub mod lesson;
 pub mod port;

@@ -34,8 +34,9 @@ pub enum ToPage {
     Seal(Vec<Cell>),
     /// Takes the last edit, or the last step of a robot that is led, back.
     TakeBack,
-    /// Puts the board back to what it was when it was opened.
-    StartAfresh,
+    /// Puts the board back to what it was when it was opened; it has this number from
+    /// then on.
+    StartAfresh(BoardNumber),
     /// The lesson ends: a person's own scene comes back.
     Close,
 }
@@ -110,6 +111,13 @@ pub struct Evidence {
     pub time: Option<u32>,
     /// Whether no plan is better than this one, as it is proved.
     pub proved: bool,
+}
+
+impl Evidence {
+    /// Whether it shows nothing.
+    pub fn is_empty(&self) -> bool {
+        self.plan.is_none() && self.violations.is_empty() && self.time.is_none()
+    }
 }
 
 /// From the page to the lesson.

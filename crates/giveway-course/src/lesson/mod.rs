@@ -11,6 +11,7 @@ pub mod condition;
 pub mod course;
 pub mod glossary;
 mod id;
+mod layout;
 mod object;
 pub mod quantity;
 pub mod read;

@@ -2,6 +2,7 @@
 
 use serde::Serialize;
 
+use super::layout::laid_out;
 use super::{Course, Glossary, Lesson};
 
 /// Writes a lesson. Ends with a line break.
@@ -21,7 +22,8 @@ pub fn write_glossary(glossary: &Glossary) -> String {
 
 fn written<T: Serialize>(value: &T) -> String {
     // Texts, numbers and lists of them always have a JSON form.
-    let mut text = serde_json::to_string_pretty(value).unwrap_or_default();
+    let dense = serde_json::to_string(value).unwrap_or_default();
+    let mut text = laid_out(&dense);
     text.push('\n');
     text
 }

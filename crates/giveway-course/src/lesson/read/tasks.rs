@@ -236,14 +236,8 @@ fn condition(
                 "two different costs",
             );
         }
-        Condition::Legal {} | Condition::Best {} if step.plan.is_none() && !step.solved => {
-            planned(place, step, faults);
-        }
-        Condition::Apart { .. }
-        | Condition::Impossible { .. }
-        | Condition::Solvable {}
-        | Condition::Legal {}
-        | Condition::Best {} => {}
+        Condition::Legal {} | Condition::Best {} => planned(place, step, faults),
+        Condition::Apart { .. } | Condition::Impossible { .. } | Condition::Solvable {} => {}
     }
 }
 

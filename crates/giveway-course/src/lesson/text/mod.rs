@@ -60,6 +60,19 @@ pub enum Target {
 }
 
 impl Text {
+    /// A paragraph of parts; what follows each other as plain words is joined.
+    pub(crate) fn of(spans: Vec<Span>) -> Self {
+        let mut joined: Vec<Span> = Vec::new();
+        for span in spans {
+            match (joined.last_mut(), span) {
+                (_, span) if span.words().is_empty() => {}
+                (Some(Span::Plain(before)), Span::Plain(words)) => before.push_str(&words),
+                (_, span) => joined.push(span),
+            }
+        }
+        Self(joined)
+    }
+
     /// Its parts. No two plain ones follow each other, and none is empty.
     pub fn spans(&self) -> &[Span] {
         &self.0
