@@ -29,7 +29,7 @@ where
 ///
 /// Derived code also reads a structure from the list of its fields' values,
 /// such as `[10, 10]` for a battery; the format has no such thing.
-pub(crate) struct ObjectOnly<D>(pub(crate) D);
+pub struct ObjectOnly<D>(pub D);
 
 impl<'de, D: Deserializer<'de>> Deserializer<'de> for ObjectOnly<D> {
     type Error = D::Error;

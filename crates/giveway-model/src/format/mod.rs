@@ -15,7 +15,7 @@ mod phrase;
 mod schema;
 mod text;
 
-pub use crate::object::from_object;
+pub use crate::object::{ObjectOnly, from_object};
 pub use file_name::{base_name, stem};
 pub use loss::{Loss, Part, losses};
 pub use schema::schema;

@@ -1,0 +1,144 @@
+//! Judges a plan that was made by leading robots by hand.
+
+use giveway_model::check::{Rule, Violation, check};
+use giveway_model::{Costs, Instance, Objective, Path, Plan, Scene};
+use giveway_solve::Response;
+
+use super::condition::first_better;
+use super::proved::{self, Proved};
+use super::{Judging, Situation, Verdict, Why, ask};
+use crate::lesson::task::{Lead, LeadAim};
+use crate::port::Evidence;
+
+pub(super) fn begin(task: &Lead, situation: Situation<'_>, plan: &Plan) -> Judging {
+    let costs = match judged(task, situation, plan) {
+        Ok(costs) => costs,
+        Err(verdict) => return (*verdict).into(),
+    };
+    match &task.aim {
+        LeadAim::Legal {} => Verdict::solved(Why::Legal).into(),
+        LeadAim::Cost { cost, at_most } => {
+            let value = costs.get(*cost);
+            let why = Why::Costs {
+                cost: *cost,
+                value,
+                at_most: *at_most,
+            };
+            Verdict::if_holds(value <= *at_most, why).into()
+        }
+        LeadAim::Best { objective } => {
+            Judging::Ask(vec![ask::solve(situation.scene, objective.as_ref())])
+        }
+    }
+}
+
+pub(super) fn conclude(
+    task: &Lead,
+    situation: Situation<'_>,
+    plan: &Plan,
+    responses: &[Response],
+) -> Verdict {
+    let costs = match judged(task, situation, plan) {
+        Ok(costs) => costs,
+        Err(verdict) => return *verdict,
+    };
+    let objective = match &task.aim {
+        LeadAim::Best {
+            objective: Some(objective),
+        } => objective,
+        _ => &situation.scene.objective,
+    };
+    match proved::solved(responses.first()) {
+        Ok(Proved::Best(best, _)) => against(objective, &costs, &best),
+        // The plan is legal, so this cannot be; it is no reason to say "solved".
+        Ok(Proved::NoPlan) => Verdict::not_yet(Why::Unknown(None)),
+        Err(why) => Verdict::not_yet(why),
+    }
+}
+
+fn against(objective: &Objective, costs: &Costs, best: &Costs) -> Verdict {
+    let worse = first_better(objective.costs(), costs, best);
+    let first = objective.costs().first().copied();
+    match (worse, first) {
+        (Some(cost), _) => Verdict::not_yet(Why::NotBest {
+            cost,
+            value: costs.get(cost),
+            best: best.get(cost),
+        }),
+        (None, Some(cost)) => Verdict::solved(Why::Best {
+            cost,
+            value: costs.get(cost),
+        }),
+        (None, None) => Verdict::solved(Why::Legal),
+    }
+}
+
+/// The costs of a plan that keeps all rules, else what is wrong with it.
+fn judged(task: &Lead, situation: Situation<'_>, plan: &Plan) -> Result<Costs, Box<Verdict>> {
+    let instance = Instance::new(situation.scene.clone());
+    let Ok(instance) = instance else {
+        return Err(Box::new(Verdict::not_yet(Why::Untouched)));
+    };
+    if let Some(name) = led_another(task, situation, plan) {
+        return Err(Box::new(Verdict::not_like_this(Why::LedAnother(name))));
+    }
+    let report = check(&instance, plan);
+    let mut open = Vec::new();
+    for violation in report.violations {
+        match violation.rule {
+            Rule::Goal | Rule::Waypoint | Rule::Shape => open.push(violation),
+            _ if is_past(situation.scene, plan, &violation) => {
+                let evidence = Evidence {
+                    time: Some(violation.time),
+                    violations: vec![violation.clone()],
+                    ..Evidence::default()
+                };
+                let verdict = Verdict::not_like_this(Why::Broken(violation));
+                return Err(Box::new(verdict.with(evidence)));
+            }
+            _ => {}
+        }
+    }
+    // What is left to do: the robots that are not home come first.
+    let to_do = |rule: Rule| open.iter().find(move |violation| violation.rule == rule);
+    let left = to_do(Rule::Goal).or_else(|| to_do(Rule::Waypoint));
+    if let Some(violation) = left.or_else(|| open.first()) {
+        let name = violation.agents.first().cloned().unwrap_or_default();
+        let why = match violation.rule {
+            Rule::Waypoint => Why::NotVisited(name, violation.cell),
+            _ => Why::NotHome(name),
+        };
+        return Err(Box::new(Verdict::not_yet(why)));
+    }
+    let costs = report.costs;
+    costs.ok_or_else(|| Box::new(Verdict::not_yet(Why::Untouched)))
+}
+
+/// Whether a broken rule is one of steps that were made, rather than of a robot that is
+/// taken to stand where it was led to so far.
+fn is_past(scene: &Scene, plan: &Plan, violation: &Violation) -> bool {
+    violation.agents.iter().all(|name| {
+        let path = plan.path(name);
+        let goal = scene.agents.iter().find(|agent| agent.name == *name);
+        let is_home = goal.is_some_and(|agent| path.last() == Some(&Some(agent.goal)));
+        is_home || (violation.time as usize) < path.len()
+    })
+}
+
+/// A robot that was not to be led, and goes another way than the step's plan has it.
+fn led_another(task: &Lead, situation: Situation<'_>, plan: &Plan) -> Option<String> {
+    let given = situation.step.plan.as_ref()?;
+    let others = situation.scene.agents.iter();
+    let mut others = others.filter(|agent| !task.robots.contains(&agent.name));
+    let changed = others.find(|agent| {
+        let same = |path: &[Option<giveway_model::Cell>]| -> Path {
+            let mut path = path.to_vec();
+            while path.len() > 1 && path.ends_with(&[Some(agent.goal), Some(agent.goal)]) {
+                path.pop();
+            }
+            path
+        };
+        same(plan.path(&agent.name)) != same(given.path(&agent.name))
+    });
+    changed.map(|agent| agent.name.clone())
+}

@@ -1,0 +1,94 @@
+//! What can happen in a lesson, and what must be done outside of it then.
+
+use std::rc::Rc;
+
+use giveway_solve::change::Method;
+use giveway_solve::{Request, Response};
+
+use super::{AskNumber, Progress};
+use crate::lesson::{Id, Lesson, Value};
+use crate::port::{FromPage, Lit, ToPage};
+
+/// Something that happens.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Action {
+    /// A lesson is opened, at a step from 0, or where it was left.
+    Open {
+        /// Its short name.
+        id: Id,
+        /// The lesson.
+        lesson: Rc<Lesson>,
+        /// The step.
+        at: Option<usize>,
+    },
+    /// To the next step; after the last one the lesson is done.
+    Next,
+    /// To the step before.
+    Back,
+    /// To a step, from 0.
+    Go(usize),
+    /// The page says something.
+    Page(FromPage),
+    /// A value is said.
+    Guess(Value),
+    /// An answer is picked, by its index.
+    Choose(usize),
+    /// The robots are put in an order, by their names.
+    Order(Vec<String>),
+    /// It is said that no order works.
+    NoOrder,
+    /// A method is picked.
+    Went(Method),
+    /// The next hint.
+    Hint,
+    /// What shows the verdict is to be seen.
+    ShowEvidence,
+    /// The last thing that was done is taken back.
+    TakeBack,
+    /// The step begins anew.
+    Afresh,
+    /// The solver has answered.
+    Answered {
+        /// Which question.
+        number: AskNumber,
+        /// The answer.
+        response: Box<Response>,
+    },
+    /// The solver has broken down.
+    Failed {
+        /// At which question.
+        number: AskNumber,
+        /// What happened, as a sentence.
+        sentence: String,
+    },
+    /// A link to a robot or a cell is pointed at, or no longer.
+    Light(Option<Lit>),
+    /// A link to a time is followed.
+    Time(u32),
+    /// Progress was read that had been kept.
+    Kept(Progress),
+    /// All progress is forgotten.
+    Reset,
+    /// The lesson is left.
+    Close,
+}
+
+/// Something that must be done outside.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Effect {
+    /// Asks the solver; whatever it is at is of no more use.
+    Ask {
+        /// The number that the answer must carry.
+        number: AskNumber,
+        /// The question.
+        request: Box<Request>,
+    },
+    /// What the solver is at is of no more use.
+    Forget,
+    /// Tells the page something.
+    Page(ToPage),
+    /// Keeps the progress.
+    Keep(Progress),
+    /// Brings the focus to the button that goes on.
+    FocusNext,
+}

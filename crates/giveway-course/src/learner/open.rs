@@ -1,0 +1,163 @@
+//! The lesson that is open, and what was done in the step that is shown.
+
+use std::rc::Rc;
+
+use giveway_model::Scene;
+
+use super::Judge;
+use crate::judge::{Did, Situation};
+use crate::lesson::quantity::ValueKind;
+use crate::lesson::{Id, Lesson, Step, Task};
+use crate::port::{Board, BoardNumber, BoardPlan, Hand, Pick};
+
+/// The lesson that is open.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Open {
+    /// Its short name.
+    pub id: Id,
+    /// The lesson.
+    pub lesson: Rc<Lesson>,
+    /// The step that is shown, from 0.
+    pub(super) at: usize,
+    /// The number of the board.
+    pub(super) board: BoardNumber,
+    /// The scene that the step began with.
+    pub(super) start: Scene,
+    /// The scene on the board.
+    pub(super) scene: Scene,
+    /// The time shown on the board.
+    pub(super) time: u32,
+    /// What was done for the task.
+    pub(super) did: Did,
+    /// What was pointed at, and is no whole mark yet.
+    pub(super) pointed: Option<Pick>,
+    /// What the judge of the task does or says.
+    pub(super) judge: Judge,
+    /// How many hints are shown.
+    pub(super) hints: usize,
+    /// How often something was judged.
+    pub(super) attempts: u32,
+}
+
+impl Open {
+    /// A lesson at a step with a scene; `None` where it has no such step.
+    pub(super) fn at(
+        id: Id,
+        lesson: Rc<Lesson>,
+        at: usize,
+        board: BoardNumber,
+        scene: Scene,
+    ) -> Option<Self> {
+        let time = lesson.steps.get(at)?.time;
+        Some(Self {
+            id,
+            lesson,
+            at,
+            board,
+            start: scene.clone(),
+            scene,
+            time,
+            did: Did::default(),
+            pointed: None,
+            judge: Judge::Waiting,
+            hints: 0,
+            attempts: 0,
+        })
+    }
+
+    /// The step that is shown, from 0.
+    pub const fn index(&self) -> usize {
+        self.at
+    }
+
+    /// The step that is shown.
+    pub fn step(&self) -> Option<&Step> {
+        self.lesson.steps.get(self.at)
+    }
+
+    /// Whether it is the last one.
+    pub fn is_last(&self) -> bool {
+        self.at + 1 >= self.lesson.steps.len()
+    }
+
+    /// The scene on the board.
+    pub const fn scene(&self) -> &Scene {
+        &self.scene
+    }
+
+    /// The time shown on the board.
+    pub const fn time(&self) -> u32 {
+        self.time
+    }
+
+    /// What was done for the task.
+    pub const fn did(&self) -> &Did {
+        &self.did
+    }
+
+    /// What was pointed at, and is no whole mark yet.
+    pub const fn pointed(&self) -> Option<&Pick> {
+        self.pointed.as_ref()
+    }
+
+    /// What the judge of the task does or says.
+    pub const fn judge(&self) -> &Judge {
+        &self.judge
+    }
+
+    /// The hints that are shown.
+    pub fn hints(&self) -> &[crate::lesson::Text] {
+        let hints = self.step().map_or(&[][..], |step| &step.hints);
+        hints.get(..self.hints).unwrap_or(hints)
+    }
+
+    /// How often something was judged.
+    pub const fn attempts(&self) -> u32 {
+        self.attempts
+    }
+
+    /// Whether the task is solved.
+    pub fn is_solved(&self) -> bool {
+        self.judge
+            .verdict()
+            .is_some_and(crate::judge::Verdict::is_solved)
+    }
+
+    /// Where the learner is, for the judges.
+    pub(super) fn situation(&self) -> Option<Situation<'_>> {
+        Some(Situation {
+            step: self.step()?,
+            start: &self.start,
+            scene: &self.scene,
+        })
+    }
+
+    /// The board of the step.
+    pub(super) fn as_board(&self) -> Option<Board> {
+        let step = self.step()?;
+        let plan = match (&step.plan, &step.task) {
+            (Some(plan), _) => BoardPlan::Given(plan.clone()),
+            (None, Some(Task::Predict(_))) => BoardPlan::Hidden,
+            (None, _) if step.solved => BoardPlan::Best,
+            (None, _) => BoardPlan::None,
+        };
+        let hand = match &step.task {
+            Some(Task::Lead(task)) => Hand::Leads(task.robots.clone()),
+            Some(Task::Spot(_)) => Hand::Points,
+            Some(Task::Predict(task)) if task.what.kind() != ValueKind::Number => Hand::Points,
+            _ => Hand::Looks,
+        };
+        Some(Board {
+            number: self.board,
+            scene: self.scene.clone(),
+            plan,
+            time: step.time,
+            playing: step.playing,
+            tools: step.tools.clone(),
+            edits: step.edits,
+            cells: step.cells.clone(),
+            show: step.show.clone(),
+            hand,
+        })
+    }
+}

@@ -1,0 +1,206 @@
+//! From a learner and an action to the next learner, and what must be done outside.
+
+use giveway_model::{Instance, Scene};
+use giveway_solve::Response;
+
+use super::{Action, AskNumber, Effect, Judge, Learner, Open, Progress, Stage, task};
+use crate::judge::Did;
+use crate::port::{BoardNumber, FromPage, Happened, ToPage};
+
+/// What becomes of a learner, and what must be done outside, in this order.
+#[must_use]
+pub fn reduce(mut learner: Learner, action: Action) -> (Learner, Vec<Effect>) {
+    let mut effects = Vec::new();
+    learner.act(action, &mut effects);
+    (learner, effects)
+}
+
+impl Learner {
+    fn act(&mut self, action: Action, effects: &mut Vec<Effect>) {
+        match action {
+            Action::Open { id, lesson, at } => {
+                let at = at.unwrap_or(match self.progress.stage(&id) {
+                    Stage::Begun(step) => step,
+                    Stage::New | Stage::Done => 0,
+                });
+                let at = at.min(lesson.steps.len().saturating_sub(1));
+                let Some(scene) = lesson.scene(at).cloned() else {
+                    return;
+                };
+                let open = Open::at(id, lesson, at, self.board, scene);
+                self.enter(open, effects);
+            }
+            Action::Next => self.next(effects),
+            Action::Back => {
+                let before = self.open.as_ref().and_then(|open| open.at.checked_sub(1));
+                self.go(before, None, effects);
+            }
+            Action::Go(step) => self.go(Some(step), None, effects),
+            Action::Page(message) => self.heard(message, effects),
+            Action::Guess(value) => self.did(Did::Guessed(value), effects),
+            Action::Choose(answer) => self.did(Did::Chose(answer), effects),
+            Action::Order(order) => self.did(Did::Ordered(order), effects),
+            Action::NoOrder => self.did(Did::NoOrder, effects),
+            Action::Went(method) => self.did(Did::Went(method), effects),
+            Action::Hint => {
+                if let Some(open) = &mut self.open {
+                    let most = open.step().map_or(0, |step| step.hints.len());
+                    open.hints = (open.hints + 1).min(most);
+                }
+            }
+            Action::ShowEvidence => self.show(effects),
+            Action::TakeBack => self.take_back(effects),
+            Action::Afresh => self.afresh(effects),
+            Action::Answered { number, response } => self.answered(number, *response, effects),
+            Action::Failed { number, sentence } => self.failed(number, sentence, effects),
+            Action::Light(lit) if self.open.is_some() => {
+                effects.push(Effect::Page(ToPage::Light(lit)));
+            }
+            Action::Time(time) if self.open.is_some() => {
+                effects.push(Effect::Page(ToPage::Go(time)));
+            }
+            Action::Light(_) | Action::Time(_) => {}
+            Action::Kept(progress) => self.progress = progress,
+            Action::Reset => {
+                self.progress = Progress::default();
+                effects.push(Effect::Keep(self.progress.clone()));
+            }
+            Action::Close => self.close(effects),
+        }
+    }
+
+    fn next(&mut self, effects: &mut Vec<Effect>) {
+        let Some(open) = &self.open else {
+            return;
+        };
+        if open.is_last() {
+            self.progress.finished(&open.id);
+            effects.push(Effect::Keep(self.progress.clone()));
+            return self.close(effects);
+        }
+        // A step without a scene goes on with the board as it is, if that can be.
+        let after = open.at + 1;
+        let own = open
+            .lesson
+            .steps
+            .get(after)
+            .is_none_or(|step| step.scene.is_some());
+        let kept = (!own).then(|| open.scene.clone());
+        let kept = kept.filter(|scene| Instance::new(scene.clone()).is_ok());
+        self.go(Some(after), kept, effects);
+    }
+
+    /// To a step, with the scene on the board or else the lesson's.
+    fn go(&mut self, step: Option<usize>, kept: Option<Scene>, effects: &mut Vec<Effect>) {
+        let (Some(open), Some(step)) = (&self.open, step) else {
+            return;
+        };
+        let scene = kept.or_else(|| open.lesson.scene(step).cloned());
+        let Some(scene) = scene.filter(|_| step < open.lesson.steps.len()) else {
+            return;
+        };
+        let open = Open::at(
+            open.id.clone(),
+            open.lesson.clone(),
+            step,
+            self.board,
+            scene,
+        );
+        self.enter(open, effects);
+    }
+
+    fn enter(&mut self, open: Option<Open>, effects: &mut Vec<Effect>) {
+        let Some(mut open) = open else {
+            return;
+        };
+        self.forget(effects);
+        open.board = self.next_board();
+        if let Some(board) = open.as_board() {
+            effects.push(Effect::Page(ToPage::Open(Box::new(board))));
+        }
+        self.progress.opened(&open.id, open.at);
+        self.open = Some(open);
+        effects.push(Effect::Keep(self.progress.clone()));
+    }
+
+    fn afresh(&mut self, effects: &mut Vec<Effect>) {
+        self.forget(effects);
+        let number = self.next_board();
+        let Some(open) = &mut self.open else {
+            return;
+        };
+        let hints = open.hints;
+        let start = open.start.clone();
+        let fresh = Open::at(open.id.clone(), open.lesson.clone(), open.at, number, start);
+        if let Some(fresh) = fresh {
+            *open = Open { hints, ..fresh };
+            effects.push(Effect::Page(ToPage::StartAfresh(number)));
+        }
+    }
+
+    fn close(&mut self, effects: &mut Vec<Effect>) {
+        self.forget(effects);
+        if self.open.take().is_some() {
+            effects.push(Effect::Page(ToPage::Close));
+        }
+    }
+
+    fn heard(&mut self, message: FromPage, effects: &mut Vec<Effect>) {
+        let Some(open) = self.open.as_mut() else {
+            return;
+        };
+        if open.board != message.number {
+            return;
+        }
+        match message.what {
+            Happened::Board(scene) => {
+                open.scene = *scene;
+                self.did(Did::Edits, effects);
+            }
+            Happened::Led(plan) => self.did(Did::Led(*plan), effects),
+            Happened::Picked(pick) => {
+                if let Some(did) = task::picked(open, pick) {
+                    self.did(did, effects);
+                }
+            }
+            Happened::Time(time) => open.time = time,
+            Happened::Changed(method) => self.did(Did::Went(method), effects),
+            Happened::Closed => {
+                self.forget(effects);
+                self.open = None;
+            }
+        }
+    }
+
+    /// What the solver has answered counts only for the question that is asked now.
+    fn answered(&mut self, number: AskNumber, response: Response, effects: &mut Vec<Effect>) {
+        let Some(open) = &mut self.open else {
+            return;
+        };
+        let Judge::Looking(looking) = &mut open.judge else {
+            return;
+        };
+        if looking.number != number {
+            return;
+        }
+        looking.responses.push(response);
+        if looking.left.is_empty() {
+            return self.conclude(effects);
+        }
+        let request = looking.left.remove(0);
+        self.asked.0 = self.asked.0.wrapping_add(1);
+        looking.number = self.asked;
+        let (number, request) = (self.asked, Box::new(request));
+        effects.push(Effect::Ask { number, request });
+    }
+
+    pub(super) fn next_board(&mut self) -> BoardNumber {
+        self.board.0 = self.board.0.wrapping_add(1);
+        self.board
+    }
+
+    pub(super) fn next_ask(&mut self) -> AskNumber {
+        self.asked.0 = self.asked.0.wrapping_add(1);
+        self.asked
+    }
+}

@@ -1,0 +1,220 @@
+//! What is done for a task, and what the judges make of it.
+
+use giveway_solve::Request;
+
+use super::{AskNumber, Effect, Judge, Learner, Looking, Open};
+use crate::judge::{self, Did, Judging, Mark, Verdict, Why};
+use crate::lesson::quantity::ValueKind;
+use crate::lesson::{Task, Value};
+use crate::port::{Pick, ToPage};
+
+impl Learner {
+    /// Something was done for the task: it is judged, and what was asked before is of
+    /// no more use.
+    pub(super) fn did(&mut self, did: Did, effects: &mut Vec<Effect>) {
+        self.forget(effects);
+        let Some(open) = &mut self.open else {
+            return;
+        };
+        if !open
+            .step()
+            .and_then(|step| step.task.as_ref())
+            .is_some_and(|task| is_for(task, &did))
+        {
+            return;
+        }
+        open.did = did;
+        if matches!(open.did, Did::Edits) && open.scene == open.start {
+            open.judge = Judge::Waiting;
+            return;
+        }
+        open.attempts = open.attempts.saturating_add(1);
+        let judging = open
+            .situation()
+            .and_then(|situation| judge::begin(situation, &open.did));
+        match judging {
+            None => open.judge = Judge::Waiting,
+            Some(Judging::Verdict(verdict)) => self.settle(verdict, effects),
+            Some(Judging::Ask(requests)) => self.ask(requests, effects),
+        }
+    }
+
+    fn ask(&mut self, requests: Vec<Request>, effects: &mut Vec<Effect>) {
+        let number = self.next_ask();
+        let Some(open) = &mut self.open else {
+            return;
+        };
+        let mut requests = requests.into_iter();
+        let Some(first) = requests.next() else {
+            return self.conclude(effects);
+        };
+        open.judge = Judge::Looking(Looking {
+            number,
+            left: requests.collect(),
+            responses: Vec::new(),
+        });
+        let request = Box::new(first);
+        effects.push(Effect::Ask { number, request });
+    }
+
+    /// All is answered.
+    pub(super) fn conclude(&mut self, effects: &mut Vec<Effect>) {
+        let Some(open) = &mut self.open else {
+            return;
+        };
+        let responses = match std::mem::take(&mut open.judge) {
+            Judge::Looking(looking) => looking.responses,
+            Judge::Waiting | Judge::Said(_) => Vec::new(),
+        };
+        let verdict = open
+            .situation()
+            .and_then(|situation| judge::conclude(situation, &open.did, &responses));
+        if let Some(verdict) = verdict {
+            self.settle(Box::new(verdict), effects);
+        }
+    }
+
+    fn settle(&mut self, verdict: Box<Verdict>, effects: &mut Vec<Effect>) {
+        let Some(open) = &mut self.open else {
+            return;
+        };
+        // What was predicted is shown at once, right or not.
+        if matches!(verdict.why, Why::Guessed { .. }) && verdict.evidence.plan.is_some() {
+            let evidence = Box::new(verdict.evidence.clone());
+            effects.push(Effect::Page(ToPage::Show(evidence)));
+            effects.push(Effect::Page(ToPage::Play));
+        }
+        if verdict.is_solved() {
+            if !verdict.seal.is_empty() {
+                effects.push(Effect::Page(ToPage::Seal(verdict.seal.clone())));
+            }
+            effects.push(Effect::FocusNext);
+        }
+        open.judge = Judge::Said(verdict);
+    }
+
+    pub(super) fn failed(
+        &mut self,
+        number: AskNumber,
+        sentence: String,
+        effects: &mut Vec<Effect>,
+    ) {
+        let is_asked = self.open.as_ref().is_some_and(
+            |open| matches!(&open.judge, Judge::Looking(looking) if looking.number == number),
+        );
+        if is_asked {
+            let verdict = Verdict::unknown(sentence);
+            self.settle(Box::new(verdict), effects);
+        }
+    }
+
+    pub(super) fn show(&mut self, effects: &mut Vec<Effect>) {
+        let verdict = self.open.as_ref().and_then(|open| open.judge.verdict());
+        let evidence = verdict.map(|verdict| verdict.evidence.clone());
+        if let Some(evidence) = evidence.filter(|evidence| !evidence.is_empty()) {
+            effects.push(Effect::Page(ToPage::Show(Box::new(evidence))));
+        }
+    }
+
+    pub(super) fn take_back(&mut self, effects: &mut Vec<Effect>) {
+        let Some(open) = &mut self.open else {
+            return;
+        };
+        if open.pointed.take().is_some() {
+            return;
+        }
+        match &mut open.did {
+            Did::Edits | Did::Led(_) => effects.push(Effect::Page(ToPage::TakeBack)),
+            Did::Marked(marks) => {
+                let mut marks = std::mem::take(marks);
+                marks.pop();
+                self.did(Did::Marked(marks), effects);
+            }
+            _ => {
+                open.did = Did::default();
+                open.judge = Judge::Waiting;
+                self.forget(effects);
+            }
+        }
+    }
+
+    /// What the solver is at is of no more use.
+    pub(super) fn forget(&mut self, effects: &mut Vec<Effect>) {
+        if let Some(open) = &mut self.open
+            && matches!(open.judge, Judge::Looking(_))
+        {
+            open.judge = Judge::Waiting;
+            effects.push(Effect::Forget);
+        }
+    }
+}
+
+/// Whether something is what a kind of task asks for.
+const fn is_for(task: &Task, did: &Did) -> bool {
+    matches!(
+        (task, did),
+        (Task::Paint(_), Did::Edits)
+            | (Task::Lead(_), Did::Led(_))
+            | (Task::Predict(_), Did::Guessed(_))
+            | (Task::Spot(_), Did::Marked(_))
+            | (Task::Choose(_), Did::Chose(_))
+            | (Task::Order(_), Did::Ordered(_) | Did::NoOrder)
+            | (Task::Change(_), Did::Went(_))
+    )
+}
+
+/// What pointing at something does for the task, if it does something whole.
+pub(super) fn picked(open: &mut Open, pick: Pick) -> Option<Did> {
+    match open.step()?.task.as_ref()? {
+        Task::Predict(task) => {
+            let value = match task.what.kind() {
+                ValueKind::Cell => Value::Cell(pick.cell),
+                ValueKind::Robot => Value::Robot(pick.robots.first()?.clone()),
+                ValueKind::Number => return None,
+            };
+            let listed = task.answers.iter().any(|guess| guess.value == value);
+            (task.answers.is_empty() || listed).then_some(Did::Guessed(value))
+        }
+        Task::Spot(_) => marked(open, pick),
+        _ => None,
+    }
+}
+
+/// Two robots at one time make a mark: both at once, or one after the other.
+fn marked(open: &mut Open, pick: Pick) -> Option<Did> {
+    let mut marks = match &open.did {
+        Did::Marked(marks) => marks.clone(),
+        _ => Vec::new(),
+    };
+    let before = open
+        .pointed
+        .take()
+        .filter(|before| before.time == pick.time);
+    let mut mark = Mark {
+        time: pick.time,
+        robots: Vec::new(),
+        cells: Vec::new(),
+    };
+    for part in before.iter().chain([&pick]) {
+        for name in &part.robots {
+            if !mark.robots.contains(name) {
+                mark.robots.push(name.clone());
+            }
+        }
+        if !part.robots.is_empty() && !mark.cells.contains(&part.cell) {
+            mark.cells.push(part.cell);
+        }
+    }
+    if mark.robots.len() < 2 {
+        open.pointed = (!pick.robots.is_empty()).then_some(pick);
+        return None;
+    }
+    // A mark that is of no conflict does not stay beside the next one.
+    if matches!(open.judge.verdict(), Some(verdict) if matches!(verdict.why, Why::NoConflict(_))) {
+        marks.pop();
+    }
+    if !marks.contains(&mark) {
+        marks.push(mark);
+    }
+    Some(Did::Marked(marks))
+}

@@ -1,0 +1,70 @@
+//! Short names of lessons and terms, as they stand in links and file names.
+
+use std::borrow::Cow;
+use std::fmt;
+use std::str::FromStr;
+
+use serde::{Deserialize, Deserializer, Serialize, de};
+
+/// The most letters of a short name.
+const LONGEST: usize = 60;
+
+/// A short name: small letters, digits and hyphens, such as `room-to-pass`.
+///
+/// ```
+/// use giveway_course::lesson::Id;
+/// assert!("room-to-pass".parse::<Id>().is_ok());
+/// assert!("../room".parse::<Id>().is_err());
+/// ```
+#[derive(Clone, Debug, PartialEq, Eq, PartialOrd, Ord, Serialize, borsh::BorshSerialize)]
+pub struct Id(String);
+
+/// A word that is no short name.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct BadId(String);
+
+impl fmt::Display for BadId {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let shown: String = self.0.chars().take(LONGEST).collect();
+        write!(
+            f,
+            "found {shown:?}, expected small letters, digits and hyphens, at most {LONGEST}"
+        )
+    }
+}
+
+impl std::error::Error for BadId {}
+
+impl Id {
+    /// The name.
+    pub fn as_str(&self) -> &str {
+        &self.0
+    }
+}
+
+impl fmt::Display for Id {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(&self.0)
+    }
+}
+
+impl FromStr for Id {
+    type Err = BadId;
+
+    fn from_str(word: &str) -> Result<Self, BadId> {
+        let plain = |c: char| c.is_ascii_lowercase() || c.is_ascii_digit() || c == '-';
+        let is_id = (1..=LONGEST).contains(&word.len()) && word.chars().all(plain);
+        if is_id {
+            Ok(Self(word.to_owned()))
+        } else {
+            Err(BadId(word.to_owned()))
+        }
+    }
+}
+
+impl<'de> Deserialize<'de> for Id {
+    fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
+        let word = Cow::<str>::deserialize(deserializer)?;
+        word.parse().map_err(de::Error::custom)
+    }
+}

@@ -1,0 +1,71 @@
+//! A lesson as data: steps of text with a board and at most one task each.
+//!
+//! - [`Lesson`], [`Step`]: what a file holds; [`board`] what a step says of the board;
+//! - [`task`], [`condition`], [`quantity`]: what there is to do, and what decides it;
+//! - [`text`]: the little markup of a paragraph;
+//! - [`course`], [`glossary`]: the index of lessons, the terms of the field;
+//! - [`read`]: read with distrust, [`write()`]: written for people.
+
+pub mod board;
+pub mod condition;
+pub mod course;
+pub mod glossary;
+mod id;
+mod layout;
+mod object;
+pub mod quantity;
+pub mod read;
+mod step;
+pub mod task;
+pub mod text;
+mod write;
+
+use giveway_model::Version;
+use serde::{Deserialize, Serialize};
+
+pub use board::{Layer, Tool};
+pub use condition::{Comparison, Condition};
+pub use course::{Chapter, Course, Entry, Picture};
+pub use glossary::{Glossary, Source, Term};
+pub use id::{BadId, Id};
+pub use quantity::{Quantity, Value};
+pub use read::{read_course, read_glossary, read_lesson};
+pub use step::Step;
+pub use task::Task;
+pub use text::{Span, Target, Text};
+pub use write::{write_course, write_glossary, write_lesson};
+
+use object::object_only;
+
+/// A lesson: one idea, in a few steps.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[serde(remote = "Self", deny_unknown_fields, rename_all = "kebab-case")]
+pub struct Lesson {
+    /// The version of the format.
+    pub giveway: Version,
+    /// What it is called.
+    pub title: String,
+    /// How long it takes, in minutes.
+    pub minutes: u32,
+    /// The idea in one sentence.
+    pub about: Text,
+    /// The steps; there is at least one, and the first has a scene.
+    pub steps: Vec<Step>,
+}
+
+object_only!(Lesson);
+
+impl Lesson {
+    /// The scene with which a step begins where nothing was done before: its own, or
+    /// that of the last step before it that has one.
+    pub fn scene(&self, step: usize) -> Option<&giveway_model::Scene> {
+        let steps = self.steps.get(..=step)?;
+        steps.iter().rev().find_map(|step| step.scene.as_ref())
+    }
+
+    /// The JSON Schema (draft 2020-12) of lessons, courses and glossaries. It refers
+    /// to that of scenes and plans ([`giveway_model::format::schema`]).
+    pub const fn schema() -> &'static str {
+        include_str!("../../schema/lesson.schema.json")
+    }
+}

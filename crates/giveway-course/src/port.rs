@@ -1,0 +1,193 @@
+//! What a lesson and the playground's page say to each other: two programs, plain data.
+//!
+//! The lesson says what the board shows and what may be done on it; the page says what
+//! was done. Each board that is opened has a number, which all that the page says of it
+//! carries: what it said of an earlier one is dropped.
+
+use borsh::{BorshDeserialize, BorshSerialize};
+use giveway_model::check::Violation;
+use giveway_model::{Cell, Plan, Scene};
+use giveway_solve::change::Method;
+
+use crate::lesson::{Layer, Tool};
+
+/// The number of a board that was opened.
+#[derive(
+    Clone, Copy, Debug, Default, PartialEq, Eq, PartialOrd, Ord, BorshSerialize, BorshDeserialize,
+)]
+pub struct BoardNumber(pub u32);
+
+/// From the lesson to the page.
+#[derive(Clone, Debug, PartialEq, BorshSerialize, BorshDeserialize)]
+pub enum ToPage {
+    /// Puts a scene on the board. What a person had there is put aside first.
+    Open(Box<Board>),
+    /// Lights a robot or a cell; nothing any more where there is none.
+    Light(Option<Lit>),
+    /// Goes to a time of the plan, and stops there.
+    Go(u32),
+    /// Plays the plan from the time shown.
+    Play,
+    /// Shows a plan as evidence, and what was hidden with it.
+    Show(Box<Evidence>),
+    /// Puts a seal on the cells that solved a task.
+    Seal(Vec<Cell>),
+    /// Takes the last edit, or the last step of a robot that is led, back.
+    TakeBack,
+    /// Puts the board back to what it was when it was opened; it has this number from
+    /// then on.
+    StartAfresh(BoardNumber),
+    /// The lesson ends: a person's own scene comes back.
+    Close,
+}
+
+/// What is on the board, and what may be done there.
+#[derive(Clone, Debug, PartialEq, BorshSerialize, BorshDeserialize)]
+pub struct Board {
+    /// The number of the board.
+    pub number: BoardNumber,
+    /// The scene.
+    pub scene: Scene,
+    /// What is shown of a plan.
+    pub plan: BoardPlan,
+    /// The time shown first.
+    pub time: u32,
+    /// Whether the plan plays at once.
+    pub playing: bool,
+    /// The tools that are live.
+    pub tools: Vec<Tool>,
+    /// The most edits.
+    pub edits: Option<u32>,
+    /// The cells that may be changed; all where there is no list.
+    pub cells: Option<Vec<Cell>>,
+    /// What is shown beside the map.
+    pub show: Vec<Layer>,
+    /// What clicks and keys on the board are for.
+    pub hand: Hand,
+}
+
+/// What the board shows of a plan.
+#[derive(Clone, Debug, PartialEq, BorshSerialize, BorshDeserialize)]
+pub enum BoardPlan {
+    /// There is none.
+    None,
+    /// This one, legal or not.
+    Given(Plan),
+    /// The best one: the page solves the scene.
+    Best,
+    /// It is hidden, and its timeline with it, until evidence is shown.
+    Hidden,
+}
+
+/// What a person's hand does on the board, beside the tools.
+#[derive(Clone, Debug, PartialEq, Eq, BorshSerialize, BorshDeserialize)]
+pub enum Hand {
+    /// It looks and selects.
+    Looks,
+    /// It leads these robots, step by step; the others go as the plan has it, and
+    /// stand still where there is none.
+    Leads(Vec<String>),
+    /// It points at robots, cells and times, and each click is told.
+    Points,
+}
+
+/// A robot or a cell.
+#[derive(Clone, Debug, PartialEq, Eq, BorshSerialize, BorshDeserialize)]
+pub enum Lit {
+    /// A robot, by its name.
+    Robot(String),
+    /// A cell.
+    Cell(Cell),
+}
+
+/// What shows that something is so.
+#[derive(Clone, Debug, Default, PartialEq, BorshSerialize, BorshDeserialize)]
+pub struct Evidence {
+    /// A plan.
+    pub plan: Option<Plan>,
+    /// Broken rules, of that plan or of the one on the board.
+    pub violations: Vec<Violation>,
+    /// The time to go to.
+    pub time: Option<u32>,
+    /// Whether no plan is better than this one, as it is proved.
+    pub proved: bool,
+}
+
+impl Evidence {
+    /// Whether it shows nothing.
+    pub fn is_empty(&self) -> bool {
+        self.plan.is_none() && self.violations.is_empty() && self.time.is_none()
+    }
+}
+
+/// From the page to the lesson.
+#[derive(Clone, Debug, PartialEq, BorshSerialize, BorshDeserialize)]
+pub struct FromPage {
+    /// The board that it is about.
+    pub number: BoardNumber,
+    /// What happened.
+    pub what: Happened,
+}
+
+/// What happened on the board.
+#[derive(Clone, Debug, PartialEq, BorshSerialize, BorshDeserialize)]
+pub enum Happened {
+    /// The scene was edited, or an edit was taken back.
+    Board(Box<Scene>),
+    /// A robot was led: the plan so far, of all robots.
+    Led(Box<Plan>),
+    /// A person pointed at something.
+    Picked(Pick),
+    /// Another time is shown.
+    Time(u32),
+    /// A person went on after a change by a method.
+    Changed(Method),
+    /// A person closed the lesson from the page.
+    Closed,
+}
+
+/// What a person pointed at.
+#[derive(Clone, Debug, PartialEq, Eq, BorshSerialize, BorshDeserialize)]
+pub struct Pick {
+    /// The cell.
+    pub cell: Cell,
+    /// The time shown then.
+    pub time: u32,
+    /// The robots that stood there, or were clicked, by their names.
+    pub robots: Vec<String>,
+}
+
+impl ToPage {
+    /// The message, to be posted.
+    pub fn to_bytes(&self) -> Vec<u8> {
+        to_bytes(self)
+    }
+
+    /// Reads a posted message.
+    ///
+    /// # Errors
+    /// When the bytes are none, as a sentence.
+    pub fn from_bytes(bytes: &[u8]) -> Result<Self, String> {
+        borsh::from_slice(bytes).map_err(|error| error.to_string())
+    }
+}
+
+impl FromPage {
+    /// The message, to be posted.
+    pub fn to_bytes(&self) -> Vec<u8> {
+        to_bytes(self)
+    }
+
+    /// Reads a posted message.
+    ///
+    /// # Errors
+    /// When the bytes are none, as a sentence.
+    pub fn from_bytes(bytes: &[u8]) -> Result<Self, String> {
+        borsh::from_slice(bytes).map_err(|error| error.to_string())
+    }
+}
+
+fn to_bytes<T: BorshSerialize>(message: &T) -> Vec<u8> {
+    // Memory always takes them, and no number in them is none.
+    borsh::to_vec(message).unwrap_or_default()
+}

@@ -1,0 +1,16 @@
+//! The course that comes with the page: its files, its tasks, its reading ease.
+
+#![allow(
+    clippy::unwrap_used,
+    clippy::panic,
+    reason = "a test stops at the first surprise"
+)]
+
+mod files;
+mod learner;
+mod noise;
+mod reading;
+mod schema;
+mod shipped;
+mod tasks;
+mod terms;
