@@ -2,10 +2,7 @@
 
 use std::rc::Rc;
 
-use giveway_model::Scene;
-use giveway_model::format::native;
 use giveway_page::files::{Opened, Reading, Saved, picture_name, read_beside, too_large};
-use giveway_page::intake::is_for_reader;
 use giveway_page::{Action, FileAction, IntakeAction, Notice, State};
 use gloo::file::{Blob, File, ObjectUrl, futures::read_as_bytes};
 use gloo::net::http::Request;
@@ -43,15 +40,6 @@ async fn fetch_text(address: &str) -> Result<String, String> {
         return Err(format!("{address}: status {}", response.status()));
     }
     response.text().await.map_err(|error| error.to_string())
-}
-
-/// The scene of an example.
-///
-/// # Errors
-/// Why there is none, as a sentence.
-pub(crate) async fn example(file: &str) -> Result<Scene, String> {
-    let text = fetch(file).await?;
-    native::read_scene(&text).map_err(|fault| format!("{file}, {fault}"))
 }
 
 /// Those of the page's maps and scenarios that are there.
@@ -94,10 +82,9 @@ pub(crate) fn read(
     send: &Callback<Action>,
     show: &Callback<Panel>,
 ) {
-    if is_for_reader(state, &opened) {
-        send.emit(Action::Intake(IntakeAction::Read(opened)));
-    } else {
-        take(read_beside(state, &opened), send, show);
+    match read_beside(state, &opened) {
+        Some(reading) => take(reading, send, show),
+        None => send.emit(Action::Intake(IntakeAction::Read(opened))),
     }
 }
 

@@ -1,62 +1,20 @@
-//! The scene that the page opens on, with its plan.
-//!
-//! The plan comes with the page, so that its robots move before the solver has
-//! arrived; a test holds it to be what the solver answers
-//! (`tests/tests/opening.rs`).
+//! The page with the scene that it opens on, and its plan.
 
-use std::collections::BTreeMap;
-
-use giveway_model::format::native;
-use giveway_model::{Cost, Costs, Plan, Scene, Version};
-use giveway_page::{Action, PlayAction, SolveAction, State, reduce};
-use giveway_solve::{Request, Response, SolveAnswer, SolveRequest, Stats, Status};
-use serde::Deserialize;
-
-const SCENE: &str = include_str!("../../static/examples/warehouse.json");
-const ANSWER: &str = include_str!("../../static/opening.json");
-
-/// An answer that tells neither a reason nor a trace: what else an answer may hold takes
-/// 50 kB of program to be read, and this one has none of it.
-#[derive(Deserialize)]
-struct Plain {
-    giveway: Version,
-    status: Status,
-    costs: Option<Costs>,
-    bounds: BTreeMap<Cost, u32>,
-    within: Option<u32>,
-    complete: bool,
-    plan: Option<Plan>,
-    stats: Stats,
-}
-
-impl From<Plain> for SolveAnswer {
-    fn from(plain: Plain) -> Self {
-        Self {
-            giveway: plain.giveway,
-            status: plain.status,
-            costs: plain.costs,
-            bounds: plain.bounds,
-            within: plain.within,
-            complete: plain.complete,
-            reason: None,
-            plan: plain.plan,
-            stats: plain.stats,
-            trace: None,
-        }
-    }
-}
+use giveway_model::Scene;
+use giveway_page::{Action, PlayAction, SolveAction, State, opening, reduce};
+use giveway_solve::{Request, Response, SolveRequest};
 
 /// The scene.
 pub(crate) fn scene() -> Scene {
-    native::read_scene(SCENE).unwrap_or_default()
+    opening::draft().scene().clone()
 }
 
 /// A page with the scene on it, after the solver has answered: at the time that
 /// is shown already.
 pub(crate) fn solved(state: &State) -> State {
     let asked = reduce(state, Action::Solve(SolveAction::Begin));
-    let (Some((job, Request::Solve(request))), Ok(answer)) =
-        (asked.work.request(), serde_json::from_str::<Plain>(ANSWER))
+    let (Some((job, Request::Solve(request))), Some(answer)) =
+        (asked.work.request(), opening::answer())
     else {
         return asked;
     };
@@ -71,7 +29,7 @@ pub(crate) fn solved(state: &State) -> State {
     if request != plain {
         return asked;
     }
-    let response = Box::new(Response::Solved(answer.into()));
+    let response = Box::new(Response::Solved(answer.solved.clone()));
     let answered = reduce(
         &asked,
         Action::Solve(SolveAction::Respond { job, response }),

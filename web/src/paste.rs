@@ -1,6 +1,6 @@
 //! What is pasted anywhere but into a field: it is opened as a file is.
 
-use giveway_page::files::{pasted, pasted_for_reader};
+use giveway_page::files::{Pasted, pasted};
 use giveway_page::{Action, FileAction, IntakeAction, Notice, State};
 use gloo::events::{EventListener, EventListenerOptions};
 use wasm_bindgen::JsCast as _;
@@ -52,9 +52,10 @@ pub(crate) fn use_paste(
 
 /// Opens a text; what the page does not read by itself is left to the reader.
 fn take(state: &State, text: &str, send: &Callback<Action>, show: &Callback<Panel>) {
-    match pasted_for_reader(state, text) {
-        Some(files) => send.emit(Action::Intake(IntakeAction::Read(files))),
-        None => files::take(pasted(state, text), send, show),
+    match pasted(state, text) {
+        Ok(Pasted::File(files)) => send.emit(Action::Intake(IntakeAction::Read(files))),
+        Ok(Pasted::Read(reading)) => files::take(Ok(reading), send, show),
+        Err(notice) => files::take(Err(notice), send, show),
     }
 }
 

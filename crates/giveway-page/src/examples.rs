@@ -1,29 +1,56 @@
-//! The list of examples that comes with the page.
+//! The examples that come with the page, with their scenes as links write them: the
+//! page need not read JSON for them. A test writes the list from `static/examples/`.
 
-use serde::Deserialize;
+use giveway_model::Scene;
+
+use crate::Notice;
+use crate::link::{self, From};
 
 /// An example.
-#[derive(Clone, Debug, PartialEq, Eq, Deserialize)]
+#[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Example {
-    /// Its file, beside the list.
-    pub file: String,
     /// What it is called.
     pub title: String,
     /// What there is to see, in one line.
     pub line: String,
+    /// Its scene, as a link writes it.
+    pub scene: String,
 }
 
-/// Reads the list.
+/// Reads the list: of each example its title, the line and the scene, a line each.
 ///
 /// # Errors
 /// When the text is no such list, as a sentence.
 ///
 /// ```
 /// use giveway_page::examples::read;
-/// let list = r#"[{"file": "a.json", "title": "A", "line": "One robot."}]"#;
-/// assert_eq!(read(list).unwrap()[0].title, "A");
-/// assert!(read("{}").is_err());
+/// let list = "A\nOne robot.\ngiveway=1&map=1.f&rules=0.0&costs=012&agents=\n";
+/// let list = read(list).unwrap();
+/// assert_eq!(list[0].title, "A");
+/// assert_eq!(list[0].scene().unwrap().map, ["."]);
+/// assert!(read("A\nOne robot.\n").is_err());
 /// ```
 pub fn read(text: &str) -> Result<Vec<Example>, String> {
-    serde_json::from_str(text).map_err(|error| error.to_string())
+    let lines: Vec<&str> = text.lines().collect();
+    let (examples, rest) = lines.as_chunks();
+    if !rest.is_empty() {
+        return Err("its last example is not whole".to_owned());
+    }
+    let owned = |&[title, line, scene]: &[&str; 3]| Example {
+        title: title.to_owned(),
+        line: line.to_owned(),
+        scene: scene.to_owned(),
+    };
+    Ok(examples.iter().map(owned).collect())
+}
+
+impl Example {
+    /// Its scene.
+    ///
+    /// # Errors
+    /// Why there is none.
+    pub fn scene(&self) -> Result<Scene, Notice> {
+        let linked = link::read(&self.scene, From::Anywhere)?;
+        Ok(linked.document.draft.scene().clone())
+    }
 }

@@ -44,6 +44,7 @@ mod line;
 pub mod link;
 mod mode;
 pub mod objective;
+pub mod opening;
 mod phase;
 pub mod planners;
 mod playback;

@@ -1,7 +1,7 @@
 //! The examples that come with the page.
 
 use giveway_page::examples::{Example, read};
-use giveway_page::{Action, FileAction, Notice, SolveAction};
+use giveway_page::{Action, FileAction, SolveAction};
 use yew::platform::spawn_local;
 use yew::prelude::*;
 
@@ -28,17 +28,16 @@ pub(crate) fn Examples(props: &ExamplesProps) -> Html {
         let list = list.clone();
         use_effect_with((), move |()| {
             spawn_local(async move {
-                let text = files::fetch("index.json").await;
+                let text = files::fetch("examples.txt").await;
                 list.set(Some(text.and_then(|text| read(&text))));
             });
         });
     }
     let choose = {
         let (send, on_close) = (send.clone(), on_close.clone());
-        Callback::from(move |file: String| {
+        Callback::from(move |example: Example| {
             on_close.emit(());
-            let send = send.clone();
-            spawn_local(async move { open(&file, &send).await });
+            open(&example, &send);
         })
     };
     let body = match &*list {
@@ -53,11 +52,11 @@ pub(crate) fn Examples(props: &ExamplesProps) -> Html {
     html! { <Frame title="Examples" on_close={on_close.clone()}>{ body }</Frame> }
 }
 
-fn pick(example: &Example, choose: &Callback<String>) -> Html {
-    let file = example.file.clone();
-    let choose = choose.reform(move |_| file.clone());
+fn pick(example: &Example, choose: &Callback<Example>) -> Html {
+    let chosen = example.clone();
+    let choose = choose.reform(move |_| chosen.clone());
     html! {
-        <li key={example.file.clone()}>
+        <li key={example.title.clone()}>
             <button class="pick" onclick={choose}>
                 <b>{ example.title.clone() }</b>
                 <span>{ example.line.clone() }</span>
@@ -67,15 +66,12 @@ fn pick(example: &Example, choose: &Callback<String>) -> Html {
     }
 }
 
-async fn open(file: &str, send: &Callback<Action>) {
-    match files::example(file).await {
+fn open(example: &Example, send: &Callback<Action>) {
+    match example.scene() {
         Ok(scene) => {
             send.emit(Action::File(FileAction::Open(Box::new(scene))));
             send.emit(Action::Solve(SolveAction::Begin));
         }
-        Err(error) => send.emit(Action::File(FileAction::Refuse(Notice {
-            sentence: "The example did not arrive; the scene stays as it is.".to_owned(),
-            details: vec![error],
-        }))),
+        Err(notice) => send.emit(Action::File(FileAction::Refuse(notice))),
     }
 }

@@ -163,7 +163,9 @@ impl Reader {
         if let (true, Some(state), Some(show)) = (own, state, self.0.show.get()) {
             let opened = state.intake.job().map(|job| job.files().to_vec());
             let reading = giveway_page::files::read_beside(&state, &opened.unwrap_or_default());
-            files::take(reading, &self.0.send, &show);
+            if let Some(reading) = reading {
+                files::take(reading, &self.0.send, &show);
+            }
         }
     }
 

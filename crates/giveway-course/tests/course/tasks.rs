@@ -75,7 +75,9 @@ fn painted(start: &Scene, painting: Painting) -> Scene {
         cells[x as usize] = ground.chars().next().unwrap();
         *row = cells.into_iter().collect();
     }
-    scene.agents.retain(|agent| !painting.gone.contains(&agent.name));
+    scene
+        .agents
+        .retain(|agent| !painting.gone.contains(&agent.name));
     scene.agents.extend(painting.robots);
     for (name, goal) in painting.goals {
         let agent = scene.agents.iter_mut().find(|agent| agent.name == name);
@@ -155,7 +157,10 @@ fn complaints(name: &str, lesson: &Lesson) -> Vec<String> {
         let (scene, done) = did(start, solution.solved);
         let verdict = judged(lesson, index, &scene, &done);
         if !verdict.is_solved() {
-            complaints.push(format!("{place}: the solution is refused: {}", tell(&verdict)));
+            complaints.push(format!(
+                "{place}: the solution is refused: {}",
+                tell(&verdict)
+            ));
         }
         if judged(lesson, index, start, &Did::Edits).is_solved() {
             complaints.push(format!("{place}: the start is accepted"));
@@ -169,7 +174,10 @@ fn complaints(name: &str, lesson: &Lesson) -> Vec<String> {
             let verdict = judged(lesson, index, &scene, &done);
             let told = tell(&verdict);
             if verdict.is_solved() || !told.contains(&wrong.says) {
-                complaints.push(format!("{place}: {shown} gets \"{told}\", not \"{}\"", wrong.says));
+                complaints.push(format!(
+                    "{place}: {shown} gets \"{told}\", not \"{}\"",
+                    wrong.says
+                ));
             }
         }
     }

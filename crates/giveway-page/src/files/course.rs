@@ -32,11 +32,6 @@ impl Holds {
     }
 }
 
-/// Whether a text is a plan.
-pub(super) fn is_plan(text: &str) -> bool {
-    Holds::of(text) == Holds::Plan
-}
-
 /// Why a file alone is none that can be opened, if it is of another kind than a
 /// scene.
 pub(super) fn alone(file: &Opened, text: &str) -> Option<Notice> {

@@ -67,6 +67,29 @@ fn larger_than(name: &str, bytes: u64, most: u64) -> Option<Notice> {
     })
 }
 
+/// Reads the files that were opened together, without the project's own JSON: code
+/// that reads that is a large part of a program, so the page leaves it to the reader.
+/// `None` where some file is for the reader.
+pub(crate) fn read_here(files: &[Opened]) -> Option<Result<Reading, Notice>> {
+    let mut kinds = Vec::new();
+    for file in files {
+        match text(file) {
+            Ok(text) => kinds.push((Kind::of(&file.name, text), file, text)),
+            Err(notice) => return Some(Err(notice)),
+        }
+    }
+    match *kinds {
+        [(Kind::Kept, file, text)] => Some(kept(file, text)),
+        [(Kind::Map, file, text)] => Some(map(file, text)),
+        [(Kind::Scenario, file, text)] => Some(Err(map_missing(file, text))),
+        [(Kind::Map, map, map_text), (Kind::Scenario, file, text)]
+        | [(Kind::Scenario, file, text), (Kind::Map, map, map_text)] => {
+            Some(scenario::read((map, map_text), (file, text)))
+        }
+        _ => None,
+    }
+}
+
 /// Reads the files that were opened together: a scene in the project's own
 /// JSON, alone or with its plan and what changed while that ran; or a MovingAI
 /// map, with or without one scenario for it.
@@ -125,41 +148,54 @@ pub fn read(files: &[Opened]) -> Result<Reading, Notice> {
 /// What a pasted text is called.
 const PASTED: &str = "Pasted text";
 
-/// A text that was pasted, as a file that is for the reader: it has several lines
-/// of what the page does not read by itself.
-pub fn pasted_for_reader(state: &State, text: &str) -> Option<Vec<Opened>> {
-    let files = vec![Opened {
+/// Reads a text that was pasted: what a file may hold, or a link of this page.
+/// `Ok` with files are those for the reader.
+///
+/// # Errors
+/// Why it is nothing to be opened.
+///
+/// ```
+/// use giveway_page::{Draft, State, files::{Pasted, pasted}};
+/// let state = State::new(Draft::default());
+/// let scene = r#"{"giveway": 1, "map": [".."], "agents": []}"#;
+/// assert!(matches!(pasted(&state, scene), Ok(Pasted::File(_))));
+/// let link = "https://example.org/#giveway=1&map=1.f&rules=0.0&costs=012&agents=";
+/// assert!(matches!(pasted(&state, link), Ok(Pasted::Read(_))));
+/// assert!(pasted(&state, "good morning").is_err());
+/// ```
+pub fn pasted(state: &State, text: &str) -> Result<Pasted, Notice> {
+    let text = text.trim();
+    let link = text.split_once('#').map(|(_, link)| link);
+    if let Some(link) = link.filter(|link| link.starts_with("giveway=")) {
+        let linked = link::read(link, link::From::Anywhere)?;
+        return Ok(Pasted::Read(Reading::Linked(Box::new(linked))));
+    }
+    let files = [Opened {
         name: PASTED.to_owned(),
         bytes: text.as_bytes().to_vec(),
     }];
-    let is_file = text.trim().contains('\n') && intake::is_for_reader(state, &files);
-    is_file.then_some(files)
+    if let Some(notice) = larger_than(PASTED, text.len() as u64, MAX_BYTES) {
+        return Err(notice);
+    }
+    if !text.contains('\n') && !text.starts_with(['{', '[']) {
+        return Err(refusal(
+            PASTED,
+            "expected a scene, a plan, a map or a link of this page",
+        ));
+    }
+    match read_beside(state, &files) {
+        Some(read) => read.map(Pasted::Read),
+        None => Ok(Pasted::File(files.into())),
+    }
 }
 
-/// Reads a text that was pasted: what a file may hold, a plan for the scene on
-/// the board, or a link of this page.
-///
-/// # Errors
-/// As [`read`].
-///
-/// ```
-/// use giveway_page::{Draft, State, files::{Reading, pasted}};
-/// let state = State::new(Draft::default());
-/// let scene = r#"{"giveway": 1, "map": [".."], "agents": []}"#;
-/// assert!(matches!(pasted(&state, scene), Ok(Reading::Scene(_))));
-/// assert!(pasted(&state, "good morning").is_err());
-/// ```
-pub fn pasted(state: &State, text: &str) -> Result<Reading, Notice> {
-    let link = text.trim().split_once('#').map(|(_, link)| link);
-    if let Some(link) = link.filter(|link| link.starts_with("giveway=")) {
-        let linked = link::read(link, link::From::Anywhere)?;
-        return Ok(Reading::Linked(Box::new(linked)));
-    }
-    let pasted = Opened {
-        name: PASTED.to_owned(),
-        bytes: text.as_bytes().to_vec(),
-    };
-    read_beside(state, &[pasted])
+/// What a text that was pasted comes to.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Pasted {
+    /// This.
+    Read(Reading),
+    /// A file for the reader.
+    File(Vec<Opened>),
 }
 
 fn text(file: &Opened) -> Result<&str, Notice> {

@@ -192,17 +192,67 @@ fn a_scene_with_its_plan_and_what_changed() {
     );
 }
 
+/// What the reader makes of a text that was pasted.
+fn reader(state: &crate::State, text: &str) -> crate::State {
+    let Ok(Pasted::File(files)) = pasted(state, text) else {
+        panic!("it is for the reader");
+    };
+    let action = crate::IntakeAction::Read(files);
+    let asked = crate::reduce(state, crate::Action::Intake(action));
+    let job = asked.intake.job().unwrap();
+    let reply = std::rc::Rc::new(crate::intake::work((*job.task).clone()));
+    let action = crate::IntakeAction::Reply { job: job.id, reply };
+    crate::reduce(&asked, crate::Action::Intake(action))
+}
+
 #[test]
 fn a_pasted_plan_is_for_the_scene_on_the_board() {
     let state = crate::sample::solved();
     let plan = plan_file(&state).unwrap().text;
-    let Ok(Reading::Linked(linked)) = pasted(&state, &plan) else {
-        panic!("no plan");
-    };
-    assert_eq!(linked.document.answer.unwrap().plan(), state.plan());
+    let mut unsolved = state.clone();
+    unsolved.document.answer = None;
+    assert_eq!(reader(&unsolved, &plan).plan(), state.plan());
     let other = crate::State::new(crate::Draft::default());
-    let refused = pasted(&other, &plan).unwrap_err();
+    let refused = reader(&other, &plan).view.notice.unwrap();
     assert!(refused.sentence.contains("Pasted text"), "{refused:?}");
+}
+
+#[test]
+fn a_pasted_scene_is_opened() {
+    let fresh = crate::State::new(crate::Draft::default());
+    let state = crate::sample::solved();
+    let opened = reader(&fresh, &scene_file(&state).text);
+    assert_eq!(
+        opened.document.draft.scene().agents,
+        state.document.agents()
+    );
+    assert!(opened.intake.job().is_none());
+}
+
+#[test]
+fn a_run_is_read_by_the_reader_and_judged_by_the_page() {
+    let state = crate::tests::adopted();
+    let saved = [
+        scene_file(&state),
+        plan_file(&state).unwrap(),
+        changes_file(&state).unwrap(),
+    ];
+    let files = saved.map(|saved| file(&saved.name, &saved.text)).to_vec();
+    let fresh = crate::State::new(crate::Draft::default());
+    assert_eq!(read_beside(&fresh, &files), None, "it is for the reader");
+    let action = crate::IntakeAction::Read(files);
+    let asked = crate::reduce(&fresh, crate::Action::Intake(action));
+    let job = asked.intake.job().unwrap();
+    let reply = std::rc::Rc::new(crate::intake::work((*job.task).clone()));
+    let action = crate::IntakeAction::Reply { job: job.id, reply };
+    let opened = crate::reduce(&asked, crate::Action::Intake(action));
+    assert_eq!(opened.view.notice, None);
+    assert_eq!(opened.plan(), state.plan());
+    let changes = |state: &crate::State| {
+        let answer = state.document.answer.clone().unwrap();
+        answer.course.as_ref().unwrap().changes.clone()
+    };
+    assert_eq!(changes(&opened), changes(&state));
 }
 
 #[test]
@@ -212,7 +262,8 @@ fn a_pasted_link_is_opened_and_a_broken_one_refused() {
         " https://example.org/play?x#{}\n",
         crate::link::write(&state)
     );
-    assert!(matches!(pasted(&state, &link), Ok(Reading::Linked(_))));
+    let opened = pasted(&state, &link);
+    assert!(matches!(opened, Ok(Pasted::Read(Reading::Linked(_)))));
     let broken = pasted(&state, "https://example.org/#giveway=9").unwrap_err();
     assert!(broken.details[0].contains("version 9"), "{broken:?}");
 }
@@ -220,12 +271,13 @@ fn a_pasted_link_is_opened_and_a_broken_one_refused() {
 #[test]
 fn a_pasted_text_is_refused_with_its_place() {
     let state = crate::sample::solved();
-    let broken = pasted(&state, "{\n  \"giveway\": 1,\n  \"map\": [").unwrap_err();
+    let broken = reader(&state, "{\n  \"giveway\": 1,\n  \"map\": [");
+    let broken = broken.view.notice.unwrap();
     assert!(
         broken.details[0].contains("Pasted text, line 3"),
         "{broken:?}"
     );
-    let huge = " ".repeat(10_000_001);
+    let huge = "x".repeat(10_000_001);
     let refused = pasted(&state, &huge).unwrap_err();
     assert!(refused.details[0].contains("11 MB"), "{refused:?}");
 }

@@ -197,7 +197,7 @@ fn names(files: &[Opened]) -> String {
 }
 
 /// Whether files are for the reader: one of them is nothing that the page reads
-/// by itself, or others wait for them.
+/// by itself, its own JSON included, or others wait for them.
 ///
 /// ```
 /// use giveway_page::{Draft, State, files::Opened, intake::is_for_reader};
@@ -206,13 +206,19 @@ fn names(files: &[Opened]) -> String {
 /// let is = |files: &[Opened]| is_for_reader(&state, files);
 /// assert!(is(&[file("paths.txt", "Agent 0: (0,0)->(0,1)->\n")]));
 /// assert!(!is(&[file("a.map", "type octile\nheight 1\nwidth 2\nmap\n..\n")]));
-/// assert!(!is(&[file("scene.json", "{\"giveway\": 1")]));
+/// assert!(is(&[file("scene.json", "{\"giveway\": 1")]));
 /// ```
 pub fn is_for_reader(state: &State, files: &[Opened]) -> bool {
     let waits = !state.intake.waiting.is_empty();
-    // Several plans are compared, which the page does not read by itself.
-    let plans = files.iter().filter(|file| is_own_plan(file)).count();
-    plans > 1 || files.iter().any(is_foreign) || (waits && files.iter().all(is_text))
+    let is_own = |file: &Opened| is_own_json(file) || is_foreign(file);
+    files.iter().any(is_own) || (waits && files.iter().all(is_text))
+}
+
+/// Whether files are the page's own JSON: a scene, with a plan and changes at most.
+pub(crate) fn are_own(read: &Read) -> bool {
+    let plans = read.files.iter().filter(|file| is_own_plan(file)).count();
+    let any = read.files.iter().any(is_own_json);
+    any && plans <= 1 && read.waiting.is_empty() && !read.files.iter().any(is_foreign)
 }
 
 fn is_own_plan(file: &Opened) -> bool {
@@ -222,6 +228,14 @@ fn is_own_plan(file: &Opened) -> bool {
 
 fn is_text(file: &Opened) -> bool {
     std::str::from_utf8(&file.bytes).is_ok()
+}
+
+/// Whether a file is JSON of the project's own, or claims to be.
+fn is_own_json(file: &Opened) -> bool {
+    let ending = file.name.rsplit_once('.').map(|(_, ending)| ending);
+    let text = std::str::from_utf8(&file.bytes).unwrap_or_default();
+    let start = text.trim_start_matches('\u{feff}').trim_start();
+    ending == Some("json") || start.starts_with(['{', '['])
 }
 
 /// Whether a file is nothing that the page reads by itself, by a look at it.

@@ -4,6 +4,7 @@
 use std::collections::BTreeMap;
 
 use borsh::{BorshDeserialize, BorshSerialize};
+use giveway_model::change::Changes;
 use giveway_model::format::foreign::{Conventions, ForeignPlan, Format};
 use giveway_model::{Cost, Plan, Scene};
 use giveway_solve::ExportAnswer;
@@ -107,6 +108,9 @@ pub enum Message {
 pub enum Reply {
     /// A scene with its plans.
     Found(Box<Found>),
+    /// A scene with its plan, and what changed while that ran, of the project's own
+    /// JSON.
+    Run(Box<Run>),
     /// The files are the page's own business: it reads them by itself.
     Own,
     /// Another file is missing.
@@ -126,6 +130,17 @@ pub enum Reply {
     Written(Vec<(String, String)>, Vec<String>),
     /// One file, to be saved.
     Packed(Vec<u8>),
+}
+
+/// A scene with its plan, and what changed while that ran.
+#[derive(Clone, Debug, PartialEq, BorshSerialize, BorshDeserialize)]
+pub struct Run {
+    /// The scene.
+    pub scene: Scene,
+    /// The plan.
+    pub plan: Plan,
+    /// What changed.
+    pub changes: Option<Changes>,
 }
 
 /// A scene with its plans, as files tell them.

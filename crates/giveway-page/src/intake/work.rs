@@ -11,12 +11,13 @@ use giveway_model::{Cost, Fault, Instance, Plan, Scene};
 use giveway_proof::bundle::archive::pack;
 use giveway_solve::ExportAnswer;
 
-use super::protocol::{Found, Read, Reply, ReportKind, Task};
-use crate::State;
+use super::protocol::{Found, Read, Reply, ReportKind, Run, Task};
+use super::{are_own, is_own_plan};
 use crate::audit::{report, told as told_of};
-use crate::files::Opened;
-use crate::link::kept_moment;
+use crate::files::{self, Opened, Reading};
+use crate::link::{Linked, kept_moment};
 use crate::words::count;
+use crate::{Notice, State};
 
 /// The most faults that are told of one file.
 const TOLD: usize = 5;
@@ -44,6 +45,9 @@ pub fn work(task: Task) -> Reply {
 /// Reads the files by themselves; where they lack something, with those that
 /// waited, then on the scene of the board.
 fn reading(read: Read) -> Reply {
+    if are_own(&read) {
+        return own(read);
+    }
     let options = Options {
         conventions: read.conventions,
         agents: None,
@@ -72,6 +76,39 @@ fn reading(read: Read) -> Reply {
         }
         alone => reply(alone, &read.files),
     }
+}
+
+/// Reads the project's own JSON; a plan alone with the scene of the board.
+fn own(read: Read) -> Reply {
+    let mut files = read.files;
+    if let ([file], Some(board)) = (&*files, read.board)
+        && is_own_plan(file)
+    {
+        files.insert(0, board);
+    }
+    match files::read(&files) {
+        Ok(Reading::Scene(scene)) => Reply::Found(Box::new(Found {
+            scene: *scene,
+            plans: Vec::new(),
+            notes: Vec::new(),
+            files,
+        })),
+        Ok(Reading::Linked(linked)) => run(&linked).unwrap_or(Reply::Own),
+        // A plan that breaks a rule is audited.
+        Ok(Reading::Illegal(files)) => reply(gathered(&files, &Options::default()), &files),
+        Ok(Reading::Scenario(_)) => Reply::Own,
+        Err(Notice { sentence, details }) => Reply::Refused(sentence, details),
+    }
+}
+
+/// What was read, as the page reads it again: it need not trust it.
+fn run(linked: &Linked) -> Option<Reply> {
+    let answer = linked.document.answer.as_ref()?;
+    Some(Reply::Run(Box::new(Run {
+        scene: linked.document.draft.scene().clone(),
+        plan: answer.plan()?.clone(),
+        changes: answer.course.as_ref().map(|course| course.changes.clone()),
+    })))
 }
 
 /// Whether at least half of the robots of some plan fit the scene.

@@ -8,10 +8,10 @@ use giveway_model::format::foreign::{Conventions, Format};
 use super::{audit, file, stroke};
 use crate::action::IntakeAction;
 use crate::files::Opened;
-use crate::intake::protocol::{Found, Read, Reply, Task};
+use crate::intake::protocol::{Found, Read, Reply, Run, Task};
 use crate::intake::{self, Job, Packed, Save, Written, beside};
-use crate::link::keep_moment;
-use crate::{Notice, State, certificate};
+use crate::link::{self, keep_moment};
+use crate::{FileAction, Notice, State, certificate};
 
 pub(super) fn intake(state: &mut State, action: IntakeAction) {
     match action {
@@ -116,6 +116,7 @@ fn plan_for(state: &State, format: Format) -> Option<giveway_model::Plan> {
 fn replied(state: &mut State, job: Job, reply: Reply) {
     match reply {
         Reply::Found(found) => opened(state, *found),
+        Reply::Run(run) => ran(state, *run),
         Reply::Own => {}
         Reply::Missing {
             sentence,
@@ -162,6 +163,26 @@ fn packed(state: &mut State, job: &Job, bytes: Vec<u8>) {
         let name = name.clone();
         state.intake.packed = Some(Rc::new(Packed { name, bytes }));
     }
+}
+
+/// A scene with its plan, and what changed, was read: the plan is judged.
+fn ran(state: &mut State, run: Run) {
+    let Run {
+        scene,
+        plan,
+        changes,
+    } = run;
+    state.intake.wait(Vec::new());
+    let linked = file::drafted(scene).and_then(|draft| {
+        link::judged(draft, plan, changes).map_err(|why| Notice {
+            sentence: "The plan cannot be opened; the scene stays as it is.".to_owned(),
+            details: vec![why],
+        })
+    });
+    let action = linked.map_or_else(FileAction::Refuse, |linked| {
+        FileAction::OpenLink(Box::new(linked))
+    });
+    file::file(state, action);
 }
 
 /// What cannot be read is told as a notice, what cannot be written where it was asked.

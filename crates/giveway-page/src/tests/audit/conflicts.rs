@@ -1,6 +1,6 @@
 //! From one broken rule to the next; how good the plan on the board is.
 
-use super::{LEGAL, MEETING, SCENE, audit, dropped, file, fresh};
+use super::{LEGAL, LEGAL_PATHS, MEETING, SCENE, audit, dropped, file, fresh};
 use crate::audit::{AuditAction, conflicts, facts, question};
 use crate::files::{Reading, read};
 use crate::tests::answered as answer;
@@ -105,7 +105,7 @@ fn the_key_is_for_plans_of_elsewhere() {
 
 #[test]
 fn a_legal_plan_has_none() {
-    let state = dropped(&fresh(), &[("hall.json", SCENE), ("p.json", LEGAL)]);
+    let state = dropped(&fresh(), &[("hall.json", SCENE), ("p.txt", LEGAL_PATHS)]);
     assert_eq!(conflicts(&state), None);
     let notice = next(&state).view.notice.unwrap();
     assert_eq!(notice.sentence, "This plan has no conflict.");

@@ -5,7 +5,7 @@ use std::rc::Rc;
 use giveway_model::format::foreign::{Options, Source, gather};
 use giveway_model::format::link::audited;
 
-use super::{BEST, LEGAL, MEETING, SCENE, audit, dropped, fresh};
+use super::{BEST, BEST_PATHS, LEGAL, LEGAL_PATHS, MEETING, SCENE, audit, dropped, fresh};
 use crate::audit::{AuditAction, facts};
 use crate::intake::protocol::{ReportKind, Task};
 use crate::tests::answered as answer;
@@ -72,7 +72,10 @@ fn an_illegal_plan_is_shown_and_told() {
 
 #[test]
 fn a_legal_plan_is_measured_against_the_bound() {
-    let state = dropped(&fresh(), &[("hall.json", SCENE), ("paths.json", LEGAL)]);
+    let state = dropped(
+        &fresh(),
+        &[("hall.json", SCENE), ("paths.txt", LEGAL_PATHS)],
+    );
     assert!(
         state
             .work
@@ -105,7 +108,7 @@ fn a_legal_plan_is_measured_against_the_bound() {
 
 #[test]
 fn the_best_plan_is_said_to_be_the_best() {
-    let state = dropped(&fresh(), &[("hall.json", SCENE), ("paths.json", BEST)]);
+    let state = dropped(&fresh(), &[("hall.json", SCENE), ("paths.txt", BEST_PATHS)]);
     let told = facts(&answer(&state)).unwrap();
     assert_eq!(told.verdict.word, "No plan is better");
     assert_eq!(told.verdict.detail, "proved");
@@ -138,7 +141,7 @@ fn two_plans_of_one_scene_are_compared() {
 
 #[test]
 fn the_browser_brings_it_back_and_a_link_carries_it() {
-    for plan in [MEETING, LEGAL] {
+    for plan in [MEETING, LEGAL_PATHS] {
         let state = answer(&dropped(
             &fresh(),
             &[("hall.json", SCENE), ("p.json", plan)],
@@ -164,7 +167,7 @@ fn the_browser_brings_it_back_and_a_link_carries_it() {
 
 #[test]
 fn the_link_of_a_report_opens_the_plan() {
-    for plan in [MEETING, LEGAL] {
+    for plan in [MEETING, LEGAL_PATHS] {
         let files = [("hall.json", SCENE), ("p.json", plan)];
         let read = gather(
             &files.map(|(name, text)| Source { name, text }),

@@ -4,7 +4,7 @@ use std::rc::Rc;
 
 use giveway_model::format::foreign::Format;
 
-use super::{LEGAL, MEETING, SCENE, audit, dropped, file, fresh, read_out};
+use super::{LEGAL_PATHS, MEETING, SCENE, audit, dropped, file, fresh, read_out};
 use crate::action::IntakeAction;
 use crate::intake::protocol::Reply;
 use crate::tests::answered as answer;
@@ -27,7 +27,7 @@ fn what_is_read_is_said_and_a_late_answer_is_not_heard() {
         crate::words::standing(&first).badge,
         crate::words::Badge::Reading
     );
-    let files = vec![file("hall.json", SCENE), file("p.json", LEGAL)];
+    let files = vec![file("hall.json", SCENE), file("p.txt", LEGAL_PATHS)];
     let second = reduce(&first, Action::Intake(IntakeAction::Read(files)));
     let late = IntakeAction::Reply {
         job: 1,
@@ -35,7 +35,7 @@ fn what_is_read_is_said_and_a_late_answer_is_not_heard() {
     };
     let heard = reduce(&second, Action::Intake(late));
     assert_eq!(heard, second);
-    assert_eq!(audit(&read_out(heard)).plan.file.file, "p.json");
+    assert_eq!(audit(&read_out(heard)).plan.file.file, "p.txt");
 }
 
 #[test]

@@ -32,6 +32,12 @@ pub(super) const BEST: &str = r#"{"giveway": 1, "paths": {
     "A1": [[0, 0], [1, 0], [2, 0]],
     "A2": [[2, 0], [2, 1], [1, 1], [0, 1], [0, 0]]}}"#;
 
+/// The same two, as another planner writes them: rows first.
+pub(super) const LEGAL_PATHS: &str = "Agent 0: (0,0)->(0,0)->(0,1)->(0,2)->\n\
+    Agent 1: (0,2)->(1,2)->(1,1)->(1,0)->(0,0)->\n";
+pub(super) const BEST_PATHS: &str = "Agent 0: (0,0)->(0,1)->(0,2)->\n\
+    Agent 1: (0,2)->(1,2)->(1,1)->(1,0)->(0,0)->\n";
+
 pub(super) fn file(name: &str, text: &str) -> Opened {
     Opened {
         name: name.to_owned(),

@@ -1,0 +1,65 @@
+//! The scene that the page opens on, with its plan: they come with the page, so that
+//! robots move before the solver has arrived. They are written as the browser keeps a
+//! document; a test holds the answer to be the solver's own.
+
+use std::rc::Rc;
+
+use crate::{Answer, Draft, link};
+
+const TEXT: &str = include_str!("../../../static/opening.txt");
+
+/// The answer to the scene, with the scene; `None` never, as a test holds.
+///
+/// ```
+/// use giveway_solve::Status;
+/// let answer = giveway_page::opening::answer().unwrap();
+/// assert_eq!(answer.solved.status, Status::Optimal);
+/// ```
+pub fn answer() -> Option<Rc<Answer>> {
+    link::kept_moment(TEXT).ok()?.document.answer
+}
+
+/// The scene.
+pub fn draft() -> Draft {
+    let answer = answer();
+    answer.map_or_else(Draft::default, |answer| (*answer.draft).clone())
+}
+
+#[cfg(test)]
+mod tests {
+    use expect_test::expect_file;
+    use giveway_model::format::native;
+    use giveway_solve::{Response, SilentHost, serve};
+
+    use super::*;
+    use crate::reduce::tests::after;
+    use crate::{Action, SolveAction, State};
+
+    const SCENE: &str = include_str!("../../../static/examples/warehouse.json");
+
+    /// `UPDATE_EXPECT=1` writes it anew.
+    #[test]
+    fn it_is_what_the_solver_answers() {
+        let scene = native::read_scene(SCENE).unwrap();
+        let asked = after(
+            &State::new(Draft::new(scene).unwrap()),
+            [Action::Solve(SolveAction::Begin)],
+        );
+        let (job, request) = asked.work.request().unwrap();
+        let Response::Solved(mut solved) = serve(&request, &SilentHost) else {
+            panic!("the opening scene was refused");
+        };
+        // Its record is not worth the bytes, and how long it took is another thing.
+        solved.trace = None;
+        solved.stats = giveway_solve::Stats::default();
+        let response = Box::new(Response::Solved(solved.clone()));
+        let state = after(
+            &asked,
+            [Action::Solve(SolveAction::Respond { job, response })],
+        );
+        let text = link::keep_moment(&state.moment());
+        expect_file!["../../../static/opening.txt"].assert_eq(&(text + "\n"));
+        assert_eq!(answer().unwrap().solved, solved);
+        assert_eq!(draft(), *state.document.draft);
+    }
+}
