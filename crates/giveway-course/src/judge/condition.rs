@@ -58,7 +58,11 @@ pub(super) fn requests(
                 .collect()
         }
         Condition::Raised { .. } => vec![ask::solve(scene, None), ask::solve(start, None)],
-        Condition::Verdict { question, .. } => vec![ask::explain(scene, question.clone())],
+        Condition::Verdict { question, .. } => {
+            // The step's plan is one of the scene that it began with.
+            let plan = step.plan.as_ref().filter(|_| scene == start);
+            vec![ask::explain(scene, plan, question.clone())]
+        }
         Condition::Apart { costs } => match Objective::new(costs.to_vec()) {
             Ok(objective) => vec![ask::front(scene, objective)],
             Err(error) => return Err(Why::Refused(error.to_string())),
