@@ -3,9 +3,7 @@
 use std::collections::BTreeSet;
 use std::fs;
 
-use giveway_course::lesson::{
-    Lesson, Picture, write_course, write_glossary, write_lesson,
-};
+use giveway_course::lesson::{Lesson, Picture, write_course, write_glossary, write_lesson};
 use giveway_model::Instance;
 use giveway_model::check::check;
 
@@ -50,7 +48,10 @@ fn the_index_says_what_the_lessons_say() {
 #[test]
 fn every_file_is_in_the_index() {
     let course = shipped::course();
-    let mut listed: BTreeSet<String> = course.lessons().map(|e| format!("{}.json", e.lesson)).collect();
+    let mut listed: BTreeSet<String> = course
+        .lessons()
+        .map(|e| format!("{}.json", e.lesson))
+        .collect();
     listed.extend(["index.json", "glossary.json"].map(str::to_owned));
     let files = fs::read_dir(shipped::folder()).unwrap();
     let found: BTreeSet<String> = files
@@ -80,15 +81,20 @@ fn plans_that_are_shown_are_legal() {
                 Some(Task::Spot(_) | Task::Lead(_) | Task::Choose(_)) => true,
                 Some(_) => false,
                 // Before a task about a plan, the plan may be looked at.
-                None => lesson.steps.get(index + 1).is_some_and(|next| {
-                    matches!(next.task, Some(Task::Choose(_) | Task::Spot(_)))
-                }),
+                None => lesson
+                    .steps
+                    .get(index + 1)
+                    .is_some_and(|next| matches!(next.task, Some(Task::Choose(_) | Task::Spot(_)))),
             };
             if let (Some(plan), false) = (&step.plan, is_about_faults) {
                 let scene = lesson.scene(index).unwrap();
                 let instance = Instance::new(scene.clone()).unwrap();
                 let report = check(&instance, plan);
-                assert!(report.is_valid(), "{name}, step {index}: {:?}", report.violations);
+                assert!(
+                    report.is_valid(),
+                    "{name}, step {index}: {:?}",
+                    report.violations
+                );
             }
         }
     }
@@ -101,7 +107,11 @@ fn boards_are_small() {
         for scene in lesson.steps.iter().filter_map(|step| step.scene.as_ref()) {
             let width = scene.map[0].chars().count();
             let is_small = width <= 10 && scene.map.len() <= 7;
-            assert!(is_small || crowds.contains(&name.as_str()), "{name}: {:?}", scene.map);
+            assert!(
+                is_small || crowds.contains(&name.as_str()),
+                "{name}: {:?}",
+                scene.map
+            );
         }
     }
 }
@@ -113,7 +123,10 @@ fn pictures_show_a_moment_of_their_plan() {
     let pictures = course.lessons().map(|entry| &entry.picture);
     let pictures = pictures.chain(glossary.terms.iter().filter_map(|t| t.picture.as_ref()));
     for Picture { scene, plan, time } in pictures {
-        let longest = plan.iter().flat_map(|plan| plan.paths.values()).map(Vec::len);
+        let longest = plan
+            .iter()
+            .flat_map(|plan| plan.paths.values())
+            .map(Vec::len);
         let longest = longest.max().unwrap_or(1);
         assert!((*time as usize) < longest, "{}: time {time}", scene.name);
     }

@@ -2,10 +2,8 @@
 
 use fastrand::Rng;
 use giveway_course::judge::{Did, Situation, begin};
-use giveway_course::lesson::{
-    Lesson, Text, read_course, read_glossary, read_lesson, write_lesson,
-};
 use giveway_course::learner::Progress;
+use giveway_course::lesson::{Lesson, Text, read_course, read_glossary, read_lesson, write_lesson};
 
 use super::shipped;
 
@@ -42,7 +40,10 @@ fn damaged(text: &str, rng: &mut Rng) -> String {
 fn damaged_files_never_panic() {
     let mut rng = Rng::with_seed(7);
     let glossary = shipped::glossary();
-    let mut texts: Vec<String> = shipped::lessons().iter().map(|(_, l)| write_lesson(l)).collect();
+    let mut texts: Vec<String> = shipped::lessons()
+        .iter()
+        .map(|(_, l)| write_lesson(l))
+        .collect();
     texts.retain(|text| text.len() < 20_000);
     texts.push(shipped::text("index"));
     texts.push(shipped::text("glossary"));
@@ -80,7 +81,12 @@ fn looked_at(lesson: &Lesson) {
             start,
             scene: start,
         };
-        let dids = [Did::Edits, Did::Chose(0), Did::Marked(Vec::new()), Did::NoOrder];
+        let dids = [
+            Did::Edits,
+            Did::Chose(0),
+            Did::Marked(Vec::new()),
+            Did::NoOrder,
+        ];
         for did in dids {
             let _ = begin(situation, &did);
         }
@@ -91,8 +97,27 @@ fn looked_at(lesson: &Lesson) {
 fn random_texts_never_panic_and_read_back() {
     let mut rng = Rng::with_seed(11);
     let parts = [
-        "*", "[", "]", "(", ")", "\\", "<", "a", "robot:A1", "cell:3,1", "term:x", "time:3", " ",
-        "](", "é", "\n", "[b](robot:C\\)D)", "*e*", "<b>", ":", "\\*",
+        "*",
+        "[",
+        "]",
+        "(",
+        ")",
+        "\\",
+        "<",
+        "a",
+        "robot:A1",
+        "cell:3,1",
+        "term:x",
+        "time:3",
+        " ",
+        "](",
+        "é",
+        "\n",
+        "[b](robot:C\\)D)",
+        "*e*",
+        "<b>",
+        ":",
+        "\\*",
     ];
     let mut read = 0;
     for _ in 0..20_000 {

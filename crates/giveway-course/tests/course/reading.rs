@@ -16,10 +16,18 @@ pub(crate) fn texts(step: &Step) -> Vec<&Text> {
         texts.push(task.say());
         match task {
             Task::Predict(task) => {
-                texts.extend(task.answers.iter().flat_map(|guess| [&guess.text, &guess.reply]));
+                texts.extend(
+                    task.answers
+                        .iter()
+                        .flat_map(|guess| [&guess.text, &guess.reply]),
+                );
             }
             Task::Choose(task) => {
-                texts.extend(task.answers.iter().flat_map(|choice| [&choice.text, &choice.reply]));
+                texts.extend(
+                    task.answers
+                        .iter()
+                        .flat_map(|choice| [&choice.text, &choice.reply]),
+                );
             }
             _ => {}
         }
@@ -35,7 +43,9 @@ fn sentences(lesson: &Lesson) -> Vec<String> {
     for text in texts {
         let plain = text.plain();
         let parts = plain.split_inclusive(['.', '?', '!', ':']);
-        let parts = parts.map(str::trim).filter(|part| part.contains(char::is_alphabetic));
+        let parts = parts
+            .map(str::trim)
+            .filter(|part| part.contains(char::is_alphabetic));
         sentences.extend(parts.map(str::to_owned));
     }
     sentences
@@ -63,7 +73,14 @@ fn people_read_of_robots_and_plans() {
     for (name, lesson) in shipped::lessons() {
         for sentence in sentences(&lesson) {
             let lower = sentence.to_lowercase();
-            for word in ["agent", "solution", "timestep", "time step", "obviously", "simply"] {
+            for word in [
+                "agent",
+                "solution",
+                "timestep",
+                "time step",
+                "obviously",
+                "simply",
+            ] {
                 assert!(!lower.contains(word), "{name}: \"{word}\" in: {sentence}");
             }
         }

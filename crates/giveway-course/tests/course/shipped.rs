@@ -3,9 +3,7 @@
 use std::fs;
 use std::path::PathBuf;
 
-use giveway_course::lesson::{
-    Course, Glossary, Lesson, read_course, read_glossary, read_lesson,
-};
+use giveway_course::lesson::{Course, Glossary, Lesson, read_course, read_glossary, read_lesson};
 use giveway_model::Fault;
 
 /// The folder of the course.

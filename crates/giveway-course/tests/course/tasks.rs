@@ -10,7 +10,7 @@ use giveway_course::judge::words::said;
 use giveway_course::judge::{Did, Judging, Mark, Situation, Verdict, begin, conclude};
 use giveway_course::lesson::{Lesson, Value};
 use giveway_model::{Agent, Cell, Path, Plan, Scene};
-use giveway_solve::{SilentHost, serve};
+use giveway_solve::{CheckRequest, Request, SilentHost, serve};
 use serde::Deserialize;
 
 use super::shipped;
@@ -75,7 +75,9 @@ fn painted(start: &Scene, painting: Painting) -> Scene {
         cells[x as usize] = ground.chars().next().unwrap();
         *row = cells.into_iter().collect();
     }
-    scene.agents.retain(|agent| !painting.gone.contains(&agent.name));
+    scene
+        .agents
+        .retain(|agent| !painting.gone.contains(&agent.name));
     scene.agents.extend(painting.robots);
     for (name, goal) in painting.goals {
         let agent = scene.agents.iter_mut().find(|agent| agent.name == name);
@@ -155,7 +157,10 @@ fn complaints(name: &str, lesson: &Lesson) -> Vec<String> {
         let (scene, done) = did(start, solution.solved);
         let verdict = judged(lesson, index, &scene, &done);
         if !verdict.is_solved() {
-            complaints.push(format!("{place}: the solution is refused: {}", tell(&verdict)));
+            complaints.push(format!(
+                "{place}: the solution is refused: {}",
+                tell(&verdict)
+            ));
         }
         if judged(lesson, index, start, &Did::Edits).is_solved() {
             complaints.push(format!("{place}: the start is accepted"));
@@ -169,13 +174,40 @@ fn complaints(name: &str, lesson: &Lesson) -> Vec<String> {
             let verdict = judged(lesson, index, &scene, &done);
             let told = tell(&verdict);
             if verdict.is_solved() || !told.contains(&wrong.says) {
-                complaints.push(format!("{place}: {shown} gets \"{told}\", not \"{}\"", wrong.says));
+                complaints.push(format!(
+                    "{place}: {shown} gets \"{told}\", not \"{}\"",
+                    wrong.says
+                ));
             }
         }
     }
     let left = solutions.keys();
     complaints.extend(left.map(|index| format!("{name}: step {index} has no task")));
     complaints
+}
+
+/// Calls for the solution of each task of the course.
+pub(crate) fn each_solution(mut call: impl FnMut(&str, Situation<'_>, &Did)) {
+    for (name, lesson) in shipped::lessons() {
+        for (index, solution) in solutions(&name) {
+            let start = lesson.scene(index).unwrap();
+            let (scene, done) = did(start, solution.solved);
+            let situation = Situation {
+                step: &lesson.steps[index],
+                start,
+                scene: &scene,
+            };
+            call(&format!("{name}, step {index}"), situation, &done);
+        }
+    }
+}
+
+/// A request that no task makes.
+pub(crate) fn check_request(situation: Situation<'_>) -> Request {
+    Request::Check(CheckRequest {
+        scene: situation.scene.clone(),
+        ..CheckRequest::default()
+    })
 }
 
 #[test]

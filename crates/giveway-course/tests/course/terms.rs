@@ -19,7 +19,11 @@ fn words(term: &Term) -> Vec<String> {
 /// Whether a text has some words, as whole words.
 fn has(text: &str, words: &str) -> bool {
     let is_name = words.chars().any(char::is_uppercase);
-    let text = if is_name { text.to_owned() } else { text.to_lowercase() };
+    let text = if is_name {
+        text.to_owned()
+    } else {
+        text.to_lowercase()
+    };
     let is_part = |c: char| c.is_alphanumeric() || c == '-';
     text.match_indices(words).any(|(at, _)| {
         let before = text[..at].chars().next_back();
@@ -87,7 +91,11 @@ fn lessons_of_the_glossary_exist_and_use_the_term() {
         };
         let found = lessons.iter().find(|(name, _)| name == about.as_str());
         let (_, lesson) = found.unwrap_or_else(|| panic!("{}: no lesson {about}", term.term));
-        let mut targets = lesson.steps.iter().flat_map(texts).flat_map(|text| text.targets());
+        let mut targets = lesson
+            .steps
+            .iter()
+            .flat_map(texts)
+            .flat_map(|text| text.targets());
         let is_linked = targets.any(|t| matches!(t, Target::Term(id) if *id == term.term));
         assert!(is_linked, "{about} has no link to {}", term.term);
     }
@@ -96,14 +104,24 @@ fn lessons_of_the_glossary_exist_and_use_the_term() {
 #[test]
 fn entries_are_short_and_in_order() {
     let glossary = shipped::glossary();
-    let names: Vec<String> = glossary.terms.iter().map(|t| t.name.to_lowercase()).collect();
+    let names: Vec<String> = glossary
+        .terms
+        .iter()
+        .map(|t| t.name.to_lowercase())
+        .collect();
     let mut sorted = names.clone();
     sorted.sort();
     assert_eq!(names, sorted);
     for term in &glossary.terms {
         let plain = term.text.plain();
-        let sentences = plain.split_inclusive(['.', '?', '!']).filter(|s| s.trim().len() > 1);
+        let sentences = plain
+            .split_inclusive(['.', '?', '!'])
+            .filter(|s| s.trim().len() > 1);
         assert!(sentences.count() <= 3, "{}: {plain}", term.name);
-        assert!(plain.split_whitespace().count() <= 50, "{}: {plain}", term.name);
+        assert!(
+            plain.split_whitespace().count() <= 50,
+            "{}: {plain}",
+            term.name
+        );
     }
 }
