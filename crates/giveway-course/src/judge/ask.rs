@@ -51,10 +51,11 @@ pub(super) fn front(scene: &Scene, objective: Objective) -> Request {
     })
 }
 
-pub(super) fn explain(scene: &Scene, question: Question) -> Request {
+/// A question about a plan, else about the best one.
+pub(super) fn explain(scene: &Scene, plan: Option<&Plan>, question: Question) -> Request {
     Request::Explain(ExplainRequest {
         scene: scene.clone(),
-        plan: None,
+        plan: plan.cloned(),
         changes: None,
         at: None,
         question,

@@ -1,7 +1,7 @@
 //! Whether a condition holds: what must be asked, and what the answers say.
 
 use giveway_model::{Cost, Objective};
-use giveway_solve::audit::AuditStatus;
+use giveway_solve::audit::{AuditAnswer, AuditStatus};
 use giveway_solve::{Request, Response, Status, explain};
 
 use super::proved::{self, Proved};
@@ -58,12 +58,16 @@ pub(super) fn requests(
                 .collect()
         }
         Condition::Raised { .. } => vec![ask::solve(scene, None), ask::solve(start, None)],
-        Condition::Verdict { question, .. } => vec![ask::explain(scene, question.clone())],
+        Condition::Verdict { question, .. } => {
+            // The step's plan is one of the scene that it began with.
+            let plan = step.plan.as_ref().filter(|_| scene == start);
+            vec![ask::explain(scene, plan, question.clone())]
+        }
         Condition::Apart { costs } => match Objective::new(costs.to_vec()) {
             Ok(objective) => vec![ask::front(scene, objective)],
             Err(error) => return Err(Why::Refused(error.to_string())),
         },
-        Condition::Legal {} | Condition::Best {} => match &step.plan {
+        Condition::Legal {} | Condition::Best {} | Condition::Beaten {} => match &step.plan {
             Some(plan) => vec![ask::audit(scene, plan)],
             None => return Err(Why::Untouched),
         },
@@ -99,8 +103,9 @@ pub(super) fn decide(
         Condition::Raised { cost, by } => raised(*cost, *by, responses),
         Condition::Verdict { verdict, .. } => answered(*verdict, responses.first()),
         Condition::Apart { costs } => apart(*costs, responses.first()),
-        Condition::Legal {} => audited(responses.first(), false),
-        Condition::Best {} => audited(responses.first(), true),
+        Condition::Legal {} => legal(responses.first()),
+        Condition::Best {} => best_of_all(responses.first(), true),
+        Condition::Beaten {} => best_of_all(responses.first(), false),
     };
     outcome.unwrap_or_else(|why| Outcome {
         held: Held::Unknown,
@@ -205,28 +210,44 @@ fn apart(costs: [Cost; 2], response: Option<&Response>) -> Result<Outcome, Why> 
     ))
 }
 
-fn audited(response: Option<&Response>, best: bool) -> Result<Outcome, Why> {
+/// The audit of a plan that breaks no rule, else what it breaks.
+fn audit(response: Option<&Response>) -> Result<Result<&AuditAnswer, Outcome>, Why> {
     let Some(Response::Audited(audit)) = response else {
         return Err(proved::unexpected(response));
     };
-    if let Some(violation) = audit.violations.first() {
-        let evidence = Evidence {
-            time: Some(violation.time),
-            violations: audit.violations.clone(),
-            ..Evidence::default()
-        };
-        return Ok(Outcome::of(false, Why::Broken(violation.clone()), evidence));
-    }
-    if !best {
-        return Ok(Outcome::of(audit.legal, Why::Legal, Evidence::default()));
-    }
+    Ok(match audit.violations.first() {
+        None => Ok(audit),
+        Some(violation) => {
+            let evidence = Evidence {
+                time: Some(violation.time),
+                violations: audit.violations.clone(),
+                ..Evidence::default()
+            };
+            Err(Outcome::of(false, Why::Broken(violation.clone()), evidence))
+        }
+    })
+}
+
+fn legal(response: Option<&Response>) -> Result<Outcome, Why> {
+    Ok(match audit(response)? {
+        Ok(audit) => Outcome::of(audit.legal, Why::Legal, Evidence::default()),
+        Err(broken) => broken,
+    })
+}
+
+/// Whether a plan is proved best, or (not `best`) a better one is known.
+fn best_of_all(response: Option<&Response>, best: bool) -> Result<Outcome, Why> {
+    let audit = match audit(response)? {
+        Ok(audit) => audit,
+        Err(broken) => return Ok(broken),
+    };
     let (Some(costs), Some(first)) = (audit.costs, audit.first_cost()) else {
         return Err(Why::Unknown(audit.reason.clone()));
     };
-    let value = costs.get(first);
     if audit.status == AuditStatus::Optimal && audit.complete {
+        let value = costs.get(first);
         let why = Why::Best { cost: first, value };
-        return Ok(Outcome::of(true, why, Evidence::default()));
+        return Ok(Outcome::of(best, why, Evidence::default()));
     }
     let (Some(better), Some(plan)) = (audit.better_costs, &audit.better) else {
         return Err(Why::Unknown(audit.reason.clone()));
@@ -241,7 +262,7 @@ fn audited(response: Option<&Response>, best: bool) -> Result<Outcome, Why> {
         plan: Some(plan.clone()),
         ..Evidence::default()
     };
-    Ok(Outcome::of(false, why, evidence))
+    Ok(Outcome::of(!best, why, evidence))
 }
 
 /// The first cost in which one plan differs from another.

@@ -58,6 +58,8 @@ pub enum Condition {
     Legal {},
     /// The plan on the board breaks no rule, and none is better.
     Best {},
+    /// The plan on the board breaks no rule, but another one is better.
+    Beaten {},
 }
 
 /// How a number compares with another one.

@@ -1,1 +1,379 @@
-//! x
+//! A learner on the way through lessons: what is asked, told and kept; random actions.
+
+use std::rc::Rc;
+
+use fastrand::Rng;
+use giveway_course::judge::Did;
+use giveway_course::learner::{Action, AskNumber, Effect, Judge, Learner, Progress, Stage, reduce};
+use giveway_course::lesson::{Id, Lesson, Value};
+use giveway_course::port::{BoardNumber, BoardPlan, FromPage, Hand, Happened, Lit, Pick, ToPage};
+use giveway_model::Cell;
+use giveway_solve::{Request, Response, SilentHost, serve};
+
+use super::shipped;
+
+fn id(name: &str) -> Id {
+    name.parse().unwrap()
+}
+
+fn opened(name: &str, at: usize) -> (Learner, Vec<Effect>) {
+    let action = Action::Open {
+        id: id(name),
+        lesson: Rc::new(shipped::lesson(name)),
+        at: Some(at),
+    };
+    reduce(Learner::default(), action)
+}
+
+fn board(effects: &[Effect]) -> BoardNumber {
+    let numbers = effects.iter().filter_map(|effect| match effect {
+        Effect::Page(ToPage::Open(board)) => Some(board.number),
+        Effect::Page(ToPage::StartAfresh(number)) => Some(*number),
+        _ => None,
+    });
+    numbers.last().unwrap()
+}
+
+fn asked(effects: &[Effect]) -> Option<(AskNumber, Request)> {
+    effects.iter().find_map(|effect| match effect {
+        Effect::Ask { number, request } => Some((*number, (**request).clone())),
+        _ => None,
+    })
+}
+
+/// Answers all that the solver is asked, and gives the effects of the last answer.
+fn answered(mut learner: Learner, mut effects: Vec<Effect>) -> (Learner, Vec<Effect>) {
+    while let Some((number, request)) = asked(&effects) {
+        let response = Box::new(serve(&request, &SilentHost));
+        (learner, effects) = reduce(learner, Action::Answered { number, response });
+    }
+    (learner, effects)
+}
+
+fn said(number: BoardNumber, what: Happened) -> Action {
+    Action::Page(FromPage { number, what })
+}
+
+fn painted(learner: &Learner, x: usize, y: usize) -> Happened {
+    let mut scene = learner.open.as_ref().unwrap().scene().clone();
+    scene.map[y].replace_range(x..=x, "#");
+    Happened::Board(Box::new(scene))
+}
+
+#[test]
+fn a_painted_cell_is_judged_and_sealed() {
+    let (learner, effects) = opened("room-to-pass", 3);
+    let number = board(&effects);
+    let edit = painted(&learner, 3, 1);
+    let (learner, effects) = reduce(learner, said(number, edit));
+    assert!(matches!(
+        learner.open.as_ref().unwrap().judge(),
+        Judge::Looking(_)
+    ));
+    let (learner, effects) = answered(learner, effects);
+    let open = learner.open.unwrap();
+    assert!(open.is_solved());
+    assert_eq!(open.attempts(), 1);
+    assert!(effects.contains(&Effect::Page(ToPage::Seal(vec![Cell::new(3, 1)]))));
+    assert!(effects.contains(&Effect::FocusNext));
+}
+
+#[test]
+fn late_answers_and_messages_of_an_earlier_board_are_dropped() {
+    let (learner, effects) = opened("room-to-pass", 3);
+    let first = board(&effects);
+    let edit = painted(&learner, 4, 0);
+    let (learner, effects) = reduce(learner, said(first, edit));
+    let (late, request) = asked(&effects).unwrap();
+    let edit = painted(&learner, 5, 0);
+    let (learner, effects) = reduce(learner, said(first, edit));
+    assert!(effects.contains(&Effect::Forget));
+    let response = Box::new(serve(&request, &SilentHost));
+    let before = learner.clone();
+    let (learner, effects) = reduce(
+        learner,
+        Action::Answered {
+            number: late,
+            response,
+        },
+    );
+    assert_eq!((learner.clone(), effects), (before, Vec::new()));
+    let (learner, effects) = reduce(learner, Action::Afresh);
+    assert_ne!(board(&effects), first);
+    let before = learner.clone();
+    let edit = painted(&before, 3, 1);
+    let (learner, effects) = reduce(learner, said(first, edit));
+    assert_eq!((learner, effects), (before, Vec::new()));
+}
+
+#[test]
+fn a_guess_reveals_the_plan_right_or_not() {
+    for (guess, right) in [(9, true), (7, false)] {
+        let (learner, effects) = opened("room-to-pass", 1);
+        let hidden = effects.iter().any(|effect| {
+            matches!(effect, Effect::Page(ToPage::Open(board)) if board.plan == BoardPlan::Hidden)
+        });
+        assert!(hidden);
+        let (learner, effects) = reduce(learner, Action::Guess(Value::Number(guess)));
+        let (learner, effects) = answered(learner, effects);
+        assert_eq!(learner.open.unwrap().is_solved(), right);
+        let shown = effects.iter().any(|effect| {
+            matches!(effect, Effect::Page(ToPage::Show(evidence)) if evidence.proved && evidence.plan.is_some())
+        });
+        assert!(shown && effects.contains(&Effect::Page(ToPage::Play)));
+    }
+}
+
+#[test]
+fn two_clicks_make_a_mark() {
+    let (learner, effects) = opened("two-robots-one-cell", 2);
+    let number = board(&effects);
+    assert!(effects.iter().any(|effect| {
+        matches!(effect, Effect::Page(ToPage::Open(board)) if board.hand == Hand::Points)
+    }));
+    let pick = |x, time, robots: &[&str]| {
+        let robots = robots.iter().map(|name| (*name).to_owned()).collect();
+        let cell = Cell::new(x, 0);
+        Happened::Picked(Pick { cell, time, robots })
+    };
+    let (learner, _) = reduce(learner, said(number, pick(1, 1, &["A1"])));
+    assert!(learner.open.as_ref().unwrap().pointed().is_some());
+    let (learner, _) = reduce(learner, said(number, pick(2, 1, &["A2"])));
+    assert!(matches!(learner.open.as_ref().unwrap().did(), Did::Marked(marks) if marks.len() == 1));
+    // A wrong mark does not stay beside the next one.
+    let (learner, _) = reduce(learner, said(number, pick(3, 3, &["A1", "A3"])));
+    assert!(!learner.open.as_ref().unwrap().is_solved());
+    let (learner, _) = reduce(learner, said(number, pick(2, 2, &["A1", "A3"])));
+    assert!(
+        learner.open.as_ref().unwrap().is_solved(),
+        "{:?}",
+        learner.open.unwrap().did()
+    );
+}
+
+#[test]
+fn progress_is_kept_and_read_back_with_distrust() {
+    let (mut learner, _) = opened("room-to-pass", 0);
+    let name = id("room-to-pass");
+    assert_eq!(learner.progress.stage(&name), Stage::Begun(0));
+    for step in 1..4 {
+        learner = reduce(learner, Action::Next).0;
+        assert_eq!(learner.progress.stage(&name), Stage::Begun(step));
+    }
+    let (learner, effects) = reduce(learner, Action::Next);
+    assert_eq!(learner.progress.stage(&name), Stage::Done);
+    assert!(learner.open.is_none() && effects.contains(&Effect::Page(ToPage::Close)));
+    let kept = learner.progress.write();
+    assert_eq!(Progress::read(&kept), Ok(learner.progress.clone()));
+    for bad in [
+        "",
+        "[]",
+        r#"{"giveway":2,"lessons":{}}"#,
+        r#"{"giveway":1,"lessons":{"../x":{"step":0}}}"#,
+        r#"{"giveway":1,"lessons":{"x":{"step":99}}}"#,
+        r#"{"giveway":1,"lessons":{"x":{"step":-1}}}"#,
+        r#"{"giveway":1,"lessons":{},"more":1}"#,
+    ] {
+        assert!(Progress::read(bad).is_err(), "{bad}");
+    }
+    let (learner, _) = reduce(learner, Action::Reset);
+    assert_eq!(learner.progress, Progress::default());
+}
+
+#[test]
+fn a_step_without_a_scene_goes_on_with_the_board_as_it_is() {
+    let mut lesson = shipped::lesson("room-to-pass");
+    lesson.steps[3].scene = None;
+    let open = Action::Open {
+        id: id("room-to-pass"),
+        lesson: Rc::new(lesson),
+        at: Some(2),
+    };
+    let (learner, effects) = reduce(Learner::default(), open);
+    let edit = painted(&learner, 4, 0);
+    let Happened::Board(scene) = edit.clone() else {
+        panic!("{edit:?}");
+    };
+    let (learner, _) = reduce(learner, said(board(&effects), edit));
+    let (next, _) = reduce(learner.clone(), Action::Next);
+    assert_eq!(next.open.unwrap().scene(), &*scene);
+    // Whoever comes from elsewhere gets the lesson's own.
+    let (jumped, _) = reduce(learner, Action::Go(3));
+    assert_ne!(jumped.open.unwrap().scene(), &*scene);
+}
+
+#[test]
+fn a_solver_that_breaks_down_is_no_solution() {
+    let (learner, effects) = opened("room-to-pass", 3);
+    let edit = painted(&learner, 3, 1);
+    let (learner, effects) = reduce(learner, said(board(&effects), edit));
+    let (number, _) = asked(&effects).unwrap();
+    let sentence = "The solver broke down.".to_owned();
+    let (learner, _) = reduce(learner, Action::Failed { number, sentence });
+    let open = learner.open.unwrap();
+    assert!(open.judge().verdict().is_some() && !open.is_solved());
+}
+
+/// What is left of an effect in the outer world of a random test.
+struct World {
+    board: BoardNumber,
+    asked: Vec<(AskNumber, Request)>,
+}
+
+fn random(rng: &mut Rng, learner: &Learner, world: &World, lessons: &[(Id, Rc<Lesson>)]) -> Action {
+    let number = match rng.u8(0..5) {
+        0 => BoardNumber(rng.u32(0..20)),
+        _ => world.board,
+    };
+    let cell = Cell::new(rng.u32(0..7), rng.u32(0..4));
+    match if learner.open.is_none() {
+        0
+    } else {
+        rng.u8(0..40)
+    } {
+        0 => {
+            let (id, lesson) = rng.choice(lessons).unwrap();
+            Action::Open {
+                id: id.clone(),
+                lesson: lesson.clone(),
+                at: rng.bool().then(|| rng.usize(0..9)),
+            }
+        }
+        1 | 2 => Action::Next,
+        3..6 => Action::Choose(rng.usize(0..4)),
+        6 => Action::Back,
+        7 => Action::Go(rng.usize(0..9)),
+        8..12 => {
+            let what = match (rng.u8(0..6), &learner.open) {
+                (0, _) => Happened::Time(rng.u32(0..20)),
+                (1, Some(open)) => {
+                    let mut scene = open.scene().clone();
+                    let (x, y) = (cell.x as usize, cell.y as usize);
+                    if let Some(row) = scene.map.get_mut(y)
+                        && x < row.len()
+                    {
+                        row.replace_range(x..=x, rng.choice(["#", ".", "+", "~"]).unwrap());
+                    }
+                    Happened::Board(Box::new(scene))
+                }
+                (2, _) => Happened::Led(Box::default()),
+                (3, _) => Happened::Changed("revise".parse().unwrap()),
+                (4, _) if rng.u8(0..9) == 0 => Happened::Closed,
+                _ => Happened::Picked(Pick {
+                    cell,
+                    time: rng.u32(0..5),
+                    robots: ["A1", "A2"]
+                        .iter()
+                        .filter(|_| rng.bool())
+                        .map(|n| (*n).to_owned())
+                        .collect(),
+                }),
+            };
+            said(number, what)
+        }
+        12 => Action::Guess(Value::Number(rng.u32(4..10))),
+        13 => Action::Guess(Value::Cell(cell)),
+        14 | 15 => Action::Choose(rng.usize(0..4)),
+        16 => Action::Order(vec!["A1".into(), "A2".into()]),
+        17 => Action::NoOrder,
+        18 => Action::Hint,
+        19 => Action::ShowEvidence,
+        20 => Action::TakeBack,
+        21 => Action::Afresh,
+        22 => Action::Light(rng.bool().then_some(Lit::Cell(cell))),
+        23 => Action::Failed {
+            number: AskNumber(rng.u32(0..50)),
+            sentence: "It broke.".into(),
+        },
+        _ => match world
+            .asked
+            .last()
+            .filter(|_| rng.u8(0..4) > 0)
+            .or_else(|| rng.choice(&world.asked))
+        {
+            // Answers come late, twice, or to another question.
+            Some((number, request)) => Action::Answered {
+                number: *number,
+                response: Box::new(match (rng.u8(0..4), request) {
+                    (0, _) => {
+                        Response::Refused(giveway_solve::Refusal::Scene { faults: Vec::new() })
+                    }
+                    (_, Request::Solve(request)) if request.scene.agents.len() < 5 => {
+                        serve(&Request::Solve(request.clone()), &SilentHost)
+                    }
+                    (_, Request::Plan(_) | Request::Change(_)) => serve(request, &SilentHost),
+                    _ => Response::Refused(giveway_solve::Refusal::Scene { faults: Vec::new() }),
+                }),
+            },
+            None => Action::Time(3),
+        },
+    }
+}
+
+#[test]
+fn random_actions_keep_the_invariants() {
+    let names = [
+        "two-robots-one-cell",
+        "room-to-pass",
+        "one-after-the-other",
+        "when-the-world-changes",
+    ];
+    let lessons: Vec<(Id, Rc<Lesson>)> = names
+        .iter()
+        .map(|name| (id(name), Rc::new(shipped::lesson(name))))
+        .collect();
+    let mut solved = 0;
+    for seed in 0..40 {
+        let mut rng = Rng::with_seed(seed);
+        let mut learner = Learner::default();
+        let mut world = World {
+            board: BoardNumber(0),
+            asked: Vec::new(),
+        };
+        for _ in 0..300 {
+            let action = random(&mut rng, &learner, &world, &lessons);
+            let told = format!("seed {seed}: {action:?}");
+            let (next, effects) = reduce(learner.clone(), action.clone());
+            assert_eq!(
+                reduce(learner, action),
+                (next.clone(), effects.clone()),
+                "{told}"
+            );
+            learner = next;
+            for effect in &effects {
+                match effect {
+                    Effect::Page(page) => {
+                        assert_eq!(ToPage::from_bytes(&page.to_bytes()).as_ref(), Ok(page));
+                        if let ToPage::Open(board) = page {
+                            assert!(board.number > world.board, "{told}");
+                            world.board = board.number;
+                        }
+                        if let ToPage::StartAfresh(number) = page {
+                            assert!(*number > world.board, "{told}");
+                            world.board = *number;
+                        }
+                    }
+                    Effect::Ask { number, request } => {
+                        let latest = world.asked.last().map(|(number, _)| *number);
+                        assert!(latest.is_none_or(|latest| latest < *number), "{told}");
+                        world.asked.push((*number, (**request).clone()));
+                        let open = learner.open.as_ref().unwrap();
+                        assert!(matches!(open.judge(), Judge::Looking(_)), "{told}");
+                    }
+                    Effect::Keep(progress) => assert_eq!(*progress, learner.progress, "{told}"),
+                    Effect::Forget | Effect::FocusNext => {}
+                }
+            }
+            if let Some(open) = &learner.open {
+                assert!(open.index() < open.lesson.steps.len(), "{told}");
+                let step = open.step().unwrap();
+                assert!(open.hints().len() <= step.hints.len(), "{told}");
+                let is_waiting = matches!(open.judge(), Judge::Waiting);
+                assert!(step.task.is_some() || is_waiting, "{told}");
+                assert_ne!(learner.progress.stage(&open.id), Stage::New, "{told}");
+                solved += usize::from(open.is_solved());
+            }
+        }
+    }
+    assert!(solved > 50, "{solved}");
+}

@@ -14,3 +14,4 @@ mod schema;
 mod shipped;
 mod tasks;
 mod terms;
+mod unknown;

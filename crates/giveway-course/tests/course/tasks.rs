@@ -10,7 +10,7 @@ use giveway_course::judge::words::said;
 use giveway_course::judge::{Did, Judging, Mark, Situation, Verdict, begin, conclude};
 use giveway_course::lesson::{Lesson, Value};
 use giveway_model::{Agent, Cell, Path, Plan, Scene};
-use giveway_solve::{SilentHost, serve};
+use giveway_solve::{CheckRequest, Request, SilentHost, serve};
 use serde::Deserialize;
 
 use super::shipped;
@@ -184,6 +184,30 @@ fn complaints(name: &str, lesson: &Lesson) -> Vec<String> {
     let left = solutions.keys();
     complaints.extend(left.map(|index| format!("{name}: step {index} has no task")));
     complaints
+}
+
+/// Calls for the solution of each task of the course.
+pub(crate) fn each_solution(mut call: impl FnMut(&str, Situation<'_>, &Did)) {
+    for (name, lesson) in shipped::lessons() {
+        for (index, solution) in solutions(&name) {
+            let start = lesson.scene(index).unwrap();
+            let (scene, done) = did(start, solution.solved);
+            let situation = Situation {
+                step: &lesson.steps[index],
+                start,
+                scene: &scene,
+            };
+            call(&format!("{name}, step {index}"), situation, &done);
+        }
+    }
+}
+
+/// A request that no task makes.
+pub(crate) fn check_request(situation: Situation<'_>) -> Request {
+    Request::Check(CheckRequest {
+        scene: situation.scene.clone(),
+        ..CheckRequest::default()
+    })
 }
 
 #[test]

@@ -236,7 +236,9 @@ fn condition(
                 "two different costs",
             );
         }
-        Condition::Legal {} | Condition::Best {} => planned(place, step, faults),
+        Condition::Legal {} | Condition::Best {} | Condition::Beaten {} => {
+            planned(place, step, faults)
+        }
         Condition::Apart { .. } | Condition::Impossible { .. } | Condition::Solvable {} => {}
     }
 }
