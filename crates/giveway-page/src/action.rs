@@ -13,6 +13,7 @@ use crate::find::FindAction;
 use crate::freedom::FreedomAction;
 use crate::inside::InsideAction;
 use crate::intake::{Save, protocol::Reply};
+use crate::lesson::LessonAction;
 use crate::link::Linked;
 use crate::planners::By;
 use crate::slot::SlotAction;
@@ -58,6 +59,8 @@ pub enum Action {
     View(ViewAction),
     /// The page has something to say by itself, or was heard.
     Slot(SlotAction),
+    /// A lesson is on the board.
+    Lesson(LessonAction),
 }
 
 /// Documents come and go.

@@ -40,6 +40,7 @@ pub mod intake;
 mod kept;
 pub mod keys;
 mod known;
+pub mod lesson;
 mod line;
 pub mod link;
 mod mode;

@@ -21,6 +21,7 @@ use giveway_model::Objective;
 use giveway_model::format::foreign::Conventions;
 
 use crate::files::Opened;
+use crate::lesson::Lesson;
 use crate::{Answer, State};
 
 pub use conflicts::{Conflicts, conflicts};
@@ -151,6 +152,9 @@ impl State {
     /// The audit whose plan is the one on the board, not another one in its place.
     pub(crate) fn audited(&self) -> Option<&Rc<Audit>> {
         let audit = self.audit()?;
+        if self.lesson().is_some_and(Lesson::hides_conflicts) {
+            return None;
+        }
         let is_this = self
             .shown()
             .is_some_and(|shown| Rc::ptr_eq(shown, &audit.plan.answer));

@@ -3,11 +3,12 @@
 use std::collections::BTreeMap;
 use std::rc::Rc;
 
+use giveway_model::Plan;
 use giveway_model::format::foreign::{Claimed, Conventions, Fit, ForeignPlan, Format};
 use giveway_solve::Status;
 
 use super::{Audit, Dropped};
-use crate::{Answer, Mode, State};
+use crate::{Answer, Draft, Mode, State};
 
 /// What its file is called where there is none.
 const NAME: &str = "This plan";
@@ -35,6 +36,18 @@ impl Audit {
     /// The audit of the plan on the board, with what is known of it.
     pub(crate) fn of_own(state: &State) -> Option<Self> {
         let answer = plan(state)?;
+        let dropped = Rc::new(Dropped::own(&answer.draft, answer.plan()?)?);
+        let audit = Self::new(vec![dropped], Vec::new(), Rc::default())?;
+        Some(Self {
+            ours: (!answer.is_shared).then(|| Rc::clone(answer)),
+            ..audit
+        })
+    }
+}
+
+impl Dropped {
+    /// A plan that no file holds, judged; `None` where the draft is no valid scene.
+    pub(crate) fn own(draft: &Rc<Draft>, plan: &Plan) -> Option<Self> {
         let file = ForeignPlan {
             file: NAME.to_owned(),
             format: Format::Giveway,
@@ -47,18 +60,11 @@ impl Audit {
             written: Claimed::default(),
             headings: BTreeMap::new(),
             notes: Vec::new(),
-            plan: answer.plan()?.clone(),
+            plan: plan.clone(),
         };
-        let dropped = Rc::new(Dropped::new(&answer.draft, file)?);
-        let audit = Self::new(vec![dropped], Vec::new(), Rc::default())?;
-        Some(Self {
-            ours: (!answer.is_shared).then(|| Rc::clone(answer)),
-            ..audit
-        })
+        Self::new(draft, file)
     }
-}
 
-impl Dropped {
     /// Whether it was on the board before: then no file says anything of it.
     pub(super) fn is_own(&self) -> bool {
         self.file.format == Format::Giveway && self.file.file == NAME

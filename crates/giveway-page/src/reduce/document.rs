@@ -206,7 +206,9 @@ impl Document {
 
 /// After an edit as a whole.
 pub(super) fn solve_on_change(state: &mut State) {
-    let is_wanted = state.settings.solve_on_change && state.document.mode == Mode::Editing;
+    // A lesson asks the solver by itself.
+    let is_own = state.lesson().is_none() && state.document.mode == Mode::Editing;
+    let is_wanted = state.settings.solve_on_change && is_own;
     if is_wanted && state.document.is_stale() && state.document.draft.instance().is_ok() {
         solve::start(state, solve::Start::quiet());
     }

@@ -11,6 +11,7 @@ mod freedom;
 mod inside;
 mod intake;
 mod job;
+mod lesson;
 mod planners;
 mod play;
 mod press;
@@ -41,7 +42,10 @@ use crate::{Action, BoardAction, FileAction, SolveAction, State};
 pub fn reduce(state: &State, action: Action) -> State {
     let mut next = state.clone();
     if !next.is_embedded() || only_looks(&action) {
-        step(&mut next, action);
+        if let Some(action) = lesson::admit(&mut next, action) {
+            step(&mut next, action);
+        }
+        lesson::settle(&mut next);
         // What runs is always about what there is.
         let had_plan = next.so_far().is_some();
         next.work.keep_to(&next.document);
@@ -81,6 +85,7 @@ fn step(state: &mut State, action: Action) {
         }
         Action::View(action) => view::view(state, &action),
         Action::Slot(action) => slot::slot(state, action),
+        Action::Lesson(action) => lesson::lesson(state, action),
     }
 }
 
@@ -110,6 +115,7 @@ pub(crate) const fn only_looks(action: &Action) -> bool {
         | Action::Find(_)
         | Action::Freedom(_)
         | Action::Intake(_)
-        | Action::Slot(_) => false,
+        | Action::Slot(_)
+        | Action::Lesson(_) => false,
     }
 }

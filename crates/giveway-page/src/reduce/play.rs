@@ -17,7 +17,7 @@ pub(super) fn play(state: &mut State, action: PlayAction) {
     solve::preview(state);
 }
 
-fn begin(state: &mut State) {
+pub(super) fn begin(state: &mut State) {
     let last = state.last_time();
     if last == 0 {
         return;

@@ -40,6 +40,9 @@ impl State {
 
     /// What the tool `Select` takes hold of on a cell.
     pub(crate) fn thing_at(&self, cell: Cell) -> Option<Thing> {
+        if self.lesson().is_some_and(|lesson| !lesson.allows_moving()) {
+            return None;
+        }
         match &self.document.mode {
             Mode::Steering(_) | Mode::Judging(..) => return None,
             Mode::Changing(changing) => return self.thing_in(changing.draft(), cell),

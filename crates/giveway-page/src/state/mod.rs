@@ -7,9 +7,12 @@ mod offered;
 mod shown;
 mod world;
 
+use std::rc::Rc;
+
 use crate::history::Moment;
 use crate::inside::Inside;
 use crate::intake::Intake;
+use crate::lesson::Lesson;
 use crate::{Document, Draft, History, Place, Selection, Settings, View, Work};
 
 pub use displaced::{By, Displaced};
@@ -36,6 +39,9 @@ pub struct State {
     /// The document that another one replaced. One press brings it back, until
     /// the new one is edited.
     pub displaced: Option<Displaced>,
+    /// The lesson on the board. All else is then about its board: a person's own page
+    /// is put aside in it.
+    pub(crate) lesson: Option<Rc<Lesson>>,
 }
 
 impl State {
@@ -63,6 +69,7 @@ impl State {
             settings: Settings::default(),
             history: History::default(),
             displaced: None,
+            lesson: None,
         }
     }
 

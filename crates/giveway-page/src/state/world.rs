@@ -12,8 +12,13 @@ impl State {
     /// The agent that is shown on a cell at the time shown: where the plan has
     /// it then (in transit it is on both cells), or at its start without a plan.
     pub fn agent_at(&self, cell: Cell) -> Option<usize> {
+        self.agents_at(cell).next()
+    }
+
+    /// All agents that are shown there: in a plan that breaks rules there may be several.
+    pub(crate) fn agents_at(&self, cell: Cell) -> impl Iterator<Item = usize> + '_ {
         let draft = self.world();
-        let is_on = |(index, agent): (usize, &Agent)| {
+        let is_on = move |&(index, agent): &(usize, &Agent)| {
             if !self.is_there(index) {
                 return false;
             }
@@ -33,8 +38,8 @@ impl State {
                     .any(|&t| path.get(t) == Some(&Some(cell))),
             }
         };
-        let mut agents = draft.agents().iter().enumerate();
-        agents.position(is_on)
+        let agents = draft.agents().iter().enumerate();
+        agents.filter(is_on).map(|(index, _)| index)
     }
 
     /// The scene as the board shows it: with the stroke that is not finished,

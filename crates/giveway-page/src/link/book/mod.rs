@@ -34,6 +34,7 @@ const DISPLACED: &str = "displaced";
 /// The state as this browser keeps it: the document and as much of its past as
 /// there is room for.
 pub fn keep(state: &State) -> String {
+    let state = state.own();
     let mut book = Book {
         text: format!("{HEAD}\n"),
         ..Book::default()

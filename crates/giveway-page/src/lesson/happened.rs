@@ -1,0 +1,48 @@
+//! What the lesson hears of its board: the difference of two states.
+
+use giveway_course::port::{FromPage, Happened};
+
+use super::Lesson;
+use crate::State;
+
+/// What happened on the board of a lesson between two states of the page.
+pub fn happened(before: &State, after: &State) -> Vec<FromPage> {
+    let Some(was) = before.lesson() else {
+        return Vec::new();
+    };
+    let number = was.board.number;
+    let told = |what| FromPage { number, what };
+    let Some(is) = after.lesson() else {
+        return vec![told(Happened::Closed)];
+    };
+    if is.board.number != number {
+        return Vec::new();
+    }
+    let mut all = Vec::new();
+    let scene = after.document.draft.scene();
+    // A stroke is told when it ends.
+    if scene != before.document.draft.scene() {
+        all.push(Happened::Board(Box::new(scene.clone())));
+    }
+    let led = |state: &State| {
+        state
+            .document
+            .mode
+            .steering()
+            .map(|own| own.led().0.clone())
+    };
+    if let Some(plan) = led(after)
+        && led(before).as_ref() != Some(&plan)
+    {
+        all.push(Happened::Led(Box::new(plan)));
+    }
+    let pick = |lesson: &Lesson| lesson.pick.clone();
+    if let Some((_, picked)) = pick(is).filter(|_| pick(is) != pick(was)) {
+        all.push(Happened::Picked(picked));
+    }
+    let time = after.view.playback.time;
+    if time != before.view.playback.time {
+        all.push(Happened::Time(time));
+    }
+    all.into_iter().map(told).collect()
+}

@@ -1,0 +1,184 @@
+//! A lesson on the board: what it shows there, and what a person may do meanwhile.
+//!
+//! The lesson itself is another program of the page (`giveway-course`), which says what
+//! the board shows and hears what happened on it. A person's own page is put aside as a
+//! whole, and is back when the lesson ends; it alone is kept by the browser.
+
+mod board;
+mod happened;
+
+use std::rc::Rc;
+
+use giveway_course::lesson::{Layer, Tool as LessonTool};
+use giveway_course::port::{Board, BoardPlan, Hand, Lit, Pick, ToPage};
+use giveway_model::Cell;
+
+use crate::steering::Lead;
+use crate::{Action, BoardAction, FileAction, IntakeAction, SolveAction, State, Tool};
+
+pub(crate) use board::{document, evidence};
+pub use happened::happened;
+
+/// What a lesson does with the page, and what a person does with the lesson.
+#[derive(Clone, Debug, PartialEq)]
+pub enum LessonAction {
+    /// The lesson says something.
+    Says(Box<ToPage>),
+    /// A person leaves it from the page.
+    Leave,
+}
+
+/// A lesson on the board.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Lesson {
+    /// What the lesson put on the board.
+    pub board: Rc<Board>,
+    /// The robot or the cell that the text names.
+    pub lit: Option<Lit>,
+    /// The cells that solved a task.
+    pub sealed: Vec<Cell>,
+    /// A person's own page.
+    pub(crate) own: Rc<State>,
+    /// Whether what was hidden is shown.
+    pub(crate) is_revealed: bool,
+    /// What was pointed at last, with a number that tells it from the one before.
+    pub(crate) pick: Option<(u32, Pick)>,
+}
+
+impl Lesson {
+    /// A lesson that begins on a page.
+    pub(crate) fn new(board: Rc<Board>, own: Rc<State>) -> Self {
+        Self {
+            board,
+            lit: None,
+            sealed: Vec::new(),
+            own,
+            is_revealed: false,
+            pick: None,
+        }
+    }
+
+    /// Whether a tool may be used.
+    pub fn allows(&self, tool: Tool) -> bool {
+        let tool = match tool {
+            Tool::Select => return true,
+            Tool::Obstacle => LessonTool::Obstacle,
+            Tool::Charger => LessonTool::Charger,
+            Tool::SlowZone => LessonTool::SlowZone,
+            Tool::Erase => LessonTool::Erase,
+            Tool::Agent => LessonTool::Robot,
+            Tool::Goal => LessonTool::Goal,
+            Tool::Waypoint => LessonTool::Waypoint,
+        };
+        self.board.tools.contains(&tool)
+    }
+
+    /// Whether something on the board may be moved by hand.
+    pub fn allows_moving(&self) -> bool {
+        self.board.tools.contains(&LessonTool::Move)
+    }
+
+    /// Whether something is shown beside the map, or over it.
+    pub fn shows(&self, layer: Layer) -> bool {
+        self.board.show.contains(&layer) && !self.hides_plan()
+    }
+
+    /// Whether the plan and its timeline are hidden still.
+    pub fn hides_plan(&self) -> bool {
+        self.board.plan == BoardPlan::Hidden && !self.is_revealed
+    }
+
+    /// Whether broken rules are for the person to find.
+    pub fn hides_conflicts(&self) -> bool {
+        self.board.hand == Hand::Points && !self.is_revealed
+    }
+
+    /// Whether a robot is led, by its name.
+    pub(crate) fn leads(&self, name: &str) -> bool {
+        match &self.board.hand {
+            Hand::Leads(names) => names.iter().any(|led| led == name),
+            Hand::Looks | Hand::Points => false,
+        }
+    }
+}
+
+/// What becomes of an action while a lesson is on the board.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Fate {
+    /// It happens on the board of the lesson.
+    Happens,
+    /// It is about a person's own page, which is put aside.
+    Own,
+    /// The lesson ends first.
+    Leaves,
+    /// It does not happen: a sentence says why.
+    Closed(&'static str),
+    /// It does not happen, and nobody asked for it.
+    Dropped,
+}
+
+const NOT_NOW: &str = "Leave the lesson before you do this.";
+
+/// What becomes of an action on the board of a lesson.
+pub(crate) fn fate(state: &State, lesson: &Lesson, action: &Action) -> Fate {
+    match action {
+        Action::Board(BoardAction::PickTool(tool)) if !lesson.allows(*tool) => {
+            Fate::Closed("This step does without that tool.")
+        }
+        Action::Lesson(_)
+        | Action::Board(_)
+        | Action::DragOver(_)
+        | Action::Undo
+        | Action::Redo
+        | Action::Play(_)
+        | Action::View(_) => Fate::Happens,
+        Action::Slot(_) | Action::File(FileAction::Resume(_)) => Fate::Own,
+        Action::File(FileAction::Refuse(_)) => Fate::Happens,
+        Action::File(_) => Fate::Leaves,
+        Action::Intake(action) => match action {
+            IntakeAction::Read(_) | IntakeAction::Reply { .. } => Fate::Leaves,
+            _ => Fate::Happens,
+        },
+        Action::Solve(
+            SolveAction::Cancel
+            | SolveAction::Progress { .. }
+            | SolveAction::Respond { .. }
+            | SolveAction::Crash { .. },
+        ) => Fate::Happens,
+        Action::Solve(SolveAction::Begin) => Fate::Dropped,
+        Action::Steer(Lead::Discard) => Fate::Dropped,
+        Action::Steer(_) => match state.selected_agent() {
+            Some(agent) if leads(state, lesson, agent) => Fate::Happens,
+            _ => Fate::Dropped,
+        },
+        Action::Inside(_) if lesson.shows(Layer::Inside) => Fate::Happens,
+        Action::Freedom(_) if lesson.shows(Layer::Freedom) => Fate::Happens,
+        Action::Solve(_)
+        | Action::Edit(_)
+        | Action::Ask(_)
+        | Action::Change(_)
+        | Action::Audit(_)
+        | Action::Inside(_)
+        | Action::Freedom(_)
+        | Action::Find(_) => Fate::Closed(NOT_NOW),
+    }
+}
+
+fn leads(state: &State, lesson: &Lesson, agent: usize) -> bool {
+    let agents = state.document.agents();
+    agents
+        .get(agent)
+        .is_some_and(|agent| lesson.leads(&agent.name))
+}
+
+impl State {
+    /// The lesson on the board.
+    pub fn lesson(&self) -> Option<&Lesson> {
+        self.lesson.as_deref()
+    }
+
+    /// A person's own page: this one, or the one that a lesson put aside.
+    pub fn own(&self) -> &Self {
+        self.lesson.as_ref().map_or(self, |lesson| &lesson.own)
+    }
+}

@@ -1,0 +1,205 @@
+//! A lesson on the board: opened, heard, left.
+
+use std::rc::Rc;
+
+use giveway_course::lesson::Layer;
+use giveway_course::port::{Board, BoardPlan, Evidence, Hand, Pick, ToPage};
+use giveway_model::{Cell, Fault};
+
+use super::document::{amend, undo};
+use super::{play, solve, step, stroke};
+use crate::lesson::{Fate, Lesson, LessonAction, document, evidence, fate};
+use crate::view::Layers;
+use crate::{Action, BoardAction, Mode, Notice, Selection, State};
+
+pub(super) fn lesson(state: &mut State, action: LessonAction) {
+    match action {
+        LessonAction::Says(message) => says(state, *message),
+        LessonAction::Leave => leave(state),
+    }
+}
+
+/// An action of which a lesson decides what becomes; `Some` where it is to happen.
+pub(super) fn admit(state: &mut State, action: Action) -> Option<Action> {
+    let Some(lesson) = state.lesson.clone() else {
+        return Some(action);
+    };
+    match fate(state, &lesson, &action) {
+        Fate::Happens => {
+            if let Action::Board(BoardAction::Press(cell)) = action
+                && lesson.board.hand == Hand::Points
+            {
+                point(state, cell);
+            }
+            Some(action)
+        }
+        Fate::Own => {
+            let mut own = (*lesson.own).clone();
+            step(&mut own, action);
+            change(state, |lesson| lesson.own = Rc::new(own));
+            None
+        }
+        Fate::Leaves => {
+            leave(state);
+            Some(action)
+        }
+        Fate::Closed(why) => {
+            state.view.notice = Some(Notice::new(why));
+            None
+        }
+        Fate::Dropped => None,
+    }
+}
+
+/// A plan of a scene that was edited since is not shown on the board of a lesson.
+pub(super) fn settle(state: &mut State) {
+    if state.lesson.is_some() && state.document.is_stale() {
+        state.document.answer = None;
+        super::document::keep_to_plan(state);
+    }
+}
+
+fn change(state: &mut State, by: impl FnOnce(&mut Lesson)) {
+    if let Some(lesson) = &mut state.lesson {
+        by(Rc::make_mut(lesson));
+    }
+}
+
+fn says(state: &mut State, message: ToPage) {
+    match message {
+        ToPage::Open(board) => open(state, Rc::new(*board)),
+        ToPage::Light(lit) => change(state, |lesson| lesson.lit = lit),
+        ToPage::Go(time) => play::seek(state, time),
+        ToPage::Play => play::begin(state),
+        ToPage::Show(found) => show(state, &found),
+        ToPage::Seal(cells) => change(state, |lesson| lesson.sealed = cells),
+        ToPage::TakeBack => {
+            change(state, |lesson| lesson.sealed.clear());
+            undo(state);
+        }
+        ToPage::StartAfresh(number) => {
+            if let Some(lesson) = &state.lesson {
+                let board = Board {
+                    number,
+                    ..(*lesson.board).clone()
+                };
+                open(state, Rc::new(board));
+            }
+        }
+        ToPage::Close => leave(state),
+    }
+}
+
+/// A board takes the place of what was there; a person's own page is put aside.
+fn open(state: &mut State, board: Rc<Board>) {
+    stroke::abandon(state);
+    let document = match document(&board) {
+        Ok(document) => document,
+        Err(faults) => {
+            state.view.notice = Some(refusal(&faults));
+            return;
+        }
+    };
+    let own = match &state.lesson {
+        Some(lesson) => Rc::clone(&lesson.own),
+        None => Rc::new(aside(state)),
+    };
+    let mut next = State::of(document);
+    carry(state, &mut next);
+    let lesson = Lesson::new(Rc::clone(&board), own);
+    next.view.layers = Layers {
+        trails: lesson.shows(Layer::Trails),
+        heat: lesson.shows(Layer::Heat),
+    };
+    next.view.table = lesson.shows(Layer::Table);
+    next.lesson = Some(Rc::new(lesson));
+    if let Some(own) = next.document.mode.steering() {
+        next.view.selection = Selection::Agent(own.agent);
+    }
+    *state = next;
+    if board.plan == BoardPlan::Best && state.document.mode == Mode::Editing {
+        solve::start(state, solve::Start::quiet());
+    }
+    play::seek(state, board.time);
+    if board.playing {
+        play::begin(state);
+    }
+}
+
+fn refusal(faults: &[Fault]) -> Notice {
+    Notice {
+        sentence: "The board of this lesson cannot be shown.".to_owned(),
+        details: faults.iter().map(ToString::to_string).collect(),
+    }
+}
+
+/// A person's own page as it is put aside: nothing runs on it, and nothing plays.
+fn aside(state: &State) -> State {
+    let mut own = state.clone();
+    own.work.end();
+    own.intake.end();
+    own.view.playback.playing = false;
+    own.view.notice = None;
+    own
+}
+
+/// What goes along from one board to another: what a person set, and the numbers by
+/// which late answers are known.
+fn carry(from: &State, to: &mut State) {
+    to.settings = from.settings.clone();
+    to.work = from.work.clone();
+    to.work.end();
+    to.intake = from.intake.clone();
+    to.intake.end();
+    let (view, before) = (&mut to.view, &from.view);
+    view.theme = before.theme;
+    view.is_wide = before.is_wide;
+    view.tab = before.tab;
+    view.playback.speed = before.playback.speed;
+}
+
+/// The lesson ends: a person's own page is back, where it was.
+fn leave(state: &mut State) {
+    stroke::abandon(state);
+    if let Some(lesson) = state.lesson.take() {
+        let mut own = (*lesson.own).clone();
+        let speed = own.view.playback.speed;
+        carry(state, &mut own);
+        own.view.playback.speed = speed;
+        *state = own;
+    }
+}
+
+/// What shows that something is so.
+fn show(state: &mut State, found: &Evidence) {
+    change(state, |lesson| lesson.is_revealed = true);
+    if let Some(lesson) = state.lesson.clone() {
+        state.view.layers.trails = lesson.shows(Layer::Trails);
+        state.view.table = lesson.shows(Layer::Table);
+    }
+    let draft = Rc::clone(&state.document.draft);
+    let shown = found.plan.as_ref();
+    if let Some(document) = shown.and_then(|plan| evidence(&draft, plan)) {
+        amend(state, document);
+    }
+    if let Some(time) = found.time {
+        play::seek(state, time);
+    }
+}
+
+/// A person points at a cell.
+fn point(state: &mut State, cell: Cell) {
+    let draft = &state.document.draft;
+    let cell = draft.clamp(cell);
+    let robots = state.agents_at(cell);
+    let names = robots.filter_map(|agent| draft.agents().get(agent));
+    let pick = Pick {
+        cell,
+        time: state.view.playback.time,
+        robots: names.map(|agent| agent.name.clone()).collect(),
+    };
+    change(state, |lesson| {
+        let number = lesson.pick.as_ref().map_or(0, |(number, _)| number + 1);
+        lesson.pick = Some((number, pick));
+    });
+}

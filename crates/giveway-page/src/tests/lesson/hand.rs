@@ -1,0 +1,144 @@
+//! What is done on the board of a lesson, and what the lesson hears of it.
+
+use giveway_course::lesson::Layer;
+use giveway_course::port::{BoardNumber, BoardPlan, Evidence, Hand, Happened, Lit, Pick, ToPage};
+use giveway_model::format::native;
+
+use super::{Board, at, board, heard, opened, say, scene, swapping, told};
+use crate::audit::bursts_of;
+use crate::reduce::tests::{after, stroke};
+use crate::steering::Lead;
+use crate::tests::{answered, seek, select};
+use crate::{Action, BoardAction, Mode, PlayAction, Selection, State, Tool, sample};
+
+fn press(x: u32, y: u32) -> [Action; 2] {
+    [
+        Action::Board(BoardAction::Press(at(x, y))),
+        Action::Board(BoardAction::Release),
+    ]
+}
+
+#[test]
+fn an_edit_is_told_once_when_the_stroke_ends_and_is_taken_back() {
+    let lesson = opened(&sample::solved(), board(7));
+    let (edited, said) = heard(&lesson, stroke(Tool::Obstacle, &[(1, 0), (2, 0)]));
+    let mut after_it = scene();
+    after_it.map[0] = ".##.".to_owned();
+    assert_eq!(said, [told(7, Happened::Board(Box::new(after_it)))]);
+    let sealed = say(&edited, ToPage::Seal(vec![at(1, 0)]));
+    assert_eq!(sealed.lesson().unwrap().sealed, [at(1, 0)]);
+    let action = Action::Lesson(super::says(ToPage::TakeBack));
+    let (back, said) = heard(&sealed, [action]);
+    assert_eq!(said, [told(7, Happened::Board(Box::new(scene())))]);
+    assert!(back.lesson().unwrap().sealed.is_empty());
+    let afresh = say(&edited, ToPage::StartAfresh(BoardNumber(8)));
+    assert_eq!(afresh.document.draft.scene(), &scene());
+    assert_eq!(afresh.lesson().unwrap().board.number, BoardNumber(8));
+    let action = Action::Lesson(super::says(ToPage::StartAfresh(BoardNumber(8))));
+    assert_eq!(heard(&edited, [action]).1, [], "it knows that itself");
+}
+
+#[test]
+fn evidence_is_shown_until_the_next_edit() {
+    let lesson = opened(
+        &sample::solved(),
+        Board {
+            plan: BoardPlan::Hidden,
+            show: vec![Layer::Trails, Layer::Lanes],
+            ..board(1)
+        },
+    );
+    assert!(lesson.lesson().unwrap().hides_plan());
+    assert!(!lesson.lesson().unwrap().shows(Layer::Lanes) && lesson.plan().is_none());
+    let legal = r#"{ "giveway": 1, "paths": {
+        "A1": [[0, 0], [1, 0], [2, 0], [3, 0]], "A2": [[3, 0], [3, 0]] } }"#;
+    // It is not legal in this scene: the audit tells where.
+    let plan = native::read_plan(legal).unwrap();
+    let evidence = Evidence {
+        plan: Some(plan),
+        time: Some(2),
+        ..Evidence::default()
+    };
+    let shown = say(&lesson, ToPage::Show(Box::new(evidence)));
+    assert!(matches!(shown.document.mode, Mode::Auditing(_)));
+    assert!(shown.lesson().unwrap().shows(Layer::Lanes));
+    assert_eq!(shown.view.playback.time, 2);
+    let playing = say(&say(&shown, ToPage::Go(0)), ToPage::Play);
+    assert!(playing.view.playback.playing && playing.view.playback.time == 0);
+
+    let best = Board {
+        plan: BoardPlan::Best,
+        ..board(2)
+    };
+    let solved = answered(&opened(&lesson, best));
+    assert!(solved.plan().is_some());
+    let edited = after(&solved, stroke(Tool::Obstacle, &[(1, 1)]));
+    assert!(edited.document.answer.is_none(), "it is of another scene");
+}
+
+#[test]
+fn conflicts_are_not_shown_to_who_is_to_find_them() {
+    let spot = Board {
+        plan: BoardPlan::Given(swapping()),
+        hand: Hand::Points,
+        ..board(3)
+    };
+    let lesson = opened(&sample::solved(), spot);
+    assert!(matches!(lesson.document.mode, Mode::Auditing(_)));
+    assert!(bursts_of(&lesson, "A1").is_empty());
+    let (state, said) = heard(&lesson, [seek(1)].into_iter().chain(press(1, 0)));
+    let pick = Pick {
+        cell: at(1, 0),
+        time: 1,
+        robots: vec!["A1".to_owned()],
+    };
+    let expected = [Happened::Time(1), Happened::Picked(pick.clone())];
+    assert_eq!(said, expected.map(|what| told(3, what)));
+    let (state, said) = heard(&state, press(1, 0));
+    assert_eq!(said, [told(3, Happened::Picked(pick))], "the same again");
+    let shown = say(&state, ToPage::Show(Box::default()));
+    assert_eq!(bursts_of(&shown, "A1"), [1.5]);
+}
+
+#[test]
+fn robots_are_led_step_by_step() {
+    let lead = Board {
+        hand: Hand::Leads(vec!["A2".to_owned()]),
+        tools: Vec::new(),
+        ..board(4)
+    };
+    let lesson = opened(&sample::solved(), lead);
+    assert_eq!(lesson.view.selection, Selection::Agent(1));
+    let step = |by| Action::Steer(Lead::Step(by));
+    let (state, said) = heard(&lesson, [step((-1, 0)), step((-1, 0))]);
+    let led = |state: &State| state.document.mode.steering().unwrap().led().0.clone();
+    let cells = led(&state).path("A2").to_vec();
+    assert_eq!(cells, [at(3, 0), at(2, 0), at(1, 0)].map(Some));
+    let plans: Vec<_> = said
+        .iter()
+        .filter_map(|said| match &said.what {
+            Happened::Led(plan) => Some(plan.path("A2").len()),
+            _ => None,
+        })
+        .collect();
+    assert_eq!(plans, [2, 3]);
+    let back = say(&state, ToPage::TakeBack);
+    assert_eq!(led(&back).path("A2").len(), 2);
+    // Nobody else is led.
+    let other = after(&state, [select(0), Action::Steer(Lead::Begin)]);
+    assert_eq!(other.document, state.document);
+    let left = after(&state, [Action::Steer(Lead::Discard)]);
+    assert_eq!(left.document, state.document, "only the lesson ends it");
+}
+
+#[test]
+fn the_lesson_lights_what_it_names() {
+    let lesson = opened(&sample::solved(), board(1));
+    let lit = Lit::Robot("A1".to_owned());
+    let state = say(&lesson, ToPage::Light(Some(lit.clone())));
+    assert_eq!(state.lesson().unwrap().lit, Some(lit));
+    let dark = say(&state, ToPage::Light(None));
+    assert_eq!(dark.lesson().unwrap().lit, None);
+    let play = after(&dark, [Action::Play(PlayAction::Play)]);
+    assert!(!play.view.playback.playing, "there is no plan to play");
+}
