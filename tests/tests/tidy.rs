@@ -133,6 +133,7 @@ mod layers {
             "giveway-planners",
             "giveway-solve",
             "giveway-page",
+            "giveway-course",
         ] {
             let (_, dependencies) = crates.iter().find(|(name, _)| name == layer).unwrap();
             for front in [
@@ -265,6 +266,28 @@ mod layers {
     }
 
     #[test]
+    fn lessons_are_plain_data() {
+        let course = "crates/giveway-course/src";
+        let surroundings = [
+            "std::fs",
+            "std::io",
+            "std::net",
+            "std::env",
+            "std::process",
+            "std::thread",
+            "std::time",
+            "RefCell",
+            "giveway_page",
+            "giveway_web",
+        ];
+        expect_none(&uses(course, &[], &surroundings));
+        expect_none(&uses(course, &[], BROWSER));
+        // They tell what the solver should be asked, and leave the asking to others.
+        let solving = ["giveway_solve::serve", "giveway_solve::service"];
+        expect_none(&uses(course, &[], &solving));
+    }
+
+    #[test]
     fn certificates_trust_no_solver() {
         let proof = "crates/giveway-proof/src";
         expect_none(&uses(proof, &[], &["giveway_solve"]));
@@ -367,7 +390,12 @@ mod files {
     }
 
     /// The page: its state, its components, its style sheets.
-    const PAGE: [&str; 3] = ["crates/giveway-page/", "web/", "static/css/"];
+    const PAGE: [&str; 4] = [
+        "crates/giveway-page/",
+        "crates/giveway-course/src/",
+        "web/",
+        "static/css/",
+    ];
     /// No file of the page is longer, lines in all: comments and tests, too.
     const TOO_LONG_FOR_THE_PAGE: usize = 300;
 

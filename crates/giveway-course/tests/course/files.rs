@@ -133,6 +133,28 @@ fn pictures_show_a_moment_of_their_plan() {
 }
 
 #[test]
+fn pictures_of_the_glossary_break_only_the_rules_that_they_show() {
+    for term in shipped::glossary().terms {
+        let Some(Picture { scene, plan, .. }) = &term.picture else {
+            continue;
+        };
+        let Some(plan) = plan else {
+            continue;
+        };
+        let instance = Instance::new(scene.clone()).unwrap();
+        let report = check(&instance, plan);
+        let is_of_conflicts = term.term.as_str().contains("conflict");
+        assert_eq!(
+            report.is_valid(),
+            !is_of_conflicts,
+            "{}: {:?}",
+            term.name,
+            report.violations
+        );
+    }
+}
+
+#[test]
 fn a_lesson_reads_back_as_it_was_written() {
     for (name, lesson) in shipped::lessons() {
         let text = write_lesson(&lesson);

@@ -6,6 +6,7 @@
     reason = "a test stops at the first surprise"
 )]
 
+mod claims;
 mod files;
 mod learner;
 mod noise;
@@ -15,3 +16,4 @@ mod shipped;
 mod tasks;
 mod terms;
 mod unknown;
+mod words;

@@ -161,10 +161,11 @@ fn broken_lessons_are_refused_by_both() {
     }
 }
 
-/// What only the reader can see, each with the place that it names.
-#[test]
-fn the_reader_also_sees_what_belongs_together() {
-    let broken = [
+/// A place of the full lesson, what is put there, and the place of the fault.
+type Misfit = (&'static str, Value, &'static str);
+
+fn misfits() -> Vec<Misfit> {
+    vec![
         (
             "/steps/0/text/0",
             json!("See [A9](robot:A9)."),
@@ -255,8 +256,13 @@ fn the_reader_also_sees_what_belongs_together() {
             "steps[7].plan",
         ),
         ("/steps/7/hints", json!([]), "steps[7].hints"),
-    ];
-    for (pointer, bad, place) in broken {
+    ]
+}
+
+/// What only the reader can see, each with the place that it names.
+#[test]
+fn the_reader_also_sees_what_belongs_together() {
+    for (pointer, bad, place) in misfits() {
         let mut value = full();
         let (object, key) = pointer.rsplit_once('/').unwrap();
         match value.pointer_mut(object).unwrap() {

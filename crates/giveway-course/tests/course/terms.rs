@@ -3,7 +3,7 @@
 
 use std::collections::BTreeSet;
 
-use giveway_course::lesson::{Glossary, Span, Target, Term};
+use giveway_course::lesson::{Glossary, Span, Target, Term, Text};
 
 use super::reading::texts;
 use super::shipped;
@@ -91,11 +91,7 @@ fn lessons_of_the_glossary_exist_and_use_the_term() {
         };
         let found = lessons.iter().find(|(name, _)| name == about.as_str());
         let (_, lesson) = found.unwrap_or_else(|| panic!("{}: no lesson {about}", term.term));
-        let mut targets = lesson
-            .steps
-            .iter()
-            .flat_map(texts)
-            .flat_map(|text| text.targets());
+        let mut targets = lesson.steps.iter().flat_map(texts).flat_map(Text::targets);
         let is_linked = targets.any(|t| matches!(t, Target::Term(id) if *id == term.term));
         assert!(is_linked, "{about} has no link to {}", term.term);
     }

@@ -11,11 +11,10 @@ use super::tasks::each_solution;
 fn cut_short(mut response: Response) -> Response {
     let unproved = |status: &mut Status, complete: &mut bool| {
         *complete = false;
-        if *status != Status::Optimal {
-            *status = Status::Unknown;
-        } else {
-            *status = Status::Feasible;
-        }
+        *status = match *status {
+            Status::Optimal | Status::Feasible => Status::Feasible,
+            Status::Impossible | Status::Unknown => Status::Unknown,
+        };
     };
     match &mut response {
         Response::Solved(answer) => unproved(&mut answer.status, &mut answer.complete),

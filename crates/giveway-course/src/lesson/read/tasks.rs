@@ -237,7 +237,7 @@ fn condition(
             );
         }
         Condition::Legal {} | Condition::Best {} | Condition::Beaten {} => {
-            planned(place, step, faults)
+            planned(place, step, faults);
         }
         Condition::Apart { .. } | Condition::Impossible { .. } | Condition::Solvable {} => {}
     }

@@ -1,12 +1,16 @@
 //! What the judge of a task says, in words: first the verdict, then what was done.
 
+mod made;
+mod numbers;
+mod spans;
+
 use giveway_model::words::{and, count, name, sentence, value};
-use giveway_model::{Cell, Cost};
-use giveway_solve::change::Method;
-use giveway_solve::explain;
 
 use super::{Kind, Outside, Verdict, Why};
-use crate::lesson::{Comparison, Span, Step, Target, Task, Text, Value};
+use crate::lesson::{Span, Step, Task, Text, Value};
+use spans::{cell, plain, robot, shown, text};
+
+pub use made::made;
 
 /// A verdict in words.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -82,14 +86,14 @@ fn why(verdict: &Verdict) -> Vec<Span> {
             value,
             compare,
             wanted,
-        } => plain(self::cost(*cost, *value, *compare, *wanted, solved)),
+        } => plain(numbers::cost(*cost, *value, *compare, *wanted, solved)),
         Why::Raised {
             cost,
             before,
             now,
             by,
-        } => plain(raised(*cost, *before, *now, *by, solved)),
-        Why::Answered { verdict, wanted } => plain(answered(*verdict, *wanted, solved)),
+        } => plain(numbers::raised(*cost, *before, *now, *by, solved)),
+        Why::Answered { verdict, wanted } => plain(numbers::answered(*verdict, *wanted, solved)),
         Why::Points { count: 1, costs } => {
             let [one, other] = costs.map(name);
             plain(format!("one plan is best in both, {one} and {other}."))
@@ -171,7 +175,7 @@ fn of_answer(why: &Why, solved: bool) -> Vec<Span> {
             cost,
             value: n,
             best,
-        } => plain(order_works(*cost, *n, *best)),
+        } => plain(numbers::order_works(*cost, *n, *best)),
         Why::NoOrderWorks { orders } => plain(format!(
             "none of the {orders} orders works, and yet there is a plan."
         )),
@@ -181,8 +185,11 @@ fn of_answer(why: &Why, solved: bool) -> Vec<Span> {
             cost,
             kept,
             wanted,
-        } => plain(went(*method, *cost, *kept, *wanted)),
-        Why::NoWayOn(method) => plain(format!("{} has no plan here.", method_name(*method))),
+        } => plain(numbers::went(*method, *cost, *kept, *wanted)),
+        Why::NoWayOn(method) => plain(format!(
+            "{} has no plan here.",
+            numbers::method_name(*method)
+        )),
         _ => Vec::new(),
     }
 }
@@ -192,46 +199,6 @@ fn outside(outside: &Outside) -> Vec<Span> {
         Outside::Cell(at) => vec![cell(*at), text(" must stay as it is. Take that back.")],
         Outside::Robot(name) => vec![robot(name), text(" must stay as it is. Take that back.")],
         Outside::Rules => plain("map size, rules and costs must stay as they are."),
-    }
-}
-
-fn cost(cost: Cost, n: u32, compare: Comparison, wanted: u32, solved: bool) -> String {
-    let found = value(cost, n);
-    if solved {
-        return format!("the best plan has {found}.");
-    }
-    let asked = match compare {
-        Comparison::Equal => format!("exactly {wanted}"),
-        Comparison::AtMost => format!("at most {wanted}"),
-        Comparison::AtLeast => format!("at least {wanted}"),
-    };
-    format!("the best plan has {found}; {asked} is asked for.")
-}
-
-fn raised(cost: Cost, before: u32, now: u32, by: u32, solved: bool) -> String {
-    let what = name(cost);
-    match (solved, before == now) {
-        (true, _) => format!("the best {what} went from {before} to {now}."),
-        (false, true) => format!("the best {what} is still {now}."),
-        (false, false) => {
-            let wanted = before.saturating_add(by);
-            format!("the best {what} went from {before} to {now}; {wanted} is asked for.")
-        }
-    }
-}
-
-fn answered(verdict: explain::Verdict, wanted: explain::Verdict, solved: bool) -> String {
-    let word = |verdict| match verdict {
-        explain::Verdict::Needless => "needless",
-        explain::Verdict::Improvable => "a mistake of the plan",
-        explain::Verdict::Costly => "costly to do without",
-        explain::Verdict::Necessary => "necessary",
-        explain::Verdict::Unknown => "not known",
-    };
-    if solved {
-        format!("now it is {}.", word(verdict))
-    } else {
-        format!("it is {}, not {}.", word(verdict), word(wanted))
     }
 }
 
@@ -246,71 +213,5 @@ fn guessed(guess: &Value, truth: &Value, solved: bool) -> Vec<Span> {
             shown(truth),
             text("."),
         ]
-    }
-}
-
-fn order_works(cost: Cost, n: u32, best: Option<u32>) -> String {
-    let found = value(cost, n);
-    match best {
-        None => format!("this order gives a plan, {found}."),
-        Some(best) if best == n => format!("this order gives a plan with the best {found}."),
-        Some(best) => format!("this order gives a plan with {found}; the best has {best}."),
-    }
-}
-
-fn went(method: Method, cost: Option<(Cost, u32, u32)>, kept: u32, wanted: Option<u32>) -> String {
-    let who = method_name(method);
-    let mut parts = Vec::new();
-    if let Some((cost, n, at_most)) = cost {
-        let asked = if n > at_most {
-            format!(" (at most {at_most} is asked for)")
-        } else {
-            String::new()
-        };
-        parts.push(format!("has {}{asked}", value(cost, n)));
-    }
-    let asked = match wanted {
-        Some(wanted) if kept < wanted => format!(" (at least {wanted} is asked for)"),
-        _ => String::new(),
-    };
-    parts.push(format!("keeps {} as planned{asked}", count(kept, "robot")));
-    format!("{who} {}.", and(&parts))
-}
-
-fn method_name(method: Method) -> String {
-    match method {
-        Method::Revise => "revising".to_owned(),
-        Method::Tunnel(width) => format!("a tunnel of width {width}"),
-        Method::Replan => "replanning".to_owned(),
-    }
-}
-
-fn plain(words: impl Into<String>) -> Vec<Span> {
-    vec![Span::Plain(words.into())]
-}
-
-fn text(words: &str) -> Span {
-    Span::Plain(words.to_owned())
-}
-
-fn robot(name: &str) -> Span {
-    Span::Link {
-        label: name.to_owned(),
-        target: Target::Robot(name.to_owned()),
-    }
-}
-
-fn cell(cell: Cell) -> Span {
-    Span::Link {
-        label: cell.to_string(),
-        target: Target::Cell(cell),
-    }
-}
-
-fn shown(value: &Value) -> Span {
-    match value {
-        Value::Number(number) => text(&number.to_string()),
-        Value::Robot(name) => robot(name),
-        Value::Cell(at) => cell(*at),
     }
 }
