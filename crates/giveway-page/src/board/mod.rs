@@ -20,9 +20,8 @@ pub use cast::Cast;
 pub use floor::{Band, Floor, TILE};
 use giveway_picture::whole;
 pub use giveway_picture::{
-    Badge, CELL, Charge, Detail, FloorLook, Layer, Mark, MarkKind, Occupied, Pose, Track, Way, WayEnds,
-    lines,
-    marks,
+    Badge, CELL, Charge, Detail, FloorLook, Layer, Mark, MarkKind, Occupied, Pose, Track, Way,
+    WayEnds, lines, marks,
 };
 pub use heat::{SHADES, heat};
 pub use legend::{Kind, legend};

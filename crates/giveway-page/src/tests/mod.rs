@@ -4,6 +4,7 @@ mod audit;
 mod change;
 mod freedom;
 mod inside;
+mod moving;
 mod picture;
 mod planners;
 mod soak;

@@ -14,7 +14,7 @@ const RING: f64 = 226.2;
 const BOLT: &str = "M2.5-10-7 2.5h6l-2 9L8-3.5H1.5Z";
 const PAUSE: &str = "M-4-6V6M4-6V6";
 
-impl Stage<'_> {
+impl Stage {
     /// The capsules of slow moves, and the agents above them.
     pub(super) fn agents(&self, when: &mut When<'_>) -> String {
         let mut svg = String::new();

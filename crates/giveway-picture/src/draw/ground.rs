@@ -12,7 +12,7 @@ use crate::{Area, Detail, FloorLook, Layer, Tile, Track, lines, starred};
 /// Of more agents no ways are drawn: nobody could follow one.
 const MOST_WAYS: usize = 64;
 
-impl Stage<'_> {
+impl Stage {
     /// The floor.
     pub(crate) fn floor(&self) -> String {
         let (grid, inks) = (self.instance.grid(), &self.inks);

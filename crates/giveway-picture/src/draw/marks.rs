@@ -19,7 +19,7 @@ const SHRINKS: f64 = 0.33;
 /// It is looked at so often in a step, since agents come and leave within.
 const LOOKS: u32 = 4;
 
-impl Stage<'_> {
+impl Stage {
     /// All flags and stars.
     pub(super) fn flags(&self, when: &mut When<'_>) -> String {
         let mut now = Occupied::default();

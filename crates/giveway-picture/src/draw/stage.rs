@@ -11,8 +11,8 @@ use super::motion::{Motion, When};
 use super::sheet::Sheet;
 
 /// A plan of an instance, to be drawn.
-pub(crate) struct Stage<'a> {
-    pub(crate) instance: &'a Instance,
+pub(crate) struct Stage {
+    pub(crate) instance: Instance,
     pub(crate) look: Look,
     pub(super) inks: Inks,
     pub(super) detail: Detail,
@@ -26,14 +26,14 @@ pub(crate) struct Stage<'a> {
     pub(super) prefix: String,
 }
 
-impl<'a> Stage<'a> {
-    pub(crate) fn new(instance: &'a Instance, plan: &Plan, look: &Look) -> Self {
+impl Stage {
+    pub(crate) fn new(instance: &Instance, plan: &Plan, look: &Look) -> Self {
         let agents = instance.agents();
         let track = |(index, agent): (usize, &Agent)| track(instance, plan, index, agent);
         let tracks: Vec<Track> = agents.iter().enumerate().map(track).collect();
         let steps = tracks.iter().map(Track::arrival).max().unwrap_or(0);
         Self {
-            instance,
+            instance: instance.clone(),
             look: *look,
             inks: Inks::of(look.theme),
             detail: Detail::of(f64::from(look.cell)),
@@ -86,6 +86,7 @@ impl<'a> Stage<'a> {
     }
 
     /// A part of a picture that is laid over another one: it has no ground.
+    #[cfg(feature = "gif")]
     pub(crate) fn overlay(&self, shapes: &str) -> String {
         let (width, height) = self.sheet.size;
         let [x, y, across, down] = self.sheet.view_box().map(Number);

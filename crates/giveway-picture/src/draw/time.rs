@@ -11,14 +11,14 @@ use crate::xml::Number;
 /// The size of the letters, the width of a figure and of a blank, in pixels.
 const FONT: f64 = 13.0;
 const FIGURE: f64 = 7.6;
-const BLANK: f64 = 5.0;
+const BLANK: f64 = 6.0;
 /// The width of the words before and after the number.
 const STEP: f64 = 31.0;
 const OF: f64 = 15.0;
 /// The least room for the line, and the gap before it, in pixels.
 const LINE: (f64, f64) = (48.0, 16.0);
 
-impl Stage<'_> {
+impl Stage {
     /// `Step 3 of 9`, and a line up to there.
     pub(super) fn time(&self, when: &mut When<'_>) -> String {
         let mut svg = String::new();

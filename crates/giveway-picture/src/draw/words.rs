@@ -9,7 +9,7 @@ use crate::whole;
 /// More agents are only counted.
 const NAMED: usize = 12;
 
-impl Stage<'_> {
+impl Stage {
     /// The title: the name of the scene.
     pub(crate) fn title(&self) -> String {
         match self.instance.name() {

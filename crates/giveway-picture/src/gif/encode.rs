@@ -44,7 +44,7 @@ fn refused(error: &gif::EncodingError) -> Broken {
 
 impl Encoder {
     /// An encoder for these frames, in their order.
-    pub fn new(reel: &Reel<'_>) -> Self {
+    pub fn new(reel: &Reel) -> Self {
         let palette = reel.palette();
         let size = reel.size();
         let (width, height) = (size.0 as u16, size.1 as u16);

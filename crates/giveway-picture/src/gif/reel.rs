@@ -2,6 +2,7 @@
 
 use std::fmt;
 
+use borsh::{BorshDeserialize, BorshSerialize};
 use giveway_model::words::grouped;
 use giveway_model::{Instance, Plan};
 
@@ -25,13 +26,13 @@ const MOST_PIXELS_OF_ONE: u64 = 4_000_000;
 const MOST_FRAMES: u64 = 3000;
 
 /// The frames of a plan, in order.
-pub struct Reel<'a> {
-    stage: Stage<'a>,
+pub struct Reel {
+    stage: Stage,
     frames_a_step: u32,
 }
 
 /// What is to be drawn of a frame, each as SVG of the same size.
-#[derive(Clone, Debug, PartialEq, Eq)]
+#[derive(Clone, Debug, PartialEq, Eq, BorshSerialize, BorshDeserialize)]
 pub struct Shot {
     /// Width and height, in pixels.
     pub size: (u32, u32),
@@ -59,12 +60,12 @@ impl fmt::Display for TooLarge {
     }
 }
 
-impl<'a> Reel<'a> {
+impl Reel {
     /// The frames of a plan, as many a step as there is room for.
     ///
     /// # Errors
     /// Where there is no room for one frame a step.
-    pub fn new(instance: &'a Instance, plan: &Plan, look: &Look) -> Result<Self, TooLarge> {
+    pub fn new(instance: &Instance, plan: &Plan, look: &Look) -> Result<Self, TooLarge> {
         let stage = Stage::new(instance, plan, look);
         let (width, height) = stage.sheet.size;
         let pixels = u64::from(width) * u64::from(height);
