@@ -55,8 +55,8 @@ impl Paper {
 
     /// Red, green, blue, and how dense, row by row.
     fn pixels(&self) -> Result<Vec<u8>, JsValue> {
-        let (width, height) = (self.size.0.cast_signed(), self.size.1.cast_signed());
-        let pixels = self.context.get_image_data(0, 0, width, height)?;
+        let (width, height) = (self.size.0.into(), self.size.1.into());
+        let pixels = self.context.get_image_data(0.0, 0.0, width, height)?;
         Ok(pixels.data().0)
     }
 }

@@ -17,7 +17,9 @@ fn row(steps: usize) -> (Instance, Plan, Look) {
         r#"{{ "giveway": 1, "map": ["{cells}"], "agents": [
             {{ "name": "A", "start": [0, 0], "goal": [{goal}, 0] }}] }}"#
     );
-    let path: Vec<String> = (0..=steps).map(|step| format!("[{},0]", step.min(goal))).collect();
+    let path: Vec<String> = (0..=steps)
+        .map(|step| format!("[{},0]", step.min(goal)))
+        .collect();
     let plan = format!(
         r#"{{ "giveway": 1, "paths": {{ "A": [{}] }} }}"#,
         path.join(",")

@@ -12,6 +12,7 @@ use giveway_page::intake::Intake;
 use giveway_page::intake::protocol::{Ask, Message, Reply, Task};
 use giveway_page::{Action, IntakeAction, Shot};
 use gloo::file::Blob;
+use wasm_bindgen::JsValue;
 use yew::platform::spawn_local;
 use yew::prelude::*;
 
@@ -171,13 +172,15 @@ impl Reader {
         spawn_local(async move {
             let drawn = async {
                 if let Some(ground) = &shot.ground {
-                    let frames = Frames::begin(shot.size, ground).await?;
-                    reader.0.frames.set(Some(Rc::new(frames)));
+                    let frames = Rc::new(Frames::begin(shot.size, ground).await?);
+                    if reader.0.job.get() == Some(id) {
+                        reader.0.frames.set(Some(frames));
+                    }
                 }
                 let frames = reader.0.frames.get().ok_or("no paper")?;
                 frames.pixels(&shot).await
             };
-            let drawn = drawn.await;
+            let drawn: Result<Vec<u8>, JsValue> = drawn.await;
             if reader.0.job.get() != Some(id) {
                 return;
             }

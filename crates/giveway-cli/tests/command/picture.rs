@@ -207,6 +207,7 @@ fn a_file_that_was_read_is_not_written_over() {
 fn faults_name_their_place_and_nothing_is_written() {
     let folder = Folder::with(&[
         ("two.json", two_agents(&[])),
+        ("plan.json", PLAN.to_owned()),
         (
             "other.json",
             r#"{ "giveway": 1, "paths": { "B9": [[0,0]] } }"#.to_owned(),
@@ -220,14 +221,17 @@ fn faults_name_their_place_and_nothing_is_written() {
         "picture two.json other.json -o two.svg",
         &expect![[r#"
             exit 1
-            error: other.json: paths.B9: found a robot that the instance does not have, and none that it has, expected paths of its robots
+            other.json: paths.B9: found a robot that the instance does not have, and none that it has, expected paths of its robots
         "#]],
     );
-    folder.refuses("picture two.json broken.json -o two.svg", &expect![""]);
-    folder.refuses(
-        "picture two.json two.json -o no/such/folder.svg",
-        &expect![""],
-    );
+    folder.refuses("picture two.json broken.json -o two.svg", &expect![[r#"
+        exit 1
+        broken.json: line 2, column 12: paths: found the number 7, expected an object by the names of robots
+    "#]]);
+    let run = folder.run("picture two.json plan.json -o no/such/folder.svg");
+    assert_eq!((run.exit, run.out.as_str()), (Some(1), ""));
+    let told = "no/such/folder.svg: cannot write: ";
+    assert!(run.err.starts_with(told), "{}", run.err);
     assert!(!folder.path("two.svg").exists());
 }
 
