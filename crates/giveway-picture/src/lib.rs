@@ -2,6 +2,14 @@
 //!
 //! Nothing here knows a browser. Lengths are in units, 100 a cell; `y` goes down.
 
+#![cfg_attr(
+    test,
+    allow(
+        clippy::float_cmp,
+        reason = "what is drawn is compared with what is exact in binary"
+    )
+)]
+
 mod colours;
 mod detail;
 mod draw;

@@ -37,11 +37,11 @@ fn drawn(shot: &Shot, at: f64) -> Vec<u8> {
     let inks = Inks::of(Theme::Light);
     let (fill, _) = robot(Theme::Light, giveway_picture::Colours::default(), 0);
     let (width, height) = shot.size;
-    let left = 12 + (at * 10.0).round() as u32;
+    let left = 12.0 + (at * 10.0).round();
     let mut pixels = Vec::new();
     for y in 0..height {
         for x in 0..width {
-            let is_agent = (left..left + 10).contains(&x) && (12..22).contains(&y);
+            let is_agent = (left..left + 10.0).contains(&f64::from(x)) && (12..22).contains(&y);
             let Ink(parts) = if is_agent { fill } else { inks.floor };
             pixels.extend(parts);
             pixels.push(255);
@@ -50,8 +50,11 @@ fn drawn(shot: &Shot, at: f64) -> Vec<u8> {
     pixels
 }
 
-/// The pictures of a GIF as they are seen, with how long each is.
-fn seen(bytes: &[u8]) -> (Vec<(u16, Vec<[u8; 3]>)>, (u16, u16)) {
+/// How long a picture is seen, and its pixels.
+type Seen = (u16, Vec<[u8; 3]>);
+
+/// The pictures of a GIF as they are seen, and their size.
+fn seen(bytes: &[u8]) -> (Vec<Seen>, (u16, u16)) {
     let mut options = gif::DecodeOptions::new();
     options.set_color_output(gif::ColorOutput::RGBA);
     let mut file = options.read_info(bytes).unwrap();

@@ -1,5 +1,9 @@
 //! Pictures as SVG: well formed, the same every time, and true to the plan.
-#![allow(clippy::unwrap_used, reason = "a test may panic")]
+#![allow(
+    clippy::unwrap_used,
+    clippy::float_cmp,
+    reason = "a test may panic, and what is drawn is compared with what is exact in binary"
+)]
 
 use std::collections::BTreeMap;
 
@@ -8,7 +12,7 @@ use giveway_model::{Instance, Plan};
 use giveway_picture::{Letters, Look, Theme, moving, still};
 use roxmltree::{Document, Node};
 
-const SCENE: &str = r##"{
+const SCENE: &str = r#"{
     "giveway": 1,
     "name": "a <b> & \"c\"",
     "map": ["..~..", ".#+#.", "....."],
@@ -17,7 +21,7 @@ const SCENE: &str = r##"{
           "battery": { "capacity": 9, "initial": 3 } },
         { "name": "</text><script>", "start": [4, 2], "goal": [0, 2] }
     ]
-}"##;
+}"#;
 
 const PLAN: &str = r#"{
     "giveway": 1,

@@ -92,9 +92,12 @@ impl Job {
             _ => &[],
         }
     }
-}
 
-impl Job {
+    /// Whether files are read.
+    pub fn is_reading(&self) -> bool {
+        matches!(&*self.task, Task::Read(_))
+    }
+
     /// Whether it is a picture, which may take longer than any reading.
     pub fn is_picture(&self) -> bool {
         matches!(&*self.task, Task::Picture { .. })

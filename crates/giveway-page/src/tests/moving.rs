@@ -34,6 +34,7 @@ fn pixels(size: (u32, u32), grey: u8) -> Vec<u8> {
 #[test]
 fn the_animated_svg_comes_at_once() {
     let state = begun(PictureKind::Svg);
+    assert_eq!(words::standing(&state).badge, words::Badge::Saving);
     assert_eq!(
         words::standing(&state).sentence,
         "Drawing the moving picture …"
