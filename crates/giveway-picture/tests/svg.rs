@@ -125,7 +125,11 @@ fn all_pictures_are_well_formed_and_hold_no_script() {
                 .descendants()
                 .any(|node| node.tag_name().name() == "script")
         );
-        assert!(!svg.contains("NaN") && !svg.contains("inf"), "{svg}");
+        let numbers = svg.replace("linear infinite", "");
+        assert!(
+            !numbers.contains("NaN") && !numbers.contains("inf"),
+            "{svg}"
+        );
         // Nothing is fetched from elsewhere.
         let links = svg.replace("http://www.w3.org/2000/svg", "");
         assert!(!links.contains("//") && !links.contains("href"), "{links}");
