@@ -14,7 +14,7 @@ const TELLS: usize = 5;
 /// The reader at work: all but a GIF it does at once.
 #[derive(Default)]
 pub struct Reader {
-    film: Option<Film>,
+    film: Option<Box<Film>>,
 }
 
 /// A GIF that is being made.
@@ -36,18 +36,9 @@ impl Reader {
                 scene,
                 plan,
                 look,
-            } => match begin(scene, &plan, &look, kind) {
-                Ok(Picture::Svg(svg)) => {
-                    Some(Reply::Drawn(format!("{stem}.svg"), svg.into_bytes()))
-                }
-                Ok(Picture::Gif(reel, encoder)) => {
-                    let film = Film {
-                        id,
-                        name: format!("{stem}.gif"),
-                        reel,
-                        encoder,
-                        next: 0,
-                    };
+            } => match begin((id, stem), scene, &plan, &look, kind) {
+                Ok(Picture::Svg(name, svg)) => Some(Reply::Drawn(name, svg.into_bytes())),
+                Ok(Picture::Gif(film)) => {
                     film.ask(tell);
                     self.film = Some(film);
                     None
@@ -67,23 +58,34 @@ impl Reader {
     }
 }
 
-/// What a picture becomes of.
+/// A picture: whole with its name, or begun.
 enum Picture {
-    Svg(String),
-    Gif(Reel, Encoder),
+    Svg(String, String),
+    Gif(Box<Film>),
 }
 
-fn begin(scene: Scene, plan: &Plan, look: &Look, kind: PictureKind) -> Result<Picture, String> {
+fn begin(
+    (id, stem): (u64, String),
+    scene: Scene,
+    plan: &Plan,
+    look: &Look,
+    kind: PictureKind,
+) -> Result<Picture, String> {
     let instance = Instance::new(scene).map_err(|faults| {
         let faults: Vec<String> = faults.iter().map(ToString::to_string).collect();
         faults.join("; ")
     })?;
     Ok(match kind {
-        PictureKind::Svg => Picture::Svg(moving(&instance, plan, look)),
+        PictureKind::Svg => Picture::Svg(format!("{stem}.svg"), moving(&instance, plan, look)),
         PictureKind::Gif => {
             let reel = Reel::new(&instance, plan, look).map_err(|large| large.to_string())?;
-            let encoder = Encoder::new(&reel);
-            Picture::Gif(reel, encoder)
+            Picture::Gif(Box::new(Film {
+                id,
+                name: format!("{stem}.gif"),
+                encoder: Encoder::new(&reel),
+                reel,
+                next: 0,
+            }))
         }
     })
 }
@@ -109,9 +111,9 @@ impl Film {
 
     /// Takes the pixels of a frame; the reply, once it is whole.
     fn go_on(
-        mut self,
+        mut self: Box<Self>,
         pixels: &[u8],
-        rest: &mut Option<Self>,
+        rest: &mut Option<Box<Self>>,
         tell: &mut dyn FnMut(Message),
     ) -> Option<Reply> {
         self.next += 1;

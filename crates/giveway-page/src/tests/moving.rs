@@ -65,7 +65,7 @@ fn the_animated_svg_comes_at_once() {
 fn a_gif_is_put_together_frame_by_frame() {
     let mut reader = Reader::default();
     let mut messages = told(&mut reader, ask(&begun(PictureKind::Gif)));
-    let mut frames = 0;
+    let mut frames: u8 = 0;
     let mut sentences = Vec::new();
     let gif = loop {
         let mut next = None;
@@ -74,7 +74,7 @@ fn a_gif_is_put_together_frame_by_frame() {
                 Message::Draw { id, shot } => {
                     assert_eq!((id, shot.ground.is_some()), (1, frames == 0));
                     frames += 1;
-                    let task = Task::Pixels(pixels(shot.size, frames as u8));
+                    let task = Task::Pixels(pixels(shot.size, frames));
                     next = Some(Ok(Ask { id, task }));
                 }
                 Message::Progress { sentence, .. } => sentences.push(sentence),
