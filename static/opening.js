@@ -12,7 +12,7 @@ const AXIS = [34, 10];
 /** The side of a cell, in pixels: from here on there are numbers, and the largest. */
 const NUMBERED_PX = 48;
 const LARGEST_PX = 148;
-/** How near to the middle of a cell a robot hides what is there, in cells: as in giveway-page/src/board/occupied.rs. */
+/** How near to the middle of a cell a robot hides what is there, in cells: as in giveway-picture/src/occupied.rs. */
 const REACH = 0.75;
 
 const page = document.getElementById("page");

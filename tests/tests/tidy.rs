@@ -129,6 +129,7 @@ mod layers {
         let crates = crates();
         for layer in [
             "giveway-model",
+            "giveway-picture",
             "giveway-proof",
             "giveway-planners",
             "giveway-solve",
@@ -185,6 +186,21 @@ mod layers {
     fn the_model_knows_no_solver() {
         let solver = ["varisat", "giveway_solve"];
         expect_none(&uses("crates/giveway-model", &[], &solver));
+    }
+
+    #[test]
+    fn pictures_know_no_surroundings_and_no_solver() {
+        let surroundings = [
+            "std::fs",
+            "std::env",
+            "std::process",
+            "std::thread",
+            "std::time",
+            "giveway_solve",
+            "resvg",
+        ];
+        expect_none(&uses("crates/giveway-picture", &[], &surroundings));
+        expect_none(&uses("crates/giveway-picture", &[], BROWSER));
     }
 
     #[test]

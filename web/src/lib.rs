@@ -24,6 +24,7 @@ mod keep;
 mod keys;
 mod notice;
 mod opening;
+mod paper;
 mod paste;
 mod settings;
 mod shown;

@@ -1,10 +1,13 @@
-//! The reader's Wasm: what reads and writes other people's files, in a worker.
+//! The reader's Wasm: what reads and writes other people's files, and pictures that
+//! move, in a worker.
 //!
-//! A program of its own, loaded when such a file is opened first: most people
+//! A program of its own, loaded when such a file is opened or saved first: most people
 //! never need it, and neither page nor solver grows by the readers of all formats.
 
+use std::cell::Cell;
+
+use giveway_page::intake::Reader;
 use giveway_page::intake::protocol::{Ask, Message, Task};
-use giveway_page::intake::work;
 use js_sys::Uint8Array;
 use wasm_bindgen::JsCast as _;
 use wasm_bindgen::closure::Closure;
@@ -19,9 +22,12 @@ fn main() {
             "The reader broke down, which is a fault of this program: {panic}"
         )));
     }));
-    let listen = Closure::<dyn Fn(MessageEvent)>::new(|event: MessageEvent| {
+    let reader = Cell::new(Reader::default());
+    let listen = Closure::<dyn Fn(MessageEvent)>::new(move |event: MessageEvent| {
         let bytes = event.data().dyn_ref().map(Uint8Array::to_vec);
-        answer(&bytes.unwrap_or_default());
+        let mut busy = reader.take();
+        answer(&mut busy, &bytes.unwrap_or_default());
+        reader.set(busy);
     });
     scope().set_onmessage(Some(listen.as_ref().unchecked_ref()));
     listen.forget(); // it listens as long as the worker lives
@@ -29,14 +35,14 @@ fn main() {
 }
 
 /// Answers one message.
-fn answer(bytes: &[u8]) {
+fn answer(reader: &mut Reader, bytes: &[u8]) {
     match borsh::from_slice::<Ask>(bytes) {
-        Ok(Ask { id, task }) => {
-            if let Some(sentence) = large(&task) {
+        Ok(ask) => {
+            if let Some(sentence) = large(&ask.task) {
+                let id = ask.id;
                 post(&Message::Progress { id, sentence });
             }
-            let reply = work(task);
-            post(&Message::Reply { id, reply });
+            reader.answer(ask, &mut |message| post(&message));
         }
         Err(error) => post(&Message::Failed(format!(
             "The reader was asked what it does not understand: {error}"

@@ -47,6 +47,20 @@ pub(crate) fn use_colours(colours: Colours) {
     });
 }
 
+/// What a picture has of a theme: light or dark.
+pub(crate) fn drawn(theme: Theme) -> giveway_page::DrawnTheme {
+    let is_dark = match theme {
+        Theme::System => system_is_dark(),
+        Theme::Light => false,
+        Theme::Dark => true,
+    };
+    if is_dark {
+        giveway_page::DrawnTheme::Dark
+    } else {
+        giveway_page::DrawnTheme::Light
+    }
+}
+
 /// Whether the system is dark now.
 pub(crate) fn system_is_dark() -> bool {
     matches("(prefers-color-scheme: dark)")

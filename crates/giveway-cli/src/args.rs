@@ -14,6 +14,7 @@ mod compare;
 mod convert;
 mod explain;
 mod freedom;
+mod picture;
 mod reading;
 mod solve;
 mod sweep;
@@ -25,6 +26,7 @@ pub(crate) use compare::Compare;
 pub(crate) use convert::Convert;
 pub(crate) use explain::Explain;
 pub(crate) use freedom::Freedom;
+pub(crate) use picture::Picture;
 pub(crate) use reading::Reading;
 pub(crate) use solve::Solve;
 pub(crate) use sweep::{Sweep, Table};
@@ -115,6 +117,8 @@ pub(crate) enum Command {
     Verify(Verify),
     /// Write instances and plans in another format
     Convert(Convert),
+    /// Draw a plan: at a time, or moving
+    Picture(Picture),
     /// Do many tasks, such as a benchmark, or a part of them
     Sweep(Sweep),
     /// Make tables and plots of a sweep's results

@@ -20,7 +20,7 @@ const EVERY_SECONDS: f64 = 0.1;
 /// terminal, a line that tells how far it is.
 pub(crate) struct CommandHost {
     clock: Clock,
-    line: Option<RefCell<Line>>,
+    line: Option<RefCell<SearchLine>>,
 }
 
 impl CommandHost {
@@ -30,20 +30,27 @@ impl CommandHost {
         let shown = !quiet && io::stderr().is_terminal();
         Self {
             clock,
-            line: shown.then(|| RefCell::new(Line::new(objective))),
+            line: shown.then(|| {
+                RefCell::new(SearchLine {
+                    line: Line::new(),
+                    known: Known::new(objective),
+                })
+            }),
         }
     }
 
     /// Takes the line away; the answer may be written now.
     pub(crate) fn finish(self) {
         if let Some(line) = self.line {
-            line.into_inner().clear();
+            line.into_inner().line.clear();
         }
     }
 
     fn refresh(&self) {
         if let Some(line) = &self.line {
-            line.borrow_mut().refresh(self.clock.wall_seconds());
+            let SearchLine { line, known } = &mut *line.borrow_mut();
+            let seconds = self.clock.wall_seconds();
+            line.show(seconds, || known.words(seconds));
         }
     }
 }
@@ -71,35 +78,64 @@ impl Host for CommandHost {
     }
 }
 
+/// The line of a search, with what it tells.
+struct SearchLine {
+    line: Line,
+    known: Known,
+}
+
+/// The line while frames are drawn.
+pub(crate) struct FrameLine {
+    clock: Clock,
+    line: Option<Line>,
+}
+
+impl FrameLine {
+    /// A line, unless `quiet` or standard error is no terminal.
+    pub(crate) fn new(clock: Clock, quiet: bool) -> Self {
+        let shown = !quiet && io::stderr().is_terminal();
+        let line = shown.then(Line::new);
+        Self { clock, line }
+    }
+
+    /// So many frames of all are done.
+    pub(crate) fn show(&mut self, done: usize, all: usize) {
+        if let Some(line) = &mut self.line {
+            let words = || format!("Drawing frame {} of {all} ...", done + 1);
+            line.show(self.clock.wall_seconds(), words);
+        }
+    }
+
+    /// Takes the line away.
+    pub(crate) fn clear(self) {
+        if let Some(line) = self.line {
+            line.clear();
+        }
+    }
+}
+
 /// The line on the terminal.
 struct Line {
-    known: Known,
     next_seconds: f64,
     shown_columns: usize,
 }
 
 impl Line {
-    fn new(objective: Objective) -> Self {
+    const fn new() -> Self {
         Self {
-            known: Known {
-                objective,
-                best: None,
-                bounds: BTreeMap::new(),
-                conflicts: 0,
-            },
             next_seconds: FIRST_SECONDS,
             shown_columns: 0,
         }
     }
 
-    fn refresh(&mut self, seconds: f64) {
+    fn show(&mut self, seconds: f64, words: impl FnOnce() -> String) {
         if seconds < self.next_seconds {
             return;
         }
         self.next_seconds = seconds + EVERY_SECONDS;
         let columns = terminal_size::terminal_size_of(io::stderr())
             .map_or(80, |(width, _)| usize::from(width.0));
-        let text = plain::cut(&self.known.words(seconds), columns.saturating_sub(2));
+        let text = plain::cut(&words(), columns.saturating_sub(2));
         let new_columns = plain::width(&text);
         write_now(&format!(
             "\r{}",
@@ -130,6 +166,15 @@ struct Known {
 }
 
 impl Known {
+    const fn new(objective: Objective) -> Self {
+        Self {
+            objective,
+            best: None,
+            bounds: BTreeMap::new(),
+            conflicts: 0,
+        }
+    }
+
     fn learn(&mut self, event: &Progress) {
         match event {
             Progress::Bound { cost, at_least } => {
@@ -184,7 +229,7 @@ mod tests {
 
     #[test]
     fn the_line_tells_bounds_and_the_best_plan() {
-        let mut known = Line::new(Objective::default()).known;
+        let mut known = Known::new(Objective::default());
         assert_eq!(known.words(0.25), "0.2 s: working; 0 conflicts");
         known.learn(&Progress::Bound {
             cost: Cost::Makespan,

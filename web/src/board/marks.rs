@@ -39,7 +39,7 @@ pub(super) fn Marks(props: &MarksProps) -> Html {
             let occupied = Held::new(Occupied::default());
             move |time| {
                 let mut now = occupied.take();
-                now.see(&cast, time);
+                now.see(&cast.tracks, time);
                 for ((is_occupied, is_visited), mark) in marks.iter().zip(&cast.marks) {
                     is_occupied.toggle(now.has(mark.cell));
                     is_visited.toggle(mark.visited.is_some_and(|at| f64::from(at) <= time));

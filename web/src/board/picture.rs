@@ -7,10 +7,9 @@
 use giveway_model::Grid;
 use wasm_bindgen::{JsCast as _, JsValue};
 use wasm_bindgen_futures::JsFuture;
-use web_sys::{
-    Blob, CssStyleDeclaration, Element, HtmlImageElement, OffscreenCanvas,
-    OffscreenCanvasRenderingContext2d, SvgsvgElement, XmlSerializer,
-};
+use web_sys::{Blob, CssStyleDeclaration, Element, SvgsvgElement, XmlSerializer};
+
+use crate::paper::Paper;
 
 /// What is done with, and not part of a picture.
 const OVERLAYS: &str = "[role=row], .hover, .cursor, .selcell, .selring";
@@ -135,23 +134,10 @@ impl Picture {
     /// # Errors
     /// What the browser says: a picture may be too large for it.
     pub(crate) async fn png(&self) -> Result<Blob, JsValue> {
-        let (width, height) = (self.size.0 * FINER, self.size.1 * FINER);
-        let svg = gloo::file::Blob::new_with_options(self.svg.as_str(), Some("image/svg+xml"));
-        let url = gloo::file::ObjectUrl::from(svg);
-        let image = HtmlImageElement::new()?;
-        image.set_src(&url);
-        JsFuture::from(image.decode()).await?;
-        let canvas = OffscreenCanvas::new(width, height)?;
-        let paper = canvas.get_context("2d")?.ok_or("no canvas")?;
-        let paper: OffscreenCanvasRenderingContext2d = paper.dyn_into()?;
-        paper.draw_image_with_html_image_element_and_dw_and_dh(
-            &image,
-            0.0,
-            0.0,
-            width.into(),
-            height.into(),
-        )?;
-        JsFuture::from(canvas.convert_to_blob()?).await?.dyn_into()
+        let paper = Paper::new((self.size.0 * FINER, self.size.1 * FINER))?;
+        paper.draw(&self.svg).await?;
+        let blob = paper.canvas.convert_to_blob()?;
+        JsFuture::from(blob).await?.dyn_into()
     }
 }
 

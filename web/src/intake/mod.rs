@@ -1,5 +1,6 @@
-//! The link to the reader: what the state says should be read or written, is done
-//! in a worker that is started for it.
+//! The link to the reader: what the state says should be read, written or drawn, is done
+//! in a worker that is started for it. Frames of pictures are drawn here, since only a page
+//! can draw SVG.
 //!
 //! A worker cannot hear while it works, so a job that is no longer wanted is ended
 //! together with its worker. An idle worker is kept.
@@ -8,14 +9,16 @@ use std::cell::Cell;
 use std::rc::Rc;
 
 use giveway_page::intake::Intake;
-use giveway_page::intake::protocol::{Message, Reply};
-use giveway_page::{Action, IntakeAction};
+use giveway_page::intake::protocol::{Ask, Message, Reply, Task};
+use giveway_page::{Action, IntakeAction, Shot};
 use gloo::file::Blob;
+use wasm_bindgen::JsValue;
 use yew::platform::spawn_local;
 use yew::prelude::*;
 
 use crate::dialog::Panel;
 use crate::held::Held;
+use crate::paper::Frames;
 use crate::solver::{Event, Hired, Name, Program};
 use crate::{Shown, files};
 
@@ -60,6 +63,8 @@ struct Inner {
     waiting: Held<Option<Vec<u8>>>,
     state: Held<Option<Shown>>,
     show: Held<Option<Callback<Panel>>>,
+    /// What the frames of a picture are drawn on.
+    frames: Held<Option<Rc<Frames>>>,
 }
 
 impl Reader {
@@ -72,6 +77,7 @@ impl Reader {
             waiting: Held::default(),
             state: Held::default(),
             show: Held::default(),
+            frames: Held::default(),
         }))
     }
 
@@ -82,6 +88,7 @@ impl Reader {
             // It is at something that nobody wants any longer.
             drop(inner.worker.take());
         }
+        drop(inner.frames.take());
         drop(inner.waiting.take());
         if let Some(job) = intake.job().filter(|job| !job.fetches.is_empty()) {
             return self.fetch(job.id, job.fetches.clone());
@@ -143,7 +150,13 @@ impl Reader {
                 let progress = IntakeAction::Progress { job: id, sentence };
                 self.0.send.emit(Action::Intake(progress));
             }
+            Message::Draw { id, shot } => {
+                if self.0.job.get() == Some(id) {
+                    self.draw(id, shot);
+                }
+            }
             Message::Reply { id, reply } => {
+                drop(self.0.frames.take());
                 if self.0.job.get() == Some(id) {
                     self.0.job.set(None);
                     self.replied(id, reply);
@@ -153,7 +166,44 @@ impl Reader {
         }
     }
 
+    /// Draws a frame, and sends its pixels: the browser does other things in between.
+    fn draw(&self, id: u64, shot: Shot) {
+        let reader = self.clone();
+        spawn_local(async move {
+            let drawn = async {
+                if let Some(ground) = &shot.ground {
+                    let frames = Rc::new(Frames::begin(shot.size, ground).await?);
+                    if reader.0.job.get() == Some(id) {
+                        reader.0.frames.set(Some(frames));
+                    }
+                }
+                let frames = reader.0.frames.get().ok_or("no paper")?;
+                frames.pixels(&shot).await
+            };
+            let drawn: Result<Vec<u8>, JsValue> = drawn.await;
+            if reader.0.job.get() != Some(id) {
+                return;
+            }
+            match (drawn, reader.0.worker.get()) {
+                (Ok(pixels), Some(worker)) => {
+                    let task = Task::Pixels(pixels);
+                    // Memory is all that could run out.
+                    worker.post(&borsh::to_vec(&Ask { id, task }).unwrap_or_default());
+                }
+                _ => reader.broken("The browser could not draw a frame.".to_owned()),
+            }
+        });
+    }
+
     fn replied(&self, job: u64, reply: Reply) {
+        if let Reply::Drawn(name, bytes) = &reply {
+            let kind = if name.ends_with(".gif") {
+                "image/gif"
+            } else {
+                "image/svg+xml"
+            };
+            files::save_as(name, Blob::new_with_options(bytes.as_slice(), Some(kind)));
+        }
         let own = matches!(reply, Reply::Own);
         let reply = Rc::new(reply);
         let state = self.0.state.get();
@@ -172,6 +222,7 @@ impl Reader {
     fn broken(&self, sentence: String) {
         drop(self.0.worker.take());
         drop(self.0.waiting.take());
+        drop(self.0.frames.take());
         if let Some(job) = self.0.job.take() {
             let crash = IntakeAction::Crash { job, sentence };
             self.0.send.emit(Action::Intake(crash));

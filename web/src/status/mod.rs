@@ -3,6 +3,7 @@
 mod live;
 mod planners;
 
+use giveway_page::intake::Job;
 use giveway_page::{Action, ChangeAction, Phase, SolveAction, State, ask, words};
 use yew::prelude::*;
 
@@ -110,7 +111,13 @@ fn objective_words(costs: &[&'static str]) -> String {
 /// scene.
 fn solve_button(state: &Shown, send: &Callback<Action>) -> Html {
     let phase = state.phase();
+    let is_drawing = state.intake.job().is_some_and(Job::is_picture);
     let (class, title, action) = match phase {
+        _ if is_drawing => (
+            "primary",
+            "Cancel (Escape)",
+            Action::Solve(SolveAction::Cancel),
+        ),
         // What is found already is the next step, and the rest may come.
         Phase::Asking if ask::offers_next_step(state) => (
             "outline",
@@ -167,6 +174,7 @@ fn solve_button(state: &Shown, send: &Callback<Action>) -> Html {
         ),
     };
     let word = match phase {
+        _ if is_drawing => "Cancel",
         Phase::Solving | Phase::Asking | Phase::Checking | Phase::Counting | Phase::Adapting => {
             "Cancel"
         }

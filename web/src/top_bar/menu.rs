@@ -1,10 +1,11 @@
 //! The menus of the top bar: what opens them, and what stands in them.
 
-use giveway_page::{Action, FileAction, files};
+use giveway_page::intake::protocol::PictureKind;
+use giveway_page::{Action, FileAction, IntakeAction, Save, files};
 use yew::prelude::*;
 
 use crate::dialog::Panel;
-use crate::{Shown, copy, icon};
+use crate::{Shown, copy, icon, theme};
 
 /// A button that opens and closes a menu.
 pub(super) fn toggle(
@@ -47,6 +48,14 @@ pub(super) fn save_items(state: &Shown, send: &Callback<Action>, show: &Callback
     let freedom = press(|state, _| save_if(files::freedom_file(state)));
     let svg = press(|state, send| crate::files::save_picture(state, false, send));
     let png = press(|state, send| crate::files::save_picture(state, true, send));
+    let moving = |kind: PictureKind| {
+        let (state, send, show) = (state.clone(), send.clone(), show.clone());
+        Callback::from(move |_: MouseEvent| {
+            show.emit(Panel::Nothing);
+            let save = Save::Picture(kind, theme::drawn(state.view.theme));
+            send.emit(Action::Intake(IntakeAction::Save(save)));
+        })
+    };
     let other = show.reform(|_: MouseEvent| Panel::SaveAs);
     let others = if state.audit().is_some() {
         "Report, other formats"
@@ -63,6 +72,10 @@ pub(super) fn save_items(state: &Shown, send: &Callback<Action>, show: &Callback
             { item("save", others, other) }
             { item("save", "Save picture (SVG)", svg) }
             { item("save", "Save picture (PNG)", png) }
+            if state.can_be_drawn() {
+                { item("save", "Save moving picture (SVG)", moving(PictureKind::Svg)) }
+                { item("save", "Save moving picture (GIF)", moving(PictureKind::Gif)) }
+            }
         </>
     }
 }

@@ -8,6 +8,7 @@ mod convert;
 mod explain;
 mod freedom;
 mod manual;
+mod picture;
 mod proof;
 mod solve;
 mod sweep;
@@ -34,6 +35,7 @@ pub(crate) fn run(args: &Args, clock: Clock) -> Result<Exit, Failure> {
         Command::Explain(explain) => explain::run(explain, &args.common, clock),
         Command::Freedom(freedom) => freedom::run(freedom, &args.common, clock),
         Command::Convert(convert) => convert::run(convert, &args.common),
+        Command::Picture(picture) => picture::run(picture, &args.common, clock),
         Command::Verify(verify) => verify::run(verify, &args.common),
         Command::Sweep(sweep) => sweep::run(sweep, &args.common),
         Command::Table(table) => sweep::table(table),

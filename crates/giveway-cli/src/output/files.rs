@@ -40,15 +40,26 @@ pub(crate) fn write_all(files: &[NewFile]) -> Result<(), Failure> {
     Ok(())
 }
 
+/// Writes one file, of any kind, whole or not at all. Its folder must be there.
+pub(crate) fn write(path: &Path, bytes: &[u8]) -> Result<(), Failure> {
+    let beside = beside(path, bytes).map_err(|error| failure(path, error))?;
+    let kept = beside.persist(path);
+    kept.map_err(|error| failure(path, error.error)).map(drop)
+}
+
 fn write_beside(file: &NewFile) -> io::Result<NamedTempFile> {
-    let folder = file.path.parent().unwrap_or(Path::new("."));
+    beside(&file.path, file.text.as_bytes())
+}
+
+fn beside(path: &Path, bytes: &[u8]) -> io::Result<NamedTempFile> {
+    let folder = path.parent().unwrap_or(Path::new("."));
     let mut builder = Builder::new();
     builder.prefix(".giveway-");
     // Files of this kind are private by default; a result is as open as any new file.
     #[cfg(unix)]
     builder.permissions(std::os::unix::fs::PermissionsExt::from_mode(0o666));
     let mut beside = builder.tempfile_in(folder)?;
-    beside.write_all(file.text.as_bytes())?;
+    beside.write_all(bytes)?;
     beside.flush()?;
     Ok(beside)
 }

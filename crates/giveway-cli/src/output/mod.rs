@@ -6,6 +6,7 @@ mod json;
 mod map;
 mod marks;
 pub(crate) mod plain;
+pub(crate) mod raster;
 pub(crate) mod report;
 pub(crate) mod stream;
 mod table;

@@ -19,6 +19,7 @@ mod explain;
 mod freedom;
 mod harmless_input;
 mod manual;
+mod picture;
 mod planners;
 mod proof;
 mod run;

@@ -2,7 +2,7 @@
 
 use giveway_model::Cell;
 
-use super::outline::{Area, Pen, Region};
+use giveway_picture::{Area, Pen, Region};
 
 /// How far it stays inside of its cells, and the radius of its corners, in units.
 const PEN: Pen = Pen {

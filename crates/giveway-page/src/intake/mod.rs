@@ -4,6 +4,7 @@
 //! The reader is a program of its own, loaded when it is first needed. What it
 //! tells of a job that is over is known by the job's number, as with the solver.
 
+mod film;
 mod known;
 pub mod protocol;
 mod work;
@@ -14,10 +15,12 @@ use giveway_model::format::foreign::Format;
 
 use crate::State;
 use crate::files::{Opened, scene_file};
-use protocol::{Read, ReportKind, Task};
+use protocol::{PictureKind, Read, ReportKind, Task};
 
+pub use film::Reader;
 pub use known::beside;
-pub use work::work;
+#[cfg(test)]
+pub(crate) use work::work;
 
 /// The longest files that the reader takes together, in bytes.
 pub const MAX_BYTES: u64 = 20_000_000;
@@ -77,6 +80,8 @@ pub enum Save {
     As(Format),
     /// A report of the audit, with a link that opens it.
     Report(ReportKind, String),
+    /// The plan that is shown as a picture that moves.
+    Picture(PictureKind, giveway_picture::Theme),
 }
 
 impl Job {
@@ -84,8 +89,18 @@ impl Job {
     pub fn files(&self) -> &[Opened] {
         match &*self.task {
             Task::Read(read) => &read.files,
-            Task::Write { .. } | Task::Pack { .. } | Task::Report { .. } => &[],
+            _ => &[],
         }
+    }
+
+    /// Whether files are read.
+    pub fn is_reading(&self) -> bool {
+        matches!(&*self.task, Task::Read(_))
+    }
+
+    /// Whether it is a picture, which may take longer than any reading.
+    pub fn is_picture(&self) -> bool {
+        matches!(&*self.task, Task::Picture { .. })
     }
 }
 
@@ -115,7 +130,8 @@ impl Intake {
         self.started += 1;
         let sentence = match &task {
             Task::Read(read) => format!("Reading {} …", names(&read.files)),
-            Task::Write { .. } | Task::Pack { .. } | Task::Report { .. } => "Writing …".to_owned(),
+            Task::Picture { .. } => "Drawing the moving picture …".to_owned(),
+            _ => "Writing …".to_owned(),
         };
         self.job = Some(Job {
             id: self.started,

@@ -7,6 +7,8 @@ use borsh::{BorshDeserialize, BorshSerialize};
 use giveway_model::change::Changes;
 use giveway_model::format::foreign::{Conventions, ForeignPlan, Format};
 use giveway_model::{Cost, Plan, Scene};
+use giveway_picture::Look;
+use giveway_picture::gif::Shot;
 use giveway_solve::ExportAnswer;
 
 use crate::files::Opened;
@@ -43,6 +45,21 @@ pub enum Task {
         /// The certificates.
         answer: ExportAnswer,
     },
+    /// Draw a plan that moves.
+    Picture {
+        /// As what.
+        kind: PictureKind,
+        /// How the name of the file begins.
+        stem: String,
+        /// The scene.
+        scene: Scene,
+        /// The plan.
+        plan: Plan,
+        /// How it looks.
+        look: Look,
+    },
+    /// The pixels of what was to be drawn last for a picture, row by row.
+    Pixels(Vec<u8>),
     /// Write a report of an audit.
     Report {
         /// As what.
@@ -69,6 +86,15 @@ pub struct Read {
     pub conventions: Option<Conventions>,
 }
 
+/// What a picture that moves is written as.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, BorshSerialize, BorshDeserialize)]
+pub enum PictureKind {
+    /// One file of shapes, with their motion.
+    Svg,
+    /// Frames of pixels.
+    Gif,
+}
+
 /// What a report is written as.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, BorshSerialize, BorshDeserialize)]
 pub enum ReportKind {
@@ -91,6 +117,13 @@ pub enum Message {
         id: u64,
         /// What it does.
         sentence: String,
+    },
+    /// The page is to draw this, and to send its pixels.
+    Draw {
+        /// Of the [`Ask`].
+        id: u64,
+        /// What.
+        shot: Shot,
     },
     /// What came of it.
     Reply {
@@ -130,6 +163,8 @@ pub enum Reply {
     Written(Vec<(String, String)>, Vec<String>),
     /// One file, to be saved.
     Packed(Vec<u8>),
+    /// A picture to be saved: its name and its bytes.
+    Drawn(String, Vec<u8>),
 }
 
 /// A scene with its plan, and what changed while that ran.

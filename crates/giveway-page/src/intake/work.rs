@@ -23,7 +23,7 @@ use crate::{Notice, State};
 const TOLD: usize = 5;
 
 /// Does a task.
-pub fn work(task: Task) -> Reply {
+pub(crate) fn work(task: Task) -> Reply {
     match task {
         Task::Read(read) => reading(read),
         Task::Write {
@@ -39,6 +39,11 @@ pub fn work(task: Task) -> Reply {
             bounds,
             link,
         } => reporting(kind, &kept, &bounds, &link),
+        // A film is more than one task.
+        Task::Picture { .. } | Task::Pixels(_) => Reply::Refused(
+            "The reader was asked for a picture twice.".to_owned(),
+            Vec::new(),
+        ),
     }
 }
 

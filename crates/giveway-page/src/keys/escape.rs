@@ -2,6 +2,7 @@
 
 use crate::freedom::FreedomAction;
 use crate::inside::InsideAction;
+use crate::intake::Job;
 use crate::steering::Lead;
 use crate::{
     Action, AskAction, BoardAction, ChangeAction, Phase, Selection, SolveAction, State, ViewAction,
@@ -15,10 +16,12 @@ pub(super) fn escape(state: &State) -> Option<Action> {
         Some(Action::Board(BoardAction::Abandon))
     } else if state.closed_cell().is_some() && state.view.selection == Selection::Nothing {
         Some(Action::Freedom(FreedomAction::Open))
-    } else if matches!(
-        state.phase(),
-        Phase::Solving | Phase::Asking | Phase::Checking | Phase::Counting | Phase::Adapting
-    ) {
+    } else if state.intake.job().is_some_and(Job::is_picture)
+        || matches!(
+            state.phase(),
+            Phase::Solving | Phase::Asking | Phase::Checking | Phase::Counting | Phase::Adapting
+        )
+    {
         Some(Action::Solve(SolveAction::Cancel))
     } else if state.view.notice.is_some() {
         Some(Action::View(ViewAction::DismissNotice))

@@ -3,15 +3,21 @@
 use std::collections::BTreeMap;
 use std::rc::Rc;
 
+use giveway_model::Plan;
 use giveway_model::format::foreign::{Conventions, Format};
+use giveway_picture::Look;
 
 use super::{audit, file, stroke};
 use crate::action::IntakeAction;
 use crate::files::Opened;
-use crate::intake::protocol::{Found, Read, Reply, Run, Task};
+use crate::intake::protocol::{Found, PictureKind, Read, Reply, Run, Task};
 use crate::intake::{self, Job, Packed, Save, Written, beside};
 use crate::link::{self, keep_moment};
 use crate::{FileAction, Notice, State, certificate};
+
+/// The longest sides of pictures that move, in pixels: a GIF has many frames.
+const LONGEST_SVG: u32 = 2048;
+const LONGEST_GIF: u32 = 960;
 
 pub(super) fn intake(state: &mut State, action: IntakeAction) {
     match action {
@@ -37,11 +43,14 @@ pub(super) fn intake(state: &mut State, action: IntakeAction) {
         }
         IntakeAction::Crash { job, sentence } => {
             if state.intake.at(job).is_some() {
-                state.intake.end();
+                let job = state.intake.end();
+                let told = if job.is_some_and(|job| job.is_picture()) {
+                    "The moving picture could not be made."
+                } else {
+                    "The reader of other people's files broke off. Your scene is as it was."
+                };
                 state.view.notice = Some(Notice {
-                    sentence:
-                        "The reader of other people's files broke off. Your scene is as it was."
-                            .to_owned(),
+                    sentence: told.to_owned(),
                     details: vec![sentence],
                 });
             }
@@ -90,6 +99,27 @@ fn save(state: &mut State, what: Save) {
             plan: plan_for(state, format),
             scene,
         },
+        Save::Picture(kind, theme) => {
+            let Some(plan) = plan_to_draw(state) else {
+                return;
+            };
+            let longest = match kind {
+                PictureKind::Svg => LONGEST_SVG,
+                PictureKind::Gif => LONGEST_GIF,
+            };
+            let look = Look {
+                theme,
+                colours: state.document.colours,
+                ..Look::fitting(state.document.draft.grid(), longest)
+            };
+            Task::Picture {
+                kind,
+                stem,
+                scene,
+                plan,
+                look,
+            }
+        }
         Save::Report(kind, link) => {
             let run = state.work.solving();
             Task::Report {
@@ -104,12 +134,21 @@ fn save(state: &mut State, what: Save) {
 }
 
 /// The plan that is shown, where the format holds plans.
-fn plan_for(state: &State, format: Format) -> Option<giveway_model::Plan> {
-    let has_plans = format != Format::MovingAi;
-    let answer = state
-        .shown()
-        .filter(|_| has_plans && !state.shows_stale())?;
+fn plan_for(state: &State, format: Format) -> Option<Plan> {
+    plan_to_draw(state).filter(|_| format != Format::MovingAi)
+}
+
+/// The plan that is shown, where it is one for the scene, which does not change.
+fn plan_to_draw(state: &State) -> Option<Plan> {
+    let answer = state.shown().filter(|_| !state.shows_stale())?;
     answer.plan().filter(|_| answer.course.is_none()).cloned()
+}
+
+impl State {
+    /// Whether the plan that is shown can be saved as a picture that moves.
+    pub fn can_be_drawn(&self) -> bool {
+        plan_to_draw(self).is_some()
+    }
 }
 
 /// The reader is done.
@@ -117,7 +156,8 @@ fn replied(state: &mut State, job: Job, reply: Reply) {
     match reply {
         Reply::Found(found) => opened(state, *found),
         Reply::Run(run) => ran(state, *run),
-        Reply::Own => {}
+        // The page itself goes on with these.
+        Reply::Own | Reply::Drawn(..) => {}
         Reply::Missing {
             sentence,
             files,
@@ -145,7 +185,7 @@ fn replied(state: &mut State, job: Job, reply: Reply) {
         Reply::Written(files, losses) => {
             let format = match &*job.task {
                 Task::Write { format, .. } => Some(*format),
-                Task::Read(_) | Task::Pack { .. } | Task::Report { .. } => None,
+                _ => None,
             };
             state.intake.written = Some(Rc::new(Written {
                 format,

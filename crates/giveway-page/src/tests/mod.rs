@@ -5,6 +5,7 @@ mod change;
 mod freedom;
 mod inside;
 mod lesson;
+mod moving;
 mod picture;
 mod planners;
 mod soak;

@@ -5,80 +5,13 @@ use std::collections::BTreeSet;
 use std::rc::Rc;
 
 use giveway_model::{Cell, Grid};
+use giveway_picture::{Area, FloorLook, Layer, Tile, starred as stars_on_chargers};
 
-use super::Detail;
-use super::outline::Area;
-use super::tile::Tile;
 use crate::Draft;
 
 /// The side of a tile, in cells. It is small enough to be drawn anew in every frame
 /// of a stroke, and large enough that a map has few of them.
 pub const TILE: u32 = 16;
-
-/// How the floor is drawn, by the size of a cell on the screen.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub struct FloorLook {
-    /// Whether cells are large enough for more than their colour.
-    pub(super) is_fine: bool,
-    /// How far shapes that are cut reach into the next tile, in units: at least a
-    /// pixel, and less than two.
-    pub(super) overlap: u8,
-}
-
-impl FloorLook {
-    /// The look for cells of this many pixels.
-    pub fn of(cell_px: f64) -> Self {
-        // Powers of two, so that zooming seldom changes it.
-        let reaches = |&overlap: &u8| f64::from(overlap) * cell_px >= super::CELL;
-        let overlaps = [1, 2, 4, 8, 16, 32, 64];
-        Self {
-            is_fine: Detail::of(cell_px) > Detail::Dots,
-            overlap: overlaps.into_iter().find(reaches).unwrap_or(100),
-        }
-    }
-
-    /// Whether lines part the cells.
-    pub const fn has_lines(self) -> bool {
-        self.is_fine
-    }
-}
-
-/// What is drawn of the floor, each over all that stand before it.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
-pub enum Layer {
-    /// The tint of the slow zone.
-    SlowTint,
-    /// Its hatch.
-    Slow,
-    /// The line around it.
-    SlowEdge,
-    /// Shelves of obstacles.
-    Obstacle,
-    /// The lines around them.
-    ObstacleEdge,
-    /// The plates of chargers.
-    Charger,
-    /// The bolts on them.
-    Bolt,
-}
-
-impl Layer {
-    /// How many there are.
-    pub(super) const COUNT: usize = 7;
-
-    /// Its class in the style sheet.
-    pub const fn class(self) -> &'static str {
-        match self {
-            Self::SlowTint => "slow-t",
-            Self::Slow => "slow",
-            Self::SlowEdge => "slow-edge",
-            Self::Obstacle => "obst",
-            Self::ObstacleEdge => "obst-edge",
-            Self::Charger => "chg",
-            Self::Bolt => "bolt",
-        }
-    }
-}
 
 /// The floor of a map.
 #[derive(Clone, Debug)]
@@ -194,17 +127,7 @@ fn is_same(old: &Grid, new: &Grid, area: Area) -> bool {
 
 /// The chargers that a waypoint lies on.
 fn starred(draft: &Draft) -> BTreeSet<Cell> {
-    let waypoints = draft.agents().iter().flat_map(|agent| &agent.waypoints);
-    let on_charger = waypoints.filter(|&&cell| draft.grid().is_charger(cell));
-    on_charger.copied().collect()
-}
-
-/// The `d` of the lines between cells.
-pub fn lines(width: u32, height: u32) -> String {
-    let (right, bottom) = (100 * width, 100 * height);
-    let across = (1..width).map(|x| format!("M{} 0V{bottom}", 100 * x));
-    let down = (1..height).map(|y| format!("M0 {}H{right}", 100 * y));
-    across.chain(down).collect()
+    stars_on_chargers(draft.grid(), draft.agents())
 }
 
 #[cfg(test)]

@@ -37,6 +37,8 @@ pub enum Badge {
     Stale,
     /// Files are being read.
     Reading,
+    /// A file is being written or drawn.
+    Saving,
     /// A plan of elsewhere that keeps every rule.
     Legal,
     /// A plan of elsewhere that breaks a rule.
@@ -69,6 +71,7 @@ impl Badge {
             Self::Stale => "Stale",
             Self::Shared => "Shared",
             Self::Reading => "Reading",
+            Self::Saving => "Saving",
             Self::Legal => "Legal",
             Self::Illegal => "Not legal",
         }
@@ -82,9 +85,12 @@ impl Badge {
             Self::Compared(_) => "compare",
             Self::Steering => "steer",
             Self::Adopted | Self::Legal | Self::Found => "check",
-            Self::Solving | Self::Adapting | Self::Counting | Self::Stopped | Self::Reading => {
-                "clock"
-            }
+            Self::Solving
+            | Self::Adapting
+            | Self::Counting
+            | Self::Stopped
+            | Self::Reading
+            | Self::Saving => "clock",
             Self::Asking => "question",
             Self::Checking => "search",
             Self::Proved => "proved",
@@ -105,6 +111,7 @@ impl Badge {
             | Self::Adapting
             | Self::Compared(_)
             | Self::Reading
+            | Self::Saving
             | Self::Steering => "info",
             Self::Proved => "proved",
             Self::Legal => "fine",

@@ -52,7 +52,12 @@ impl Standing {
 pub fn standing(state: &State) -> Standing {
     let say = Standing::new;
     if let Some(job) = state.intake.job() {
-        return say(Badge::Reading, job.sentence.clone());
+        let badge = if job.is_reading() {
+            Badge::Reading
+        } else {
+            Badge::Saving
+        };
+        return say(badge, job.sentence.clone());
     }
     if let Mode::Auditing(audit) = &state.document.mode
         && !state.has_gesture()

@@ -7,7 +7,7 @@ use std::rc::Rc;
 use giveway_model::{Agent, Cell, Ground, Scene};
 
 use super::*;
-use crate::board::outline::{Pen, Region};
+use giveway_picture::{Pen, Region, lines};
 use path::{crossings, is_inside, points};
 
 const FINE: f64 = 60.0;

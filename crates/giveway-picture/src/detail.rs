@@ -17,7 +17,7 @@ impl Detail {
     /// The level for cells of this many pixels.
     ///
     /// ```
-    /// use giveway_page::board::Detail;
+    /// use giveway_picture::Detail;
     /// assert_eq!(Detail::of(48.0), Detail::All);
     /// assert_eq!(Detail::of(47.9), Detail::Plain);
     /// ```

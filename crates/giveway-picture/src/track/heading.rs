@@ -3,7 +3,7 @@
 use giveway_model::Cell;
 
 use super::Track;
-use crate::board::whole;
+use crate::whole;
 
 /// The part of a step in which an agent turns to its next move, at its end: at
 /// a whole time it already looks where it goes next.
@@ -56,7 +56,7 @@ mod tests {
     use giveway_model::AtGoal;
 
     use super::*;
-    use crate::board::track::tests::track;
+    use crate::track::tests::track;
 
     #[test]
     fn it_turns_to_its_next_move_before_it_begins() {

@@ -1,6 +1,8 @@
 //! The colours that a person gives to agents, in the place of those that come by
 //! their order.
 
+use borsh::{BorshDeserialize, BorshSerialize};
+
 use crate::form::LOOKS;
 
 /// What the colours are called, in the order of the looks that they come with.
@@ -23,13 +25,13 @@ pub const COLOURS: [&str; LOOKS] = [
 /// format knows no colours; so agents that look alike keep one colour.
 ///
 /// ```
-/// use giveway_page::Colours;
+/// use giveway_picture::Colours;
 /// let mut colours = Colours::default();
 /// assert_eq!((colours.of(2), colours.of(14)), (2, 2));
 /// colours.set(2, 7);
 /// assert_eq!((colours.of(2), colours.of(3)), (7, 3));
 /// ```
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, BorshSerialize, BorshDeserialize)]
 pub struct Colours([u8; LOOKS]);
 
 impl Default for Colours {
@@ -52,12 +54,12 @@ impl Colours {
     }
 
     /// All of them as one number a look, in their order.
-    pub(crate) fn numbers(self) -> [u32; LOOKS] {
+    pub fn numbers(self) -> [u32; LOOKS] {
         self.0.map(u32::from)
     }
 
     /// What [`Colours::numbers`] gave; a colour that does not exist is left out.
-    pub(crate) fn from_numbers(numbers: [u32; LOOKS]) -> Self {
+    pub fn from_numbers(numbers: [u32; LOOKS]) -> Self {
         let mut colours = Self::default();
         for (look, colour) in numbers.into_iter().enumerate() {
             colours.set(look, colour as usize);

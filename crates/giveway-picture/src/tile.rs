@@ -6,17 +6,17 @@ use std::rc::Rc;
 
 use giveway_model::{Cell, Grid, Ground};
 
-use super::floor::{FloorLook, Layer};
-use super::outline::{Area, Pen, Region};
+use crate::floor::{FloorLook, Layer};
+use crate::outline::{Area, Pen, Region};
 
 /// The `d` of the path of each layer.
 #[derive(Clone, Debug, PartialEq, Eq)]
-pub(super) struct Tile([Rc<str>; Layer::COUNT]);
+pub struct Tile([Rc<str>; Layer::COUNT]);
 
 impl Tile {
     /// The floor of an area; the bolts of chargers make way where a star lies on
     /// them.
-    pub(super) fn new(grid: &Grid, starred: &BTreeSet<Cell>, area: Area, look: FloorLook) -> Self {
+    pub fn new(grid: &Grid, starred: &BTreeSet<Cell>, area: Area, look: FloorLook) -> Self {
         let region = |is_part: fn(Ground) -> bool| {
             Region::new(area, |cell| grid.ground(cell).is_some_and(is_part))
         };
@@ -65,7 +65,7 @@ impl Tile {
     }
 
     /// The `d` of the path of a layer; empty where there is nothing to draw.
-    pub(super) const fn shape(&self, layer: Layer) -> &Rc<str> {
+    pub const fn shape(&self, layer: Layer) -> &Rc<str> {
         &self.0[layer as usize]
     }
 }

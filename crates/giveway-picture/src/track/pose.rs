@@ -4,8 +4,7 @@
 use giveway_model::Cell;
 
 use super::Track;
-use crate::board::whole;
-use crate::{Point, position};
+use crate::{Point, position, whole};
 
 /// An agent at a time that need not be whole.
 #[derive(Clone, Copy, Debug, PartialEq)]

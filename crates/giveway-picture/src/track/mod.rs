@@ -9,7 +9,7 @@ use giveway_model::{AtGoal, Cell};
 
 pub use pose::{Badge, Charge, Pose};
 
-use super::whole;
+use crate::whole;
 use heading::headings;
 
 /// What an agent does from time 0 on.
@@ -74,7 +74,7 @@ impl Track {
     /// The same of an agent that turns in place: where it looks at each time, in
     /// degrees from the right, clockwise.
     #[must_use]
-    pub(crate) fn turning(mut self, headings: Vec<f64>) -> Self {
+    pub fn turning(mut self, headings: Vec<f64>) -> Self {
         self.headings = headings;
         self
     }

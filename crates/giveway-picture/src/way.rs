@@ -7,8 +7,7 @@ use std::fmt::Write;
 
 use giveway_model::Cell;
 
-use super::{CELL, Track};
-use crate::Point;
+use crate::{CELL, Point, Track};
 
 /// From dot to dot, in units.
 const DOT: f64 = 15.5;

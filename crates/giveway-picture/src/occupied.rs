@@ -4,8 +4,7 @@ use std::collections::BTreeSet;
 
 use giveway_model::Cell;
 
-use super::{Cast, whole};
-use crate::Point;
+use crate::{Point, Track, whole};
 
 /// How near to the middle of a cell an agent hides what is there, in cells.
 const REACH: f64 = 0.75;
@@ -18,9 +17,9 @@ pub struct Occupied {
 
 impl Occupied {
     /// Takes in where the agents are at a time.
-    pub fn see(&mut self, cast: &Cast, time: f64) {
+    pub fn see(&mut self, tracks: &[Track], time: f64) {
         self.cells.clear();
-        for track in &cast.tracks {
+        for track in tracks {
             if let Some(pose) = track.pose(time).filter(|pose| !pose.is_gone) {
                 self.add(pose.at);
             }

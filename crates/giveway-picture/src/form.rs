@@ -61,7 +61,7 @@ pub struct Form {
 /// The form of an agent, by its index in the scene.
 ///
 /// ```
-/// use giveway_page::form;
+/// use giveway_picture::form;
 /// assert_eq!(form::of(0).rim, None);
 /// assert!(form::of(6).rim.is_some());
 /// assert_eq!(form::of(0), form::of(12));
@@ -90,7 +90,7 @@ pub fn class(agent: usize) -> &'static str {
 /// small ones: of a longer name the first letter and the number, or what fits.
 ///
 /// ```
-/// use giveway_page::form::short_name;
+/// use giveway_picture::form::short_name;
 /// assert_eq!(short_name("A1"), "A1");
 /// assert_eq!(short_name("A12"), "A12");
 /// assert_eq!(short_name("robot 7"), "r7");

@@ -18,34 +18,35 @@ use walk::{At, Cells};
 
 /// How an outline is drawn.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(super) struct Pen {
+pub struct Pen {
     /// How far it stays inside of the cells, in units.
-    pub(super) inset: i64,
+    pub inset: i64,
     /// The radius of its corners, in units; 0 draws them sharp.
-    pub(super) radius: i64,
+    pub radius: i64,
     /// How far a shape that is cut reaches over the border of its tile, in units;
     /// at most the side of a cell.
-    pub(super) overlap: i64,
+    pub overlap: i64,
 }
 
 /// A part of the map.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(super) struct Area {
+pub struct Area {
     /// The first column and row.
-    pub(super) first: Cell,
+    pub first: Cell,
     /// Columns and rows.
-    pub(super) size: (u32, u32),
+    pub size: (u32, u32),
 }
 
 impl Area {
     /// Its cells, row by row.
-    pub(super) fn cells(self) -> impl Iterator<Item = Cell> {
+    pub fn cells(self) -> impl Iterator<Item = Cell> {
         let Cell { x, y } = self.first;
         let (width, height) = self.size;
         (y..y + height).flat_map(move |y| (x..x + width).map(move |x| Cell::new(x, y)))
     }
 
-    pub(super) fn contains(self, cell: Cell) -> bool {
+    /// Whether a cell is one of them.
+    pub fn contains(self, cell: Cell) -> bool {
         let is_in = |at: u32, first: u32, size: u32| at >= first && at - first < size;
         is_in(cell.x, self.first.x, self.size.0) && is_in(cell.y, self.first.y, self.size.1)
     }
@@ -53,14 +54,14 @@ impl Area {
 
 /// A set of cells in an area and one cell around it: that much tells where a
 /// shape goes on.
-pub(super) struct Region {
+pub struct Region {
     area: Area,
     cells: Cells,
 }
 
 impl Region {
     /// The cells of an area that are in a set.
-    pub(super) fn new(area: Area, contains: impl Fn(Cell) -> bool) -> Self {
+    pub fn new(area: Area, contains: impl Fn(Cell) -> bool) -> Self {
         let mut cells = Cells {
             width: area.size.0 as usize + 2,
             height: area.size.1 as usize + 2,

@@ -4,8 +4,9 @@ use std::fmt::Write;
 
 use giveway_model::{Agent, Cell};
 
-use super::Track;
 use giveway_model::sorting::sort_by_key;
+
+use crate::Track;
 
 /// A goal or a waypoint.
 #[derive(Clone, Debug, PartialEq)]

@@ -9,7 +9,7 @@ use super::{Pen, Region};
 impl Region {
     /// The `d` of a path along the outline of the set, as far as it goes along cells
     /// of the area.
-    pub(in crate::board) fn edge(&self, pen: Pen) -> String {
+    pub fn edge(&self, pen: Pen) -> String {
         let mut path = String::new();
         let cells = &self.cells;
         let inside = || {

@@ -8,7 +8,7 @@ impl Region {
     /// The `d` of a path that fills the set. Cells that share a side are one shape;
     /// those that meet in a corner only stay apart. A hole runs the other way round,
     /// so that it is not filled.
-    pub(in crate::board) fn fill(&self, pen: Pen) -> String {
+    pub fn fill(&self, pen: Pen) -> String {
         let mut path = String::new();
         if !self.cells.has.contains(&true) {
             return path;

@@ -1,0 +1,379 @@
+//! The agents: form, name, battery, where they look, what they do.
+
+use super::ground::push;
+use super::keys::{Key, changes};
+use super::label::Label;
+use super::motion::When;
+use super::stage::Stage;
+use crate::letters::Anchor;
+use crate::xml::{Escaped, Number};
+use crate::{Badge, CELL, Charge, Detail, Ink, Pose, Track, form};
+
+/// The circumference of a battery's ring, in units.
+const RING: f64 = 226.2;
+const BOLT: &str = "M2.5-10-7 2.5h6l-2 9L8-3.5H1.5Z";
+const PAUSE: &str = "M-4-6V6M4-6V6";
+
+impl Stage {
+    /// The capsules of slow moves, and the agents above them.
+    pub(super) fn agents(&self, when: &mut When<'_>) -> String {
+        let mut svg = String::new();
+        for (agent, track) in self.tracks.iter().enumerate() {
+            if self.detail >= Detail::Forms {
+                self.capsule(agent, track, when, &mut svg);
+            }
+        }
+        for (agent, track) in self.tracks.iter().enumerate() {
+            if let Some(pose) = track.pose(when.time()) {
+                self.agent(agent, track, &pose, when, &mut svg);
+            }
+        }
+        svg
+    }
+
+    fn agent(
+        &self,
+        agent: usize,
+        track: &Track,
+        pose: &Pose,
+        when: &mut When<'_>,
+        svg: &mut String,
+    ) {
+        if pose.is_gone && !when.moves() {
+            return;
+        }
+        let there = when.at_once(|| gone(track, self.steps), |gone| opacity(!gone));
+        let moves = when.evenly(|| places(track), |[x, y]| shift(x, y));
+        let (x, y) = middle(pose);
+        if !there.is_empty() {
+            push(svg, format_args!("<g{there}{}>", hidden(!pose.is_gone)));
+        }
+        push(
+            svg,
+            format_args!(
+                "<g{moves} transform=\"translate({} {})\">",
+                Number(x),
+                Number(y)
+            ),
+        );
+        let (fill, on) = self.robot(agent);
+        match self.detail {
+            Detail::Dots => push(svg, format_args!("<circle r=\"38\" fill=\"{fill}\"/>")),
+            Detail::Forms => {
+                svg.push_str("<g transform=\"scale(1.35)\">");
+                shape(agent, fill, on, svg);
+                svg.push_str("</g>");
+            }
+            Detail::Plain | Detail::All => {
+                self.fine(agent, track, pose, when, svg);
+            }
+        }
+        svg.push_str("</g>");
+        if !there.is_empty() {
+            svg.push_str("</g>");
+        }
+    }
+
+    /// An agent that is large enough for all of it.
+    fn fine(
+        &self,
+        agent: usize,
+        track: &Track,
+        pose: &Pose,
+        when: &mut When<'_>,
+        svg: &mut String,
+    ) {
+        let (fill, on) = self.robot(agent);
+        let inks = &self.inks;
+        let (floor, edge) = (inks.floor, inks.edge);
+        push(
+            svg,
+            format_args!("<circle r=\"41\" fill=\"{floor}\" fill-opacity=\"0.96\"/>"),
+        );
+        if let Some(heading) = pose.heading {
+            let turns = when.evenly(
+                || turns(track, self.steps),
+                |[to]| format!("transform:rotate({}deg)", Number(to)),
+            );
+            push(
+                svg,
+                format_args!(
+                    "<path{turns} transform=\"rotate({})\" d=\"M38-9.5 49 0 38 9.5Z\" fill=\"{fill}\" stroke=\"{fill}\" stroke-width=\"4\" stroke-linejoin=\"round\"/>",
+                    Number(heading)
+                ),
+            );
+        }
+        if let Some(charge) = pose.charge {
+            let offset = |share: f64| RING * (1.0 - share);
+            let tones = when.at_once(
+                || tones(track, self.steps),
+                |tone| format!("stroke:{}", self.tone(tone)),
+            );
+            let level = when.evenly(
+                || loads(track, self.steps),
+                |[share]| format!("stroke-dashoffset:{}", Number(offset(share))),
+            );
+            let tone = self.tone(charge.class());
+            push(
+                svg,
+                format_args!(
+                    "<circle r=\"36\" fill=\"none\" stroke=\"{edge}\" stroke-width=\"6\"/>\
+                     <g{tones} stroke=\"{tone}\"><circle{level} r=\"36\" transform=\"rotate(-90)\" fill=\"none\" stroke-width=\"6\" stroke-dasharray=\"{RING}\" stroke-dashoffset=\"{}\"/></g>",
+                    Number(offset(charge.share))
+                ),
+            );
+        }
+        let scale = if pose.charge.is_some() { 1.0 } else { 1.2 };
+        push(svg, format_args!("<g transform=\"scale({scale})\">"));
+        let own = &self.instance.agents()[agent];
+        push(svg, format_args!("<title>{}</title>", Escaped(&own.name)));
+        shape(agent, fill, on, svg);
+        let short = form::short_name(&own.name);
+        let is_long = form::is_long(&short);
+        let (y, size) = if is_long { (6.5, 18.0) } else { (8.6, 24.0) };
+        let label = Label {
+            word: &short,
+            at: (0.0, y),
+            size,
+            anchor: Anchor::Middle,
+            ink: on,
+            is_strong: true,
+            halo: None,
+            class: "",
+        };
+        label.draw(self.look.letters, svg);
+        svg.push_str("</g>");
+        self.badge(Badge::Charges, track, pose, when, svg);
+        self.badge(Badge::Waits, track, pose, when, svg);
+    }
+
+    fn badge(
+        &self,
+        badge: Badge,
+        track: &Track,
+        pose: &Pose,
+        when: &mut When<'_>,
+        svg: &mut String,
+    ) {
+        let shown = |pose: &Pose| pose.badge == Some(badge);
+        let blinks = when.at_once(
+            || each_step(track, self.steps, 0.0, shown),
+            |shown| opacity(*shown),
+        );
+        let is_shown = shown(pose);
+        if !is_shown && blinks.is_empty() {
+            return;
+        }
+        let inks = &self.inks;
+        let (circle, sign) = match badge {
+            Badge::Charges => (inks.charge, format!("d=\"{BOLT}\" fill=\"{}\"", inks.bolt)),
+            Badge::Waits => (
+                inks.wait,
+                format!(
+                    "d=\"{PAUSE}\" fill=\"none\" stroke=\"{}\" stroke-width=\"4.5\" stroke-linecap=\"round\"",
+                    inks.floor
+                ),
+            ),
+        };
+        let floor = inks.floor;
+        push(
+            svg,
+            format_args!(
+                "<g{blinks}{} transform=\"translate(29 29)\"><circle r=\"17\" fill=\"{circle}\" stroke=\"{floor}\" stroke-width=\"4\"/><path {sign}/></g>",
+                hidden(is_shown)
+            ),
+        );
+    }
+
+    /// The capsule over both cells of a slow move.
+    fn capsule(&self, agent: usize, track: &Track, when: &mut When<'_>, svg: &mut String) {
+        let over = |pose: &Pose| {
+            let (from, to) = pose.transit?;
+            let middle = |one: u32, other: u32| {
+                let sum = f64::from(one.cast_signed()) + f64::from(other.cast_signed());
+                (sum / 2.0 + 0.5) * CELL
+            };
+            let turn = if from.x == to.x { 90 } else { 0 };
+            Some((middle(from.x, to.x), middle(from.y, to.y), turn))
+        };
+        let style = |over: &Option<(f64, f64, i32)>| match over {
+            None => "opacity:0".to_owned(),
+            Some((x, y, turn)) => {
+                format!("opacity:1;{} rotate({turn}deg)", shift(*x, *y))
+            }
+        };
+        let class = when.at_once(|| each_step(track, self.steps, 0.5, over), style);
+        let now = track.pose(when.time()).filter(|pose| !pose.is_gone);
+        let now = now.and_then(|pose| over(&pose));
+        if now.is_none() && class.is_empty() {
+            return;
+        }
+        let (x, y, turn) = now.unwrap_or_default();
+        let (ink, _) = self.robot(agent);
+        push(
+            svg,
+            format_args!(
+                "<rect{class}{} transform=\"translate({} {}) rotate({turn})\" x=\"-92\" y=\"-42\" width=\"184\" height=\"84\" rx=\"42\" fill=\"none\" stroke=\"{ink}\" stroke-width=\"4\" stroke-dasharray=\"12 9\" stroke-linecap=\"round\"/>",
+                hidden(now.is_some()),
+                Number(x),
+                Number(y)
+            ),
+        );
+    }
+
+    fn tone(&self, class: &str) -> Ink {
+        match class {
+            "low" => self.inks.danger,
+            "mid" => self.inks.warn,
+            _ => self.inks.ok,
+        }
+    }
+}
+
+/// The form, with its rim.
+fn shape(agent: usize, fill: Ink, on: Ink, svg: &mut String) {
+    let form = form::of(agent);
+    let body = form.body;
+    if form.is_padded {
+        push(
+            svg,
+            format_args!(
+                "<path d=\"{body}\" fill=\"{fill}\" stroke=\"{fill}\" stroke-width=\"6.5\" stroke-linejoin=\"round\"/>"
+            ),
+        );
+    } else {
+        push(svg, format_args!("<path d=\"{body}\" fill=\"{fill}\"/>"));
+    }
+    if let Some(rim) = form.rim {
+        push(
+            svg,
+            format_args!(
+                "<path d=\"{rim}\" fill=\"none\" stroke=\"{on}\" stroke-width=\"2.2\" stroke-linejoin=\"round\"/>"
+            ),
+        );
+    }
+}
+
+fn middle(pose: &Pose) -> (f64, f64) {
+    ((pose.at.x + 0.5) * CELL, (pose.at.y + 0.5) * CELL)
+}
+
+fn shift(x: f64, y: f64) -> String {
+    format!("transform:translate({}px,{}px)", Number(x), Number(y))
+}
+
+fn opacity(is_shown: bool) -> String {
+    format!("opacity:{}", u8::from(is_shown))
+}
+
+const fn hidden(is_shown: bool) -> &'static str {
+    if is_shown { "" } else { " opacity=\"0\"" }
+}
+
+/// Where an agent is at each time that it is on a cell.
+fn places(track: &Track) -> Vec<Key<2>> {
+    let stops = (0..track.path().len()).filter(|&time| track.path()[time].is_some());
+    let key = |time: usize| {
+        let pose = track.pose(time as f64)?;
+        let (x, y) = middle(&pose);
+        Some((time as f64, [x, y]))
+    };
+    stops.filter_map(key).collect()
+}
+
+/// Where an agent looks: it turns at the end of a step.
+fn turns(track: &Track, steps: u32) -> Vec<Key<1>> {
+    let mut keys: Vec<Key<1>> = Vec::new();
+    for step in 0..=steps {
+        for part in [0.0, 0.7] {
+            let time = f64::from(step) + part;
+            let heading = track.pose(time).and_then(|pose| pose.heading);
+            let Some(mut heading) = heading else { continue };
+            if let Some((_, [before])) = keys.last() {
+                // The shorter way round.
+                heading = before + (heading - before + 540.0).rem_euclid(360.0) - 180.0;
+            }
+            keys.push((time, [heading]));
+        }
+    }
+    keys
+}
+
+/// How full the battery is at each time.
+fn loads(track: &Track, steps: u32) -> Vec<Key<1>> {
+    let share = |time: u32| Some(track.pose(f64::from(time))?.charge?.share);
+    let key = |time: u32| Some((f64::from(time), [share(time)?]));
+    (0..=steps).filter_map(key).collect()
+}
+
+/// When its ring has which colour.
+fn tones(track: &Track, steps: u32) -> Vec<(f64, &'static str)> {
+    let tone = |pose: &Pose| pose.charge.map_or("ok", Charge::class);
+    // It changes within a step, while a level goes down.
+    let times = (0..=10 * steps).map(|tenth| f64::from(tenth) / 10.0);
+    let tones = times.filter_map(|time| Some((time, tone(&track.pose(time)?))));
+    changes(tones)
+}
+
+/// What is so in each step; it is looked at after a part of the step.
+fn each_step<T: PartialEq>(
+    track: &Track,
+    steps: u32,
+    part: f64,
+    what: impl Fn(&Pose) -> T,
+) -> Vec<(f64, T)> {
+    let times = (0..=steps).map(f64::from);
+    let values = times.filter_map(|time| Some((time, what(&track.pose(time + part)?))));
+    changes(values)
+}
+
+/// When an agent is not there.
+fn gone(track: &Track, steps: u32) -> Vec<(f64, bool)> {
+    let times = (0..=2 * steps + 2).map(|half| f64::from(half) / 2.0);
+    let values = times.filter_map(|time| Some((time, track.pose(time)?.is_gone)));
+    changes(values)
+}
+
+#[cfg(test)]
+mod tests {
+    use giveway_model::{AtGoal, Cell};
+
+    use super::*;
+
+    fn track(row: &str) -> Track {
+        let cell = |c: char| c.to_digit(10).map(|x| Cell::new(x, 0));
+        Track::new(
+            row.chars().map(cell).collect(),
+            Vec::new(),
+            None,
+            AtGoal::Vanish,
+        )
+    }
+
+    #[test]
+    fn a_slow_move_has_no_key_in_the_middle() {
+        let times: Vec<f64> = places(&track("01-2")).iter().map(|key| key.0).collect();
+        assert_eq!(times, [0.0, 1.0, 3.0]);
+    }
+
+    #[test]
+    fn one_that_vanishes_is_seen_at_its_goal() {
+        assert_eq!(gone(&track("01"), 3), [(0.0, false), (1.5, true)]);
+        let late = track("01").between(2, None);
+        assert_eq!(gone(&late, 3), [(0.0, true), (2.0, false), (3.5, true)]);
+    }
+
+    #[test]
+    fn it_turns_the_shorter_way() {
+        let path = [(1, 1), (0, 1), (0, 0), (1, 0)].map(|cell| Some(Cell::from(cell)));
+        let track = Track::new(path.to_vec(), Vec::new(), None, AtGoal::Stay);
+        let headings: Vec<f64> = turns(&track, 3).iter().map(|(_, [to])| *to).collect();
+        // Left, up, right.
+        assert!((headings[0].abs() - 180.0).abs() < 1e-9);
+        assert!(
+            headings
+                .windows(2)
+                .all(|pair| (pair[1] - pair[0]).abs() <= 90.0 + 1e-9)
+        );
+    }
+}

@@ -1,0 +1,16 @@
+//! What a picture consists of: the sheet, the floor with the ways, robots, goals and
+//! waypoints, the time; and what of it moves.
+
+mod agents;
+mod ground;
+mod keys;
+mod label;
+mod marks;
+mod motion;
+mod sheet;
+mod stage;
+mod time;
+mod words;
+
+pub(crate) use motion::Motion;
+pub(crate) use stage::Stage;

@@ -1,0 +1,93 @@
+//! SVG as pixels, drawn by the browser without being shown.
+
+use giveway_page::Shot;
+use wasm_bindgen::{JsCast as _, JsValue};
+use wasm_bindgen_futures::JsFuture;
+use web_sys::{
+    ContextAttributes2d, HtmlImageElement, OffscreenCanvas, OffscreenCanvasRenderingContext2d,
+};
+
+/// What is drawn on.
+pub(crate) struct Paper {
+    pub(crate) canvas: OffscreenCanvas,
+    context: OffscreenCanvasRenderingContext2d,
+    size: (u32, u32),
+}
+
+impl Paper {
+    /// A sheet of paper, so many pixels wide and high.
+    ///
+    /// # Errors
+    /// What the browser says: it may be too large for it.
+    pub(crate) fn new(size: (u32, u32)) -> Result<Self, JsValue> {
+        let canvas = OffscreenCanvas::new(size.0, size.1)?;
+        let often = ContextAttributes2d::new();
+        // Without this the pixels of each frame would be fetched from the graphics card.
+        often.set_will_read_frequently(true);
+        let context = canvas.get_context_with_context_options("2d", &often)?;
+        Ok(Self {
+            context: context.ok_or("no canvas")?.dyn_into()?,
+            canvas,
+            size,
+        })
+    }
+
+    /// Draws an SVG over what is there.
+    ///
+    /// # Errors
+    /// What the browser says.
+    pub(crate) async fn draw(&self, svg: &str) -> Result<(), JsValue> {
+        let svg = gloo::file::Blob::new_with_options(svg, Some("image/svg+xml"));
+        let url = gloo::file::ObjectUrl::from(svg);
+        let image = HtmlImageElement::new()?;
+        image.set_src(&url);
+        JsFuture::from(image.decode()).await?;
+        let (width, height) = (self.size.0.into(), self.size.1.into());
+        self.context
+            .draw_image_with_html_image_element_and_dw_and_dh(&image, 0.0, 0.0, width, height)
+    }
+
+    /// Draws what another sheet has.
+    fn copy(&self, other: &Self) -> Result<(), JsValue> {
+        self.context
+            .draw_image_with_offscreen_canvas(&other.canvas, 0.0, 0.0)
+    }
+
+    /// Red, green, blue, and how dense, row by row.
+    fn pixels(&self) -> Result<Vec<u8>, JsValue> {
+        let (width, height) = (self.size.0.into(), self.size.1.into());
+        let pixels = self.context.get_image_data(0.0, 0.0, width, height)?;
+        Ok(pixels.data().0)
+    }
+}
+
+/// Paper for frames that have the same ground.
+pub(crate) struct Frames {
+    ground: Paper,
+    frame: Paper,
+}
+
+impl Frames {
+    /// Paper for the frames that begin with this one.
+    ///
+    /// # Errors
+    /// What the browser says.
+    pub(crate) async fn begin(size: (u32, u32), ground: &str) -> Result<Self, JsValue> {
+        let frames = Self {
+            ground: Paper::new(size)?,
+            frame: Paper::new(size)?,
+        };
+        frames.ground.draw(ground).await?;
+        Ok(frames)
+    }
+
+    /// The pixels of a frame.
+    ///
+    /// # Errors
+    /// What the browser says.
+    pub(crate) async fn pixels(&self, shot: &Shot) -> Result<Vec<u8>, JsValue> {
+        self.frame.copy(&self.ground)?;
+        self.frame.draw(&shot.over).await?;
+        self.frame.pixels()
+    }
+}
