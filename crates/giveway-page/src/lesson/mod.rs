@@ -177,6 +177,25 @@ impl State {
         self.lesson.as_deref()
     }
 
+    /// The agent that the text of a lesson names just now, by its index.
+    pub fn named_agent(&self) -> Option<usize> {
+        match &self.lesson()?.lit {
+            Some(Lit::Robot(name)) => {
+                let mut agents = self.document.agents().iter();
+                agents.position(|agent| agent.name == *name)
+            }
+            _ => None,
+        }
+    }
+
+    /// The cell that the text of a lesson names just now.
+    pub fn named_cell(&self) -> Option<Cell> {
+        match self.lesson()?.lit {
+            Some(Lit::Cell(cell)) => Some(self.document.draft.clamp(cell)),
+            _ => None,
+        }
+    }
+
     /// A person's own page: this one, or the one that a lesson put aside.
     pub fn own(&self) -> &Self {
         self.lesson.as_ref().map_or(self, |lesson| &lesson.own)
