@@ -131,22 +131,21 @@ pub(crate) fn fate(state: &State, lesson: &Lesson, action: &Action) -> Fate {
         | Action::Undo
         | Action::Redo
         | Action::Play(_)
-        | Action::View(_) => Fate::Happens,
-        Action::Slot(_) | Action::File(FileAction::Resume(_)) => Fate::Own,
-        Action::File(FileAction::Refuse(_)) => Fate::Happens,
-        Action::File(_) => Fate::Leaves,
-        Action::Intake(action) => match action {
-            IntakeAction::Read(_) | IntakeAction::Reply { .. } => Fate::Leaves,
-            _ => Fate::Happens,
-        },
-        Action::Solve(
+        | Action::View(_)
+        | Action::File(FileAction::Refuse(_))
+        | Action::Solve(
             SolveAction::Cancel
             | SolveAction::Progress { .. }
             | SolveAction::Respond { .. }
             | SolveAction::Crash { .. },
         ) => Fate::Happens,
-        Action::Solve(SolveAction::Begin) => Fate::Dropped,
-        Action::Steer(Lead::Discard) => Fate::Dropped,
+        Action::Slot(_) | Action::File(FileAction::Resume(_)) => Fate::Own,
+        Action::File(_) => Fate::Leaves,
+        Action::Intake(action) => match action {
+            IntakeAction::Read(_) | IntakeAction::Reply { .. } => Fate::Leaves,
+            _ => Fate::Happens,
+        },
+        Action::Solve(SolveAction::Begin) | Action::Steer(Lead::Discard) => Fate::Dropped,
         Action::Steer(_) => match state.selected_agent() {
             Some(agent) if leads(state, lesson, agent) => Fate::Happens,
             _ => Fate::Dropped,
