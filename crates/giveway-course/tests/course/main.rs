@@ -7,6 +7,7 @@
 )]
 
 mod claims;
+mod docs;
 mod files;
 mod learner;
 mod noise;
