@@ -9,6 +9,7 @@
 mod claims;
 mod docs;
 mod files;
+mod judges;
 mod learner;
 mod noise;
 mod reading;
