@@ -89,9 +89,9 @@ fn truth(scene: &Json, what: &Json) -> Why {
 }
 
 #[track_caller]
-fn is_truth(scene: &Json, what: &Json, wanted: Value) {
+fn is_truth(scene: &Json, what: &Json, wanted: &Value) {
     match truth(scene, what) {
-        Why::Guessed { truth, .. } => assert_eq!(truth, wanted),
+        Why::Guessed { truth, .. } => assert_eq!(truth, *wanted),
         other => panic!("{other:?}"),
     }
 }
@@ -102,13 +102,13 @@ fn quantities_are_those_of_every_best_plan() {
     is_truth(
         &lane,
         &json!({ "is": "arrival", "robot": "A1" }),
-        Value::Number(3),
+        &Value::Number(3),
     );
     let place = |time: u32| json!({ "is": "place", "robot": "A1", "time": time });
-    is_truth(&lane, &place(1), Value::Cell(Cell::new(1, 0)));
-    is_truth(&lane, &place(9), Value::Cell(Cell::new(3, 0)));
-    is_truth(&lane, &json!({ "is": "plans" }), Value::Number(1));
-    is_truth(&crossing(), &json!({ "is": "plans" }), Value::Number(2));
+    is_truth(&lane, &place(1), &Value::Cell(Cell::new(1, 0)));
+    is_truth(&lane, &place(9), &Value::Cell(Cell::new(3, 0)));
+    is_truth(&lane, &json!({ "is": "plans" }), &Value::Number(1));
+    is_truth(&crossing(), &json!({ "is": "plans" }), &Value::Number(2));
     // A1 can only wait: A2 comes through its cell's only neighbour.
     let bay = scene(
         &["#.##", "...."],
@@ -117,7 +117,7 @@ fn quantities_are_those_of_every_best_plan() {
     is_truth(
         &bay,
         &json!({ "is": "cost", "cost": "makespan" }),
-        Value::Number(5),
+        &Value::Number(5),
     );
 }
 
@@ -137,7 +137,11 @@ fn the_one_that_waits_is_named() {
     let scene = json!({ "giveway": 1, "map": ["#.##", "....", "#.##"], "objective": ["sum-of-costs"],
         "agents": [{ "name": "A1", "start": [1, 2], "goal": [1, 0] },
                    { "name": "A2", "start": [0, 1], "goal": [3, 1], "battery": { "capacity": 3, "initial": 3 } }] });
-    is_truth(&scene, &json!({ "is": "waits" }), Value::Robot("A1".into()));
+    is_truth(
+        &scene,
+        &json!({ "is": "waits" }),
+        &Value::Robot("A1".into()),
+    );
 }
 
 #[test]
