@@ -361,3 +361,38 @@ fn what_is_no_answer_of_the_task_is_nothing() {
         assert_eq!(judged(&lesson, &start, &did).why, Why::Untouched);
     }
 }
+
+/// "There is no plan" is one thing, "there is none up to a horizon" another.
+#[test]
+fn a_claim_up_to_a_horizon_is_not_impossible() {
+    let task = json!({ "kind": "paint", "until": { "is": "impossible" } });
+    let lane = scene(
+        &["....", "#.##"],
+        &[("A1", [0, 0], [3, 0]), ("A2", [3, 0], [0, 0])],
+    );
+    let lesson = lesson(&lane, &json!({ "tools": ["obstacle"] }), &task);
+    let mut scene = lesson.steps[0].scene.clone().unwrap();
+    set(1, 1, "#")(&mut scene);
+    let situation = Situation {
+        step: &lesson.steps[0],
+        start: lesson.steps[0].scene.as_ref().unwrap(),
+        scene: &scene,
+    };
+    let Some(Judging::Ask(requests)) = begin(situation, &Did::Edits) else {
+        panic!("nothing is asked");
+    };
+    let mut response = serve(&requests[0], &SilentHost);
+    let solved = |response: &giveway_solve::Response| {
+        let responses = std::slice::from_ref(response);
+        conclude(situation, &Did::Edits, responses)
+            .unwrap()
+            .is_solved()
+    };
+    assert!(solved(&response));
+    let giveway_solve::Response::Solved(answer) = &mut response else {
+        panic!("{response:?}");
+    };
+    answer.complete = false;
+    answer.within = Some(20);
+    assert!(!solved(&response));
+}
