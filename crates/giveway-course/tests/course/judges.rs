@@ -396,3 +396,38 @@ fn a_claim_up_to_a_horizon_is_not_impossible() {
     answer.within = Some(20);
     assert!(!solved(&response));
 }
+
+/// To stand at its flag at a time in every best plan is not to arrive then.
+#[test]
+fn an_arrival_is_sure_where_the_step_before_is() {
+    use giveway_solve::freedom::Known;
+    let lane = scene(&["....", "#.##"], &[("A1", [0, 0], [3, 0])]);
+    let what = json!({ "is": "arrival", "robot": "A1" });
+    let lesson = lesson(
+        &lane,
+        &json!({}),
+        &json!({ "kind": "predict", "what": what }),
+    );
+    let start = lesson.steps[0].scene.as_ref().unwrap();
+    let situation = Situation {
+        step: &lesson.steps[0],
+        start,
+        scene: start,
+    };
+    let guess = Did::Guessed(Value::Number(3));
+    let Some(Judging::Ask(requests)) = begin(situation, &guess) else {
+        panic!("nothing is asked");
+    };
+    let mut response = serve(&requests[0], &SilentHost);
+    let judged = |response: &giveway_solve::Response| {
+        conclude(situation, &guess, std::slice::from_ref(response)).unwrap()
+    };
+    assert!(judged(&response).is_solved());
+    let giveway_solve::Response::Freedom(answer) = &mut response else {
+        panic!("{response:?}");
+    };
+    let visits = answer.backbone.as_mut().unwrap().get_mut("A1").unwrap();
+    let before = visits.len() - 2;
+    visits[before].always = Known::No;
+    assert_eq!(judged(&response).why, Why::Differs);
+}
