@@ -3,6 +3,7 @@
 
 use super::{Kind, Opened, Reading, read_here, scenario, text};
 use crate::{Notice, State, intake};
+use giveway_model::tr;
 
 /// Reads files that the page reads by itself; a scenario that lacks its map takes that
 /// of the board, where it fits. `None` where the files are for the reader.
@@ -31,10 +32,10 @@ pub fn read_beside(state: &State, files: &[Opened]) -> Option<Result<Reading, No
         return read_here(files);
     }
     let grid = state.document.draft.grid().clone();
-    let size = format!(
-        "the map on the board is {} x {}",
-        grid.width(),
-        grid.height()
+    let size = tr!(
+        "the map on the board is {width} x {height}",
+        width = grid.width(),
+        height = grid.height()
     );
     let read = scenario::on(grid, (file, content)).map_err(|unfit| {
         // What is wrong with the file itself is told as such.
