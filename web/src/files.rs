@@ -1,8 +1,8 @@
 //! Files from a person's disk and from beside the page, and files to save.
 
-use giveway_model::tr;
 use std::rc::Rc;
 
+use giveway_model::tr;
 use giveway_page::files::{Opened, Reading, Saved, picture_name, read_beside, too_large};
 use giveway_page::{Action, FileAction, IntakeAction, Notice, State};
 use gloo::file::{Blob, File, ObjectUrl, futures::read_as_bytes};
@@ -55,7 +55,7 @@ async fn fetch_text(address: &str) -> Result<String, String> {
 /// # Errors
 /// Why it did not arrive, as a sentence.
 pub(crate) async fn fetch_language(tag: &str) -> Result<String, String> {
-    fetch_text(&tr!("{LANGUAGES}/{tag}.po", LANGUAGES, tag)).await
+    fetch_text(&format!("{LANGUAGES}/{tag}.po")).await
 }
 
 /// Those of the page's maps and scenarios that are there.

@@ -4,9 +4,9 @@
 //! A program of its own, loaded when such a file is opened or saved first: most people
 //! never need it, and neither page nor solver grows by the readers of all formats.
 
-use giveway_model::tr;
 use std::cell::Cell;
 
+use giveway_model::tr;
 use giveway_page::intake::Reader;
 use giveway_page::intake::protocol::{Ask, Message, Task};
 use js_sys::Uint8Array;

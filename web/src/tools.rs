@@ -68,7 +68,7 @@ pub fn Tools(props: &ToolsProps) -> Html {
         let title = if is_live {
             format!("{} ({})", tool.name(), tool.key())
         } else {
-            format!("{}: this step does without it", tool.name())
+            tr!("{tool}: this step does without it", tool = tool.name())
         };
         html! {
             <>

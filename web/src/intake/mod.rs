@@ -188,7 +188,7 @@ impl Reader {
                         reader.0.frames.set(Some(frames));
                     }
                 }
-                let frames = reader.0.frames.get().ok_or(tr!("no paper"))?;
+                let frames = reader.0.frames.get().ok_or("no paper")?;
                 frames.pixels(&shot).await
             };
             let drawn: Result<Vec<u8>, JsValue> = drawn.await;

@@ -1,12 +1,11 @@
 //! The plan on the board, asked how good it is: it is audited like one of elsewhere.
 
 use giveway_model::words::Later;
-use giveway_model::{tr, tr_later};
 use std::collections::BTreeMap;
 use std::rc::Rc;
 
-use giveway_model::Plan;
 use giveway_model::format::foreign::{Claimed, Conventions, Fit, ForeignPlan, Format};
+use giveway_model::{Plan, tr, tr_later};
 use giveway_solve::Status;
 
 use super::{Audit, Dropped};

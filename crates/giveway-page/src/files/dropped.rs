@@ -1,9 +1,10 @@
 //! Files that are opened by the page itself, some of which need what is on the board: a
 //! scenario alone is used with its map.
 
+use giveway_model::tr;
+
 use super::{Kind, Opened, Reading, read_here, scenario, text};
 use crate::{Notice, State, intake};
-use giveway_model::tr;
 
 /// Reads files that the page reads by itself; a scenario that lacks its map takes that
 /// of the board, where it fits. `None` where the files are for the reader.

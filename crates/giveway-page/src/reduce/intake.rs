@@ -1,11 +1,10 @@
 //! Other people's files come in: what the reader tells, heard in one place.
 
-use giveway_model::tr;
 use std::collections::BTreeMap;
 use std::rc::Rc;
 
-use giveway_model::Plan;
 use giveway_model::format::foreign::{Conventions, Format};
+use giveway_model::{Plan, tr};
 use giveway_picture::Look;
 
 use super::{audit, file, stroke};
