@@ -7,7 +7,8 @@
 //    large its Wasm is.
 // 4. The policy loses the nonce, which only `trunk serve` needs.
 // 5. The page's head gets the address where it is published, if that is set in Cargo.toml.
-// 6. The service worker gets the list of files.
+// 6. The catalogues of languages lose what only translators read.
+// 7. The service worker gets the list of files.
 //
 // While `trunk serve` runs, none of it is done, so that nothing old is ever shown.
 
@@ -27,7 +28,9 @@ const PROGRAMS = [
   ["reader-worker.js", "reader.js", "reader_bg.wasm"],
 ];
 /** What is fetched when a file asks for it, and not kept beforehand. */
-const ON_DEMAND = /^static\/maps\//;
+const ON_DEMAND = /^static\/(maps|languages)\//;
+/** What only translators read in a catalogue. */
+const REMARKS = /^(#.*)?\n/gm;
 const STYLES = /<link rel="stylesheet" href="\.\/([^"]+)"[^>]*>\s*/g;
 
 const source = process.env.TRUNK_SOURCE_DIR;
@@ -39,6 +42,7 @@ if (!source || !built) {
 const isServed = readFileSync(join(built, PAGE), "utf8").includes("__TRUNK_ADDRESS__");
 if (!isServed) {
   finishPage();
+  shortenLanguages();
   writeServiceWorker();
 }
 
@@ -124,6 +128,14 @@ function joinStyles(text) {
     isFirst = false;
     return link;
   });
+}
+
+function shortenLanguages() {
+  const folder = join(built, "static/languages");
+  for (const name of readdirSync(folder).filter((name) => name.endsWith(".po"))) {
+    const path = join(folder, name);
+    writeFileSync(path, readFileSync(path, "utf8").replaceAll(REMARKS, ""));
+  }
 }
 
 function replace(text, pairs) {

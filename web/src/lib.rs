@@ -22,6 +22,7 @@ mod inspector;
 mod intake;
 mod keep;
 mod keys;
+mod language;
 mod lesson;
 mod notice;
 mod opening;

@@ -4,6 +4,7 @@
 
 mod program;
 
+use giveway_model::tr;
 use std::rc::Rc;
 
 use giveway_course::port::ToPage;
@@ -107,7 +108,7 @@ impl Course {
     fn missing(&self, why: String) {
         self.0.stage.set(Stage::Absent);
         self.0.send.emit(Action::File(FileAction::Refuse(Notice {
-            sentence: "The course could not be loaded. Try again when the network is back."
+            sentence: tr!("The course could not be loaded. Try again when the network is back.")
                 .to_owned(),
             details: vec![why],
         })));

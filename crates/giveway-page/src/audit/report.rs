@@ -3,7 +3,7 @@
 
 use std::fmt::Write as _;
 
-use giveway_model::words::count;
+use giveway_model::tr;
 use serde_json::{Map, Value, json};
 
 use super::Told;
@@ -20,7 +20,11 @@ pub(crate) fn write(kind: ReportKind, told: &Told, link: &str) -> (String, Strin
 }
 
 fn title(told: &Told) -> String {
-    format!("{} on {}", told.facts.file, told.scene)
+    tr!(
+        "{file} on {scene}",
+        file = told.facts.file,
+        scene = told.scene
+    )
 }
 
 fn verdict(told: &Told) -> String {
@@ -34,7 +38,7 @@ fn verdict(told: &Told) -> String {
 /// The rows of both kinds of text: title, what, why.
 fn facts(told: &Told) -> Vec<[String; 3]> {
     let facts = &told.facts;
-    let mut rows = vec![["Plan".to_owned(), facts.extent.clone(), String::new()]];
+    let mut rows = vec![[tr!("Plan").to_owned(), facts.extent.clone(), String::new()]];
     for fact in &facts.facts {
         rows.push([fact.title.clone(), fact.what.clone(), fact.why.clone()]);
     }
@@ -139,7 +143,7 @@ fn markdown(told: &Told, link: &str) -> String {
         let _ = writeln!(text, "| {} |", row.join(" | "));
     }
     if !told.facts.costs.is_empty() {
-        text += "\n| cost | this plan | at least |\n|---|---|---|\n";
+        text += tr!("\n| cost | this plan | at least |\n|---|---|---|\n");
         for row in &told.facts.costs {
             let least = row
                 .least
@@ -148,7 +152,11 @@ fn markdown(told: &Told, link: &str) -> String {
         }
     }
     if !told.violations.is_empty() {
-        let _ = writeln!(text, "\n{}:\n", count(told.violations.len(), "broken rule"));
+        let _ = writeln!(
+            text,
+            "\n{}:\n",
+            tr!("{n} broken rule" | "{n} broken rules" % told.violations.len())
+        );
         for (time, message) in broken(told) {
             let _ = writeln!(text, "- Time {time}: {}", plain(message));
         }

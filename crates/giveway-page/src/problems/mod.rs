@@ -8,7 +8,7 @@ mod tests;
 
 use std::collections::BTreeMap;
 
-use giveway_model::{Agent, AtGoal, Cell, Fault, Grid, Scene};
+use giveway_model::{Agent, AtGoal, Cell, Fault, Grid, Scene, tr};
 
 use crate::words::at;
 pub(crate) use parts::Parts;
@@ -39,17 +39,31 @@ pub(crate) fn problems(scene: &Scene, grid: &Grid, faults: &[Fault]) -> Vec<Prob
     for (index, agent) in scene.agents.iter().enumerate() {
         let name = &agent.name;
         if let Some(other) = names.insert(name, index) {
-            told.say(agent.start, other, format!("Two robots are called {name}."));
+            told.say(
+                agent.start,
+                other,
+                tr!("Two robots are called {name}.", name),
+            );
         }
         if let Some(other) = starts.insert(agent.start, name) {
-            let both = format!("{other} and {name} both start at {}.", at(agent.start));
+            let both = tr!(
+                "{other} and {name} both start at {cell}.",
+                other,
+                name,
+                cell = at(agent.start)
+            );
             told.say(agent.start, index, both);
         }
         if let Some(other) = goals.insert(agent.goal, name)
             && scene.rules.at_goal == AtGoal::Stay
         {
             let goal = at(agent.goal);
-            let both = format!("{other} and {name} both end at {goal}, where only one can stay.");
+            let both = tr!(
+                "{other} and {name} both end at {goal}, where only one can stay.",
+                other,
+                name,
+                goal
+            );
             told.say(agent.goal, index, both);
         }
         if told.grounds(index, agent, grid) && told.ways(index, agent, &parts) {
@@ -83,13 +97,19 @@ impl Told {
         let before = self.0.len();
         for (cell, what) in cells(agent) {
             let is = if grid.ground(cell).is_none() {
-                "off the map"
+                tr!("a cell" => "off the map")
             } else if grid.is_vertex(cell) {
                 continue;
             } else {
-                "on an obstacle"
+                tr!("a cell" => "on an obstacle")
             };
-            let sentence = format!("The {what} of {} is {is}, at {}.", agent.name, at(cell));
+            let sentence = tr!(
+                "The {what} of {agent} is {is}, at {cell}.",
+                what,
+                agent = agent.name,
+                is,
+                cell = at(cell)
+            );
             self.say(cell, index, sentence);
         }
         self.0.len() == before
@@ -108,14 +128,21 @@ impl Told {
         // The smaller part is the one that was closed off.
         if parts.size(agent.start) <= parts.size(first) {
             let (here, there) = (at(agent.start), at(first));
-            let sentence =
-                format!("{name} is walled in at {here}: no way leads to its {what} {there}.");
+            let sentence = tr!(
+                "{name} is walled in at {here}: no way leads to its {what} {there}.",
+                name,
+                here,
+                what,
+                there
+            );
             self.say(agent.start, index, sentence);
         } else {
             for (cell, what) in apart {
-                let sentence = format!(
-                    "{name} cannot reach its {what} {}: every way is closed.",
-                    at(cell)
+                let sentence = tr!(
+                    "{name} cannot reach its {what} {cell}: every way is closed.",
+                    name,
+                    what,
+                    cell = at(cell)
                 );
                 self.say(cell, index, sentence);
             }
@@ -128,10 +155,18 @@ impl Told {
         for (cell, what) in cells(agent).skip(1) {
             let place = at(cell);
             let sentence = if !reach.arrives(cell) {
-                format!("The battery of {name} does not last to its {what} {place}.")
+                tr!(
+                    "The battery of {name} does not last to its {what} {place}.",
+                    name,
+                    what,
+                    place
+                )
             } else if !reach.goes_on(cell) {
-                format!(
-                    "The battery of {name} lasts to its {what} {place}, but not on to its goal."
+                tr!(
+                    "The battery of {name} lasts to its {what} {place}, but not on to its goal.",
+                    name,
+                    what,
+                    place
                 )
             } else {
                 continue;
@@ -143,8 +178,9 @@ impl Told {
 
 /// Start, goal, waypoints, each with its name.
 fn cells(agent: &Agent) -> impl Iterator<Item = (Cell, &'static str)> + '_ {
-    let waypoints = agent.waypoints.iter().map(|&cell| (cell, "waypoint"));
-    [(agent.start, "start"), (agent.goal, "goal")]
-        .into_iter()
-        .chain(waypoints)
+    let waypoint = tr!("of a robot" => "waypoint");
+    let waypoints = agent.waypoints.iter().map(move |&cell| (cell, waypoint));
+    let start = (agent.start, tr!("of a robot" => "start"));
+    let goal = (agent.goal, tr!("of a robot" => "goal"));
+    [start, goal].into_iter().chain(waypoints)
 }
