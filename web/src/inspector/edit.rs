@@ -183,7 +183,7 @@ pub(super) fn problems(
     }
     let one = |problem: &&Problem| {
         let text =
-            html! { <>{ icon::show("warning") }<span>{ problem.sentence.clone() }</span></> };
+            html! { <>{ icon::show("warning") }<span>{ problem.sentence() }</span></> };
         match problem.cell {
             Some(cell) => {
                 let show = send.reform(move |_: MouseEvent| {

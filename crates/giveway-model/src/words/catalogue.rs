@@ -20,6 +20,8 @@ pub type PluralRule = Box<dyn Fn(u64) -> usize>;
 /// speak(Some(german.kept()));
 /// assert_eq!(tr!("Undo"), "Rückgängig");
 /// assert_eq!(tr!("Redo"), "Redo", "what is missing is said in English");
+/// speak(None);
+/// assert_eq!(tr!("Undo"), "Undo");
 /// # Ok::<(), giveway_model::words::NoCatalogue>(())
 /// ```
 pub struct Catalogue {

@@ -59,23 +59,25 @@ fn escaped(text: &str) -> String {
 fn html(told: &Told, link: &str) -> String {
     let title = escaped(&title(told));
     let mut text = format!(
-        "<!doctype html>\n<html lang=\"en\">\n<meta charset=\"utf-8\">\n\
+        "<!doctype html>\n<html lang=\"{}\">\n<meta charset=\"utf-8\">\n\
          <meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n\
          <title>{title}</title>\n<style>\n\
          :root {{ color-scheme: light dark }}\n\
          body {{ max-width: 44rem; margin: 2rem auto; padding: 0 1rem; font: 16px/1.5 system-ui, sans-serif }}\n\
          th, td {{ padding: 0.3rem 1rem 0.3rem 0; text-align: left; vertical-align: top }}\n\
          </style>\n<h1>{title}</h1>\n<p><strong>{}</strong> {}</p>\n",
+        tr!("the tag of the language" => "en"),
         escaped(&verdict(told)),
         escaped(&told.facts.verdict.sentence),
     );
     // Writing to a string cannot fail.
     let _ = writeln!(
         text,
-        "<p><a href=\"{}\">Open it in Giveway</a></p>",
-        escaped(link)
+        "<p><a href=\"{}\">{}</a></p>",
+        escaped(link),
+        tr!("Open it in Giveway")
     );
-    text += "<h2>How it was read</h2>\n<table>\n";
+    let _ = writeln!(text, "<h2>{}</h2>\n<table>", tr!("How it was read"));
     for [title, what, why] in facts(told) {
         let _ = writeln!(
             text,
@@ -87,7 +89,13 @@ fn html(told: &Told, link: &str) -> String {
     }
     text += "</table>\n";
     if !told.facts.costs.is_empty() {
-        text += "<h2>Costs</h2>\n<table>\n<tr><td></td><th scope=\"col\">This plan</th><th scope=\"col\">At least</th></tr>\n";
+        let _ = writeln!(
+            text,
+            "<h2>{}</h2>\n<table>\n<tr><td></td><th scope=\"col\">{}</th><th scope=\"col\">{}</th></tr>",
+            tr!("Costs"),
+            tr!("This plan"),
+            tr!("At least")
+        );
         for row in &told.facts.costs {
             let least = row
                 .least
@@ -102,9 +110,10 @@ fn html(told: &Told, link: &str) -> String {
         text += "</table>\n";
     }
     if !told.violations.is_empty() {
-        text += "<h2>What goes wrong</h2>\n<ul>\n";
+        let _ = writeln!(text, "<h2>{}</h2>\n<ul>", tr!("What goes wrong"));
         for (time, message) in broken(told) {
-            let _ = writeln!(text, "<li>Time {time}: {}</li>", escaped(message));
+            let told = tr!("Time {time}: {message}", time, message = escaped(message));
+            let _ = writeln!(text, "<li>{told}</li>");
         }
         text += "</ul>\n";
     }
@@ -131,10 +140,11 @@ fn plain(text: &str) -> String {
 
 fn markdown(told: &Told, link: &str) -> String {
     let mut text = format!(
-        "# {}\n\n**{}** {}\n\n[Open it in Giveway](<{link}>)\n\n",
+        "# {}\n\n**{}** {}\n\n[{}](<{link}>)\n\n",
         plain(&title(told)),
         plain(&verdict(told)),
-        plain(&told.facts.verdict.sentence)
+        plain(&told.facts.verdict.sentence),
+        tr!("Open it in Giveway")
     );
     text += "| | | |\n|---|---|---|\n";
     for row in facts(told) {
@@ -143,7 +153,13 @@ fn markdown(told: &Told, link: &str) -> String {
         let _ = writeln!(text, "| {} |", row.join(" | "));
     }
     if !told.facts.costs.is_empty() {
-        text += tr!("\n| cost | this plan | at least |\n|---|---|---|\n");
+        let _ = writeln!(
+            text,
+            "\n| {} | {} | {} |\n|---|---|---|",
+            tr!("a column of a report" => "cost"),
+            tr!("a column of a report" => "this plan"),
+            tr!("a column of a report" => "at least")
+        );
         for row in &told.facts.costs {
             let least = row
                 .least
@@ -158,7 +174,8 @@ fn markdown(told: &Told, link: &str) -> String {
             tr!("{n} broken rule" | "{n} broken rules" % told.violations.len())
         );
         for (time, message) in broken(told) {
-            let _ = writeln!(text, "- Time {time}: {}", plain(message));
+            let told = tr!("Time {time}: {message}", time, message = plain(message));
+            let _ = writeln!(text, "- {told}");
         }
     }
     for note in &told.facts.notes {

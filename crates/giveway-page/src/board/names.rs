@@ -110,7 +110,8 @@ impl CellNames {
         }
         for problem in problems {
             if let Some(cell) = problem.cell {
-                let sentence = problem.sentence.trim_end_matches('.');
+                let sentence = problem.sentence();
+                let sentence = sentence.trim_end_matches('.');
                 names.add(cell, tr!("problem: {sentence}", sentence));
             }
         }

@@ -71,7 +71,7 @@ pub(in crate::reduce) fn start(state: &mut State, how: Start) {
         let problems = draft.problems().iter();
         state.view.notice = Some(Notice {
             sentence: tr!("The scene cannot be solved as it is.").to_owned(),
-            details: problems.map(|problem| problem.sentence.clone()).collect(),
+            details: problems.map(|problem| problem.sentence()).collect(),
         });
         return;
     }

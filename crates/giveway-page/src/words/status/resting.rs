@@ -20,7 +20,7 @@ pub(super) fn resting(state: &State) -> Standing {
     {
         let fault = tr!(
             "This cannot be solved: {problem}",
-            problem = problem.sentence
+            problem = problem.sentence()
         );
         return say(Badge::Faulty, fault);
     }
