@@ -182,8 +182,7 @@ pub(super) fn problems(
         return Html::default();
     }
     let one = |problem: &&Problem| {
-        let text =
-            html! { <>{ icon::show("warning") }<span>{ problem.sentence() }</span></> };
+        let text = html! { <>{ icon::show("warning") }<span>{ problem.sentence() }</span></> };
         match problem.cell {
             Some(cell) => {
                 let show = send.reform(move |_: MouseEvent| {
