@@ -31,6 +31,8 @@ pub enum Action {
     Page(FromPage),
     /// A value is said.
     Guess(Value),
+    /// No value is said: the answer is wanted.
+    Reveal,
     /// An answer is picked, by its index.
     Choose(usize),
     /// The robots are put in an order, by their names.

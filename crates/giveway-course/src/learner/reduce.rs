@@ -38,6 +38,7 @@ impl Learner {
             Action::Go(step) => self.go(Some(step), None, effects),
             Action::Page(message) => self.heard(message, effects),
             Action::Guess(value) => self.did(Did::Guessed(value), effects),
+            Action::Reveal => self.did(Did::Revealed, effects),
             Action::Choose(answer) => self.did(Did::Chose(answer), effects),
             Action::Order(order) => self.did(Did::Ordered(order), effects),
             Action::NoOrder => self.did(Did::NoOrder, effects),
