@@ -72,6 +72,9 @@ describe("what older browsers lack", () => {
     await playground.act("Save");
     await playground.press("Save picture (PNG)");
     await playground.warns(/could not make the picture/);
+    await playground.act("Save");
+    await playground.press("Save moving picture (GIF)");
+    await playground.warns(/moving picture could not be made/);
   }, {
     screens,
     before: (context) => context.addInitScript(() => {

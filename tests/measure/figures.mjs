@@ -7,6 +7,7 @@ import { eventually } from "../e2e/wait.mjs";
 import { revising } from "./change.mjs";
 import { atOnce, crowd, painting } from "./crowd.mjs";
 import { SOLVED, figure, inPage, middle, smoothness } from "./figure.mjs";
+import { mustBeSo } from "./freedom.mjs";
 import { network } from "./network.mjs";
 import { Tab } from "./process.mjs";
 import { frames, solveUntil } from "./watch.mjs";
@@ -17,7 +18,7 @@ const TIMES = 5;
 const SOLVING = 8;
 
 /** The figures by what they are about: functions of the page's address. */
-export const FIGURES = { opening, network, playing, crowd, atOnce, painting, solving, bound, proof, revising, memory };
+export const FIGURES = { opening, network, playing, crowd, atOnce, painting, solving, bound, proof, mustBeSo, revising, memory };
 
 async function opening(url) {
   const paints = [];

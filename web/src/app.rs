@@ -2,6 +2,7 @@
 
 use std::rc::Rc;
 
+use giveway_course::lesson::Layer;
 use giveway_page::inside::Method;
 use giveway_page::{Action, Draft, FileAction, Phase, Tab, Tool};
 use yew::prelude::*;
@@ -11,6 +12,7 @@ use crate::drop::Drop;
 use crate::intake::use_intake;
 use crate::keep::{self, use_keep};
 use crate::keys::use_keys;
+use crate::lesson::use_course;
 use crate::paste::use_paste;
 use crate::solver::use_solver;
 use crate::status::StatusBar;
@@ -64,6 +66,7 @@ pub fn App() -> Html {
     }
     use_solver(&state, &send);
     use_intake(&state, &send, &show);
+    let course = use_course(&state, &send);
     use_keep(&state, &send);
     use_theme(state.view.theme);
     use_colours(state.document.colours);
@@ -84,23 +87,31 @@ pub fn App() -> Html {
     let is_answering = state.document.mode.asking().is_some();
     // For the places that show nothing of a stroke on its way.
     let settled = state.settled();
+    let has_dock = state
+        .lesson()
+        .is_none_or(|lesson| !lesson.hides_plan() && state.playing().is_some());
     let in_proof = state.is_inside() && state.inside.method == Method::Proof;
     html! {
         <ContextProvider<Clock> context={(*clock).clone()}>
-            <div class={classes!("app", phase_class(&state), is_answering.then_some("answering"), state.is_inside().then_some("inside"), in_proof.then_some("in-proof"))} data-tab={tab(state.view.tab)}>
-                <TopBar state={settled.clone()} panel={panel.clone()} send={send.clone()}
-                    show={show.clone()} />
+            <div class={classes!("app", phase_class(&state), is_answering.then_some("answering"), state.is_inside().then_some("inside"), in_proof.then_some("in-proof"), lesson_class(&state))} data-tab={tab(state.view.tab)}>
+                <TopBar state={settled.clone()} panel={panel.clone()} course={course.clone()}
+                    send={send.clone()} show={show.clone()} />
                 <StatusBar state={settled.clone()} panel={panel.clone()} send={send.clone()}
                     show={show.clone()} />
                 <main class="middle">
                     <div class="stage">
-                        <Tools tool={state.view.tool} send={send.clone()} />
+                        <Tools tool={state.view.tool} live={tools(&state)} send={send.clone()} />
                         <Board state={state.clone()} send={send.clone()} />
                     </div>
                     { compare::show(&settled, &send) }
                 </main>
-                <Inspector state={state.clone()} send={send.clone()} />
-                <Dock state={settled} send={send.clone()} />
+                if state.lesson().is_none() {
+                    <Inspector state={state.clone()} send={send.clone()} />
+                }
+                { course.place() }
+                if has_dock {
+                    <Dock state={settled} send={send.clone()} />
+                }
                 { notice::show(state.view.notice.as_ref(), &send) }
                 <Drop state={state.clone()} send={send.clone()} show={show.clone()} />
                 if state.view.find.is_some() {
@@ -151,6 +162,24 @@ fn phase_class(state: &Shown) -> &'static str {
         Phase::None => "st-none",
         Phase::Stopped => "st-stopped",
     }
+}
+
+/// The tools that may be used; all, but for those that a step of a lesson does without.
+fn tools(state: &Shown) -> Vec<Tool> {
+    let all = Tool::ALL.into_iter();
+    let lesson = state.lesson();
+    all.filter(|&tool| lesson.is_none_or(|lesson| lesson.allows(tool)))
+        .collect()
+}
+
+/// A lesson in the style sheets: it may do without the lanes.
+fn lesson_class(state: &Shown) -> Option<&'static str> {
+    let lesson = state.lesson()?;
+    Some(if lesson.shows(Layer::Lanes) {
+        "in-lesson"
+    } else {
+        "in-lesson no-lanes"
+    })
 }
 
 /// What a phone shows below the board, in the style sheets.

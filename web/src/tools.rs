@@ -11,6 +11,9 @@ use crate::icon;
 pub struct ToolsProps {
     /// The tool.
     pub tool: Tool,
+    /// Those that may be used.
+    #[prop_or_else(|| Tool::ALL.to_vec())]
+    pub live: Vec<Tool>,
     /// Takes actions.
     pub send: Callback<Action>,
 }
@@ -60,6 +63,12 @@ pub fn Tools(props: &ToolsProps) -> Html {
         let onclick = props
             .send
             .reform(move |_| Action::Board(BoardAction::PickTool(tool)));
+        let is_live = props.live.contains(&tool);
+        let title = if is_live {
+            format!("{} ({})", tool.name(), tool.key())
+        } else {
+            format!("{}: this step does without it", tool.name())
+        };
         html! {
             <>
                 if matches!(tool, Tool::Obstacle | Tool::Agent) {
@@ -68,7 +77,7 @@ pub fn Tools(props: &ToolsProps) -> Html {
                 <button class="tool" ref={buttons[index].clone()} {onclick}
                     aria-pressed={(tool == props.tool).to_string()}
                     aria-label={tool.name()} aria-keyshortcuts={tool.key().to_string()}
-                    title={format!("{} ({})", tool.name(), tool.key())}
+                    aria-disabled={(!is_live).then_some("true")} {title}
                     tabindex={if index == reached { "0" } else { "-1" }}>
                     { icon::show(tool.icon()) }
                 </button>

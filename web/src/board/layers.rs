@@ -53,6 +53,7 @@ pub(super) fn layers(
     let frame = sight.get();
     let detail = frame.detail();
     let selected = state.selected_agent();
+    let named = state.named_agent();
     let world = place.world(state);
     let board = (world.grid().width(), world.grid().height());
     // What must be so takes the place of the ways of the plan that it is laid over.
@@ -67,7 +68,7 @@ pub(super) fn layers(
             } else if state.view.layers.trails && !is_proof {
                 <Ways cast={Rc::clone(cast)} {selected} ahead={ahead(state)} />
             }
-            <Agents cast={Rc::clone(cast)} versus={versus.cloned()} {detail} {selected} lit={lit.clone()} sight={Rc::clone(sight)} />
+            <Agents cast={Rc::clone(cast)} versus={versus.cloned()} {detail} {selected} lit={lit.clone()} {named} sight={Rc::clone(sight)} />
             <Marks cast={Rc::clone(cast)} {detail} {lit} />
             if detail == Detail::All {
                 <Axis {frame} {board} />

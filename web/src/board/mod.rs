@@ -20,6 +20,7 @@ mod inside;
 mod keys;
 mod layers;
 mod legend;
+mod lesson;
 mod marks;
 mod minimap;
 mod motion;
@@ -135,6 +136,7 @@ pub fn Board(props: &BoardProps) -> Html {
                 <ReasonMarks {reasons} />
                 <InsideMarks overlay={overlay.clone()} cell_px={frame.cell_px} columns={board.0} />
                 { problems(state) }
+                { lesson::marks(state) }
                 { ghost::show(state) }
                 <g aria-hidden="true">
                     if let Selection::Cell(cell) = state.view.selection {

@@ -196,14 +196,6 @@ impl Reader {
     }
 
     fn replied(&self, job: u64, reply: Reply) {
-        if let Reply::Drawn(name, bytes) = &reply {
-            let kind = if name.ends_with(".gif") {
-                "image/gif"
-            } else {
-                "image/svg+xml"
-            };
-            files::save_as(name, Blob::new_with_options(bytes.as_slice(), Some(kind)));
-        }
         let own = matches!(reply, Reply::Own);
         let reply = Rc::new(reply);
         let state = self.0.state.get();

@@ -22,7 +22,7 @@ use yew::prelude::*;
 use crate::Shown;
 use crate::held::Held;
 pub(crate) use program::{Name, Program};
-pub(crate) use worker::{Event, Hired};
+pub(crate) use worker::{Event, Hired, written};
 
 /// Runs what [`Work`] says, and sends what the solver tells.
 #[hook]

@@ -137,7 +137,7 @@ fn begin(address: &str) -> Result<Worker, JsValue> {
 }
 
 /// What the page's HTML says under a name; a build puts the names of files there.
-pub(super) fn written(name: &str) -> Result<String, String> {
+pub(crate) fn written(name: &str) -> Result<String, String> {
     let selector = format!("meta[name='{name}']");
     let element = gloo::utils::document().query_selector(&selector);
     let value = element

@@ -4,6 +4,7 @@ mod live;
 mod planners;
 
 use giveway_page::intake::Job;
+use giveway_page::lesson::Lesson;
 use giveway_page::{Action, ChangeAction, Phase, SolveAction, State, ask, words};
 use yew::prelude::*;
 
@@ -45,10 +46,13 @@ pub(crate) fn StatusBar(props: &StatusBarProps) -> Html {
             Panel::Settings
         }
     });
+    // A plan that is to be guessed is not told.
+    let hides_plan = state.lesson().is_some_and(Lesson::hides_plan);
     let costs = words::objective(&state.document.draft.scene().objective);
     html! {
         <section class="status" aria-label="Status">
-            { sentence(state) }
+            if !hides_plan { { sentence(state) } }
+            if state.lesson().is_none() {
             <div class="solve" ref={around}>
                 <button class="obj" title="Objective, rules and limits"
                     aria-label={format!("Settings: {}", objective_words(&costs))}
@@ -62,6 +66,7 @@ pub(crate) fn StatusBar(props: &StatusBarProps) -> Html {
                     { settings::show(state, send, &close) }
                 }
             </div>
+            }
         </section>
     }
 }

@@ -9,6 +9,7 @@ use web_sys::{Event, HtmlInputElement};
 use yew::prelude::*;
 
 use crate::dialog::{Panel, use_dismiss};
+use crate::lesson::Course;
 use crate::theme::system_is_dark;
 use crate::{Shown, icon, keep, paste};
 use menu::{copy_item, item, save_items, toggle};
@@ -20,6 +21,8 @@ pub(crate) struct TopBarProps {
     pub(crate) state: Shown,
     /// What is open.
     pub(crate) panel: Panel,
+    /// Opens the course.
+    pub(crate) course: Course,
     /// Takes actions.
     pub(crate) send: Callback<Action>,
     /// Opens and closes.
@@ -32,6 +35,7 @@ pub(crate) fn TopBar(props: &TopBarProps) -> Html {
     let TopBarProps {
         state,
         panel,
+        course,
         send,
         show,
     } = props;
@@ -76,6 +80,13 @@ pub(crate) fn TopBar(props: &TopBarProps) -> Html {
         name => name,
     };
     let agents = words::count(scene.agents.len(), "robot");
+    let learn = {
+        let course = course.clone();
+        show.reform(move |_: MouseEvent| {
+            course.open("");
+            Panel::Nothing
+        })
+    };
     let examples = show.reform(|_: MouseEvent| Panel::Examples);
     let fresh = show.reform(|_: MouseEvent| Panel::New);
     let scenes = show.reform(|_: MouseEvent| Panel::Scenes);
@@ -111,6 +122,9 @@ pub(crate) fn TopBar(props: &TopBarProps) -> Html {
             </h1>
             <span class="grow"></span>
             <div class="acts" ref={acts}>
+                <button class="btn ghost wide" title="Course" onclick={learn.clone()}>
+                    { icon::show("course") }<span>{ "Course" }</span>
+                </button>
                 <button class="btn ghost wide" title="Examples" onclick={examples.clone()}>
                     { icon::show("examples") }<span>{ "Examples" }</span>
                 </button>
@@ -159,6 +173,7 @@ pub(crate) fn TopBar(props: &TopBarProps) -> Html {
                 { toggle(panel, Panel::Menu, "btn ghost only-ph", "more", "More", show) }
                 if *panel == Panel::Menu {
                     <div class="menu">
+                        { item("course", "Course", learn) }
                         { item("examples", "Examples", examples) }
                         { item("plus", "New scene", fresh) }
                         { item("open", "Open", pick) }

@@ -23,7 +23,7 @@ pub(crate) fn document(board: &Board) -> Result<Document, Vec<Fault>> {
     if let Hand::Leads(names) = &board.hand {
         let plan = given.cloned();
         let plan = plan.unwrap_or_else(|| standing(&board.scene));
-        if let Some(document) = led(&draft, plan, names) {
+        if let Some(document) = led(&draft, &plan, names) {
             return Ok(document);
         }
     }
@@ -48,8 +48,8 @@ pub(crate) fn evidence(draft: &Rc<Draft>, plan: &Plan) -> Option<Document> {
 }
 
 /// Robots are led from time 0 on, the first of them first.
-fn led(draft: &Rc<Draft>, plan: Plan, names: &[String]) -> Option<Document> {
-    let about = Dropped::own(draft, &plan)?.answer;
+fn led(draft: &Rc<Draft>, plan: &Plan, names: &[String]) -> Option<Document> {
+    let about = Dropped::own(draft, plan)?.answer;
     let index = |name: &String| draft.agents().iter().position(|agent| agent.name == *name);
     let led: Vec<usize> = names.iter().filter_map(index).collect();
     let first = *led.first()?;

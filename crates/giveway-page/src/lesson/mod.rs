@@ -131,22 +131,21 @@ pub(crate) fn fate(state: &State, lesson: &Lesson, action: &Action) -> Fate {
         | Action::Undo
         | Action::Redo
         | Action::Play(_)
-        | Action::View(_) => Fate::Happens,
-        Action::Slot(_) | Action::File(FileAction::Resume(_)) => Fate::Own,
-        Action::File(FileAction::Refuse(_)) => Fate::Happens,
-        Action::File(_) => Fate::Leaves,
-        Action::Intake(action) => match action {
-            IntakeAction::Read(_) | IntakeAction::Reply { .. } => Fate::Leaves,
-            _ => Fate::Happens,
-        },
-        Action::Solve(
+        | Action::View(_)
+        | Action::File(FileAction::Refuse(_))
+        | Action::Solve(
             SolveAction::Cancel
             | SolveAction::Progress { .. }
             | SolveAction::Respond { .. }
             | SolveAction::Crash { .. },
         ) => Fate::Happens,
-        Action::Solve(SolveAction::Begin) => Fate::Dropped,
-        Action::Steer(Lead::Discard) => Fate::Dropped,
+        Action::Slot(_) | Action::File(FileAction::Resume(_)) => Fate::Own,
+        Action::File(_) => Fate::Leaves,
+        Action::Intake(action) => match action {
+            IntakeAction::Read(_) | IntakeAction::Reply { .. } => Fate::Leaves,
+            _ => Fate::Happens,
+        },
+        Action::Solve(SolveAction::Begin) | Action::Steer(Lead::Discard) => Fate::Dropped,
         Action::Steer(_) => match state.selected_agent() {
             Some(agent) if leads(state, lesson, agent) => Fate::Happens,
             _ => Fate::Dropped,
@@ -175,6 +174,25 @@ impl State {
     /// The lesson on the board.
     pub fn lesson(&self) -> Option<&Lesson> {
         self.lesson.as_deref()
+    }
+
+    /// The agent that the text of a lesson names just now, by its index.
+    pub fn named_agent(&self) -> Option<usize> {
+        match &self.lesson()?.lit {
+            Some(Lit::Robot(name)) => {
+                let mut agents = self.document.agents().iter();
+                agents.position(|agent| agent.name == *name)
+            }
+            _ => None,
+        }
+    }
+
+    /// The cell that the text of a lesson names just now.
+    pub fn named_cell(&self) -> Option<Cell> {
+        match self.lesson()?.lit {
+            Some(Lit::Cell(cell)) => Some(self.document.draft.clamp(cell)),
+            _ => None,
+        }
     }
 
     /// A person's own page: this one, or the one that a lesson put aside.

@@ -156,8 +156,8 @@ fn replied(state: &mut State, job: Job, reply: Reply) {
     match reply {
         Reply::Found(found) => opened(state, *found),
         Reply::Run(run) => ran(state, *run),
-        // The page itself goes on with these.
-        Reply::Own | Reply::Drawn(..) => {}
+        Reply::Own => {}
+        Reply::Drawn(name, bytes) => state.intake.packed = Some(Rc::new(Packed { name, bytes })),
         Reply::Missing {
             sentence,
             files,

@@ -67,7 +67,7 @@ fn change(state: &mut State, by: impl FnOnce(&mut Lesson)) {
 
 fn says(state: &mut State, message: ToPage) {
     match message {
-        ToPage::Open(board) => open(state, Rc::new(*board)),
+        ToPage::Open(board) => open(state, &Rc::new(*board)),
         ToPage::Light(lit) => change(state, |lesson| lesson.lit = lit),
         ToPage::Go(time) => play::seek(state, time),
         ToPage::Play => play::begin(state),
@@ -83,7 +83,7 @@ fn says(state: &mut State, message: ToPage) {
                     number,
                     ..(*lesson.board).clone()
                 };
-                open(state, Rc::new(board));
+                open(state, &Rc::new(board));
             }
         }
         ToPage::Close => leave(state),
@@ -91,9 +91,9 @@ fn says(state: &mut State, message: ToPage) {
 }
 
 /// A board takes the place of what was there; a person's own page is put aside.
-fn open(state: &mut State, board: Rc<Board>) {
+fn open(state: &mut State, board: &Rc<Board>) {
     stroke::abandon(state);
-    let document = match document(&board) {
+    let document = match document(board) {
         Ok(document) => document,
         Err(faults) => {
             state.view.notice = Some(refusal(&faults));
@@ -106,7 +106,7 @@ fn open(state: &mut State, board: Rc<Board>) {
     };
     let mut next = State::of(document);
     carry(state, &mut next);
-    let lesson = Lesson::new(Rc::clone(&board), own);
+    let lesson = Lesson::new(Rc::clone(board), own);
     next.view.layers = Layers {
         trails: lesson.shows(Layer::Trails),
         heat: lesson.shows(Layer::Heat),
@@ -146,7 +146,7 @@ fn aside(state: &State) -> State {
 /// What goes along from one board to another: what a person set, and the numbers by
 /// which late answers are known.
 fn carry(from: &State, to: &mut State) {
-    to.settings = from.settings.clone();
+    to.settings = from.settings;
     to.work = from.work.clone();
     to.work.end();
     to.intake = from.intake.clone();

@@ -59,6 +59,12 @@ fn the_animated_svg_comes_at_once() {
         Action::Intake(IntakeAction::Reply { job: *id, reply }),
     );
     assert!(done.intake.job().is_none() && done.view.notice.is_none());
+    let saved = done.intake.packed.clone().unwrap();
+    assert_eq!((&saved.name, &saved.bytes), (name, bytes));
+    // The same once more is saved once more.
+    let save = Save::Picture(PictureKind::Svg, Theme::Dark);
+    let again = reduce(&done, Action::Intake(IntakeAction::Save(save)));
+    assert!(again.intake.packed.is_none());
 }
 
 #[test]

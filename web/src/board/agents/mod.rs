@@ -26,6 +26,8 @@ pub(super) struct AgentsProps {
     pub(super) selected: Option<usize>,
     /// Whom a step is about: the others are faint.
     pub(super) lit: Option<Vec<usize>>,
+    /// Whom a text names just now.
+    pub(super) named: Option<usize>,
     /// What is in sight.
     pub(super) sight: Sight,
 }
@@ -109,6 +111,9 @@ fn agent_shape(props: &AgentsProps, agent: usize) -> Html {
             }
             if is_selected {
                 <circle class="selring" r="47" />
+            }
+            if props.named == Some(agent) {
+                <circle class="named" r="54" />
             }
         </>
     };

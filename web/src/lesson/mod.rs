@@ -1,0 +1,164 @@
+//! The page's end of the link to the course: a program of its own, fetched when it is
+//! opened first, which lives in an element of the page. It says what the board shows,
+//! and hears what happened there (`giveway_course::port`).
+
+mod program;
+
+use std::rc::Rc;
+
+use giveway_course::port::ToPage;
+use giveway_page::lesson::{LessonAction, happened};
+use giveway_page::{Action, FileAction, Notice};
+use js_sys::Uint8Array;
+use wasm_bindgen::{JsCast as _, JsValue};
+use web_sys::{CustomEvent, CustomEventInit, Element};
+use yew::prelude::*;
+
+use crate::Shown;
+use crate::held::Held;
+use gloo::events::EventListener;
+
+/// From the lesson: what the board shows.
+const TO_PAGE: &str = "giveway-to-page";
+/// To the lesson: what happened on the board.
+const FROM_PAGE: &str = "giveway-from-page";
+/// To the course: open this.
+const OPEN: &str = "giveway-open";
+/// From the course: it listens.
+const READY: &str = "giveway-course-ready";
+
+/// The course, as the page sees it.
+#[derive(Clone)]
+pub(crate) struct Course(Rc<Inner>);
+
+impl PartialEq for Course {
+    fn eq(&self, other: &Self) -> bool {
+        Rc::ptr_eq(&self.0, &other.0)
+    }
+}
+
+struct Inner {
+    place: NodeRef,
+    send: Callback<Action>,
+    stage: Held<Stage>,
+    /// The state that the lesson knows.
+    known: Held<Option<Shown>>,
+    listening: Held<Option<Rc<[EventListener; 2]>>>,
+}
+
+/// How far the program is.
+#[derive(Clone, Default)]
+enum Stage {
+    /// Nobody has opened it yet.
+    #[default]
+    Absent,
+    /// It comes, and is to open this then.
+    Coming(String),
+    /// It listens.
+    Ready,
+}
+
+/// The link to the course: tells it what happens on the board of a lesson.
+#[hook]
+pub(crate) fn use_course(state: &Shown, send: &Callback<Action>) -> Course {
+    let place = use_node_ref();
+    let course = {
+        let (place, send) = (place, send.clone());
+        use_memo((), move |()| {
+            Course(Rc::new(Inner {
+                place,
+                send,
+                stage: Held::default(),
+                known: Held::default(),
+                listening: Held::default(),
+            }))
+        })
+    };
+    {
+        let course = (*course).clone();
+        use_effect_with(state.clone(), move |state| course.tell(state));
+    }
+    (*course).clone()
+}
+
+impl Course {
+    /// Where the course lives. What is in it is its own business.
+    pub(crate) fn place(&self) -> Html {
+        html! { <div id="course" ref={self.0.place.clone()}></div> }
+    }
+
+    /// Opens the course: its contents (an empty text), a lesson, or a step of one.
+    pub(crate) fn open(&self, what: &str) {
+        match self.0.stage.get() {
+            Stage::Ready => self.dispatch(OPEN, &JsValue::from_str(what)),
+            Stage::Coming(_) => self.0.stage.set(Stage::Coming(what.to_owned())),
+            Stage::Absent => {
+                self.listen();
+                self.0.stage.set(Stage::Coming(what.to_owned()));
+                let course = self.clone();
+                if let Err(why) = program::start(move |why| course.missing(why)) {
+                    self.missing(why);
+                }
+            }
+        }
+    }
+
+    /// It could not be loaded: the next press tries again.
+    fn missing(&self, why: String) {
+        self.0.stage.set(Stage::Absent);
+        self.0.send.emit(Action::File(FileAction::Refuse(Notice {
+            sentence: "The course could not be loaded. Try again when the network is back."
+                .to_owned(),
+            details: vec![why],
+        })));
+    }
+
+    fn listen(&self) {
+        let Some(place) = self.0.place.cast::<Element>() else {
+            return;
+        };
+        let ready = {
+            let course = self.clone();
+            EventListener::new(&place, READY, move |_| {
+                if let Stage::Coming(what) = course.0.stage.get() {
+                    course.0.stage.set(Stage::Ready);
+                    course.dispatch(OPEN, &JsValue::from_str(&what));
+                }
+            })
+        };
+        let said = {
+            let send = self.0.send.clone();
+            EventListener::new(&place, TO_PAGE, move |event| {
+                let detail = event.dyn_ref().map(CustomEvent::detail);
+                let bytes = detail.and_then(|detail| detail.dyn_into::<Uint8Array>().ok());
+                let message = bytes.map(|bytes| ToPage::from_bytes(&bytes.to_vec()));
+                if let Some(Ok(message)) = message {
+                    let says = LessonAction::Says(Box::new(message));
+                    send.emit(Action::Lesson(says));
+                }
+            })
+        };
+        self.0.listening.set(Some(Rc::new([ready, said])));
+    }
+
+    /// Tells the lesson what happened since it was told last.
+    fn tell(&self, state: &Shown) {
+        let before = self.0.known.get();
+        self.0.known.set(Some(state.clone()));
+        let said = before.map(|before| happened(&before, state));
+        for message in said.unwrap_or_default() {
+            let bytes = Uint8Array::from(message.to_bytes().as_slice());
+            self.dispatch(FROM_PAGE, &bytes.into());
+        }
+    }
+
+    fn dispatch(&self, kind: &str, detail: &JsValue) {
+        let init = CustomEventInit::new();
+        init.set_detail(detail);
+        let event = CustomEvent::new_with_event_init_dict(kind, &init);
+        if let (Some(place), Ok(event)) = (self.0.place.cast::<Element>(), event) {
+            // It fails only where an event is dispatched twice.
+            let _ = place.dispatch_event(&event);
+        }
+    }
+}
