@@ -70,7 +70,7 @@ pub(crate) fn Thumb(props: &ThumbProps) -> Html {
             { for film.marks.iter().map(flag) }
             { for robots.iter().filter(|(_, pose)| !pose.is_gone).map(|(index, pose)| robot(*index, pose, &robots)) }
             if let Some((_, (x, y))) = conflict {
-                <g class="burst" transform={format!("translate({x} {y}) scale(1.2)")}>
+                <g class="burst" transform={format!("translate({x} {}) scale(0.9)", y - 30.0)}>
                     <path d={BURST} /><path class="ex" d="M0-11V3M0 11v.1" />
                 </g>
             }
@@ -148,8 +148,8 @@ fn robot(index: usize, pose: &Pose, all: &[(usize, Pose)]) -> Html {
     let (mut x, mut scale) = ((pose.at.x + 0.5) * CELL, 1.3);
     if here.len() > 1 {
         let place = here.iter().position(|&other| other == index).unwrap_or(0);
-        x += if place == 0 { -22.0 } else { 22.0 };
-        scale = 0.9;
+        x += if place == 0 { -25.0 } else { 25.0 };
+        scale = 0.8;
     }
     let y = (pose.at.y + 0.5) * CELL;
     html! {

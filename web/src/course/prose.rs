@@ -14,6 +14,9 @@ use super::term::TermLink;
 use super::tutor::Msg;
 use crate::glyph;
 
+/// What does not begin a line.
+const ENDS: &str = ".,:;?!)";
+
 /// What paragraphs need to be shown.
 #[derive(Clone, Copy)]
 pub(super) struct Reader<'a> {
@@ -26,9 +29,32 @@ pub(super) struct Reader<'a> {
 }
 
 impl Reader<'_> {
-    /// The parts of a paragraph.
+    /// The parts of a paragraph. What ends a sentence stays with the link before it.
     pub(super) fn show(&self, text: &Text) -> Html {
-        html! { { for text.spans().iter().map(|span| self.span(span)) } }
+        let mut parts = Vec::new();
+        let mut spans = text.spans().iter().peekable();
+        let mut held = false;
+        while let Some(span) = spans.next() {
+            let after = spans.peek().and_then(|after| match (span, after) {
+                (Span::Link { .. }, Span::Plain(words)) => words.chars().next(),
+                _ => None,
+            });
+            let mark = after.filter(|mark| ENDS.contains(*mark));
+            parts.push(match (span, mark) {
+                (Span::Plain(words), _) if held => {
+                    let rest = words.trim_start_matches(|first| ENDS.contains(first));
+                    html! { { rest.to_owned() } }
+                }
+                (span, None) => self.span(span),
+                (span, Some(_)) => {
+                    let marks = spans.peek().map_or("", |after| after.words());
+                    let marks: String = marks.chars().take_while(|c| ENDS.contains(*c)).collect();
+                    html! { <span class="hold">{ self.span(span) }{ marks }</span> }
+                }
+            });
+            held = mark.is_some();
+        }
+        html! { { for parts } }
     }
 
     /// Paragraphs.

@@ -95,7 +95,14 @@ fn conflicts_are_not_shown_to_who_is_to_find_them() {
     let expected = [Happened::Time(1), Happened::Picked(pick.clone())];
     assert_eq!(said, expected.map(|what| told(3, what)));
     let (state, said) = heard(&state, press(1, 0));
-    assert_eq!(said, [told(3, Happened::Picked(pick))], "the same again");
+    let again = [told(3, Happened::Picked(pick))];
+    assert_eq!(said, again, "the same again");
+    // A click selects, and a key uses the tool where the cursor is.
+    let (state, said) = heard(&state, [select(0)]);
+    assert_eq!(said, again, "selected");
+    let cursor = Action::Board(BoardAction::MoveCursor(at(1, 0)));
+    let (state, said) = heard(&state, [cursor, Action::Board(BoardAction::UseTool)]);
+    assert_eq!(said, again, "by a key");
     let shown = say(&state, ToPage::Show(Box::default()));
     assert_eq!(bursts_of(&shown, "A1"), [1.5]);
 }
