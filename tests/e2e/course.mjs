@@ -26,7 +26,7 @@ export class Course {
 
   /** Waits until the lesson says something, and gives all of it. */
   says(pattern) {
-    return eventually(`the lesson to say ${pattern}`, () => this.lesson.innerText(), (text) => pattern.test(text));
+    return eventually(`the lesson to say ${pattern}`, async () => (await this.lesson.innerText()).replaceAll(/\s+/g, " "), (text) => pattern.test(text));
   }
 
   /** Waits until a task is solved, and the focus is on the way on. */

@@ -49,7 +49,7 @@ impl Reader<'_> {
                 (span, Some(_)) => {
                     let marks = spans.peek().map_or("", |after| after.words());
                     let marks: String = marks.chars().take_while(|c| ENDS.contains(*c)).collect();
-                    html! { <span class="hold">{ self.span(span) }{ marks }</span> }
+                    html! { <span class="with-end">{ self.span(span) }{ marks }</span> }
                 }
             });
             held = mark.is_some();

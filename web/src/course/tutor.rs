@@ -8,7 +8,7 @@ use giveway_course::learner::{Action, Effect, Judge, Learner, Progress, reduce};
 use giveway_course::lesson::{Id, Lesson};
 use gloo::events::EventListener;
 use gloo::timers::callback::Timeout;
-use web_sys::HtmlElement;
+use web_sys::{HtmlElement, ScrollIntoViewOptions, ScrollLogicalPosition};
 use yew::platform::spawn_local;
 use yew::prelude::*;
 
@@ -69,6 +69,8 @@ pub(super) struct Tutor {
     late: Option<Timeout>,
     /// Whether the title of a step that is new takes the focus.
     is_new: bool,
+    /// Whether the judge has just said something.
+    has_said: bool,
     pub(super) title: NodeRef,
     pub(super) next: NodeRef,
     asker: Asker,
@@ -102,6 +104,7 @@ impl Component for Tutor {
             is_late: false,
             late: None,
             is_new: false,
+            has_said: false,
             title: NodeRef::default(),
             next: NodeRef::default(),
             asker: Asker::new(ctx.link().callback(Msg::Do)),
@@ -173,6 +176,9 @@ impl Component for Tutor {
         if std::mem::take(&mut self.is_new) {
             focus(&self.title);
         }
+        if std::mem::take(&mut self.has_said) {
+            bring_into_view();
+        }
     }
 }
 
@@ -209,15 +215,18 @@ impl Tutor {
         let said = self.learner.open.as_ref().map(|open| open.judge().clone());
         let (learner, effects) = reduce(std::mem::take(&mut self.learner), action);
         self.learner = learner;
-        if let Some(Judge::Said(verdict)) = said {
-            self.before = Some(verdict);
+        if let Some(Judge::Said(verdict)) = &said {
+            self.before = Some(verdict.clone());
         }
+        let now = self.learner.open.as_ref().map(|open| open.judge().clone());
+        self.has_said |= now != said && matches!(now, Some(Judge::Said(_)));
         let is = self.step();
         if is != was {
             self.order.clear();
             self.typed.clear();
             self.before = None;
             self.is_new = is.is_some();
+            self.has_said = false;
             // After the last step there is the next lesson to choose.
             if is.is_none() && is_next {
                 self.page = Some(Page::Lessons);
@@ -289,5 +298,19 @@ impl Tutor {
 fn focus(node: &NodeRef) {
     if let Some(element) = node.cast::<HtmlElement>() {
         let _ = element.focus();
+    }
+}
+
+/// Scrolls what the judge says into sight, where it is not: what is done above it may
+/// have moved it away.
+fn bring_into_view() {
+    let said = super::place().and_then(|place| {
+        let said = place.query_selector(".ex.solved, .judge-at:not(:empty)");
+        said.ok().flatten()
+    });
+    if let Some(said) = said {
+        let options = ScrollIntoViewOptions::new();
+        options.set_block(ScrollLogicalPosition::Nearest);
+        said.scroll_into_view_with_scroll_into_view_options(&options);
     }
 }

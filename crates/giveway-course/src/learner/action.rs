@@ -41,6 +41,8 @@ pub enum Action {
     NoOrder,
     /// A method is picked.
     Went(Method),
+    /// The robot that is led waits for a step.
+    Wait,
     /// The next hint.
     Hint,
     /// What shows the verdict is to be seen.

@@ -166,7 +166,10 @@ fn the_course_goes_on_with_what_was_begun_then_with_what_is_new() {
         (word, place.unwrap())
     };
     assert_eq!(next(&Progress::default()), ("start", 0));
-    assert_eq!(next(&progress(&[(0, 0, true), (3, 2, false)])), ("go on", 3));
+    assert_eq!(
+        next(&progress(&[(0, 0, true), (3, 2, false)])),
+        ("go on", 3)
+    );
     assert_eq!(next(&progress(&[(0, 0, true), (1, 0, true)])), ("go on", 2));
     let done: Vec<_> = (0..all.len()).map(|lesson| (lesson, 0, true)).collect();
     assert_eq!(next(&progress(&done)), ("again", 0));

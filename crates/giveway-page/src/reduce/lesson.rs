@@ -7,8 +7,9 @@ use giveway_course::port::{Board, BoardPlan, Evidence, Hand, Pick, ToPage};
 use giveway_model::{Cell, Fault};
 
 use super::document::{amend, undo};
-use super::{play, solve, step, stroke};
+use super::{play, solve, steer, step, stroke};
 use crate::lesson::{Fate, Lesson, LessonAction, document, evidence, fate};
+use crate::steering::Lead;
 use crate::view::Layers;
 use crate::{Action, BoardAction, Mode, Notice, Selection, State};
 
@@ -93,6 +94,7 @@ fn says(state: &mut State, message: ToPage) {
         ToPage::Play => play::begin(state),
         ToPage::Show(found) => show(state, &found),
         ToPage::Seal(cells) => change(state, |lesson| lesson.sealed = cells),
+        ToPage::Wait => steer::steer(state, Lead::Step((0, 0))),
         ToPage::TakeBack => {
             change(state, |lesson| lesson.sealed.clear());
             undo(state);

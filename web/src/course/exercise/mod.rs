@@ -50,7 +50,19 @@ fn tools(tutor: &Tutor, open: &Open, task: &Task, reader: Reader<'_>) -> Html {
         Task::Spot(_) => spot::show(open, reader),
         Task::Order(_) => order::show(&tutor.order(), reader),
         Task::Change(task) => change::show(open, task, reader.send),
-        Task::Paint(_) | Task::Lead(_) | Task::Predict(_) | Task::Choose(_) => html! {},
+        Task::Lead(_) => lead(reader.send),
+        Task::Paint(_) | Task::Predict(_) | Task::Choose(_) => html! {},
+    }
+}
+
+/// How a robot is led; all but to wait is done on the board.
+fn lead(send: &Callback<Msg>) -> Html {
+    let wait = send.reform(|_: MouseEvent| Msg::Do(Action::Wait));
+    html! {
+        <div class="leads">
+            <p class="quiet">{ "Press the cell that it goes to, or use the arrow keys." }</p>
+            <button type="button" class="btn outline" title="Wait (w)" onclick={wait}>{ icon::show("pause") }<span>{ "Wait a step" }</span></button>
+        </div>
     }
 }
 

@@ -131,6 +131,9 @@ fn robots_are_led_step_by_step() {
     assert_eq!(plans, [2, 3]);
     let back = say(&state, ToPage::TakeBack);
     assert_eq!(led(&back).path("A2").len(), 2);
+    let waits = say(&back, ToPage::Wait);
+    let cells = led(&waits).path("A2").to_vec();
+    assert_eq!(cells, [at(3, 0), at(2, 0), at(2, 0)].map(Some));
     // Nobody else is led.
     let other = after(&state, [select(0), Action::Steer(Lead::Begin)]);
     assert_eq!(other.document, state.document);
