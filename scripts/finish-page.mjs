@@ -1,6 +1,6 @@
 // Trunk's last step (Trunk.toml): makes of what it has built a folder for any static host.
 //
-// 1. The programs of the workers, and these, get the hashes of what they hold into their
+// 1. The programs of the workers and of the course, and these, get the hashes of what they hold into their
 //    paths, as Trunk gives all other files: so no cache can mix two versions.
 // 2. The style sheets become one, in their order: fewer requests before the first paint.
 // 3. The page's bindings lose their comments and indentation, and the page is told how
@@ -21,11 +21,12 @@ import { settings } from "./release/settings.mjs";
 
 const NONCE = "trunk-nonce";
 const PAGE = "index.html";
-/** The programs that run in workers: the script of the worker, the program's bindings, its Wasm. */
+/** The programs beside the page's own: the script that starts one, the program's bindings, its Wasm. */
 const PROGRAMS = [
   ["worker.js", "solver.js", "solver_bg.wasm"],
   ["analyst-worker.js", "analyst.js", "analyst_bg.wasm"],
   ["reader-worker.js", "reader.js", "reader_bg.wasm"],
+  ["course-start.js", "course.js", "course_bg.wasm"],
 ];
 /** What is fetched when a file asks for it, and not kept beforehand. */
 const ON_DEMAND = /^static\/(maps|languages)\//;

@@ -6,8 +6,8 @@ import { join } from "node:path";
 
 const PROFILE = "quick";
 const TARGET = "wasm32-unknown-unknown";
-/** The page, and what its workers run. */
-const PROGRAMS = ["app", "solver", "analyst", "reader"];
+/** The page, what its workers run, and the course. */
+const PROGRAMS = ["app", "solver", "analyst", "reader", "course"];
 
 /**
  * Compiles the Wasm and puts it into the folder.

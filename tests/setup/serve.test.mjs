@@ -16,7 +16,7 @@ let host;
 
 before(async () => {
   folder = mkdtempSync(join(tmpdir(), "giveway-serve-"));
-  for (const built of ["app.js", "app_bg.wasm", "solver.js", "solver_bg.wasm", "analyst.js", "analyst_bg.wasm", "reader.js", "reader_bg.wasm"]) {
+  for (const built of ["app.js", "app_bg.wasm", "solver.js", "solver_bg.wasm", "analyst.js", "analyst_bg.wasm", "reader.js", "reader_bg.wasm", "course.js", "course_bg.wasm"]) {
     writeFileSync(join(folder, built), built);
   }
   assemble(".", folder);

@@ -37,7 +37,8 @@ pub(crate) async fn fetch(file: &str) -> Result<String, String> {
     fetch_text(&format!("{EXAMPLES}/{file}")).await
 }
 
-async fn fetch_text(address: &str) -> Result<String, String> {
+/// The text of a file of the page.
+pub(crate) async fn fetch_text(address: &str) -> Result<String, String> {
     let response = Request::get(address).send().await;
     let response = response.map_err(|error| error.to_string())?;
     if !response.ok() {

@@ -10,6 +10,7 @@ mod broke;
 mod clock;
 mod compare;
 mod copy;
+pub mod course;
 mod dialog;
 mod drop;
 mod embed;

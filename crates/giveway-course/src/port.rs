@@ -32,6 +32,8 @@ pub enum ToPage {
     Show(Box<Evidence>),
     /// Puts a seal on the cells that solved a task.
     Seal(Vec<Cell>),
+    /// The robot that is led waits for a step.
+    Wait,
     /// Takes the last edit, or the last step of a robot that is led, back.
     TakeBack,
     /// Puts the board back to what it was when it was opened; it has this number from

@@ -12,8 +12,9 @@ use crate::held::Held;
 
 pub(super) const FLAG_POLE: &str = "M66 46V14";
 pub(super) const FLAG_CLOTH: &str = "M66 14h24l-7 9 7 9H66Z";
-const FLAG: &str = "M66 46V14h24l-7 9 7 9H66";
-const STAR: &str = "M0-25 7.4-8.5 25-6.5 11.9 5.4 15.6 23 0 14.2-15.6 23-11.9 5.4-25-6.5-7.4-8.5Z";
+pub(super) const FLAG: &str = "M66 46V14h24l-7 9 7 9H66";
+pub(super) const STAR: &str =
+    "M0-25 7.4-8.5 25-6.5 11.9 5.4 15.6 23 0 14.2-15.6 23-11.9 5.4-25-6.5-7.4-8.5Z";
 
 /// Whose, and how fine.
 #[derive(Clone, PartialEq, Properties)]

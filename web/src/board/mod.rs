@@ -10,6 +10,7 @@ mod beside;
 mod casts;
 mod cells;
 mod coalesced;
+mod film;
 mod floor;
 mod follow;
 mod freedom;
@@ -28,6 +29,7 @@ mod preview;
 mod reasons;
 mod small;
 mod still;
+mod thumb;
 mod viewport;
 mod ways;
 
@@ -44,6 +46,7 @@ use crate::{Shown, icon};
 use beside::Beside;
 use casts::use_casts;
 use cells::Cells;
+pub(crate) use film::Film;
 use inside::InsideMarks;
 use layers::{Place, layers, problems, square};
 use legend::{Under, under};
@@ -53,6 +56,7 @@ use reasons::ReasonMarks;
 pub(crate) use reasons::STAR;
 pub(crate) use small::Small;
 pub(crate) use still::Still;
+pub(crate) use thumb::Thumb;
 use viewport::{use_sight, use_viewport};
 
 /// The name of the grid of the plan, and of the one of the other plan.

@@ -31,7 +31,7 @@ fn ours(name: &str) -> String {
 }
 
 /// What is kept under a name.
-pub(super) fn load(name: &str) -> Option<String> {
+pub(crate) fn load(name: &str) -> Option<String> {
     lasting()?.get_item(&ours(name)).ok()?
 }
 
@@ -39,7 +39,7 @@ pub(super) fn load(name: &str) -> Option<String> {
 ///
 /// # Errors
 /// Why the browser does not keep it.
-pub(super) fn store(name: &str, text: &str) -> Result<(), Unkept> {
+pub(crate) fn store(name: &str, text: &str) -> Result<(), Unkept> {
     let storage = lasting().ok_or(Unkept::Refused)?;
     storage
         .set_item(&ours(name), text)

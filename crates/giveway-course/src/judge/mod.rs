@@ -50,6 +50,8 @@ pub enum Did {
     Led(Plan),
     /// Said a value.
     Guessed(Value),
+    /// Said none, and asked for the answer.
+    Revealed,
     /// Marked conflicts.
     Marked(Vec<Mark>),
     /// Picked an answer, by its index.
@@ -93,7 +95,7 @@ pub fn begin(situation: Situation<'_>, did: &Did) -> Option<Judging> {
     let judging = match (situation.step.task.as_ref()?, did) {
         (Task::Paint(task), Did::Edits) => paint::begin(task, situation),
         (Task::Lead(task), Did::Led(plan)) => lead::begin(task, situation, plan),
-        (Task::Predict(task), Did::Guessed(_)) => predict::begin(task, situation),
+        (Task::Predict(task), Did::Guessed(_) | Did::Revealed) => predict::begin(task, situation),
         (Task::Spot(_), Did::Marked(marks)) => spot::judge(situation, marks).into(),
         (Task::Choose(task), Did::Chose(answer)) => choose::begin(task, situation, *answer),
         (Task::Order(task), Did::Ordered(_) | Did::NoOrder) => order::begin(task, situation, did),
@@ -112,6 +114,7 @@ pub fn conclude(situation: Situation<'_>, did: &Did, responses: &[Response]) -> 
         (Task::Predict(task), Did::Guessed(value)) => {
             predict::conclude(task, situation, value, responses)
         }
+        (Task::Predict(task), Did::Revealed) => predict::reveal(task, situation, responses),
         (Task::Choose(task), Did::Chose(answer)) => {
             choose::conclude(task, situation, *answer, responses)
         }

@@ -40,6 +40,14 @@ pub(super) fn conclude(
     }
 }
 
+/// The answer for somebody who did not want to say one.
+pub(super) fn reveal(task: &Predict, situation: Situation<'_>, responses: &[Response]) -> Verdict {
+    match truth(&task.what, situation.scene, responses.first()) {
+        Ok((truth, evidence)) => Verdict::not_yet(Why::Revealed(truth)).with(evidence),
+        Err(why) => Verdict::not_yet(why),
+    }
+}
+
 fn request(what: &Quantity, situation: Situation<'_>) -> Result<Request, Why> {
     let scene = situation.scene;
     Ok(match what {

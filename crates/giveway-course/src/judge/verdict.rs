@@ -140,6 +140,8 @@ pub enum Why {
         /// The answer that was picked, by its index, where there were some.
         answer: Option<usize>,
     },
+    /// Nothing was said; this is so, as the solver has proved.
+    Revealed(Value),
     /// Best plans differ in what was asked for.
     Differs,
 

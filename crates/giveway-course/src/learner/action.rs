@@ -31,6 +31,8 @@ pub enum Action {
     Page(FromPage),
     /// A value is said.
     Guess(Value),
+    /// No value is said: the answer is wanted.
+    Reveal,
     /// An answer is picked, by its index.
     Choose(usize),
     /// The robots are put in an order, by their names.
@@ -39,6 +41,8 @@ pub enum Action {
     NoOrder,
     /// A method is picked.
     Went(Method),
+    /// The robot that is led waits for a step.
+    Wait,
     /// The next hint.
     Hint,
     /// What shows the verdict is to be seen.

@@ -6,6 +6,7 @@
 //! that carry an older one are dropped.
 
 mod action;
+mod onward;
 mod open;
 mod progress;
 mod reduce;
@@ -18,6 +19,7 @@ use crate::judge::Verdict;
 use crate::port::BoardNumber;
 
 pub use action::{Action, Effect};
+pub use onward::Onward;
 pub use open::Open;
 pub use progress::{Progress, Stage};
 pub use reduce::reduce;

@@ -80,6 +80,11 @@ impl Open {
         self.at + 1 >= self.lesson.steps.len()
     }
 
+    /// The scene that the step began with.
+    pub const fn start(&self) -> &Scene {
+        &self.start
+    }
+
     /// The scene on the board.
     pub const fn scene(&self) -> &Scene {
         &self.scene

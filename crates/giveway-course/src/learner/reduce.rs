@@ -38,6 +38,7 @@ impl Learner {
             Action::Go(step) => self.go(Some(step), None, effects),
             Action::Page(message) => self.heard(message, effects),
             Action::Guess(value) => self.did(Did::Guessed(value), effects),
+            Action::Reveal => self.did(Did::Revealed, effects),
             Action::Choose(answer) => self.did(Did::Chose(answer), effects),
             Action::Order(order) => self.did(Did::Ordered(order), effects),
             Action::NoOrder => self.did(Did::NoOrder, effects),
@@ -53,13 +54,14 @@ impl Learner {
             Action::Afresh => self.afresh(effects),
             Action::Answered { number, response } => self.answered(number, *response, effects),
             Action::Failed { number, sentence } => self.failed(number, sentence, effects),
+            Action::Wait if self.open.is_some() => effects.push(Effect::Page(ToPage::Wait)),
             Action::Light(lit) if self.open.is_some() => {
                 effects.push(Effect::Page(ToPage::Light(lit)));
             }
             Action::Time(time) if self.open.is_some() => {
                 effects.push(Effect::Page(ToPage::Go(time)));
             }
-            Action::Light(_) | Action::Time(_) => {}
+            Action::Wait | Action::Light(_) | Action::Time(_) => {}
             Action::Kept(progress) => self.progress = progress,
             Action::Reset => {
                 self.progress = Progress::default();

@@ -79,7 +79,9 @@ impl Learner {
             return;
         };
         // What was predicted is shown at once, right or not.
-        if matches!(verdict.why, Why::Guessed { .. }) && verdict.evidence.plan.is_some() {
+        if matches!(verdict.why, Why::Guessed { .. } | Why::Revealed(_))
+            && verdict.evidence.plan.is_some()
+        {
             let evidence = Box::new(verdict.evidence.clone());
             effects.push(Effect::Page(ToPage::Show(evidence)));
             effects.push(Effect::Page(ToPage::Play));
@@ -155,7 +157,7 @@ const fn is_for(task: &Task, did: &Did) -> bool {
         (task, did),
         (Task::Paint(_), Did::Edits)
             | (Task::Lead(_), Did::Led(_))
-            | (Task::Predict(_), Did::Guessed(_))
+            | (Task::Predict(_), Did::Guessed(_) | Did::Revealed)
             | (Task::Spot(_), Did::Marked(_))
             | (Task::Choose(_), Did::Chose(_))
             | (Task::Order(_), Did::Ordered(_) | Did::NoOrder)

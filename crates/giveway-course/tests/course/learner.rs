@@ -3,8 +3,10 @@
 use std::rc::Rc;
 
 use fastrand::Rng;
-use giveway_course::judge::Did;
-use giveway_course::learner::{Action, AskNumber, Effect, Judge, Learner, Progress, Stage, reduce};
+use giveway_course::judge::{Did, Why};
+use giveway_course::learner::{
+    Action, AskNumber, Effect, Judge, Learner, Onward, Progress, Stage, reduce,
+};
 use giveway_course::lesson::{Id, Lesson, Value};
 use giveway_course::port::{BoardNumber, BoardPlan, FromPage, Hand, Happened, Lit, Pick, ToPage};
 use giveway_model::Cell;
@@ -123,6 +125,55 @@ fn a_guess_reveals_the_plan_right_or_not() {
         });
         assert!(shown && effects.contains(&Effect::Page(ToPage::Play)));
     }
+}
+
+#[test]
+fn who_says_nothing_is_shown_the_answer() {
+    let (learner, _) = opened("room-to-pass", 1);
+    let (learner, effects) = reduce(learner, Action::Reveal);
+    let (learner, effects) = answered(learner, effects);
+    let open = learner.open.as_ref().unwrap();
+    assert!(!open.is_solved());
+    let verdict = open.judge().verdict().unwrap();
+    assert_eq!(verdict.why, Why::Revealed(Value::Number(9)));
+    assert!(effects.contains(&Effect::Page(ToPage::Play)));
+    assert!(!effects.contains(&Effect::FocusNext));
+    // Where nothing is predicted, there is nothing to reveal.
+    let (learner, _) = opened("room-to-pass", 3);
+    let before = learner.clone();
+    assert_eq!(reduce(learner, Action::Reveal), (before, Vec::new()));
+}
+
+#[test]
+fn the_course_goes_on_with_what_was_begun_then_with_what_is_new() {
+    let course = shipped::course();
+    let all: Vec<Id> = course.lessons().map(|entry| entry.lesson.clone()).collect();
+    let progress = |reached: &[(usize, usize, bool)]| {
+        let lessons = reached.iter().map(|&(lesson, step, done)| {
+            format!("\"{}\":{{\"step\":{step},\"done\":{done}}}", all[lesson])
+        });
+        let lessons = lessons.collect::<Vec<_>>().join(",");
+        let text = format!("{{\"giveway\":1,\"lessons\":{{{lessons}}}}}");
+        Progress::read(&text).unwrap()
+    };
+    let next = |progress: &Progress| {
+        let onward = Onward::of(&course, progress).unwrap();
+        let place = all.iter().position(|id| *id == onward.entry().lesson);
+        let word = match onward {
+            Onward::Start(_) => "start",
+            Onward::GoOn(_) => "go on",
+            Onward::Again(_) => "again",
+        };
+        (word, place.unwrap())
+    };
+    assert_eq!(next(&Progress::default()), ("start", 0));
+    assert_eq!(
+        next(&progress(&[(0, 0, true), (3, 2, false)])),
+        ("go on", 3)
+    );
+    assert_eq!(next(&progress(&[(0, 0, true), (1, 0, true)])), ("go on", 2));
+    let done: Vec<_> = (0..all.len()).map(|lesson| (lesson, 0, true)).collect();
+    assert_eq!(next(&progress(&done)), ("again", 0));
 }
 
 #[test]

@@ -8,8 +8,9 @@ use giveway_course::port::{Board, BoardPlan, Evidence, Hand, Pick, ToPage};
 use giveway_model::{Cell, Fault};
 
 use super::document::{amend, undo};
-use super::{play, solve, step, stroke};
+use super::{play, solve, steer, step, stroke};
 use crate::lesson::{Fate, Lesson, LessonAction, document, evidence, fate};
+use crate::steering::Lead;
 use crate::view::Layers;
 use crate::{Action, BoardAction, Mode, Notice, Selection, State};
 
@@ -27,8 +28,9 @@ pub(super) fn admit(state: &mut State, action: Action) -> Option<Action> {
     };
     match fate(state, &lesson, &action) {
         Fate::Happens => {
-            if let Action::Board(BoardAction::Press(cell)) = action
-                && lesson.board.hand == Hand::Points
+            if lesson.board.hand == Hand::Points
+                && let Action::Board(action) = &action
+                && let Some(cell) = pointed_at(state, action)
             {
                 point(state, cell);
             }
@@ -49,6 +51,25 @@ pub(super) fn admit(state: &mut State, action: Action) -> Option<Action> {
             None
         }
         Fate::Dropped => None,
+    }
+}
+
+/// What a person points at: by a press, by a key, or by selecting it.
+fn pointed_at(state: &State, action: &BoardAction) -> Option<Cell> {
+    match action {
+        BoardAction::Press(cell) | BoardAction::Select(Selection::Cell(cell)) => Some(*cell),
+        BoardAction::UseTool => Some(state.view.cursor),
+        BoardAction::Select(Selection::Agent(agent)) => {
+            let is_on = |cell: &Cell| state.agents_at(*cell).any(|other| other == *agent);
+            let (width, height) = {
+                let grid = state.document.draft.grid();
+                (grid.width(), grid.height())
+            };
+            let all = (0..height).flat_map(|y| (0..width).map(move |x| Cell::new(x, y)));
+            // A pointer has brought the cursor there.
+            std::iter::once(state.view.cursor).chain(all).find(is_on)
+        }
+        _ => None,
     }
 }
 
@@ -74,6 +95,7 @@ fn says(state: &mut State, message: ToPage) {
         ToPage::Play => play::begin(state),
         ToPage::Show(found) => show(state, &found),
         ToPage::Seal(cells) => change(state, |lesson| lesson.sealed = cells),
+        ToPage::Wait => steer::steer(state, Lead::Step((0, 0))),
         ToPage::TakeBack => {
             change(state, |lesson| lesson.sealed.clear());
             undo(state);

@@ -148,6 +148,7 @@ fn of_plan(why: &Why, solved: bool) -> Vec<Span> {
 fn of_answer(why: &Why, solved: bool) -> Vec<Span> {
     match why {
         Why::Guessed { guess, truth, .. } => guessed(guess, truth, solved),
+        Why::Revealed(truth) => vec![shown(truth), text(" is proved.")],
         Why::Differs => plain("best plans differ in this."),
         Why::Found { found, of } if solved => plain(format!("{found} of {of} conflicts found.")),
         Why::Found { found, .. } => plain(format!(

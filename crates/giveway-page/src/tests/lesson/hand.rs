@@ -95,7 +95,14 @@ fn conflicts_are_not_shown_to_who_is_to_find_them() {
     let expected = [Happened::Time(1), Happened::Picked(pick.clone())];
     assert_eq!(said, expected.map(|what| told(3, what)));
     let (state, said) = heard(&state, press(1, 0));
-    assert_eq!(said, [told(3, Happened::Picked(pick))], "the same again");
+    let again = [told(3, Happened::Picked(pick))];
+    assert_eq!(said, again, "the same again");
+    // A click selects, and a key uses the tool where the cursor is.
+    let (state, said) = heard(&state, [select(0)]);
+    assert_eq!(said, again, "selected");
+    let cursor = Action::Board(BoardAction::MoveCursor(at(1, 0)));
+    let (state, said) = heard(&state, [cursor, Action::Board(BoardAction::UseTool)]);
+    assert_eq!(said, again, "by a key");
     let shown = say(&state, ToPage::Show(Box::default()));
     assert_eq!(bursts_of(&shown, "A1"), [1.5]);
 }
@@ -124,6 +131,9 @@ fn robots_are_led_step_by_step() {
     assert_eq!(plans, [2, 3]);
     let back = say(&state, ToPage::TakeBack);
     assert_eq!(led(&back).path("A2").len(), 2);
+    let waits = say(&back, ToPage::Wait);
+    let cells = led(&waits).path("A2").to_vec();
+    assert_eq!(cells, [at(3, 0), at(2, 0), at(2, 0)].map(Some));
     // Nobody else is led.
     let other = after(&state, [select(0), Action::Steer(Lead::Begin)]);
     assert_eq!(other.document, state.document);

@@ -1,0 +1,227 @@
+//! The contents of the course: its chapters and lessons, or its glossary.
+
+use std::rc::Rc;
+
+use giveway_course::learner::{Action, Onward, Progress};
+use giveway_course::lesson::{Chapter, Course};
+use giveway_model::words::count;
+use gloo::events::EventListener;
+use web_sys::HtmlDialogElement;
+use yew::prelude::*;
+
+use super::card::{Card, bar};
+use super::glossary::Terms;
+use super::place::Place;
+use super::shelf::Shelf;
+use super::tutor::Msg;
+use crate::icon;
+
+/// What the contents show.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Page {
+    /// Chapters and lessons.
+    Lessons,
+    /// The glossary.
+    Terms,
+}
+
+#[derive(Clone, Properties)]
+pub(super) struct ContentsProps {
+    /// What is shown.
+    pub(super) page: Page,
+    /// The course, once it is there.
+    pub(super) shelf: Option<Rc<Shelf>>,
+    /// How far each lesson has come.
+    pub(super) progress: Progress,
+    /// Why something is not there.
+    pub(super) missing: Option<String>,
+    /// Takes what is chosen.
+    pub(super) send: Callback<Msg>,
+}
+
+impl PartialEq for ContentsProps {
+    fn eq(&self, other: &Self) -> bool {
+        let shelf = |props: &Self| props.shelf.as_ref().map(Rc::as_ptr);
+        self.page == other.page
+            && self.progress == other.progress
+            && self.missing == other.missing
+            && self.send == other.send
+            && shelf(self) == shelf(other)
+    }
+}
+
+/// The contents, over the page; open as long as they are there.
+#[component]
+pub(super) fn Contents(props: &ContentsProps) -> Html {
+    let node = use_node_ref();
+    let close = use_callback(props.send.clone(), |(), send| send.emit(Msg::Show(None)));
+    use_modal(&node, &close);
+    // A press on the dialog itself, and not in it, is one beside it.
+    let beside = {
+        let (node, close) = (node.clone(), close.clone());
+        move |event: MouseEvent| {
+            if event.target() == node.get().map(Into::into) {
+                close.emit(());
+            }
+        }
+    };
+    html! {
+        <dialog ref={node} class="sheet" aria-labelledby="course-title" onmousedown={beside}>
+            <div class="sheet-in">
+                { head(props, &close) }
+                <div class="sbody">{ body(props) }</div>
+                if let Some(shelf) = &props.shelf { { foot(props, &shelf.course) } }
+            </div>
+        </dialog>
+    }
+}
+
+/// Opens a dialog over the page; Escape closes it, and the focus goes back.
+#[hook]
+fn use_modal(node: &NodeRef, close: &Callback<()>) {
+    let (node, close) = (node.clone(), close.clone());
+    use_effect_with((), move |()| {
+        let dialog = node.cast::<HtmlDialogElement>();
+        let listening = dialog.as_ref().map(|dialog| {
+            // It can only fail for a dialog that is open or not on the page.
+            let _ = dialog.show_modal();
+            EventListener::new(dialog, "close", move |_| close.emit(()))
+        });
+        move || {
+            drop(listening);
+            if let Some(dialog) = dialog {
+                dialog.close();
+            }
+        }
+    });
+}
+
+fn head(props: &ContentsProps, close: &Callback<()>) -> Html {
+    let close = close.reform(|_: MouseEvent| ());
+    let course = props.shelf.as_ref().map(|shelf| &shelf.course);
+    let (title, line) = match (props.page, course) {
+        (Page::Lessons, Some(course)) => (course.title.clone(), sum(course)),
+        (Page::Lessons, None) => ("Course".to_owned(), String::new()),
+        (Page::Terms, _) => (
+            "Glossary".to_owned(),
+            "The words of the field, a sentence or two each.".to_owned(),
+        ),
+    };
+    html! {
+        <header class="sh">
+            <div><h2 id="course-title">{ title }</h2><p>{ line }</p></div>
+            <span class="grow"></span>
+            if let Some(course) = course { { onward(course, props) } }
+            <button type="button" class="btn ghost round" title="Close (Escape)" onclick={close}>
+                { icon::show("cancel") }<span class="vh">{ "Close" }</span>
+            </button>
+        </header>
+    }
+}
+
+fn sum(course: &Course) -> String {
+    let lessons = course.lessons().count();
+    let minutes = course.minutes();
+    format!(
+        "{lessons} short lessons, {minutes} minutes in all. Every board is live: change it and see what happens."
+    )
+}
+
+/// The one button that goes on.
+fn onward(course: &Course, props: &ContentsProps) -> Html {
+    let Some(onward) = Onward::of(course, &props.progress) else {
+        return html! {};
+    };
+    let entry = onward.entry();
+    let (class, text) = match onward {
+        Onward::Start(_) => ("btn primary", format!("Start: {}", entry.title)),
+        Onward::GoOn(_) => ("btn primary", format!("Go on: {}", entry.title)),
+        Onward::Again(_) => ("btn outline", "Again from the start".to_owned()),
+    };
+    let place = Place {
+        lesson: entry.lesson.clone(),
+        step: None,
+    };
+    let onclick = props
+        .send
+        .reform(move |_: MouseEvent| Msg::Enter(place.clone()));
+    html! {
+        <button type="button" {class} {onclick}>{ icon::show("play") }<span>{ text }</span></button>
+    }
+}
+
+fn body(props: &ContentsProps) -> Html {
+    let missing = props.missing.as_ref().map(|sentence| {
+        html! { <p class="missing" role="alert">{ format!("The course did not arrive: {sentence}") }</p> }
+    });
+    let Some(shelf) = &props.shelf else {
+        let loading = || html! { <p class="missing">{ "Loading\u{2026}" }</p> };
+        return missing.unwrap_or_else(loading);
+    };
+    if props.page == Page::Terms {
+        return html! { <Terms shelf={Rc::clone(shelf)} send={props.send.clone()} /> };
+    }
+    let next = Onward::of(&shelf.course, &props.progress).map(|next| next.entry().lesson.clone());
+    let mut first = 0;
+    let chapters = shelf.course.chapters.iter().enumerate();
+    let chapters = chapters.map(|(index, chapter)| {
+        let shown = self::chapter(index, chapter, first, shelf, next.as_ref(), props);
+        first += chapter.lessons.len();
+        shown
+    });
+    let chapters: Vec<Html> = chapters.collect();
+    html! { <>{ missing.unwrap_or_default() }{ chapters }</> }
+}
+
+fn chapter(
+    index: usize,
+    chapter: &Chapter,
+    first: usize,
+    shelf: &Shelf,
+    next: Option<&giveway_course::lesson::Id>,
+    props: &ContentsProps,
+) -> Html {
+    let card = |(place, entry): (usize, &giveway_course::lesson::Entry)| {
+        let film = shelf.pictures.get(first + place).cloned().flatten();
+        html! {
+            <li key={entry.lesson.to_string()}>
+                <Card entry={entry.clone()} {film} stage={props.progress.stage(&entry.lesson)}
+                    is_next={next == Some(&entry.lesson)} send={props.send.clone()} />
+            </li>
+        }
+    };
+    let title = format!("chapter-{index}");
+    html! {
+        <section class="chap" aria-labelledby={title.clone()}>
+            <header>
+                <b class="no" aria-hidden="true">{ index + 1 }</b>
+                <div><h3 id={title}>{ chapter.title.clone() }</h3><p>{ chapter.about.plain() }</p></div>
+            </header>
+            <ol class="less">{ for chapter.lessons.iter().enumerate().map(card) }</ol>
+        </section>
+    }
+}
+
+fn foot(props: &ContentsProps, course: &Course) -> Html {
+    let (done, all) = (props.progress.done(), course.lessons().count());
+    let is_new = props.progress == Progress::default();
+    let reset = props.send.reform(|_: MouseEvent| Msg::Do(Action::Reset));
+    let (page, word, name) = match props.page {
+        Page::Lessons => (Page::Terms, "Glossary", "course"),
+        Page::Terms => (Page::Lessons, "All lessons", "back"),
+    };
+    let turn = props
+        .send
+        .reform(move |_: MouseEvent| Msg::Show(Some(page)));
+    html! {
+        <footer class="sf">
+            <span class="prog"><b>{ done }</b>{ format!(" of {} done", count(all as u32, "lesson")) }</span>
+            <span class="pb-at">{ bar(done as u64, all as u64) }</span>
+            if !is_new {
+                <button type="button" class="btn ghost" onclick={reset}><span>{ "Forget my progress" }</span></button>
+            }
+            <span class="grow"></span>
+            <button type="button" class="btn outline" onclick={turn}>{ icon::show(name) }<span>{ word }</span></button>
+        </footer>
+    }
+}

@@ -1,0 +1,121 @@
+//! What there is to do in a step: the task, what the judge says of it, hints.
+
+mod answers;
+mod change;
+mod judge;
+mod order;
+mod solved;
+mod spot;
+
+use giveway_course::judge::{Did, Why};
+use giveway_course::learner::{Action, Judge, Open};
+use giveway_course::lesson::{Task, Text};
+use yew::prelude::*;
+
+use super::prose::Reader;
+use super::tutor::{Msg, Tutor};
+use crate::icon;
+
+/// Whether the answer to a question is on the table, right or not.
+pub(super) fn is_answered(open: &Open) -> bool {
+    let verdict = open.judge().verdict();
+    verdict.is_some_and(|verdict| matches!(verdict.why, Why::Guessed { .. } | Why::Revealed(_)))
+}
+
+/// The exercise.
+pub(super) fn show(tutor: &Tutor, open: &Open, task: &Task, reader: Reader<'_>) -> Html {
+    let is_solved = open.is_solved();
+    match task {
+        Task::Predict(task) => answers::predict(tutor, open, task, reader),
+        Task::Choose(task) => answers::choose(tutor, open, task, reader),
+        _ if is_solved => html! {
+            <section class="ex solved" aria-labelledby="ex-h">{ solved::show(open, reader) }</section>
+        },
+        task => html! {
+            <section class="ex" aria-labelledby="ex-h">
+                <p class="exk" id="ex-h">{ icon::show("edit") }{ "Your turn" }</p>
+                <p class="exq">{ reader.show(task.say()) }</p>
+                { tools(tutor, open, task, reader) }
+                { judge::show(tutor, open, reader) }
+                { hints(open.hints(), reader) }
+                { actions(open, reader.send) }
+            </section>
+        },
+    }
+}
+
+/// What is done beside the board.
+fn tools(tutor: &Tutor, open: &Open, task: &Task, reader: Reader<'_>) -> Html {
+    match task {
+        Task::Spot(_) => spot::show(open, reader),
+        Task::Order(_) => order::show(&tutor.order(), reader),
+        Task::Change(task) => change::show(open, task, reader.send),
+        Task::Lead(_) => lead(reader.send),
+        Task::Paint(_) | Task::Predict(_) | Task::Choose(_) => html! {},
+    }
+}
+
+/// How a robot is led; all but to wait is done on the board.
+fn lead(send: &Callback<Msg>) -> Html {
+    let wait = send.reform(|_: MouseEvent| Msg::Do(Action::Wait));
+    html! {
+        <div class="leads">
+            <p class="quiet">{ "Press the cell that it goes to, or use the arrow keys." }</p>
+            <button type="button" class="btn outline" title="Wait (w)" onclick={wait}>{ icon::show("pause") }<span>{ "Wait a step" }</span></button>
+        </div>
+    }
+}
+
+fn hints(hints: &[Text], reader: Reader<'_>) -> Html {
+    if hints.is_empty() {
+        return html! {};
+    }
+    html! {
+        <ol class="hints" aria-label="Hints" aria-live="polite">
+            { for hints.iter().map(|hint| html! { <li>{ icon::show("hint") }<p>{ reader.show(hint) }</p></li> }) }
+        </ol>
+    }
+}
+
+/// What takes back, begins anew, helps.
+fn actions(open: &Open, send: &Callback<Msg>) -> Html {
+    let act = |action: Action| send.reform(move |_: MouseEvent| Msg::Do(action.clone()));
+    let has_done = open.scene() != open.start()
+        || !matches!(open.did(), Did::Edits)
+        || open.pointed().is_some();
+    html! {
+        <div class="exa">
+            if has_done {
+                <button type="button" class="btn outline" onclick={act(Action::TakeBack)}>
+                    { icon::show("undo") }<span>{ "Take it back" }</span>
+                </button>
+            }
+            { hint(open, send) }
+            if has_done && open.attempts() > 1 {
+                <button type="button" class="btn ghost" onclick={act(Action::Afresh)}><span>{ "Start afresh" }</span></button>
+            }
+        </div>
+    }
+}
+
+/// The next hint; the last one is the answer.
+fn hint(open: &Open, send: &Callback<Msg>) -> Html {
+    let all = open.step().map_or(0, |step| step.hints.len());
+    let left = all.saturating_sub(open.hints().len());
+    let word = match left {
+        0 => return html! {},
+        1 if all > 1 => "Show me how",
+        _ if left < all => "Next hint",
+        _ => "Hint",
+    };
+    html! {
+        <button type="button" class="btn ghost" onclick={send.reform(|_: MouseEvent| Msg::Do(Action::Hint))}>
+            { icon::show("hint") }<span>{ word }</span>
+        </button>
+    }
+}
+
+/// Whether the judge is at work.
+fn is_looking(open: &Open) -> bool {
+    matches!(open.judge(), Judge::Looking(_))
+}

@@ -1,0 +1,41 @@
+//! A task that is solved: said calmly, with the reason.
+
+use giveway_course::judge::Why;
+use giveway_course::judge::words::said;
+use giveway_course::learner::Open;
+use giveway_model::words::capital;
+use yew::prelude::*;
+
+use super::super::prose::Reader;
+use super::judge::evidence;
+use crate::{glyph, icon};
+
+/// How many forms stand in the row.
+const FORMS: usize = 6;
+
+/// What the card of a solved task holds.
+pub(super) fn show(open: &Open, reader: Reader<'_>) -> Html {
+    let (Some(verdict), Some(step)) = (open.judge().verdict(), open.step()) else {
+        return html! {};
+    };
+    // The words of the lesson stand alone: those of the judge say less.
+    let words = match (&verdict.why, &step.reason) {
+        (Why::Reply(_) | Why::Guessed { .. }, _) | (_, None) => {
+            let said = said(verdict, step).text;
+            html! { { reader.show(&said) } }
+        }
+        (_, Some(_)) => {
+            let said = said(verdict, step).text;
+            html! { { capital(&said.plain()) } }
+        }
+    };
+    html! {
+        <>
+            <div class="garland" aria-hidden="true">{ for (0..FORMS).map(|form| glyph::show(form, "garland-glyph")) }</div>
+            <p class="exw" id="ex-h" role="status">{ icon::show("proved") }<b>{ "Solved" }</b></p>
+            <p class="exq">{ words }</p>
+            if let Some(reason) = &step.reason { <p class="exq">{ reader.show(reason) }</p> }
+            { evidence(&verdict.evidence, reader.send) }
+        </>
+    }
+}

@@ -1,0 +1,34 @@
+//! The keys of a lesson: a figure picks the answer that has it.
+
+use gloo::events::{EventListener, EventListenerOptions};
+use wasm_bindgen::JsCast as _;
+use web_sys::{HtmlElement, KeyboardEvent};
+
+use crate::keys::{FIELDS, dialog_is_open, is_in};
+
+/// Listens before the page's own keys do.
+pub(super) fn listen() -> EventListener {
+    let document = gloo::utils::document();
+    let options = EventListenerOptions::enable_prevent_default();
+    EventListener::new_with_options(&document, "keydown", options, |event| {
+        let Some(event) = event.dyn_ref::<KeyboardEvent>() else {
+            return;
+        };
+        let is_plain = !event.ctrl_key() && !event.meta_key() && !event.alt_key();
+        if !is_plain || event.default_prevented() || dialog_is_open() || is_in(event, FIELDS) {
+            return;
+        }
+        if let Some(answer) = answer(&event.key()) {
+            event.prevent_default();
+            answer.click();
+        }
+    })
+}
+
+/// The answer that a key picks.
+fn answer(key: &str) -> Option<HtmlElement> {
+    let figure: u8 = key.parse().ok()?;
+    let place = super::place()?;
+    let found = place.query_selector(&format!("[data-key='{figure}']"));
+    found.ok().flatten()?.dyn_into().ok()
+}

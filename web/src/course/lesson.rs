@@ -1,0 +1,102 @@
+//! The column of the lesson that is open: where one is in it, the text, what there is
+//! to do, the way on.
+
+use std::rc::Rc;
+
+use giveway_course::learner::{Action, Open};
+use yew::prelude::*;
+
+use super::contents::Page;
+use super::exercise;
+use super::prose::Reader;
+use super::shelf::Shelf;
+use super::tutor::{Msg, Tutor};
+use crate::icon;
+
+pub(super) fn show(tutor: &Tutor, open: &Open, shelf: &Rc<Shelf>, send: &Callback<Msg>) -> Html {
+    let Some(step) = open.step() else {
+        return html! {};
+    };
+    let reader = Reader {
+        agents: &open.scene().agents,
+        shelf,
+        send,
+    };
+    // The next step begins at its top.
+    let key = format!("{}.{}", open.id, open.index());
+    html! {
+        <aside class="insp lesson" aria-label="Lesson">
+            <div class="scroll" {key}>
+                <header class="qh">
+                    { way_out(send) }
+                    { progress(open, send) }
+                    <h2 tabindex="-1" ref={tutor.title.clone()}>{ step.title.clone() }</h2>
+                </header>
+                <div class="prose">{ reader.paragraphs(&step.text) }</div>
+                if let Some(task) = &step.task {
+                    { exercise::show(tutor, open, task, reader) }
+                }
+            </div>
+            { foot(tutor, open, send) }
+        </aside>
+    }
+}
+
+fn way_out(send: &Callback<Msg>) -> Html {
+    let contents = send.reform(|_: MouseEvent| Msg::Show(Some(Page::Lessons)));
+    let leave = send.reform(|_: MouseEvent| Msg::Do(Action::Close));
+    html! {
+        <div class="lrow">
+            <button type="button" class="crumb" onclick={contents}>{ icon::show("back") }{ "Course" }</button>
+            <span class="grow"></span>
+            <button type="button" class="btn ghost round sm" title="Leave the lesson" onclick={leave}>
+                { icon::show("cancel") }<span class="vh">{ "Leave the lesson" }</span>
+            </button>
+        </div>
+    }
+}
+
+/// A bar for each step, which opens it.
+fn progress(open: &Open, send: &Callback<Msg>) -> Html {
+    let (at, steps) = (open.index(), open.lesson.steps.len());
+    let bar = |(index, step): (usize, &giveway_course::lesson::Step)| {
+        let class = match index.cmp(&at) {
+            std::cmp::Ordering::Less => "did",
+            std::cmp::Ordering::Equal => "cur",
+            std::cmp::Ordering::Greater => "",
+        };
+        let onclick = send.reform(move |_: MouseEvent| Msg::Do(Action::Go(index)));
+        html! {
+            <li><button type="button" {class} title={step.title.clone()} aria-current={(index == at).then_some("step")} {onclick}>
+                <span class="vh">{ format!("Step {}: {}", index + 1, step.title) }</span>
+            </button></li>
+        }
+    };
+    html! {
+        <div class="lp">
+            <span>{ open.lesson.title.clone() }</span>
+            <ol aria-label={format!("Step {} of {steps}", at + 1)}>
+                { for open.lesson.steps.iter().enumerate().map(bar) }
+            </ol>
+            <span class="num">{ format!("{} of {steps}", at + 1) }</span>
+        </div>
+    }
+}
+
+fn foot(tutor: &Tutor, open: &Open, send: &Callback<Msg>) -> Html {
+    let back = send.reform(|_: MouseEvent| Msg::Do(Action::Back));
+    let next = send.reform(|_: MouseEvent| Msg::Do(Action::Next));
+    let has_task = open.step().is_some_and(|step| step.task.is_some());
+    // It goes on in any case; where there is something to do, that comes first.
+    let is_next = !has_task || open.is_solved() || exercise::is_answered(open);
+    let class = classes!("btn", if is_next { "primary" } else { "outline" });
+    let word = if open.is_last() { "Finish" } else { "Next" };
+    html! {
+        <footer class="foot">
+            <button type="button" class="btn outline" disabled={open.index() == 0} onclick={back}>
+                { icon::show("back") }<span>{ "Back" }</span>
+            </button>
+            <button type="button" {class} ref={tutor.next.clone()} onclick={next}><span>{ word }</span></button>
+        </footer>
+    }
+}
