@@ -14,7 +14,7 @@ use std::collections::BTreeMap;
 use std::fs;
 
 use giveway_model::words::{Message, messages};
-use giveway_tests::languages::{Said, places, said, unsaid, updated};
+use giveway_tests::languages::{ENGLISH, Said, places, said, unsaid, updated};
 use giveway_tests::source;
 
 const FOLDER: &str = "static/languages";
@@ -178,7 +178,8 @@ fn what_a_person_reads_goes_through_the_catalogue() {
     let mut complaints = Vec::new();
     for folder in ["web/src", "crates/giveway-page/src"] {
         for file in source::files(folder) {
-            if file.path.ends_with(".rs") && !file.path.contains("/tests") {
+            let is_said = !file.path.contains("/tests") && !file.path.starts_with(ENGLISH);
+            if file.path.ends_with(".rs") && is_said {
                 let found = unsaid(&file).into_iter();
                 complaints
                     .extend(found.map(|(line, text)| format!("{}:{line}: {text}", file.path)));
