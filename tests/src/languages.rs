@@ -3,6 +3,7 @@
 
 use std::collections::BTreeMap;
 use std::fmt::Write as _;
+use std::path::Path;
 
 use giveway_model::words::{Message, messages};
 use proc_macro2::{Delimiter, TokenStream, TokenTree};
@@ -61,8 +62,7 @@ pub fn said() -> Vec<Said> {
     let mut places: BTreeMap<String, usize> = BTreeMap::new();
     for folder in FOLDERS {
         for file in source::files(folder) {
-            let is_rust = file.path.ends_with(".rs");
-            if !is_rust || file.path.contains("/tests") {
+            if !is_source(&file.path) {
                 continue;
             }
             for one in of_file(&file) {
@@ -101,6 +101,12 @@ pub fn said() -> Vec<Said> {
         });
     }
     all
+}
+
+/// Whether a path is a Rust source that is no test.
+pub fn is_source(path: &str) -> bool {
+    let is_rust = Path::new(path).extension().is_some_and(|end| end == "rs");
+    is_rust && !path.contains("/tests")
 }
 
 /// The texts of one file.

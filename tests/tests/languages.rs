@@ -12,9 +12,10 @@
 
 use std::collections::BTreeMap;
 use std::fs;
+use std::path::Path;
 
 use giveway_model::words::{Message, messages};
-use giveway_tests::languages::{Said, places, said, unsaid, updated};
+use giveway_tests::languages::{Said, is_source, places, said, unsaid, updated};
 use giveway_tests::source;
 
 const FOLDER: &str = "static/languages";
@@ -22,7 +23,8 @@ const FOLDER: &str = "static/languages";
 /// The PO files: their paths and texts.
 fn catalogues() -> Vec<(String, String)> {
     let files = source::files(FOLDER).into_iter();
-    let files = files.filter(|file| file.path.ends_with(".po"));
+    let is_po = |path: &str| Path::new(path).extension().is_some_and(|end| end == "po");
+    let files = files.filter(|file| is_po(&file.path));
     let files: Vec<(String, String)> = files.map(|file| (file.path, file.text)).collect();
     assert!(!files.is_empty(), "there is no language");
     if std::env::var_os("GIVEWAY_UPDATE_LANGUAGES").is_none() {
@@ -178,7 +180,7 @@ fn what_a_person_reads_goes_through_the_catalogue() {
     let mut complaints = Vec::new();
     for folder in ["web/src", "crates/giveway-page/src"] {
         for file in source::files(folder) {
-            if file.path.ends_with(".rs") && !file.path.contains("/tests") {
+            if is_source(&file.path) {
                 let found = unsaid(&file).into_iter();
                 complaints
                     .extend(found.map(|(line, text)| format!("{}:{line}: {text}", file.path)));

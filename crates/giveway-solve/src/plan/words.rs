@@ -3,9 +3,9 @@
 mod order;
 mod tree;
 
-use giveway_model::{tr, tr_later};
 use giveway_model::words::Later;
 use giveway_model::words::{and, name, sentence, values};
+use giveway_model::{tr, tr_later};
 
 use super::{Lack, PlanAnswer, PlanEnd, StuckAgent};
 use crate::words::Headline;

@@ -2,8 +2,8 @@
 
 use std::collections::BTreeSet;
 
-use giveway_model::tr;
 use giveway_model::check::{Rule, Violation};
+use giveway_model::tr;
 use giveway_model::words::and;
 
 /// The most that a sentence tells one by one.

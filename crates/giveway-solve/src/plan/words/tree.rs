@@ -1,6 +1,5 @@
 //! What stands in a constraint tree, in words: conflicts, and what a node asks.
 
-
 use giveway_model::tr;
 
 use crate::plan::{ToldConflict, ToldConstraint};
