@@ -14,7 +14,9 @@ use std::collections::BTreeMap;
 use std::fs;
 use std::path::Path;
 
-use giveway_model::words::{Message, messages};
+use giveway_model::words::{Catalogue, Message, messages, speak};
+use giveway_planners::budget::Stop;
+use giveway_solve::words::reason;
 use giveway_tests::languages::{Said, is_source, places, said, unsaid, updated};
 use giveway_tests::source;
 
@@ -173,6 +175,46 @@ fn message(message: &dyn polib::message::MessageView) -> Message {
         },
         is_fuzzy: message.is_fuzzy(),
     }
+}
+
+#[test]
+fn what_the_solver_gave_as_a_reason_is_said_anew() {
+    let stops = [
+        Stop::Time,
+        Stop::Conflicts,
+        Stop::Memory,
+        Stop::Sets,
+        Stop::Cancelled,
+        Stop::Contradiction,
+    ];
+    let stops = stops.map(Stop::sentence);
+    let text = fs::read_to_string(source::root().join(FOLDER).join("de.po")).unwrap();
+    let german = Catalogue::read(&text, Box::new(|n| usize::from(n != 1))).unwrap();
+    speak(Some(german.kept()));
+    for stop in stops {
+        assert_ne!(reason(stop), stop);
+    }
+    for (english, german) in [
+        (
+            "A1 and A2 cannot both arrive.",
+            "A1 und A2 können nicht beide ankommen.",
+        ),
+        (
+            "A1, A2 and A3 cannot all arrive.",
+            "A1, A2 und A3 können nicht alle ankommen.",
+        ),
+        (
+            "A1 cannot do its task, even alone.",
+            "A1 kann die Aufgabe nicht einmal allein erfüllen.",
+        ),
+        (
+            "The goal of A1 is now (3, 1), which is not in its tunnel.",
+            "Das Ziel von A1 ist jetzt (3, 1), und das liegt nicht im Tunnel.",
+        ),
+    ] {
+        assert_eq!(reason(english), german);
+    }
+    speak(None);
 }
 
 #[test]
