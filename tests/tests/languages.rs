@@ -96,7 +96,8 @@ fn every_value_is_told_in_every_form() {
             let is_whole = all
                 .iter()
                 .all(|name| told.contains(name) || *i == 0 && name == "n");
-            !form.is_empty() && !(is_whole && told.iter().all(|name| all.contains(name)))
+            let has_no_other = told.iter().all(|name| all.contains(name));
+            !(form.is_empty() || is_whole && has_no_other)
         });
         wrong.map(|(_, form)| format!("\u{201c}{form}\u{201d} has other places"))
     }));
@@ -129,12 +130,15 @@ fn a_form_begins_and_ends_with_the_blanks_of_the_english_one() {
     expect_none(&compare(|said, message| {
         let english = &said.text;
         // Where English has a blank, another language may begin with a comma.
-        let fits = |form: &str| match english.starts_with(' ') {
-            true => form.starts_with([' ', ',', ';', ':', '.']),
-            false => !form.starts_with(' '),
+        let fits = |form: &str| {
+            if english.starts_with(' ') {
+                form.starts_with([' ', ',', ';', ':', '.'])
+            } else {
+                !form.starts_with(' ')
+            }
         };
         let ends = |form: &str| form.ends_with(' ') == english.ends_with(' ');
-        let wrong = |form: &&String| !form.is_empty() && !(fits(form) && ends(form));
+        let wrong = |form: &&String| !(form.is_empty() || fits(form) && ends(form));
         let wrong = message?.forms.iter().find(wrong)?;
         Some(format!("\u{201c}{wrong}\u{201d} has other blanks"))
     }));
