@@ -135,7 +135,7 @@ describe("the course", () => {
       await course.at("Block one cell");
       await playground.pick("Obstacle");
       await playground.stroke([4, 0]);
-      await course.says(/Not yet: there is still a plan, makespan 9\. You blocked \(4, 0\) \./);
+      await course.says(/Not yet: there is still a plan, makespan 9\. You blocked \(4, 0\)\./);
       await audit(playground, "a task");
       await playground.picture(`course-not-yet-${theme}`);
       await course.lesson.getByRole("button", { name: "Take it back" }).click();

@@ -10,6 +10,8 @@ pub(super) struct TabsProps {
     pub tab: Tab,
     /// Whether a plan of elsewhere is checked.
     pub checks: bool,
+    /// Whether a lesson is on the board.
+    pub teaches: bool,
     /// What is looked into in the place of the lanes.
     pub inside: Option<Method>,
     pub send: Callback<Action>,
@@ -27,6 +29,7 @@ pub(super) fn Tabs(props: &TabsProps) -> Html {
     let TabsProps {
         tab,
         checks,
+        teaches,
         inside,
         send,
     } = props;
@@ -63,6 +66,7 @@ pub(super) fn Tabs(props: &TabsProps) -> Html {
         let is_shown = choice == *tab;
         let name = match (choice, *inside) {
             (Tab::Timeline, Some(_)) => "How it was proved",
+            (Tab::Inspector, _) if *teaches => "Lesson",
             (Tab::Inspector, Some(Method::Proof)) => "Step",
             (Tab::Inspector, Some(Method::Tree)) => "Node",
             (Tab::Inspector, Some(Method::Orders)) => "Order",
