@@ -7,7 +7,8 @@
 //    large its Wasm is.
 // 4. The policy loses the nonce, which only `trunk serve` needs.
 // 5. The page's head gets the address where it is published, if that is set in Cargo.toml.
-// 6. The service worker gets the list of files.
+// 6. The catalogues of languages lose what only translators read.
+// 7. The service worker gets the list of files.
 //
 // While `trunk serve` runs, none of it is done, so that nothing old is ever shown.
 
@@ -28,7 +29,9 @@ const PROGRAMS = [
   ["course-start.js", "course.js", "course_bg.wasm"],
 ];
 /** What is fetched when a file asks for it, and not kept beforehand. */
-const ON_DEMAND = /^static\/maps\//;
+const ON_DEMAND = /^static\/(maps|languages)\//;
+/** What only translators read in a catalogue. */
+const REMARKS = /^(#.*)?\n/gm;
 const STYLES = /<link rel="stylesheet" href="\.\/([^"]+)"[^>]*>\s*/g;
 
 const source = process.env.TRUNK_SOURCE_DIR;
@@ -40,6 +43,7 @@ if (!source || !built) {
 const isServed = readFileSync(join(built, PAGE), "utf8").includes("__TRUNK_ADDRESS__");
 if (!isServed) {
   finishPage();
+  shortenLanguages();
   writeServiceWorker();
 }
 
@@ -125,6 +129,14 @@ function joinStyles(text) {
     isFirst = false;
     return link;
   });
+}
+
+function shortenLanguages() {
+  const folder = join(built, "static/languages");
+  for (const name of readdirSync(folder).filter((name) => name.endsWith(".po"))) {
+    const path = join(folder, name);
+    writeFileSync(path, readFileSync(path, "utf8").replaceAll(REMARKS, ""));
+  }
 }
 
 function replace(text, pairs) {

@@ -16,6 +16,8 @@ const VERSION = "{version}";
 const FILES = ["{files}"];
 /** A path that says what it holds. */
 const HASHED = /-[0-9a-f]{8,16}[._/]/;
+/** Where the catalogues of languages are. */
+const LANGUAGES = /\/static\/languages\//;
 /** How long a page waits for a network to answer, milliseconds: until the headers are
  * there. What follows them may take its time, as a slow network is better than none. */
 const PATIENCE = 3000;
@@ -86,7 +88,12 @@ async function fromNetwork(request, url) {
   const isPage = url.pathname === PAGE.pathname || url.pathname === `${PAGE.pathname}index.html`;
   const kept = await cache.match(isPage ? PAGE : url);
   if (!kept) {
-    return fetch(request);
+    const fetched = await fetch(request);
+    // Of the languages the one that is spoken is kept, and no other.
+    if (fetched.ok && LANGUAGES.test(url.pathname)) {
+      await cache.put(url, fetched.clone());
+    }
+    return fetched;
   }
   try {
     const fetched = await answered(kept.url);

@@ -12,6 +12,7 @@ import { root } from "./dist.mjs";
 import { flows, isLong } from "./flow.mjs";
 import { geometry } from "./geometry.mjs";
 import { PILLARS, look } from "./inside.mjs";
+import { choose } from "./language.mjs";
 import { lead, rows, steps } from "./steer.mjs";
 
 const PICTURES = join(root, "target/e2e/geometry");
@@ -147,6 +148,38 @@ describe("the geometry", () => {
     await look(playground, undefined, "One by one");
     await playground.inspector.getByRole("button", { name: /stuck$/ }).last().click();
   }, { tabs: ["Order", "How it was proved"] });
+  // German is longer than English.
+  const german = (name, prepare, tabs = ["Details"]) => state(`${name} in German`, async (playground) => {
+    await prepare(playground);
+    await choose(playground, "Deutsch");
+    await playground.page.locator("html[lang=de]").waitFor();
+  }, { tabs, screens: SCREENS.filter((screen) => isLong || screen[0] <= 844 || screen[0] === 1280) });
+  german("a plan", opening, ["Details", "Zeitleiste", "Plan"]);
+  german("an agent selected", async (playground) => {
+    await opening(playground);
+    await playground.inspector.getByRole("button", { name: /^A1\b/ }).first().click();
+  });
+  german("editing", async (playground) => {
+    await opening(playground);
+    await playground.pick("Obstacle");
+    await playground.stroke([0, 1]);
+    await playground.says(/^The scene has changed since this plan/);
+  });
+  german("an answer", answered);
+  german("why there is no plan", why);
+  german("what must be so", async (playground) => {
+    await opening(playground);
+    await playground.board.focus();
+    await playground.key("m");
+    await playground.inspector.getByText(/^This plan|^In it robots are elsewhere/).waitFor();
+  });
+  german("ways to go on", compared);
+  german("a step of the proof", (playground) => look(playground, PILLARS, "Proof"), ["Schritt", "Beweisgang"]);
+  state("settings in German", async (playground) => {
+    await opening(playground);
+    await choose(playground, "Deutsch");
+    await playground.page.getByRole("button", { name: /^Einstellungen:/ }).click();
+  }, { tabs: ["Details"] });
   state("the page inside another", async (playground) => {
     await opening(playground);
     const link = await share(playground);
@@ -226,7 +259,7 @@ async function everywhere(playground, name, tabs, screens) {
     const [width, height] = screen;
     await page.setViewportSize({ width, height });
     await settled(page);
-    const list = page.getByRole("tablist", { name: "Below the board", exact: true }).getByRole("tab");
+    const list = page.getByRole("tablist", { name: /^(Below the board|Unter dem Spielfeld)$/ }).getByRole("tab");
     const some = await list.count() > 0 ? tabs : [""];
     for (const [t, tab] of some.entries()) {
       if (tab) {

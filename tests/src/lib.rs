@@ -17,6 +17,7 @@ pub mod forge;
 pub mod freedom;
 pub mod going_on;
 pub mod known;
+pub mod languages;
 pub mod loiter;
 pub mod oracle;
 pub mod picture;

@@ -12,6 +12,7 @@ use crate::drop::Drop;
 use crate::intake::use_intake;
 use crate::keep::{self, use_keep};
 use crate::keys::use_keys;
+use crate::language::use_language;
 use crate::lesson::use_course;
 use crate::paste::use_paste;
 use crate::solver::use_solver;
@@ -43,6 +44,7 @@ pub(crate) fn example() -> Action {
 /// The page.
 #[component]
 pub fn App() -> Html {
+    let spoken = use_language();
     let shown = use_reducer(opening);
     let state: Shown = (*shown).clone();
     let send = use_callback(shown.dispatcher(), |action: Action, shown| {
@@ -76,7 +78,7 @@ pub fn App() -> Html {
     use_wide(&send);
     if is_embedded {
         return html! {
-            <ContextProvider<Clock> context={(*clock).clone()}>
+            <ContextProvider<Clock> key={spoken} context={(*clock).clone()}>
                 <div class="app embed">
                     { embed::show(&state, &send) }
                     { notice::show(state.view.notice.as_ref(), &send) }
@@ -92,7 +94,7 @@ pub fn App() -> Html {
         .is_none_or(|lesson| !lesson.hides_plan() && state.playing().is_some());
     let in_proof = state.is_inside() && state.inside.method == Method::Proof;
     html! {
-        <ContextProvider<Clock> context={(*clock).clone()}>
+        <ContextProvider<Clock> key={spoken} context={(*clock).clone()}>
             <div class={classes!("app", phase_class(&state), is_answering.then_some("answering"), state.is_inside().then_some("inside"), in_proof.then_some("in-proof"), lesson_class(&state))} data-tab={tab(state.view.tab)}>
                 <TopBar state={settled.clone()} panel={panel.clone()} course={course.clone()}
                     send={send.clone()} show={show.clone()} />

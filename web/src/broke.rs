@@ -4,6 +4,7 @@
 use std::cell::Cell;
 use std::panic::PanicHookInfo;
 
+use giveway_model::tr;
 use gloo::events::EventListener;
 use gloo::file::{Blob, ObjectUrl};
 use js_sys::{Function, Reflect, WebAssembly};
@@ -72,19 +73,19 @@ fn overlay(message: &str) -> Result<Said, JsValue> {
     overlay.set_attribute("aria-modal", "true")?;
     overlay.set_attribute("aria-labelledby", "broke-title")?;
     let card = element("div", "broke-card")?;
-    let title = said("h2", "", "Something went wrong in the page.")?;
+    let title = said("h2", "", tr!("Something went wrong in the page."))?;
     title.set_id("broke-title");
     // Should what is done next fail, too.
-    let sentence = said("p", "", "Your work up to a moment ago is saved.")?;
+    let sentence = said("p", "", tr!("Your work up to a moment ago is saved."))?;
     let buttons = element("div", "broke-acts")?;
-    let reload = said("button", "btn primary", "Reload the page")?;
+    let reload = said("button", "btn primary", tr!("Reload the page"))?;
     // The browser's own function: nothing of this program has to run for it.
     let location = gloo::utils::window().location();
     let press: Function = Reflect::get(&location, &"reload".into())?.dyn_into()?;
     reload.add_event_listener_with_callback("click", &press.bind0(&location))?;
     buttons.append_child(&reload)?;
     let details = element("details", "")?;
-    details.append_child(&*said("summary", "", "What happened")?)?;
+    details.append_child(&*said("summary", "", tr!("What happened"))?)?;
     details.append_child(&*said("pre", "", message)?)?;
     for part in [&title, &sentence, &buttons, &details] {
         card.append_child(part)?;
@@ -102,16 +103,16 @@ fn overlay(message: &str) -> Result<Said, JsValue> {
 
 fn tell_rescue(said_so: &Said, rescued: Rescued) -> Result<(), JsValue> {
     let sentence = match &rescued {
-        _ if is_embedded() => "Load it again to go on.",
-        Rescued::Kept => "Your work is saved.",
-        Rescued::Nothing => "Nothing of yours was lost.",
+        _ if is_embedded() => tr!("Load it again to go on."),
+        Rescued::Kept => tr!("Your work is saved."),
+        Rescued::Nothing => tr!("Nothing of yours was lost."),
         Rescued::Only(_) => {
-            "This browser does not keep your work. Download it before you load the page again."
+            tr!("This browser does not keep your work. Download it before you load the page again.")
         }
     };
     said_so.sentence.set_text_content(Some(sentence));
     if let Rescued::Only(text) = rescued {
-        let link = said("a", "btn outline", "Download it")?;
+        let link = said("a", "btn outline", tr!("Download it"))?;
         let url = ObjectUrl::from(Blob::new(text.as_str()));
         link.set_attribute("href", &url)?;
         link.set_attribute("download", "rescued.giveway")?;

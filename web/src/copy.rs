@@ -1,5 +1,6 @@
 //! Text to the clipboard.
 
+use giveway_model::tr;
 use giveway_page::Notice;
 use wasm_bindgen_futures::JsFuture;
 use yew::platform::spawn_local;
@@ -14,22 +15,22 @@ pub(crate) fn text(
     done: impl FnOnce(Result<(), Notice>) + 'static,
 ) {
     let refused = move |why: &str| Notice {
-        sentence: format!("The {what} could not be copied."),
+        sentence: tr!("The {what} could not be copied.", what),
         details: vec![why.to_owned()],
     };
     let Some(clipboard) = support::clipboard("writeText") else {
-        done(Err(refused(
-            "A page may write to the clipboard only over https or on this machine.",
-        )));
+        done(Err(refused(tr!(
+            "A page may write to the clipboard only over https or on this machine."
+        ))));
         return;
     };
     let written = clipboard.write_text(text);
     spawn_local(async move {
         let written = JsFuture::from(written).await;
-        done(
-            written
-                .map(|_| ())
-                .map_err(|_| refused("The browser did not let the page write to the clipboard.")),
-        );
+        done(written.map(|_| ()).map_err(|_| {
+            refused(tr!(
+                "The browser did not let the page write to the clipboard."
+            ))
+        }));
     });
 }

@@ -2,6 +2,7 @@
 
 use std::rc::Rc;
 
+use giveway_model::tr;
 use giveway_page::Action;
 use gloo::events::{EventListener, EventListenerOptions};
 use wasm_bindgen::JsCast as _;
@@ -36,7 +37,7 @@ pub(crate) fn Drop(props: &DropProps) -> Html {
         });
     }
     html! {
-        if *over { <div class="drop" aria-hidden="true">{ "Drop to open" }</div> }
+        if *over { <div class="drop" aria-hidden="true">{ tr!("Drop to open") }</div> }
     }
 }
 

@@ -1,6 +1,7 @@
 //! The page inside another page, at the address with `?embed`: a plan to be
 //! watched. It edits nothing, keeps nothing, and takes only the keys that play.
 
+use giveway_model::tr;
 use giveway_page::{Action, PlayAction, State};
 use web_sys::HtmlInputElement;
 use yew::prelude::*;
@@ -24,7 +25,7 @@ pub(crate) fn show(state: &Shown, send: &Callback<Action>) -> Html {
             <Still state={state.clone()} send={send.clone()} />
             <footer class="dock">
                 <h1>{ title(state) }</h1>
-                <a href={keep::address(state)} target="_blank" rel="noopener">{ "Open in Giveway" }</a>
+                <a href={keep::address(state)} target="_blank" rel="noopener">{ tr!("Open in Giveway") }</a>
                 if state.plan().is_some() {
                     { play_keys(state, send) }
                     { slider(state, send) }
@@ -36,7 +37,7 @@ pub(crate) fn show(state: &Shown, send: &Callback<Action>) -> Html {
 
 fn title(state: &State) -> String {
     match state.document.draft.scene().name.as_str() {
-        "" => "Untitled",
+        "" => tr!("Untitled"),
         name => name,
     }
     .to_owned()
@@ -51,8 +52,8 @@ fn slider(state: &State, send: &Callback<Action>) -> Html {
     });
     html! {
         <>
-            <input type="range" aria-label="Time" min="0" max={last.to_string()} step="1"
-                value={time.to_string()} aria-valuetext={format!("{time} of {last}")} oninput={seek} />
+            <input type="range" aria-label={tr!("Time")} min="0" max={last.to_string()} step="1"
+                value={time.to_string()} aria-valuetext={tr!("{time} of {last}", time, last)} oninput={seek} />
             <output aria-hidden="true">{ format!("{time} / {last}") }</output>
         </>
     }

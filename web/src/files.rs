@@ -2,6 +2,7 @@
 
 use std::rc::Rc;
 
+use giveway_model::tr;
 use giveway_page::files::{Opened, Reading, Saved, picture_name, read_beside, too_large};
 use giveway_page::{Action, FileAction, IntakeAction, Notice, State};
 use gloo::file::{Blob, File, ObjectUrl, futures::read_as_bytes};
@@ -22,6 +23,9 @@ const EXAMPLES: &str = "static/examples";
 /// Where the maps of the standard benchmark are.
 const MAPS: &str = "static/maps";
 
+/// Where the catalogues of languages are.
+const LANGUAGES: &str = "static/languages";
+
 /// How long a saved file's text is kept for the browser, in milliseconds.
 const KEPT_MS: u32 = 60_000;
 
@@ -38,9 +42,21 @@ pub(crate) async fn fetch_text(address: &str) -> Result<String, String> {
     let response = Request::get(address).send().await;
     let response = response.map_err(|error| error.to_string())?;
     if !response.ok() {
-        return Err(format!("{address}: status {}", response.status()));
+        return Err(tr!(
+            "{address}: status {status}",
+            address,
+            status = response.status()
+        ));
     }
     response.text().await.map_err(|error| error.to_string())
+}
+
+/// The PO file of a language.
+///
+/// # Errors
+/// Why it did not arrive, as a sentence.
+pub(crate) async fn fetch_language(tag: &str) -> Result<String, String> {
+    fetch_text(&format!("{LANGUAGES}/{tag}.po")).await
 }
 
 /// Those of the page's maps and scenarios that are there.
@@ -115,7 +131,7 @@ async fn read_all(files: &[File]) -> Result<Vec<Opened>, Notice> {
     for file in files {
         let name = file.name();
         let bytes = read_as_bytes(file).await.map_err(|error| Notice {
-            sentence: format!("{name} cannot be read; the scene stays as it is."),
+            sentence: tr!("{name} cannot be read; the scene stays as it is.", name),
             details: vec![error.to_string()],
         })?;
         opened.push(Opened { name, bytes });
@@ -133,10 +149,10 @@ pub(crate) fn save(saved: &Saved) {
 /// tells where that fails.
 pub(crate) fn save_picture(state: &State, is_png: bool, send: Callback<Action>) {
     let name = picture_name(state, if is_png { "png" } else { "svg" });
-    let title = format!(
-        "{}, time {}",
-        state.document.draft.scene().name,
-        state.view.playback.time
+    let title = tr!(
+        "{scene}, time {time}",
+        scene = state.document.draft.scene().name,
+        time = state.view.playback.time
     );
     let picture = board::picture(state.world().grid(), &title);
     spawn_local(async move {
@@ -151,7 +167,7 @@ pub(crate) fn save_picture(state: &State, is_png: bool, send: Callback<Action>) 
         match blob.await {
             Ok(blob) => save_as(&name, blob),
             Err(_) => send.emit(Action::File(FileAction::Refuse(Notice {
-                sentence: "The browser could not make the picture.".to_owned(),
+                sentence: tr!("The browser could not make the picture.").to_owned(),
                 details: Vec::new(),
             }))),
         }

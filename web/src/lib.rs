@@ -23,6 +23,7 @@ mod inspector;
 mod intake;
 mod keep;
 mod keys;
+mod language;
 mod lesson;
 mod notice;
 mod opening;

@@ -1,5 +1,6 @@
 //! What a person must be told: it stays until it is dismissed.
 
+use giveway_model::tr;
 use giveway_page::{Action, Notice, ViewAction};
 use yew::prelude::*;
 
@@ -18,8 +19,8 @@ pub(crate) fn show(notice: Option<&Notice>, send: &Callback<Action>) -> Html {
                         <b>{ notice.sentence.clone() }</b>
                         <ul>{ for notice.details.iter().map(|line| html! { <li>{ line }</li> }) }</ul>
                     </div>
-                    <button class="btn ghost round" title="Dismiss (Escape)" onclick={dismiss}>
-                        { icon::show("cancel") }<span class="vh">{ "Dismiss" }</span>
+                    <button class="btn ghost round" title={tr!("Dismiss (Escape)")} onclick={dismiss}>
+                        { icon::show("cancel") }<span class="vh">{ tr!("Dismiss") }</span>
                     </button>
                 </div>
             }

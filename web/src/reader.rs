@@ -6,6 +6,7 @@
 
 use std::cell::Cell;
 
+use giveway_model::tr;
 use giveway_page::intake::Reader;
 use giveway_page::intake::protocol::{Ask, Message, Task};
 use js_sys::Uint8Array;
@@ -18,12 +19,17 @@ const LARGE: usize = 1_000_000;
 
 fn main() {
     std::panic::set_hook(Box::new(|panic| {
-        post(&Message::Failed(format!(
-            "The reader broke down, which is a fault of this program: {panic}"
+        post(&Message::Failed(tr!(
+            "The reader broke down, which is a fault of this program: {panic}",
+            panic
         )));
     }));
     let reader = Cell::new(Reader::default());
     let listen = Closure::<dyn Fn(MessageEvent)>::new(move |event: MessageEvent| {
+        if let Some(told) = event.data().as_string() {
+            giveway_wasm::language::hear(&told);
+            return;
+        }
         let bytes = event.data().dyn_ref().map(Uint8Array::to_vec);
         let mut busy = reader.take();
         answer(&mut busy, &bytes.unwrap_or_default());
@@ -44,8 +50,9 @@ fn answer(reader: &mut Reader, bytes: &[u8]) {
             }
             reader.answer(ask, &mut |message| post(&message));
         }
-        Err(error) => post(&Message::Failed(format!(
-            "The reader was asked what it does not understand: {error}"
+        Err(error) => post(&Message::Failed(tr!(
+            "The reader was asked what it does not understand: {error}",
+            error
         ))),
     }
 }
@@ -56,7 +63,11 @@ fn large(task: &Task) -> Option<String> {
     let bytes: usize = read.files.iter().map(|file| file.bytes.len()).sum();
     (bytes >= LARGE).then(|| {
         let name = read.files.first().map_or("", |file| file.name.as_str());
-        format!("Reading and judging {name}, {} MB …", bytes.div_ceil(LARGE))
+        tr!(
+            "Reading and judging {name}, {size} MB …",
+            name,
+            size = bytes.div_ceil(LARGE)
+        )
     })
 }
 

@@ -1,6 +1,7 @@
 //! What the page says by itself: in the row under the board, on a phone a sheet from
 //! below. What it says is decided in [`giveway_page::slot`].
 
+use giveway_model::tr;
 use giveway_page::slot::{Button, Kind, Message, Press, message};
 use giveway_page::{Action, Draft, SlotAction, State, files};
 use yew::prelude::*;
@@ -33,8 +34,8 @@ fn card(state: &State, said: &Message, send: &Callback<Action>) -> Html {
     let close = said.close.clone().map(|action| {
         let press = send.reform(move |_: MouseEvent| action.clone());
         html! {
-            <button type="button" class="btn ghost round slot-close" title="Close" onclick={press}>
-                { icon::show("cancel") }<span class="vh">{ "Close" }</span>
+            <button type="button" class="btn ghost round slot-close" title={tr!("Close")} onclick={press}>
+                { icon::show("cancel") }<span class="vh">{ tr!("Close") }</span>
             </button>
         }
     });
@@ -44,8 +45,8 @@ fn card(state: &State, said: &Message, send: &Callback<Action>) -> Html {
             <div class="slot-words"><h2>{ said.title }</h2><p>{ said.text.clone() }</p></div>
             if let Some([here, there]) = &said.boards {
                 <div class="slot-boards">
-                    { small(here, "Here") }
-                    { small(there, "Other tab") }
+                    { small(here, tr!("Here")) }
+                    { small(there, tr!("Other tab")) }
                 </div>
             }
             <div class="slot-acts">{ for said.buttons.iter().map(|it| button(state, it, send)) }</div>

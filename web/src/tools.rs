@@ -1,5 +1,6 @@
 //! The tools: what the pointer and the keys do on the board.
 
+use giveway_model::tr;
 use giveway_page::{Action, BoardAction, Tool};
 use web_sys::HtmlElement;
 use yew::prelude::*;
@@ -67,7 +68,7 @@ pub fn Tools(props: &ToolsProps) -> Html {
         let title = if is_live {
             format!("{} ({})", tool.name(), tool.key())
         } else {
-            format!("{}: this step does without it", tool.name())
+            tr!("{tool}: this step does without it", tool = tool.name())
         };
         html! {
             <>
@@ -85,7 +86,7 @@ pub fn Tools(props: &ToolsProps) -> Html {
         }
     };
     html! {
-        <div class="tools" role="toolbar" aria-label="Tools" {onkeydown} {onfocusin} {onfocusout}>
+        <div class="tools" role="toolbar" aria-label={tr!("Tools")} {onkeydown} {onfocusin} {onfocusout}>
             { for Tool::ALL.into_iter().enumerate().map(button) }
             if props.tool != Tool::Select {
                 // For a finger, which no tip follows; the button has the same name.

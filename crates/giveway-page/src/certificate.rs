@@ -3,12 +3,11 @@
 
 use std::rc::Rc;
 
-use giveway_model::Instance;
+use giveway_model::{Instance, tr};
 use giveway_proof::Certified;
 use giveway_solve::{Certificate, ExportAnswer, ExportRequest};
 
 use crate::freedom::Freedom;
-use crate::words::count;
 use crate::{Certifies, Notice, Selection, State, proof};
 
 /// Certificates on their way to files.
@@ -32,14 +31,14 @@ pub fn offer(state: &State) -> Option<&'static str> {
     }
     let Some(freedom) = state.freedom() else {
         // They are made where it was seen before that they hold.
-        return proof::is_accepted(state).then_some("Save the certificate");
+        return proof::is_accepted(state).then_some(tr!("Save the certificate"));
     };
     let instance = instance(freedom)?;
     let mut certificates = of_freedom(freedom, &instance, state.view.selection);
     certificates.next()?;
     Some(match state.view.selection {
-        Selection::Nothing => "Save all certificates",
-        Selection::Agent(_) | Selection::Cell(_) => "Save its certificates",
+        Selection::Nothing => tr!("Save all certificates"),
+        Selection::Agent(_) | Selection::Cell(_) => tr!("Save its certificates"),
     })
 }
 
@@ -93,7 +92,7 @@ fn of_freedom<'a>(
 pub(crate) fn doing(run: &Exporting) -> String {
     let (made, of) = run.made;
     let which = if of > 1 {
-        format!("Certificate {} of {of}: ", made + 1)
+        tr!("Certificate {made} of {of}: ", made = made + 1, of)
     } else {
         String::new()
     };
@@ -108,34 +107,37 @@ pub(crate) fn saved(name: &str, answer: &ExportAnswer) -> Notice {
     let whole = reports().filter(|it| it.certified != Certified::NotCertified);
     let (all, whole) = (answer.certificates.len(), whole.count());
     let mut details = vec![if whole == all {
-        format!("It holds {}, all checked.", count(all, "certificate"))
+        tr!("It holds {n} certificate, all checked."
+            | "It holds {n} certificates, all checked." % all)
     } else {
-        format!(
-            "It holds {}; {whole} are proved.",
-            count(all, "certificate")
+        tr!(
+            "It holds {n} certificate; {whole} are proved."
+                | "It holds {n} certificates; {whole} are proved." % all,
+            whole
         )
     }];
     if rejected > 0 {
-        let rejected = count(rejected, "certificate");
-        details.push(format!(
-            "{rejected} did not hold, which is a fault of this program."
+        details.push(tr!(
+            "{n} certificate did not hold, which is a fault of this program."
+                | "{n} certificates did not hold, which is a fault of this program." % rejected
         ));
     }
     if let open @ 1.. = all - whole - rejected {
-        let open = count(open, "certificate");
-        details.push(format!(
-            "{open} not proved: there was too little time or memory."
+        details.push(tr!(
+            "{n} certificate not proved: there was too little time or memory."
+                | "{n} certificates not proved: there was too little time or memory." % open
         ));
     }
     if answer.missing > 0 {
-        let missing = count(answer.missing as usize, "certificate");
-        details.push(format!("{missing} not made: time ran out."));
+        details.push(tr!("{n} certificate not made: time ran out."
+            | "{n} certificates not made: time ran out." % answer.missing));
     }
-    details.push(format!(
-        "Anyone can check it again without this page: giveway verify {name}"
+    details.push(tr!(
+        "Anyone can check it again without this page: giveway verify {name}",
+        name
     ));
     Notice {
-        sentence: format!("{name} is saved."),
+        sentence: tr!("{name} is saved.", name),
         details,
     }
 }

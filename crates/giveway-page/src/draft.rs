@@ -1,7 +1,7 @@
 //! A scene as it stands on the page.
 
 use giveway_model::format::link;
-use giveway_model::{Agent, Cell, Fault, Grid, Instance, Scene};
+use giveway_model::{Agent, Cell, Fault, Grid, Instance, Scene, tr};
 
 use crate::problems::{self, Problem};
 
@@ -54,15 +54,19 @@ impl Draft {
         if grid.width().max(grid.height()) > MAX_SIDE {
             faults.push(Fault::at(
                 "map",
-                format!("a map of {} x {} cells", grid.width(), grid.height()),
-                format!("at most {MAX_SIDE} x {MAX_SIDE} on the page"),
+                tr!(
+                    "a map of {width} x {height} cells",
+                    width = grid.width(),
+                    height = grid.height()
+                ),
+                tr!("at most {most} x {most} on the page", most = MAX_SIDE),
             ));
         }
         if scene.agents.len() > MAX_AGENTS {
             faults.push(Fault::at(
                 "agents",
-                format!("{} robots", scene.agents.len()),
-                format!("at most {MAX_AGENTS} on the page"),
+                tr!("{n} robot" | "{n} robots" % scene.agents.len()),
+                tr!("at most {most} on the page", most = MAX_AGENTS),
             ));
         }
         if !faults.is_empty() {

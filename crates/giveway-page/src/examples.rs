@@ -1,7 +1,8 @@
 //! The examples that come with the page, with their scenes as links write them: the
 //! page need not read JSON for them. A test writes the list from `static/examples/`.
 
-use giveway_model::Scene;
+use giveway_model::words::translated;
+use giveway_model::{Scene, tr};
 
 use crate::Notice;
 use crate::link::{self, From};
@@ -34,11 +35,11 @@ pub fn read(text: &str) -> Result<Vec<Example>, String> {
     let lines: Vec<&str> = text.lines().collect();
     let (examples, rest) = lines.as_chunks();
     if !rest.is_empty() {
-        return Err("its last example is not whole".to_owned());
+        return Err(tr!("its last example is not whole").to_owned());
     }
     let owned = |&[title, line, scene]: &[&str; 3]| Example {
-        title: title.to_owned(),
-        line: line.to_owned(),
+        title: translated(title).to_owned(),
+        line: translated(line).to_owned(),
         scene: scene.to_owned(),
     };
     Ok(examples.iter().map(owned).collect())

@@ -1,7 +1,7 @@
 //! What two searches of one scene know together, and what a search tells of a plan
 //! that was there before it.
 
-use giveway_model::Objective;
+use giveway_model::{Objective, tr};
 use giveway_solve::{SolveAnswer, Status};
 
 /// What is known after a search that went on from another one: the better of both
@@ -52,7 +52,7 @@ pub(crate) fn judged(
         judged.complete = false;
     }
     if found < own && found.is_some() {
-        judged.reason = Some("There is a better plan".to_owned());
+        judged.reason = Some(tr!("There is a better plan").to_owned());
     }
     judged
 }

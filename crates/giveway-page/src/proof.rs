@@ -2,6 +2,7 @@
 
 use std::rc::Rc;
 
+use giveway_model::tr;
 use giveway_proof::{Checked, Report};
 use giveway_solve::CertifyRequest;
 use giveway_solve::explain::Verdict;
@@ -116,9 +117,9 @@ fn claims_something(request: &CertifyRequest) -> bool {
 /// What a check is at, for the status and the inspector.
 pub(crate) fn doing(at: Option<&(String, bool)>) -> String {
     match at {
-        None => "Checking the proof.".to_owned(),
-        Some((claim, false)) => format!("Proving again: {claim}"),
-        Some((claim, true)) => format!("Checking the proof: {claim}"),
+        None => tr!("Checking the proof.").to_owned(),
+        Some((claim, false)) => tr!("Proving again: {claim}", claim),
+        Some((claim, true)) => tr!("Checking the proof: {claim}", claim),
     }
 }
 
@@ -127,18 +128,21 @@ fn outcome(report: &Report) -> Outcome {
     let number = |is: fn(&Checked) -> bool| claims.iter().filter(|claim| is(claim)).count();
     let shown = number(|claim| !matches!(claim, Checked::None { .. }));
     let (word, icon, class) = match (report.accepted, report.stopped) {
-        (true, _) if shown == claims.len() => ("Checked", "proved", "checked"),
-        (true, _) if shown == 0 => ("Not checked", "clock", "unknown"),
-        (true, _) => ("Partly checked", "clock", "unknown"),
-        (false, true) => ("Not checked", "clock", "unknown"),
-        (false, false) => ("Rejected", "cancel", "necessary"),
+        (true, _) if shown == claims.len() => (tr!("Checked"), "proved", "checked"),
+        (true, _) if shown == 0 => (tr!("Not checked"), "clock", "unknown"),
+        (true, _) => (tr!("Partly checked"), "clock", "unknown"),
+        (false, true) => (tr!("Not checked"), "clock", "unknown"),
+        (false, false) => (tr!("Rejected"), "cancel", "necessary"),
     };
     let reason = report.reason.as_deref().unwrap_or_default();
     let sentence = match (report.accepted, report.stopped) {
         (true, _) => report.summary(),
-        (false, true) => format!("The check ended too early. {reason}"),
+        (false, true) => tr!("The check ended too early. {reason}", reason),
         (false, false) => {
-            format!("The certificate does not hold, which is a fault of this program. {reason}")
+            tr!(
+                "The certificate does not hold, which is a fault of this program. {reason}",
+                reason
+            )
         }
     };
     Outcome {
@@ -158,19 +162,19 @@ fn line(claim: &Checked) -> Line {
             ..
         } => {
             let [variables, clauses, steps] = [*variables, *clauses, *steps].map(|n| n as u64);
-            let size = format!(
-                "A checked proof: {} variables, {} clauses, {} steps.",
-                grouped(variables),
-                grouped(clauses),
-                grouped(steps)
+            let size = tr!(
+                "A checked proof: {variables} variables, {clauses} clauses, {steps} steps.",
+                variables = grouped(variables),
+                clauses = grouped(clauses),
+                steps = grouped(steps)
             );
             ("proved", text, size)
         }
         Checked::Search { text, method, .. } => {
-            let what = format!("A search of {}, repeated.", method.words());
+            let what = tr!("A search of {method}, repeated.", method = method.words());
             ("search", text, what)
         }
-        Checked::None { text, why, .. } => ("clock", text, format!("Not checked. {why}")),
+        Checked::None { text, why, .. } => ("clock", text, tr!("Not checked. {why}", why)),
     };
     Line {
         icon,

@@ -1,5 +1,7 @@
 //! What a person sets, for all scenes.
 
+use giveway_model::tr;
+
 use crate::changing::Choice;
 use crate::edit::Fill;
 
@@ -67,11 +69,11 @@ impl Theme {
     }
 
     /// Its name in a sentence.
-    pub const fn name(self) -> &'static str {
+    pub fn name(self) -> &'static str {
         match self {
-            Self::System => "as the system has it",
-            Self::Light => "light",
-            Self::Dark => "dark",
+            Self::System => tr!("a theme" => "as the system has it"),
+            Self::Light => tr!("a theme" => "light"),
+            Self::Dark => tr!("a theme" => "dark"),
         }
     }
 }

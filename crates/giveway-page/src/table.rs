@@ -2,7 +2,7 @@
 
 use std::fmt::Write as _;
 
-use giveway_model::Cell;
+use giveway_model::{Cell, tr};
 
 use crate::timeline::Lane;
 use crate::{Answer, Draft, Reserve};
@@ -24,7 +24,7 @@ impl Place {
         match self {
             Self::Nowhere => String::new(),
             Self::At(cell) => format!("{},{}", cell.x, cell.y),
-            Self::Half => "half".to_owned(),
+            Self::Half => tr!("half way along a move" => "half").to_owned(),
         }
     }
 }
@@ -68,18 +68,26 @@ pub fn level(lane: &Lane, time: u32) -> Option<Level> {
 /// A charge is marked with `*`, half way along a slow move is `..`.
 pub fn text(answer: &Answer) -> String {
     let last = answer.makespan();
-    let mut rows = vec![row("time", 0..=last, |time| time.to_string() + " ")];
+    let mut rows = vec![row(
+        tr!("a row of the plan table" => "time"),
+        0..=last,
+        |time| time.to_string() + " ",
+    )];
     for lane in lanes(answer, &answer.draft) {
         rows.push(row(&lane.name, 0..=last, |time| match place(&lane, time) {
             Place::Half => ".. ".to_owned(),
             place => place.text() + " ",
         }));
         if lane.capacity.is_some() {
-            rows.push(row("  level", 0..=last, |time| {
-                level(&lane, time).map_or(String::new(), |entry| {
-                    format!("{}{}", entry.level, if entry.charges { '*' } else { ' ' })
-                })
-            }));
+            rows.push(row(
+                tr!("a row of the plan table" => "  level"),
+                0..=last,
+                |time| {
+                    level(&lane, time).map_or(String::new(), |entry| {
+                        format!("{}{}", entry.level, if entry.charges { '*' } else { ' ' })
+                    })
+                },
+            ));
         }
     }
     aligned(&rows)

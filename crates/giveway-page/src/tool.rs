@@ -1,5 +1,7 @@
 //! The tools: what the pointer does on the board.
 
+use giveway_model::tr;
+
 use crate::edit::Paint;
 
 /// What the pointer does on the board.
@@ -38,16 +40,16 @@ impl Tool {
     ];
 
     /// The accessible name.
-    pub const fn name(self) -> &'static str {
+    pub fn name(self) -> &'static str {
         match self {
-            Self::Select => "Select",
-            Self::Obstacle => "Obstacle",
-            Self::Charger => "Charger",
-            Self::SlowZone => "Slow zone",
-            Self::Erase => "Erase",
-            Self::Agent => "Robot",
-            Self::Goal => "Goal",
-            Self::Waypoint => "Waypoint",
+            Self::Select => tr!("Select"),
+            Self::Obstacle => tr!("Obstacle"),
+            Self::Charger => tr!("Charger"),
+            Self::SlowZone => tr!("Slow zone"),
+            Self::Erase => tr!("Erase"),
+            Self::Agent => tr!("Robot"),
+            Self::Goal => tr!("Goal"),
+            Self::Waypoint => tr!("Waypoint"),
         }
     }
 

@@ -3,22 +3,25 @@
 
 use borsh::{BorshDeserialize, BorshSerialize};
 
+use giveway_model::tr_later;
+use giveway_model::words::Later;
+
 use crate::form::LOOKS;
 
 /// What the colours are called, in the order of the looks that they come with.
-pub const COLOURS: [&str; LOOKS] = [
-    "Blue",
-    "Sea",
-    "Plum",
-    "Amber",
-    "Lavender",
-    "Forest",
-    "Raspberry",
-    "Mauve",
-    "Violet",
-    "Olive",
-    "Dusk",
-    "Moss",
+pub const COLOURS: [Later; LOOKS] = [
+    tr_later!("a colour" => "Blue"),
+    tr_later!("a colour" => "Sea"),
+    tr_later!("a colour" => "Plum"),
+    tr_later!("a colour" => "Amber"),
+    tr_later!("a colour" => "Lavender"),
+    tr_later!("a colour" => "Forest"),
+    tr_later!("a colour" => "Raspberry"),
+    tr_later!("a colour" => "Mauve"),
+    tr_later!("a colour" => "Violet"),
+    tr_later!("a colour" => "Olive"),
+    tr_later!("a colour" => "Dusk"),
+    tr_later!("a colour" => "Moss"),
 ];
 
 /// Which colour each look has. It belongs to the page and not to the scene, whose

@@ -17,6 +17,7 @@ mod floor;
 pub mod form;
 #[cfg(feature = "gif")]
 pub mod gif;
+mod glyphs;
 mod ink;
 mod letters;
 mod look;

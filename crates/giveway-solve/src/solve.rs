@@ -4,7 +4,7 @@ use std::collections::BTreeMap;
 use std::rc::Rc;
 
 use giveway_model::{
-    Cost, Costs, Instance, Objective, Plan, Version, check::check, sorting, words,
+    Cost, Costs, Instance, Objective, Plan, Version, check::check, sorting, tr, words,
 };
 
 use crate::{
@@ -183,12 +183,15 @@ pub(crate) fn without_search(task: &Task, error: &ProblemError) -> Solved {
         ProblemError::Alone(i, reason) => (
             Status::Impossible,
             Some(Reach::ForEver(reason)),
-            format!("{} cannot do its task, even alone.", name(i)),
+            tr!("{name} cannot do its task, even alone.", name = name(i)),
         ),
         ProblemError::TooManyWaypoints(i) => (
             Status::Unknown,
             None,
-            format!("{} has more waypoints than can be planned for.", name(i)),
+            tr!(
+                "{name} has more waypoints than can be planned for.",
+                name = name(i)
+            ),
         ),
         ProblemError::Stopped(stop) => (Status::Unknown, None, stop.sentence().to_owned()),
     };
@@ -250,9 +253,9 @@ pub(crate) fn answer(task: &Task, problem: &Problem, verdict: Verdict) -> Solved
 /// Whom it concerns; the claim itself says at which horizon it holds.
 pub(crate) fn clash_sentence(agents: &[&str]) -> String {
     match agents {
-        [] => "The robots cannot all arrive.".to_owned(),
-        [one] => format!("{one} cannot arrive."),
-        [one, two] => format!("{one} and {two} cannot both arrive."),
-        names => format!("{} cannot all arrive.", words::and(names)),
+        [] => tr!("The robots cannot all arrive.").to_owned(),
+        [one] => tr!("{one} cannot arrive.", one),
+        [one, two] => tr!("{one} and {two} cannot both arrive.", one, two),
+        names => tr!("{robots} cannot all arrive.", robots = words::and(names)),
     }
 }

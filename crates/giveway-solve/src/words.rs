@@ -1,10 +1,11 @@
 //! What answers say to a person: one text for the page and the command.
 
+use giveway_model::words::Later;
 use std::collections::BTreeMap;
 use std::fmt;
 
 use giveway_model::words::{name, sentence, value, values};
-use giveway_model::{Cost, Costs, Objective};
+use giveway_model::{Cost, Costs, Objective, tr, tr_later};
 
 use crate::{SolveAnswer, Status};
 
@@ -42,52 +43,76 @@ pub fn headline(objective: &Objective, answer: &SolveAnswer) -> Headline {
     match answer.status {
         Status::Optimal => {
             let costs = values(objective.costs(), &costs);
-            let within = within.map_or_else(String::new, |n| format!(" within makespan {n}"));
-            say("Optimal", format!("{within}: {costs}."))
+            let rest = match within {
+                Some(n) => tr!("behind: Optimal" => " within makespan {n}: {costs}.", n, costs),
+                None => format!(": {costs}."),
+            };
+            say(tr!("an answer" => "Optimal"), rest)
         }
         Status::Feasible => {
             let costs = with_bounds(objective, &costs, &answer.bounds);
             let reason = reason.map_or_else(String::new, |reason| format!(" {reason}"));
-            say("Best so far", format!(": {costs}.{reason}"))
+            say(
+                tr!("an answer" => "Best so far"),
+                format!(": {costs}.{reason}"),
+            )
         }
         Status::Impossible => {
             let reason = reason.map_or_else(|| ".".to_owned(), |reason| format!(": {reason}"));
             match within {
-                Some(n) => say("No plan", format!(" within makespan {n}{reason}")),
-                None => say("No plan exists", format!(", {FOR_EVER}{reason}")),
+                Some(n) => say(
+                    tr!("an answer" => "No plan"),
+                    tr!("behind: No plan" => " within makespan {n}{reason}", n, reason),
+                ),
+                None => say(
+                    tr!("an answer" => "No plan exists"),
+                    tr!("behind: No plan exists" => ", no matter how many steps you allow{reason}", reason),
+                ),
             }
         }
         Status::Unknown => {
             let known = known(objective, &answer.bounds, None);
             let said = match known.as_str() {
                 "" => String::new(),
-                known => format!(" Proved so far: {known}."),
+                known => tr!("behind a sentence" => " Proved so far: {known}.", known),
             };
             Headline {
-                word: reason.unwrap_or_else(|| "Time ran out.".to_owned()),
-                rest: format!(" There may be a plan; none was found yet.{said}"),
+                word: reason.unwrap_or_else(|| tr!("Time ran out.").to_owned()),
+                rest: tr!("behind a sentence" => " There may be a plan; none was found yet.{said}", said),
             }
         }
     }
 }
 
 /// How far a claim reaches that holds for plans of any makespan.
-pub const FOR_EVER: &str = "no matter how many steps you allow";
+pub const FOR_EVER: Later = tr_later!("a claim holds" => "no matter how many steps you allow");
 
 /// What is claimed of an answer in a sentence of its own.
 pub fn claim(answer: &SolveAnswer) -> String {
     let within = answer.within.filter(|_| !answer.complete);
     match (answer.status, within) {
-        (Status::Optimal, None) => format!("No plan is better, {FOR_EVER}."),
+        (Status::Optimal, None) => {
+            tr!("No plan is better, no matter how many steps you allow.").to_owned()
+        }
         (Status::Optimal, Some(n)) => {
-            format!("No plan of makespan at most {n} is better; a longer one might be.")
+            tr!(
+                "No plan of makespan at most {n} is better; a longer one might be.",
+                n
+            )
         }
-        (Status::Feasible, _) => "The best plan so far: the limits ended the search.".to_owned(),
-        (Status::Impossible, None) => format!("There is no plan, {FOR_EVER}."),
+        (Status::Feasible, _) => {
+            tr!("The best plan so far: the limits ended the search.").to_owned()
+        }
+        (Status::Impossible, None) => {
+            tr!("There is no plan, no matter how many steps you allow.").to_owned()
+        }
         (Status::Impossible, Some(n)) => {
-            format!("There is no plan of makespan at most {n}; there might be a longer one.")
+            tr!(
+                "There is no plan of makespan at most {n}; there might be a longer one.",
+                n
+            )
         }
-        (Status::Unknown, _) => "No plan yet, and no proof that there is none.".to_owned(),
+        (Status::Unknown, _) => tr!("No plan yet, and no proof that there is none.").to_owned(),
     }
 }
 
@@ -98,16 +123,17 @@ pub fn reach_of_bounds(answer: &SolveAnswer) -> Option<String> {
     let within = answer
         .within
         .filter(|_| early && !answer.bounds.is_empty())?;
-    Some(format!(
-        "What is proved holds for plans of makespan at most {within}."
+    Some(tr!(
+        "What is proved holds for plans of makespan at most {within}.",
+        within
     ))
 }
 
 /// How far the answer to a question reaches; nothing where nothing is claimed.
 pub fn reach(complete: bool, within: Option<u32>) -> Option<String> {
     match (complete, within) {
-        (true, _) => Some(format!("This holds {FOR_EVER}.")),
-        (false, Some(n)) => Some(format!("This holds for plans of makespan at most {n}.")),
+        (true, _) => Some(tr!("This holds no matter how many steps you allow.").to_owned()),
+        (false, Some(n)) => Some(tr!("This holds for plans of makespan at most {n}.", n)),
         (false, None) => None,
     }
 }
@@ -116,14 +142,20 @@ pub fn reach(complete: bool, within: Option<u32>) -> Option<String> {
 /// whole, up to a makespan or for plans of any makespan.
 pub fn front(plans: &str, is_whole: bool, within: Option<u32>) -> String {
     match (is_whole, within) {
-        (false, _) => format!("{plans} so far: the limits ended the search, there may be more."),
-        (true, None) => format!(
-            "{plans}, and no other plan is better in one of the costs without being worse in \
-             another."
+        (false, _) => tr!(
+            "{plans} so far: the limits ended the search, there may be more.",
+            plans
         ),
-        (true, Some(within)) => format!(
+        (true, None) => tr!(
+            "{plans}, and no other plan is better in one of the costs without being worse in \
+             another.",
+            plans
+        ),
+        (true, Some(within)) => tr!(
             "{plans}, and no other plan of makespan at most {within} is better in one of the \
-             costs without being worse in another."
+             costs without being worse in another.",
+            plans,
+            within
         ),
     }
 }
@@ -135,11 +167,16 @@ pub fn known(objective: &Objective, bounds: &BTreeMap<Cost, u32>, best: Option<&
         let at_least = *bounds.get(&cost)?;
         let name = name(cost);
         Some(match best.map(|costs| costs.get(cost)) {
-            Some(best) if best == at_least => format!("{name} is {best}"),
+            Some(best) if best == at_least => tr!("{cost} is {best}", cost = name, best),
             Some(best) if best > at_least => {
-                format!("{name} is at least {at_least}, the best plan so far has {best}")
+                tr!(
+                    "{cost} is at least {least}, the best plan so far has {best}",
+                    cost = name,
+                    least = at_least,
+                    best
+                )
             }
-            _ => format!("{name} is at least {at_least}"),
+            _ => tr!("{cost} is at least {least}", cost = name, least = at_least),
         })
     });
     parts.collect::<Vec<_>>().join("; ")
@@ -153,8 +190,8 @@ fn with_bounds(objective: &Objective, costs: &Costs, bounds: &BTreeMap<Cost, u32
         let said = value(cost, n);
         match bounds.get(&cost) {
             None => said,
-            Some(&bound) if bound >= n => format!("{said}, proved"),
-            Some(&bound) => format!("{said}, proved at least {bound}"),
+            Some(&bound) if bound >= n => tr!("{cost}, proved", cost = said),
+            Some(&bound) => tr!("{cost}, proved at least {bound}", cost = said, bound),
         }
     });
     parts.collect::<Vec<_>>().join("; ")

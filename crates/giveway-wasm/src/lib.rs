@@ -9,6 +9,7 @@ mod budget;
 mod host;
 #[cfg(feature = "javascript")]
 mod javascript;
+pub mod language;
 pub mod protocol;
 mod worker;
 

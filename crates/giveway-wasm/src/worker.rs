@@ -10,6 +10,7 @@ use web_sys::{DedicatedWorkerGlobalScope, MessageEvent};
 use crate::{
     budget::within_budget,
     host::WebHost,
+    language,
     protocol::{Ask, Message},
 };
 
@@ -41,6 +42,11 @@ fn listen(serve: Serve) {
         });
     }));
     let listen = Closure::<dyn Fn(MessageEvent)>::new(move |event: MessageEvent| {
+        // A text tells the language; all else comes as bytes.
+        if let Some(told) = event.data().as_string() {
+            language::hear(&told);
+            return;
+        }
         let bytes = event.data().dyn_ref().map(Uint8Array::to_vec);
         answer(&bytes.unwrap_or_default(), serve, &post);
     });

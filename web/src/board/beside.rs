@@ -1,6 +1,7 @@
 //! A plan beside the one on the board: the same map, the same clock, the same
 //! part of the map in sight. It is looked at; what is done, is done on the board.
 
+use giveway_model::words::Later;
 use std::rc::Rc;
 
 use giveway_page::board::{Camera, Cast, Window};
@@ -18,7 +19,7 @@ use crate::Shown;
 #[derive(Clone, PartialEq, Properties)]
 pub(crate) struct BesideProps {
     /// The name of its grid; no two on the page have the same.
-    pub(crate) name: &'static str,
+    pub(crate) name: Later,
     /// The map, the time, the cell of the keyboard.
     pub(crate) state: Shown,
     /// The agents by the plan.
@@ -63,13 +64,13 @@ pub(crate) fn Beside(props: &BesideProps) -> Html {
     html! {
         <div class="bd" ref={area}>
             <svg class={classes!("map", frame.detail().class(), (!camera.is_fit()).then_some("near"))}
-                role="grid" aria-label={*name} tabindex="0"
+                role="grid" aria-label={name.text()} tabindex="0"
                 aria-rowcount={board.1.to_string()} aria-colcount={board.0.to_string()}
-                aria-activedescendant={cells::id(name, cursor)}
+                aria-activedescendant={cells::id(name.english(), cursor)}
                 viewBox={view_box(&frame)} {onkeydown}>
                 { layers(state, Place::Beside, cast, versus.as_ref(), &sight, &Overlay::default()) }
                 <Cells
-                    of={*name}
+                    of={name.english()}
                     draft={Rc::clone(world)}
                     cast={Rc::clone(cast)}
                     time={state.view.playback.time}

@@ -1,6 +1,7 @@
 //! What stands below the board: the legend, or what the page has to say in its place,
 //! and how near the map is.
 
+use giveway_model::tr;
 use giveway_page::board::Kind;
 use giveway_page::find::FindAction;
 use giveway_page::form;
@@ -54,13 +55,13 @@ pub(super) fn under(props: &Under<'_>) -> Html {
     html! {
         <div class="under">
             { slot::show(props.state, said.as_ref(), props.send) }
-            <ul class="legend" aria-label="Legend" hidden={said.is_some()}>{ signs }</ul>
-            <div class="zoom" role="group" aria-label="View">
+            <ul class="legend" aria-label={tr!("Legend")} hidden={said.is_some()}>{ signs }</ul>
+            <div class="zoom" role="group" aria-label={tr!("View")}>
                 { find(props) }
                 { follow(props) }
-                { button("Zoom out", "minus", '-', props.is_fit, Look::Zoom(1.0 / ZOOM, None)) }
-                { button("Fit", "fit", '0', props.is_fit, Look::Fit) }
-                { button("Zoom in", "plus", '+', props.is_nearest, Look::Zoom(ZOOM, None)) }
+                { button(tr!("Zoom out"), "minus", '-', props.is_fit, Look::Zoom(1.0 / ZOOM, None)) }
+                { button(tr!("Fit"), "fit", '0', props.is_fit, Look::Fit) }
+                { button(tr!("Zoom in"), "plus", '+', props.is_nearest, Look::Zoom(ZOOM, None)) }
             </div>
         </div>
     }
@@ -73,7 +74,7 @@ fn find(props: &Under<'_>) -> Html {
     }
     let onclick = props.send.reform(|_| Action::Find(FindAction::Open));
     html! {
-        <button class="btn ghost round" title="Find a robot (/)" aria-label="Find a robot" {onclick}>{ icon::show("search") }</button>
+        <button class="btn ghost round" title={tr!("Find a robot (/)")} aria-label={tr!("Find a robot")} {onclick}>{ icon::show("search") }</button>
     }
 }
 
@@ -86,7 +87,7 @@ fn follow(props: &Under<'_>) -> Html {
         .send
         .reform(move |_| Action::View(ViewAction::Follow(!on)));
     html! {
-        <button class="btn ghost round" title={format!("Follow {name} (f)")} aria-label={format!("Follow {name}")}
+        <button class="btn ghost round" title={tr!("Follow {name} (f)", name)} aria-label={tr!("Follow {name}", name)}
             aria-pressed={on.to_string()} {onclick}>
             { icon::show("follow") }
         </button>

@@ -33,6 +33,8 @@ mod thumb;
 mod viewport;
 mod ways;
 
+use giveway_model::words::Later;
+use giveway_model::{tr, tr_later};
 use std::rc::Rc;
 
 use giveway_page::board::{CELL, Cast, Frame, Kind, Minimap, Window, legend};
@@ -58,8 +60,8 @@ pub(crate) use thumb::Thumb;
 use viewport::{use_sight, use_viewport};
 
 /// The name of the grid of the plan, and of the one of the other plan.
-const BOARD: &str = "Board";
-const OTHER: &str = "Other plan";
+const BOARD: Later = tr_later!("Board");
+const OTHER: Later = tr_later!("Other plan");
 
 /// What the board shows and where it sends what a person does there.
 #[derive(Clone, PartialEq, Properties)]
@@ -123,9 +125,9 @@ pub fn Board(props: &BoardProps) -> Html {
     let board_now = html! {
         <div class="bd" ref={area}>
             <svg {class} ref={svg}
-                role="grid" aria-label={BOARD} tabindex="0"
+                role="grid" aria-label={BOARD.text()} tabindex="0"
                 aria-rowcount={board.1.to_string()} aria-colcount={board.0.to_string()}
-                aria-activedescendant={cells::id(BOARD, cursor)}
+                aria-activedescendant={cells::id(BOARD.english(), cursor)}
                 viewBox={view_box(&frame)}
                 onpointerdown={gestures.down} onpointermove={gestures.moved}
                 onpointerup={gestures.up} onpointercancel={gestures.cancel}
@@ -145,7 +147,7 @@ pub fn Board(props: &BoardProps) -> Html {
                     <rect class="hover" ref={hover} width="94" height="94" rx="15" visibility="hidden" />
                 </g>
                 <Cells
-                    of={BOARD}
+                    of={BOARD.english()}
                     draft={Rc::clone(state.world())}
                     cast={Rc::clone(&cast)}
                     time={state.view.playback.time}
@@ -172,7 +174,7 @@ pub fn Board(props: &BoardProps) -> Html {
             <div class={classes!("boards", other.is_some().then_some("pair"))}>
                 <figure class="pl">
                     if other.is_some() {
-                        { caption(if state.document.mode.steering().is_some() { "Your plan" } else { "This plan" }, state.shown(), None) }
+                        { caption(if state.document.mode.steering().is_some() { tr!("Your plan") } else { tr!("This plan") }, state.shown(), None) }
                     }
                     { board_now }
                     if let Some(map) = map {
@@ -184,7 +186,7 @@ pub fn Board(props: &BoardProps) -> Html {
                 </figure>
                 if let Some(other) = other {
                     <figure class="pl other">
-                        { caption(OTHER, state.beside(), ask::closeness(state).or_else(|| claim(state))) }
+                        { caption(OTHER.text(), state.beside(), ask::closeness(state).or_else(|| claim(state))) }
                         <Beside name={OTHER} state={state.clone()} cast={other} versus={Rc::clone(&cast)}
                             camera={viewport.camera} {onkeydown} />
                     </figure>
@@ -206,7 +208,7 @@ fn follow(state: &Shown, cast: &Cast) -> Option<(AttrValue, bool)> {
 fn fit(look: &Callback<viewport::Look>) -> Html {
     html! {
         <button type="button" class="btn outline fit" onclick={look.reform(|_: MouseEvent| viewport::Look::Fit)}>
-            { icon::show("fit") }{ "Fit" }
+            { icon::show("fit") }{ tr!("Fit") }
         </button>
     }
 }

@@ -1,6 +1,7 @@
 //! A plan that is one of several to choose from, on a small board of its own, in step
 //! with the others; who is elsewhere than by the plan before is marked.
 
+use giveway_model::words::Later;
 use std::rc::Rc;
 
 use giveway_page::Answer;
@@ -15,7 +16,7 @@ use crate::held::use_held;
 #[derive(Clone, PartialEq, Properties)]
 pub(crate) struct PreviewProps {
     /// The name of its grid; no two on the page have the same.
-    pub(crate) name: &'static str,
+    pub(crate) name: Later,
     /// The map and the time.
     pub(crate) state: Shown,
     /// The plan; without one the robots stand where they are when the world changes.

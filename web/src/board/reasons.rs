@@ -1,7 +1,7 @@
 //! The reasons of an answer, drawn over the map; what is against the rules of a
 //! plan of one's own.
 
-use giveway_model::Cell;
+use giveway_model::{Cell, tr};
 use giveway_page::board::{Later, Place, Reasons, Spot, Try};
 use yew::prelude::*;
 
@@ -51,7 +51,7 @@ pub(super) fn ReasonMarks(props: &ReasonsProps) -> Html {
                 if later.is_cell { <rect x="-43" y="-43" width="86" height="86" rx="14" /> }
                 <g transform={format!("translate(0 {up})")}>
                     <rect class="pill" x="-42" y="-15" width="84" height="30" rx="15" />
-                    <text y="6">{ format!("time {}", later.time) }</text>
+                    <text y="6">{ tr!("time {time}", time = later.time) }</text>
                 </g>
             </g>
         }
@@ -61,7 +61,7 @@ pub(super) fn ReasonMarks(props: &ReasonsProps) -> Html {
         html! {
             <g class="burst" transform={format!("translate({x} {y})")}>
                 <path d={STAR} /><path class="ex" d="M0-11V3M0 11v.1" />
-                <text class="at-time" y="46" text-anchor="middle">{ format!("time {}", end.time) }</text>
+                <text class="at-time" y="46" text-anchor="middle">{ tr!("time {time}", time = end.time) }</text>
             </g>
         }
     };

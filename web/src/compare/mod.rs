@@ -1,6 +1,7 @@
 //! Ways to go on where the world changed, side by side: a column each, one of
 //! which the board and the timeline preview.
 
+use giveway_model::tr;
 use giveway_page::changing::{Column, CostChange, Fix, Group, columns, fixes};
 use giveway_page::{Action, ChangeAction, State, ViewAction};
 use yew::prelude::*;
@@ -15,11 +16,11 @@ pub(crate) fn show(state: &Shown, send: &Callback<Action>) -> Html {
     };
     let column = |(index, facts): (usize, &Column)| column(index, facts, state, send);
     html! {
-        <section class="cmp" aria-label="Ways to go on">
+        <section class="cmp" aria-label={tr!("Ways to go on")}>
             { help(state, send) }
             <div class="cols" tabindex="0">{ for columns.iter().enumerate().map(column) }</div>
             <button type="button" class="btn ghost only-ph" onclick={send.reform(|_| Action::Change(ChangeAction::Discard))}>
-                { icon::show("undo") }{ "Discard" }
+                { icon::show("undo") }{ tr!("Discard") }
             </button>
         </section>
     }
@@ -35,9 +36,9 @@ fn help(state: &State, send: &Callback<Action>) -> Html {
     let leads = state.document.mode.asking().is_none();
     let one = |(index, fix): (usize, &Fix)| {
         let (icon, text) = match fix {
-            Fix::TakeBack(_, what) => ("undo", format!("Take back: {what}")),
+            Fix::TakeBack(_, what) => ("undo", tr!("Take back: {what}", what)),
             Fix::Try(_, text) => ("compare", text.clone()),
-            Fix::Longer(seconds) => ("clock", format!("Search for up to {seconds} s")),
+            Fix::Longer(seconds) => ("clock", tr!("Search for up to {seconds} s", seconds)),
         };
         let press = {
             let (fix, send) = (fix.clone(), send.clone());
@@ -60,8 +61,8 @@ fn help(state: &State, send: &Callback<Action>) -> Html {
         }
     };
     html! {
-        <section class="fixes" aria-label="What would help">
-            <h3>{ "No method has a plan. What would help" }</h3>
+        <section class="fixes" aria-label={tr!("What would help")}>
+            <h3>{ tr!("No method has a plan. What would help") }</h3>
             <ul class="repairs">{ for fixes.iter().enumerate().map(one) }</ul>
         </section>
     }
@@ -79,12 +80,12 @@ fn column(index: usize, facts: &Column, state: &Shown, send: &Callback<Action>) 
             <header>
                 <h2>{ title.clone() }</h2>
                 if facts.is_least {
-                    <span class="badge proved">{ icon::show("proved") }{ "Lowest cost" }</span>
+                    <span class="badge proved">{ icon::show("proved") }{ tr!("Lowest cost") }</span>
                 }
                 <p>{ facts.promise.clone() }</p>
             </header>
             if !has_plan {
-                <p class="no-plan">{ icon::show("cancel") }{ "No plan" }</p>
+                <p class="no-plan">{ icon::show("cancel") }{ tr!("No plan") }</p>
                 { for facts.notes.iter().map(|note| html! { <p class="why">{ note.clone() }</p> }) }
             }
             if let Some(before) = before {
@@ -102,10 +103,10 @@ fn column(index: usize, facts: &Column, state: &Shown, send: &Callback<Action>) 
             <footer>
                 if has_plan {
                     <button type="button" class={classes!("btn", if facts.is_chosen { "primary" } else { "outline" })} onclick={adopt}>
-                        { icon::show("check") }{ "Use this plan" }<span class="vh">{ format!(" {title}") }</span>
+                        { icon::show("check") }{ tr!("Use this plan") }<span class="vh">{ format!(" {title}") }</span>
                     </button>
                     <button type="button" class="btn ghost" aria-pressed={facts.is_chosen.to_string()} onclick={preview}>
-                        { "Preview" }<span class="vh">{ format!(" {title}") }</span>
+                        { tr!("Preview") }<span class="vh">{ format!(" {title}") }</span>
                     </button>
                 }
                 <span class="ms">{ icon::show("clock") }{ facts.time.clone() }</span>
@@ -125,7 +126,7 @@ fn cost(cost: &CostChange) -> Html {
             <dt>{ cost.title }</dt>
             <dd>
                 if let Some(before) = cost.before {
-                    <s><span class="vh">{ "before " }</span>{ before }</s>
+                    <s><span class="vh">{ tr!("an earlier cost" => "before") }{ " " }</span>{ before }</s>
                 }
                 <b>{ cost.after }</b>
                 if let Some(by) = cost.difference() { <i {class}>{ by }</i> }
@@ -143,7 +144,7 @@ fn group(group: &Group) -> Html {
             <dt>{ group.title }</dt>
             <dd class="who">
                 if group.agents.is_empty() {
-                    <span class="no1">{ "none" }</span>
+                    <span class="no1">{ tr!("no robots" => "none") }</span>
                 } else {
                     { for group.agents.iter().map(one) }
                 }

@@ -2,7 +2,8 @@
 
 use std::rc::Rc;
 
-use giveway_page::{Action, FileAction, files::Choice, words};
+use giveway_model::tr;
+use giveway_page::{Action, FileAction, files::Choice};
 use web_sys::HtmlInputElement;
 use yew::prelude::*;
 
@@ -57,19 +58,19 @@ pub(crate) fn Agents(props: &AgentsProps) -> Html {
             }
         })
     };
-    let there_are = words::count(choice.most(), "robot");
+    let there_are = tr!("{n} robot" | "{n} robots" % choice.most());
     html! {
-        <Frame title="How many robots?" narrow=true on_close={on_close.clone()}>
-            <p>{ format!("{} has {there_are}. The first of them are taken.", choice.file()) }</p>
+        <Frame title={tr!("How many robots?")} narrow=true on_close={on_close.clone()}>
+            <p>{ tr!("{file} has {there_are}. The first of them are taken.", file = choice.file(), there_are) }</p>
             <div class="ask-number">
-                <label for="agents">{ "Robots" }</label>
+                <label for="agents">{ tr!("Robots") }</label>
                 <input id="agents" class="field" type="number" inputmode="numeric"
                     min="1" max={choice.most().to_string()} value={(*typed).clone()}
                     oninput={input} onkeydown={enter} autofocus=true />
             </div>
             <div class="dialog-foot">
-                <button class="btn outline" onclick={on_close.reform(|_| ())}>{ "Back" }</button>
-                <button class="btn primary" onclick={open.reform(|_| ())}>{ "Open scene" }</button>
+                <button class="btn outline" onclick={on_close.reform(|_| ())}>{ tr!("Back") }</button>
+                <button class="btn primary" onclick={open.reform(|_| ())}>{ tr!("Open scene") }</button>
             </div>
         </Frame>
     }

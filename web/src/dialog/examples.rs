@@ -1,5 +1,6 @@
 //! The examples that come with the page.
 
+use giveway_model::tr;
 use giveway_page::examples::{Example, read};
 use giveway_page::{Action, FileAction, SolveAction};
 use yew::platform::spawn_local;
@@ -41,15 +42,15 @@ pub(crate) fn Examples(props: &ExamplesProps) -> Html {
         })
     };
     let body = match &*list {
-        None => html! { <p>{ "Loading\u{2026}" }</p> },
-        Some(Err(error)) => html! { <p>{ format!("The list did not arrive: {error}") }</p> },
+        None => html! { <p>{ tr!("Loading\u{2026}") }</p> },
+        Some(Err(error)) => html! { <p>{ tr!("The list did not arrive: {error}", error) }</p> },
         Some(Ok(list)) => html! {
             <ul class="picks">
                 { for list.iter().map(|example| pick(example, &choose)) }
             </ul>
         },
     };
-    html! { <Frame title="Examples" on_close={on_close.clone()}>{ body }</Frame> }
+    html! { <Frame title={tr!("Examples")} on_close={on_close.clone()}>{ body }</Frame> }
 }
 
 fn pick(example: &Example, choose: &Callback<Example>) -> Html {

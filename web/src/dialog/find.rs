@@ -1,5 +1,6 @@
 //! A robot is found by its name: a field, and the list of those that fit.
 
+use giveway_model::tr;
 use giveway_page::Action;
 use giveway_page::find::{FindAction, Match, found};
 use wasm_bindgen::JsCast as _;
@@ -72,12 +73,12 @@ pub(crate) fn FindRobot(props: &FindProps) -> Html {
     };
     let chosen = found.matches.iter().position(|one| one.is_chosen).map(id);
     html! {
-        <Frame title="Find a robot" narrow=true on_close={act.reform(|()| FindAction::Close)}>
-            <input ref={field} class="field" type="text" role="combobox" aria-label="Name of the robot" autocomplete="off"
+        <Frame title={tr!("Find a robot")} narrow=true on_close={act.reform(|()| FindAction::Close)}>
+            <input ref={field} class="field" type="text" role="combobox" aria-label={tr!("Name of the robot")} autocomplete="off"
                 autocapitalize="off" spellcheck="false" aria-autocomplete="list" aria-expanded={(!found.matches.is_empty()).to_string()}
                 aria-controls={LIST} aria-activedescendant={chosen} value={found.typed.clone()} {oninput} {onkeydown} />
             <p class="hint" role="status">{ found.sentence.clone() }</p>
-            <ul id={LIST} class="choices" role="listbox" aria-label="Robots">{ for found.matches.iter().enumerate().map(row) }</ul>
+            <ul id={LIST} class="choices" role="listbox" aria-label={tr!("Robots")}>{ for found.matches.iter().enumerate().map(row) }</ul>
         </Frame>
     }
 }

@@ -1,6 +1,7 @@
 //! A dialog: the browser's own, so that focus stays inside and comes back
 //! afterwards, and Escape closes it.
 
+use giveway_model::tr;
 use gloo::events::EventListener;
 use web_sys::HtmlDialogElement;
 use yew::prelude::*;
@@ -66,8 +67,8 @@ pub(super) fn Frame(props: &FrameProps) -> Html {
             aria-labelledby="dialog-title" onmousedown={beside}>
             <header>
                 <h2 id="dialog-title">{ title }</h2>
-                <button class="btn ghost round" title="Close (Escape)" onclick={close}>
-                    { icon::show("cancel") }<span class="vh">{ "Close" }</span>
+                <button class="btn ghost round" title={tr!("Close (Escape)")} onclick={close}>
+                    { icon::show("cancel") }<span class="vh">{ tr!("Close") }</span>
                 </button>
             </header>
             <div class="dialog-body" tabindex={reads.then_some("0")} role={reads.then_some("group")}

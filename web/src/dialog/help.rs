@@ -1,6 +1,7 @@
 //! The keys.
 
-use giveway_page::keys::{HELP, Row};
+use giveway_model::tr;
+use giveway_page::keys::{HELP, Row, key_name};
 use yew::prelude::*;
 
 use super::frame::Frame;
@@ -8,8 +9,8 @@ use super::frame::Frame;
 /// All keys, by what they are for; calls back when it was closed.
 pub(crate) fn help(on_close: Callback<()>) -> Html {
     html! {
-        <Frame title="Keys" reads=true {on_close}>
-            { for HELP.iter().map(|(title, rows)| group(title, rows)) }
+        <Frame title={tr!("Keys")} reads=true {on_close}>
+            { for HELP.iter().map(|(title, rows)| group(title.text(), rows)) }
         </Frame>
     }
 }
@@ -27,7 +28,7 @@ fn row(row: &Row) -> Html {
     html! {
         <>
             <dt>{ for row.keys.iter().map(|keys| chord(keys)) }</dt>
-            <dd>{ row.what }</dd>
+            <dd>{ row.what.text() }</dd>
         </>
     }
 }
@@ -38,5 +39,5 @@ fn chord(keys: &'static str) -> Html {
         "+" => vec![keys],
         _ => keys.split('+').collect(),
     };
-    html! { for key in keys { <kbd>{ key }</kbd> } }
+    html! { for key in keys { <kbd>{ key_name(key) }</kbd> } }
 }

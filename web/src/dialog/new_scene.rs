@@ -1,5 +1,6 @@
 //! A new scene: its name and its size.
 
+use giveway_model::tr;
 use giveway_page::files::blank;
 use giveway_page::{Action, FileAction, MAX_SIDE};
 use web_sys::HtmlInputElement;
@@ -56,20 +57,20 @@ pub(crate) fn NewScene(props: &NewSceneProps) -> Html {
         }
     };
     html! {
-        <Frame title="New scene" narrow=true on_close={on_close.clone()}>
-            <p>{ "An empty floor. What is on the board now comes back with Undo." }</p>
+        <Frame title={tr!("New scene")} narrow=true on_close={on_close.clone()}>
+            <p>{ tr!("An empty floor. What is on the board now comes back with Undo.") }</p>
             <div class="new-scene">
                 <div class="new-name">
-                    <label for="new-name">{ "Name" }</label>
-                    <input id="new-name" class="field" type="text" maxlength="60" placeholder="Untitled"
+                    <label for="new-name">{ tr!("Name") }</label>
+                    <input id="new-name" class="field" type="text" maxlength="60" placeholder={tr!("Untitled")}
                         value={(*name).clone()} oninput={typing(&name)} onkeydown={enter.clone()} autofocus=true />
                 </div>
-                { number("new-columns", "Columns", &columns) }
-                { number("new-rows", "Rows", &rows) }
+                { number("new-columns", tr!("Columns"), &columns) }
+                { number("new-rows", tr!("Rows"), &rows) }
             </div>
             <div class="dialog-foot">
-                <button type="button" class="btn outline" onclick={on_close.reform(|_| ())}>{ "Back" }</button>
-                <button type="button" class="btn primary" onclick={create.reform(|_| ())}>{ "Create" }</button>
+                <button type="button" class="btn outline" onclick={on_close.reform(|_| ())}>{ tr!("Back") }</button>
+                <button type="button" class="btn primary" onclick={create.reform(|_| ())}>{ tr!("Create") }</button>
             </div>
         </Frame>
     }

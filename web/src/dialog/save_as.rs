@@ -2,6 +2,8 @@
 //! What a format cannot hold is said before anything is saved.
 
 use giveway_model::format::foreign::Format;
+use giveway_model::words::Later;
+use giveway_model::{tr, tr_later};
 use giveway_page::intake::Written;
 use giveway_page::intake::protocol::ReportKind;
 use giveway_page::{Action, IntakeAction, Save};
@@ -28,10 +30,22 @@ enum Choice {
     Report(ReportKind),
 }
 
-const REPORTS: [(ReportKind, &str, &str); 3] = [
-    (ReportKind::Html, "Page", "HTML, for a browser"),
-    (ReportKind::Markdown, "Markdown", "For an issue or a wiki"),
-    (ReportKind::Json, "JSON", "For programs"),
+const REPORTS: [(ReportKind, Later, Later); 3] = [
+    (
+        ReportKind::Html,
+        tr_later!("a format" => "Page"),
+        tr_later!("HTML, for a browser"),
+    ),
+    (
+        ReportKind::Markdown,
+        tr_later!("Markdown"),
+        tr_later!("For an issue or a wiki"),
+    ),
+    (
+        ReportKind::Json,
+        tr_later!("JSON"),
+        tr_later!("For programs"),
+    ),
 ];
 
 /// The formats, then what was written.
@@ -58,25 +72,25 @@ pub(crate) fn SaveAs(props: &SaveAsProps) -> Html {
             <li><button type="button" class="way" onclick={press}>{ name.to_owned() }<small>{ detail.to_owned() }</small></button></li>
         }
     };
-    let report = |&(kind, name, detail): &(ReportKind, &str, &str)| {
-        choice(Choice::Report(kind), name, detail)
+    let report = |&(kind, name, detail): &(ReportKind, Later, Later)| {
+        choice(Choice::Report(kind), name.text(), detail.text())
     };
     let formats = Format::ALL.into_iter();
     let formats = formats.filter(|format| *format != Format::Giveway);
     let format = |format: Format| {
-        let detail = format!("as {}", format.makers());
+        let detail = tr!("as {makers}", makers = format.makers());
         choice(Choice::Format(format), format.looks(), &detail)
     };
     html! {
-        <Frame title="Save as" narrow=true on_close={close.clone()}>
+        <Frame title={tr!("Save as")} narrow=true on_close={close.clone()}>
             <div class="audit" aria-live="polite">
                 if let Some(written) = &state.intake.written {
                     { outcome(written, &close, send) }
                 } else {
                     if state.audit().is_some() {
-                        <section><h3>{ "Report" }</h3><ul class="ways">{ for REPORTS.iter().map(report) }</ul></section>
+                        <section><h3>{ tr!("Report") }</h3><ul class="ways">{ for REPORTS.iter().map(report) }</ul></section>
                     }
-                    <section><h3>{ "Formats" }</h3><ul class="ways">{ for formats.map(format) }</ul></section>
+                    <section><h3>{ tr!("Formats") }</h3><ul class="ways">{ for formats.map(format) }</ul></section>
                 }
             </div>
         </Frame>
@@ -98,11 +112,11 @@ fn outcome(written: &Written, close: &Callback<()>, send: &Callback<Action>) -> 
         }
     };
     let head = if written.files.is_empty() {
-        "This cannot be written so:"
+        tr!("This cannot be written so:")
     } else if written.losses.is_empty() {
-        "Nothing is lost."
+        tr!("Nothing is lost.")
     } else {
-        "These files do not hold:"
+        tr!("These files do not hold:")
     };
     html! {
         <section>
@@ -110,9 +124,9 @@ fn outcome(written: &Written, close: &Callback<()>, send: &Callback<Action>) -> 
             <p>{ head }</p>
             <ul class="losses">{ for written.losses.iter().map(|loss| html! { <li>{ loss.clone() }</li> }) }</ul>
             <div class="dialog-foot">
-                <button type="button" class="btn outline" onclick={send.reform(|_| Action::Intake(IntakeAction::Saved))}>{ "Another format" }</button>
+                <button type="button" class="btn outline" onclick={send.reform(|_| Action::Intake(IntakeAction::Saved))}>{ tr!("Another format") }</button>
                 if !written.files.is_empty() {
-                    <button type="button" class="btn primary" onclick={save}>{ icon::show("save") }{ "Save" }</button>
+                    <button type="button" class="btn primary" onclick={save}>{ icon::show("save") }{ tr!("Save") }</button>
                 }
             </div>
         </section>

@@ -1,5 +1,6 @@
 //! The scenes that this browser keeps.
 
+use giveway_model::tr;
 use giveway_page::{Action, FileAction, Notice, link};
 use yew::prelude::*;
 
@@ -50,8 +51,8 @@ pub(crate) fn Scenes(props: &ScenesProps) -> Html {
                 <button class="pick" onclick={open(keep::scene, name)}>
                     <b>{ shown.clone() }</b>{ icon::show("chevron") }
                 </button>
-                <button class="btn ghost round" onclick={forget} title="Forget"
-                    aria-label={format!("Forget {shown}")}>{ icon::show("cancel") }</button>
+                <button class="btn ghost round" onclick={forget} title={tr!("Forget")}
+                    aria-label={tr!("Forget {shown}", shown)}>{ icon::show("cancel") }</button>
             </li>
         }
     };
@@ -71,7 +72,7 @@ pub(crate) fn Scenes(props: &ScenesProps) -> Html {
                 names.set(keep::scenes());
             } else {
                 send.emit(Action::File(FileAction::Refuse(Notice {
-                    sentence: "This browser has no room for the scene: save it as a file."
+                    sentence: tr!("This browser has no room for the scene: save it as a file.")
                         .to_owned(),
                     details: Vec::new(),
                 })));
@@ -80,23 +81,28 @@ pub(crate) fn Scenes(props: &ScenesProps) -> Html {
     };
     let own = title(&state.document.draft.scene().name);
     html! {
-        <Frame title="Scenes" on_close={on_close.clone()}>
+        <Frame title={tr!("Scenes")} on_close={on_close.clone()}>
             if names.is_empty() {
-                <p>{ "Scenes that you keep in this browser are listed here." }</p>
+                <p>{ tr!("Scenes that you keep in this browser are listed here.") }</p>
             }
             <ul class="picks">{ for names.iter().map(one) }</ul>
             if !others.is_empty() {
-                <h3>{ "Left in other tabs" }</h3>
+                <h3>{ tr!("Left in other tabs") }</h3>
                 <ul class="picks">{ for others.iter().map(elsewhere) }</ul>
             }
             <div class="dialog-foot">
-                <button class="btn outline" onclick={open(|_| app::example(), "")}>{ "Restore the example" }</button>
-                <button class="btn primary" onclick={keep}>{ format!("Keep \u{201c}{own}\u{201d}") }</button>
+                <button class="btn outline" onclick={open(|_| app::example(), "")}>{ tr!("Restore the example") }</button>
+                <button class="btn primary" onclick={keep}>{ tr!("Keep “{own}”", own) }</button>
             </div>
         </Frame>
     }
 }
 
 fn title(name: &str) -> String {
-    if name.is_empty() { "Untitled" } else { name }.to_owned()
+    if name.is_empty() {
+        tr!("Untitled")
+    } else {
+        name
+    }
+    .to_owned()
 }

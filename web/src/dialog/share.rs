@@ -1,5 +1,6 @@
 //! The link that holds the scene with its plan and its question.
 
+use giveway_model::tr;
 use giveway_page::{Action, FileAction, link::embed};
 use yew::prelude::*;
 
@@ -35,26 +36,26 @@ pub(crate) fn Share(props: &ShareProps) -> Html {
             });
         })
     };
-    let link = press("link", props.link.clone(), "Link copied.");
+    let link = press(tr!("link"), props.link.clone(), tr!("Link copied."));
     let html = embed(&props.link, &props.name).into();
-    let code = press("embed code", html, "Embed code copied.");
+    let code = press(tr!("embed code"), html, tr!("Embed code copied."));
     let length = props.link.len();
     html! {
-        <Frame title="Share" on_close={props.on_close.clone()}>
-            <p>{ "Whoever opens this link sees the scene and its plan at the time shown; a question \
-                  that is open is asked again. Nothing is sent anywhere: all of it is in the link." }</p>
+        <Frame title={tr!("Share")} on_close={props.on_close.clone()}>
+            <p>{ tr!("Whoever opens this link sees the scene and its plan at the time shown; a question \
+                  that is open is asked again. Nothing is sent anywhere: all of it is in the link.") }</p>
             if length > LONG {
-                <p>{ format!("It has {length} characters, which some programs cut: a file is safer.") }</p>
+                <p>{ tr!("It has {length} characters, which some programs cut: a file is safer.", length) }</p>
             }
             <div class="ask-number">
-                <label for="link">{ "Link" }</label>
+                <label for="link">{ tr!("Link") }</label>
                 <input id="link" class="field" type="text" readonly=true value={props.link.clone()} />
             </div>
             <div class="dialog-foot">
                 <span class="grow" role="status">{ *told }</span>
-                <button class="btn outline" title="HTML that shows the plan inside another page"
-                    onclick={code}>{ "Copy embed code" }</button>
-                <button class="btn primary" onclick={link}>{ icon::show("copy") }{ "Copy link" }</button>
+                <button class="btn outline" title={tr!("HTML that shows the plan inside another page")}
+                    onclick={code}>{ tr!("Copy embed code") }</button>
+                <button class="btn primary" onclick={link}>{ icon::show("copy") }{ tr!("Copy link") }</button>
             </div>
         </Frame>
     }

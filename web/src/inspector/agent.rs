@@ -1,5 +1,6 @@
 //! An agent at the time shown.
 
+use giveway_model::tr;
 use giveway_page::inspect::{AgentFacts, BatteryFacts};
 use giveway_page::timeline::{Lane, Way};
 use giveway_page::{Action, PlayAction};
@@ -19,10 +20,10 @@ pub(super) fn show(facts: &AgentFacts, send: &Callback<Action>) -> Html {
             </header>
             <dl class="facts">
                 if let Some(battery) = facts.battery {
-                    <div><dt>{ "Battery" }</dt><dd>{ show_battery(battery) }</dd></div>
+                    <div><dt>{ tr!("Battery") }</dt><dd>{ show_battery(battery) }</dd></div>
                 }
                 if waypoints > 0 {
-                    <div><dt>{ "Waypoints" }</dt><dd><span><b>{ visited }</b>{ format!(" of {waypoints} visited") }</span></dd></div>
+                    <div><dt>{ tr!("Waypoints") }</dt><dd><span><b>{ visited }</b>{ tr!("after a bold number" => " of {waypoints} visited", waypoints) }</span></dd></div>
                 }
                 if let Some(lane) = &facts.lane {
                     { show_plan(lane, send) }
@@ -37,21 +38,21 @@ fn show_plan(lane: &Lane, send: &Callback<Action>) -> Html {
     let arrival = lane.arrival;
     html! {
         <>
-            <div><dt>{ "Arrives" }</dt><dd><span>{ "at " }{ time(arrival, send) }</span></dd></div>
+            <div><dt>{ tr!("Arrives") }</dt><dd><span>{ tr!("before a time" => "at") }{ " " }{ time(arrival, send) }</span></dd></div>
             <div>
-                <dt>{ "Path" }</dt>
+                <dt>{ tr!("Path") }</dt>
                 <dd><span>
-                    <b>{ lane.moves() }</b>{ if lane.moves() == 1 { " move" } else { " moves" } }
-                    if slow > 0 { { format!(", {slow} of them slow") } }
+                    <b>{ lane.moves() }</b>{ tr!("after a bold number" => " move" | " moves" % lane.moves()) }
+                    if slow > 0 { { tr!(", {slow} of them slow", slow) } }
                 </span></dd>
             </div>
             if waits > 0 {
-                <div><dt>{ "Waits" }</dt><dd><span><b>{ waits }</b>{ if waits == 1 { " step" } else { " steps" } }</span></dd></div>
+                <div><dt>{ tr!("Waits") }</dt><dd><span><b>{ waits }</b>{ tr!("after a bold number" => " step" | " steps" % waits) }</span></dd></div>
             }
             if !lane.charges.is_empty() {
                 <div>
-                    <dt>{ "Charges" }</dt>
-                    <dd><span class="times">{ "at " }{ for lane.charges.iter().map(|&at| html! { <>{ time(at, send) }{ " " }</> }) }</span></dd>
+                    <dt>{ tr!("Charges") }</dt>
+                    <dd><span class="times">{ tr!("before times" => "at") }{ " " }{ for lane.charges.iter().map(|&at| html! { <>{ time(at, send) }{ " " }</> }) }</span></dd>
                 </div>
             }
         </>
@@ -61,7 +62,7 @@ fn show_plan(lane: &Lane, send: &Callback<Action>) -> Html {
 /// A time that can be shown by pressing it.
 fn time(at: u32, send: &Callback<Action>) -> Html {
     html! {
-        <button type="button" class="link time" title={format!("Show time {at}")} onclick={send.reform(move |_| Action::Play(PlayAction::Seek(at)))}>{ at }</button>
+        <button type="button" class="link time" title={tr!("Show time {at}", at)} onclick={send.reform(move |_| Action::Play(PlayAction::Seek(at)))}>{ at }</button>
     }
 }
 
@@ -78,7 +79,7 @@ fn show_battery(battery: BatteryFacts) -> Html {
     html! {
         <>
             <span class={classes!("cells", battery.reserve.class())} aria-hidden="true">{ for (0..cells).map(cell) }</span>
-            <span><b>{ battery.level }</b>{ format!(" of {}", battery.capacity) }{ if battery.charges { ", then full" } else { "" } }</span>
+            <span><b>{ battery.level }</b>{ tr!("after a bold number" => " of {capacity}", capacity = battery.capacity) }{ if battery.charges { tr!(", then full") } else { "" } }</span>
         </>
     }
 }

@@ -1,6 +1,7 @@
 //! The answer to a question: verdict, costs side by side, what would happen,
 //! what excludes it, what would help.
 
+use giveway_model::tr;
 use giveway_page::ask::{Card, CostRow, FactRow, Facts, Happening, Offered, Other};
 use giveway_page::{Action, AskAction, Lit, PlayAction};
 use yew::prelude::*;
@@ -19,7 +20,7 @@ pub(super) fn show(card: &Card, send: &Callback<Action>) -> Html {
         <>
             <header class="qh">
                 <button type="button" class="crumb" onclick={send.reform(|_| Action::Ask(AskAction::Close))}>
-                    { icon::show("back") }{ "Back" }
+                    { icon::show("back") }{ tr!("Back") }
                 </button>
                 <h2>{ card.question.clone() }</h2>
             </header>
@@ -36,7 +37,7 @@ pub(super) fn show(card: &Card, send: &Callback<Action>) -> Html {
                 { repairs(&card.repairs, true, send) }
             }
             if !card.rows.is_empty() {
-                { costs(&card.rows, "Both plans", ["This", "Other"]) }
+                { costs(&card.rows, tr!("Both plans"), [tr!("This"), tr!("Other")]) }
             }
             if let Some((title, happenings)) = &card.witness && !is_numbered {
                 { witness(title, happenings, send) }
@@ -74,21 +75,21 @@ pub(super) fn foot(card: &Card, send: &Callback<Action>) -> Html {
         // Both are there to be seen: what is left is to decide.
         html! {
             <button type="button" class="btn outline" onclick={send.reform(|_| Action::Ask(AskAction::Close))}>
-                { icon::show("cancel") }{ "Keep this" }
+                { icon::show("cancel") }{ tr!("Keep this") }
             </button>
         }
     } else {
         html! {
             <button type="button" class="btn outline" aria-pressed={is_shown.to_string()}
                 onclick={send.reform(move |_| Action::Ask(AskAction::ShowOther(!is_shown)))}>
-                { icon::show("compare") }{ if is_shown { "Show this" } else { "Show other" } }
+                { icon::show("compare") }{ if is_shown { tr!("Show this") } else { tr!("Show other") } }
             </button>
         }
     };
     html! {
         <footer class="foot">
             <button type="button" class="btn primary" onclick={send.reform(|_| Action::Ask(AskAction::TakeOther))}>
-                { icon::show("check") }{ "Take the other plan" }
+                { icon::show("check") }{ tr!("Take the other plan") }
             </button>
             { second }
         </footer>
@@ -120,9 +121,9 @@ pub(super) fn costs(
     html! {
         <table class="compare" aria-label={name}>
             <thead><tr>
-                <th scope="col"><span class="vh">{ "Cost" }</span></th>
+                <th scope="col"><span class="vh">{ tr!("Cost") }</span></th>
                 <th scope="col">{ this }</th><th scope="col">{ other }</th>
-                <th scope="col"><span class="vh">{ "Difference" }</span></th>
+                <th scope="col"><span class="vh">{ tr!("Difference") }</span></th>
             </tr></thead>
             <tbody>{ for rows.iter().map(row) }</tbody>
         </table>
@@ -142,7 +143,7 @@ fn witness(title: &str, happenings: &[Happening], send: &Callback<Action>) -> Ht
         let time = happening.time;
         html! {
             <li><button type="button" class={classes!("reason", happening.is_lit.then_some("lit"))}
-                title={format!("Show time {time}")} onclick={send.reform(move |_| Action::Play(PlayAction::Seek(time)))}
+                title={tr!("Show time {time}", time)} onclick={send.reform(move |_| Action::Play(PlayAction::Seek(time)))}
                 onpointerenter={on.reform(|_| ())} onpointerleave={off.reform(|_| ())}
                 onfocus={on.reform(|_| ())} onblur={off.reform(|_| ())}>
                 if let Some(number) = happening.number {
@@ -201,7 +202,7 @@ fn repairs(offered: &[Offered], leads: bool, send: &Callback<Action>) -> Html {
     };
     html! {
         <section>
-            <h3>{ "What would help" }</h3>
+            <h3>{ tr!("What would help") }</h3>
             <ul class="repairs">{ for offered.iter().enumerate().map(one) }</ul>
         </section>
     }

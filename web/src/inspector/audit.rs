@@ -1,5 +1,6 @@
 //! A plan of elsewhere: how it was read, whether it is legal, how good it is.
 
+use giveway_model::tr;
 use giveway_page::Action;
 use giveway_page::audit::{
     AuditAction, Choice, Compared, Conflicts, CostRow, Fact, Facts, PlanRow, ViolationRow,
@@ -20,7 +21,7 @@ pub(super) fn show(
         <div class="audit">
             <header class="qh">
                 <button type="button" class="crumb" onclick={act(AuditAction::Leave, send)}>
-                    { icon::show("back") }{ "Scene" }
+                    { icon::show("back") }{ tr!("Scene") }
                 </button>
                 <h2>{ facts.title.clone() }</h2>
             </header>
@@ -34,17 +35,17 @@ pub(super) fn show(
             </div>
             if !facts.violations.is_empty() {
                 <section>
-                    <h3>{ "What goes wrong" }</h3>
+                    <h3>{ tr!("What goes wrong") }</h3>
                     { conflicts(walk, send) }
                     <ul class="viols">{ for facts.violations.iter().map(|row| violation(row, send)) }</ul>
-                    if facts.more > 0 { <p class="remark">{ format!("And {} more.", facts.more) }</p> }
+                    if facts.more > 0 { <p class="remark">{ tr!("And {more} more.", more = facts.more) }</p> }
                 </section>
             }
             if !facts.costs.is_empty() { { costs(&facts.costs) } }
             if let Some((share, words)) = &facts.stands { { stands(*share, words) } }
             if !facts.plans.is_empty() {
                 <section>
-                    <h3>{ "Plans of these files" }</h3>
+                    <h3>{ tr!("Plans of these files") }</h3>
                     <ul class="viols">{ for facts.plans.iter().enumerate().map(|row| plan(row, send)) }</ul>
                 </section>
             }
@@ -66,8 +67,8 @@ pub(super) fn conflicts(walk: Option<&Conflicts>, send: &Callback<Action>) -> Ht
         <div class="walk">
             <p aria-live="polite">{ walk.sentence.clone() }</p>
             if walk.has_next {
-                <button type="button" class="btn outline" title="Next conflict (n)" onclick={act(AuditAction::Next, send)}>
-                    { icon::show("collision") }<span>{ "Next conflict" }</span>
+                <button type="button" class="btn outline" title={tr!("Next conflict (n)")} onclick={act(AuditAction::Next, send)}>
+                    { icon::show("collision") }<span>{ tr!("Next conflict") }</span>
                 </button>
             }
         </div>
@@ -94,16 +95,16 @@ fn file(facts: &Facts, opened: &UseStateHandle<String>, send: &Callback<Action>)
         move |_: MouseEvent| opened.set(if is_open { String::new() } else { file.clone() })
     };
     html! {
-        <section class="filec" aria-label="File">
+        <section class="filec" aria-label={tr!("File")}>
             { icon::show("file") }
             <p><b>{ facts.file.clone() }</b><small>{ facts.extent.clone() }</small></p>
             if !facts.choices.is_empty() {
-                <button type="button" class="link" aria-expanded={is_open.to_string()} onclick={toggle}>{ "Change" }</button>
+                <button type="button" class="link" aria-expanded={is_open.to_string()} onclick={toggle}>{ tr!("Change") }</button>
             }
             if is_open && !facts.choices.is_empty() {
-                <ul class="ways" aria-label="Ways to read it">{ for facts.choices.iter().map(|way| choice(way, send)) }</ul>
+                <ul class="ways" aria-label={tr!("Ways to read it")}>{ for facts.choices.iter().map(|way| choice(way, send)) }</ul>
                 if !facts.can_read_again {
-                    <p class="remark">{ "Open the file again to read it in another way." }</p>
+                    <p class="remark">{ tr!("Open the file again to read it in another way.") }</p>
                 }
             }
         </section>
@@ -135,11 +136,11 @@ fn violation(row: &ViolationRow, send: &Callback<Action>) -> Html {
     };
     html! {
         <li><button type="button" class={classes!("viol", row.is_now.then_some("on"))} aria-current={row.is_now.then_some("true")}
-            aria-label={format!("{}{detail}, go to time {time}", row.text)}
+            aria-label={tr!("{row}{detail}, go to time {time}", row = row.text, detail, time)}
             onclick={act(AuditAction::Show(index), send)}>
             { icon::show("collision") }
             <span>{ row.text.clone() }<small>{ row.detail.clone() }</small></span>
-            <span class="tt">{ format!("at {time}") }{ icon::show("chevron") }</span>
+            <span class="tt">{ tr!("at {time}", time) }{ icon::show("chevron") }</span>
         </button></li>
     }
 }
@@ -163,11 +164,11 @@ fn costs(rows: &[CostRow]) -> Html {
         }
     };
     html! {
-        <table class="compare" aria-label="Costs">
+        <table class="compare" aria-label={tr!("Costs")}>
             <thead><tr>
-                <th scope="col"><span class="vh">{ "Cost" }</span></th>
-                <th scope="col">{ "This plan" }</th><th scope="col">{ "At least" }</th>
-                <th scope="col"><span class="vh">{ "Difference" }</span></th>
+                <th scope="col"><span class="vh">{ tr!("Cost") }</span></th>
+                <th scope="col">{ tr!("This plan") }</th><th scope="col">{ tr!("At least") }</th>
+                <th scope="col"><span class="vh">{ tr!("Difference") }</span></th>
             </tr></thead>
             <tbody>{ for rows.iter().map(row) }</tbody>
         </table>
@@ -178,7 +179,7 @@ fn costs(rows: &[CostRow]) -> Html {
 fn stands(share: u32, words: &str) -> Html {
     html! {
         <section class="stands">
-            <h3>{ "Where it stands" }</h3>
+            <h3>{ tr!("Where it stands") }</h3>
             <svg width="100%" height="14" aria-hidden="true">
                 <rect class="gap" width="100%" height="14" /><rect class="done" width={format!("{share}%")} height="14" />
             </svg>
@@ -197,9 +198,9 @@ pub(super) fn foot(facts: &Facts, is_wide: bool, send: &Callback<Action>) -> Htm
         }
     };
     let compare = |compared: Compared| match compared {
-        Compared::Beside if is_wide => ("One plan", AuditAction::Compare(false)),
-        Compared::Instead => ("Show this plan", AuditAction::ShowOther(false)),
-        _ => ("Compare side by side", AuditAction::Compare(true)),
+        Compared::Beside if is_wide => (tr!("One plan"), AuditAction::Compare(false)),
+        Compared::Instead => (tr!("Show this plan"), AuditAction::ShowOther(false)),
+        _ => (tr!("Compare side by side"), AuditAction::Compare(true)),
     };
     html! {
         <footer class="foot two2">

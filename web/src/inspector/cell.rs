@@ -1,5 +1,6 @@
 //! A cell: what it is and who passes when.
 
+use giveway_model::tr;
 use giveway_page::inspect::{CellFacts, Pass};
 use giveway_page::{Action, BoardAction, PlayAction, Selection};
 use yew::prelude::*;
@@ -27,13 +28,13 @@ pub(super) fn show(state: &Shown, facts: &CellFacts, send: &Callback<Action>) ->
             }
             if let Some(passes) = &facts.passes {
                 <section>
-                    <h3>{ "Who is here when" }</h3>
+                    <h3>{ tr!("Who is here when") }</h3>
                     if passes.is_empty() {
-                        <p class="remark">{ "Nobody passes here." }</p>
+                        <p class="remark">{ tr!("Nobody passes here.") }</p>
                     } else {
                         <ul class="choices">{ for passes.iter().take(MAX_PASSES).map(|pass| show_pass(state, pass, send)) }</ul>
                         if passes.len() > MAX_PASSES {
-                            <p class="remark">{ format!("And {} more.", passes.len() - MAX_PASSES) }</p>
+                            <p class="remark">{ tr!("And {more} more.", more = passes.len() - MAX_PASSES) }</p>
                         }
                     }
                 </section>
@@ -58,7 +59,7 @@ fn show_pass(state: &Shown, pass: &Pass, send: &Callback<Action>) -> Html {
     let is_past = time > from;
     let agent = in_draft(state, &pass.name).unwrap_or(pass.agent);
     html! {
-        <li><button type="button" class={classes!("choice", is_past.then_some("past"))} title={format!("Show time {from}")}
+        <li><button type="button" class={classes!("choice", is_past.then_some("past"))} title={tr!("Show time {from}", from)}
             onclick={send.reform(move |_| Action::Play(PlayAction::Seek(from)))}>
             { glyph::show(agent, "choice-glyph") }<span><b>{ pass.name.clone() }</b>{ format!(" {}", pass.when) }</span>
         </button></li>

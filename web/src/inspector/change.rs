@@ -1,6 +1,7 @@
 //! What changes in the world: the list, the methods, the history; what can be
 //! changed of an agent.
 
+use giveway_model::tr;
 use giveway_page::changing::{self, Choice, Facts, Listed, Past, WIDEST};
 use giveway_page::{Action, BoardAction, ChangeAction, Edit, State, Tool};
 use yew::prelude::*;
@@ -18,9 +19,9 @@ pub(super) fn begin(state: &State, send: &Callback<Action>) -> Html {
     }
     let time = state.view.playback.time;
     html! {
-        <button type="button" class="btn outline more" title="Change the world here (x)"
+        <button type="button" class="btn outline more" title={tr!("Change the world here (x)")}
             onclick={send.reform(|_| Action::Change(ChangeAction::Begin))}>
-            { icon::show("change") }{ "Change the world here" }<span class="vh">{ format!(", at time {time}") }</span>
+            { icon::show("change") }{ tr!("Change the world here") }<span class="vh">{ tr!(", at time {time}", time) }</span>
         </button>
     }
 }
@@ -31,20 +32,20 @@ pub(super) fn show(facts: &Facts, methods: Choice, send: &Callback<Action>) -> H
     html! {
         <>
             <header class="qh">
-                <p class="over">{ "The world changes" }</p>
-                <h2>{ format!("At time {}", facts.at) }</h2>
-                <p class="remark">{ format!("Everything up to time {} has happened and stays.", facts.at) }</p>
+                <p class="over">{ tr!("The world changes") }</p>
+                <h2>{ tr!("At time {time}", time = facts.at) }</h2>
+                <p class="remark">{ tr!("Everything up to time {time} has happened and stays.", time = facts.at) }</p>
             </header>
-            <section aria-label="Changes">
-                <h3>{ "Changes" }</h3>
+            <section aria-label={tr!("Changes")}>
+                <h3>{ tr!("Changes") }</h3>
                 if facts.list.is_empty() {
-                    <p class="remark">{ "Use the tools on the board: what they do becomes a change. Select a robot for more." }</p>
+                    <p class="remark">{ tr!("Use the tools on the board: what they do becomes a change. Select a robot for more.") }</p>
                 } else {
                     <ul class="changes">{ for facts.list.iter().enumerate().map(one) }</ul>
                 }
                 if facts.is_compared {
                     <button type="button" class="btn ghost add-change" onclick={send.reform(|_| Action::Board(BoardAction::PickTool(Tool::Obstacle)))}>
-                        { icon::show("plus") }{ "Add a change on the board" }
+                        { icon::show("plus") }{ tr!("Add a change on the board") }
                     </button>
                 }
             </section>
@@ -56,7 +57,7 @@ pub(super) fn show(facts: &Facts, methods: Choice, send: &Callback<Action>) -> H
 
 fn listed_change(index: usize, listed: &Listed, send: &Callback<Action>) -> Html {
     let take_back = send.reform(move |_: MouseEvent| Action::Change(ChangeAction::TakeBack(index)));
-    let name = format!("Take back: {}", listed.text);
+    let name = tr!("Take back: {what}", what = listed.text);
     html! {
         <li key={index}>
             if let Some(agent) = listed.agent {
@@ -67,7 +68,7 @@ fn listed_change(index: usize, listed: &Listed, send: &Callback<Action>) -> Html
             <span><b>{ listed.text.clone() }</b>
                 if let Some(detail) = &listed.detail { <small>{ detail.clone() }</small> }
             </span>
-            <button type="button" class="btn ghost round" title="Take back" aria-label={name} onclick={take_back}>
+            <button type="button" class="btn ghost round" title={tr!("Take back")} aria-label={name} onclick={take_back}>
                 { icon::show("cancel") }
             </button>
         </li>
@@ -93,14 +94,14 @@ fn choose(methods: Choice, send: &Callback<Action>) -> Html {
     });
     html! {
         <section>
-            <h3>{ "Methods" }</h3>
-            <div class="methods" role="group" aria-label="Methods">
-                { check("Revise", "keep paths, change times", methods.revise, |c| Choice { revise: !c.revise, ..c }) }
+            <h3>{ tr!("Methods") }</h3>
+            <div class="methods" role="group" aria-label={tr!("Methods")}>
+                { check(tr!("Revise"), tr!("keep paths, change times"), methods.revise, |c| Choice { revise: !c.revise, ..c }) }
                 <div class="with-width">
-                    { check("Tunnel", "stay near the old paths", methods.tunnel, |c| Choice { tunnel: !c.tunnel, ..c }) }
-                    <div class="fields">{ number("Width, steps", Some(methods.width), (0, WIDEST), None, &width) }</div>
+                    { check(tr!("Tunnel"), tr!("stay near the old paths"), methods.tunnel, |c| Choice { tunnel: !c.tunnel, ..c }) }
+                    <div class="fields">{ number(tr!("Width, steps"), Some(methods.width), (0, WIDEST), None, &width) }</div>
                 </div>
-                { check("Replan", "plan everything again from here", methods.replan, |c| Choice { replan: !c.replan, ..c }) }
+                { check(tr!("Replan"), tr!("plan everything again from here"), methods.replan, |c| Choice { replan: !c.replan, ..c }) }
             </div>
         </section>
     }
@@ -123,8 +124,8 @@ pub(super) fn history(past: &[Past], is_open: bool) -> Html {
         }
     };
     html! {
-        <section aria-label="History">
-            <h3>{ "History" }</h3>
+        <section aria-label={tr!("History")}>
+            <h3>{ tr!("History") }</h3>
             <ol class="hist">{ for past.iter().enumerate().map(one) }</ol>
         </section>
     }
@@ -151,25 +152,25 @@ pub(super) fn agent(state: &Shown, index: usize, send: &Callback<Action>) -> Htm
         let press = send.reform(move |_: MouseEvent| Action::Edit(Edit::DropWaypoint(index, cell)));
         html! {
             <li>{ &place }<button type="button" class="btn ghost round" onclick={press}
-                aria-label={format!("Drop waypoint {place}")} title="Drop">
+                aria-label={tr!("Drop waypoint {place}", place)} title={tr!("Drop")}>
                 { icon::show("cancel") }
             </button></li>
         }
     };
     html! {
-        <section aria-label="Change this robot">
-            <h3>{ format!("Change {} at time {}", offers.name, offers.at) }</h3>
+        <section aria-label={tr!("Change this robot")}>
+            <h3>{ tr!("Change {name} at time {time}", name = offers.name, time = offers.at) }</h3>
             <div class="edit-body">
                 <div class="fields">
                     if let Some((value, capacity)) = offers.level {
-                        { number("Set battery", Some(value), (0, capacity), None, &level) }
+                        { number(tr!("Set battery"), Some(value), (0, capacity), None, &level) }
                     }
-                    { number("Delay, steps", offers.delay, (1, LONGEST), Some("none"), &delay) }
+                    { number(tr!("Delay, steps"), offers.delay, (1, LONGEST), Some(tr!("no delay" => "none")), &delay) }
                 </div>
                 if !offers.waypoints.is_empty() {
-                    <ul class="removable" aria-label="Waypoints">{ for offers.waypoints.iter().map(waypoint) }</ul>
+                    <ul class="removable" aria-label={tr!("Waypoints")}>{ for offers.waypoints.iter().map(waypoint) }</ul>
                 }
-                <button type="button" class="btn outline" onclick={remove}>{ format!("Remove {}", offers.name) }</button>
+                <button type="button" class="btn outline" onclick={remove}>{ tr!("Remove {name}", name = offers.name) }</button>
             </div>
         </section>
     }
@@ -180,7 +181,7 @@ pub(super) fn foot(send: &Callback<Action>) -> Html {
     html! {
         <footer class="foot">
             <button type="button" class="btn ghost" onclick={send.reform(|_| Action::Change(ChangeAction::Discard))}>
-                { icon::show("undo") }{ "Discard" }
+                { icon::show("undo") }{ tr!("Discard") }
             </button>
         </footer>
     }

@@ -1,6 +1,7 @@
 //! What is edited beside the board: an agent, or the scene as a whole.
 
-use giveway_model::{Agent, Battery};
+use giveway_model::words::Later;
+use giveway_model::{Agent, Battery, tr};
 use giveway_page::{
     Action, BoardAction, COLOURS, DENSEST, Edit, Fill, MAX_AGENTS, MAX_SIDE, Phase, Problem,
     Selection, ViewAction,
@@ -31,7 +32,7 @@ pub(super) fn agent(state: &Shown, index: usize, send: &Callback<Action>) -> Htm
         let press = send.reform(move |_: MouseEvent| Action::Edit(Edit::DropWaypoint(index, cell)));
         html! {
             <li>{ &name }<button type="button" class="btn ghost round" onclick={press}
-                aria-label={format!("Remove waypoint {name}")} title="Remove">
+                aria-label={tr!("Remove waypoint {name}", name)} title={tr!("Remove")}>
                 { icon::show("cancel") }
             </button></li>
         }
@@ -39,33 +40,34 @@ pub(super) fn agent(state: &Shown, index: usize, send: &Callback<Action>) -> Htm
     let remove = send.reform(move |_: MouseEvent| Action::Edit(Edit::RemoveAgent(index)));
     let body = html! {
         <>
-            <Field label="Name" value={agent.name.clone()} on_change={edit(Edit::Rename)} />
+            <Field label={tr!("Name")} value={agent.name.clone()} on_change={edit(Edit::Rename)} />
             { colour(state, index, send) }
             { battery(agent, index, send) }
             if !agent.waypoints.is_empty() {
-                <ul class="removable" aria-label="Waypoints">
+                <ul class="removable" aria-label={tr!("Waypoints")}>
                     { for agent.waypoints.iter().map(waypoint) }
                 </ul>
             }
-            <button type="button" class="btn outline" onclick={remove}>{ "Delete robot" }</button>
+            <button type="button" class="btn outline" onclick={remove}>{ tr!("Delete robot") }</button>
         </>
     };
-    section(state, "Edit robot", body)
+    section(state, tr!("Edit robot"), body)
 }
 
 /// The colours to choose from; the form stays, so that no two look the same.
 fn colour(state: &Shown, index: usize, send: &Callback<Action>) -> Html {
     let chosen = state.document.colours.of(index);
-    let swatch = |(colour, name): (usize, &&'static str)| {
+    let swatch = |(colour, name): (usize, &Later)| {
+        let name = name.text();
         let choose = send.reform(move |_: Event| Action::Edit(Edit::Recolour(index, colour)));
         html! {
-            <label key={colour} title={*name}>
-                <input type="radio" name="colour" aria-label={*name} checked={colour == chosen} onchange={choose} /><i></i>
+            <label key={colour} title={name}>
+                <input type="radio" name="colour" aria-label={name} checked={colour == chosen} onchange={choose} /><i></i>
             </label>
         }
     };
     html! {
-        <div class="swatches" role="radiogroup" aria-label="Colour">
+        <div class="swatches" role="radiogroup" aria-label={tr!("Colour")}>
             { for COLOURS.iter().enumerate().map(swatch) }
         </div>
     }
@@ -88,19 +90,19 @@ fn battery(agent: &Agent, index: usize, send: &Callback<Action>) -> Html {
     };
     html! {
         <>
-            <div class="seg full" role="group" aria-label="Battery">
-                { kind("No battery limit", None) }
-                { kind("Battery", Some(BATTERY)) }
+            <div class="seg full" role="group" aria-label={tr!("Battery")}>
+                { kind(tr!("No battery limit"), None) }
+                { kind(tr!("Battery"), Some(BATTERY)) }
             </div>
             if let Some(battery) = agent.battery {
                 <div class="fields">
-                    { number("Capacity, steps", Some(battery.capacity), (0, CAPACITY), None, &{
+                    { number(tr!("Capacity, steps"), Some(battery.capacity), (0, CAPACITY), None, &{
                         let set = set.clone();
                         Callback::from(move |n: Option<u32>| {
                             set(Some(Battery { capacity: n.unwrap_or(0), ..battery }));
                         })
                     }) }
-                    { number("At the start", Some(battery.initial), (0, battery.capacity), None, &{
+                    { number(tr!("At the start"), Some(battery.initial), (0, battery.capacity), None, &{
                         let set = set.clone();
                         Callback::from(move |n: Option<u32>| {
                             set(Some(Battery { initial: n.unwrap_or(0), ..battery }));
@@ -132,24 +134,24 @@ pub(super) fn whole(state: &Shown, send: &Callback<Action>) -> Html {
     let most = MAX_AGENTS as u32;
     let body = html! {
         <>
-            <Field label="Name" value={state.document.draft.scene().name.clone()} on_change={rename} />
+            <Field label={tr!("Name")} value={state.document.draft.scene().name.clone()} on_change={rename} />
             <div class="fields">
-                { number("Width, cells", Some(width), sides, None, &side(|n, _, height| Edit::Resize(n, height))) }
-                { number("Height, cells", Some(height), sides, None, &side(|n, width, _| Edit::Resize(width, n))) }
+                { number(tr!("Width, cells"), Some(width), sides, None, &side(|n, _, height| Edit::Resize(n, height))) }
+                { number(tr!("Height, cells"), Some(height), sides, None, &side(|n, width, _| Edit::Resize(width, n))) }
             </div>
-            <h3>{ "Random scene" }</h3>
+            <h3>{ tr!("Random scene") }</h3>
             <div class="fields">
-                { number("Obstacles, %", Some(fill.obstacles), (0, DENSEST), None, &set(|obstacles, fill| Fill { obstacles, ..fill })) }
-                { number("Robots", Some(fill.agents), (0, most), None, &set(|agents, fill| Fill { agents, ..fill })) }
-                { number("Seed", Some(fill.seed), (0, u32::MAX), None, &set(|seed, fill| Fill { seed, ..fill })) }
+                { number(tr!("Obstacles, %"), Some(fill.obstacles), (0, DENSEST), None, &set(|obstacles, fill| Fill { obstacles, ..fill })) }
+                { number(tr!("Robots"), Some(fill.agents), (0, most), None, &set(|agents, fill| Fill { agents, ..fill })) }
+                { number(tr!("Seed"), Some(fill.seed), (0, u32::MAX), None, &set(|seed, fill| Fill { seed, ..fill })) }
             </div>
             <div class="pair">
-                <button type="button" class="btn outline" onclick={strew}>{ "Random scene" }</button>
-                <button type="button" class="btn outline" onclick={clear}>{ "Clear" }</button>
+                <button type="button" class="btn outline" onclick={strew}>{ tr!("Random scene") }</button>
+                <button type="button" class="btn outline" onclick={clear}>{ tr!("Clear") }</button>
             </div>
         </>
     };
-    section(state, "Edit scene", body)
+    section(state, tr!("Edit scene"), body)
 }
 
 /// Open while the scene is edited, else a line that opens it.
@@ -180,8 +182,7 @@ pub(super) fn problems(
         return Html::default();
     }
     let one = |problem: &&Problem| {
-        let text =
-            html! { <>{ icon::show("warning") }<span>{ problem.sentence.clone() }</span></> };
+        let text = html! { <>{ icon::show("warning") }<span>{ problem.sentence() }</span></> };
         match problem.cell {
             Some(cell) => {
                 let show = send.reform(move |_: MouseEvent| {
@@ -194,7 +195,7 @@ pub(super) fn problems(
     };
     html! {
         <section>
-            <h3>{ "Problems " }<span class="count">{ problems.len() }</span></h3>
+            <h3>{ tr!("Problems") }{ " " }<span class="count">{ problems.len() }</span></h3>
             <ul class="problems">{ for problems.iter().take(MOST).map(one) }</ul>
         </section>
     }

@@ -1,7 +1,7 @@
 //! What must be so in every best plan: told of the plan as a whole, of the robot or cell
 //! selected, and of a cell that is closed for a look.
 
-use giveway_model::Cell;
+use giveway_model::{Cell, tr};
 use giveway_page::freedom::{
     CellRow, Cells, Chip, Column, FreedomAction, Late, Other, Row, Section, TITLE, Ways, chip,
 };
@@ -17,17 +17,17 @@ pub(super) fn show(column: &Column, save: Html, is_wide: bool, send: &Callback<A
         <div class="freedom-told">
             <header class="qh">
                 <button type="button" class="crumb" onclick={act(FreedomAction::Show(false), send)}>
-                    { icon::show("back") }{ "Whole plan" }
+                    { icon::show("back") }{ tr!("Whole plan") }
                 </button>
-                <h2>{ TITLE }</h2>
+                <h2>{ TITLE.text() }</h2>
                 <p class="lead">{ column.lead.clone() }</p>
             </header>
             { stopped(column, send) }
-            if let Some(found) = &column.ways { { section("Ways to choose from", found, |found| ways(found, send)) } }
-            { section("Who may be late", &column.late, |found| late(found, send)) }
-            { section("Cells that matter", &column.cells, |found| cells(found, send)) }
+            if let Some(found) = &column.ways { { section(tr!("Ways to choose from"), found, |found| ways(found, send)) } }
+            { section(tr!("Who may be late"), &column.late, |found| late(found, send)) }
+            { section(tr!("Cells that matter"), &column.cells, |found| cells(found, send)) }
             if let Some(found) = &column.other {
-                { section("Another plan as good", found, |found| other(found, is_wide, send)) }
+                { section(tr!("Another plan as good"), found, |found| other(found, is_wide, send)) }
             }
             if let Some(reach) = &column.reach { <p class="remark">{ reach.clone() }</p> }
             { save }
@@ -48,7 +48,7 @@ fn stopped(column: &Column, send: &Callback<Action>) -> Html {
         <div class="cut-off">
             <p>{ why.clone() }</p>
             <button type="button" class="btn outline" onclick={act(FreedomAction::GoOn, send)}>
-                { icon::show("search") }<span>{ "Look for the rest" }</span>
+                { icon::show("search") }<span>{ tr!("Look for the rest") }</span>
             </button>
         </div>
     }
@@ -61,8 +61,8 @@ fn section<T>(title: &'static str, found: &Section<T>, told: impl Fn(&T) -> Html
             <h3>{ title }</h3>
             { match found {
                 Section::Known(found) => told(found),
-                Section::Coming => html! { <ul class="pending"><li>{ "Looking" }</li></ul> },
-                Section::Open => html! { <p class="remark">{ "Not found out." }</p> },
+                Section::Coming => html! { <ul class="pending"><li>{ tr!("Looking") }</li></ul> },
+                Section::Open => html! { <p class="remark">{ tr!("Not found out.") }</p> },
             } }
         </section>
     }
@@ -123,10 +123,10 @@ fn close(cell: Cell, title: &str, detail: &str, send: &Callback<Action>) -> Html
 
 fn other(other: &Other, is_wide: bool, send: &Callback<Action>) -> Html {
     let words = match (other.is_shown, is_wide) {
-        (false, true) => "Show it beside this one",
-        (false, false) => "Show it",
-        (true, true) => "One plan",
-        (true, false) => "Show this plan",
+        (false, true) => tr!("Show it beside this one"),
+        (false, false) => tr!("Show it"),
+        (true, true) => tr!("One plan"),
+        (true, false) => tr!("Show this plan"),
     };
     html! {
         <>
@@ -147,7 +147,7 @@ pub(super) fn begin(state: &State, send: &Callback<Action>) -> Html {
     html! {
         <ul class="asks"><li><button type="button" class="ask" onclick={act(FreedomAction::Show(true), send)}>
             { icon::show("free") }
-            <span>{ "What must be so in every best plan?" }</span>
+            <span>{ tr!("What must be so in every best plan?") }</span>
             { icon::at_end("chevron") }
         </button></li></ul>
     }
@@ -167,7 +167,7 @@ pub(super) fn part(state: &State, send: &Callback<Action>) -> Html {
     };
     html! {
         <section class="must-be-told">
-            <h3>{ TITLE }</h3>
+            <h3>{ TITLE.text() }</h3>
             { for part.facts.iter().map(|fact| html! { <p>{ fact.clone() }</p> }) }
             if !part.asks.is_empty() || part.closing.is_some() {
                 <ul class="asks">
@@ -186,11 +186,11 @@ pub(super) fn closed(state: &State, send: &Callback<Action>) -> Html {
         return Html::default();
     };
     html! {
-        <div class="verdict costly closed-cell" role="group" aria-label="Closed for a look">
+        <div class="verdict costly closed-cell" role="group" aria-label={tr!("Closed for a look")}>
             <p class="vb">{ icon::show("obstacle") }<b>{ closed.title() }</b></p>
             <p class="vs">{ closed.sentence.clone() }</p>
-            <button type="button" class="btn outline" title="Open it again (Escape)" onclick={act(FreedomAction::Open, send)}>
-                { icon::show("undo") }<span>{ "Open it again" }</span>
+            <button type="button" class="btn outline" title={tr!("Open it again (Escape)")} onclick={act(FreedomAction::Open, send)}>
+                { icon::show("undo") }<span>{ tr!("Open it again") }</span>
             </button>
         </div>
     }

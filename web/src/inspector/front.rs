@@ -1,5 +1,6 @@
 //! The Pareto front: a plot whose points are plans, and each of them as a button.
 
+use giveway_model::tr;
 use giveway_page::front::Plot;
 use giveway_page::{Action, SolveAction, State};
 use yew::prelude::*;
@@ -30,9 +31,9 @@ pub(super) fn show(state: &State, send: &Callback<Action>) -> Html {
     };
     html! {
         <section class="front">
-            <h3>{ "Pareto front" }</h3>
+            <h3>{ tr!("Pareto front") }</h3>
             { plot(&front.plot(), chosen, send) }
-            <ul class="choices" aria-label="Pareto front">{ for (0..front.points.len()).map(one) }</ul>
+            <ul class="choices" aria-label={tr!("Pareto front")}>{ for (0..front.points.len()).map(one) }</ul>
             <p class="remark">{ front.claim() }</p>
         </section>
     }

@@ -1,5 +1,6 @@
 //! What the column says of a step of how the plan was found.
 
+use giveway_model::tr;
 use giveway_page::inside::{Button, Choice, Column, Fact, InsideAction, Listed, OrderRow, Verdict};
 use giveway_page::{Action, files};
 use yew::prelude::*;
@@ -25,13 +26,13 @@ pub(super) fn show(column: &Column, state: &Shown, send: &Callback<Action>) -> H
             if let Some(verdict) = &column.verdict { { told(verdict) } }
             if !column.why.is_empty() {
                 <section>
-                    <h3>{ "Why" }</h3>
+                    <h3>{ tr!("Why") }</h3>
                     <div class="prose">{ for column.why.iter().map(|text| html! { <p>{ text.clone() }</p> }) }</div>
                 </section>
             }
             if let Some(means) = &column.means {
                 <section>
-                    <h3>{ "What this means" }</h3>
+                    <h3>{ tr!("What this means") }</h3>
                     <div class="prose"><p>{ means.clone() }</p></div>
                 </section>
             }
@@ -50,7 +51,7 @@ pub(super) fn show(column: &Column, state: &Shown, send: &Callback<Action>) -> H
             }
             if let Some(listed) = &column.table { { table(listed) } }
             if let Some(press) = column.can_export.then(|| export.clone()) {
-                <p><button type="button" class="btn outline" onclick={press}>{ icon::show("save") }<span>{ "Save this record" }</span></button></p>
+                <p><button type="button" class="btn outline" onclick={press}>{ icon::show("save") }<span>{ tr!("Save this record") }</span></button></p>
             }
             if let Some(note) = &column.note {
                 <p class="sealed">{ icon::show("proved") }<span>{ note.clone() }</span></p>
@@ -133,7 +134,7 @@ fn table(listed: &Listed) -> Html {
         <section>
             <h3>{ listed.title.clone() }</h3>
             <table class="compare" aria-label={listed.title.clone()}>
-                <thead><tr><th scope="col">{ "Robot" }</th>{ for listed.columns.iter().map(|name| html! { <th scope="col">{ *name }</th> }) }</tr></thead>
+                <thead><tr><th scope="col">{ tr!("Robot") }</th>{ for listed.columns.iter().map(|name| html! { <th scope="col">{ *name }</th> }) }</tr></thead>
                 <tbody>{ for listed.rows.iter().map(row) }</tbody>
             </table>
         </section>

@@ -16,6 +16,7 @@ mod questions;
 mod steer;
 mod whole;
 
+use giveway_model::tr;
 use giveway_page::{Action, BoardAction, Selection, State, ask, changing, inspect};
 use yew::prelude::*;
 
@@ -57,7 +58,7 @@ pub fn Inspector(props: &InspectorProps) -> Html {
     // Without a plan a phone has no tabs: this place is all there is.
     let alone = (state.plan().is_none() && !state.is_inside()).then_some("alone");
     html! {
-        <aside class={classes!("insp", alone)} id="inspector" aria-label="Inspector">
+        <aside class={classes!("insp", alone)} id="inspector" aria-label={tr!("Inspector")}>
             if let Some(column) = step {
                 // Where no button is in it, the keyboard scrolls the place itself.
                 <div class="scroll" key={format!("inside {}", column.title)} tabindex={(!column.has_buttons()).then_some("0")}>{ inside::show(&column, state, send) }</div>
@@ -153,7 +154,7 @@ fn while_changing(state: &Shown, facts: &changing::Facts, send: &Callback<Action
 fn back(send: &Callback<Action>) -> Html {
     html! {
         <button type="button" class="crumb" onclick={send.reform(|_| Action::Board(BoardAction::Select(Selection::Nothing)))}>
-            { icon::show("back") }{ "Whole plan" }
+            { icon::show("back") }{ tr!("Whole plan") }
         </button>
     }
 }

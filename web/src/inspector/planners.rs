@@ -1,5 +1,6 @@
 //! Planners side by side: a row for each that planned the scene on the board.
 
+use giveway_model::tr;
 use giveway_page::planners::{Place, Proved, Row, table};
 use giveway_page::{Action, SolveAction, State};
 use yew::prelude::*;
@@ -14,10 +15,10 @@ pub(super) fn show(state: &State, send: &Callback<Action>) -> Html {
     let row = |row: &Row| show_row(row, state.view.is_wide, send);
     html! {
         <section>
-            <h3>{ "Planners" }</h3>
-            <table class="costs planners" aria-label="Planners">
+            <h3>{ tr!("Planners") }</h3>
+            <table class="costs planners" aria-label={tr!("Planners")}>
                 <thead><tr>
-                    { for ["Planner", "Costs", "At least", "Time", "Steps"].map(|name| html! { <th scope="col">{ name }</th> }) }
+                    { for [tr!("Planner"), tr!("Costs"), tr!("At least"), tr!("Time"), tr!("Steps")].map(|name| html! { <th scope="col">{ name }</th> }) }
                 </tr></thead>
                 <tbody>{ for table.rows.iter().map(row) }</tbody>
             </table>
@@ -45,8 +46,8 @@ fn show_row(row: &Row, is_wide: bool, send: &Callback<Action>) -> Html {
             <th scope="row">
                 <button type="button" aria-pressed={is_shown.to_string()} onclick={press}>{ row.title }</button>
                 if is_wide && !is_shown {
-                    <button type="button" title="Show beside" aria-pressed={is_beside.to_string()} onclick={beside}>
-                        { icon::show("compare") }<span class="vh">{ format!("Show {} beside", row.title) }</span>
+                    <button type="button" title={tr!("Show beside")} aria-pressed={is_beside.to_string()} onclick={beside}>
+                        { icon::show("compare") }<span class="vh">{ tr!("Show {title} beside", title = row.title) }</span>
                     </button>
                 }
             </th>
@@ -64,8 +65,8 @@ fn bound(proved: Proved) -> Html {
         Proved::Nothing => html! { "\u{2013}" },
         Proved::AtLeast(bound) => html! { bound },
         Proved::Least(bound) => html! {
-            <><span class="seal">{ icon::show("proved") }<span class="vh">{ "proved least: " }</span></span>{ bound }</>
+            <><span class="seal">{ icon::show("proved") }<span class="vh">{ tr!("proved least:") }{ " " }</span></span>{ bound }</>
         },
-        Proved::Best => html! { <b class="seal">{ "proved best" }</b> },
+        Proved::Best => html! { <b class="seal">{ tr!("proved best") }</b> },
     }
 }

@@ -1,6 +1,7 @@
 //! The check of a proof: its button, what it is at, what came of it, and what saves its
 //! certificate.
 
+use giveway_model::tr;
 use giveway_page::certificate;
 use giveway_page::proof::{Line, Outcome, Proof, proof};
 use giveway_page::{Action, SolveAction, State};
@@ -13,7 +14,7 @@ pub(super) fn show(state: &State, send: &Callback<Action>) -> Html {
         None => html! {},
         Some(Proof::Offered) => html! {
             <button type="button" class="btn outline more" onclick={send.reform(|_| Action::Solve(SolveAction::CheckProof))}>
-                { icon::show("proved") }{ "Check the proof" }
+                { icon::show("proved") }{ tr!("Check the proof") }
             </button>
         },
         Some(Proof::Running(doing)) => running(&doing),
@@ -27,7 +28,7 @@ pub(super) fn save(state: &State, send: &Callback<Action>) -> Html {
         return Html::default();
     };
     html! {
-        <button type="button" class="btn outline more" title="Files with which anyone can check it"
+        <button type="button" class="btn outline more" title={tr!("Files with which anyone can check it")}
             onclick={send.reform(|_| Action::Solve(SolveAction::SaveProof))}>
             { icon::show("save") }{ words }
         </button>
@@ -49,7 +50,7 @@ fn running(doing: &str) -> Html {
 fn done(outcome: &Outcome) -> Html {
     let badge = outcome.badge;
     html! {
-        <section class="proof-at" aria-label="Proof">
+        <section class="proof-at" aria-label={tr!("Proof")}>
             <div class={classes!("verdict", badge.class)} aria-live="polite">
                 <p class="vb">{ icon::show(badge.icon) }<b>{ badge.word }</b></p>
                 <p class="vs">{ outcome.sentence.clone() }</p>

@@ -1,6 +1,7 @@
 //! A plan of one's own: the agent that is led, what is against the rules, what it
 //! costs.
 
+use giveway_model::tr;
 use giveway_page::ask::Happening;
 use giveway_page::steering::{Facts, Lead, facts};
 use giveway_page::{Action, PlayAction, Selection, State};
@@ -19,12 +20,16 @@ pub(super) fn begin(state: &State, send: &Callback<Action>) -> Html {
     let name = agents.get(agent).map_or("", |agent| agent.name.as_str());
     let led = state.document.mode.steering().map(|own| own.agent);
     let text = if led == Some(agent) {
-        format!("Lead {name} again from time {}", state.view.playback.time)
+        tr!(
+            "Lead {name} again from time {time}",
+            name,
+            time = state.view.playback.time
+        )
     } else {
-        format!("Lead {name} by hand")
+        tr!("Lead {name} by hand", name)
     };
     html! {
-        <button type="button" class="btn outline more" title="Key: L"
+        <button type="button" class="btn outline more" title={tr!("Key: L")}
             onclick={send.reform(|_| Action::Steer(Lead::Begin))}>
             { icon::show("steer") }{ text }
         </button>
@@ -52,31 +57,31 @@ fn led(facts: &Facts, send: &Callback<Action>) -> Html {
         <>
             <header class="ih">
                 { glyph::named(facts.agent, &facts.name) }
-                <div><h2>{ "Your plan" }</h2><p>{ facts.place.clone() }</p></div>
+                <div><h2>{ tr!("Your plan") }</h2><p>{ facts.place.clone() }</p></div>
             </header>
             { pad(facts, send) }
-            <section aria-label="Against the rules">
-                <h3>{ "Against the rules" }</h3>
+            <section aria-label={tr!("Against the rules")}>
+                <h3>{ tr!("Against the rules") }</h3>
                 if facts.violations.is_empty() {
-                    <p class="remark">{ "Nothing so far." }</p>
+                    <p class="remark">{ tr!("Nothing so far.") }</p>
                 } else {
                     <ul class="problems">{ for facts.violations.iter().map(|v| violation(v, send)) }</ul>
                 }
                 if facts.more > 0 {
-                    <p class="remark">{ format!("And {} more.", facts.more) }</p>
+                    <p class="remark">{ tr!("And {more} more.", more = facts.more) }</p>
                 }
             </section>
             if !facts.to_do.is_empty() {
-                <section aria-label="Not done yet">
-                    <h3>{ "Not done yet" }</h3>
+                <section aria-label={tr!("Not done yet")}>
+                    <h3>{ tr!("Not done yet") }</h3>
                     <ul class="to-do">{ for facts.to_do.iter().map(open) }</ul>
                 </section>
             }
             <section>
-                <h3>{ if facts.to_do.is_empty() { "Costs" } else { "Costs so far" } }</h3>
-                { answer::costs(&facts.rows, "Costs of both plans", ["Plan", "Yours"]) }
+                <h3>{ if facts.to_do.is_empty() { tr!("Costs") } else { tr!("Costs so far") } }</h3>
+                { answer::costs(&facts.rows, tr!("Costs of both plans"), [tr!("Plan"), tr!("Yours")]) }
             </section>
-            <p class="remark">{ "Select another robot to lead it in the same plan, too." }</p>
+            <p class="remark">{ tr!("Select another robot to lead it in the same plan, too.") }</p>
         </>
     }
 }
@@ -111,7 +116,7 @@ fn pad(facts: &Facts, send: &Callback<Action>) -> Html {
         button(
             class,
             name,
-            "Arrow key",
+            tr!("Arrow key"),
             Lead::Step(by),
             html! { { icon::show("down") } },
         )
@@ -126,15 +131,15 @@ fn pad(facts: &Facts, send: &Callback<Action>) -> Html {
         )
     };
     html! {
-        <div class="pad" role="group" aria-label="Lead it">
-            { worded("btn ghost", "Back", "Backspace", Lead::Back, "undo") }
-            { arrow("btn outline pad-up", "Up", (0, -1)) }
-            { worded("btn outline", "Wait", "W", Lead::Step((0, 0)), "pause") }
-            { arrow("btn outline pad-left", "Left", (-1, 0)) }
-            { arrow("btn outline", "Down", (0, 1)) }
-            { arrow("btn outline pad-right", "Right", (1, 0)) }
+        <div class="pad" role="group" aria-label={tr!("Lead it")}>
+            { worded("btn ghost", tr!("Back"), "Backspace", Lead::Back, "undo") }
+            { arrow("btn outline pad-up", tr!("Up"), (0, -1)) }
+            { worded("btn outline", tr!("Wait"), "W", Lead::Step((0, 0)), "pause") }
+            { arrow("btn outline pad-left", tr!("Left"), (-1, 0)) }
+            { arrow("btn outline", tr!("Down"), (0, 1)) }
+            { arrow("btn outline pad-right", tr!("Right"), (1, 0)) }
             if facts.has_battery {
-                { worded("btn outline pad-charge", "Charge in the next step", "C", Lead::Charge, "charger") }
+                { worded("btn outline pad-charge", tr!("Charge in the next step"), "C", Lead::Charge, "charger") }
             }
         </div>
     }
@@ -144,7 +149,7 @@ fn pad(facts: &Facts, send: &Callback<Action>) -> Html {
 fn violation(violation: &Happening, send: &Callback<Action>) -> Html {
     let time = violation.time;
     html! {
-        <li><button type="button" class="problem" title={format!("Show time {time}")}
+        <li><button type="button" class="problem" title={tr!("Show time {time}", time)}
             aria-current={violation.is_lit.then_some("time")} onclick={send.reform(move |_| Action::Play(PlayAction::Seek(time)))}>
             { icon::show("collision") }<span>{ violation.text.clone() }</span>
         </button></li>
@@ -156,7 +161,7 @@ pub(super) fn foot(send: &Callback<Action>) -> Html {
     html! {
         <footer class="foot">
             <button type="button" class="btn ghost" onclick={send.reform(|_| Action::Steer(Lead::Discard))}>
-                { icon::show("undo") }{ "Discard" }
+                { icon::show("undo") }{ tr!("Discard") }
             </button>
         </footer>
     }

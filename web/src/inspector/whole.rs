@@ -2,6 +2,7 @@
 
 use std::rc::Rc;
 
+use giveway_model::tr;
 use giveway_page::audit::question;
 use giveway_page::changing::history;
 use giveway_page::inspect::{CostFacts, whole};
@@ -31,7 +32,7 @@ pub(super) fn show(state: &Shown, send: &Callback<Action>) -> Html {
             { edit::problems(state, send, |_| true) }
             if !facts.costs.is_empty() || !facts.claims.is_empty() || facts.work.is_some() {
                 <section>
-                    <h3>{ if is_solving { "So far" } else { "Plan" } }</h3>
+                    <h3>{ if is_solving { tr!("So far") } else { tr!("Plan") } }</h3>
                     { costs(&facts.costs) }
                     { for facts.claims.iter().map(|claim| html! { <p class="claim">{ claim.clone() }</p> }) }
                     if let Some(work) = facts.work {
@@ -64,7 +65,7 @@ fn costs(costs: &[CostFacts]) -> Html {
                 <td>{ number(facts.value) }</td>
                 <td>
                     if facts.is_proved() {
-                        <span class="seal">{ icon::show("proved") }<span class="vh">{ "proved least: " }</span></span>
+                        <span class="seal">{ icon::show("proved") }<span class="vh">{ tr!("proved least:") }{ " " }</span></span>
                     }
                     if facts.is_minimised { { number(facts.at_least) } }
                 </td>
@@ -72,8 +73,8 @@ fn costs(costs: &[CostFacts]) -> Html {
         }
     };
     html! {
-        <table class="costs" aria-label="Costs">
-            <thead><tr><th scope="col">{ "Cost" }</th><th scope="col">{ "Plan" }</th><th scope="col">{ "At least" }</th></tr></thead>
+        <table class="costs" aria-label={tr!("Costs")}>
+            <thead><tr><th scope="col">{ tr!("Cost") }</th><th scope="col">{ tr!("Plan") }</th><th scope="col">{ tr!("At least") }</th></tr></thead>
             <tbody>{ for costs.iter().map(row) }</tbody>
         </table>
     }
@@ -123,8 +124,8 @@ fn Agents(props: &AgentsProps) -> Html {
                 { glyph::show(agent, "choice-glyph") }
                 <span>
                     <b>{ who.name.clone() }</b>
-                    <small>{ format!("{} to {}", who.start, who.goal) }
-                        if let Some(time) = arrival(agent) { { format!(", arrives at {time}") } }
+                    <small>{ tr!("{start} to {goal}", start = who.start, goal = who.goal) }
+                        if let Some(time) = arrival(agent) { { tr!("behind start and goal" => ", arrives at {time}", time) } }
                     </small>
                 </span>
                 { icon::at_end("chevron") }
@@ -140,13 +141,13 @@ fn Agents(props: &AgentsProps) -> Html {
     };
     html! {
         if agents.is_empty() {
-            <p class="remark">{ "No robots." }</p>
+            <p class="remark">{ tr!("No robots.") }</p>
         } else {
             <section>
-                <h3>{ "Robots" }</h3>
+                <h3>{ tr!("Robots") }</h3>
                 <ul class="choices">{ for there.take(*shown).map(one) }</ul>
                 if agents.len() > *shown {
-                    <button type="button" class="btn outline more" onclick={more}>{ format!("Show more of {}", agents.len()) }</button>
+                    <button type="button" class="btn outline more" onclick={more}>{ tr!("Show more of {all}", all = agents.len()) }</button>
                 }
             </section>
         }

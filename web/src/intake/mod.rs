@@ -8,6 +8,7 @@
 use std::cell::Cell;
 use std::rc::Rc;
 
+use giveway_model::tr;
 use giveway_page::intake::Intake;
 use giveway_page::intake::protocol::{Ask, Message, Reply, Task};
 use giveway_page::{Action, IntakeAction, Shot};
@@ -20,7 +21,7 @@ use crate::dialog::Panel;
 use crate::held::Held;
 use crate::paper::Frames;
 use crate::solver::{Event, Hired, Name, Program};
-use crate::{Shown, files};
+use crate::{Shown, files, language};
 
 /// Does what [`Intake`] says, saves what was packed, and sends what the reader tells. What turns out to be
 /// the page's own business is opened by it.
@@ -69,7 +70,7 @@ struct Inner {
 
 impl Reader {
     fn new(send: Callback<Action>) -> Self {
-        Self(Rc::new(Inner {
+        let reader = Self(Rc::new(Inner {
             send,
             program: Rc::new(Program::new(Name::Reader)),
             worker: Held::default(),
@@ -78,7 +79,14 @@ impl Reader {
             state: Held::default(),
             show: Held::default(),
             frames: Held::default(),
-        }))
+        }));
+        let tell = reader.clone();
+        language::tell_workers(Callback::from(move |told: String| {
+            if let Some(worker) = tell.0.worker.get().filter(|worker| worker.is_ready()) {
+                worker.speak(&told);
+            }
+        }));
+        reader
     }
 
     /// Sees to it that this job is done, and no other.
@@ -135,7 +143,10 @@ impl Reader {
     fn hear(&self, event: Event) {
         let message = match event {
             Event::Said(bytes) => borsh::from_slice(&bytes).unwrap_or_else(|error| {
-                Message::Failed(format!("The reader said what nobody understands: {error}"))
+                Message::Failed(tr!(
+                    "The reader said what nobody understands: {error}",
+                    error
+                ))
             }),
             Event::Broke(sentence) => Message::Failed(sentence),
         };
@@ -190,7 +201,7 @@ impl Reader {
                     // Memory is all that could run out.
                     worker.post(&borsh::to_vec(&Ask { id, task }).unwrap_or_default());
                 }
-                _ => reader.broken("The browser could not draw a frame.".to_owned()),
+                _ => reader.broken(tr!("The browser could not draw a frame.").to_owned()),
             }
         });
     }

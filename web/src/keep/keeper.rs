@@ -3,6 +3,7 @@
 use std::cell::Cell;
 use std::rc::Rc;
 
+use giveway_model::tr;
 use giveway_page::slot::Unkept;
 use giveway_page::{Action, By, Moment, SlotAction, link};
 use gloo::timers::callback::Timeout;
@@ -111,7 +112,7 @@ impl Keeper {
         let last = self.0.displaced.get();
         if !last.is_some_and(|last| Rc::ptr_eq(&last, moment)) {
             // Where there is no room it is still in Undo, and the slot tells of it.
-            let _ = scenes::keep_beside(moment, "before the link");
+            let _ = scenes::keep_beside(moment, tr!("before the link"));
             self.0.displaced.set(Some(Rc::clone(moment)));
         }
     }

@@ -55,6 +55,24 @@ pub(crate) fn use_keep(state: &Shown, send: &Callback<Action>) {
     use_effect_with(state.clone(), move |state| keeper.saw(state));
 }
 
+/// The name that the chosen language is kept under.
+const LANGUAGE: &str = "language";
+
+/// The language that was chosen, by its tag; `None`, if the browser decides.
+pub(crate) fn language() -> Option<String> {
+    storage::load(LANGUAGE)
+}
+
+/// Keeps which language was chosen; an empty tag leaves it to the browser.
+pub(crate) fn keep_language(tag: &str) {
+    if tag.is_empty() {
+        storage::forget(LANGUAGE);
+    } else {
+        // A browser that keeps nothing forgets it: it speaks as it would.
+        let _ = storage::store(LANGUAGE, tag);
+    }
+}
+
 /// Keeps the page when it is left or hidden: it may never be shown again.
 fn leaving(keeper: &Keeper) -> [EventListener; 3] {
     let window = gloo::utils::window();

@@ -1,6 +1,6 @@
 //! Scenes by name: each a whole document.
 
-use giveway_model::sorting;
+use giveway_model::{sorting, tr};
 use giveway_page::link::{self, Kin};
 use giveway_page::{Action, FileAction, Moment, Notice, State};
 
@@ -33,7 +33,11 @@ pub(crate) fn keep_scene(state: &State) -> bool {
 pub(super) fn keep_beside(moment: &Moment, remark: &str) -> bool {
     let text = link::keep_moment(moment);
     let title = moment.document.draft.scene().name.trim();
-    let title = if title.is_empty() { "Untitled" } else { title };
+    let title = if title.is_empty() {
+        tr!("Untitled")
+    } else {
+        title
+    };
     for number in 1..=MOST {
         let name = match number {
             1 => format!("{title} ({remark})"),
@@ -58,7 +62,7 @@ pub(super) fn open(text: &str) -> Action {
     Action::File(match link::kept_moment(text) {
         Ok(moment) => FileAction::Resume(Box::new(moment)),
         Err(notice) => FileAction::Refuse(Notice {
-            sentence: "The scene cannot be opened. It stays where it is.".to_owned(),
+            sentence: tr!("The scene cannot be opened. It stays where it is.").to_owned(),
             ..notice
         }),
     })

@@ -7,6 +7,7 @@
 //! what nobody ever touched; what was touched is kept on under Scenes. What a newer
 //! version of the page wrote stays.
 
+use giveway_model::tr;
 use giveway_page::Action;
 use giveway_page::link::{self, Kin};
 
@@ -146,7 +147,7 @@ fn moves(name: &str, text: &str) -> bool {
         return false;
     };
     storage::forget(name);
-    let has_moved = scenes::keep_beside(&moment, "from another tab");
+    let has_moved = scenes::keep_beside(&moment, tr!("from another tab"));
     if !has_moved {
         // There was room for it, so there is.
         let _ = storage::store(name, text);

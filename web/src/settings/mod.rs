@@ -2,13 +2,13 @@
 
 mod order;
 
-use giveway_model::AtGoal;
+use giveway_model::{AtGoal, tr};
 use giveway_page::{Action, Edit, Settings, State, ViewAction};
-use web_sys::HtmlInputElement;
+use web_sys::{HtmlInputElement, HtmlSelectElement};
 use yew::prelude::*;
 
 use crate::field::number;
-use crate::icon;
+use crate::{icon, language};
 
 /// The longest horizon that can be asked for, in time steps.
 const LONGEST: u32 = 10_000;
@@ -25,44 +25,67 @@ pub(crate) fn show(state: &State, send: &Callback<Action>, on_close: &Callback<(
     html! {
         <div class="settings" role="group" aria-labelledby="settings-title">
             <header>
-                <h2 id="settings-title">{ "Settings" }</h2>
-                <button class="btn ghost round" title="Close (Escape)" onclick={close}>
-                    { icon::show("cancel") }<span class="vh">{ "Close" }</span>
+                <h2 id="settings-title">{ tr!("Settings") }</h2>
+                <button class="btn ghost round" title={tr!("Close (Escape)")} onclick={close}>
+                    { icon::show("cancel") }<span class="vh">{ tr!("Close") }</span>
                 </button>
             </header>
             <fieldset>
-                <legend>{ "Objective" }</legend>
+                <legend>{ tr!("Objective") }</legend>
                 { order::show(&scene.objective, send) }
-                { switch("Pareto front of two or three costs", settings.front, send, ViewAction::SetFront) }
+                { switch(tr!("Pareto front of two or three costs"), settings.front, send, ViewAction::SetFront) }
             </fieldset>
             <fieldset>
-                <legend>{ "At its goal a robot" }</legend>
+                <legend>{ tr!("At its goal a robot") }</legend>
                 { arrival(scene.rules.at_goal, send) }
             </fieldset>
             <fieldset>
-                <legend>{ "Limits" }</legend>
+                <legend>{ tr!("Limits") }</legend>
                 <div class="fields">
-                    { number("Battery floor", Some(scene.rules.battery_floor), (0, HIGHEST_FLOOR), None,
+                    { number(tr!("Battery floor"), Some(scene.rules.battery_floor), (0, HIGHEST_FLOOR), None,
                         &send.reform(|n: Option<u32>| Action::Edit(Edit::BatteryFloor(n.unwrap_or(0))))) }
-                    { number("Horizon, steps", state.document.within, (0, LONGEST), Some("auto"),
+                    { number(tr!("Horizon, steps"), state.document.within, (0, LONGEST), Some(tr!("auto")),
                         &send.reform(|within| Action::Edit(Edit::Within(within)))) }
-                    { number("Time limit, s", Some(settings.seconds), (1, PATIENCE), None,
+                    { number(tr!("Time limit, s"), Some(settings.seconds), (1, PATIENCE), None,
                         &send.reform(|n: Option<u32>| {
                             Action::View(ViewAction::SetSeconds(n.unwrap_or(Settings::default().seconds)))
                         })) }
                 </div>
                 <p class="hint">
-                    { "No battery falls below the floor before its robot arrives. \
-                       Only plans within the horizon count; empty leaves it to the solver." }
+                    { tr!("No battery falls below the floor before its robot arrives. \
+                       Only plans within the horizon count; empty leaves it to the solver.") }
                 </p>
             </fieldset>
             { on_the_board(state, send) }
             <fieldset>
-                { switch("Solve on every change", settings.solve_on_change, send, ViewAction::SetSolveOnChange) }
-                { switch("Single letters are keys", settings.letter_keys, send, ViewAction::SetLetterKeys) }
+                { switch(tr!("Solve on every change"), settings.solve_on_change, send, ViewAction::SetSolveOnChange) }
+                { switch(tr!("Single letters are keys"), settings.letter_keys, send, ViewAction::SetLetterKeys) }
             </fieldset>
+            { language(send) }
             <p class="hint">{ format!("Giveway {}", giveway_model::release()) }</p>
         </div>
+    }
+}
+
+/// The languages; each is named in itself.
+fn language(send: &Callback<Action>) -> Html {
+    let chosen = language::choice();
+    let send = send.clone();
+    let onchange = move |event: Event| {
+        let select: HtmlSelectElement = event.target_unchecked_into();
+        language::choose(&select.value(), &send);
+    };
+    let option = |(tag, name): (&'static str, &'static str)| {
+        html! { <option value={tag} lang={tag} selected={chosen == tag}>{ name }</option> }
+    };
+    html! {
+        <fieldset>
+            <legend><label for="language">{ tr!("Language") }</label></legend>
+            <select id="language" class="field" {onchange}>
+                <option value="" selected={chosen.is_empty()}>{ tr!("a language" => "As the browser") }</option>
+                { for language::all().map(option) }
+            </select>
+        </fieldset>
     }
 }
 
@@ -73,11 +96,11 @@ fn on_the_board(state: &State, send: &Callback<Action>) -> Html {
     let agent = state.selected_agent().and_then(|agent| agents.get(agent));
     html! {
         <fieldset class="phone">
-            <legend>{ "On the board" }</legend>
-            { switch("Trails", view.layers.trails, send, ViewAction::ShowTrails) }
-            { switch("Heat map", view.layers.heat, send, ViewAction::ShowHeat) }
+            <legend>{ tr!("On the board") }</legend>
+            { switch(tr!("Trails"), view.layers.trails, send, ViewAction::ShowTrails) }
+            { switch(tr!("Heat map"), view.layers.heat, send, ViewAction::ShowHeat) }
             if let Some(agent) = agent {
-                { switch(&format!("Follow {}", agent.name), view.follow, send, ViewAction::Follow) }
+                { switch(&tr!("Follow {agent}", agent = agent.name), view.follow, send, ViewAction::Follow) }
             }
         </fieldset>
     }
@@ -91,9 +114,9 @@ fn arrival(at_goal: AtGoal, send: &Callback<Action>) -> Html {
         html! { <button aria-pressed={pressed} onclick={press}>{ name }</button> }
     };
     html! {
-        <div class="seg full" role="group" aria-label="Arrival">
-            { option(AtGoal::Stay, "stays") }
-            { option(AtGoal::Vanish, "leaves the map") }
+        <div class="seg full" role="group" aria-label={tr!("Arrival")}>
+            { option(AtGoal::Stay, tr!("a robot at its goal" => "stays")) }
+            { option(AtGoal::Vanish, tr!("a robot at its goal" => "leaves the map")) }
         </div>
     }
 }

@@ -1,6 +1,6 @@
 //! The costs of the objective, in their order.
 
-use giveway_model::{Cost, Objective};
+use giveway_model::{Cost, Objective, tr};
 use giveway_page::{Action, Edit, objective, words};
 use yew::prelude::*;
 
@@ -41,8 +41,7 @@ fn press(given: Given<'_>, cost: Cost, step: Step) -> Callback<MouseEvent> {
 fn row(given: Given<'_>, at: usize, cost: Cost) -> Html {
     let last = given.objective.costs().len() - 1;
     let title = words::title(cost);
-    let button = |class: &'static str, icon: &'static str, verb: &str, step: Step, off: bool| {
-        let name = format!("{verb} {title}");
+    let button = |class: &'static str, icon: &'static str, name: String, step: Step, off: bool| {
         let class = classes!("btn", "ghost", class);
         html! {
             <button {class} title={name.clone()} disabled={off} onclick={press(given, cost, step)}>
@@ -54,9 +53,9 @@ fn row(given: Given<'_>, at: usize, cost: Cost) -> Html {
         <li key={cost.name()}>
             <span class="rank">{ at + 1 }</span>
             <span class="what">{ title }</span>
-            { button("up", "down", "Raise", objective::raised, at == 0) }
-            { button("", "down", "Lower", objective::lowered, at == last) }
-            { button("", "cancel", "Remove", objective::without, last == 0) }
+            { button("up", "down", tr!("Raise {cost}", cost = title), objective::raised, at == 0) }
+            { button("", "down", tr!("Lower {cost}", cost = title), objective::lowered, at == last) }
+            { button("", "cancel", tr!("Remove {cost}", cost = title), objective::without, last == 0) }
         </li>
     }
 }
@@ -64,9 +63,9 @@ fn row(given: Given<'_>, at: usize, cost: Cost) -> Html {
 fn addition(given: Given<'_>, cost: Cost) -> Html {
     let name = words::title(cost);
     html! {
-        <button key={cost.name()} class="btn chip" title={format!("Add {name}")}
+        <button key={cost.name()} class="btn chip" title={tr!("Add {cost}", cost = name)}
             onclick={press(given, cost, objective::with)}>
-            { icon::show("plus") }<span class="vh">{ "Add " }</span>{ name }
+            { icon::show("plus") }<span class="vh">{ tr!("before a cost" => "Add") }{ " " }</span>{ name }
         </button>
     }
 }

@@ -13,6 +13,7 @@ mod worker;
 use std::cell::Cell;
 use std::rc::Rc;
 
+use giveway_model::tr;
 use giveway_page::{Action, SolveAction, Work};
 use giveway_solve::{Progress, Request};
 use giveway_wasm::protocol::{Ask, Message};
@@ -21,6 +22,7 @@ use yew::prelude::*;
 
 use crate::Shown;
 use crate::held::Held;
+use crate::language;
 pub(crate) use program::{Name, Program};
 pub(crate) use worker::{Event, Hired, written};
 
@@ -74,6 +76,12 @@ impl Solver {
             news: Held::default(),
         }));
         solver.hire();
+        let tell = solver.clone();
+        language::tell_workers(Callback::from(move |told: String| {
+            if let Some(worker) = tell.0.worker.get().filter(|worker| worker.is_ready()) {
+                worker.speak(&told);
+            }
+        }));
         solver
     }
 
@@ -137,7 +145,10 @@ impl Solver {
             Event::Said(bytes) => match Message::from_bytes(&bytes) {
                 Ok(message) => self.read(message),
                 Err(error) => {
-                    self.broken(format!("The solver said what nobody understands: {error}"));
+                    self.broken(tr!(
+                        "The solver said what nobody understands: {error}",
+                        error
+                    ));
                 }
             },
             Event::Broke(sentence) => self.broken(sentence),

@@ -2,6 +2,7 @@
 
 use std::rc::Rc;
 
+use giveway_model::tr;
 use js_sys::{Promise, WebAssembly};
 use wasm_bindgen::{JsCast as _, JsValue};
 use wasm_bindgen_futures::{JsFuture, future_to_promise};
@@ -35,10 +36,10 @@ impl Name {
     }
 
     /// What a person reads of it: who solves and who answers is one to them.
-    pub(super) const fn word(self) -> &'static str {
+    pub(super) fn word(self) -> &'static str {
         match self {
-            Self::Solver | Self::Analyst => "solver",
-            Self::Reader => "reader",
+            Self::Solver | Self::Analyst => tr!("solver"),
+            Self::Reader => tr!("reader"),
         }
     }
 }
@@ -78,9 +79,10 @@ impl Program {
         module.map_err(|error| {
             self.promise.set(None);
             let error = js_sys::Error::from(error).message();
-            format!(
-                "The browser could not load the {}: {error}",
-                self.name.word()
+            tr!(
+                "The browser could not load the {word}: {error}",
+                word = self.name.word(),
+                error
             )
         })
     }

@@ -3,6 +3,7 @@
 use std::cell::Cell;
 use std::rc::Rc;
 
+use giveway_model::tr;
 use gloo::events::EventListener;
 use gloo::timers::callback::Timeout;
 use js_sys::Uint8Array;
@@ -13,6 +14,7 @@ use yew::platform::spawn_local;
 use super::program::Program;
 
 use crate::held::Held;
+use crate::language;
 
 /// How long a worker may take to load, in milliseconds: as long as a slow
 /// network may need.
@@ -53,7 +55,7 @@ impl Hired {
         let address = written(&format!("giveway-{}-worker", name.key()))?;
         let worker = begin(&address).map_err(|error| {
             let error = js_sys::Error::from(error).message();
-            format!("The browser allows no worker: {error}")
+            tr!("The browser allows no worker: {error}", error)
         })?;
         let on = |kind, handle: fn(&web_sys::Event) -> Event| {
             let hear = Rc::clone(&hear);
@@ -63,7 +65,7 @@ impl Hired {
             on("message", said),
             on("error", broke),
             on("messageerror", |_| {
-                Event::Broke("A message could not be read.".to_owned())
+                Event::Broke(tr!("A message could not be read.").to_owned())
             }),
         ];
         let here = Rc::new(());
@@ -76,7 +78,7 @@ impl Hired {
                     return;
                 }
                 let posted = module.and_then(|module| {
-                    let refused = |_| "The browser hands no program to a worker.".to_owned();
+                    let refused = |_| tr!("The browser hands no program to a worker.").to_owned();
                     worker.post_message(&module).map_err(refused)
                 });
                 if let Err(sentence) = posted {
@@ -85,7 +87,10 @@ impl Hired {
             }
         });
         let patience = Timeout::new(PATIENCE_MS, move || {
-            let sentence = format!("The {}'s file did not arrive within a minute.", name.word());
+            let sentence = tr!(
+                "The {word}'s file did not arrive within a minute.",
+                word = name.word()
+            );
             hear(Event::Broke(sentence));
         });
         Ok(Self {
@@ -102,10 +107,19 @@ impl Hired {
         self.is_ready.get()
     }
 
-    /// It said that it listens.
+    /// It said that it listens: first it hears which language is spoken.
     pub(crate) fn set_ready(&self) {
         self.is_ready.set(true);
         self.patience.set(None);
+        let told = language::told();
+        if !told.is_empty() {
+            self.speak(&told);
+        }
+    }
+
+    /// Has it speak a language from now on.
+    pub(crate) fn speak(&self, told: &str) {
+        let _ = self.worker.post_message(&JsValue::from_str(told));
     }
 
     /// Posts bytes, which cannot fail.
@@ -125,8 +139,8 @@ fn broke(event: &web_sys::Event) -> Event {
     event.prevent_default();
     let message = event.dyn_ref().map(ErrorEvent::message);
     Event::Broke(match message.unwrap_or_default().as_str() {
-        "" => "The browser gave no reason.".to_owned(),
-        message => format!("The browser says: {message}"),
+        "" => tr!("The browser gave no reason.").to_owned(),
+        message => tr!("The browser says: {message}", message),
     })
 }
 
@@ -144,5 +158,5 @@ pub(crate) fn written(name: &str) -> Result<String, String> {
         .ok()
         .flatten()
         .and_then(|it| it.get_attribute("content"));
-    value.ok_or_else(|| format!("The page does not say where {name} is."))
+    value.ok_or_else(|| tr!("The page does not say where {name} is.", name))
 }

@@ -3,6 +3,7 @@
 mod live;
 mod planners;
 
+use giveway_model::tr;
 use giveway_page::intake::Job;
 use giveway_page::lesson::Lesson;
 use giveway_page::{Action, ChangeAction, Phase, SolveAction, State, ask, words};
@@ -50,12 +51,12 @@ pub(crate) fn StatusBar(props: &StatusBarProps) -> Html {
     let hides_plan = state.lesson().is_some_and(Lesson::hides_plan);
     let costs = words::objective(&state.document.draft.scene().objective);
     html! {
-        <section class="status" aria-label="Status">
+        <section class="status" aria-label={tr!("Status")}>
             if !hides_plan { { sentence(state) } }
             if state.lesson().is_none() {
             <div class="solve" ref={around}>
-                <button class="obj" title="Objective, rules and limits"
-                    aria-label={format!("Settings: {}", objective_words(&costs))}
+                <button class="obj" title={tr!("Objective, rules and limits")}
+                    aria-label={tr!("Settings: {costs}", costs = objective_words(&costs))}
                     aria-expanded={open.to_string()} onclick={toggle}>
                     { icon::show("settings") }
                     { objective(&costs) }
@@ -96,8 +97,8 @@ fn objective(costs: &[&'static str]) -> Html {
     html! {
         <>
             <span>{ first }</span>
-            { for told.map(|&cost| html! { <><em>{ " then " }</em><span>{ cost }</span></> }) }
-            if !more.is_empty() { <em>{ format!(" and {} more", more.len()) }</em> }
+            { for told.map(|&cost| html! { <><em>{ tr!(" then ") }</em><span>{ cost }</span></> }) }
+            if !more.is_empty() { <em>{ tr!(" and {more} more", more = more.len()) }</em> }
         </>
     }
 }
@@ -105,10 +106,10 @@ fn objective(costs: &[&'static str]) -> Html {
 /// The same in words: a name must hold what is seen.
 fn objective_words(costs: &[&'static str]) -> String {
     let (told, more) = costs.split_at(costs.len().min(3));
-    let told = told.join(" then ");
+    let told = told.join(tr!(" then "));
     match more.len() {
         0 => told,
-        more => format!("{told} and {more} more"),
+        more => tr!("{told} and {more} more", told, more),
     }
 }
 
@@ -120,34 +121,34 @@ fn solve_button(state: &Shown, send: &Callback<Action>) -> Html {
     let (class, title, action) = match phase {
         _ if is_drawing => (
             "primary",
-            "Cancel (Escape)",
+            tr!("Cancel (Escape)"),
             Action::Solve(SolveAction::Cancel),
         ),
         // What is found already is the next step, and the rest may come.
         Phase::Asking if ask::offers_next_step(state) => (
             "outline",
-            "Cancel (Escape)",
+            tr!("Cancel (Escape)"),
             Action::Solve(SolveAction::Cancel),
         ),
         // It runs by itself: the next step is at the foot of the inspector.
         Phase::Solving if state.audit().is_some() => (
             "outline",
-            "Cancel (Escape)",
+            tr!("Cancel (Escape)"),
             Action::Solve(SolveAction::Cancel),
         ),
         Phase::Solving | Phase::Asking | Phase::Checking | Phase::Counting | Phase::Adapting => (
             "primary",
-            "Cancel (Escape)",
+            tr!("Cancel (Escape)"),
             Action::Solve(SolveAction::Cancel),
         ),
         Phase::Changing => (
             "primary",
-            "Find new plans (Ctrl Enter)",
+            tr!("Find new plans (Ctrl Enter)"),
             Action::Change(ChangeAction::Adapt),
         ),
         Phase::Comparing => (
             "outline",
-            "Find new plans again (Ctrl Enter)",
+            tr!("Find new plans again (Ctrl Enter)"),
             Action::Change(ChangeAction::Adapt),
         ),
         Phase::Steering => {
@@ -158,41 +159,41 @@ fn solve_button(state: &Shown, send: &Callback<Action>) -> Html {
             };
             (
                 class,
-                "Check my plan (Ctrl Enter)",
+                tr!("Check my plan (Ctrl Enter)"),
                 Action::Solve(SolveAction::Solve),
             )
         }
         Phase::Stopped => (
             "outline",
-            "Go on from here (Ctrl Enter)",
+            tr!("Go on from here (Ctrl Enter)"),
             Action::Solve(SolveAction::Solve),
         ),
         Phase::Editing => (
             "primary",
-            "Solve (Ctrl Enter)",
+            tr!("Solve (Ctrl Enter)"),
             Action::Solve(SolveAction::Solve),
         ),
         _ => (
             "outline",
-            "Solve (Ctrl Enter)",
+            tr!("Solve (Ctrl Enter)"),
             Action::Solve(SolveAction::Solve),
         ),
     };
     let word = match phase {
-        _ if is_drawing => "Cancel",
+        _ if is_drawing => tr!("Cancel"),
         Phase::Solving | Phase::Asking | Phase::Checking | Phase::Counting | Phase::Adapting => {
-            "Cancel"
+            tr!("Cancel")
         }
-        Phase::Changing => "Find new plans",
-        Phase::Comparing => "Find again",
-        Phase::Steering => "Check my plan",
-        Phase::Stopped => "Go on",
-        _ => "Solve",
+        Phase::Changing => tr!("Find new plans"),
+        Phase::Comparing => tr!("Find again"),
+        Phase::Steering => tr!("Check my plan"),
+        Phase::Stopped => tr!("Go on"),
+        _ => tr!("Solve"),
     };
     let press = send.reform(move |_| action.clone());
     html! {
         <button class={classes!("btn", class)} {title} onclick={press}>
-            if word == "Cancel" { { icon::show("cancel") } }
+            if word == tr!("Cancel") { { icon::show("cancel") } }
             <span>{ word }</span>
         </button>
     }

@@ -1,5 +1,6 @@
 //! The menu beside `Solve`: planners of the textbook, each with what it promises.
 
+use giveway_model::tr;
 use giveway_page::{Action, SolveAction, State, planners};
 use giveway_solve::plan::Planner;
 use web_sys::HtmlElement;
@@ -48,12 +49,12 @@ pub(super) fn show(
     };
     html! {
         <>
-            <button ref={toggle} class="btn outline by" title="Planners" aria-expanded={open.to_string()} onclick={press}>
-                { icon::show("down") }<span class="vh">{ "Planners" }</span>
+            <button ref={toggle} class="btn outline by" title={tr!("Planners")} aria-expanded={open.to_string()} onclick={press}>
+                { icon::show("down") }<span class="vh">{ tr!("Planners") }</span>
             </button>
             if open {
                 <div class="menu">
-                    { item(SolveAction::Solve, planners::BEST, planners::BEST_PROMISE) }
+                    { item(SolveAction::Solve, planners::BEST.text(), planners::BEST_PROMISE.text()) }
                     <hr />
                     { for Planner::ALL.into_iter().map(planner) }
                 </div>

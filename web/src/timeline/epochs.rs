@@ -1,6 +1,7 @@
 //! Where the world changed: a line over the lanes at each time, and the past
 //! hatched while it changes.
 
+use giveway_model::tr;
 use giveway_page::State;
 use giveway_page::course::Course;
 use giveway_page::timeline::Axis;
@@ -27,7 +28,7 @@ pub(super) fn show(state: &State, axis: Axis) -> Html {
         }
     };
     let list: Vec<String> = times.iter().map(ToString::to_string).collect();
-    let label = format!("The world changed at {}", list.join(", "));
+    let label = tr!("The world changed at {times}", times = list.join(", "));
     html! {
         <svg class="epochs" width={axis.width().to_string()} role="img" aria-label={label}>
             if let Some(at) = frozen {

@@ -2,6 +2,7 @@
 
 use std::ops::Range;
 
+use giveway_model::tr;
 use giveway_page::form;
 use giveway_page::freedom::LaneMarks;
 use giveway_page::inside::{Note, Stop};
@@ -86,10 +87,10 @@ pub(super) fn LaneRow(props: &LaneRowProps) -> Html {
                     } else if let Some(fate) = &props.fate {
                         <small class="fate">{ fate.clone() }</small>
                     } else if let Some((level, capacity)) = level {
-                        <small>{ format!("{level} of {capacity}") }</small>
+                        <small>{ tr!("{level} of {capacity}", level, capacity) }</small>
                     }
                     if is_two {
-                        <small>{ "this / other" }</small>
+                        <small>{ tr!("this / other") }</small>
                     }
                 </span>
             </button>
@@ -97,8 +98,8 @@ pub(super) fn LaneRow(props: &LaneRowProps) -> Html {
             if let Some(end) = note.and_then(|note| note.stop.as_ref()) { { stop(props, end) } }
             if let Some(other) = other {
                 <div class="halves">
-                    { bars("This plan", [&props.lanes, &props.others], [index, other], props.marks.clone()) }
-                    { bars("Other plan", [&props.others, &props.lanes], [other, index], None) }
+                    { bars(tr!("This plan"), [&props.lanes, &props.others], [index, other], props.marks.clone()) }
+                    { bars(tr!("Other plan"), [&props.others, &props.lanes], [other, index], None) }
                 </div>
             } else {
                 <Bars of="" marks={props.marks.clone()} lanes={props.lanes.clone()} {index} versus={None::<(Same<Vec<Lane>>, usize)>}

@@ -17,7 +17,7 @@ mod wait;
 
 use std::rc::Rc;
 
-use giveway_model::Question;
+use giveway_model::{Question, tr};
 use giveway_page::{Action, AskAction, Phase, ViewAction, ask};
 use yew::prelude::*;
 
@@ -64,7 +64,7 @@ pub fn Dock(props: &DockProps) -> Html {
     if let Some(run) = run.filter(|_| waits(state)) {
         let plays = state.so_far().is_some();
         return html! {
-            <section class={classes!("dock", "wait", "calm", plays.then_some("plays"))} aria-label="Timeline">
+            <section class={classes!("dock", "wait", "calm", plays.then_some("plays"))} aria-label={tr!("Timeline")}>
                 if plays {
                     { transport(props) }
                 } else {
@@ -91,7 +91,7 @@ pub fn Dock(props: &DockProps) -> Html {
         ) || ask::offers_next_step(state);
         let stale = state.shows_stale();
         return html! {
-            <section class={classes!("dock", calm.then_some("calm"), stale.then_some("stale"))} aria-label="Timeline">
+            <section class={classes!("dock", calm.then_some("calm"), stale.then_some("stale"))} aria-label={tr!("Timeline")}>
                 { transport(props) }
                 <Tabs tab={state.view.tab} checks={state.audit().is_some()} teaches={state.lesson().is_some()} inside={None::<giveway_page::inside::Method>} send={send.clone()} />
                 <Plan answer={Same::new(answer)} beside={state.beside().cloned().map(Same::new)} notes={None::<Rc<Vec<giveway_page::inside::Note>>>} state={state.clone()} send={send.clone()} />
@@ -101,25 +101,28 @@ pub fn Dock(props: &DockProps) -> Html {
     // Nothing else is the next step, until it is asked.
     let asks_why = state.phase() == Phase::None && state.document.mode.asking().is_none();
     let (head, text) = match state.phase() {
-        Phase::None => ("Nothing to play", "Change the scene and solve it again."),
+        Phase::None => (
+            tr!("Nothing to play"),
+            tr!("Change the scene and solve it again."),
+        ),
         Phase::Stopped => (
-            "No plan within the limits",
-            "Raise the time limit, or change the scene, and solve again.",
+            tr!("No plan within the limits"),
+            tr!("Raise the time limit, or change the scene, and solve again."),
         ),
         _ => (
-            "Nothing to play yet",
-            "Solve the scene: each robot gets a lane here.",
+            tr!("Nothing to play yet"),
+            tr!("Solve the scene: each robot gets a lane here."),
         ),
     };
     html! {
-        <section class="dock empty" aria-label="Timeline">
+        <section class="dock empty" aria-label={tr!("Timeline")}>
             if state.document.fresh_answer().is_some() { <div class="over-wait">{ places(state, send) }</div> }
             <div class="nil">
                 { icon::show("clock") }
                 <p><b>{ head }</b>{ text }</p>
                 if asks_why {
                     <button type="button" class="btn primary" onclick={send.reform(|_| Action::Ask(AskAction::Ask(Question::Unsolvable)))}>
-                        { "Why is there no plan?" }
+                        { tr!("Why is there no plan?") }
                     </button>
                 }
             </div>

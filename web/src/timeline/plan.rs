@@ -2,6 +2,7 @@
 
 use std::rc::Rc;
 
+use giveway_model::tr;
 use giveway_page::audit;
 use giveway_page::inside::Note;
 use giveway_page::steering::Steering;
@@ -182,7 +183,7 @@ pub(super) fn Plan(props: &PlanProps) -> Html {
                 onscroll={scrolled(&lanes_ref, &table_ref)}>
                 <div class="rows">
                     <Ruler {axis} columns={seen.columns.clone()} {time} thumb={moved.thumb.clone()} send={send.clone()} />
-                    <div role="group" aria-label="Lanes" {onkeydown}>
+                    <div role="group" aria-label={tr!("Lanes")} {onkeydown}>
                         { spacer(above) }
                         { for seen.lanes.clone().map(lane_row) }
                         { spacer(below) }
@@ -192,7 +193,7 @@ pub(super) fn Plan(props: &PlanProps) -> Html {
                 </div>
             </div>
             <div class={classes!("tblwrap", (!state.view.table || notes.is_some()).then_some("closed"), gutter)} id="plan-table" ref={table_ref.clone()}
-                role="group" aria-label="Plan table" tabindex="0"
+                role="group" aria-label={tr!("Plan table")} tabindex="0"
                 onscroll={scrolled(&table_ref, &lanes_ref)}>
                 <PlanTable lanes={lanes.clone()} {axis} label={seen.label} columns={seen.columns.clone()} rows={seen.rows.clone()}
                     beyond={seen.beyond_rows(extent)} {time} />

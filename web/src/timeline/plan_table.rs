@@ -2,6 +2,7 @@
 
 use std::ops::Range;
 
+use giveway_model::tr;
 use giveway_page::table::{Place, level, place};
 use giveway_page::timeline::{Axis, Lane};
 use giveway_page::{Reserve, form};
@@ -75,9 +76,9 @@ pub(super) fn PlanTable(props: &PlanTableProps) -> Html {
             <tr key={at} class={classes!(form::class(lane.agent), first, (kind == Kind::Levels).then_some("lv"))}
                 aria-rowindex={(at + 2).to_string()}>
                 if kind == Kind::Cells {
-                    <th scope="row" class="lab"><span>{ lane.name.clone() }{ " " }<small>{ "cell" }</small></span></th>
+                    <th scope="row" class="lab"><span>{ lane.name.clone() }{ " " }<small>{ tr!("cell") }</small></span></th>
                 } else {
-                    <th scope="row" class="lab"><span><span class="vh">{ lane.name.clone() }{ " " }</span><small>{ "level" }</small></span></th>
+                    <th scope="row" class="lab"><span><span class="vh">{ lane.name.clone() }{ " " }</span><small>{ tr!("level") }</small></span></th>
                 }
                 { side(drawn.start) }
                 { for entries }
@@ -91,7 +92,7 @@ pub(super) fn PlanTable(props: &PlanTableProps) -> Html {
         })
     };
     html! {
-        <table aria-label="Plan" class="tbl" aria-rowcount={(all.len() + 1).to_string()} aria-colcount={(times + 1).to_string()}
+        <table aria-label={tr!("Plan")} class="tbl" aria-rowcount={(all.len() + 1).to_string()} aria-colcount={(times + 1).to_string()}
             width={(label + axis.width()).to_string()}>
             <colgroup>
                 <col class="c0" />
@@ -99,7 +100,7 @@ pub(super) fn PlanTable(props: &PlanTableProps) -> Html {
             </colgroup>
             <thead>
                 <tr aria-rowindex="1">
-                    <th scope="col" class="lab">{ "Time" }</th>
+                    <th scope="col" class="lab">{ tr!("Time") }</th>
                     { side(drawn.start) }
                     { for drawn.clone().map(head) }
                     { side(times - drawn.end) }
@@ -132,7 +133,7 @@ fn cell(lane: &Lane, kind: Kind, time: u32, is_now: bool) -> Html {
                 <td key={time} class={classes!(now, charges, low)}>
                     { entry.level }
                     if entry.charges {
-                        <span aria-hidden="true">{ "\u{2191}" }</span><span class="vh">{ ", charges" }</span>
+                        <span aria-hidden="true">{ "\u{2191}" }</span><span class="vh">{ tr!(", charges") }</span>
                     }
                 </td>
             }

@@ -2,6 +2,7 @@
 
 use std::ops::Range;
 
+use giveway_model::tr;
 use giveway_page::timeline::Axis;
 use giveway_page::{Action, PlayAction};
 use web_sys::Element;
@@ -92,10 +93,10 @@ pub(super) fn Ruler(props: &RulerProps) -> Html {
     };
     html! {
         <div class="row ruler">
-            <span class="lab">{ "Time" }</span>
-            <div class="track" role="slider" tabindex="0" aria-label="Time" ref={track}
+            <span class="lab">{ tr!("Time") }</span>
+            <div class="track" role="slider" tabindex="0" aria-label={tr!("Time")} ref={track}
                 aria-valuemin="0" aria-valuemax={last.to_string()} aria-valuenow={time.to_string()}
-                aria-valuetext={format!("{time} of {last}")}
+                aria-valuetext={tr!("{time} of {last}", time, last)}
                 {onpointerdown} {onpointermove} onpointerup={release.clone()} onpointercancel={release}
                 {onkeydown}>
                 <Labels axis={*axis} columns={columns.clone()} time={*time} />

@@ -1,5 +1,7 @@
 //! What a phone shows below the board.
 
+use giveway_model::words::Later;
+use giveway_model::{tr, tr_later};
 use giveway_page::inside::Method;
 use giveway_page::{Action, Tab, ViewAction};
 use web_sys::HtmlElement;
@@ -17,10 +19,10 @@ pub(super) struct TabsProps {
     pub send: Callback<Action>,
 }
 
-const TABS: [(Tab, &str, &str); 3] = [
-    (Tab::Inspector, "Inspector", "inspector"),
-    (Tab::Timeline, "Timeline", "lanes"),
-    (Tab::Plan, "Plan", "plan-table"),
+const TABS: [(Tab, Later, &str); 3] = [
+    (Tab::Inspector, tr_later!("Inspector"), "inspector"),
+    (Tab::Timeline, tr_later!("Timeline"), "lanes"),
+    (Tab::Plan, tr_later!("Plan"), "plan-table"),
 ];
 
 /// The tabs; wider pages show all three places at once and no tabs.
@@ -62,16 +64,16 @@ pub(super) fn Tabs(props: &TabsProps) -> Html {
             }
         }
     };
-    let one = |&(choice, name, place): &(Tab, &'static str, &'static str)| {
+    let one = |&(choice, name, place): &(Tab, Later, &'static str)| {
         let is_shown = choice == *tab;
         let name = match (choice, *inside) {
-            (Tab::Timeline, Some(_)) => "How it was proved",
-            (Tab::Inspector, _) if *teaches => "Lesson",
-            (Tab::Inspector, Some(Method::Proof)) => "Step",
-            (Tab::Inspector, Some(Method::Tree)) => "Node",
-            (Tab::Inspector, Some(Method::Orders)) => "Order",
-            (Tab::Inspector, None) if *checks => "Check",
-            _ => name,
+            (Tab::Timeline, Some(_)) => tr!("How it was proved"),
+            (Tab::Inspector, _) if *teaches => tr!("Lesson"),
+            (Tab::Inspector, Some(Method::Proof)) => tr!("Step"),
+            (Tab::Inspector, Some(Method::Tree)) => tr!("Node"),
+            (Tab::Inspector, Some(Method::Orders)) => tr!("Order"),
+            (Tab::Inspector, None) if *checks => tr!("Check"),
+            _ => name.text(),
         };
         html! {
             <button type="button" role="tab" aria-selected={is_shown.to_string()} aria-controls={place}
@@ -80,7 +82,7 @@ pub(super) fn Tabs(props: &TabsProps) -> Html {
         }
     };
     html! {
-        <div class="tabs" role="tablist" aria-label="Below the board" ref={list} {onkeydown}>
+        <div class="tabs" role="tablist" aria-label={tr!("Below the board")} ref={list} {onkeydown}>
             { for TABS.iter().take(count).map(one) }
         </div>
     }

@@ -1,7 +1,9 @@
 //! The transport: time shown, playing, speed, and what is shown of the plan.
 
+use giveway_model::tr;
 use giveway_page::changing::columns;
 use giveway_page::freedom::{Chip, FreedomAction, TITLE, chip};
+use giveway_page::keys::key_name;
 use giveway_page::{Action, ChangeAction, FileAction, PlayAction, Speed, State, ViewAction, table};
 use gloo::timers::callback::Timeout;
 use yew::prelude::*;
@@ -21,7 +23,7 @@ pub(super) fn transport(props: &DockProps) -> Html {
             { super::places(state, send) }
             { play_keys(state, send) }
             // No live region: nobody wants every step read aloud.
-            <p class="clock" title={format!("Time {} of {last}", playback.time)}><b>{ playback.time }</b><span>{ format!(" of {last}") }</span></p>
+            <p class="clock" title={tr!("Time {time} of {last}", time = playback.time, last)}><b>{ playback.time }</b><span>{ tr!("after a bold number" => " of {last}", last) }</span></p>
             { speed(playback.speed, send) }
             { change(props) }
             <span class="grow"></span>
@@ -34,10 +36,14 @@ pub(super) fn transport(props: &DockProps) -> Html {
 pub(crate) fn play_keys(state: &State, send: &Callback<Action>) -> Html {
     let playback = state.view.playback;
     let last = state.last_time();
-    let button = |icon: &'static str, name: &'static str, key: &str, action: Action, off: bool| {
+    let button = |icon: &'static str,
+                  name: &'static str,
+                  key: &'static str,
+                  action: Action,
+                  off: bool| {
         let send = send.clone();
         html! {
-            <button type="button" class="btn ghost round" title={format!("{name} ({key})")} disabled={off}
+            <button type="button" class="btn ghost round" title={format!("{name} ({})", key_name(key))} disabled={off}
                 onclick={move |_| send.emit(action.clone())}>
                 { icon::show(icon) }<span class="vh">{ name }</span>
             </button>
@@ -45,20 +51,20 @@ pub(crate) fn play_keys(state: &State, send: &Callback<Action>) -> Html {
     };
     let (at_start, at_end) = (playback.time == 0, playback.time >= last);
     let (icon, name, action) = if playback.playing {
-        ("pause", "Pause", Action::Play(PlayAction::Pause))
+        ("pause", tr!("Pause"), Action::Play(PlayAction::Pause))
     } else {
-        ("play", "Play", Action::Play(PlayAction::Play))
+        ("play", tr!("Play"), Action::Play(PlayAction::Play))
     };
     html! {
         <div class="keys">
-            { button("start", "To start", "Home", Action::Play(PlayAction::Seek(0)), at_start && !playback.playing) }
-            { button("step-back", "Step back", ",", Action::Play(PlayAction::StepBack), at_start) }
-            <button type="button" class="btn playb" title={format!("{name} (Space)")} disabled={last == 0}
+            { button("start", tr!("To start"), "Home", Action::Play(PlayAction::Seek(0)), at_start && !playback.playing) }
+            { button("step-back", tr!("Step back"), ",", Action::Play(PlayAction::StepBack), at_start) }
+            <button type="button" class="btn playb" title={tr!("{name} (Space)", name)} disabled={last == 0}
                 onclick={send.reform(move |_| action.clone())}>
                 { icon::show(icon) }<span class="vh">{ name }</span>
             </button>
-            { button("step", "Step forward", ".", Action::Play(PlayAction::StepForward), at_end) }
-            { button("end", "To end", "End", Action::Play(PlayAction::Seek(last)), at_end) }
+            { button("step", tr!("Step forward"), ".", Action::Play(PlayAction::StepForward), at_end) }
+            { button("end", tr!("To end"), "End", Action::Play(PlayAction::Seek(last)), at_end) }
         </div>
     }
 }
@@ -68,15 +74,15 @@ fn change(props: &DockProps) -> Html {
     let DockProps { state, send } = props;
     let chosen = columns(state).and_then(|columns| columns.into_iter().find(|c| c.is_chosen));
     if let Some(column) = chosen {
-        return html! { <span class="preview">{ "Previewing " }<b>{ column.title }</b></span> };
+        return html! { <span class="preview">{ tr!("Previewing") }{ " " }<b>{ column.title }</b></span> };
     }
     if !state.can_change() {
         return html! {};
     }
     html! {
-        <button type="button" class="btn chip change-here" title="Change the world here (x)"
+        <button type="button" class="btn chip change-here" title={tr!("Change the world here (x)")}
             onclick={send.reform(|_| Action::Change(ChangeAction::Begin))}>
-            { icon::show("change") }<span>{ "Change here" }</span>
+            { icon::show("change") }<span>{ tr!("Change here") }</span>
         </button>
     }
 }
@@ -95,9 +101,9 @@ fn trails(state: &State, send: &Callback<Action>) -> Html {
         press.emit(event);
     };
     html! {
-        <button type="button" class={classes!("btn", "chip", "view", on.then_some("on"))} title="Trails"
+        <button type="button" class={classes!("btn", "chip", "view", on.then_some("on"))} title={tr!("Trails")}
             aria-pressed={on.to_string()} {onclick}>
-            { icon::show("trail") }<span>{ "Trails" }</span>
+            { icon::show("trail") }<span>{ tr!("Trails") }</span>
         </button>
     }
 }
@@ -106,15 +112,15 @@ fn trails(state: &State, send: &Callback<Action>) -> Html {
 fn must_be_so(state: &State, send: &Callback<Action>) -> Html {
     let (on, title) = match chip(state) {
         Chip::Off(why) => (None, why.to_owned()),
-        Chip::Ready => (Some(false), format!("{TITLE} (m)")),
-        Chip::On => (Some(true), format!("{TITLE} (m)")),
+        Chip::Ready => (Some(false), format!("{} (m)", TITLE.text())),
+        Chip::On => (Some(true), format!("{} (m)", TITLE.text())),
     };
     let is_on = on == Some(true);
     html! {
         <button type="button" class={classes!("btn", "chip", "must-be", is_on.then_some("on"))} {title}
             aria-pressed={is_on.to_string()} aria-disabled={on.is_none().then_some("true")}
             onclick={send.reform(move |_| Action::Freedom(FreedomAction::Show(!is_on)))}>
-            { icon::show("free") }<span>{ TITLE }</span>
+            { icon::show("free") }<span>{ TITLE.text() }</span>
         </button>
     }
 }
@@ -139,8 +145,8 @@ fn views(props: &DockProps) -> Html {
         <div class="views">
             { must_be_so(state, send) }
             { trails(state, send) }
-            { chip("view", "heat", "Heat map", view.layers.heat, Action::View(ViewAction::ShowHeat(!view.layers.heat))) }
-            { chip("", "down", "Plan table", view.table, Action::View(ViewAction::ShowTable(!view.table))) }
+            { chip("view", "heat", tr!("Heat map"), view.layers.heat, Action::View(ViewAction::ShowHeat(!view.layers.heat))) }
+            { chip("", "down", tr!("Plan table"), view.table, Action::View(ViewAction::ShowTable(!view.table))) }
             <CopyButton ..props.clone() />
         </div>
     }
@@ -164,18 +170,22 @@ fn CopyButton(props: &DockProps) -> Html {
             let Some(answer) = state.shown() else { return };
             let copied = copied.clone();
             let send = send.clone();
-            copy::text("plan table", &table::text(answer), move |done| match done {
-                Ok(()) => copied.set(true),
-                Err(notice) => send.emit(Action::File(FileAction::Refuse(notice))),
-            });
+            copy::text(
+                tr!("plan table"),
+                &table::text(answer),
+                move |done| match done {
+                    Ok(()) => copied.set(true),
+                    Err(notice) => send.emit(Action::File(FileAction::Refuse(notice))),
+                },
+            );
         }
     };
     html! {
         <>
-            <button type="button" class="btn ghost round" title="Copy the plan table as text" {onclick}>
-                { icon::show(if *copied { "check" } else { "copy" }) }<span class="vh">{ "Copy as text" }</span>
+            <button type="button" class="btn ghost round" title={tr!("Copy the plan table as text")} {onclick}>
+                { icon::show(if *copied { "check" } else { "copy" }) }<span class="vh">{ tr!("Copy as text") }</span>
             </button>
-            <span class="vh" aria-live="polite">{ if *copied { "Copied" } else { "" } }</span>
+            <span class="vh" aria-live="polite">{ if *copied { tr!("Copied") } else { "" } }</span>
         </>
     }
 }
@@ -192,10 +202,10 @@ fn speed(speed: Speed, send: &Callback<Action>) -> Html {
     let next = Speed::ALL[(at.unwrap_or(0) + 1) % Speed::ALL.len()];
     html! {
         <>
-            <div class="seg speed" role="group" aria-label="Speed">{ for Speed::ALL.iter().map(one) }</div>
-            <button type="button" class="btn outline speed-next" title="Speed"
+            <div class="seg speed" role="group" aria-label={tr!("Speed")}>{ for Speed::ALL.iter().map(one) }</div>
+            <button type="button" class="btn outline speed-next" title={tr!("Speed")}
                 onclick={send.reform(move |_| Action::Play(PlayAction::SetSpeed(next)))}>
-                <span class="vh">{ "Speed " }</span>{ speed.name() }
+                <span class="vh">{ tr!("Speed") }{ " " }</span>{ speed.name() }
             </button>
         </>
     }

@@ -1,5 +1,6 @@
 //! While no plan is there: what is proved, what is found, and the gap between.
 
+use giveway_model::tr;
 use giveway_page::timeline::{Gauge, Row, gauge, whole, work_done};
 use giveway_page::{Draft, Solving, words};
 use gloo::timers::callback::Interval;
@@ -50,7 +51,7 @@ pub(super) fn Wait(props: &WaitProps) -> Html {
         scale
     };
     let mut work = vec![work_done(run.size)];
-    work.push(format!("{} s", *seconds));
+    work.push(tr!("{seconds} s", seconds = *seconds));
     work.retain(|part| !part.is_empty());
     html! {
         <>
@@ -59,10 +60,10 @@ pub(super) fn Wait(props: &WaitProps) -> Html {
                 <p class="bl">
                     <b>{ words::title(gauge.cost) }</b>
                     if let Some(least) = gauge.at_least {
-                        <span>{ "proved: at least " }<b>{ least }</b></span>
+                        <span>{ tr!("proved: at least") }{ " " }<b>{ least }</b></span>
                     }
                     if let Some(best) = gauge.best {
-                        <span>{ "best plan so far " }<b>{ best }</b></span>
+                        <span>{ tr!("best plan so far") }{ " " }<b>{ best }</b></span>
                     }
                 </p>
                 { bar(&gauge, scale) }

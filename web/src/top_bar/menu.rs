@@ -1,5 +1,6 @@
 //! The menus of the top bar: what opens them, and what stands in them.
 
+use giveway_model::tr;
 use giveway_page::intake::protocol::PictureKind;
 use giveway_page::{Action, FileAction, IntakeAction, Save, files};
 use yew::prelude::*;
@@ -20,7 +21,7 @@ pub(super) fn toggle(
     let press = show.reform(move |_: MouseEvent| if open { Panel::Nothing } else { own.clone() });
     html! {
         <button {class} title={name} aria-expanded={open.to_string()} onclick={press}>
-            { icon::show(icon) }<span class={(name == "More").then_some("vh")}>{ name }</span>
+            { icon::show(icon) }<span class={(icon == "more").then_some("vh")}>{ name }</span>
         </button>
     }
 }
@@ -58,23 +59,23 @@ pub(super) fn save_items(state: &Shown, send: &Callback<Action>, show: &Callback
     };
     let other = show.reform(|_: MouseEvent| Panel::SaveAs);
     let others = if state.audit().is_some() {
-        "Report, other formats"
+        tr!("Report, other formats")
     } else {
-        "Other formats"
+        tr!("Other formats")
     };
     html! {
         <>
-            { item("save", "Save scene", scene) }
-            if has_plan { { item("save", "Save plan", plan) } }
-            if has_changes { { item("save", "Save changes", changes) } }
-            if has_trace { { item("save", "Save how it was proved", trace) } }
-            if state.is_laid_over() { { item("save", "Save what must be so", freedom) } }
+            { item("save", tr!("Save scene"), scene) }
+            if has_plan { { item("save", tr!("Save plan"), plan) } }
+            if has_changes { { item("save", tr!("Save changes"), changes) } }
+            if has_trace { { item("save", tr!("Save how it was proved"), trace) } }
+            if state.is_laid_over() { { item("save", tr!("Save what must be so"), freedom) } }
             { item("save", others, other) }
-            { item("save", "Save picture (SVG)", svg) }
-            { item("save", "Save picture (PNG)", png) }
+            { item("save", tr!("Save picture (SVG)"), svg) }
+            { item("save", tr!("Save picture (PNG)"), png) }
             if state.can_be_drawn() {
-                { item("save", "Save moving picture (SVG)", moving(PictureKind::Svg)) }
-                { item("save", "Save moving picture (GIF)", moving(PictureKind::Gif)) }
+                { item("save", tr!("Save moving picture (SVG)"), moving(PictureKind::Svg)) }
+                { item("save", tr!("Save moving picture (GIF)"), moving(PictureKind::Gif)) }
             }
         </>
     }
@@ -91,16 +92,16 @@ pub(super) fn copy_item(
         Callback::from(move |_: MouseEvent| {
             let (is_copied, send) = (is_copied.clone(), send.clone());
             let text = files::scene_file(&state).text;
-            copy::text("scene", &text, move |done| match done {
+            copy::text(tr!("scene"), &text, move |done| match done {
                 Ok(()) => is_copied.set(true),
                 Err(notice) => send.emit(Action::File(FileAction::Refuse(notice))),
             });
         })
     };
     let (icon, name) = if **is_copied {
-        ("check", "Scene copied")
+        ("check", tr!("Scene copied"))
     } else {
-        ("copy", "Copy scene")
+        ("copy", tr!("Copy scene"))
     };
     html! {
         <>

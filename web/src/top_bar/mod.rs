@@ -2,9 +2,10 @@
 
 mod menu;
 
+use giveway_model::tr;
 use giveway_page::find::FindAction;
 use giveway_page::inside::{InsideAction, Method};
-use giveway_page::{Action, ViewAction, words};
+use giveway_page::{Action, ViewAction};
 use web_sys::{Event, HtmlInputElement};
 use yew::prelude::*;
 
@@ -76,10 +77,10 @@ pub(crate) fn TopBar(props: &TopBarProps) -> Html {
     let scene = state.document.draft.scene();
     let grid = state.document.draft.grid();
     let name = match scene.name.as_str() {
-        "" => "Untitled",
+        "" => tr!("Untitled"),
         name => name,
     };
-    let agents = words::count(scene.agents.len(), "robot");
+    let agents = tr!("{n} robot" | "{n} robots" % scene.agents.len());
     let learn = {
         let course = course.clone();
         show.reform(move |_: MouseEvent| {
@@ -103,7 +104,7 @@ pub(crate) fn TopBar(props: &TopBarProps) -> Html {
     };
     let help = show.reform(|_: MouseEvent| Panel::Help);
     let theme = press_theme(state, send);
-    let theme_title = format!("Theme: {}", state.view.theme.name());
+    let theme_title = tr!("Theme: {theme}", theme = state.view.theme.name());
     let undo = send.reform(|_| Action::Undo);
     let redo = send.reform(|_| Action::Redo);
     html! {
@@ -115,35 +116,35 @@ pub(crate) fn TopBar(props: &TopBarProps) -> Html {
                 <b>{ "Giveway" }</b>
             </span>
             <h1 class="scene">
-                <button title="Scenes in this browser" aria-haspopup="dialog" onclick={scenes.clone()}>
+                <button title={tr!("Scenes in this browser")} aria-haspopup="dialog" onclick={scenes.clone()}>
                     <span>{ name.to_owned() }</span>{ icon::show("down") }
                 </button>
                 <small>{ format!("{} \u{d7} {}, {agents}", grid.width(), grid.height()) }</small>
             </h1>
             <span class="grow"></span>
             <div class="acts" ref={acts}>
-                <button class="btn ghost wide" title="Course" onclick={learn.clone()}>
-                    { icon::show("course") }<span>{ "Course" }</span>
+                <button class="btn ghost wide" title={tr!("Course")} onclick={learn.clone()}>
+                    { icon::show("course") }<span>{ tr!("Course") }</span>
                 </button>
-                <button class="btn ghost wide" title="Examples" onclick={examples.clone()}>
-                    { icon::show("examples") }<span>{ "Examples" }</span>
+                <button class="btn ghost wide" title={tr!("Examples")} onclick={examples.clone()}>
+                    { icon::show("examples") }<span>{ tr!("Examples") }</span>
                 </button>
-                <button class="btn ghost wide" title="New scene" onclick={fresh.clone()}>
-                    { icon::show("plus") }<span>{ "New" }</span>
+                <button class="btn ghost wide" title={tr!("New scene")} onclick={fresh.clone()}>
+                    { icon::show("plus") }<span>{ tr!("New") }</span>
                 </button>
                 <span class="hold">
-                    { toggle(panel, Panel::Open, "btn ghost wide", "open", "Open", show) }
+                    { toggle(panel, Panel::Open, "btn ghost wide", "open", tr!("Open"), show) }
                     if *panel == Panel::Open {
                         <div class="menu">
-                            { item("open", "Choose a file", pick.clone()) }
-                            { item("copy", "Paste", paste.clone()) }
+                            { item("open", tr!("Choose a file"), pick.clone()) }
+                            { item("copy", tr!("Paste"), paste.clone()) }
                         </div>
                     }
                 </span>
                 <input ref={picker} type="file" hidden=true multiple=true onchange={picked}
                     accept=".json,.map,.scen,.giveway,application/json" />
                 <span class="hold">
-                    { toggle(panel, Panel::Save, "btn ghost wide", "save", "Save", show) }
+                    { toggle(panel, Panel::Save, "btn ghost wide", "save", tr!("Save"), show) }
                     if *panel == Panel::Save {
                         <div class="menu">
                             { save_items(state, send, show) }
@@ -151,42 +152,42 @@ pub(crate) fn TopBar(props: &TopBarProps) -> Html {
                         </div>
                     }
                 </span>
-                <button class="btn ghost wide" title="Share a link" onclick={share.clone()}>
-                    { icon::show("share") }<span>{ "Share" }</span>
+                <button class="btn ghost wide" title={tr!("Share a link")} onclick={share.clone()}>
+                    { icon::show("share") }<span>{ tr!("Share") }</span>
                 </button>
                 <i class="sep"></i>
-                <button class="btn ghost ph" title="Undo (Ctrl Z)" onclick={undo}
+                <button class="btn ghost ph" title={tr!("Undo (Ctrl Z)")} onclick={undo}
                     disabled={!state.history.can_undo()}>
-                    { icon::show("undo") }<span class="vh">{ "Undo" }</span>
+                    { icon::show("undo") }<span class="vh">{ tr!("Undo") }</span>
                 </button>
-                <button class="btn ghost ph" title="Redo (Ctrl Shift Z)" onclick={redo}
+                <button class="btn ghost ph" title={tr!("Redo (Ctrl Shift Z)")} onclick={redo}
                     disabled={!state.history.can_redo()}>
-                    { icon::show("redo") }<span class="vh">{ "Redo" }</span>
+                    { icon::show("redo") }<span class="vh">{ tr!("Redo") }</span>
                 </button>
                 <i class="sep"></i>
                 <button class="btn ghost" title={theme_title.clone()} onclick={theme.clone()}>
-                    { icon::show("theme") }<span class="vh">{ "Theme" }</span>
+                    { icon::show("theme") }<span class="vh">{ tr!("Theme") }</span>
                 </button>
-                <button class="btn ghost" title="Help (?)" onclick={help.clone()}>
-                    { icon::show("help") }<span class="vh">{ "Help" }</span>
+                <button class="btn ghost" title={tr!("Help (?)")} onclick={help.clone()}>
+                    { icon::show("help") }<span class="vh">{ tr!("Help") }</span>
                 </button>
-                { toggle(panel, Panel::Menu, "btn ghost only-ph", "more", "More", show) }
+                { toggle(panel, Panel::Menu, "btn ghost only-ph", "more", tr!("More"), show) }
                 if *panel == Panel::Menu {
                     <div class="menu">
-                        { item("course", "Course", learn) }
-                        { item("examples", "Examples", examples) }
-                        { item("plus", "New scene", fresh) }
-                        { item("open", "Open", pick) }
-                        { item("copy", "Paste", paste) }
+                        { item("course", tr!("Course"), learn) }
+                        { item("examples", tr!("Examples"), examples) }
+                        { item("plus", tr!("New scene"), fresh) }
+                        { item("open", tr!("Open"), pick) }
+                        { item("copy", tr!("Paste"), paste) }
                         { save_items(state, send, show) }
                         { copy_item(state, &is_copied, send) }
-                        { item("share", "Share", share) }
+                        { item("share", tr!("Share"), share) }
                         <hr />
                         { inside_items(state, send, show) }
-                        { item("search", "Find a robot", find) }
-                        { item("settings", "Settings", show.reform(|_| Panel::Settings)) }
+                        { item("search", tr!("Find a robot"), find) }
+                        { item("settings", tr!("Settings"), show.reform(|_| Panel::Settings)) }
                         { item("theme", &theme_title, theme) }
-                        { item("help", "Help", help) }
+                        { item("help", tr!("Help"), help) }
                     </div>
                 }
             </div>
@@ -212,12 +213,15 @@ fn inside_items(state: &Shown, send: &Callback<Action>, show: &Callback<Panel>) 
         Method::Orders => "agent",
     };
     let method = |method: Method| {
-        let name = format!("How it was proved: {}", method.title().to_lowercase());
+        let name = tr!(
+            "How it was proved: {title}",
+            title = method.title().to_lowercase()
+        );
         item(icon(method), &name, press(InsideAction::By(method)))
     };
     html! {
         <>
-            if state.is_inside() { { item("clock", "Timeline", press(InsideAction::Show(false))) } }
+            if state.is_inside() { { item("clock", tr!("Timeline"), press(InsideAction::Show(false))) } }
             { for Method::ALL.into_iter().map(method) }
             <hr />
         </>

@@ -80,13 +80,11 @@ impl Learner {
             effects.push(Effect::Keep(self.progress.clone()));
             return self.close(effects);
         }
-        // A step without a scene goes on with the board as it is, if that can be.
+        // A step without a scene goes on with the board as it is, if that can be. A plan
+        // of its own is one of the lesson's scene.
         let after = open.at + 1;
-        let own = open
-            .lesson
-            .steps
-            .get(after)
-            .is_none_or(|step| step.scene.is_some());
+        let own = open.lesson.steps.get(after);
+        let own = own.is_none_or(|step| step.scene.is_some() || step.plan.is_some());
         let kept = (!own).then(|| open.scene.clone());
         let kept = kept.filter(|scene| Instance::new(scene.clone()).is_ok());
         self.go(Some(after), kept, effects);

@@ -4,7 +4,7 @@
 //! - [`task`], [`condition`], [`quantity`]: what there is to do, and what decides it;
 //! - [`text`]: the little markup of a paragraph;
 //! - [`course`], [`glossary`]: the index of lessons, the terms of the field;
-//! - [`read`]: read with distrust, [`write()`]: written for people.
+//! - [`read`]: read with distrust, `write`: written for people.
 
 pub mod board;
 pub mod condition;

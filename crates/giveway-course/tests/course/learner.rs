@@ -84,12 +84,13 @@ fn a_painted_cell_is_judged_and_sealed() {
 fn late_answers_and_messages_of_an_earlier_board_are_dropped() {
     let (learner, effects) = opened("room-to-pass", 3);
     let first = board(&effects);
+    let other = painted(&learner, 5, 0);
     let edit = painted(&learner, 4, 0);
     let (learner, effects) = reduce(learner, said(first, edit));
     let (late, request) = asked(&effects).unwrap();
-    let edit = painted(&learner, 5, 0);
-    let (learner, effects) = reduce(learner, said(first, edit));
+    let (learner, effects) = reduce(learner, said(first, other));
     assert!(effects.contains(&Effect::Forget));
+    assert_ne!(asked(&effects).unwrap().0, late);
     let response = Box::new(serve(&request, &SilentHost));
     let before = learner.clone();
     let (learner, effects) = reduce(

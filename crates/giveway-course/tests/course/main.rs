@@ -7,7 +7,9 @@
 )]
 
 mod claims;
+mod docs;
 mod files;
+mod judges;
 mod learner;
 mod noise;
 mod reading;

@@ -8,7 +8,7 @@ use giveway_course::lesson::{Lesson, Text, read_course, read_glossary, read_less
 use super::shipped;
 
 /// How many files are damaged.
-const DAMAGED: usize = 3000;
+const DAMAGED: usize = 1200;
 
 /// A text with a few bytes changed, lost, repeated or moved, as text again.
 fn damaged(text: &str, rng: &mut Rng) -> String {

@@ -1,26 +1,42 @@
 //! What the solver does not know is never "solved": for each task of the course, its own
 //! solution is not accepted where answers are missing, cut short, or of something else.
 
-use giveway_course::judge::{Judging, begin, conclude};
+use giveway_course::judge::{Judging, Situation, begin, conclude};
+use giveway_course::lesson::{Condition, Task};
 use giveway_solve::explain::Verdict;
-use giveway_solve::{Response, SilentHost, Status, serve};
+use giveway_solve::{Request, Response, SilentHost, Status, serve};
 
 use super::tasks::each_solution;
 
-/// The same answer, as it would be had the budget run out.
-fn cut_short(mut response: Response) -> Response {
+/// How an answer proves less than it seems to.
+#[derive(Clone, Copy, Debug)]
+enum Cut {
+    /// The budget ran out.
+    Short,
+    /// It holds up to a horizon only.
+    Within,
+}
+
+/// The same answer, proving less.
+fn cut(mut response: Response, cut: Cut) -> Response {
     let unproved = |status: &mut Status, complete: &mut bool| {
         *complete = false;
-        *status = match *status {
-            Status::Optimal | Status::Feasible => Status::Feasible,
-            Status::Impossible | Status::Unknown => Status::Unknown,
+        *status = match (*status, cut) {
+            (status, Cut::Within) => status,
+            (Status::Optimal | Status::Feasible, Cut::Short) => Status::Feasible,
+            (Status::Impossible | Status::Unknown, Cut::Short) => Status::Unknown,
         };
     };
     match &mut response {
         Response::Solved(answer) => unproved(&mut answer.status, &mut answer.complete),
         Response::Front(answer) => unproved(&mut answer.status, &mut answer.complete),
         Response::Freedom(answer) => unproved(&mut answer.status, &mut answer.complete),
-        Response::Explained(answer) => answer.verdict = Verdict::Unknown,
+        Response::Explained(answer) => {
+            answer.complete = false;
+            if matches!(cut, Cut::Short) {
+                answer.verdict = Verdict::Unknown;
+            }
+        }
         Response::Audited(answer) => {
             answer.complete = false;
             answer.better = None;
@@ -53,22 +69,24 @@ fn answers_that_prove_nothing_solve_nothing() {
             !conclude(situation, did, &other).unwrap().is_solved(),
             "{place}: other"
         );
-        let cut: Vec<Response> = whole.iter().cloned().map(cut_short).collect();
-        // A plan that is there is one, proved best or not.
-        let needs_no_proof =
-            whole == cut || matches!(requests.as_slice(), [one] if is_found(one, &whole));
-        assert!(
-            needs_no_proof || !conclude(situation, did, &cut).unwrap().is_solved(),
-            "{place}: cut short"
-        );
+        for how in [Cut::Short, Cut::Within] {
+            let less: Vec<Response> = whole.iter().map(|r| cut(r.clone(), how)).collect();
+            // A plan that is there is one, proved best or not.
+            let needs_no_proof = whole == less
+                || matches!(requests.as_slice(), [one] if is_found(one, situation, &whole));
+            let verdict = conclude(situation, did, &less).unwrap();
+            assert!(needs_no_proof || !verdict.is_solved(), "{place}: {how:?}");
+        }
     });
     assert!(asked > 25, "{asked}");
 }
 
-/// Whether a request was for any plan, and one is there.
-fn is_found(request: &giveway_solve::Request, responses: &[Response]) -> bool {
-    matches!(
-        (request, responses),
-        (giveway_solve::Request::Solve(_), [Response::Solved(answer)]) if answer.plan.is_some()
-    )
+/// Whether a task asks for any plan, and one is there.
+fn is_found(request: &Request, situation: Situation<'_>, responses: &[Response]) -> bool {
+    let wants_any = matches!(
+        &situation.step.task,
+        Some(Task::Paint(task)) if matches!(task.until, Condition::Solvable {})
+    );
+    let is_there = matches!(responses, [Response::Solved(answer)] if answer.plan.is_some());
+    wants_any && is_there && matches!(request, Request::Solve(_))
 }

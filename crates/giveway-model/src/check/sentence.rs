@@ -2,179 +2,342 @@
 
 use super::charges::NoCharge;
 use super::steps::Broken;
-use crate::Cell;
+use crate::{Cell, tr};
 
 pub(super) fn no_path(agent: &str) -> String {
-    format!("The plan has no path for {agent}.")
+    tr!("The plan has no path for {agent}.", agent)
 }
 
 pub(super) fn empty_path(agent: &str) -> String {
-    format!("The path of {agent} is empty; even a robot that never moves has one cell.")
+    tr!(
+        "The path of {agent} is empty; even a robot that never moves has one cell.",
+        agent
+    )
 }
 
 pub(super) fn only_transit(agent: &str) -> String {
-    format!("The path of {agent} is in transit all the time and names no cell.")
+    tr!(
+        "The path of {agent} is in transit all the time and names no cell.",
+        agent
+    )
 }
 
 pub(super) fn begins_in_transit(agent: &str, from: u32) -> String {
-    format!("The path of {agent} begins in transit; at time {from} it must be at its start.")
+    tr!(
+        "The path of {agent} begins in transit; at time {from} it must be at its start.",
+        agent,
+        from
+    )
 }
 
 pub(super) fn ends_in_transit(agent: &str, time: usize) -> String {
-    format!("The path of {agent} ends in transit at time {time}; it must end at its goal.")
+    tr!(
+        "The path of {agent} ends in transit at time {time}; it must end at its goal.",
+        agent,
+        time
+    )
 }
 
 pub(super) fn stranger(agent: &str, what: &str) -> String {
-    format!("The plan has {what} for {agent}, but there is no robot of that name.")
+    tr!(
+        "The plan has {what} for {agent}, but there is no robot of that name.",
+        what,
+        agent
+    )
 }
 
 pub(super) fn needs_changes(agent: &str, what: &str) -> String {
-    format!("In this plan {agent} {what}, so it can only be checked together with its changes.")
+    tr!(
+        "In this plan {agent} {what}, so it can only be checked together with its changes.",
+        agent,
+        what
+    )
 }
 
 pub(super) fn wrong_from(agent: &str, found: u32, from: u32) -> String {
-    format!("The path of {agent} begins at time {found}, but it is there from time {from} on.")
+    tr!(
+        "The path of {agent} begins at time {found}, but it is there from time {from} on.",
+        agent,
+        found,
+        from
+    )
 }
 
 pub(super) fn wrong_until(agent: &str, found: Option<u32>, until: Option<u32>) -> String {
     match (found, until) {
         (Some(found), Some(until)) => {
-            format!(
-                "The plan says that {agent} is gone from time {found} on, but it is removed at time {until}."
+            tr!(
+                "The plan says that {agent} is gone from time {found} on, but it is removed at time {until}.",
+                agent,
+                found,
+                until
             )
         }
         (Some(found), None) => {
-            format!(
-                "The plan says that {agent} is gone from time {found} on, but it is not removed."
+            tr!(
+                "The plan says that {agent} is gone from time {found} on, but it is not removed.",
+                agent,
+                found
             )
         }
-        (None, Some(until)) => format!(
-            "{agent} is removed at time {until}, but the plan has no time for it in \"until\"."
+        (None, Some(until)) => tr!(
+            "{agent} is removed at time {until}, but the plan has no time for it in \"until\".",
+            agent,
+            until
         ),
         (None, None) => String::new(), // nothing differs
     }
 }
 
 pub(super) fn wrong_end(agent: &str, last: u32, until: u32) -> String {
-    format!(
-        "The path of {agent} ends at time {last}, but it is removed at time {until}, so its last entry must be one step earlier."
+    tr!(
+        "The path of {agent} ends at time {last}, but it is removed at time {until}, so its last entry must be one step earlier.",
+        agent,
+        last,
+        until
     )
 }
 
 pub(super) fn no_slow_edge(agent: &str, from: Cell, time: u32) -> String {
-    format!("{agent} is in transit after time {time}, but no edge of {from} is slow.")
+    tr!(
+        "{agent} is in transit after time {time}, but no edge of {from} is slow.",
+        agent,
+        time,
+        from
+    )
 }
 
 pub(super) fn held(agent: &str, from: Cell, time: u32) -> String {
-    format!("{agent} leaves {from} at time {time}, but a breakdown keeps it there.")
+    tr!(
+        "{agent} leaves {from} at time {time}, but a breakdown keeps it there.",
+        agent,
+        from,
+        time
+    )
 }
 
 pub(super) fn early(agent: &str, to: Cell, begin: u32) -> String {
-    format!("{agent} sets off to {to} at time {begin}, when an obstacle is still there.")
+    tr!(
+        "{agent} sets off to {to} at time {begin}, when an obstacle is still there.",
+        agent,
+        to,
+        begin
+    )
 }
 
 pub(super) fn late_waypoint(agent: &str, waypoint: Cell, since: u32, end: u32) -> String {
-    format!(
-        "{agent} does not visit {waypoint} after it became a waypoint at time {since}; its path ends at time {end}."
+    tr!(
+        "{agent} does not visit {waypoint} after it became a waypoint at time {since}; its path ends at time {end}.",
+        agent,
+        waypoint,
+        since,
+        end
     )
 }
 
 pub(super) fn charge_repeated(agent: &str, time: u32) -> String {
-    format!("The charges of {agent} list time {time} twice.")
+    tr!(
+        "The charges of {agent} list time {time} twice.",
+        agent,
+        time
+    )
 }
 
 pub(super) fn charges_unsorted(agent: &str, before: u32, time: u32) -> String {
-    format!(
-        "The charges of {agent} list time {time} after time {before}; they must be in ascending order."
+    tr!(
+        "The charges of {agent} list time {time} after time {before}; they must be in ascending order.",
+        agent,
+        time,
+        before
     )
 }
 
 pub(super) fn start(agent: &str, found: Cell, start: Cell) -> String {
-    format!("{agent} begins at {found}, but its start is {start}.")
+    tr!(
+        "{agent} begins at {found}, but its start is {start}.",
+        agent,
+        found,
+        start
+    )
 }
 
 pub(super) fn goal(agent: &str, found: Cell, goal: Cell, time: usize) -> String {
-    format!("{agent} ends at {found} at time {time}, but its goal is {goal}.")
+    tr!(
+        "{agent} ends at {found} at time {time}, but its goal is {goal}.",
+        agent,
+        found,
+        time,
+        goal
+    )
 }
 
 pub(super) fn waypoint(agent: &str, waypoint: Cell, arrival: usize) -> String {
-    format!(
-        "{agent} does not visit its waypoint {waypoint} by the end of its path at time {arrival}."
+    tr!(
+        "{agent} does not visit its waypoint {waypoint} by the end of its path at time {arrival}.",
+        agent,
+        waypoint,
+        arrival
     )
 }
 
 pub(super) fn obstacle(agent: &str, cell: Cell, time: usize, on_map: bool) -> String {
     if on_map {
-        format!("{agent} is in the obstacle {cell} at time {time}.")
+        tr!(
+            "{agent} is in the obstacle {cell} at time {time}.",
+            agent,
+            cell,
+            time
+        )
     } else {
-        format!("{agent} is at {cell} at time {time}, which is off the map.")
+        tr!(
+            "{agent} is at {cell} at time {time}, which is off the map.",
+            agent,
+            cell,
+            time
+        )
     }
 }
 
 pub(super) fn broken_step(agent: &str, from: Cell, to: Cell, time: usize, why: Broken) -> String {
     match why {
-        Broken::Jump => format!(
-            "{agent} goes from {from} to {to} at time {time}, but the two cells share no side."
+        Broken::Jump => tr!(
+            "{agent} goes from {from} to {to} at time {time}, but the two cells share no side.",
+            agent,
+            from,
+            to,
+            time
         ),
-        Broken::TooFast => format!(
-            "{agent} crosses the slow edge from {from} to {to} at time {time} in one step; it takes two."
+        Broken::TooFast => tr!(
+            "{agent} crosses the slow edge from {from} to {to} at time {time} in one step; it takes two.",
+            agent,
+            from,
+            to,
+            time
         ),
-        Broken::TooSlow => format!(
-            "{agent} is in transit from {from} to {to} after time {time}, but that edge is not slow."
+        Broken::TooSlow => tr!(
+            "{agent} is in transit from {from} to {to} after time {time}, but that edge is not slow.",
+            agent,
+            from,
+            to,
+            time
         ),
-        Broken::TurnBack => format!(
-            "{agent} is in transit after time {time} and then at {from} again; a robot cannot turn back during a slow move."
+        Broken::TurnBack => tr!(
+            "{agent} is in transit after time {time} and then at {from} again; a robot cannot turn back during a slow move.",
+            agent,
+            time,
+            from
         ),
-        Broken::LongTransit => format!(
-            "{agent} is in transit from {from} to {to} after time {time} for more than one step; a robot cannot stop during a slow move."
+        Broken::LongTransit => tr!(
+            "{agent} is in transit from {from} to {to} after time {time} for more than one step; a robot cannot stop during a slow move.",
+            agent,
+            from,
+            to,
+            time
         ),
     }
 }
 
 pub(super) fn vertex(a: &str, b: &str, cell: Cell, time: usize) -> String {
-    format!("{a} and {b} are both at {cell} at time {time}.")
+    tr!(
+        "{a} and {b} are both at {cell} at time {time}.",
+        a,
+        b,
+        cell,
+        time
+    )
 }
 
 pub(super) fn resting(a: &str, rests: &str, cell: Cell, time: usize, since: usize) -> String {
-    format!("{a} is at {cell} at time {time}, where {rests} stays since time {since}.")
+    tr!(
+        "{a} is at {cell} at time {time}, where {rests} stays since time {since}.",
+        a,
+        cell,
+        time,
+        rests,
+        since
+    )
 }
 
 pub(super) fn swap(a: &str, b: &str, from: Cell, to: Cell, time: usize) -> String {
-    format!("{a} goes from {from} to {to} at time {time} while {b} comes the other way.")
+    tr!(
+        "{a} goes from {from} to {to} at time {time} while {b} comes the other way.",
+        a,
+        from,
+        to,
+        time,
+        b
+    )
 }
 
 /// Two agents, each with the time at which it leaves; the edge as the first goes.
 pub(super) fn slow_swap(a: (&str, usize), b: (&str, usize), edge: (Cell, Cell)) -> String {
     let ((a, a_left), (b, b_left), (from, to)) = (a, b, edge);
     if a_left == b_left {
-        format!(
-            "{a} enters the slow edge from {from} to {to} at time {a_left} while {b} comes the other way."
+        tr!(
+            "{a} enters the slow edge from {from} to {to} at time {time} while {b} comes the other way.",
+            a,
+            from,
+            to,
+            time = a_left,
+            b
         )
     } else {
-        format!(
-            "{a} enters the slow edge from {from} to {to} at time {a_left}, and {b} comes the other way at time {b_left}."
+        tr!(
+            "{a} enters the slow edge from {from} to {to} at time {a_left}, and {b} comes the other way at time {b_left}.",
+            a,
+            from,
+            to,
+            a_left,
+            b,
+            b_left
         )
     }
 }
 
 pub(super) fn battery(agent: &str, level: i64, floor: i64, time: usize) -> String {
-    format!("The battery of {agent} is at {level} at time {time}, below the floor of {floor}.")
+    tr!(
+        "The battery of {agent} is at {level} at time {time}, below the floor of {floor}.",
+        agent,
+        level,
+        time,
+        floor
+    )
 }
 
 pub(super) fn charge(agent: &str, time: usize, arrival: usize, why: NoCharge) -> String {
     match why {
         NoCharge::NoBattery => {
-            format!("{agent} charges at time {time}, but it has no battery.")
+            tr!(
+                "{agent} charges at time {time}, but it has no battery.",
+                agent,
+                time
+            )
         }
-        NoCharge::Arrived => format!(
-            "{agent} charges at time {time}, but it arrives at time {arrival} and may only charge before that."
+        NoCharge::Arrived => tr!(
+            "{agent} charges at time {time}, but it arrives at time {arrival} and may only charge before that.",
+            agent,
+            time,
+            arrival
         ),
-        NoCharge::Absent => format!("{agent} charges at time {time}, when it is not there."),
+        NoCharge::Absent => tr!(
+            "{agent} charges at time {time}, when it is not there.",
+            agent,
+            time
+        ),
         NoCharge::InTransit => {
-            format!("{agent} charges at time {time}, when it is in transit.")
+            tr!(
+                "{agent} charges at time {time}, when it is in transit.",
+                agent,
+                time
+            )
         }
         NoCharge::NoCharger(cell) => {
-            format!("{agent} charges at time {time}, but there is no charger at {cell}.")
+            tr!(
+                "{agent} charges at time {time}, but there is no charger at {cell}.",
+                agent,
+                time,
+                cell
+            )
         }
     }
 }

@@ -4,7 +4,7 @@
 use super::findings::{Findings, Place};
 use super::{Rule, sentence};
 use crate::sorting::sort;
-use crate::{Cell, Instance, Plan};
+use crate::{Cell, Instance, Plan, tr};
 
 /// Finds what is wrong with the plan as a whole.
 pub(super) fn find(instance: &Instance, plan: &Plan, findings: &mut Findings<'_>) {
@@ -16,15 +16,20 @@ pub(super) fn find(instance: &Instance, plan: &Plan, findings: &mut Findings<'_>
         find_in_charges(plan.charges(&agent.name), index, &agent.name, findings);
         // A first entry at time 0 is the default, written out.
         if plan.from.get(&agent.name).is_some_and(|&from| from > 0) {
-            let message = sentence::needs_changes(&agent.name, "joins later");
+            let message =
+                sentence::needs_changes(&agent.name, tr!("in this plan a robot" => "joins later"));
             push(findings, index, 0, message);
         }
         if plan.until.contains_key(&agent.name) {
-            let message = sentence::needs_changes(&agent.name, "is removed");
+            let message =
+                sentence::needs_changes(&agent.name, tr!("in this plan a robot" => "is removed"));
             push(findings, index, 0, message);
         }
         if plan.slept.contains_key(&agent.name) {
-            let message = sentence::needs_changes(&agent.name, "is woken by a change");
+            let message = sentence::needs_changes(
+                &agent.name,
+                tr!("in this plan a robot" => "is woken by a change"),
+            );
             push(findings, index, 0, message);
         }
     }
@@ -103,11 +108,26 @@ pub(super) fn find_in_charges(
 pub(super) fn find_strangers(mut known: Vec<&str>, plan: &Plan, findings: &mut Findings<'_>) {
     sort(&mut known);
     let parts = [
-        ("a path", plan.paths.keys().collect::<Vec<_>>()),
-        ("charges", plan.charges.keys().collect()),
-        ("a time in \"from\"", plan.from.keys().collect()),
-        ("a time in \"until\"", plan.until.keys().collect()),
-        ("a time in \"slept\"", plan.slept.keys().collect()),
+        (
+            tr!("the plan has" => "a path"),
+            plan.paths.keys().collect::<Vec<_>>(),
+        ),
+        (
+            tr!("the plan has" => "charges"),
+            plan.charges.keys().collect(),
+        ),
+        (
+            tr!("the plan has" => "a time in \"from\""),
+            plan.from.keys().collect(),
+        ),
+        (
+            tr!("the plan has" => "a time in \"until\""),
+            plan.until.keys().collect(),
+        ),
+        (
+            tr!("the plan has" => "a time in \"slept\""),
+            plan.slept.keys().collect(),
+        ),
     ];
     for (what, names) in parts {
         for name in names {

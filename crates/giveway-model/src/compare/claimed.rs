@@ -6,7 +6,7 @@ use serde::{Deserialize, Serialize};
 
 use crate::check::{arrivals, costs};
 use crate::format::foreign::Claimed;
-use crate::{Cost, Instance, Plan};
+use crate::{Cost, Instance, Plan, tr};
 
 /// How else a cost may be counted.
 #[derive(
@@ -30,16 +30,20 @@ pub enum Definition {
 
 impl Definition {
     /// How it counts, as a sentence.
-    pub const fn sentence(self) -> &'static str {
+    pub fn sentence(self) -> &'static str {
         match self {
-            Self::WrittenSteps => "It counts waits at the goal after the arrival, too.",
-            Self::MakespanForAll => "It counts the makespan for every robot.",
-            Self::Cells => "It counts the cells of each path, the start too, and not the steps.",
-            Self::Moves => "It counts moves only, no waits.",
-            Self::AwayFromGoal => {
-                "It does not count steps that a robot rests at its goal, even if it leaves it again."
+            Self::WrittenSteps => tr!("It counts waits at the goal after the arrival, too."),
+            Self::MakespanForAll => tr!("It counts the makespan for every robot."),
+            Self::Cells => {
+                tr!("It counts the cells of each path, the start too, and not the steps.")
             }
-            Self::Times => "It counts the time 0, too.",
+            Self::Moves => tr!("It counts moves only, no waits."),
+            Self::AwayFromGoal => {
+                tr!(
+                    "It does not count steps that a robot rests at its goal, even if it leaves it again."
+                )
+            }
+            Self::Times => tr!("It counts the time 0, too."),
         }
     }
 }

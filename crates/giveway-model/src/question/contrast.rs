@@ -1,7 +1,7 @@
 //! What a question contrasts a plan with, as clauses.
 
 use super::Question;
-use crate::Cell;
+use crate::{Cell, tr};
 
 /// A contrast as a clause, in the two moods that sentences need.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -22,13 +22,18 @@ pub struct Contrast {
 /// assert_eq!(contrast.would, "A1 charged at (3, 1)");
 /// assert_eq!(contrast.does, "A1 charges at (3, 1)");
 /// ```
+#[expect(
+    clippy::too_many_lines,
+    reason = "two clauses for each kind of question"
+)]
 pub fn contrast(question: &Question) -> Option<Contrast> {
     let both = |would: String, does: String| Some(Contrast { would, does });
     // Not doing: "did not" and "does not".
     let not = |agent: &str, what: String| {
+        let what = what.trim_start();
         both(
-            format!("{agent} did not {what}"),
-            format!("{agent} does not {what}"),
+            tr!("If ..." => "{agent} did not {what}", agent, what),
+            tr!("a plan in which ..." => "{agent} does not {what}", agent, what),
         )
     };
     let doing = |agent: &str, did: String, does: String| {
@@ -45,36 +50,57 @@ pub fn contrast(question: &Question) -> Option<Contrast> {
             let place = place(*at);
             let time = match (from, to) {
                 (None | Some(0), None) => String::new(),
-                (Some(from), None) => format!(" after time {from}"),
-                (from, Some(to)) => format!(" between time {} and {to}", from.unwrap_or(0)),
+                (Some(from), None) => tr!("something done" => " after time {from}", from),
+                (from, Some(to)) => tr!(
+                    "something done" => " between time {from} and {to}",
+                    from = from.unwrap_or(0),
+                    to
+                ),
             };
             match at_least {
                 Some(steps) if *steps > 1 => {
-                    let what = format!("wait {steps} steps in a row{place}{time}");
+                    let what = tr!(
+                        "a robot does not" => "wait {steps} steps in a row{place}{time}",
+                        steps,
+                        place,
+                        time
+                    );
                     not(agent, what)
                 }
-                _ => not(agent, format!("wait{place}{time}")),
+                _ => not(
+                    agent,
+                    tr!("a robot does not" => "wait{place}{time}", place, time),
+                ),
             }
         }
-        Question::Charge { agent, at, time } => {
-            not(agent, format!("charge{}{}", place(*at), moment(*time)))
-        }
+        Question::Charge { agent, at, time } => not(
+            agent,
+            tr!(
+                "a robot does not" => "charge{place}{moment}",
+                place = place(*at),
+                moment = moment(*time)
+            ),
+        ),
         Question::NoCharge { agent, at } => doing(
             agent,
-            format!("charged at {at}"),
-            format!("charges at {at}"),
+            tr!("If a robot ..." => "charged at {at}", at),
+            tr!("a plan in which a robot ..." => "charges at {at}", at),
         ),
         Question::Visit { agent, at, time } => match time {
             Some(time) => doing(
                 agent,
-                format!("were not at {at} at time {time}"),
-                format!("is not at {at} at time {time}"),
+                tr!("If a robot ..." => "were not at {at} at time {time}", at, time),
+                tr!("a plan in which a robot ..." => "is not at {at} at time {time}", at, time),
             ),
-            None => not(agent, format!("pass {at}")),
+            None => not(agent, tr!("a robot does not" => "pass {at}", at)),
         },
         Question::NoVisit { agent, at } => {
-            let who = agent.as_deref().unwrap_or("somebody");
-            doing(who, format!("passed {at}"), format!("passes {at}"))
+            let who = agent.as_deref().unwrap_or(tr!("somebody"));
+            doing(
+                who,
+                tr!("If a robot ..." => "passed {at}", at),
+                tr!("a plan in which a robot ..." => "passes {at}", at),
+            )
         }
         Question::Move {
             agent,
@@ -83,7 +109,12 @@ pub fn contrast(question: &Question) -> Option<Contrast> {
             time,
         } => not(
             agent,
-            format!("go from {from_cell} to {to_cell}{}", moment(*time)),
+            tr!(
+                "a robot does not" => "go from {from_cell} to {to_cell}{moment}",
+                from_cell,
+                to_cell,
+                moment = moment(*time)
+            ),
         ),
         Question::NoMove {
             agent,
@@ -91,8 +122,17 @@ pub fn contrast(question: &Question) -> Option<Contrast> {
             to_cell,
             time,
         } => {
-            let what = format!("from {from_cell} to {to_cell}{}", moment(*time));
-            doing(agent, format!("went {what}"), format!("goes {what}"))
+            let what = tr!(
+                "something done" => "from {from_cell} to {to_cell}{moment}",
+                from_cell,
+                to_cell,
+                moment = moment(*time)
+            );
+            doing(
+                agent,
+                tr!("If a robot ..." => "went {what}", what),
+                tr!("a plan in which a robot ..." => "goes {what}", what),
+            )
         }
         Question::Slow {
             agent,
@@ -100,8 +140,14 @@ pub fn contrast(question: &Question) -> Option<Contrast> {
             to_cell,
         } => {
             let edge = from_cell.zip(*to_cell);
-            let edge = edge.map_or_else(String::new, |(u, v)| format!(" between {u} and {v}"));
-            not(agent, format!("take the slow way{edge}"))
+            let edge = edge.map_or_else(
+                String::new,
+                |(u, v)| tr!("something done" => " between {u} and {v}", u, v),
+            );
+            not(
+                agent,
+                tr!("a robot does not" => "take the slow way{edge}", edge),
+            )
         }
         Question::Order {
             agent,
@@ -109,22 +155,25 @@ pub fn contrast(question: &Question) -> Option<Contrast> {
             second,
         } => doing(
             agent,
-            format!("visited {second} before {first}"),
-            format!("visits {second} before {first}"),
+            tr!("If a robot ..." => "visited {second} before {first}", second, first),
+            tr!("a plan in which a robot ..." => "visits {second} before {first}", second, first),
         ),
         Question::Yield { agent, to, at } => doing(
             agent,
-            format!("were at {at} before {to}"),
-            format!("is at {at} before {to}"),
+            tr!("If a robot ..." => "were at {at} before {to}", at, to),
+            tr!("a plan in which a robot ..." => "is at {at} before {to}", at, to),
         ),
         _ => None,
     }
 }
 
 fn place(at: Option<Cell>) -> String {
-    at.map_or_else(String::new, |at| format!(" at {at}"))
+    at.map_or_else(String::new, |at| tr!("something done" => " at {at}", at))
 }
 
 fn moment(time: Option<u32>) -> String {
-    time.map_or_else(String::new, |time| format!(" at time {time}"))
+    time.map_or_else(
+        String::new,
+        |time| tr!("something done" => " at time {time}", time),
+    )
 }

@@ -6,7 +6,7 @@ use super::least::already_least;
 use super::not_so::not_so;
 use super::{Misfit, Question, so};
 use crate::check::Walk;
-use crate::{Cell, Fault, Ground, Instance, Plan};
+use crate::{Cell, Fault, Ground, Instance, Plan, tr};
 
 /// Agents that a fault lists by name.
 const NAMED: usize = 8;
@@ -142,7 +142,14 @@ fn precedence(
     let (is_so, ask) = match (visit(agent), visit(to)) {
         (Some(late), Some(early)) if early < late => return Ok(()),
         (Some(early), Some(late)) => (
-            format!("{agent} is at {at} first, at time {early}, and {to} at time {late}."),
+            tr!(
+                "{agent} is at {at} first, at time {early}, and {to} at time {late}.",
+                agent,
+                at,
+                early,
+                to,
+                late
+            ),
             Question::Yield {
                 agent: to.to_owned(),
                 to: agent.to_owned(),
@@ -150,14 +157,23 @@ fn precedence(
             },
         ),
         (None, _) => (
-            format!("{agent} is never at {at}, so it gives way to nobody there."),
+            tr!(
+                "{agent} is never at {at}, so it gives way to nobody there.",
+                agent,
+                at
+            ),
             Question::NoVisit {
                 agent: Some(agent.to_owned()),
                 at,
             },
         ),
         (Some(_), None) => (
-            format!("{to} is never at {at}, so {agent} does not give way to it there."),
+            tr!(
+                "{to} is never at {at}, so {agent} does not give way to it there.",
+                to,
+                at,
+                agent
+            ),
             Question::NoVisit {
                 agent: Some(to.to_owned()),
                 at,

@@ -2,8 +2,8 @@
 
 use super::holds::{moves, walk};
 use super::{Question, so};
-use crate::check;
 use crate::{Cost, Instance, Plan};
+use crate::{check, tr};
 
 /// What is so, where nothing could be less than what is asked about.
 pub(super) fn already_least(
@@ -17,38 +17,39 @@ pub(super) fn already_least(
     let (is_least, what) = match question {
         Question::Waits { agent: Some(name) } => (
             so::waits(instance, &of(name)?).is_empty(),
-            format!("{name} never waits in this plan."),
+            tr!("{name} never waits in this plan.", name),
         ),
         Question::Charges { agent: Some(name) } => (
             of(name)?.charges.is_empty(),
-            format!("{name} never charges in this plan."),
+            tr!("{name} never charges in this plan.", name),
         ),
-        Question::Moves { agent: Some(name) } | Question::Length { agent: name, .. } => {
-            (still(name)?, format!("{name} does not move in this plan."))
-        }
+        Question::Moves { agent: Some(name) } | Question::Length { agent: name, .. } => (
+            still(name)?,
+            tr!("{name} does not move in this plan.", name),
+        ),
         Question::Arrival { agent } => (
             of(agent)?.arrival() == 0,
-            format!("{agent} arrives at time 0."),
+            tr!("{agent} arrives at time 0.", agent),
         ),
         Question::Waits { agent: None } => (
             total(Cost::Waits),
-            "No robot waits in this plan.".to_owned(),
+            tr!("No robot waits in this plan.").to_owned(),
         ),
         Question::Charges { agent: None } => (
             total(Cost::Charges),
-            "No robot charges in this plan.".to_owned(),
+            tr!("No robot charges in this plan.").to_owned(),
         ),
         Question::Moves { agent: None } => (
             total(Cost::Moves),
-            "No robot moves in this plan.".to_owned(),
+            tr!("No robot moves in this plan.").to_owned(),
         ),
         Question::Makespan => (
             total(Cost::Makespan),
-            "All robots arrive at time 0.".to_owned(),
+            tr!("All robots arrive at time 0.").to_owned(),
         ),
         Question::SumOfCosts => (
             total(Cost::SumOfCosts),
-            "All robots arrive at time 0.".to_owned(),
+            tr!("All robots arrive at time 0.").to_owned(),
         ),
         _ => return None,
     };

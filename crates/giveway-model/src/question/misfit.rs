@@ -6,7 +6,7 @@ use borsh::{BorshDeserialize, BorshSerialize};
 use serde::{Deserialize, Serialize};
 
 use super::{Question, sentence, to_words};
-use crate::Fault;
+use crate::{Fault, tr};
 
 /// Why a question cannot be answered.
 #[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize, BorshSerialize, BorshDeserialize)]
@@ -50,7 +50,11 @@ impl Misfit {
             Self::NotSo {
                 is_so,
                 ask: Some(ask),
-            } => format!("{is_so} You can ask: {}", sentence(ask)),
+            } => tr!(
+                "{is_so} You can ask: {question}",
+                is_so,
+                question = sentence(ask)
+            ),
             other => other.to_string(),
         }
     }

@@ -3,8 +3,8 @@
 use super::Misfit;
 use super::holds::{first_visit, goes, moves};
 use super::{Question, so};
-use crate::Instance;
 use crate::check::Walk;
+use crate::{Instance, tr};
 
 /// What is so instead, for the questions about one agent.
 #[expect(clippy::too_many_lines, reason = "an arm for each kind of question")]
@@ -24,14 +24,18 @@ pub(super) fn not_so(
             at_least,
             ..
         } => {
-            let place = at.map_or(String::new(), |at| format!(" at {at}"));
+            let place = at.map_or(String::new(), |at| tr!("something done" => " at {at}", at));
             let time = match (from, to) {
                 (None, None) => String::new(),
-                (from, Some(to)) => format!(" from time {} to {to}", from.unwrap_or(0)),
-                (Some(from), None) => format!(" from time {from} on"),
+                (from, Some(to)) => {
+                    tr!("something done" => " from time {from} to {to}", from = from.unwrap_or(0), to)
+                }
+                (Some(from), None) => tr!("something done" => " from time {from} on", from),
             };
             let long = match at_least {
-                Some(steps) if steps > 1 => format!(" {steps} steps in a row"),
+                Some(steps) if steps > 1 => {
+                    tr!("something done" => " {steps} steps in a row", steps)
+                }
                 _ => String::new(),
             };
             let waits = so::waits(instance, walk);
@@ -50,13 +54,23 @@ pub(super) fn not_so(
             };
             let so = so::waiting(instance, walk);
             misfit(
-                format!("{name} does not wait{place}{time}{long}. {so}"),
+                tr!(
+                    "{name} does not wait{place}{time}{long}. {so}",
+                    name,
+                    place,
+                    time,
+                    long,
+                    so
+                ),
                 Some(ask),
             )
         }
         Question::Charge { at, time, .. } => {
-            let place = at.map_or(String::new(), |at| format!(" at {at}"));
-            let when = time.map_or(String::new(), |time| format!(" at time {time}"));
+            let place = at.map_or(String::new(), |at| tr!("something done" => " at {at}", at));
+            let when = time.map_or(
+                String::new(),
+                |time| tr!("something done" => " at time {time}", time),
+            );
             let ask = match (walk.charges.first(), at) {
                 (Some(&charge), _) => Some(Question::Charge {
                     agent: agent(),
@@ -67,7 +81,16 @@ pub(super) fn not_so(
                 (None, None) => None,
             };
             let so = so::charging(walk);
-            misfit(format!("{name} does not charge{place}{when}. {so}"), ask)
+            misfit(
+                tr!(
+                    "{name} does not charge{place}{when}. {so}",
+                    name,
+                    place,
+                    when,
+                    so
+                ),
+                ask,
+            )
         }
         Question::NoCharge { at, .. } => {
             let ask = Question::Charge {
@@ -76,16 +99,22 @@ pub(super) fn not_so(
                 time: None,
             };
             let so = so::charging(walk);
-            misfit(format!("{name} does charge at {at}. {so}"), Some(ask))
+            misfit(
+                tr!("{name} does charge at {at}. {so}", name, at, so),
+                Some(ask),
+            )
         }
         Question::Visit { at, time, .. } => {
             let visit = first_visit(walk, at);
             let is_so = match (time, visit) {
-                (Some(time), Some(_)) => format!(
-                    "{name} is not at {at} at time {time}. {}",
-                    so::whereabouts(instance, walk, time)
+                (Some(time), Some(_)) => tr!(
+                    "{name} is not at {at} at time {time}. {whereabouts}",
+                    name,
+                    at,
+                    time,
+                    whereabouts = so::whereabouts(instance, walk, time)
                 ),
-                _ => format!("{name} never passes {at}."),
+                _ => tr!("{name} never passes {at}.", name, at),
             };
             let ask = if visit.is_some() {
                 Some(Question::Visit {
@@ -108,7 +137,10 @@ pub(super) fn not_so(
                 at,
                 time: None,
             };
-            misfit(format!("{name} does pass {at}, at time {time}."), Some(ask))
+            misfit(
+                tr!("{name} does pass {at}, at time {time}.", name, at, time),
+                Some(ask),
+            )
         }
         Question::Move {
             from_cell,
@@ -117,7 +149,10 @@ pub(super) fn not_so(
             ..
         } => {
             let ever = goes(instance, walk, from_cell, to_cell, None);
-            let when = time.map_or(String::new(), |time| format!(" at time {time}"));
+            let when = time.map_or(
+                String::new(),
+                |time| tr!("something done" => " at time {time}", time),
+            );
             let so = so::going(instance, walk, from_cell, to_cell);
             let agent = agent();
             let ask = if ever {
@@ -136,7 +171,14 @@ pub(super) fn not_so(
                 }
             };
             misfit(
-                format!("{name} does not go from {from_cell} to {to_cell}{when}. {so}"),
+                tr!(
+                    "{name} does not go from {from_cell} to {to_cell}{when}. {so}",
+                    name,
+                    from_cell,
+                    to_cell,
+                    when,
+                    so
+                ),
                 Some(ask),
             )
         }
@@ -153,14 +195,14 @@ pub(super) fn not_so(
                 to_cell,
                 time,
             };
-            misfit(format!("{name} does go that way. {so}"), Some(ask))
+            misfit(tr!("{name} does go that way. {so}", name, so), Some(ask))
         }
         Question::Slow {
             from_cell, to_cell, ..
         } => {
             let so = so::slowly(instance, walk);
             let over = match (from_cell, to_cell) {
-                (Some(u), Some(v)) => format!(" between {u} and {v}"),
+                (Some(u), Some(v)) => tr!("something done" => " between {u} and {v}", u, v),
                 _ => String::new(),
             };
             let ask = so.is_some().then(|| Question::Slow {
@@ -169,16 +211,26 @@ pub(super) fn not_so(
                 to_cell: None,
             });
             let so = so.map_or_else(String::new, |so| format!(" {so}"));
-            misfit(format!("{name} makes no slow move{over}.{so}"), ask)
+            misfit(
+                tr!("{name} makes no slow move{over}.{so}", name, over, so),
+                ask,
+            )
         }
         Question::Order { first, second, .. } => {
             let is_so = match (first_visit(walk, first), first_visit(walk, second)) {
                 (Some(first), Some(second)) if first < second => return Ok(()),
                 (Some(p), Some(q)) => {
-                    format!("{name} visits {second} first, at time {q}, and {first} at time {p}.")
+                    tr!(
+                        "{name} visits {second} first, at time {q}, and {first} at time {p}.",
+                        name,
+                        second,
+                        q,
+                        first,
+                        p
+                    )
                 }
-                (None, _) => format!("{name} never visits {first}."),
-                (_, None) => format!("{name} never visits {second}."),
+                (None, _) => tr!("{name} never visits {first}.", name, first),
+                (_, None) => tr!("{name} never visits {second}.", name, second),
             };
             let both = first_visit(walk, first).and(first_visit(walk, second));
             let ask = both.map(|_| Question::Order {
@@ -194,7 +246,10 @@ pub(super) fn not_so(
                 agent: agent(),
                 fewer_than: None,
             };
-            misfit(format!("{name} makes only {moves} moves."), Some(ask))
+            misfit(
+                tr!("{name} makes only {moves} moves.", name, moves),
+                Some(ask),
+            )
         }
         _ => Ok(()),
     }

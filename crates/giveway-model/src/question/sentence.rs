@@ -1,7 +1,7 @@
 //! A question as a person says it.
 
 use super::Question;
-use crate::Cell;
+use crate::{Cell, tr};
 
 /// The question as a sentence for people.
 ///
@@ -22,10 +22,10 @@ pub fn sentence(question: &Question) -> String {
             at_least,
             ..
         } => {
-            let place = place(*cell, "at");
+            let place = place(*cell);
             match at_least {
-                Some(_) => format!("Why does {agent} wait so long{place}?"),
-                None => format!("Why does {agent} wait{place}?"),
+                Some(_) => tr!("Why does {agent} wait so long{place}?", agent, place),
+                None => tr!("Why does {agent} wait{place}?", agent, place),
             }
         }
         Question::Charge {
@@ -33,45 +33,57 @@ pub fn sentence(question: &Question) -> String {
             at: cell,
             time,
         } => {
-            format!(
-                "Why does {agent} charge{}{}?",
-                place(*cell, "at"),
-                when(*time)
+            tr!(
+                "Why does {agent} charge{place}{when}?",
+                agent,
+                place = place(*cell),
+                when = when(*time)
             )
         }
         Question::NoCharge { agent, at: cell } => {
-            format!("Why does {agent} not charge at {cell}?")
+            tr!("Why does {agent} not charge at {cell}?", agent, cell)
         }
         Question::Visit {
             agent,
             at: cell,
             time,
-        } => format!("Why does {agent} pass {cell}{}?", when(*time)),
+        } => tr!(
+            "Why does {agent} pass {cell}{when}?",
+            agent,
+            cell,
+            when = when(*time)
+        ),
         Question::NoVisit {
             agent: Some(agent),
             at: cell,
-        } => format!("Why does {agent} not pass {cell}?"),
+        } => tr!("Why does {agent} not pass {cell}?", agent, cell),
         Question::NoVisit {
             agent: None,
             at: cell,
-        } => format!("Why does nobody pass {cell}?"),
+        } => tr!("Why does nobody pass {cell}?", cell),
         Question::Move {
             agent,
             from_cell,
             to_cell,
             time,
-        } => format!(
-            "Why does {agent} go from {from_cell} to {to_cell}{}?",
-            when(*time)
+        } => tr!(
+            "Why does {agent} go from {from_cell} to {to_cell}{when}?",
+            agent,
+            from_cell,
+            to_cell,
+            when = when(*time)
         ),
         Question::NoMove {
             agent,
             from_cell,
             to_cell,
             time,
-        } => format!(
-            "Why does {agent} not go from {from_cell} to {to_cell}{}?",
-            when(*time)
+        } => tr!(
+            "Why does {agent} not go from {from_cell} to {to_cell}{when}?",
+            agent,
+            from_cell,
+            to_cell,
+            when = when(*time)
         ),
         Question::Slow {
             agent,
@@ -79,54 +91,75 @@ pub fn sentence(question: &Question) -> String {
             to_cell,
         } => {
             let over = from_cell.zip(*to_cell);
-            let over = over.map(|(u, v)| format!(" over {u} and {v}"));
-            format!(
-                "Why does {agent} take the slow way{}?",
-                over.unwrap_or_default()
+            let over = over.map(|(u, v)| tr!("something done" => " over {u} and {v}", u, v));
+            tr!(
+                "Why does {agent} take the slow way{over}?",
+                agent,
+                over = over.unwrap_or_default()
             )
         }
         Question::Order {
             agent,
             first,
             second,
-        } => format!("Why does {agent} visit {first} before {second}?"),
-        Question::Arrival { agent } => format!("Why does {agent} not arrive sooner?"),
+        } => tr!(
+            "Why does {agent} visit {first} before {second}?",
+            agent,
+            first,
+            second
+        ),
+        Question::Arrival { agent } => tr!("Why does {agent} not arrive sooner?", agent),
         Question::Length {
             agent,
             fewer_than: None,
-        } => format!("Why is the path of {agent} this long?"),
+        } => tr!("Why is the path of {agent} this long?", agent),
         Question::Length {
             agent,
             fewer_than: Some(moves),
-        } => format!("Why does {agent} not make fewer than {moves} moves?"),
-        Question::Makespan => "Why does it take this long?".to_owned(),
-        Question::SumOfCosts => "Why is the sum of costs not less?".to_owned(),
+        } => tr!(
+            "Why does {agent} not make fewer than {moves} moves?",
+            agent,
+            moves
+        ),
+        Question::Makespan => tr!("Why does it take this long?").to_owned(),
+        Question::SumOfCosts => tr!("Why is the sum of costs not less?").to_owned(),
         Question::Charges { agent: Some(agent) } => {
-            format!("Why does {agent} not charge fewer times?")
+            tr!("Why does {agent} not charge fewer times?", agent)
         }
-        Question::Charges { agent: None } => "Why are there not fewer charges?".to_owned(),
+        Question::Charges { agent: None } => tr!("Why are there not fewer charges?").to_owned(),
         Question::Moves { agent: Some(agent) } => {
-            format!("Why does {agent} not make fewer moves?")
+            tr!("Why does {agent} not make fewer moves?", agent)
         }
-        Question::Moves { agent: None } => "Why are there not fewer moves?".to_owned(),
-        Question::Waits { agent: Some(agent) } => format!("Why does {agent} not wait less?"),
-        Question::Waits { agent: None } => "Why are there not fewer waits?".to_owned(),
+        Question::Moves { agent: None } => tr!("Why are there not fewer moves?").to_owned(),
+        Question::Waits { agent: Some(agent) } => tr!("Why does {agent} not wait less?", agent),
+        Question::Waits { agent: None } => tr!("Why are there not fewer waits?").to_owned(),
         Question::Yield {
             agent,
             to,
             at: cell,
-        } => format!("Why does {agent} give way to {to} at {cell}?"),
-        Question::Unsolvable => "Why is there no plan?".to_owned(),
-        Question::Plan => "Is this plan the best?".to_owned(),
+        } => tr!(
+            "Why does {agent} give way to {to} at {cell}?",
+            agent,
+            to,
+            cell
+        ),
+        Question::Unsolvable => tr!("Why is there no plan?").to_owned(),
+        Question::Plan => tr!("Is this plan the best?").to_owned(),
     }
 }
 
-fn place(cell: Option<Cell>, word: &str) -> String {
-    cell.map_or_else(String::new, |cell| format!(" {word} {cell}"))
+fn place(cell: Option<Cell>) -> String {
+    cell.map_or_else(
+        String::new,
+        |cell| tr!("something done" => " at {cell}", cell),
+    )
 }
 
 fn when(time: Option<u32>) -> String {
-    time.map_or_else(String::new, |time| format!(" at time {time}"))
+    time.map_or_else(
+        String::new,
+        |time| tr!("something done" => " at time {time}", time),
+    )
 }
 
 #[cfg(test)]

@@ -2,7 +2,7 @@
 
 use super::holds::{first_visit, turns};
 use crate::check::{Step, Walk, steps};
-use crate::{Cell, Instance};
+use crate::{Cell, Instance, tr};
 
 /// Things that a sentence lists before it says how many there are more.
 const LISTED: usize = 4;
@@ -12,13 +12,15 @@ pub(super) fn list(things: &[String]) -> String {
     match things {
         [] => String::new(),
         [one] => one.clone(),
-        [init @ .., last] if things.len() <= LISTED => format!("{} and {last}", init.join(", ")),
+        [init @ .., last] if things.len() <= LISTED => {
+            tr!("list" => "{list} and {last}", list = init.join(", "), last)
+        }
         _ => {
             let shown = things.get(..LISTED - 1).unwrap_or(things);
-            format!(
-                "{} and {} more",
-                shown.join(", "),
-                things.len() - shown.len()
+            tr!(
+                "{list} and {more} more",
+                list = shown.join(", "),
+                more = things.len() - shown.len()
             )
         }
     }
@@ -47,12 +49,12 @@ pub(super) fn waits(instance: &Instance, walk: &Walk<'_>) -> Vec<(Cell, u32, u32
 pub(super) fn waiting(instance: &Instance, walk: &Walk<'_>) -> String {
     let waits: Vec<String> = waits(instance, walk)
         .into_iter()
-        .map(|(cell, from, to)| format!("at {cell} from time {from} to {to}"))
+        .map(|(cell, from, to)| tr!("at {cell} from time {from} to {to}", cell, from, to))
         .collect();
     if waits.is_empty() {
-        return "It never waits before its arrival.".to_owned();
+        return tr!("It never waits before its arrival.").to_owned();
     }
-    format!("It waits {}.", list(&waits))
+    tr!("It waits {times}.", times = list(&waits))
 }
 
 /// Where and when it charges, as a sentence.
@@ -60,33 +62,46 @@ pub(super) fn charging(walk: &Walk<'_>) -> String {
     let charges: Vec<String> = walk
         .charges
         .iter()
-        .filter_map(|&time| Some(format!("at {} at time {time}", walk.at(time as usize)?)))
+        .filter_map(|&time| {
+            Some(tr!(
+                "at {cell} at time {time}",
+                cell = walk.at(time as usize)?,
+                time
+            ))
+        })
         .collect();
     if walk.agent.battery.is_none() {
-        return "It has no battery.".to_owned();
+        return tr!("It has no battery.").to_owned();
     }
     if charges.is_empty() {
-        return "It never charges.".to_owned();
+        return tr!("It never charges.").to_owned();
     }
-    format!("It charges {}.", list(&charges))
+    tr!("It charges {times}.", times = list(&charges))
 }
 
 /// Where it is at a time, as a sentence.
 pub(super) fn whereabouts(instance: &Instance, walk: &Walk<'_>, time: u32) -> String {
     let arrival = walk.arrival();
     match walk.at(time as usize) {
-        Some(cell) => format!("At time {time} it is at {cell}."),
-        None if time as usize <= arrival => format!("At time {time} it is in transit."),
+        Some(cell) => tr!("At time {time} it is at {cell}.", time, cell),
+        None if time as usize <= arrival => tr!("At time {time} it is in transit.", time),
         None if instance.stays() => {
-            format!("It has arrived at {} at time {arrival}.", walk.agent.goal)
+            tr!(
+                "It has arrived at {goal} at time {arrival}.",
+                goal = walk.agent.goal,
+                arrival
+            )
         }
-        None => format!("It arrived at time {arrival} and has been gone since then."),
+        None => tr!(
+            "It arrived at time {arrival} and has been gone since then.",
+            arrival
+        ),
     }
 }
 
 /// When it goes over an edge, or where else it goes from there, as a sentence.
 pub(super) fn going(instance: &Instance, walk: &Walk<'_>, from: Cell, to: Cell) -> String {
-    let name = |(time, _, to): &(u32, Cell, Cell)| format!("to {to} at time {time}");
+    let name = |(time, _, to): &(u32, Cell, Cell)| tr!("to {to} at time {time}", to, time);
     let leaves: Vec<_> = turns(instance, walk)
         .into_iter()
         .filter(|&(_, u, _)| u == from)
@@ -97,15 +112,15 @@ pub(super) fn going(instance: &Instance, walk: &Walk<'_>, from: Cell, to: Cell) 
         .map(name)
         .collect();
     if !there.is_empty() {
-        return format!("It goes from {from} {}.", list(&there));
+        return tr!("It goes from {from} {ways}.", from, ways = list(&there));
     }
     if !leaves.is_empty() {
         let leaves: Vec<String> = leaves.iter().map(name).collect();
-        return format!("It goes from {from} {}.", list(&leaves));
+        return tr!("It goes from {from} {ways}.", from, ways = list(&leaves));
     }
     match first_visit(walk, from) {
-        Some(_) => format!("It stays at {from}, its goal, to the end."),
-        None => format!("It is never at {from}."),
+        Some(_) => tr!("It stays at {from}, its goal, to the end.", from),
+        None => tr!("It is never at {from}.", from),
     }
 }
 
@@ -113,9 +128,11 @@ pub(super) fn going(instance: &Instance, walk: &Walk<'_>, from: Cell, to: Cell) 
 pub(super) fn slowly(instance: &Instance, walk: &Walk<'_>) -> Option<String> {
     let moves: Vec<String> = steps(instance.grid(), walk.path)
         .filter_map(|(time, step)| match step {
-            Step::SlowMove { from, to } => Some(format!("from {from} to {to} at time {time}")),
+            Step::SlowMove { from, to } => {
+                Some(tr!("from {from} to {to} at time {time}", from, to, time))
+            }
             _ => None,
         })
         .collect();
-    (!moves.is_empty()).then(|| format!("It moves slowly {}.", list(&moves)))
+    (!moves.is_empty()).then(|| tr!("It moves slowly {ways}.", ways = list(&moves)))
 }

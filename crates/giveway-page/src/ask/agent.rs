@@ -1,6 +1,6 @@
 //! Questions about an agent: this moment, and its way as a whole.
 
-use giveway_model::{Cell, Question};
+use giveway_model::{Cell, Question, tr};
 
 use super::{Group, Offer};
 use crate::Answer;
@@ -16,11 +16,11 @@ pub(super) fn groups(answer: &Answer, agent: usize, time: u32) -> Vec<Group> {
     };
     vec![
         Group {
-            title: "Ask about this moment".to_owned(),
+            title: tr!("Ask about this moment").to_owned(),
             offers: moment(answer, &lane, time),
         },
         Group {
-            title: format!("Ask about {}", lane.name),
+            title: tr!("Ask about {name}", name = lane.name),
             offers: whole(answer, &lane),
         },
     ]
@@ -41,7 +41,7 @@ fn moment(answer: &Answer, lane: &Lane, time: u32) -> Vec<Offer> {
             to: Some(to),
             at_least: None,
         };
-        offers.push(Offer::new("pause", wait).with(format!("from time {from} to {to}")));
+        offers.push(Offer::new("pause", wait).with(tr!("from time {from} to {to}", from, to)));
         offers.extend(gives_way(answer, lane, step));
     }
     if lane.charges.contains(&time) {
@@ -51,7 +51,7 @@ fn moment(answer: &Answer, lane: &Lane, time: u32) -> Vec<Offer> {
             time: Some(time),
         };
         let left = lane.level_at(time).unwrap_or_default();
-        offers.push(Offer::new("charger", charge).with(format!("with {left} left")));
+        offers.push(Offer::new("charger", charge).with(tr!("with {left} left", left)));
     }
     if step.way != Way::Wait {
         let go = Question::Move {
@@ -114,11 +114,11 @@ fn whole(answer: &Answer, lane: &Lane) -> Vec<Offer> {
     let agent = || lane.name.clone();
     let mut offers = vec![
         Offer::new("clock", Question::Arrival { agent: agent() })
-            .with(format!("it arrives at {}", lane.arrival)),
+            .with(tr!("it arrives at {time}", time = lane.arrival)),
     ];
     let waits = lane.count(Way::Wait);
     if waits > 0 {
-        let waits = format!("it waits for {waits} in all");
+        let waits = tr!("it waits for {waits} in all", waits);
         offers.push(
             Offer::new(
                 "pause",
@@ -130,7 +130,7 @@ fn whole(answer: &Answer, lane: &Lane) -> Vec<Offer> {
         );
     }
     if !lane.charges.is_empty() {
-        let charges = format!("it charges at {}", list(&lane.charges));
+        let charges = tr!("it charges at {times}", times = list(&lane.charges));
         let ask = Question::Charges {
             agent: Some(agent()),
         };
@@ -149,7 +149,9 @@ fn whole(answer: &Answer, lane: &Lane) -> Vec<Offer> {
         agent: agent(),
         fewer_than: None,
     };
-    offers.push(Offer::new("trail", length).with(format!("it makes {} moves", lane.moves())));
+    offers.push(
+        Offer::new("trail", length).with(tr!("it makes {moves} moves", moves = lane.moves())),
+    );
     offers
 }
 
@@ -185,7 +187,9 @@ fn orders(answer: &Answer, lane: &Lane) -> Vec<Offer> {
 fn list(times: &[u32]) -> String {
     let times: Vec<String> = times.iter().map(u32::to_string).collect();
     match times.as_slice() {
-        [init @ .., last] if !init.is_empty() => format!("{} and {last}", init.join(", ")),
+        [init @ .., last] if !init.is_empty() => {
+            tr!("list" => "{list} and {last}", list = init.join(", "), last)
+        }
         times => times.concat(),
     }
 }

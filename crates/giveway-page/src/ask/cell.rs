@@ -1,6 +1,6 @@
 //! Questions about a cell: why is it passed, or why not?
 
-use giveway_model::{Cell, Ground, Question};
+use giveway_model::{Cell, Ground, Question, tr};
 
 use super::{Group, Offer};
 use crate::Answer;
@@ -56,7 +56,7 @@ pub(super) fn groups(answer: &Answer, cell: Cell) -> Vec<Group> {
         offers.extend(asks.take(AGENTS).map(|ask| Offer::new("charger", ask)));
     }
     vec![Group {
-        title: format!("Ask about {}", at(cell)),
+        title: tr!("Ask about {cell}", cell = at(cell)),
         offers,
     }]
 }

@@ -15,7 +15,7 @@ pub use card::{
     Badge, Card, CostRow, FactRow, Facts, Happening, Offered, Other, card, closeness,
     offers_next_step,
 };
-use giveway_model::{Question, question::fits};
+use giveway_model::{Question, question::fits, tr};
 
 use crate::{Answer, Selection, State, words};
 
@@ -65,8 +65,9 @@ pub fn no_offers(state: &State) -> Option<String> {
     let is_past = state.view.playback.time < changed;
     let is_asked = state.document.mode.changing().is_none();
     (is_past && is_asked).then(|| {
-        format!(
-            "What came before time {changed} is settled. Show a later time to ask about the plan."
+        tr!(
+            "What came before time {changed} is settled. Show a later time to ask about the plan.",
+            changed
         )
     })
 }

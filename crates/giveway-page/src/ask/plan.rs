@@ -1,6 +1,6 @@
 //! Questions about the plan as a whole, or about there being none.
 
-use giveway_model::{Cost, Question};
+use giveway_model::{Cost, Question, tr};
 use giveway_solve::Status;
 
 use super::{Group, Offer};
@@ -28,7 +28,7 @@ pub(super) fn groups(answer: &Answer) -> Vec<Group> {
             continue;
         }
         let detail = if proved(cost) {
-            format!("{} {value}, proved", words::name(cost))
+            tr!("{cost} {value}, proved", cost = words::name(cost), value)
         } else {
             format!("{} {value}", words::name(cost))
         };
@@ -38,7 +38,7 @@ pub(super) fn groups(answer: &Answer) -> Vec<Group> {
         offers.push(Offer::new("question", Question::Plan));
     }
     vec![Group {
-        title: "Ask about the plan".to_owned(),
+        title: tr!("Ask about the plan").to_owned(),
         offers,
     }]
 }
@@ -49,7 +49,7 @@ pub(super) fn without(answer: &Answer) -> Vec<Group> {
         return Vec::new();
     }
     vec![Group {
-        title: "Ask".to_owned(),
+        title: tr!("Ask").to_owned(),
         offers: vec![Offer::new("question", Question::Unsolvable)],
     }]
 }

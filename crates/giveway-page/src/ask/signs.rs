@@ -1,6 +1,6 @@
 //! The parts of a card in words and signs.
 
-use giveway_model::Question;
+use giveway_model::{Question, tr};
 use giveway_solve::explain::{Edit, ExplainAnswer, Fact, FactKind, Part, Verdict, verdict_word};
 
 use super::card::{Badge, numbers_facts};
@@ -43,11 +43,11 @@ pub(super) fn badge(told: &ExplainAnswer) -> Badge {
 
 pub(super) fn pending(part: Part) -> &'static str {
     match part {
-        Part::Verdict => "Looking for the verdict",
-        Part::Closest => "Looking for a plan closer to this one",
-        Part::Witness => "Looking for what would happen",
-        Part::Core => "Looking for the reasons",
-        Part::Repairs => "Looking for what would help",
+        Part::Verdict => tr!("Looking for the verdict"),
+        Part::Closest => tr!("Looking for a plan closer to this one"),
+        Part::Witness => tr!("Looking for what would happen"),
+        Part::Core => tr!("Looking for the reasons"),
+        Part::Repairs => tr!("Looking for what would help"),
     }
 }
 

@@ -1,13 +1,12 @@
 //! The broken rules of a plan of elsewhere, gone through one after the other: all of
 //! them, or those in which the robot that is selected takes part.
 
-use giveway_model::Cell;
 use giveway_model::check::Violation;
+use giveway_model::{Cell, tr};
 
 use super::rows::violation as row;
 use super::{Audit, Dropped};
 use crate::State;
-use crate::words::count;
 
 /// The conflicts to go through.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -30,17 +29,21 @@ pub fn conflicts(state: &State) -> Option<Conflicts> {
     let sentence = match (told, who) {
         (Some((place, violation)), _) => {
             let row = row(&audit.plan, violation, place, true);
-            format!(
-                "Conflict {} of {}, at time {}: {}",
-                place + 1,
-                all.len(),
-                row.time,
-                row.text
+            tr!(
+                "Conflict {place} of {all}, at time {time}: {row}",
+                place = place + 1,
+                all = all.len(),
+                time = row.time,
+                row = row.text
             )
         }
-        (None, Some(name)) if all.is_empty() => format!("No conflict of {name}."),
-        (None, Some(name)) => format!("{name} takes part in {}.", count(all.len(), "conflict")),
-        (None, None) => format!("{}.", count(all.len(), "conflict")),
+        (None, Some(name)) if all.is_empty() => tr!("No conflict of {name}.", name),
+        (None, Some(name)) => tr!(
+            "{name} takes part in {n} conflict."
+                | "{name} takes part in {n} conflicts." % all.len(),
+            name
+        ),
+        (None, None) => tr!("{n} conflict." | "{n} conflicts." % all.len()),
     };
     Some(Conflicts {
         has_next: !all.is_empty(),
@@ -76,7 +79,9 @@ fn gone_to(state: &State, audit: &Audit) -> Option<usize> {
 /// The next one after the one that was gone to last, or from the time shown on; after
 /// the last comes the first. In its place, why there is none.
 pub(crate) fn next(state: &State) -> Result<usize, String> {
-    let audit = state.audited().ok_or("This plan is not checked yet.")?;
+    let audit = state
+        .audited()
+        .ok_or(tr!("This plan is not checked yet."))?;
     let who = who(state, audit);
     let all = of(&audit.plan, who);
     let gone_to = gone_to(state, audit);
@@ -89,8 +94,8 @@ pub(crate) fn next(state: &State) -> Result<usize, String> {
     };
     let next = all.iter().find(is_next).or(all.first()).copied();
     next.ok_or_else(|| match who {
-        Some(name) => format!("No conflict of {name}."),
-        None => "This plan has no conflict.".to_owned(),
+        Some(name) => tr!("No conflict of {name}.", name),
+        None => tr!("This plan has no conflict.").to_owned(),
     })
 }
 

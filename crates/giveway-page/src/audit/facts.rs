@@ -6,14 +6,14 @@ use std::rc::Rc;
 use giveway_model::check::Violation;
 use giveway_model::format::foreign::{CellOrder, Conventions, ForeignPlan, Origin, Up};
 use giveway_model::words::capital;
-use giveway_model::{Cost, Costs, Plan};
+use giveway_model::{Cost, Costs, Plan, tr};
 
 use super::gap::Known;
 use super::rows::{CostRow, Fact, ViolationRow, costs, facts as file_facts, violation};
 use super::verdict::{Verdict, verdict};
 use super::{Audit, Beside};
 use crate::State;
-use crate::words::{count, name};
+use crate::words::name;
 
 /// The most violations that are told one by one.
 const MOST: usize = 50;
@@ -131,10 +131,10 @@ fn facts_by(state: &State, known: &Known, is_running: bool) -> Option<Facts> {
     Some(Facts {
         title: plan.title().to_owned(),
         file: file.file.clone(),
-        extent: format!(
-            "{}, times 0 to {}",
-            count(file.plan.paths.len(), "robot"),
-            steps.saturating_sub(1)
+        extent: tr!(
+            "{n} robot, times 0 to {last}"
+                | "{n} robots, times 0 to {last}" % file.plan.paths.len(),
+            last = steps.saturating_sub(1)
         ),
         plans: rows(audit),
         choices: choices(file),
@@ -174,9 +174,9 @@ fn rows(audit: &Audit) -> Vec<PlanRow> {
             format!(", {}", crate::words::value(cost, costs.get(cost)))
         });
         let legal = if plan.is_legal() {
-            "legal"
+            tr!("a plan" => "legal")
         } else {
-            "not legal"
+            tr!("a plan" => "not legal")
         };
         PlanRow {
             file: plan.file.file.clone(),
@@ -198,7 +198,7 @@ fn choices(file: &ForeignPlan) -> Vec<Choice> {
         conventions: file.conventions,
         words: conventions(file, file.conventions),
         meaning: match &file.fit.first {
-            None => "Everything fits.".to_owned(),
+            None => tr!("Everything fits.").to_owned(),
             Some(misfit) => format!("{}.", capital(misfit)),
         },
         is_chosen: true,
@@ -207,7 +207,7 @@ fn choices(file: &ForeignPlan) -> Vec<Choice> {
         conventions: other.conventions,
         words: conventions(file, other.conventions),
         meaning: match &other.misfit {
-            None => "Everything fits, too.".to_owned(),
+            None => tr!("Everything fits, too.").to_owned(),
             Some(misfit) => format!("{}.", capital(misfit)),
         },
         is_chosen: false,
@@ -221,18 +221,18 @@ fn conventions(file: &ForeignPlan, how: Conventions) -> String {
     let mut words = Vec::new();
     if has("cells") {
         words.push(match how.cells {
-            CellOrder::RowColumn => "row first, then column",
-            CellOrder::ColumnRow => "column first, then row",
+            CellOrder::RowColumn => tr!("row first, then column"),
+            CellOrder::ColumnRow => tr!("column first, then row"),
         });
         words.push(match how.origin {
-            Origin::Zero => "from 0",
-            Origin::One => "from 1",
+            Origin::Zero => tr!("from 0"),
+            Origin::One => tr!("from 1"),
         });
     }
     if has("up") {
         words.push(match how.up {
-            Up::Lowers => "up is the row above",
-            Up::Raises => "up is the row below",
+            Up::Lowers => tr!("up is the row above"),
+            Up::Raises => tr!("up is the row below"),
         });
     }
     capital(&words.join(", "))
@@ -244,11 +244,11 @@ fn stands(audit: &Audit, cost: Cost, known: &Known, is_running: bool) -> Option<
     let &bound = known.bounds.get(&cost)?;
     let share = u64::from(bound.min(value)) * 100 / u64::from(value.max(1));
     let rest = value.saturating_sub(bound);
-    let mut words = format!("Proved up to {bound}. The gap is {rest}.");
+    let mut words = tr!("Proved up to {bound}. The gap is {rest}.", bound, rest);
     if rest == 0 {
-        words = format!("Proved: no plan has a smaller {}.", name(cost));
+        words = tr!("Proved: no plan has a smaller {cost}.", cost = name(cost));
     } else if is_running {
-        words += " Still searching.";
+        words += tr!(" Still searching.");
     }
     let share = if value == 0 { 100 } else { share };
     Some((u32::try_from(share).unwrap_or(100), words))
@@ -257,11 +257,11 @@ fn stands(audit: &Audit, cost: Cost, known: &Known, is_running: bool) -> Option<
 /// What there is to look for; nothing where no plan can be better.
 fn find(audit: &Audit, known: &Known) -> Option<String> {
     if !audit.plan.is_legal() {
-        return (!known.is_impossible).then(|| "Find a legal plan".to_owned());
+        return (!known.is_impossible).then(|| tr!("Find a legal plan").to_owned());
     }
     let costs = audit.plan.answer.solved.costs?;
     let gap = super::gap::Gap::of(audit.objective(), &costs, known);
-    (gap != super::gap::Gap::None).then(|| "Find a better plan".to_owned())
+    (gap != super::gap::Gap::None).then(|| tr!("Find a better plan").to_owned())
 }
 
 /// What takes the other plan.
@@ -269,12 +269,12 @@ fn take(audit: &Audit) -> Option<String> {
     let other = audit.other()?;
     let is_ours = audit.better().is_some_and(|ours| Rc::ptr_eq(ours, other));
     is_ours.then(|| {
-        let kind = if audit.plan.is_legal() {
-            "better"
+        let use_it = if audit.plan.is_legal() {
+            tr!("Use the better plan")
         } else {
-            "legal"
+            tr!("Use the legal plan")
         };
-        format!("Use the {kind} plan")
+        use_it.to_owned()
     })
 }
 

@@ -1,19 +1,20 @@
 //! The plan on the board, asked how good it is: it is audited like one of elsewhere.
 
+use giveway_model::words::Later;
 use std::collections::BTreeMap;
 use std::rc::Rc;
 
-use giveway_model::Plan;
 use giveway_model::format::foreign::{Claimed, Conventions, Fit, ForeignPlan, Format};
+use giveway_model::{Plan, tr, tr_later};
 use giveway_solve::Status;
 
 use super::{Audit, Dropped};
 use crate::{Answer, Draft, Mode, State};
 
 /// What its file is called where there is none.
-const NAME: &str = "This plan";
+const NAME: Later = tr_later!("This plan");
 /// What is asked of it.
-const QUESTION: &str = "How good is this plan?";
+const QUESTION: Later = tr_later!("How good is this plan?");
 
 /// The plan on the board, where it can be asked how good that is: nothing is proved
 /// of it yet, or not enough.
@@ -29,7 +30,7 @@ pub(super) fn plan(state: &State) -> Option<&Rc<Answer>> {
 /// The question that begins the audit of the plan on the board; `None` where that
 /// cannot be asked.
 pub fn question(state: &State) -> Option<&'static str> {
-    plan(state).map(|_| QUESTION)
+    plan(state).map(|_| QUESTION.text())
 }
 
 impl Audit {
@@ -49,7 +50,7 @@ impl Dropped {
     /// A plan that no file holds, judged; `None` where the draft is no valid scene.
     pub(crate) fn own(draft: &Rc<Draft>, plan: &Plan) -> Option<Self> {
         let file = ForeignPlan {
-            file: NAME.to_owned(),
+            file: NAME.text().to_owned(),
             format: Format::Giveway,
             words: Vec::new(),
             conventions: Conventions::OWN,
@@ -67,15 +68,15 @@ impl Dropped {
 
     /// Whether it was on the board before: then no file says anything of it.
     pub(super) fn is_own(&self) -> bool {
-        self.file.format == Format::Giveway && self.file.file == NAME
+        self.file.format == Format::Giveway && self.file.file == NAME.text()
     }
 
     /// What its audit is called.
     pub(super) fn title(&self) -> &'static str {
         if self.is_own() {
-            QUESTION
+            QUESTION.text()
         } else {
-            "A plan from elsewhere"
+            tr!("A plan from elsewhere")
         }
     }
 }

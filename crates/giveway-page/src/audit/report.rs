@@ -3,7 +3,7 @@
 
 use std::fmt::Write as _;
 
-use giveway_model::words::count;
+use giveway_model::tr;
 use serde_json::{Map, Value, json};
 
 use super::Told;
@@ -20,7 +20,11 @@ pub(crate) fn write(kind: ReportKind, told: &Told, link: &str) -> (String, Strin
 }
 
 fn title(told: &Told) -> String {
-    format!("{} on {}", told.facts.file, told.scene)
+    tr!(
+        "{file} on {scene}",
+        file = told.facts.file,
+        scene = told.scene
+    )
 }
 
 fn verdict(told: &Told) -> String {
@@ -34,7 +38,7 @@ fn verdict(told: &Told) -> String {
 /// The rows of both kinds of text: title, what, why.
 fn facts(told: &Told) -> Vec<[String; 3]> {
     let facts = &told.facts;
-    let mut rows = vec![["Plan".to_owned(), facts.extent.clone(), String::new()]];
+    let mut rows = vec![[tr!("Plan").to_owned(), facts.extent.clone(), String::new()]];
     for fact in &facts.facts {
         rows.push([fact.title.clone(), fact.what.clone(), fact.why.clone()]);
     }
@@ -55,23 +59,25 @@ fn escaped(text: &str) -> String {
 fn html(told: &Told, link: &str) -> String {
     let title = escaped(&title(told));
     let mut text = format!(
-        "<!doctype html>\n<html lang=\"en\">\n<meta charset=\"utf-8\">\n\
+        "<!doctype html>\n<html lang=\"{}\">\n<meta charset=\"utf-8\">\n\
          <meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n\
          <title>{title}</title>\n<style>\n\
          :root {{ color-scheme: light dark }}\n\
          body {{ max-width: 44rem; margin: 2rem auto; padding: 0 1rem; font: 16px/1.5 system-ui, sans-serif }}\n\
          th, td {{ padding: 0.3rem 1rem 0.3rem 0; text-align: left; vertical-align: top }}\n\
          </style>\n<h1>{title}</h1>\n<p><strong>{}</strong> {}</p>\n",
+        tr!("the tag of the language" => "en"),
         escaped(&verdict(told)),
         escaped(&told.facts.verdict.sentence),
     );
     // Writing to a string cannot fail.
     let _ = writeln!(
         text,
-        "<p><a href=\"{}\">Open it in Giveway</a></p>",
-        escaped(link)
+        "<p><a href=\"{}\">{}</a></p>",
+        escaped(link),
+        tr!("Open it in Giveway")
     );
-    text += "<h2>How it was read</h2>\n<table>\n";
+    let _ = writeln!(text, "<h2>{}</h2>\n<table>", tr!("How it was read"));
     for [title, what, why] in facts(told) {
         let _ = writeln!(
             text,
@@ -83,7 +89,13 @@ fn html(told: &Told, link: &str) -> String {
     }
     text += "</table>\n";
     if !told.facts.costs.is_empty() {
-        text += "<h2>Costs</h2>\n<table>\n<tr><td></td><th scope=\"col\">This plan</th><th scope=\"col\">At least</th></tr>\n";
+        let _ = writeln!(
+            text,
+            "<h2>{}</h2>\n<table>\n<tr><td></td><th scope=\"col\">{}</th><th scope=\"col\">{}</th></tr>",
+            tr!("Costs"),
+            tr!("This plan"),
+            tr!("At least")
+        );
         for row in &told.facts.costs {
             let least = row
                 .least
@@ -98,9 +110,10 @@ fn html(told: &Told, link: &str) -> String {
         text += "</table>\n";
     }
     if !told.violations.is_empty() {
-        text += "<h2>What goes wrong</h2>\n<ul>\n";
+        let _ = writeln!(text, "<h2>{}</h2>\n<ul>", tr!("What goes wrong"));
         for (time, message) in broken(told) {
-            let _ = writeln!(text, "<li>Time {time}: {}</li>", escaped(message));
+            let told = tr!("Time {time}: {message}", time, message = escaped(message));
+            let _ = writeln!(text, "<li>{told}</li>");
         }
         text += "</ul>\n";
     }
@@ -127,10 +140,11 @@ fn plain(text: &str) -> String {
 
 fn markdown(told: &Told, link: &str) -> String {
     let mut text = format!(
-        "# {}\n\n**{}** {}\n\n[Open it in Giveway](<{link}>)\n\n",
+        "# {}\n\n**{}** {}\n\n[{}](<{link}>)\n\n",
         plain(&title(told)),
         plain(&verdict(told)),
-        plain(&told.facts.verdict.sentence)
+        plain(&told.facts.verdict.sentence),
+        tr!("Open it in Giveway")
     );
     text += "| | | |\n|---|---|---|\n";
     for row in facts(told) {
@@ -139,7 +153,13 @@ fn markdown(told: &Told, link: &str) -> String {
         let _ = writeln!(text, "| {} |", row.join(" | "));
     }
     if !told.facts.costs.is_empty() {
-        text += "\n| cost | this plan | at least |\n|---|---|---|\n";
+        let _ = writeln!(
+            text,
+            "\n| {} | {} | {} |\n|---|---|---|",
+            tr!("a column of a report" => "cost"),
+            tr!("a column of a report" => "this plan"),
+            tr!("a column of a report" => "at least")
+        );
         for row in &told.facts.costs {
             let least = row
                 .least
@@ -148,9 +168,14 @@ fn markdown(told: &Told, link: &str) -> String {
         }
     }
     if !told.violations.is_empty() {
-        let _ = writeln!(text, "\n{}:\n", count(told.violations.len(), "broken rule"));
+        let _ = writeln!(
+            text,
+            "\n{}:\n",
+            tr!("{n} broken rule" | "{n} broken rules" % told.violations.len())
+        );
         for (time, message) in broken(told) {
-            let _ = writeln!(text, "- Time {time}: {}", plain(message));
+            let told = tr!("Time {time}: {message}", time, message = plain(message));
+            let _ = writeln!(text, "- {told}");
         }
     }
     for note in &told.facts.notes {

@@ -3,6 +3,8 @@
 
 use giveway_model::check::{Rule, Violation};
 use giveway_model::compare::{ClaimedCost, claims};
+use giveway_model::tr;
+use giveway_model::words::and;
 use giveway_model::words::capital;
 
 use super::gap::Known;
@@ -66,9 +68,9 @@ pub(super) fn facts(plan: &Dropped) -> Vec<Fact> {
         return Vec::new();
     }
     let mut facts = vec![Fact {
-        title: "Format".to_owned(),
+        title: tr!("Format").to_owned(),
         what: file.format.looks().to_owned(),
-        why: format!("as {}", file.format.makers()),
+        why: tr!("as {makers}", makers = file.format.makers()),
     }];
     for (index, (about, how)) in file.words.iter().enumerate() {
         facts.push(Fact {
@@ -95,13 +97,20 @@ fn claimed(plan: &Dropped) -> Vec<Fact> {
     let fact = |claim: ClaimedCost| {
         let own = claim.counted.filter(|_| !claim.agrees())?;
         let why = match claim.definition {
-            Some(definition) => format!("{} Here it is {own}.", definition.sentence()),
+            Some(definition) => tr!(
+                "{definition} Here it is {own}.",
+                definition = definition.sentence(),
+                own
+            ),
             None => {
-                format!("By our count it is {own}: steps until each robot stays at its goal.")
+                tr!(
+                    "By our count it is {own}: steps until each robot stays at its goal.",
+                    own
+                )
             }
         };
         Some(Fact {
-            title: "It says".to_owned(),
+            title: tr!("It says").to_owned(),
             what: format!("{} {}", title(claim.cost), claim.claimed),
             why,
         })
@@ -156,22 +165,27 @@ fn words(plan: &Dropped, violation: &Violation) -> Option<(String, String)> {
             };
             Some(match (stays(one), stays(two)) {
                 (Some(since), None) => (
-                    format!("{two} enters {}", at(cell)),
-                    format!("where {one} stays from time {since}"),
+                    tr!("{two} enters {cell}", two, cell = at(cell)),
+                    tr!("where {one} stays from time {since}", one, since),
                 ),
                 (None, Some(since)) => (
-                    format!("{one} enters {}", at(cell)),
-                    format!("where {two} stays from time {since}"),
+                    tr!("{one} enters {cell}", one, cell = at(cell)),
+                    tr!("where {two} stays from time {since}", two, since),
                 ),
                 _ => (
-                    format!("{one} and {two} are both at {}", at(cell)),
+                    tr!(
+                        "{one} and {two} are both at {cell}",
+                        one,
+                        two,
+                        cell = at(cell)
+                    ),
                     String::new(),
                 ),
             })
         }
         (Rule::Swap | Rule::SlowSwap, _, Some([from, to])) => Some((
-            format!("{one} and {two} swap cells"),
-            format!("{} and {}", at(from), at(to)),
+            tr!("{one} and {two} swap cells", one, two),
+            and(&[at(from), at(to)]),
         )),
         _ => None,
     }

@@ -1,12 +1,11 @@
 //! The verdict on a plan of elsewhere: is it legal, and how good is it?
 
 use giveway_model::check::{Rule, Violation};
-use giveway_model::words::capital;
-use giveway_model::{Cost, Costs};
+use giveway_model::{Cost, Costs, tr};
 
 use super::gap::{Gap, Known, percent};
 use super::{Audit, Dropped};
-use crate::words::{count, name};
+use crate::words::name;
 
 /// What is said of the plan as a whole.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -42,16 +41,25 @@ pub(super) fn verdict(audit: &Audit, known: &Known, is_running: bool) -> Verdict
         legal(audit, costs, known, is_running)
     } else if let Some(first) = plan.strangers().next() {
         let fit = plan.answer.draft.agents().len() - plan.strangers().count();
-        let robots = count(plan.answer.draft.agents().len(), "robot");
-        let sentence = format!("{first} starts elsewhere: {fit} of {robots} fit.");
+        let robots = plan.answer.draft.agents().len();
+        let sentence = tr!(
+            "{first} starts elsewhere: {fit} of {n} robot fit."
+                | "{first} starts elsewhere: {fit} of {n} robots fit." % robots,
+            first,
+            fit
+        );
         new(
-            ["necessary", "cancel", "Not for this scene"],
+            ["necessary", "cancel", tr!("Not for this scene")],
             String::new(),
             sentence,
         )
     } else {
         let sentence = illegal(audit, costs, known);
-        new(["necessary", "cancel", "Not legal"], broken(plan), sentence)
+        new(
+            ["necessary", "cancel", tr!("Not legal")],
+            broken(plan),
+            sentence,
+        )
     }
 }
 
@@ -62,24 +70,24 @@ fn broken(plan: &Dropped) -> String {
     };
     let many = plan.violations.len();
     if plan.violations.iter().all(is_collision) {
-        count(many, "collision")
+        tr!("{n} collision" | "{n} collisions" % many)
     } else {
-        format!("{} broken", count(many, "rule"))
+        tr!("{n} rule broken" | "{n} rules broken" % many)
     }
 }
 
 /// `costs 79`, `has makespan 14`.
 fn has(cost: Cost, n: impl std::fmt::Display) -> String {
     match cost {
-        Cost::SumOfCosts => format!("costs {n}"),
-        _ => format!("has {} {n}", name(cost)),
+        Cost::SumOfCosts => tr!("a plan" => "costs {n}", n),
+        _ => tr!("a plan and its cost" => "has {cost} {n}", cost = name(cost), n),
     }
 }
 
 /// Why an illegal plan tells nothing of what a legal one costs.
 fn illegal(audit: &Audit, costs: Option<Costs>, known: &Known) -> String {
     if known.is_impossible {
-        return "No legal plan exists for this scene.".to_owned();
+        return tr!("No legal plan exists for this scene.").to_owned();
     }
     let first = audit.objective().costs().first().copied();
     let (Some(costs), Some(cost)) = (costs, first) else {
@@ -89,21 +97,29 @@ fn illegal(audit: &Audit, costs: Option<Costs>, known: &Known) -> String {
     let this = has(cost, value);
     match known.bounds.get(&cost) {
         Some(&bound) if value < bound => {
-            let least = has(cost, format!("at least {bound}"));
-            format!("It {this}, and every legal plan {least}. So it had to break a rule.")
+            let least = has(cost, tr!("at least {bound}", bound));
+            tr!(
+                "It {this}, and every legal plan {least}. So it had to break a rule.",
+                this,
+                least
+            )
         }
         Some(&bound) => {
-            let least = has(cost, format!("at least {bound}"));
-            format!("It {this} as it stands. Every legal plan {least}.")
+            let least = has(cost, tr!("at least {bound}", bound));
+            tr!(
+                "It {this} as it stands. Every legal plan {least}.",
+                this,
+                least
+            )
         }
-        None => format!("It {this} as it stands."),
+        None => tr!("It {this} as it stands.", this),
     }
 }
 
 fn legal(audit: &Audit, costs: Option<Costs>, known: &Known, is_running: bool) -> Verdict {
-    let legal = ["fine", "check", "Legal"];
+    let legal = ["fine", "check", tr!("Legal")];
     let Some(costs) = costs else {
-        return new(legal, String::new(), "It keeps every rule.".to_owned());
+        return new(legal, String::new(), tr!("It keeps every rule.").to_owned());
     };
     match Gap::of(audit.objective(), &costs, known) {
         Gap::None => {
@@ -113,15 +129,14 @@ fn legal(audit: &Audit, costs: Option<Costs>, known: &Known, is_running: bool) -
                 .iter()
                 .take(1)
                 .map(|&cost| {
-                    capital(&format!(
-                        "every plan {}.",
-                        has(cost, format!("at least {}", costs.get(cost)))
-                    ))
+                    let bound = costs.get(cost);
+                    let least = has(cost, tr!("at least {bound}", bound));
+                    tr!("costs at least so much" => "Every plan {least}.", least)
                 })
                 .collect();
             new(
-                ["checked", "proved", "No plan is better"],
-                "proved".to_owned(),
+                ["checked", "proved", tr!("No plan is better")],
+                tr!("proved").to_owned(),
                 words.join(" "),
             )
         }
@@ -134,14 +149,19 @@ fn legal(audit: &Audit, costs: Option<Costs>, known: &Known, is_running: bool) -
             let above = percent(value, bound);
             let this = has(cost, value);
             let sentence = if is_reached {
-                format!(
-                    "{above} % above the best. There is a plan that {}, and this one {this}.",
-                    has(cost, bound)
+                tr!(
+                    "{above} % above the best. There is a plan that {best}, and this one {this}.",
+                    above,
+                    best = has(cost, bound),
+                    this
                 )
             } else {
-                let least = has(cost, format!("at least {bound}"));
-                format!(
-                    "At most {above} % above the best. Every plan {least}, and this one {this}."
+                let least = has(cost, tr!("at least {bound}", bound));
+                tr!(
+                    "At most {above} % above the best. Every plan {least}, and this one {this}.",
+                    above,
+                    least,
+                    this
                 )
             };
             new(legal, String::new(), sentence)
@@ -149,12 +169,13 @@ fn legal(audit: &Audit, costs: Option<Costs>, known: &Known, is_running: bool) -
         Gap::Unknown if is_running => new(
             legal,
             String::new(),
-            "It keeps every rule. The search for what the best plan costs has begun.".to_owned(),
+            tr!("It keeps every rule. The search for what the best plan costs has begun.")
+                .to_owned(),
         ),
         Gap::Unknown => new(
             legal,
             String::new(),
-            "It keeps every rule. Find a better plan to learn how good it is.".to_owned(),
+            tr!("It keeps every rule. Find a better plan to learn how good it is.").to_owned(),
         ),
     }
 }

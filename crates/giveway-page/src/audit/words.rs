@@ -1,10 +1,10 @@
 //! The status of a plan of elsewhere, in one sentence.
 
-use giveway_model::Cost;
 use giveway_model::words::capital;
+use giveway_model::{Cost, tr};
 
 use super::Audit;
-use crate::words::{Badge, count, value, values};
+use crate::words::{Badge, value, values};
 
 /// Its badge.
 pub(crate) fn badge(audit: &Audit) -> Badge {
@@ -22,16 +22,24 @@ pub(crate) fn sentence(audit: &Audit) -> String {
     let costs = plan.answer.solved.costs;
     if plan.is_legal() {
         let costs = costs.map_or_else(String::new, |costs| capital(&values(objective, &costs)));
-        return format!("{file} keeps every rule. {costs}.");
+        return tr!("{file} keeps every rule. {costs}.", file, costs);
     }
-    let rules = count(plan.violations.len(), "rule");
+
     let first = objective.costs().first().copied();
     let cost = costs.zip(first).map_or_else(String::new, |(costs, first)| {
         let n = costs.get(first);
         match first {
-            Cost::SumOfCosts => format!(" As it stands it would cost {n}."),
-            _ => format!(" As it stands it would have {}.", value(first, n)),
+            Cost::SumOfCosts => tr!(" As it stands it would cost {n}.", n),
+            _ => tr!(
+                " As it stands it would have {value}.",
+                value = value(first, n)
+            ),
         }
     });
-    format!("{file} breaks {rules}.{cost}")
+    let rules = plan.violations.len();
+    tr!(
+        "{file} breaks {n} rule.{cost}" | "{file} breaks {n} rules.{cost}" % rules,
+        file,
+        cost
+    )
 }

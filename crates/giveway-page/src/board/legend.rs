@@ -1,6 +1,6 @@
 //! What the signs on the board mean: only those that are there.
 
-use giveway_model::Ground;
+use giveway_model::{Ground, tr};
 
 use super::{Cast, MarkKind, Track};
 use crate::{State, freedom};
@@ -52,28 +52,28 @@ pub enum Kind {
 
 impl Kind {
     /// What it means.
-    pub const fn words(self) -> &'static str {
+    pub fn words(self) -> &'static str {
         match self {
-            Self::Problem => "Problem: press to see it",
-            Self::Burst => "Against a rule at this time",
-            Self::Later => "Against a rule at another time",
-            Self::Reason => "Part of the reason",
-            Self::Try => "The best try ends here",
-            Self::Differs => "Elsewhere in the other plan",
-            Self::Stale => "Stale plan, faded",
-            Self::Charger => "Charger",
-            Self::Slow => "Slow zone: a move takes 2 steps",
-            Self::Goal => "Goal",
-            Self::Waypoint => "Waypoint, filled once visited",
-            Self::Ahead => "Way ahead",
-            Self::Wait => "Waits",
-            Self::Used => "Darker: used more often",
-            Self::Must => "In every best plan",
-            Self::Only => "In this plan alone",
-            Self::May => "Free to choose",
-            Self::Unsure => "Not known",
-            Self::Price => "Closing this cell costs so much",
-            Self::Late => "May be late",
+            Self::Problem => tr!("Problem: press to see it"),
+            Self::Burst => tr!("Against a rule at this time"),
+            Self::Later => tr!("Against a rule at another time"),
+            Self::Reason => tr!("Part of the reason"),
+            Self::Try => tr!("The best try ends here"),
+            Self::Differs => tr!("Elsewhere in the other plan"),
+            Self::Stale => tr!("Stale plan, faded"),
+            Self::Charger => tr!("Charger"),
+            Self::Slow => tr!("Slow zone: a move takes 2 steps"),
+            Self::Goal => tr!("Goal"),
+            Self::Waypoint => tr!("Waypoint, filled once visited"),
+            Self::Ahead => tr!("Way ahead"),
+            Self::Wait => tr!("Waits"),
+            Self::Used => tr!("Darker: used more often"),
+            Self::Must => tr!("In every best plan"),
+            Self::Only => tr!("In this plan alone"),
+            Self::May => tr!("Free to choose"),
+            Self::Unsure => tr!("Not known"),
+            Self::Price => tr!("Closing this cell costs so much"),
+            Self::Late => tr!("May be late"),
         }
     }
 

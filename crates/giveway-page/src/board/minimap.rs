@@ -2,6 +2,8 @@
 
 use std::fmt::Write;
 
+use giveway_model::tr;
+
 use super::{CELL, Cast, Frame, whole};
 use crate::Point;
 
@@ -62,8 +64,14 @@ impl Minimap {
     pub fn name(&self) -> String {
         let ((left, right), (top, bottom)) = (self.columns, self.rows);
         let (width, height) = self.board;
-        format!(
-            "Overview: columns {left} to {right} and rows {top} to {bottom} of {width} x {height} cells are in sight"
+        tr!(
+            "Overview: columns {left} to {right} and rows {top} to {bottom} of {width} x {height} cells are in sight",
+            left,
+            right,
+            top,
+            bottom,
+            width,
+            height
         )
     }
 

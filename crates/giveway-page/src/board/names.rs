@@ -2,7 +2,7 @@
 
 use std::collections::BTreeMap;
 
-use giveway_model::{Cell, Grid, Ground};
+use giveway_model::{Cell, Grid, Ground, tr};
 
 use super::{Cast, Frame};
 use crate::Problem;
@@ -75,36 +75,44 @@ impl CellNames {
             there.map(|(agent, _)| agent)
         };
         for (agent, _) in agents() {
-            names.add(agent.start, format!("start of {}", agent.name));
+            names.add(agent.start, tr!("start of {agent}", agent = agent.name));
         }
         for (agent, _) in agents() {
-            names.add(agent.goal, format!("goal of {}", agent.name));
+            names.add(agent.goal, tr!("goal of {agent}", agent = agent.name));
         }
         for (agent, track) in agents() {
             for &cell in &agent.waypoints {
                 let path = track.path().iter().take(time as usize + 1);
                 let is_visited = cast.has_plan() && path.into_iter().any(|&at| at == Some(cell));
-                let visited = if is_visited { ", visited" } else { "" };
-                names.add(cell, format!("waypoint of {}{visited}", agent.name));
+
+                names.add(
+                    cell,
+                    if is_visited {
+                        tr!("waypoint of {agent}, visited", agent = agent.name)
+                    } else {
+                        tr!("waypoint of {agent}", agent = agent.name)
+                    },
+                );
             }
         }
         for (agent, track) in agents() {
             match track.cells_at(time)[..] {
                 [from, to] => {
-                    names.add(from, format!("{} leaves", agent.name));
-                    names.add(to, format!("{} comes", agent.name));
+                    names.add(from, tr!("{agent} leaves", agent = agent.name));
+                    names.add(to, tr!("{agent} comes", agent = agent.name));
                 }
                 // Where it starts it is at first: that need not be said twice.
                 [cell] if time > 0 || cell != agent.start => {
-                    names.add(cell, format!("{} is here", agent.name));
+                    names.add(cell, tr!("{agent} is here", agent = agent.name));
                 }
                 _ => {}
             }
         }
         for problem in problems {
             if let Some(cell) = problem.cell {
-                let sentence = problem.sentence.trim_end_matches('.');
-                names.add(cell, format!("problem: {sentence}"));
+                let sentence = problem.sentence();
+                let sentence = sentence.trim_end_matches('.');
+                names.add(cell, tr!("problem: {sentence}", sentence));
             }
         }
         names
@@ -126,12 +134,12 @@ impl CellNames {
         let ground = grid.ground(cell).unwrap_or(Ground::Obstacle);
         let parts = self.parts.get(&cell).map_or(&[][..], Vec::as_slice);
         let ground = match ground {
-            Ground::Free if parts.is_empty() => "free",
+            Ground::Free if parts.is_empty() => tr!("a cell is" => "free"),
             Ground::Free => "",
-            Ground::Obstacle => "obstacle",
-            Ground::Slow => "slow zone",
-            Ground::Charger => "charger",
-            Ground::SlowCharger => "charger in the slow zone",
+            Ground::Obstacle => tr!("what a cell is" => "obstacle"),
+            Ground::Slow => tr!("slow zone"),
+            Ground::Charger => tr!("what a cell is" => "charger"),
+            Ground::SlowCharger => tr!("charger in the slow zone"),
         };
         let mut name = format!("{}, {}: {ground}", cell.x, cell.y);
         for (index, part) in parts.iter().enumerate() {

@@ -1,12 +1,12 @@
 //! What is listed, and what has changed before, in words.
 
-use giveway_model::Fault;
 use giveway_model::change::What;
+use giveway_model::{Fault, tr};
 
 use super::Changing;
 use super::listed::whose;
 use crate::course::Course;
-use crate::words::{self, change};
+use crate::words::change;
 use crate::{Answer, State};
 
 /// What the inspector tells while the world changes.
@@ -54,14 +54,14 @@ pub fn facts(state: &State) -> Option<Facts> {
     past.push(Past {
         at: changing.at,
         text: match changing.list.as_slice() {
-            [] => "Nothing is listed yet".to_owned(),
+            [] => tr!("Nothing is listed yet").to_owned(),
             list => texts(list.iter()),
         },
         detail: Some(match compared {
-            None => "no answers yet".to_owned(),
+            None => tr!("no answers yet").to_owned(),
             Some(compared) => {
-                let answers = words::count(compared.tried.len(), "answer");
-                format!("{answers}, none adopted yet")
+                tr!("{n} answer, none adopted yet"
+                    | "{n} answers, none adopted yet" % compared.tried.len())
             }
         }),
     });
@@ -104,13 +104,13 @@ pub fn history(answer: &Answer) -> Vec<Past> {
     let costs = |costs: Option<giveway_model::Costs>| {
         costs.map(|costs| {
             let (makespan, sum) = (costs.makespan, costs.sum_of_costs);
-            format!("makespan {makespan}, sum of costs {sum}")
+            tr!("makespan {makespan}, sum of costs {sum}", makespan, sum)
         })
     };
     let first = course.steps.first().and_then(|step| step.before);
     let mut past = vec![Past {
         at: 0,
-        text: "First plan".to_owned(),
+        text: tr!("First plan").to_owned(),
         detail: costs(first),
     }];
     for step in &course.steps {
@@ -140,7 +140,7 @@ fn texts<'a>(mut whats: impl Iterator<Item = &'a What>) -> String {
     let first = first.unwrap_or_default();
     match whats.count() {
         0 => first,
-        more => format!("{first}, and {more} more"),
+        more => tr!("{first}, and {more} more", first, more),
     }
 }
 
@@ -149,7 +149,11 @@ pub(crate) fn contradiction(fault: &Fault) -> String {
     let Fault {
         found, expected, ..
     } = fault;
-    format!("This contradicts the world: found {found}, expected {expected}.")
+    tr!(
+        "This contradicts the world: found {found}, expected {expected}.",
+        found,
+        expected
+    )
 }
 
 /// What becomes of an agent in the plan that is previewed: `re-timed`, `joins at
@@ -160,12 +164,12 @@ pub fn fate(state: &State, name: &str) -> Option<String> {
     let told = &compared.tried.get(compared.chosen?)?.told;
     let is_in = |names: &[String]| names.iter().any(|other| other == name);
     if is_in(&told.added) {
-        return Some(format!("joins at {}", changing.at));
+        return Some(tr!("joins at {time}", time = changing.at));
     }
     let fates = [
-        ("kept", &told.kept),
-        ("re-timed", &told.retimed),
-        ("re-routed", &told.rerouted),
+        (tr!("a robot was" => "kept"), &told.kept),
+        (tr!("a robot was" => "re-timed"), &told.retimed),
+        (tr!("a robot was" => "re-routed"), &told.rerouted),
     ];
     let found = fates.iter().find(|(_, names)| is_in(names));
     found.map(|(fate, _)| (*fate).to_owned())

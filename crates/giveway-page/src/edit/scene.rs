@@ -1,6 +1,6 @@
 //! Edits made of the scene as it is now.
 
-use giveway_model::{Agent, Battery, Cell, Grid, Ground, Scene};
+use giveway_model::{Agent, Battery, Cell, Grid, Ground, Scene, tr};
 
 use super::{Edit, Paint, Sketch};
 use crate::MAX_SIDE;
@@ -22,8 +22,8 @@ impl Sketch {
             Edit::MovePaint(paint, from, to) => return self.move_paint(*paint, *from, *to),
 
             Edit::AddAgent(agent) => {
-                self.stand(&agent.name, agent.start, "start")?;
-                self.stand(&agent.name, agent.goal, "end")?;
+                self.stand(&agent.name, agent.start, tr!("a robot cannot" => "start"))?;
+                self.stand(&agent.name, agent.goal, tr!("a robot cannot" => "end"))?;
                 self.scene.agents.push(agent.clone());
             }
             Edit::RemoveAgent(agent) => {
@@ -31,11 +31,17 @@ impl Sketch {
                     self.scene.agents.remove(*agent);
                 }
             }
-            Edit::SetStart(agent, to) => return self.moved(*agent, *to, "start", |a| &mut a.start),
-            Edit::SetGoal(agent, to) => return self.moved(*agent, *to, "end", |a| &mut a.goal),
+            Edit::SetStart(agent, to) => {
+                return self.moved(*agent, *to, tr!("a robot cannot" => "start"), |a| {
+                    &mut a.start
+                });
+            }
+            Edit::SetGoal(agent, to) => {
+                return self.moved(*agent, *to, tr!("a robot cannot" => "end"), |a| &mut a.goal);
+            }
             Edit::AddWaypoint(agent, cell) => {
                 let name = self.name(*agent);
-                self.stand(&name, *cell, "have a waypoint")?;
+                self.stand(&name, *cell, tr!("a robot cannot" => "have a waypoint"))?;
                 self.agent(*agent, |a| {
                     if !a.waypoints.contains(cell) {
                         a.waypoints.push(*cell);
@@ -47,7 +53,7 @@ impl Sketch {
             }),
             Edit::MoveWaypoint(agent, from, to) => {
                 let name = self.name(*agent);
-                self.stand(&name, *to, "have a waypoint")?;
+                self.stand(&name, *to, tr!("a robot cannot" => "have a waypoint"))?;
                 self.agent(*agent, |a| {
                     if !a.waypoints.contains(to) {
                         let moved = a.waypoints.iter_mut().filter(|w| *w == from);
@@ -66,7 +72,7 @@ impl Sketch {
                     battery.initial = (*level).min(battery.capacity);
                 }
             }),
-            Edit::Delay(..) => return Err("A delay needs a plan that runs.".to_owned()),
+            Edit::Delay(..) => return Err(tr!("A delay needs a plan that runs.").to_owned()),
             Edit::Rename(agent, name) => {
                 let name = short(name);
                 if !name.is_empty() {
@@ -105,12 +111,14 @@ impl Sketch {
     /// obstacle.
     fn stand(&self, name: &str, at: Cell, what: &str) -> Result<(), String> {
         match self.ground(at) {
-            Some(Ground::Obstacle) => Err(format!(
-                "{name} cannot {what} at {}: there is an obstacle.",
-                place(at)
+            Some(Ground::Obstacle) => Err(tr!(
+                "{name} cannot {what} at {place}: there is an obstacle.",
+                name,
+                what,
+                place = place(at)
             )),
             Some(_) => Ok(()),
-            None => Err(format!("{} is not on the map.", place(at))),
+            None => Err(tr!("{place} is not on the map.", place = place(at))),
         }
     }
 
@@ -137,9 +145,11 @@ impl Sketch {
             && old != new
             && let Some((name, why)) = self.needed_by(at)
         {
-            return Err(format!(
-                "{name} {why} at {}: no obstacle fits there.",
-                place(at)
+            return Err(tr!(
+                "{name} {why} at {place}: no obstacle fits there.",
+                name,
+                why,
+                place = place(at)
             ));
         }
         self.grid.set_ground(at, new);
@@ -154,7 +164,7 @@ impl Sketch {
             return Ok(());
         }
         if new == Ground::Obstacle && paint != Paint::Obstacle {
-            return Err(format!("There is an obstacle at {}.", place(to)));
+            return Err(tr!("There is an obstacle at {place}.", place = place(to)));
         }
         self.paint(paint, to, true)?;
         self.grid.set_ground(from, paint.painted(old, false));

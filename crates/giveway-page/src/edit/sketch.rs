@@ -1,6 +1,6 @@
 //! A scene while it is edited: changed in place, not validated yet.
 
-use giveway_model::{Cell, Grid, Ground, Scene};
+use giveway_model::{Cell, Grid, Ground, Scene, tr};
 
 use crate::Draft;
 
@@ -49,11 +49,11 @@ impl Sketch {
     pub(super) fn needed_by(&self, cell: Cell) -> Option<(&str, &'static str)> {
         self.scene.agents.iter().find_map(|agent| {
             let why = if agent.start == cell {
-                "starts"
+                tr!("a robot" => "starts")
             } else if agent.goal == cell {
-                "has its goal"
+                tr!("a robot" => "has its goal")
             } else if agent.waypoints.contains(&cell) {
-                "has a waypoint"
+                tr!("a robot" => "has a waypoint")
             } else {
                 return None;
             };

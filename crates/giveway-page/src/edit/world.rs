@@ -1,7 +1,7 @@
 //! Edits made of the world from a time on, while a plan runs.
 
 use giveway_model::change::What;
-use giveway_model::{Cell, Ground};
+use giveway_model::{Cell, Ground, tr};
 
 use super::{Edit, Paint};
 use crate::Draft;
@@ -71,7 +71,7 @@ pub(crate) fn changes(edit: &Edit, world: &Draft) -> Result<Vec<What>, String> {
             steps: *steps,
         },
         Edit::SetStart(..) => {
-            return Err("Where a robot started is settled while its plan runs.".to_owned());
+            return Err(tr!("Where a robot started is settled while its plan runs.").to_owned());
         }
         Edit::SetBattery(_, None)
         | Edit::Rename(..)
@@ -82,7 +82,7 @@ pub(crate) fn changes(edit: &Edit, world: &Draft) -> Result<Vec<What>, String> {
         | Edit::Objective(_)
         | Edit::AtGoal(_)
         | Edit::BatteryFloor(_) => {
-            return Err("This cannot change while a plan runs.".to_owned());
+            return Err(tr!("This cannot change while a plan runs.").to_owned());
         }
         Edit::Within(_) | Edit::Recolour(..) => return Ok(Vec::new()),
     };

@@ -4,7 +4,7 @@
 use giveway_model::change::Changes;
 use giveway_model::check::check;
 use giveway_model::format::native;
-use giveway_model::{Fault, Plan, Scene};
+use giveway_model::{Fault, Plan, Scene, tr};
 use serde_json::Value;
 
 use super::{Opened, Reading, faulty, named, refusal};
@@ -37,8 +37,8 @@ impl Holds {
 pub(super) fn alone(file: &Opened, text: &str) -> Option<Notice> {
     let why = match Holds::of(text) {
         Holds::Scene => return None,
-        Holds::Plan => "it is a plan: open it together with its scene",
-        Holds::Changes => "these are changes: open them together with their scene and plan",
+        Holds::Plan => tr!("it is a plan: open it together with its scene"),
+        Holds::Changes => tr!("these are changes: open them together with their scene and plan"),
     };
     Some(refusal(&file.name, why))
 }

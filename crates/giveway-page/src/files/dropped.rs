@@ -1,6 +1,8 @@
 //! Files that are opened by the page itself, some of which need what is on the board: a
 //! scenario alone is used with its map.
 
+use giveway_model::tr;
+
 use super::{Kind, Opened, Reading, read_here, scenario, text};
 use crate::{Notice, State, intake};
 
@@ -31,10 +33,10 @@ pub fn read_beside(state: &State, files: &[Opened]) -> Option<Result<Reading, No
         return read_here(files);
     }
     let grid = state.document.draft.grid().clone();
-    let size = format!(
-        "the map on the board is {} x {}",
-        grid.width(),
-        grid.height()
+    let size = tr!(
+        "the map on the board is {width} x {height}",
+        width = grid.width(),
+        height = grid.height()
     );
     let read = scenario::on(grid, (file, content)).map_err(|unfit| {
         // What is wrong with the file itself is told as such.

@@ -11,10 +11,11 @@ mod scenario;
 mod tests;
 
 use giveway_model::format::{movingai, native, read_text};
-use giveway_model::{Fault, Scene};
+use giveway_model::words::Later;
+use giveway_model::{Fault, Scene, tr, tr_later};
 
 use crate::link::{self, Linked};
-use crate::{Notice, State, intake, words::count};
+use crate::{Notice, State, intake};
 use kind::Kind;
 
 pub use blank::blank;
@@ -62,7 +63,7 @@ fn larger_than(name: &str, bytes: u64, most: u64) -> Option<Notice> {
         let (found, most) = (megabytes(bytes), megabytes(most));
         refusal(
             name,
-            &format!("found {found} MB, expected at most {most} MB"),
+            &tr!("found {found} MB, expected at most {most} MB", found, most),
         )
     })
 }
@@ -122,7 +123,7 @@ pub fn read(files: &[Opened]) -> Result<Reading, Notice> {
         return read;
     }
     match (&*scenes, &*maps, &*scenarios) {
-        ([], [], []) => Err(one_sentence("There is no file to open.".to_owned())),
+        ([], [], []) => Err(one_sentence(tr!("There is no file to open.").to_owned())),
         (&[(file, text)], [], []) => match course::alone(file, text) {
             None => scene(file, text),
             Some(notice) => Err(notice),
@@ -131,22 +132,17 @@ pub fn read(files: &[Opened]) -> Result<Reading, Notice> {
         ([], [], &[(file, text)]) => Err(map_missing(file, text)),
         ([], [map], [scenario]) => scenario::read(*map, *scenario),
         _ => Err(Notice {
-            sentence: "Open one scene at a time.".to_owned(),
+            sentence: tr!("Open one scene at a time.").to_owned(),
             details: vec![
-                format!(
-                    "found {}, {}, {}",
-                    count(scenes.len(), "JSON file"),
-                    count(maps.len(), "map"),
-                    count(scenarios.len(), "scenario")
-                ),
-                "expected one JSON file, or those of a scene, its plan and its changes, or one .map and one .scen".to_owned(),
+                tr!("found {scenes}, {maps}, {scenarios}", scenes = tr!("{n} JSON file" | "{n} JSON files" % scenes.len()), maps = tr!("{n} map" | "{n} maps" % maps.len()), scenarios = tr!("{n} scenario" | "{n} scenarios" % scenarios.len())),
+                tr!("expected one JSON file, or those of a scene, its plan and its changes, or one .map and one .scen").to_owned(),
             ],
         }),
     }
 }
 
 /// What a pasted text is called.
-const PASTED: &str = "Pasted text";
+const PASTED: Later = tr_later!("Pasted text");
 
 /// Reads a text that was pasted: what a file may hold, or a link of this page.
 /// `Ok` with files are those for the reader.
@@ -171,16 +167,16 @@ pub fn pasted(state: &State, text: &str) -> Result<Pasted, Notice> {
         return Ok(Pasted::Read(Reading::Linked(Box::new(linked))));
     }
     let files = [Opened {
-        name: PASTED.to_owned(),
+        name: PASTED.text().to_owned(),
         bytes: text.as_bytes().to_vec(),
     }];
-    if let Some(notice) = larger_than(PASTED, text.len() as u64, MAX_BYTES) {
+    if let Some(notice) = larger_than(PASTED.text(), text.len() as u64, MAX_BYTES) {
         return Err(notice);
     }
     if !text.contains('\n') && !text.starts_with(['{', '[']) {
         return Err(refusal(
-            PASTED,
-            "expected a scene, a plan, a map or a link of this page",
+            PASTED.text(),
+            tr!("expected a scene, a plan, a map or a link of this page"),
         ));
     }
     match read_beside(state, &files) {
@@ -234,10 +230,14 @@ fn map_missing(file: &Opened, text: &str) -> Notice {
         Err(fault) => return faulty(&file.name, &[fault]),
     };
     let name = scenario.map_name().map(base).unwrap_or_default();
-    let map = if name.is_empty() { "its map" } else { name };
+    let map = if name.is_empty() {
+        tr!("its map")
+    } else {
+        name
+    };
     refusal(
         &file.name,
-        &format!("it is a scenario for {map}: open both files together"),
+        &tr!("it is a scenario for {map}: open both files together", map),
     )
 }
 
@@ -256,17 +256,17 @@ fn faulty(file: &str, faults: &[Fault]) -> Notice {
     let told = faults.iter().take(TOLD);
     let mut details: Vec<String> = told.map(|fault| format!("{file}, {fault}")).collect();
     if let more @ 1.. = faults.len().saturating_sub(TOLD) {
-        details.push(format!("and {}", count(more, "more fault")));
+        details.push(tr!("and {n} more fault" | "and {n} more faults" % more));
     }
     Notice {
-        sentence: format!("{file} cannot be opened; the scene stays as it is."),
+        sentence: tr!("{file} cannot be opened; the scene stays as it is.", file),
         details,
     }
 }
 
 fn refusal(file: &str, why: &str) -> Notice {
     Notice {
-        sentence: format!("{file} cannot be opened; the scene stays as it is."),
+        sentence: tr!("{file} cannot be opened; the scene stays as it is.", file),
         details: vec![why.to_owned()],
     }
 }

@@ -1,7 +1,7 @@
 //! A MovingAI map with a scenario: some hundred agents to choose from.
 
 use giveway_model::format::movingai::{self, Scenario};
-use giveway_model::{Fault, Grid, Scene};
+use giveway_model::{Fault, Grid, Scene, tr};
 
 use super::{Opened, Reading, faulty, stem};
 use crate::{MAX_AGENTS, Notice};
@@ -27,7 +27,11 @@ pub(super) fn on(grid: Grid, scenario: (&Opened, &str)) -> Result<Reading, Notic
     let file = scenario.0.name.clone();
     let scenario = movingai::read_scenario(scenario.1).map_err(|fault| faulty(&file, &[fault]))?;
     if scenario.routes.is_empty() {
-        let fault = Fault::at("", "a scenario without robots", "a line for each robot");
+        let fault = Fault::at(
+            "",
+            tr!("a scenario without robots"),
+            tr!("a line for each robot"),
+        );
         return Err(faulty(&file, &[fault]));
     }
     let choice = Choice {

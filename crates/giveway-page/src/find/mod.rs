@@ -4,6 +4,7 @@ mod small;
 #[cfg(test)]
 mod tests;
 
+use giveway_model::tr;
 use giveway_model::words::grouped;
 
 use crate::words::at;
@@ -75,7 +76,7 @@ pub fn found(state: &State) -> Option<Found> {
             .get(agent)
             .map_or_else(String::new, |agent| agent.name.clone()),
         place: board::place_of(state, agent)
-            .map_or_else(String::new, |cell| format!("at {}", at(cell))),
+            .map_or_else(String::new, |cell| tr!("at {cell}", cell = at(cell))),
         is_chosen: place == find.chosen,
     };
     Some(Found {
@@ -86,17 +87,21 @@ pub fn found(state: &State) -> Option<Found> {
 }
 
 fn sentence(typed: &str, count_of_all: usize) -> String {
-    let number = grouped(count_of_all as u64);
+    let _number = grouped(count_of_all as u64);
     let listed = if count_of_all > MOST {
-        format!(", the first {MOST} are listed")
+        tr!(", the first {most} are listed", most = MOST)
     } else {
         String::new()
     };
     match (typed.trim(), count_of_all) {
-        ("", _) => "Type a part of a name.".to_owned(),
-        (typed, 0) => format!("No robot has \u{201c}{typed}\u{201d} in its name."),
-        (_, 1) => "1 robot fits.".to_owned(),
-        _ => format!("{number} robots fit{listed}."),
+        ("", _) => tr!("Type a part of a name.").to_owned(),
+        (typed, 0) => tr!("No robot has “{typed}” in its name.", typed),
+        (_, number) => {
+            tr!(
+                "{n} robot fits{listed}." | "{n} robots fit{listed}." % number,
+                listed
+            )
+        }
     }
 }
 

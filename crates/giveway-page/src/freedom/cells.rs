@@ -1,7 +1,7 @@
 //! What closing each cell would cost: numbers on the board, and words in the cells'
 //! names.
 
-use giveway_model::{Cell, Cost};
+use giveway_model::{Cell, Cost, tr};
 use giveway_solve::freedom::{Closed, FreedomAnswer, Proved};
 
 use super::words::{outcome, price, worse};
@@ -101,7 +101,7 @@ pub fn numbers(state: &State) -> Vec<Number> {
             Closed::Unknown { .. } if is_counting => return None,
             Closed::Unknown { worse: true } => (Weight::Open, "+?".to_owned()),
             Closed::Unknown { worse: false } => (Weight::Open, "?".to_owned()),
-            Closed::Impossible { needed: None, .. } => (Weight::NoPlan, "no plan".to_owned()),
+            Closed::Impossible { needed: None, .. } => (Weight::NoPlan, tr!("no plan").to_owned()),
             Closed::Impossible { .. } => return None,
             Closed::Optimal { .. } => (Weight::Costs, short(told, &it.closed)?),
         };
@@ -110,7 +110,8 @@ pub fn numbers(state: &State) -> Vec<Number> {
             cell: it.cell,
             weight,
             text,
-            title: outcome.map(|outcome| format!("Close {}: {outcome}", at(it.cell))),
+            title: outcome
+                .map(|outcome| tr!("Close {cell}: {outcome}", cell = at(it.cell), outcome)),
         })
     };
     cells.filter_map(number).collect()
@@ -123,7 +124,7 @@ fn short(told: &FreedomAnswer, closed: &Closed) -> Option<String> {
         return Some(format!("+{delta}"));
     }
     let word = match cost {
-        Cost::SumOfCosts => "sum",
+        Cost::SumOfCosts => tr!("sum of costs, in short" => "sum"),
         cost => giveway_model::words::name(cost),
     };
     Some(format!("{word} +{delta}"))
@@ -137,13 +138,18 @@ pub fn notes(state: &State) -> Vec<(Cell, String)> {
     };
     let note = |it: &giveway_solve::freedom::CriticalCell| {
         let note = match &it.closed {
-            Closed::Unknown { worse: true } => "closing it costs something, not yet known how much",
-            Closed::Unknown { worse: false } => "not known what closing it costs",
-            Closed::Impossible { needed: None, .. } => "closing it leaves no plan",
+            Closed::Unknown { worse: true } => {
+                tr!("closing it costs something, not yet known how much")
+            }
+            Closed::Unknown { worse: false } => tr!("not known what closing it costs"),
+            Closed::Impossible { needed: None, .. } => tr!("closing it leaves no plan"),
             Closed::Impossible { .. } => return None,
             Closed::Optimal { .. } => {
                 let (_, cost, delta) = worse(&told.objective, &it.closed)?;
-                return Some((it.cell, format!("closing it costs {}", price(cost, delta))));
+                return Some((
+                    it.cell,
+                    tr!("closing it costs {price}", price = price(cost, delta)),
+                ));
             }
         };
         Some((it.cell, note.to_owned()))

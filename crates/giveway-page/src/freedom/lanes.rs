@@ -3,6 +3,7 @@
 
 use std::ops::Range;
 
+use giveway_model::tr;
 use giveway_solve::freedom::{Hold, Known, Visit};
 
 use super::lines::known;
@@ -46,9 +47,9 @@ pub fn lane(state: &State, name: &str) -> Option<LaneMarks> {
 /// How late a robot may be, beside its name: `up to 3 late`.
 pub fn late(state: &State, name: &str) -> Option<String> {
     Some(match hold(state, name)? {
-        Hold::Steps(0) => "no slack".to_owned(),
-        Hold::Steps(steps) => format!("up to {steps} late"),
-        Hold::Unlimited => "no hurry".to_owned(),
+        Hold::Steps(0) => tr!("no slack").to_owned(),
+        Hold::Steps(steps) => tr!("up to {steps} late", steps),
+        Hold::Unlimited => tr!("no hurry").to_owned(),
         Hold::InTransit => return None,
     })
 }
@@ -72,7 +73,7 @@ impl LaneMarks {
         let all = lane.steps.len();
         let is_fixed = |step: &&Step| self.knows(step).is_proved();
         let fixed = lane.steps.iter().filter(is_fixed).count();
-        format!(", {fixed} of {all} steps in every best plan")
+        tr!(", {fixed} of {all} steps in every best plan", fixed, all)
     }
 
     /// The shapes of a lane at the columns that are drawn. `is_alone`: no other plan is

@@ -11,7 +11,7 @@ mod words;
 
 use std::rc::Rc;
 
-use giveway_model::{Cell, check};
+use giveway_model::{Cell, check, tr};
 use giveway_solve::freedom::{Closed, Farthest, FreedomAnswer, FreedomRequest, PlanCount};
 use giveway_solve::{Limits, SolveAnswer, Stats, Status};
 
@@ -82,7 +82,7 @@ pub struct ClosedCell {
 impl ClosedCell {
     /// `(5, 2) is closed`.
     pub fn title(&self) -> String {
-        format!("{} is closed", crate::words::at(self.cell))
+        tr!("{cell} is closed", cell = crate::words::at(self.cell))
     }
 }
 
@@ -259,9 +259,9 @@ impl State {
 /// What is claimed of the plan beside.
 pub fn claim(state: &State) -> Option<&'static str> {
     if state.farthest().is_some() {
-        Some("as good")
+        Some(tr!("as good"))
     } else {
-        state.open_before().map(|_| "while the cell was open")
+        state.open_before().map(|_| tr!("while the cell was open"))
     }
 }
 

@@ -1,7 +1,7 @@
 //! What must be so of the robot or the cell that is selected: could it be later, must
 //! it pass here?
 
-use giveway_model::Cell;
+use giveway_model::{Cell, tr};
 use giveway_solve::freedom::{FreedomAnswer, Known, PlanCount};
 
 use super::column::{detail, sentence};
@@ -55,7 +55,7 @@ fn asks(state: &State) -> Vec<String> {
     match state.view.selection {
         Selection::Agent(agent) => {
             let name = agents.get(agent).map(|agent| &agent.name);
-            let ask = |name| format!("Could {name} be later?");
+            let ask = |name| tr!("Could {name} be later?", name);
             name.map(ask).into_iter().collect()
         }
         Selection::Cell(cell) => {
@@ -63,7 +63,7 @@ fn asks(state: &State) -> Vec<String> {
                 let must = agent.start == cell || agent.goal == cell;
                 let lane = Lane::of(answer, index)?;
                 let passes = lane.steps.iter().any(|step| step.to == cell);
-                let ask = || format!("Must {} pass here?", agent.name);
+                let ask = || tr!("Must {agent} pass here?", agent = agent.name);
                 (passes && !must && !agent.waypoints.contains(&cell)).then(ask)
             };
             let asks = agents.iter().enumerate().filter_map(passes);
@@ -88,8 +88,11 @@ fn of_agent(freedom: &Freedom, told: &FreedomAnswer, agent: usize) -> Part {
     }
     let ways = told.plans.as_ref().and_then(|plans| plans.ways.get(name));
     part.facts.extend(ways.map(|ways| match ways.number {
-        PlanCount::Exactly(1) => "Every step of it is fixed.".to_owned(),
-        number => format!("It has {} ways to choose from.", how_many(number)),
+        PlanCount::Exactly(1) => tr!("Every step of it is fixed.").to_owned(),
+        number => tr!(
+            "It has {many} ways to choose from.",
+            many = how_many(number)
+        ),
     }));
     part
 }
@@ -104,18 +107,31 @@ fn of_cell(freedom: &Freedom, told: &FreedomAnswer, cell: Cell) -> Part {
         let mut steps = ways.into_iter().flat_map(|ways| &ways.steps);
         let fact = match here {
             Some(visit) => match visit.always {
-                Known::Yes => format!("{name} must be here at time {}.", visit.time),
+                Known::Yes => tr!(
+                    "{name} must be here at time {time}.",
+                    name,
+                    time = visit.time
+                ),
                 Known::No if visit.only.is_proved() => {
-                    format!("{name} is here at time {} in this plan alone.", visit.time)
+                    tr!(
+                        "{name} is here at time {time} in this plan alone.",
+                        name,
+                        time = visit.time
+                    )
                 }
-                Known::No => format!("{name} need not be here at time {}.", visit.time),
-                Known::Open => format!(
-                    "Whether {name} must be here at time {} is open.",
-                    visit.time
+                Known::No => tr!(
+                    "{name} need not be here at time {time}.",
+                    name,
+                    time = visit.time
+                ),
+                Known::Open => tr!(
+                    "Whether {name} must be here at time {time} is open.",
+                    name,
+                    time = visit.time
                 ),
             },
             None if steps.any(|step| step.to == cell) => {
-                format!("{name} may pass here: in another best plan it does.")
+                tr!("{name} may pass here: in another best plan it does.", name)
             }
             None => continue,
         };
@@ -125,7 +141,12 @@ fn of_cell(freedom: &Freedom, told: &FreedomAnswer, cell: Cell) -> Part {
     }
     if let Some(closed) = freedom.closed(cell) {
         let outcome = outcome(told, closed);
-        part.closing = outcome.map(|outcome| (cell, format!("Close {}: {outcome}", at(cell))));
+        part.closing = outcome.map(|outcome| {
+            (
+                cell,
+                tr!("Close {cell}: {outcome}", cell = at(cell), outcome),
+            )
+        });
         part.facts.extend(reach(closed));
     } else if told
         .critical
@@ -133,7 +154,8 @@ fn of_cell(freedom: &Freedom, told: &FreedomAnswer, cell: Cell) -> Part {
         .flatten()
         .any(|it| it.cell == cell && it.closed.is_harmless())
     {
-        part.facts.push("Closing it would cost nothing.".to_owned());
+        part.facts
+            .push(tr!("Closing it would cost nothing.").to_owned());
     }
     part
 }

@@ -8,10 +8,10 @@ mod tests;
 use std::collections::BTreeMap;
 use std::rc::Rc;
 
-use giveway_model::{Cost, Objective, Version, words::values};
+use giveway_model::{Cost, Objective, Version, tr, words::values};
 use giveway_solve::{FrontAnswer, SolveAnswer, SolveRequest, Stats, Status};
 
-use crate::{Answer, Draft, words};
+use crate::{Answer, Draft};
 
 pub use plot::Plot;
 
@@ -115,7 +115,7 @@ impl Front {
 
     /// What is claimed of it, in a sentence.
     pub fn claim(&self) -> String {
-        let plans = words::count(self.points.len(), "plan");
+        let plans = tr!("{n} plan" | "{n} plans" % self.points.len());
         giveway_solve::words::front(&plans, self.is_whole(), self.within)
     }
 }

@@ -1,5 +1,6 @@
 //! Fronts of the warehouse.
 
+use crate::words;
 use crate::{BoardAction, SolveAction, State, ViewAction};
 use giveway_model::Costs;
 use giveway_solve::Response;

@@ -1,6 +1,6 @@
 //! What is drawn over the map of the step that is looked at.
 
-use giveway_model::{Cell, check};
+use giveway_model::{Cell, check, tr};
 use giveway_solve::plan::{NodeFate, ToldConflict, ToldConstraint};
 
 use super::{Method, TreeRun, index, proof, steps};
@@ -181,22 +181,22 @@ fn ban(state: &State, constraint: &ToldConstraint) -> Option<Ban> {
     };
     match constraint {
         ToldConstraint::NotAt { agent, cell, time } => {
-            at_cell(agent, *cell, false, format!("not at {time}"))
+            at_cell(agent, *cell, false, tr!("not at {time}", time))
         }
         ToldConstraint::At { agent, cell, time } => {
-            at_cell(agent, *cell, true, format!("at {time}"))
+            at_cell(agent, *cell, true, tr!("at {time}", time))
         }
         ToldConstraint::NotAlong { agent, edge, time } => {
-            on_edge(agent, *edge, false, format!("not at {time}"))
+            on_edge(agent, *edge, false, tr!("not at {time}", time))
         }
         ToldConstraint::Along { agent, edge, time } => {
-            on_edge(agent, *edge, true, format!("at {time}"))
+            on_edge(agent, *edge, true, tr!("at {time}", time))
         }
         ToldConstraint::ArriveAfter { agent, time } => {
-            at_cell(agent, goal(agent)?, false, format!("after {time}"))
+            at_cell(agent, goal(agent)?, false, tr!("after {time}", time))
         }
         ToldConstraint::ArriveBy { agent, time } => {
-            at_cell(agent, goal(agent)?, true, format!("by {time}"))
+            at_cell(agent, goal(agent)?, true, tr!("by {time}", time))
         }
     }
 }
@@ -216,9 +216,9 @@ fn in_order(overlay: &mut Overlay, state: &State) {
     if let Some(cell) = end.filter(|_| at > run.told.planned.len()) {
         let last = run.told.furthest.len() - 1;
         let text = if run.told.dead_end {
-            format!("stuck at {}", last + 1)
+            tr!("stuck at {time}", time = last + 1)
         } else {
-            "no way on".to_owned()
+            tr!("no way on").to_owned()
         };
         overlay.stuck = Some((cell, text));
     }

@@ -1,5 +1,7 @@
 //! What the signs on the board mean while one looks into how the plan was found.
 
+use giveway_model::tr;
+
 use super::{Method, Overlay};
 use crate::State;
 
@@ -34,30 +36,30 @@ pub fn legend(state: &State, overlay: &Overlay) -> Option<Vec<Sign>> {
             class: "k-reach",
             agent: Some(shade.agent),
             words: if index == 0 {
-                format!("Cells where {name} is still on time")
+                tr!("Cells where {name} is still on time", name)
             } else {
-                format!("The same for {name}")
+                tr!("The same for {name}", name)
             },
         });
     }
     if !overlay.meetings.is_empty() {
-        signs.push(sign("k-meet", "They meet here"));
+        signs.push(sign("k-meet", tr!("They meet here")));
     }
     if overlay.bans.iter().any(|ban| !ban.is_asked) {
-        signs.push(sign("k-ban", "Not at this time"));
+        signs.push(sign("k-ban", tr!("Not at this time")));
     }
     if overlay.bans.iter().any(|ban| ban.is_asked) {
-        signs.push(sign("k-asked", "At this time, and nobody else"));
+        signs.push(sign("k-asked", tr!("At this time, and nobody else")));
     }
     if !overlay.bursts.is_empty() {
-        signs.push(sign("k-burst", "Conflict of this node"));
+        signs.push(sign("k-burst", tr!("Conflict of this node")));
     }
     if overlay.stuck.is_some() {
-        signs.push(sign("k-stuck", "No way on"));
+        signs.push(sign("k-stuck", tr!("No way on")));
     }
-    signs.push(sign("k-goal", "Goal"));
+    signs.push(sign("k-goal", tr!("Goal")));
     if state.inside.method != Method::Proof {
-        signs.push(sign("k-ahead", "Way ahead"));
+        signs.push(sign("k-ahead", tr!("Way ahead")));
     }
     Some(signs)
 }

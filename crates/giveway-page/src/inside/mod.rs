@@ -21,6 +21,7 @@ mod tree;
 
 use std::rc::Rc;
 
+use giveway_model::tr;
 use giveway_solve::trace::Core;
 
 pub use action::InsideAction;
@@ -58,11 +59,11 @@ impl Method {
     pub const ALL: [Self; 3] = [Self::Proof, Self::Tree, Self::Orders];
 
     /// Its name.
-    pub const fn title(self) -> &'static str {
+    pub fn title(self) -> &'static str {
         match self {
-            Self::Proof => "Proof",
-            Self::Tree => "Conflict tree",
-            Self::Orders => "One by one",
+            Self::Proof => tr!("Proof"),
+            Self::Tree => tr!("Conflict tree"),
+            Self::Orders => tr!("One by one"),
         }
     }
 }

@@ -1,6 +1,8 @@
 //! What the column says of a node of the tree.
 
+use giveway_model::words::Later;
 use giveway_model::words::and;
+use giveway_model::{tr, tr_later};
 use giveway_solve::plan::{NodeFate, ToldConstraint, TreeNode, words};
 
 use super::column::{Button, Choice, Column, Fact, Tint, Verdict};
@@ -17,14 +19,15 @@ pub(super) fn column(state: &State) -> Option<Column> {
     let facts = constraints(state, tree, node);
     let mut told = Vec::new();
     if !facts.is_empty() {
-        told.push(("What holds in this node".to_owned(), facts));
+        told.push((tr!("What holds in this node").to_owned(), facts));
     }
     let choices = branches(state, tree, node);
     let mut remark = None;
     if tree.left_out > 0 {
         let count = giveway_model::words::grouped(tree.left_out);
-        remark = Some(format!(
-            "{count} more nodes were made; only the first are kept."
+        remark = Some(tr!(
+            "{count} more nodes were made; only the first are kept.",
+            count
         ));
     }
     Some(Column {
@@ -32,7 +35,7 @@ pub(super) fn column(state: &State) -> Option<Column> {
         title,
         verdict: Some(verdict),
         facts: told,
-        choices: (!choices.is_empty()).then(|| ("Its two branches".to_owned(), choices)),
+        choices: (!choices.is_empty()).then(|| (tr!("Its two branches").to_owned(), choices)),
         note: best(tree, node),
         remark,
         foot: foot(tree, node),
@@ -44,11 +47,11 @@ pub(super) fn column(state: &State) -> Option<Column> {
 fn without(why: &str) -> Column {
     Column {
         over: "CBS".to_owned(),
-        title: "No conflict tree".to_owned(),
+        title: tr!("No conflict tree").to_owned(),
         remark: Some(why.to_owned()),
         foot: vec![Button::new(
             "",
-            "Try again",
+            tr!("Try again"),
             Some(InsideAction::Again),
             false,
         )],
@@ -61,28 +64,36 @@ fn over(tree: &TreeRun, node: &TreeNode) -> String {
     let all = tree.nodes.len() as u64 + tree.left_out;
     let all = giveway_model::words::grouped(all);
     match tree.opened.iter().position(|&id| id == node.id) {
-        Some(0) => format!("The root, of {all} nodes"),
-        Some(turn) => format!("Opened {}, of {all} nodes", nth(turn + 1)),
-        None if node.cost.is_none() => format!("Closed at once, of {all} nodes"),
-        None => format!("Never opened, of {all} nodes"),
+        Some(0) => tr!("The root, of {all} nodes", all),
+        Some(turn) => tr!("Opened {turn}, of {all} nodes", turn = nth(turn + 1), all),
+        None if node.cost.is_none() => tr!("Closed at once, of {all} nodes", all),
+        None => tr!("Never opened, of {all} nodes", all),
     }
 }
 
 /// `third`, `11th`.
 fn nth(n: usize) -> String {
-    const WORDS: [&str; 10] = [
-        "first", "second", "third", "fourth", "fifth", "sixth", "seventh", "eighth", "ninth",
-        "tenth",
+    const WORDS: [Later; 10] = [
+        tr_later!("opened" => "first"),
+        tr_later!("opened" => "second"),
+        tr_later!("opened" => "third"),
+        tr_later!("opened" => "fourth"),
+        tr_later!("opened" => "fifth"),
+        tr_later!("opened" => "sixth"),
+        tr_later!("opened" => "seventh"),
+        tr_later!("opened" => "eighth"),
+        tr_later!("opened" => "ninth"),
+        tr_later!("opened" => "tenth"),
     ];
     if let Some(word) = WORDS.get(n.wrapping_sub(1)) {
-        return (*word).to_owned();
+        return word.text().to_owned();
     }
     let end = match (n % 10, n % 100) {
-        (_, 11..=13) => "th",
-        (1, _) => "st",
-        (2, _) => "nd",
-        (3, _) => "rd",
-        _ => "th",
+        (_, 11..=13) => tr!("opened, such as 11th" => "th"),
+        (1, _) => tr!("opened, such as 21st" => "st"),
+        (2, _) => tr!("opened, such as 22nd" => "nd"),
+        (3, _) => tr!("opened, such as 23rd" => "rd"),
+        _ => tr!("opened, such as 24th" => "th"),
     };
     format!("{n}{end}")
 }
@@ -102,36 +113,36 @@ fn verdict(tree: &TreeRun, node: &TreeNode) -> (String, Verdict) {
             let asked = branches.filter_map(|&child| tree.node(child)?.constraint.as_ref());
             let branches: Vec<String> = asked.map(words::branch).collect();
             let split = match branches.as_slice() {
-                [one, other] => format!(" In one branch {one}; in the other {other}."),
+                [one, other] => tr!(" In one branch {one}; in the other {other}.", one, other),
                 _ => String::new(),
             };
             let text = format!("{}.{split}", words::conflict(conflict));
-            let title = format!("Cost {cost}, and still a conflict");
-            (title, say(Tint::Info, "It splits in two", text))
+            let title = tr!("Cost {cost}, and still a conflict", cost);
+            (title, say(Tint::Info, tr!("It splits in two"), text))
         }
         NodeFate::Best { .. } => (
-            format!("Cost {cost}, and no conflict"),
+            tr!("Cost {cost}, and no conflict", cost),
             say(
                 Tint::Proved,
-                "The best plan",
-                format!("Every node that is left costs {cost} or more, so no plan costs less."),
+                tr!("The best plan"),
+                tr!(
+                    "Every node that is left costs {cost} or more, so no plan costs less.",
+                    cost
+                ),
             ),
         ),
         NodeFate::Open => {
-            let count = match node.conflicts {
-                1 => "1 conflict".to_owned(),
-                n => format!("{n} conflicts"),
-            };
-            let text = "It waits in the list: others cost less, or came first.".to_owned();
-            let title = format!("Cost {cost}, {count}");
-            (title, say(Tint::Info, "Never opened", text))
+            let count = tr!("{n} conflict" | "{n} conflicts" % node.conflicts);
+            let text = tr!("It waits in the list: others cost less, or came first.").to_owned();
+            let title = tr!("Cost {cost}, {count}", cost, count);
+            (title, say(Tint::Info, tr!("Never opened"), text))
         }
         NodeFate::Dead => (
-            "No way".to_owned(),
+            tr!("No way").to_owned(),
             say(
                 Tint::Stuck,
-                "A dead end",
-                "A robot has no way that keeps all of this.".to_owned(),
+                tr!("A dead end"),
+                tr!("A robot has no way that keeps all of this.").to_owned(),
             ),
         ),
     }
@@ -165,8 +176,8 @@ fn constraints(state: &State, tree: &TreeRun, node: &TreeNode) -> Vec<Fact> {
             text: words::constraint(constraint),
             small: match (met.as_str(), keeps_others_away) {
                 ("", _) => String::new(),
-                (other, false) => format!("since it would meet {other} there"),
-                (other, true) => format!("so that {other} gives way"),
+                (other, false) => tr!("since it would meet {other} there", other),
+                (other, true) => tr!("so that {other} gives way", other),
             },
         }
     };
@@ -179,13 +190,13 @@ fn branches(state: &State, tree: &TreeRun, node: &TreeNode) -> Vec<Choice> {
     let branch = |child: &TreeNode| {
         let constraint = child.constraint.as_ref()?;
         let fate = match child.fate {
-            _ if tree.leads_to_best(child.id) => "leads to the best plan",
-            NodeFate::Open => "never opened",
-            NodeFate::Dead => "a dead end",
-            NodeFate::Split { .. } | NodeFate::Best { .. } => "opened later",
+            _ if tree.leads_to_best(child.id) => tr!("leads to the best plan"),
+            NodeFate::Open => tr!("never opened"),
+            NodeFate::Dead => tr!("a dead end"),
+            NodeFate::Split { .. } | NodeFate::Best { .. } => tr!("opened later"),
         };
         let small = match child.cost {
-            Some(cost) => format!("cost {cost}, {fate}"),
+            Some(cost) => tr!("cost {cost}, {fate}", cost, fate),
             None => fate.to_owned(),
         };
         Some(Choice {
@@ -211,10 +222,15 @@ fn foot(tree: &TreeRun, node: &TreeNode) -> Vec<Button> {
         .filter_map(|n| tree.opened.iter().position(|&id| id == n.id));
     let next = opened.next().and_then(|turn| tree.opened.get(turn + 1));
     vec![
-        Button::new("back", "Parent", node.parent.map(InsideAction::Node), false),
+        Button::new(
+            "back",
+            tr!("Parent"),
+            node.parent.map(InsideAction::Node),
+            false,
+        ),
         Button::new(
             "",
-            "Next node opened",
+            tr!("Next node opened"),
             next.map(|&id| InsideAction::Node(id)),
             true,
         ),

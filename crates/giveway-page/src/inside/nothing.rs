@@ -1,6 +1,7 @@
 //! What is said where there is nothing to look into, and of the step for those who
 //! listen.
 
+use giveway_model::tr;
 use giveway_solve::Status;
 
 use super::{InsideAction, Method, column, proof};
@@ -26,19 +27,23 @@ pub fn nothing(state: &State) -> Nothing {
         text: text.to_owned(),
         action,
     };
-    let cancel = || Some(("Stop", Action::Solve(SolveAction::Cancel)));
+    let cancel = || Some((tr!("Stop"), Action::Solve(SolveAction::Cancel)));
     match state.inside.method {
         _ if !is_ready => say(
-            "Nothing to look into yet",
-            "The scene is not complete.",
+            tr!("Nothing to look into yet"),
+            tr!("The scene is not complete."),
             None,
         ),
         Method::Proof => without_proof(state),
-        Method::Tree if is_looking => say("CBS plans", "Its tree comes when it is done.", cancel()),
-        Method::Orders if is_looking => say("One robot plans after the other", "", cancel()),
+        Method::Tree if is_looking => say(
+            tr!("CBS plans"),
+            tr!("Its tree comes when it is done."),
+            cancel(),
+        ),
+        Method::Orders if is_looking => say(tr!("One robot plans after the other"), "", cancel()),
         _ if !state.work.is_idle() => say(
-            "The solver is busy",
-            "This planner comes next, when the solver is done.",
+            tr!("The solver is busy"),
+            tr!("This planner comes next, when the solver is done."),
             None,
         ),
         _ => {
@@ -47,8 +52,8 @@ pub fn nothing(state: &State) -> Nothing {
                 _ => looked.failed.as_ref(),
             });
             let text = failed.map_or("", String::as_str);
-            let again = ("Try again", Action::Inside(InsideAction::Again));
-            say("Nothing was found out", text, Some(again))
+            let again = (tr!("Try again"), Action::Inside(InsideAction::Again));
+            say(tr!("Nothing was found out"), text, Some(again))
         }
     }
 }
@@ -57,8 +62,8 @@ fn without_proof(state: &State) -> Nothing {
     let solve = |words| Some((words, Action::Solve(SolveAction::Solve)));
     if proof::is_running(state) {
         return Nothing {
-            title: "The search begins",
-            text: "Its steps come here.".to_owned(),
+            title: tr!("The search begins"),
+            text: tr!("Its steps come here.").to_owned(),
             action: None,
         };
     }
@@ -67,20 +72,20 @@ fn without_proof(state: &State) -> Nothing {
         .is_some_and(|answer| matches!(answer.solved.status, Status::Optimal | Status::Impossible));
     if is_final {
         return Nothing {
-            title: "No record of this proof was kept",
-            text: "Solve again to see how.".to_owned(),
-            action: solve("Solve again"),
+            title: tr!("No record of this proof was kept"),
+            text: tr!("Solve again to see how.").to_owned(),
+            action: solve(tr!("Solve again")),
         };
     }
     let text = if state.document.is_stale() {
-        "The scene has changed since this plan. Solve again to see how."
+        tr!("The scene has changed since this plan. Solve again to see how.")
     } else {
-        "Solve the scene to see how the best plan is found and proved."
+        tr!("Solve the scene to see how the best plan is found and proved.")
     };
     Nothing {
-        title: "Nothing is proved yet",
+        title: tr!("Nothing is proved yet"),
         text: text.to_owned(),
-        action: solve("Solve"),
+        action: solve(tr!("Solve")),
     }
 }
 

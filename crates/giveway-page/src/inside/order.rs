@@ -1,5 +1,6 @@
 //! What the column says of an order of prioritised planning.
 
+use giveway_model::tr;
 use giveway_model::words::values;
 use giveway_solve::plan::words;
 
@@ -28,12 +29,15 @@ pub(super) fn column(state: &State) -> Option<Column> {
     let note = proved.map(|answer| {
         let objective = &answer.draft.scene().objective;
         let costs = answer.solved.costs.unwrap_or_default();
-        format!("There is a plan: {}.", values(objective.costs(), &costs))
+        tr!(
+            "There is a plan: {costs}.",
+            costs = values(objective.costs(), &costs)
+        )
     });
     let can_play = proved.is_some();
     Some(Column {
-        over: "Prioritised planning".to_owned(),
-        title: "One robot after the other".to_owned(),
+        over: tr!("Prioritised planning").to_owned(),
+        title: tr!("One robot after the other").to_owned(),
         verdict: run.map(|run| verdict(state, run)),
         orders: (!rows.is_empty()).then(|| (title(state, looked), rows)),
         note,
@@ -41,14 +45,14 @@ pub(super) fn column(state: &State) -> Option<Column> {
         foot: if can_play {
             vec![Button::new(
                 "play",
-                "Play the best plan",
+                tr!("Play the best plan"),
                 Some(InsideAction::PlayPlan),
                 true,
             )]
         } else if looked.failed.is_some() {
             vec![Button::new(
                 "",
-                "Try again",
+                tr!("Try again"),
                 Some(InsideAction::Again),
                 false,
             )]
@@ -64,20 +68,20 @@ fn verdict(state: &State, run: &OrderRun) -> Verdict {
     match words::why_stuck(&run.told) {
         Some(why) => Verdict {
             tint: Tint::Stuck,
-            word: "Stuck".to_owned(),
-            beside: "in this order".to_owned(),
+            word: tr!("Stuck").to_owned(),
+            beside: tr!("in this order").to_owned(),
             text: why,
         },
         None => Verdict {
             tint: Tint::Fine,
-            word: "It works".to_owned(),
-            beside: "in this order".to_owned(),
+            word: tr!("It works").to_owned(),
+            beside: tr!("in this order").to_owned(),
             text: match run.costs {
                 Some(costs) => {
                     let costs = giveway_model::words::capital(&values(objective, &costs));
-                    format!("{costs}. There may be better plans.")
+                    tr!("{costs}. There may be better plans.", costs)
                 }
-                None => "There may be better plans.".to_owned(),
+                None => tr!("There may be better plans.").to_owned(),
             },
         },
     }
@@ -92,13 +96,12 @@ fn title(state: &State, looked: &Looked) -> String {
         .filter(|run| run.told.stuck.is_some())
         .count();
     match all_orders(state.document.agents().len()) {
-        Some(all) if count < all => format!("{count} of {all} orders"),
-        Some(1) if stuck == 0 => "There is one order, and it works".to_owned(),
-        Some(all) if stuck == all => format!("All {all} orders get stuck"),
-        Some(all) if stuck == 0 => format!("All {all} orders work"),
-        Some(all) => format!("{stuck} of {all} orders get stuck"),
-        None if count == 1 => "1 order was tried".to_owned(),
-        None => format!("{count} orders were tried"),
+        Some(all) if count < all => tr!("{count} of {all} orders", count, all),
+        Some(1) if stuck == 0 => tr!("There is one order, and it works").to_owned(),
+        Some(all) if stuck == all => tr!("All {all} orders get stuck", all),
+        Some(all) if stuck == 0 => tr!("All {all} orders work", all),
+        Some(all) => tr!("{stuck} of {all} orders get stuck", stuck, all),
+        None => tr!("{n} order was tried" | "{n} orders were tried" % count),
     }
 }
 
@@ -112,11 +115,11 @@ fn row(state: &State, place: usize, run: &OrderRun) -> OrderRow {
     OrderRow {
         agents: agents.collect(),
         outcome: match (&run.told.stuck, run.costs.zip(objective)) {
-            (Some(stuck), _) => format!("{} stuck", stuck.agent),
+            (Some(stuck), _) => tr!("{agent} stuck", agent = stuck.agent),
             (None, Some((costs, &cost))) => {
                 format!("{} {}", giveway_model::words::name(cost), costs.get(cost))
             }
-            (None, None) => "works".to_owned(),
+            (None, None) => tr!("an order" => "works").to_owned(),
         },
         is_stuck: run.told.stuck.is_some(),
         is_current: place == state.inside.order,

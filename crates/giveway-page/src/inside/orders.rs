@@ -1,5 +1,6 @@
 //! What the lanes say of an order: who plans when, around whom, and where it ends.
 
+use giveway_model::tr;
 use giveway_solve::plan::words;
 
 use super::{Method, index, steps};
@@ -51,14 +52,14 @@ pub fn notes(state: &State) -> Option<Vec<Note>> {
         let last = run.told.furthest.len().saturating_sub(1);
         let last = u32::try_from(last).unwrap_or(u32::MAX);
         let said = if run.told.dead_end {
-            format!("no free cell at {}", last.saturating_add(1))
+            tr!("no free cell at {time}", time = last.saturating_add(1))
         } else {
-            "no way on".to_owned()
+            tr!("no way on").to_owned()
         };
         let stop = Stop {
             time: last,
             text: said,
-            short: "stuck",
+            short: tr!("a robot is" => "stuck"),
         };
         Some(Note {
             agent: index(state, name)?,

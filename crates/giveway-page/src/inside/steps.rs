@@ -1,6 +1,6 @@
 //! The steps of what is looked at: which one is shown, of how many.
 
-use giveway_model::words::count;
+use giveway_model::tr;
 
 use super::{Method, proof};
 use crate::State;
@@ -46,7 +46,11 @@ pub(crate) fn place(state: &State) -> Option<(usize, usize, String)> {
         Method::Proof => {
             let (at, last) = proof::chosen(state)?;
             let last_one = u32::try_from(last).unwrap_or(u32::MAX);
-            Some((at, last, format!("of {}", count(last_one, "step"))))
+            Some((
+                at,
+                last,
+                tr!("behind the number of the step" => "of {n} step" | "of {n} steps" % last_one),
+            ))
         }
         Method::Tree => {
             let tree = state.looked()?.tree.as_ref()?.as_ref().ok()?;
@@ -55,14 +59,14 @@ pub(crate) fn place(state: &State) -> Option<(usize, usize, String)> {
             let mut line = tree.lineage(inside.node).into_iter();
             let turn = |id: u64| tree.opened.iter().position(|&opened| opened == id);
             let at = line.find_map(|node| turn(node.id))?;
-            Some((at + 1, last, format!("of {last} opened")))
+            Some((at + 1, last, tr!("of {last} opened", last)))
         }
         Method::Orders => {
             let run = state.looked()?.orders.get(inside.order)?;
             let last = run.told.planned.len() + usize::from(run.told.stuck.is_some());
             let at = inside.robots.unwrap_or(last).clamp(1, last.max(1));
             let all = run.told.order.len();
-            Some((at, last, format!("of {all} robots")))
+            Some((at, last, tr!("of {all} robots", all)))
         }
     }
 }

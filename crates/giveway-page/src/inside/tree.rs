@@ -4,6 +4,7 @@
 use std::collections::BTreeMap;
 use std::fmt::Write as _;
 
+use giveway_model::tr;
 use giveway_solve::plan::{NodeFate, TreeNode, words};
 
 use super::{Method, TreeRun, index};
@@ -237,7 +238,7 @@ impl<'a> Drawn<'a> {
         };
         let what = node
             .cost
-            .map_or_else(String::new, |cost| format!("Cost {cost}: "));
+            .map_or_else(String::new, |cost| tr!("Cost {cost}: ", cost));
         NodeBox {
             id: node.id,
             at: (0.0, 0.0),
@@ -258,15 +259,20 @@ impl<'a> Drawn<'a> {
 fn lines(node: &TreeNode) -> [String; 2] {
     match &node.fate {
         NodeFate::Split { conflict, .. } => words::conflict_lines(conflict),
-        NodeFate::Best { .. } => ["No conflict:".to_owned(), "the best plan".to_owned()],
-        NodeFate::Dead => ["No way:".to_owned(), "it cannot be kept".to_owned()],
+        NodeFate::Best { .. } => [
+            tr!("No conflict:").to_owned(),
+            tr!("the best plan").to_owned(),
+        ],
+        NodeFate::Dead => [
+            tr!("No way:").to_owned(),
+            tr!("it cannot be kept").to_owned(),
+        ],
         NodeFate::Open => {
             let count = match node.conflicts {
-                0 => "No conflict".to_owned(),
-                1 => "1 conflict".to_owned(),
-                more => format!("{more} conflicts"),
+                0 => tr!("No conflict").to_owned(),
+                more => tr!("{n} conflict" | "{n} conflicts" % more),
             };
-            [count, "never opened".to_owned()]
+            [count, tr!("never opened").to_owned()]
         }
     }
 }

@@ -1,6 +1,6 @@
 //! A cell: what it is, whose it is, and who passes when.
 
-use giveway_model::{Cell, Ground};
+use giveway_model::{Cell, Ground, tr};
 
 use crate::timeline::Lane;
 use crate::{State, table};
@@ -37,11 +37,11 @@ pub struct Pass {
 /// What there is to tell of a cell; `None` off the map.
 pub fn cell(state: &State, cell: Cell) -> Option<CellFacts> {
     let (ground, icon) = match state.world().grid().ground(cell)? {
-        Ground::Free => ("Free cell", None),
-        Ground::Obstacle => ("Obstacle", Some("obstacle")),
-        Ground::Slow => ("Slow zone", Some("slow")),
-        Ground::Charger => ("Charger", Some("charger")),
-        Ground::SlowCharger => ("Charger in the slow zone", Some("charger")),
+        Ground::Free => (tr!("Free cell"), None),
+        Ground::Obstacle => (tr!("Obstacle"), Some("obstacle")),
+        Ground::Slow => (tr!("Slow zone"), Some("slow")),
+        Ground::Charger => (tr!("Charger"), Some("charger")),
+        Ground::SlowCharger => (tr!("Charger in the slow zone"), Some("charger")),
     };
     let mut roles = Vec::new();
     for (index, agent) in state.world().agents().iter().enumerate() {
@@ -50,12 +50,12 @@ pub fn cell(state: &State, cell: Cell) -> Option<CellFacts> {
         }
         let name = &agent.name;
         for (is, what) in [
-            (agent.start == cell, "Start"),
-            (agent.goal == cell, "Goal"),
-            (agent.waypoints.contains(&cell), "Waypoint"),
+            (agent.start == cell, tr!("Start")),
+            (agent.goal == cell, tr!("Goal")),
+            (agent.waypoints.contains(&cell), tr!("Waypoint")),
         ] {
             if is {
-                roles.push((index, format!("{what} of {name}")));
+                roles.push((index, tr!("{what} of {name}", what, name)));
             }
         }
     }
@@ -92,14 +92,14 @@ fn stays(lane: &Lane, cell: Cell) -> Vec<Pass> {
     let pass = |(from, to): (u32, u32)| {
         let charges = lane.charges.iter().any(|&time| (from..=to).contains(&time));
         let mut when = if to == lane.arrival && lane.stays {
-            format!("from {from} on, arrived")
+            tr!("from {from} on, arrived", from)
         } else if from == to {
-            format!("at {from}")
+            tr!("at {from}", from)
         } else {
-            format!("from {from} to {to}")
+            tr!("from {from} to {to}", from, to)
         };
         if charges {
-            when += ", charging";
+            when += tr!(", charging");
         }
         let (agent, name) = (lane.agent, lane.name.clone());
         Pass {

@@ -1,6 +1,7 @@
 //! A plan that moves, as a file: drawn by the page frame by frame where it is a GIF, and
 //! put together by the reader.
 
+use giveway_model::tr;
 use giveway_model::{Instance, Plan, Scene};
 use giveway_picture::gif::{Encoder, Reel, Shot};
 use giveway_picture::{Look, moving};
@@ -92,7 +93,7 @@ fn begin(
 
 fn refused(sentence: String) -> Reply {
     Reply::Refused(
-        "The moving picture could not be made.".to_owned(),
+        tr!("The moving picture could not be made.").to_owned(),
         vec![sentence],
     )
 }
@@ -102,7 +103,11 @@ impl Film {
     fn ask(&self, tell: &mut dyn FnMut(Message)) {
         let (id, next, all) = (self.id, self.next, self.reel.count());
         if next % TELLS == 0 {
-            let sentence = format!("Drawing the moving picture, frame {} of {all} …", next + 1);
+            let sentence = tr!(
+                "Drawing the moving picture, frame {next} of {all} …",
+                next = next + 1,
+                all
+            );
             tell(Message::Progress { id, sentence });
         }
         let shot: Shot = self.reel.shot(next);

@@ -12,6 +12,7 @@ mod work;
 use std::rc::Rc;
 
 use giveway_model::format::foreign::Format;
+use giveway_model::tr;
 
 use crate::State;
 use crate::files::{Opened, scene_file};
@@ -129,9 +130,9 @@ impl Intake {
     pub(crate) fn start(&mut self, task: Task) {
         self.started += 1;
         let sentence = match &task {
-            Task::Read(read) => format!("Reading {} …", names(&read.files)),
-            Task::Picture { .. } => "Drawing the moving picture …".to_owned(),
-            _ => "Writing …".to_owned(),
+            Task::Read(read) => tr!("Reading {names} …", names = names(&read.files)),
+            Task::Picture { .. } => tr!("Drawing the moving picture …").to_owned(),
+            _ => tr!("Writing …").to_owned(),
         };
         self.job = Some(Job {
             id: self.started,
@@ -206,9 +207,13 @@ pub(crate) fn read(state: &State, files: Vec<Opened>) -> Read {
 /// `paths.txt`, or `paths.txt and 2 more`.
 fn names(files: &[Opened]) -> String {
     match files {
-        [] => "nothing".to_owned(),
+        [] => tr!("no files" => "nothing").to_owned(),
         [one] => one.name.clone(),
-        [first, more @ ..] => format!("{} and {} more", first.name, more.len()),
+        [first, more @ ..] => tr!(
+            "{name} and {more} more",
+            name = first.name,
+            more = more.len()
+        ),
     }
 }
 

@@ -7,7 +7,7 @@ use giveway_model::format::foreign::{
     self, Format, Gathered, Held, Missing, Options, Refused, Source,
 };
 use giveway_model::format::read_text;
-use giveway_model::{Cost, Fault, Instance, Plan, Scene};
+use giveway_model::{Cost, Fault, Instance, Plan, Scene, tr};
 use giveway_proof::bundle::archive::pack;
 use giveway_solve::ExportAnswer;
 
@@ -16,7 +16,6 @@ use super::{are_own, is_own_plan};
 use crate::audit::{report, told as told_of};
 use crate::files::{self, Opened, Reading};
 use crate::link::{Linked, kept_moment};
-use crate::words::count;
 use crate::{Notice, State};
 
 /// The most faults that are told of one file.
@@ -41,7 +40,7 @@ pub(crate) fn work(task: Task) -> Reply {
         } => reporting(kind, &kept, &bounds, &link),
         // A film is more than one task.
         Task::Picture { .. } | Task::Pixels(_) => Reply::Refused(
-            "The reader was asked for a picture twice.".to_owned(),
+            tr!("The reader was asked for a picture twice.").to_owned(),
             Vec::new(),
         ),
     }
@@ -185,7 +184,7 @@ fn reply(result: Result<Gathered, Refused>, files: &[Opened]) -> Reply {
             Reply::Refused(sentence, details)
         }
         Err(Refused::Missing { sentence, .. } | Refused::Apart(sentence)) => Reply::Refused(
-            "The files cannot be opened; the scene stays as it is.".to_owned(),
+            tr!("The files cannot be opened; the scene stays as it is.").to_owned(),
             vec![sentence],
         ),
     }
@@ -204,9 +203,9 @@ fn faulty(file: &str, faults: &[Fault]) -> (String, Vec<String>) {
     let told = faults.iter().take(TOLD);
     let mut details: Vec<String> = told.map(|fault| format!("{file}, {fault}")).collect();
     if let more @ 1.. = faults.len().saturating_sub(TOLD) {
-        details.push(format!("and {}", count(more, "more fault")));
+        details.push(tr!("and {n} more fault" | "and {n} more faults" % more));
     }
-    let sentence = format!("{file} cannot be opened; the scene stays as it is.");
+    let sentence = tr!("{file} cannot be opened; the scene stays as it is.", file);
     (sentence, details)
 }
 
@@ -222,7 +221,7 @@ fn packing(answer: ExportAnswer) -> Reply {
     match pack(&bundles.collect()) {
         Ok(bytes) => Reply::Packed(bytes),
         Err(fault) => Reply::Refused(
-            "The certificates cannot be saved.".to_owned(),
+            tr!("The certificates cannot be saved.").to_owned(),
             vec![fault.to_string()],
         ),
     }
@@ -237,14 +236,17 @@ fn reporting(kind: ReportKind, kept: &str, bounds: &BTreeMap<Cost, u32>, link: &
             let (name, text) = report::write(kind, &told, link);
             Reply::Written(vec![(name, text)], Vec::new())
         }
-        None => Reply::Refused("There is nothing to report.".to_owned(), Vec::new()),
+        None => Reply::Refused(tr!("There is nothing to report.").to_owned(), Vec::new()),
     }
 }
 
 fn writing(format: Format, stem: &str, scene: Scene, plan: Option<&Plan>) -> Reply {
     let refused = |faults: &[Fault]| {
         let details = faults.iter().map(ToString::to_string).collect();
-        Reply::Refused("This cannot be written in that format.".to_owned(), details)
+        Reply::Refused(
+            tr!("This cannot be written in that format.").to_owned(),
+            details,
+        )
     };
     let instance = match Instance::new(scene) {
         Ok(instance) => instance,

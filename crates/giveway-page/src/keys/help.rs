@@ -1,59 +1,62 @@
 //! The list of the keys, as the help shows it.
 
+use giveway_model::words::Later;
+use giveway_model::{tr, tr_later};
+
 /// A row of the help: keys that belong together, and what they do.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Row {
     /// The keys, each as it stands on a keyboard; those of a chord joined by `+`.
     pub keys: &'static [&'static str],
     /// What they do.
-    pub what: &'static str,
+    pub what: Later,
 }
 
 /// The help: groups of rows, each with a title.
-pub const HELP: [(&str, &[Row]); 5] = [
+pub const HELP: [(Later, &[Row]); 5] = [
     (
-        "Solving",
+        tr_later!("Solving"),
         &[
-            row(&["Ctrl+Enter"], "Solve"),
-            row(&["Escape"], "Cancel; close what is open"),
-            row(&["Ctrl+Z"], "Undo"),
-            row(&["Ctrl+Shift+Z"], "Redo"),
+            row(&["Ctrl+Enter"], tr_later!("Solve")),
+            row(&["Escape"], tr_later!("Cancel; close what is open")),
+            row(&["Ctrl+Z"], tr_later!("Undo")),
+            row(&["Ctrl+Shift+Z"], tr_later!("Redo")),
             row(
                 &["Ctrl+V"],
-                "Open what was copied: a scene, a plan, a map, a link",
+                tr_later!("Open what was copied: a scene, a plan, a map, a link"),
             ),
         ],
     ),
     (
-        "Time",
+        tr_later!("Time"),
         &[
-            row(&["Space"], "Play or pause"),
-            row(&[",", "."], "One step back, one step forward"),
-            row(&["Home", "End"], "To the start, to the end"),
-            row(&["X"], "Change the world at the time shown"),
+            row(&["Space"], tr_later!("Play or pause")),
+            row(&[",", "."], tr_later!("One step back, one step forward")),
+            row(&["Home", "End"], tr_later!("To the start, to the end")),
+            row(&["X"], tr_later!("Change the world at the time shown")),
         ],
     ),
     (
-        "Tools",
+        tr_later!("Tools"),
         &[
-            row(&["V"], "Select"),
-            row(&["O"], "Obstacle"),
-            row(&["C"], "Charger"),
-            row(&["S"], "Slow zone"),
-            row(&["E"], "Erase"),
-            row(&["A"], "Robot"),
-            row(&["G"], "Goal"),
-            row(&["W"], "Waypoint"),
+            row(&["V"], tr_later!("Select")),
+            row(&["O"], tr_later!("Obstacle")),
+            row(&["C"], tr_later!("Charger")),
+            row(&["S"], tr_later!("Slow zone")),
+            row(&["E"], tr_later!("Erase")),
+            row(&["A"], tr_later!("Robot")),
+            row(&["G"], tr_later!("Goal")),
+            row(&["W"], tr_later!("Waypoint")),
         ],
     ),
     (
-        "Board",
+        tr_later!("Board"),
         &[
             row(
                 &["\u{2190}", "\u{2191}", "\u{2192}", "\u{2193}"],
-                "Move the cursor",
+                tr_later!("Move the cursor"),
             ),
-            row(&["Enter", "Space"], "Use the tool on the cell"),
+            row(&["Enter", "Space"], tr_later!("Use the tool on the cell")),
             row(
                 &[
                     "Shift+\u{2190}",
@@ -61,32 +64,44 @@ pub const HELP: [(&str, &[Row]); 5] = [
                     "Shift+\u{2192}",
                     "Shift+\u{2193}",
                 ],
-                "Move what is on the cell (Select)",
+                tr_later!("Move what is on the cell (Select)"),
             ),
-            row(&["+", "\u{2212}", "0"], "Zoom in, zoom out, fit"),
-            row(&["/"], "Find a robot by its name"),
-            row(&["F"], "Follow the robot selected"),
-            row(&["N"], "Next conflict (of the robot selected)"),
-            row(&["M"], "What must be so in every best plan"),
-            row(&["?"], "This list"),
+            row(&["+", "\u{2212}", "0"], tr_later!("Zoom in, zoom out, fit")),
+            row(&["/"], tr_later!("Find a robot by its name")),
+            row(&["F"], tr_later!("Follow the robot selected")),
+            row(&["N"], tr_later!("Next conflict (of the robot selected)")),
+            row(&["M"], tr_later!("What must be so in every best plan")),
+            row(&["?"], tr_later!("This list")),
         ],
     ),
     (
-        "A robot by hand",
+        tr_later!("A robot by hand"),
         &[
-            row(&["L"], "Lead the robot that is selected"),
+            row(&["L"], tr_later!("Lead the robot that is selected")),
             row(
                 &["\u{2190}", "\u{2191}", "\u{2192}", "\u{2193}"],
-                "Lead it a step",
+                tr_later!("Lead it a step"),
             ),
-            row(&["W"], "Let it wait a step"),
-            row(&["C"], "Let it charge in its next step"),
-            row(&["Backspace"], "Take a step back"),
-            row(&["Ctrl+Enter"], "Check your plan"),
+            row(&["W"], tr_later!("Let it wait a step")),
+            row(&["C"], tr_later!("Let it charge in its next step")),
+            row(&["Backspace"], tr_later!("Take a step back")),
+            row(&["Ctrl+Enter"], tr_later!("Check your plan")),
         ],
     ),
 ];
 
-const fn row(keys: &'static [&'static str], what: &'static str) -> Row {
+const fn row(keys: &'static [&'static str], what: Later) -> Row {
     Row { keys, what }
+}
+
+/// A key as it is written on keyboards of the language.
+pub fn key_name(key: &'static str) -> &'static str {
+    match key {
+        "Ctrl" => tr!("a key" => "Ctrl"),
+        "Shift" => tr!("a key" => "Shift"),
+        "Space" => tr!("a key" => "Space"),
+        "Home" => tr!("a key" => "Home"),
+        "End" => tr!("a key" => "End"),
+        other => other,
+    }
 }

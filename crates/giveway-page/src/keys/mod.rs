@@ -12,7 +12,7 @@ use crate::reduce::only_looks;
 use crate::steering::Lead;
 use crate::{Action, BoardAction, ChangeAction, PlayAction, SolveAction, State, Tool, ViewAction};
 
-pub use help::{HELP, Row};
+pub use help::{HELP, Row, key_name};
 
 use escape::escape;
 

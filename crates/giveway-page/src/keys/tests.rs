@@ -33,7 +33,7 @@ fn every_tool_has_its_key_and_its_row() {
         );
         let upper = name.to_uppercase();
         let told = rows.iter().find(|row| row.keys == [upper.as_str()]);
-        assert_eq!(told.map(|row| row.what), Some(tool.name()));
+        assert_eq!(told.map(|row| row.what.text()), Some(tool.name()));
     }
 }
 

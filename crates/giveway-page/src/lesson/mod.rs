@@ -7,6 +7,8 @@
 mod board;
 mod happened;
 
+use giveway_model::words::Later;
+use giveway_model::{tr, tr_later};
 use std::rc::Rc;
 
 use giveway_course::lesson::{Layer, Tool as LessonTool};
@@ -117,13 +119,13 @@ pub(crate) enum Fate {
     Dropped,
 }
 
-const NOT_NOW: &str = "Leave the lesson before you do this.";
+const NOT_NOW: Later = tr_later!("Leave the lesson before you do this.");
 
 /// What becomes of an action on the board of a lesson.
 pub(crate) fn fate(state: &State, lesson: &Lesson, action: &Action) -> Fate {
     match action {
         Action::Board(BoardAction::PickTool(tool)) if !lesson.allows(*tool) => {
-            Fate::Closed("This step does without that tool.")
+            Fate::Closed(tr!("This step does without that tool."))
         }
         Action::Lesson(_)
         | Action::Board(_)
@@ -159,7 +161,7 @@ pub(crate) fn fate(state: &State, lesson: &Lesson, action: &Action) -> Fate {
         | Action::Audit(_)
         | Action::Inside(_)
         | Action::Freedom(_)
-        | Action::Find(_) => Fate::Closed(NOT_NOW),
+        | Action::Find(_) => Fate::Closed(NOT_NOW.text()),
     }
 }
 

@@ -22,8 +22,8 @@ mod tests;
 
 use std::fmt::Write as _;
 
-use giveway_model::Question;
 use giveway_model::format::link::{message, plan, scene, text};
+use giveway_model::{Question, tr};
 
 use crate::{Action, Document, FileAction, Notice, State};
 
@@ -116,7 +116,7 @@ pub fn read(text: &str, from: From) -> Result<Linked, Notice> {
     read::Reader::default()
         .read(text, from)
         .map_err(|why| Notice {
-            sentence: "The link cannot be opened. Your scene stays as it is.".to_owned(),
+            sentence: tr!("The link cannot be opened. Your scene stays as it is.").to_owned(),
             details: vec![why],
         })
 }

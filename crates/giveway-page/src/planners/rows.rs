@@ -1,5 +1,7 @@
 //! The table of planners: a row for each that was run on the scene.
 
+use giveway_model::tr;
+use giveway_model::words::decimal;
 use std::rc::Rc;
 
 use giveway_model::words::{grouped, name};
@@ -83,7 +85,7 @@ pub fn table(state: &State) -> Option<Table> {
     let none = || "\u{2013}".to_owned();
     let search = runs.search.as_ref().map(|answer| Row {
         by: By::Search,
-        title: "Exact search",
+        title: tr!("Exact search"),
         plan: if answer.plan().is_some() {
             Ok(plan(state, answer))
         } else {
@@ -113,7 +115,11 @@ pub fn table(state: &State) -> Option<Table> {
     let names: Vec<&str> = costs.iter().map(|&cost| name(cost)).collect();
     let first = names.first().copied().unwrap_or_default();
     let names = names.join(", ");
-    let remark = format!("Costs: {names}. At least: proved of {first}.");
+    let remark = tr!(
+        "Costs: {costs}. At least: proved of {first}.",
+        costs = names,
+        first
+    );
     Some(Table { rows, remark })
 }
 
@@ -152,8 +158,8 @@ fn plan(state: &State, answer: &Rc<Answer>) -> RowPlan {
 /// `12 ms`, `3.4 s`.
 fn time(seconds: f64) -> String {
     if seconds < 1.0 {
-        format!("{:.0} ms", seconds * 1000.0)
+        format!("{} ms", decimal(seconds * 1000.0, 0))
     } else {
-        format!("{seconds:.1} s")
+        format!("{} s", decimal(seconds, 1))
     }
 }

@@ -1,25 +1,26 @@
 //! What planners promise, and what is said of their plans.
 
+use giveway_model::words::Later;
 use giveway_model::words::{name, sentence as ended, values};
+use giveway_model::{tr, tr_later};
 use giveway_solve::Status;
 use giveway_solve::plan::Planner;
-use giveway_solve::words::FOR_EVER;
 
 use crate::Answer;
 
 /// The search for the best plan, in the menu.
-pub const BEST: &str = "Best plan, proved";
+pub const BEST: Later = tr_later!("Best plan, proved");
 /// What it promises.
-pub const BEST_PROMISE: &str = "Searches until no plan can be better.";
+pub const BEST_PROMISE: Later = tr_later!("Searches until no plan can be better.");
 
 /// What a planner promises, in a line.
-pub const fn promise(planner: Planner) -> &'static str {
+pub fn promise(planner: Planner) -> &'static str {
     match planner {
-        Planner::Prioritised => "One robot after the other. Fast; may find no plan.",
-        Planner::Cbs => "Proves the smallest makespan or sum of costs.",
-        Planner::Pibt => "All robots, step by step. Very fast; may get stuck.",
-        Planner::Lacam => "Hundreds of robots at once, then better plans.",
-        Planner::Lns => "Improves a plan, a few robots at a time.",
+        Planner::Prioritised => tr!("One robot after the other. Fast; may find no plan."),
+        Planner::Cbs => tr!("Proves the smallest makespan or sum of costs."),
+        Planner::Pibt => tr!("All robots, step by step. Very fast; may get stuck."),
+        Planner::Lacam => tr!("Hundreds of robots at once, then better plans."),
+        Planner::Lns => tr!("Improves a plan, a few robots at a time."),
     }
 }
 
@@ -31,23 +32,31 @@ pub(crate) fn sentence(planner: Planner, answer: &Answer) -> String {
     let costs = values(objective.costs(), &costs);
     let title = planner.title();
     if answer.solved.status == Status::Optimal {
-        return format!("{title} found the best plan: {costs}.");
+        return tr!("{title} found the best plan: {costs}.", title, costs);
     }
     let known = match (smallest(answer), &answer.solved.reason) {
-        (Some(cost), _) => format!("No plan has a smaller {cost}."),
+        (Some(cost), _) => tr!("No plan has a smaller {cost}.", cost),
         (None, Some(reason)) => ended(reason),
-        (None, None) => MAY_BE_BETTER.to_owned(),
+        (None, None) => MAY_BE_BETTER.text().to_owned(),
     };
-    format!("{title} found a plan: {costs}. {known}")
+    tr!(
+        "{title} found a plan: {costs}. {known}",
+        title,
+        costs,
+        known
+    )
 }
 
-const MAY_BE_BETTER: &str = "There may be better plans.";
+const MAY_BE_BETTER: Later = tr_later!("There may be better plans.");
 
 /// What is claimed of such a plan where it is not best in every cost.
 pub(crate) fn claim(answer: &Answer) -> String {
     match smallest(answer) {
-        Some(cost) => format!("No plan has a smaller {cost}, {FOR_EVER}."),
-        None => MAY_BE_BETTER.to_owned(),
+        Some(cost) => tr!(
+            "No plan has a smaller {cost}, no matter how many steps you allow.",
+            cost
+        ),
+        None => MAY_BE_BETTER.text().to_owned(),
     }
 }
 

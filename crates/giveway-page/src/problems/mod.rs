@@ -5,14 +5,15 @@ mod parts;
 mod reach;
 #[cfg(test)]
 mod tests;
+mod words;
 
 use std::collections::BTreeMap;
 
 use giveway_model::{Agent, AtGoal, Cell, Fault, Grid, Scene};
 
-use crate::words::at;
 pub(crate) use parts::Parts;
 use reach::{Reach, reach};
+use words::{Part, Task, What};
 
 /// How many steps the tables of batteries may take for one scene: beyond, the
 /// page would be slow to paint on, and the solver tells as well.
@@ -25,8 +26,14 @@ pub struct Problem {
     pub cell: Option<Cell>,
     /// The agent, by its index in the scene.
     pub agent: Option<usize>,
+    what: What,
+}
+
+impl Problem {
     /// What is wrong, as a sentence.
-    pub sentence: String,
+    pub fn sentence(&self) -> String {
+        self.what.sentence()
+    }
 }
 
 /// What is wrong with a scene, by the order of its agents; `faults` are those
@@ -39,17 +46,16 @@ pub(crate) fn problems(scene: &Scene, grid: &Grid, faults: &[Fault]) -> Vec<Prob
     for (index, agent) in scene.agents.iter().enumerate() {
         let name = &agent.name;
         if let Some(other) = names.insert(name, index) {
-            told.say(agent.start, other, format!("Two robots are called {name}."));
+            told.say(agent.start, other, What::SameName(name.clone()));
         }
         if let Some(other) = starts.insert(agent.start, name) {
-            let both = format!("{other} and {name} both start at {}.", at(agent.start));
+            let both = What::SameStart([other.clone(), name.clone()], agent.start);
             told.say(agent.start, index, both);
         }
         if let Some(other) = goals.insert(agent.goal, name)
             && scene.rules.at_goal == AtGoal::Stay
         {
-            let goal = at(agent.goal);
-            let both = format!("{other} and {name} both end at {goal}, where only one can stay.");
+            let both = What::SameGoal([other.clone(), name.clone()], agent.goal);
             told.say(agent.goal, index, both);
         }
         if told.grounds(index, agent, grid) && told.ways(index, agent, &parts) {
@@ -61,7 +67,7 @@ pub(crate) fn problems(scene: &Scene, grid: &Grid, faults: &[Fault]) -> Vec<Prob
         told.0.extend(faults.iter().map(|fault| Problem {
             cell: None,
             agent: None,
-            sentence: format!("{fault}."),
+            what: What::Fault(fault.clone()),
         }));
     }
     told.0
@@ -70,81 +76,64 @@ pub(crate) fn problems(scene: &Scene, grid: &Grid, faults: &[Fault]) -> Vec<Prob
 struct Told(Vec<Problem>);
 
 impl Told {
-    fn say(&mut self, cell: Cell, agent: usize, sentence: String) {
+    fn say(&mut self, cell: Cell, agent: usize, what: What) {
         self.0.push(Problem {
             cell: Some(cell),
             agent: Some(agent),
-            sentence,
+            what,
         });
     }
 
-    /// Whether all cells of an agent can be stood on.
     fn grounds(&mut self, index: usize, agent: &Agent, grid: &Grid) -> bool {
         let before = self.0.len();
-        for (cell, what) in cells(agent) {
-            let is = if grid.ground(cell).is_none() {
-                "off the map"
-            } else if grid.is_vertex(cell) {
-                continue;
-            } else {
-                "on an obstacle"
-            };
-            let sentence = format!("The {what} of {} is {is}, at {}.", agent.name, at(cell));
-            self.say(cell, index, sentence);
+        for (cell, part) in cells(agent) {
+            let is_off_map = grid.ground(cell).is_none();
+            if is_off_map || !grid.is_vertex(cell) {
+                let task = Task(agent.name.clone(), part, cell);
+                self.say(cell, index, What::Ground { task, is_off_map });
+            }
         }
         self.0.len() == before
     }
 
-    /// Whether there is a way from the start to all cells of an agent.
+    /// Which cells no way leads to, however long; whether there are none.
     fn ways(&mut self, index: usize, agent: &Agent, parts: &Parts) -> bool {
-        let name = &agent.name;
         let start = parts.number(agent.start);
         let apart: Vec<_> = cells(agent)
             .filter(|&(cell, _)| parts.number(cell) != start)
             .collect();
-        let Some(&(first, what)) = apart.first() else {
+        let Some(&(first, part)) = apart.first() else {
             return true;
         };
-        // The smaller part is the one that was closed off.
+        let task = |part, cell| Task(agent.name.clone(), part, cell);
+        // One of them is walled in: it is the one in the smaller part.
         if parts.size(agent.start) <= parts.size(first) {
-            let (here, there) = (at(agent.start), at(first));
-            let sentence =
-                format!("{name} is walled in at {here}: no way leads to its {what} {there}.");
-            self.say(agent.start, index, sentence);
+            let walled = What::WalledIn(agent.start, task(part, first));
+            self.say(agent.start, index, walled);
         } else {
-            for (cell, what) in apart {
-                let sentence = format!(
-                    "{name} cannot reach its {what} {}: every way is closed.",
-                    at(cell)
-                );
-                self.say(cell, index, sentence);
+            for (cell, part) in apart {
+                self.say(cell, index, What::Closed(task(part, cell)));
             }
         }
         false
     }
 
     fn battery(&mut self, index: usize, agent: &Agent, reach: &Reach) {
-        let name = &agent.name;
-        for (cell, what) in cells(agent).skip(1) {
-            let place = at(cell);
-            let sentence = if !reach.arrives(cell) {
-                format!("The battery of {name} does not last to its {what} {place}.")
+        for (cell, part) in cells(agent).skip(1) {
+            let task = Task(agent.name.clone(), part, cell);
+            if !reach.arrives(cell) {
+                self.say(cell, index, What::Battery(task));
             } else if !reach.goes_on(cell) {
-                format!(
-                    "The battery of {name} lasts to its {what} {place}, but not on to its goal."
-                )
-            } else {
-                continue;
-            };
-            self.say(cell, index, sentence);
+                self.say(cell, index, What::BatteryBehind(task));
+            }
         }
     }
 }
 
-/// Start, goal, waypoints, each with its name.
-fn cells(agent: &Agent) -> impl Iterator<Item = (Cell, &'static str)> + '_ {
-    let waypoints = agent.waypoints.iter().map(|&cell| (cell, "waypoint"));
-    [(agent.start, "start"), (agent.goal, "goal")]
+/// Start, goal, waypoints, each with what it is.
+fn cells(agent: &Agent) -> impl Iterator<Item = (Cell, Part)> + '_ {
+    let waypoints = agent.waypoints.iter().map(|&cell| (cell, Part::Waypoint));
+    [(agent.start, Part::Start), (agent.goal, Part::Goal)]
         .into_iter()
         .chain(waypoints)
 }

@@ -23,7 +23,7 @@ fn scene(rows: &[&str], agents: &[&[(u32, u32)]]) -> Scene {
 fn told(scene: Scene) -> Vec<(Option<Cell>, String)> {
     let draft = Draft::new(scene).unwrap();
     let problems = draft.problems().iter();
-    problems.map(|p| (p.cell, p.sentence.clone())).collect()
+    problems.map(|p| (p.cell, p.sentence())).collect()
 }
 
 fn sentences(scene: Scene) -> Vec<String> {

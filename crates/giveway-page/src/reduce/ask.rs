@@ -3,7 +3,7 @@
 use std::collections::BTreeMap;
 use std::rc::Rc;
 
-use giveway_model::{Question, Version, question::fits};
+use giveway_model::{Question, Version, question::fits, tr};
 use giveway_solve::explain::{ExplainAnswer, Repair};
 use giveway_solve::{Limits, SolveAnswer, Stats, Status};
 
@@ -54,12 +54,12 @@ fn mode(state: &mut State, question: &Question) -> Option<Mode> {
             Some(Mode::Stuck(Rc::clone(comparing), asking))
         }
         Mode::Changing(_) | Mode::Comparing(_) | Mode::Stuck(..) => {
-            refuse(state, "Use a new plan first, or discard the changes.");
+            refuse(state, tr!("Use a new plan first, or discard the changes."));
             None
         }
         Mode::Editing | Mode::Asking(_) | Mode::Auditing(_) | Mode::Querying(..) => {
             let Some(answer) = state.document.fresh_answer() else {
-                refuse(state, "Solve first: questions are about a plan.");
+                refuse(state, tr!("Solve first: questions are about a plan."));
                 return None;
             };
             if answer.course.is_none()

@@ -3,8 +3,8 @@
 
 use std::rc::Rc;
 
-use giveway_model::Scene;
 use giveway_model::format::foreign::ForeignPlan;
+use giveway_model::{Scene, tr};
 use giveway_solve::{SolveAnswer, Status};
 
 use super::document::{amend, put};
@@ -114,7 +114,7 @@ pub(super) fn open(
             solve::start(state, solve::Start::quiet());
             Ok(())
         }
-        None => Err(Notice::new("There is no plan in these files.")),
+        None => Err(Notice::new(tr!("There is no plan in these files."))),
     }
 }
 

@@ -3,7 +3,7 @@
 
 use std::rc::Rc;
 
-use giveway_model::Question;
+use giveway_model::{Question, tr};
 use giveway_solve::change::ChangeAnswer;
 use giveway_solve::explain::Repair;
 
@@ -33,13 +33,15 @@ fn begin(state: &mut State) {
     }
     let answer = state.document.fresh_answer();
     let Some(answer) = answer.filter(|answer| answer.plan().is_some()) else {
-        return ask::refuse(state, "Solve first: changes happen while a plan runs.");
+        return ask::refuse(state, tr!("Solve first: changes happen while a plan runs."));
     };
     let at = state.view.playback.time;
     let Some(changing) = Changing::begin(answer, at) else {
         let last = answer.changed_last().unwrap_or(at);
-        let sentence =
-            format!("What happened up to time {last} is settled. Show a later time, or undo.");
+        let sentence = tr!(
+            "What happened up to time {last} is settled. Show a later time, or undo.",
+            last
+        );
         return ask::refuse(state, &sentence);
     };
     drop_gesture(state);
@@ -105,7 +107,7 @@ fn take_back(state: &mut State, index: usize) {
     if lost > 0 {
         ask::refuse(
             state,
-            "What depended on that change was taken back with it.",
+            tr!("What depended on that change was taken back with it."),
         );
     }
 }
@@ -129,7 +131,7 @@ pub(super) fn adapt(state: &mut State) {
     if changing.list.is_empty() {
         return ask::refuse(
             state,
-            "Nothing changes yet. Use the tools on the board first.",
+            tr!("Nothing changes yet. Use the tools on the board first."),
         );
     }
     let request = changing.request(&state.settings, state.document.within);
@@ -147,7 +149,7 @@ pub(super) fn adapt(state: &mut State) {
 /// The methods have answered.
 pub(super) fn answered(state: &mut State, run: &Adapting, told: ChangeAnswer) {
     let Some(comparing) = Comparing::new(&run.changing, told) else {
-        return ask::refuse(state, "The answer is not about what is listed.");
+        return ask::refuse(state, tr!("The answer is not about what is listed."));
     };
     let at = run.changing.at;
     state.view.tool = Tool::Select;

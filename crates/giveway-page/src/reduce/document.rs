@@ -3,6 +3,8 @@
 
 use std::rc::Rc;
 
+use giveway_model::tr;
+
 use super::{solve, stroke};
 use crate::edit::{Edit, Sketch};
 use crate::gesture::Gesture;
@@ -175,7 +177,7 @@ fn edited(document: &Document, edits: &[Edit]) -> Result<Option<Document>, Notic
     let scene = sketch.into_scene();
     if scene != *document.draft.scene() {
         let draft = Draft::new(scene).map_err(|faults| Notice {
-            sentence: "This edit cannot be made.".to_owned(),
+            sentence: tr!("This edit cannot be made.").to_owned(),
             details: faults.iter().map(ToString::to_string).collect(),
         })?;
         after.set_draft(draft);

@@ -2,7 +2,7 @@
 
 use std::rc::Rc;
 
-use giveway_model::{Fault, Scene};
+use giveway_model::{Fault, Scene, tr};
 
 use super::document::{drop_gesture, put, settle, travel};
 use super::{ask, solve, stroke};
@@ -38,7 +38,7 @@ pub(super) fn open(state: &mut State, scene: Scene) {
 /// Why it cannot.
 pub(super) fn drafted(scene: Scene) -> Result<Draft, Notice> {
     let refused = |faults: &[Fault]| Notice {
-        sentence: "The scene cannot be opened.".to_owned(),
+        sentence: tr!("The scene cannot be opened.").to_owned(),
         details: faults.iter().map(ToString::to_string).collect(),
     };
     let draft = Draft::new(scene).map_err(|faults| refused(&faults))?;

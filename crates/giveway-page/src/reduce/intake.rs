@@ -3,8 +3,8 @@
 use std::collections::BTreeMap;
 use std::rc::Rc;
 
-use giveway_model::Plan;
 use giveway_model::format::foreign::{Conventions, Format};
+use giveway_model::{Plan, tr};
 use giveway_picture::Look;
 
 use super::{audit, file, stroke};
@@ -45,9 +45,9 @@ pub(super) fn intake(state: &mut State, action: IntakeAction) {
             if state.intake.at(job).is_some() {
                 let job = state.intake.end();
                 let told = if job.is_some_and(|job| job.is_picture()) {
-                    "The moving picture could not be made."
+                    tr!("The moving picture could not be made.")
                 } else {
-                    "The reader of other people's files broke off. Your scene is as it was."
+                    tr!("The reader of other people's files broke off. Your scene is as it was.")
                 };
                 state.view.notice = Some(Notice {
                     sentence: told.to_owned(),
@@ -74,9 +74,9 @@ pub(super) fn begin(state: &mut State, task: Task) {
 /// Reads files again, by conventions that a person chose.
 pub(super) fn read_as(state: &mut State, files: Vec<Opened>, conventions: Conventions) {
     if files.is_empty() {
-        state.view.notice = Some(Notice::new(
-            "The browser does not keep the file. Open it again to read it in another way.",
-        ));
+        state.view.notice = Some(Notice::new(tr!(
+            "The browser does not keep the file. Open it again to read it in another way."
+        )));
         return;
     }
     let read = Read {
@@ -176,7 +176,7 @@ fn replied(state: &mut State, job: Job, reply: Reply) {
             }
             state.intake.wait(files);
             state.view.notice = Some(Notice {
-                sentence: "One file more is needed.".to_owned(),
+                sentence: tr!("One file more is needed.").to_owned(),
                 details: vec![sentence],
             });
         }
@@ -215,7 +215,7 @@ fn ran(state: &mut State, run: Run) {
     state.intake.wait(Vec::new());
     let linked = file::drafted(scene).and_then(|draft| {
         link::judged(draft, plan, changes).map_err(|why| Notice {
-            sentence: "The plan cannot be opened; the scene stays as it is.".to_owned(),
+            sentence: tr!("The plan cannot be opened; the scene stays as it is.").to_owned(),
             details: vec![why],
         })
     });
@@ -251,7 +251,7 @@ fn opened(state: &mut State, found: Found) {
         file::open(state, scene);
         if state.view.notice.is_none() && !notes.is_empty() {
             state.view.notice = Some(Notice {
-                sentence: "The scene was read.".to_owned(),
+                sentence: tr!("The scene was read.").to_owned(),
                 details: notes,
             });
         }

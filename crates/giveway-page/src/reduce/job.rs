@@ -1,6 +1,7 @@
 //! What the worker tells, heard in one place: only the job that is not over is
 //! heard, and each kind of answer goes to the part that asked for it.
 
+use giveway_model::tr;
 use giveway_solve::{Progress, Refusal, Response};
 
 use super::{ask, change, freedom, inside, planners, proof, solve};
@@ -69,13 +70,13 @@ pub(super) fn respond(state: &mut State, id: u64, response: Response) {
 
 fn refused(state: &mut State, task: &Task, refusal: &Refusal) {
     let sentence = match task {
-        Task::Solve(_) => "The solver refused the scene.",
-        Task::Explain(_) => "The question cannot be answered.",
-        Task::Certify(_) => "The proof cannot be checked.",
-        Task::Export(_) => "The certificate cannot be made.",
-        Task::Change(_) => "The changes were refused.",
-        Task::Look(_) => "The planner refused the scene.",
-        Task::Freedom(_) => "What must be so cannot be told of this plan.",
+        Task::Solve(_) => tr!("The solver refused the scene."),
+        Task::Explain(_) => tr!("The question cannot be answered."),
+        Task::Certify(_) => tr!("The proof cannot be checked."),
+        Task::Export(_) => tr!("The certificate cannot be made."),
+        Task::Change(_) => tr!("The changes were refused."),
+        Task::Look(_) => tr!("The planner refused the scene."),
+        Task::Freedom(_) => tr!("What must be so cannot be told of this plan."),
     };
     if let Task::Explain(_) = task {
         let is_stuck = matches!(state.document.mode, Mode::Stuck(..));
@@ -106,11 +107,13 @@ pub(super) fn crash(state: &mut State, id: u64, sentence: String, had_started: b
     let is_solving = state.work.solving().is_some();
     solve::cancel(state);
     let what = if had_started {
-        "The solver broke off and was started again. Your scene is as it was."
+        tr!("The solver broke off and was started again. Your scene is as it was.")
     } else if is_solving {
-        "The solver could not be started. Press Solve to try again."
+        tr!("The solver could not be started. Press Solve to try again.")
     } else {
-        "The part of the solver that answers could not be loaded. Try again when the network is back."
+        tr!(
+            "The part of the solver that answers could not be loaded. Try again when the network is back."
+        )
     };
     state.view.notice = Some(Notice {
         sentence: what.to_owned(),

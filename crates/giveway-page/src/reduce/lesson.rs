@@ -1,5 +1,6 @@
 //! A lesson on the board: opened, heard, left.
 
+use giveway_model::tr;
 use std::rc::Rc;
 
 use giveway_course::lesson::Layer;
@@ -152,7 +153,7 @@ fn open(state: &mut State, board: &Rc<Board>) {
 
 fn refusal(faults: &[Fault]) -> Notice {
     Notice {
-        sentence: "The board of this lesson cannot be shown.".to_owned(),
+        sentence: tr!("The board of this lesson cannot be shown.").to_owned(),
         details: faults.iter().map(ToString::to_string).collect(),
     }
 }

@@ -2,7 +2,7 @@
 
 use std::rc::Rc;
 
-use giveway_model::{Agent, Cell};
+use giveway_model::{Agent, Cell, tr};
 
 use super::board::select;
 use super::{ask, steer, stroke};
@@ -101,7 +101,7 @@ fn press_goal(state: &mut State, cell: Cell) {
         }
         (None, None) => match start {
             Some(agent) => choose(state, agent, Thing::Goal(agent), cell),
-            None => ask_for_agent(state, "goal"),
+            None => ask_for_agent(state, tr!("the cell of its" => "goal")),
         },
     }
 }
@@ -126,7 +126,7 @@ fn press_waypoint(state: &mut State, cell: Cell) {
     } else if let Some(agent) = agents.iter().position(is) {
         choose(state, agent, Thing::NewWaypoint(agent), cell);
     } else {
-        ask_for_agent(state, "waypoint");
+        ask_for_agent(state, tr!("the cell of its" => "waypoint"));
     }
 }
 
@@ -140,7 +140,7 @@ fn press_task(state: &mut State, changing: &Changing, cell: Cell) {
     let Some(agent) = chosen.filter(|&agent| Some(agent) != standing) else {
         return match standing {
             Some(agent) => select(state, Selection::Agent(agent)),
-            None => ask_for_agent(state, "goal or waypoint"),
+            None => ask_for_agent(state, tr!("the cell of its" => "goal or waypoint")),
         };
     };
     let has = |agent: &Agent| agent.waypoints.contains(&cell);
@@ -176,7 +176,7 @@ fn choose(state: &mut State, agent: usize, thing: Thing, cell: Cell) {
 }
 
 fn ask_for_agent(state: &mut State, what: &str) {
-    let sentence = format!("Press a robot first, then the cell of its {what}.");
+    let sentence = tr!("Press a robot first, then the cell of its {what}.", what);
     ask::refuse(state, &sentence);
 }
 

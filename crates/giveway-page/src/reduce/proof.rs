@@ -2,6 +2,7 @@
 
 use std::rc::Rc;
 
+use giveway_model::tr;
 use giveway_proof::Report;
 use giveway_solve::{CertifyRequest, ExportAnswer, ExportRequest, Limits};
 
@@ -13,7 +14,7 @@ use crate::{Certifies, Certifying, State, Task, files, intake::protocol, proof};
 pub(super) fn start(state: &mut State) {
     stroke::release(state);
     let Some((about, request)) = proof::request(state) else {
-        return ask::refuse(state, "There is nothing proved to be checked.");
+        return ask::refuse(state, tr!("There is nothing proved to be checked."));
     };
     state.view.notice = None;
     state.work.start(Task::Certify(Certifying {
@@ -30,7 +31,7 @@ pub(super) fn start(state: &mut State) {
 pub(super) fn export(state: &mut State) {
     stroke::release(state);
     let Some((about, certificates)) = certificate::certificates(state) else {
-        return ask::refuse(state, "There is nothing proved to be saved.");
+        return ask::refuse(state, tr!("There is nothing proved to be saved."));
     };
     state.view.notice = None;
     let made = (0, u32::try_from(certificates.len()).unwrap_or(u32::MAX));
@@ -49,7 +50,10 @@ pub(super) fn export(state: &mut State) {
 /// They are made: they become one file.
 pub(super) fn exported(state: &mut State, answer: ExportAnswer) {
     if answer.certificates.is_empty() {
-        return ask::refuse(state, "Time ran out before the first certificate was made.");
+        return ask::refuse(
+            state,
+            tr!("Time ran out before the first certificate was made."),
+        );
     }
     let name = files::certificate_name(state);
     intake::begin(state, protocol::Task::Pack { name, answer });

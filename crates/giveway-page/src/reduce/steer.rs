@@ -2,6 +2,8 @@
 
 use std::rc::Rc;
 
+use giveway_model::tr;
+
 use super::document::{drop_gesture, enter, settle};
 use super::{ask, stroke};
 use crate::steering::{Lead, Steering};
@@ -15,8 +17,11 @@ pub(super) fn is_in_the_way(state: &mut State) -> bool {
     };
     let name = own.name();
     state.view.notice = Some(Notice {
-        sentence: format!("You lead {name} by hand. Discard your plan before you do this."),
-        details: vec!["Undo brings it back.".to_owned()],
+        sentence: tr!(
+            "You lead {name} by hand. Discard your plan before you do this.",
+            name
+        ),
+        details: vec![tr!("Undo brings it back.").to_owned()],
     });
     true
 }
@@ -66,7 +71,7 @@ fn begin(state: &mut State) {
     let Some(own) = own else {
         return ask::refuse(
             state,
-            "Solve first and select a robot: then you can lead it by hand.",
+            tr!("Solve first and select a robot: then you can lead it by hand."),
         );
     };
     drop_gesture(state);

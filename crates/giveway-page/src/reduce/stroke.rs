@@ -3,7 +3,7 @@
 
 use std::rc::Rc;
 
-use giveway_model::{Agent, Cell};
+use giveway_model::{Agent, Cell, tr};
 
 use super::board::select;
 use super::document::{edit, enter, put, solve_on_change};
@@ -80,7 +80,7 @@ fn painted(state: &mut State, before: &Rc<Draft>, sketch: &Sketch) {
         }
         Err(faults) => {
             state.view.notice = Some(Notice {
-                sentence: "This edit cannot be made.".to_owned(),
+                sentence: tr!("This edit cannot be made.").to_owned(),
                 details: faults.iter().map(ToString::to_string).collect(),
             });
         }

@@ -13,6 +13,7 @@ pub(crate) use differ::difference;
 pub use message::{Button, Kind, Message, Press};
 pub use waiting::{Elsewhere, Lost, Other, SlotAction, Unkept, Waiting};
 
+use giveway_model::tr;
 use message::button;
 
 /// What is to be said now, if there is anything: kept data first, then a link, then
@@ -33,19 +34,25 @@ pub fn message(state: &State) -> Option<Message> {
 fn lost(why: Lost) -> Message {
     let (title, text) = match why {
         Lost::Newer => (
-            "We could not read what was kept",
-            "A newer version of this page has written it. Nothing was deleted: that version can \
-             still read it. What you see now is an example.",
+            tr!("We could not read what was kept"),
+            tr!(
+                "A newer version of this page has written it. Nothing was deleted: that version can \
+             still read it. What you see now is an example."
+            ),
         ),
         Lost::Damaged => (
-            "We could not read what was kept",
-            "Nothing was deleted. Download it, and a later version may read it. What you see now \
-             is an example.",
+            tr!("We could not read what was kept"),
+            tr!(
+                "Nothing was deleted. Download it, and a later version may read it. What you see now \
+             is an example."
+            ),
         ),
         Lost::Breaks => (
-            "The page broke down when it opened what was kept",
-            "Nothing was deleted. Download it, and a later version may open it. What you see now \
-             is an example.",
+            tr!("The page broke down when it opened what was kept"),
+            tr!(
+                "Nothing was deleted. Download it, and a later version may open it. What you see now \
+             is an example."
+            ),
         ),
     };
     Message {
@@ -56,9 +63,9 @@ fn lost(why: Lost) -> Message {
         buttons: vec![
             Button {
                 is_filled: true,
-                ..button("Download it", Some("save"), Press::Download)
+                ..button(tr!("Download it"), Some("save"), Press::Download)
             },
-            button("Start afresh", None, Press::StartAfresh),
+            button(tr!("Start afresh"), None, Press::StartAfresh),
         ],
         close: None,
     }
@@ -67,21 +74,23 @@ fn lost(why: Lost) -> Message {
 fn unkept(why: Unkept) -> Message {
     let text = match why {
         Unkept::Full => {
-            "This browser has no room left for it. Download it, or forget scenes that you no \
+            tr!(
+                "This browser has no room left for it. Download it, or forget scenes that you no \
              longer need."
+            )
         }
         Unkept::Refused => {
-            "This browser does not let the page keep anything. Download it before you leave."
+            tr!("This browser does not let the page keep anything. Download it before you leave.")
         }
     };
     Message {
         kind: Kind::Alert,
-        title: "Your work is not being kept",
+        title: tr!("Your work is not being kept"),
         text: text.to_owned(),
         boards: None,
         buttons: vec![Button {
             is_filled: true,
-            ..button("Download it", Some("save"), Press::Save)
+            ..button(tr!("Download it"), Some("save"), Press::Save)
         }],
         close: Some(Action::Slot(SlotAction::Close)),
     }
@@ -92,12 +101,18 @@ fn displaced(state: &State) -> Option<Message> {
     let name = quoted(&displaced.moment.document.draft);
     let (title, text) = match displaced.by {
         By::Link => (
-            "Your own scene is kept",
-            format!("This one came with the link. Yours, {name}, is where you left it."),
+            tr!("Your own scene is kept"),
+            tr!(
+                "This one came with the link. Yours, {name}, is where you left it.",
+                name
+            ),
         ),
         By::Own => (
-            "The scene of the link is kept",
-            format!("You are back at your own scene. The one of the link is {name}."),
+            tr!("The scene of the link is kept"),
+            tr!(
+                "You are back at your own scene. The one of the link is {name}.",
+                name
+            ),
         ),
     };
     let back = Press::Act(Box::new(Action::File(FileAction::Back)));
@@ -106,7 +121,7 @@ fn displaced(state: &State) -> Option<Message> {
         title,
         text,
         boards: None,
-        buttons: vec![button("Back to it", Some("back"), back)],
+        buttons: vec![button(tr!("Back to it"), Some("back"), back)],
         close: Some(Action::File(FileAction::Keep)),
     })
 }
@@ -116,30 +131,33 @@ fn elsewhere(state: &State, other: &Other) -> Message {
     let close = Action::Slot(SlotAction::Close);
     let (text, boards, buttons, close) = match other {
         Other::Apart { moment, .. } => (
-            format!(
-                "{} Undo brings back the one you do not take.",
-                difference(&state.document, &moment.document)
+            tr!(
+                "{difference} Undo brings back the one you do not take.",
+                difference = difference(&state.document, &moment.document)
             ),
             Some([
                 Rc::clone(&state.document.draft),
                 Rc::clone(&moment.document.draft),
             ]),
             vec![
-                act("Take theirs", Action::Slot(SlotAction::TakeTheirs)),
-                act("Keep mine", Action::Slot(SlotAction::KeepMine)),
+                act(tr!("Take theirs"), Action::Slot(SlotAction::TakeTheirs)),
+                act(tr!("Keep mine"), Action::Slot(SlotAction::KeepMine)),
             ],
             None,
         ),
         Other::Taken { change } => (
-            format!("{change} It is shown here, too. Undo brings back what was here."),
+            tr!(
+                "{change} It is shown here, too. Undo brings back what was here.",
+                change
+            ),
             None,
-            vec![act("Undo it here", Action::Undo)],
+            vec![act(tr!("Undo it here"), Action::Undo)],
             Some(close),
         ),
     };
     Message {
         kind: Kind::Changed,
-        title: "Another tab changed this scene",
+        title: tr!("Another tab changed this scene"),
         text,
         boards,
         buttons,
@@ -150,7 +168,7 @@ fn elsewhere(state: &State, other: &Other) -> Message {
 /// The name of a scene in a sentence.
 fn quoted(draft: &Draft) -> String {
     match draft.scene().name.as_str() {
-        "" => "which has no name yet".to_owned(),
-        name => format!("\u{201c}{name}\u{201d}"),
+        "" => tr!("which has no name yet").to_owned(),
+        name => tr!("“{name}”", name),
     }
 }

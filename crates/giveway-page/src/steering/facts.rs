@@ -1,8 +1,6 @@
 //! What the inspector tells of a plan of one's own.
 
-use std::fmt::Write as _;
-
-use giveway_model::Cost;
+use giveway_model::{Cost, tr};
 
 use super::Steering;
 use crate::ask::{CostRow, Happening};
@@ -43,13 +41,22 @@ pub fn facts(state: &State) -> Option<Facts> {
     let (agent, time) = (steering.agent, steering.time());
     let battery = steering.about.draft.agents().get(agent)?.battery;
     let name = steering.name();
-    let mut place = format!("{name} is at {} at time {time}", at(steering.cell()));
+    let mut place = tr!(
+        "{name} is at {cell} at time {time}",
+        name,
+        cell = at(steering.cell()),
+        time
+    );
     if let Some(battery) = battery {
         let levels = steering.answer.levels.get(agent);
         let level = levels.and_then(|levels| levels.get(time as usize).or(levels.last()));
         let level = level.copied().unwrap_or_default();
         // Writing to a string cannot fail.
-        let _ = write!(place, ", battery {level} of {}", battery.capacity);
+        place += &tr!(
+            ", battery {level} of {capacity}",
+            level,
+            capacity = battery.capacity
+        );
     }
     let violations = steering.violations.iter().enumerate();
     let violations = violations.map(|(index, violation)| Happening {

@@ -1,6 +1,6 @@
 //! An agent is led: a step more, a charge, or a step back.
 
-use giveway_model::Cell;
+use giveway_model::{Cell, tr};
 
 use super::Steering;
 use crate::words::at;
@@ -15,21 +15,21 @@ impl Steering {
     /// Why there is no such step, as a sentence.
     pub(crate) fn step(&self, by: (i32, i32)) -> Result<Self, String> {
         let (name, from) = (self.name().to_owned(), self.cell());
-        let refused = |why: String| Err(format!("{name} stays: {why}."));
+        let refused = |why: String| Err(tr!("{name} stays: {why}.", name, why));
         if self.path().len() >= LONGEST {
-            return refused("nobody is led that far".to_owned());
+            return refused(tr!("nobody is led that far").to_owned());
         }
         let to = from.x.checked_add_signed(by.0);
         let to = to.zip(from.y.checked_add_signed(by.1));
         let to = to.map(|(x, y)| Cell::new(x, y));
         let Some(to) = to.filter(|&to| self.grid().ground(to).is_some()) else {
-            return refused("the map ends there".to_owned());
+            return refused(tr!("the map ends there").to_owned());
         };
         if !self.grid().is_vertex(to) {
-            return refused(format!("at {} there is an obstacle", at(to)));
+            return refused(tr!("at {cell} there is an obstacle", cell = at(to)));
         }
         if to != from && !to.touches(from) {
-            return refused(format!("{} is not beside it", at(to)));
+            return refused(tr!("{cell} is not beside it", cell = at(to)));
         }
         let mut plan = self.plan.clone();
         if let Some(path) = plan.paths.get_mut(&name) {
@@ -49,7 +49,7 @@ impl Steering {
         let (name, time) = (self.name().to_owned(), self.time());
         let Some(charges) = self.charges() else {
             let cell = at(self.cell());
-            return Err(format!("{name} cannot charge at {cell}."));
+            return Err(tr!("{name} cannot charge at {cell}.", name, cell));
         };
         let mut plan = self.plan.clone();
         let times = plan.charges.entry(name.clone()).or_default();
@@ -61,9 +61,9 @@ impl Steering {
         // It begins with the next step, and is judged with that.
         Ok(Self {
             told: if charges {
-                format!("{name} does not charge.")
+                tr!("{name} does not charge.", name)
             } else {
-                format!("{name} charges in its next step.")
+                tr!("{name} charges in its next step.", name)
             },
             plan,
             ..self.clone()
@@ -76,7 +76,7 @@ impl Steering {
     /// That there is none, as a sentence.
     pub(crate) fn back(&self) -> Result<Self, String> {
         if !self.can_go_back() {
-            return Err("There is no step to take back.".to_owned());
+            return Err(tr!("There is no step to take back.").to_owned());
         }
         let name = self.name().to_owned();
         let mut plan = self.plan.clone();

@@ -6,6 +6,7 @@ mod freedom;
 mod inside;
 mod lesson;
 mod moving;
+mod opening;
 mod picture;
 mod planners;
 mod soak;

@@ -1,7 +1,7 @@
 //! How far a solve has come: what is proved, what is found, and the gap.
 
 use crate::words::grouped;
-use giveway_model::{Cost, Objective};
+use giveway_model::{Cost, Objective, tr};
 
 use crate::{Size, Solving, words};
 
@@ -67,22 +67,32 @@ fn settled(run: &Solving, cost: Cost) -> String {
     if values.is_empty() {
         return String::new();
     }
-    format!("With {}: ", values.join(" and "))
+    let values: Vec<&str> = values.iter().map(String::as_str).collect();
+    tr!(
+        "With {costs}: ",
+        costs = values.join(tr!("between costs" => " and "))
+    )
 }
 
 fn sentence(at_least: Option<u32>, best: Option<u32>) -> String {
     match (at_least, best) {
         (Some(least), Some(best)) if least >= best => {
-            format!("Below {least} there is no plan, and a plan of {best} exists.")
+            tr!(
+                "Below {least} there is no plan, and a plan of {best} exists.",
+                least,
+                best
+            )
         }
-        (Some(least), Some(best)) => format!(
-            "Below {least} there is no plan. A plan of {best} exists. The answer lies between."
+        (Some(least), Some(best)) => tr!(
+            "Below {least} there is no plan. A plan of {best} exists. The answer lies between.",
+            least,
+            best
         ),
         (Some(least), None) => {
-            format!("Below {least} there is no plan. None is found yet.")
+            tr!("Below {least} there is no plan. None is found yet.", least)
         }
-        (None, Some(best)) => format!("A plan of {best} exists. No bound is proved yet."),
-        (None, None) => "No plan is found and no bound is proved yet.".to_owned(),
+        (None, Some(best)) => tr!("A plan of {best} exists. No bound is proved yet.", best),
+        (None, None) => tr!("No plan is found and no bound is proved yet.").to_owned(),
     }
 }
 
@@ -94,15 +104,16 @@ pub fn work_done(size: Size) -> String {
         conflicts,
     } = size;
     let mut parts = Vec::new();
-    for (n, thing) in [
-        (variables, "variable"),
-        (clauses, "clause"),
-        (conflicts, "conflict"),
-    ] {
-        if n > 0 {
-            let plural = if n == 1 { "" } else { "s" };
-            parts.push(format!("{} {thing}{plural}", grouped(n)));
-        }
+    let (all, these) = (grouped(variables), grouped(clauses));
+    if variables > 0 {
+        parts.push(tr!("{all} variable" | "{all} variables" % variables, all));
+    }
+    if clauses > 0 {
+        parts.push(tr!("{all} clause" | "{all} clauses" % clauses, all = these));
+    }
+    if conflicts > 0 {
+        let all = grouped(conflicts);
+        parts.push(tr!("{all} conflict" | "{all} conflicts" % conflicts, all));
     }
     parts.join(", ")
 }

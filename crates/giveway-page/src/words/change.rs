@@ -1,12 +1,11 @@
 //! Changes and methods in words.
 
-use giveway_model::Cell;
 use giveway_model::change::What;
 use giveway_model::words::and;
+use giveway_model::{Cell, tr};
 use giveway_solve::change::Method;
 
 use super::costs::values;
-use super::count;
 use crate::changing::{Changing, Comparing, Tried};
 use crate::timeline::work_done;
 use crate::words::at;
@@ -25,38 +24,64 @@ pub fn sentence(what: &What) -> (String, Option<String>) {
         What::AddAgent { agent } => {
             let goal = at(agent.goal);
             let detail = match agent.waypoints.as_slice() {
-                [] => format!("goal {goal}"),
-                waypoints => format!("goal {goal}, by way of {}", cells(waypoints)),
+                [] => tr!("goal {goal}", goal),
+                waypoints => tr!(
+                    "goal {goal}, by way of {cells}",
+                    goal,
+                    cells = cells(waypoints)
+                ),
             };
-            let text = format!("{} joins at {}", agent.name, at(agent.start));
+            let text = tr!(
+                "{agent} joins at {cell}",
+                agent = agent.name,
+                cell = at(agent.start)
+            );
             return (text, Some(detail));
         }
         What::SetSlow { cells } if cells.len() > 1 => {
-            let text = format!("{} become slow", count(cells.len(), "cell"));
+            let text = tr!("{n} cell becomes slow" | "{n} cells become slow" % cells.len());
             return (text, Some(self::cells(cells)));
         }
         What::SetNormal { cells } if cells.len() > 1 => {
-            let text = format!("{} are no longer slow", count(cells.len(), "cell"));
+            let text =
+                tr!("{n} cell is no longer slow" | "{n} cells are no longer slow" % cells.len());
             return (text, Some(self::cells(cells)));
         }
-        What::SetSlow { cells } => format!("{} becomes slow", self::cells(cells)),
-        What::SetNormal { cells } => format!("{} is no longer slow", self::cells(cells)),
-        What::RemoveAgent { agent } => format!("{agent} is removed"),
-        What::AddObstacle { cell } => format!("New obstacle at {}", at(*cell)),
-        What::RemoveObstacle { cell } => format!("Obstacle at {} removed", at(*cell)),
+        What::SetSlow { cells } => tr!("{cell} becomes slow", cell = self::cells(cells)),
+        What::SetNormal { cells } => tr!("{cell} is no longer slow", cell = self::cells(cells)),
+        What::RemoveAgent { agent } => tr!("{agent} is removed", agent),
+        What::AddObstacle { cell } => tr!("New obstacle at {cell}", cell = at(*cell)),
+        What::RemoveObstacle { cell } => tr!("Obstacle at {cell} removed", cell = at(*cell)),
         What::MoveObstacle { from, to } => {
-            format!("Obstacle at {} moves to {}", at(*from), at(*to))
+            tr!(
+                "Obstacle at {from} moves to {to}",
+                from = at(*from),
+                to = at(*to)
+            )
         }
-        What::AddCharger { cell } => format!("New charger at {}", at(*cell)),
-        What::RemoveCharger { cell } => format!("Charger at {} removed", at(*cell)),
-        What::SetGoal { agent, cell } => format!("The goal of {agent} is now {}", at(*cell)),
-        What::AddWaypoint { agent, cell } => format!("{agent} also has to visit {}", at(*cell)),
+        What::AddCharger { cell } => tr!("New charger at {cell}", cell = at(*cell)),
+        What::RemoveCharger { cell } => tr!("Charger at {cell} removed", cell = at(*cell)),
+        What::SetGoal { agent, cell } => {
+            tr!("The goal of {agent} is now {cell}", agent, cell = at(*cell))
+        }
+        What::AddWaypoint { agent, cell } => {
+            tr!("{agent} also has to visit {cell}", agent, cell = at(*cell))
+        }
         What::DropWaypoint { agent, cell } => {
-            format!("{agent} no longer has to visit {}", at(*cell))
+            tr!(
+                "{agent} no longer has to visit {cell}",
+                agent,
+                cell = at(*cell)
+            )
         }
-        What::SetBattery { agent, level } => format!("The battery of {agent} is at {level}"),
+        What::SetBattery { agent, level } => {
+            tr!("The battery of {agent} is at {level}", agent, level)
+        }
         What::DelayAgent { agent, steps } => {
-            format!("{agent} breaks down for {}", count(*steps as usize, "step"))
+            tr!(
+                "{agent} breaks down for {n} step" | "{agent} breaks down for {n} steps" % *steps,
+                agent
+            )
         }
     };
     (told, None)
@@ -69,34 +94,42 @@ fn cells(cells: &[Cell]) -> String {
     let named: Vec<String> = cells.iter().take(NAMED).map(|&cell| at(cell)).collect();
     match cells.len().saturating_sub(NAMED) {
         0 => named.join(", "),
-        more => format!("{} and {more} more", named.join(", ")),
+        more => tr!("{cells} and {more} more", cells = named.join(", "), more),
     }
 }
 
 /// A method by itself: `Tunnel 1`.
 pub fn method(method: Method) -> String {
     match method {
-        Method::Revise => "Revise".to_owned(),
-        Method::Tunnel(width) => format!("Tunnel {width}"),
-        Method::Replan => "Replan".to_owned(),
+        Method::Revise => tr!("Revise").to_owned(),
+        Method::Tunnel(width) => tr!("Tunnel {width}", width),
+        Method::Replan => tr!("Replan").to_owned(),
     }
 }
 
 /// A method within a sentence: `tunnel 1`.
 pub fn method_in_words(method: Method) -> String {
-    self::method(method).to_ascii_lowercase()
+    match method {
+        Method::Revise => tr!("a method, in a sentence" => "revise").to_owned(),
+        Method::Tunnel(width) => tr!("a method, in a sentence" => "tunnel {width}", width),
+        Method::Replan => tr!("a method, in a sentence" => "replan").to_owned(),
+    }
 }
 
 /// While changes are listed.
 pub(super) fn changing(changing: &Changing) -> String {
     let at = changing.at;
     match changing.list.as_slice() {
-        [] => format!(
-            "The world changes at time {at}: change it with the tools, then find new plans."
+        [] => tr!(
+            "The world changes at time {at}: change it with the tools, then find new plans.",
+            at
         ),
         list => {
-            let listed = count(list.len(), "change");
-            format!("The world changes at time {at}: {listed} listed.")
+            tr!(
+                "The world changes at time {at}: {n} change listed."
+                    | "The world changes at time {at}: {n} changes listed." % list.len(),
+                at
+            )
         }
     }
 }
@@ -105,8 +138,12 @@ pub(super) fn changing(changing: &Changing) -> String {
 pub(super) fn adapting(run: &Adapting) -> String {
     let at = run.changing.at;
     match work_done(run.size).as_str() {
-        "" => format!("Looking for ways to go on from time {at}."),
-        work => format!("Looking for ways to go on from time {at}; {work}."),
+        "" => tr!("Looking for ways to go on from time {at}.", at),
+        work => tr!(
+            "Looking for ways to go on from time {at}; {work}.",
+            at,
+            work
+        ),
     }
 }
 
@@ -122,15 +159,22 @@ pub(super) fn compared(comparing: &Comparing) -> String {
         }
     }
     let parts = parts.iter().map(|(makespan, names)| {
-        let have = if names.len() == 1 { "has" } else { "have" };
-        let names = and(names);
+        let (many, names) = (names.len(), and(names));
         match makespan {
-            Some(makespan) => format!("{names} {have} makespan {makespan}"),
-            None => format!("{names} {have} no plan"),
+            Some(makespan) => tr!(
+                "{names} has makespan {makespan}" | "{names} have makespan {makespan}" % many,
+                names,
+                makespan
+            ),
+            None => tr!("{names} has no plan" | "{names} have no plan" % many, names),
         }
     });
     let parts: Vec<String> = parts.collect();
-    format!("At time {}: {}.", comparing.changing.at, parts.join("; "))
+    tr!(
+        "At time {time}: {parts}.",
+        time = comparing.changing.at,
+        parts = parts.join("; ")
+    )
 }
 
 /// Of a plan that went on where the world changed.
@@ -144,8 +188,17 @@ pub(super) fn adopted(answer: &Answer) -> String {
     match method {
         Some(method) => {
             let way = method_in_words(method);
-            format!("The world changed at time {at}; the plan went on by {way}: {costs}.")
+            tr!(
+                "The world changed at time {at}; the plan went on by {way}: {costs}.",
+                at,
+                way,
+                costs
+            )
         }
-        None => format!("The world changed at time {at}; the plan went on: {costs}."),
+        None => tr!(
+            "The world changed at time {at}; the plan went on: {costs}.",
+            at,
+            costs
+        ),
     }
 }

@@ -1,16 +1,16 @@
 //! Costs and numbers of things in words.
 
 use giveway_model::words::{self, name};
-use giveway_model::{Cost, Costs, Objective};
+use giveway_model::{Cost, Costs, Objective, tr};
 
 /// The name of a cost by itself.
-pub const fn title(cost: Cost) -> &'static str {
+pub fn title(cost: Cost) -> &'static str {
     match cost {
-        Cost::Makespan => "Makespan",
-        Cost::SumOfCosts => "Sum of costs",
-        Cost::Charges => "Charges",
-        Cost::Moves => "Moves",
-        Cost::Waits => "Waits",
+        Cost::Makespan => tr!("Makespan"),
+        Cost::SumOfCosts => tr!("Sum of costs"),
+        Cost::Charges => tr!("Charges"),
+        Cost::Moves => tr!("Moves"),
+        Cost::Waits => tr!("Waits"),
     }
 }
 

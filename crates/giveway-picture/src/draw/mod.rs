@@ -2,6 +2,7 @@
 //! waypoints, the time; and what of it moves.
 
 mod agents;
+mod course;
 mod ground;
 mod keys;
 mod label;

@@ -1,5 +1,7 @@
 //! Why the work stopped early, in a sentence.
 
+use giveway_model::tr;
+
 /// Why the work stopped early.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Stop {
@@ -20,15 +22,15 @@ pub enum Stop {
 
 impl Stop {
     /// The stop as a sentence.
-    pub const fn sentence(self) -> &'static str {
+    pub fn sentence(self) -> &'static str {
         match self {
-            Self::Time => "The time limit was reached.",
-            Self::Conflicts => "The conflict limit was reached.",
-            Self::Memory => "The memory limit was reached.",
-            Self::Sets => "There were too many sets of robots to free to compare them all.",
-            Self::Cancelled => "The search was cancelled.",
+            Self::Time => tr!("The time limit was reached."),
+            Self::Conflicts => tr!("The conflict limit was reached."),
+            Self::Memory => tr!("The memory limit was reached."),
+            Self::Sets => tr!("There were too many sets of robots to free to compare them all."),
+            Self::Cancelled => tr!("The search was cancelled."),
             Self::Contradiction => {
-                "A plan and a bound contradicted each other, which is a fault of this program."
+                tr!("A plan and a bound contradicted each other, which is a fault of this program.")
             }
         }
     }

@@ -4,6 +4,7 @@ use std::borrow::Cow;
 use std::fmt;
 use std::str::FromStr;
 
+use giveway_model::tr;
 use serde::{Deserialize, Deserializer, Serialize, de};
 
 /// A planner of the textbook.
@@ -55,9 +56,9 @@ impl Planner {
     }
 
     /// The name for people, which may begin a sentence.
-    pub const fn title(self) -> &'static str {
+    pub fn title(self) -> &'static str {
         match self {
-            Self::Prioritised => "Prioritised planning",
+            Self::Prioritised => tr!("Prioritised planning"),
             Self::Cbs => "CBS",
             Self::Pibt => "PIBT",
             Self::Lacam => "LaCAM",
@@ -66,18 +67,18 @@ impl Planner {
     }
 
     /// What its steps are, for people, after so many of them.
-    pub const fn steps(self, n: u64) -> &'static str {
+    pub fn steps(self, n: u64) -> &'static str {
         match (self, n) {
-            (Self::Prioritised, 1) => "order tried",
-            (Self::Prioritised, _) => "orders tried",
-            (Self::Cbs, 1) => "node of the constraint tree",
-            (Self::Cbs, _) => "nodes of the constraint tree",
-            (Self::Pibt, 1) => "time step",
-            (Self::Pibt, _) => "time steps",
-            (Self::Lacam, 1) => "configuration",
-            (Self::Lacam, _) => "configurations",
-            (Self::Lns, 1) => "neighbourhood",
-            (Self::Lns, _) => "neighbourhoods",
+            (Self::Prioritised, 1) => tr!("a number of" => "order tried"),
+            (Self::Prioritised, _) => tr!("a number of" => "orders tried"),
+            (Self::Cbs, 1) => tr!("a number of" => "node of the constraint tree"),
+            (Self::Cbs, _) => tr!("a number of" => "nodes of the constraint tree"),
+            (Self::Pibt, 1) => tr!("a number of" => "time step"),
+            (Self::Pibt, _) => tr!("a number of" => "time steps"),
+            (Self::Lacam, 1) => tr!("a number of" => "configuration"),
+            (Self::Lacam, _) => tr!("a number of" => "configurations"),
+            (Self::Lns, 1) => tr!("a number of" => "neighbourhood"),
+            (Self::Lns, _) => tr!("a number of" => "neighbourhoods"),
         }
     }
 }

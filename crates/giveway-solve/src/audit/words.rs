@@ -1,11 +1,11 @@
 //! What is known of a plan, in sentences: one text for the page and the command.
 
-use giveway_model::words::{count, name, sentence, values};
-use giveway_model::{Cost, Costs};
+use giveway_model::words::{name, sentence, values};
+use giveway_model::{Cost, Costs, tr};
 
 use super::{AuditAnswer, AuditStatus};
 use crate::Status;
-use crate::words::{FOR_EVER, Headline};
+use crate::words::Headline;
 
 /// How far a cost is above a bound, in percent with one decimal, rounded up;
 /// `None` where the bound is 0 and the cost is not.
@@ -24,17 +24,25 @@ pub fn percent(cost: u32, bound: u32) -> Option<String> {
         (_, 0) => return None,
         _ => (beyond * 1000).div_ceil(u64::from(bound)),
     };
-    Some(format!("{}.{} %", tenths / 10, tenths % 10))
+    Some(format!(
+        "{}{}{} %",
+        tenths / 10,
+        tr!("decimal mark" => "."),
+        tenths % 10
+    ))
 }
 
 /// The verdict in one sentence. It begins with words that may be made bold.
 pub fn headline(answer: &AuditAnswer) -> Headline {
     let (word, rest) = match answer.status {
-        AuditStatus::Illegal => ("Illegal", illegal(answer)),
-        AuditStatus::Optimal => ("The best", format!(": proved{}.", reach(answer))),
+        AuditStatus::Illegal => (tr!("an audit" => "Illegal"), illegal(answer)),
+        AuditStatus::Optimal => (
+            tr!("an audit" => "The best"),
+            tr!("an audit" => ": proved{reach}.", reach = reach(answer)),
+        ),
         AuditStatus::Unknown => (
-            "Legal",
-            ". Nothing is known yet of how good it is.".to_owned(),
+            tr!("an audit" => "Legal"),
+            tr!(". Nothing is known yet of how good it is.").to_owned(),
         ),
         AuditStatus::Feasible => return feasible(answer),
     };
@@ -45,32 +53,53 @@ pub fn headline(answer: &AuditAnswer) -> Headline {
 }
 
 fn illegal(answer: &AuditAnswer) -> String {
-    let violations = count(answer.violations.len(), "violation");
-    format!(": {violations} of the rules.")
+    tr!(
+        "behind: Illegal" => ": {n} violation of the rules." | ": {n} violations of the rules."
+            % answer.violations.len()
+    )
 }
 
 fn feasible(answer: &AuditAnswer) -> Headline {
     let say = |word: String, rest: String| Headline { word, rest };
     let Some((cost, own, bound)) = first(answer) else {
-        return say("Legal".to_owned(), ".".to_owned());
+        return say(tr!("an audit" => "Legal").to_owned(), ".".to_owned());
     };
     let (among, called) = (among(answer), name(cost));
     let is_reached = best_known(answer).is_some_and(|best| best.get(cost) == bound);
     let above = match percent(own, bound) {
         _ if own == bound => {
-            let word = format!("The best {called}");
-            return say(word, format!(": proved{}.{}", reach(answer), later(answer)));
+            let word = tr!("an audit" => "The best {cost}", cost = called);
+            return say(
+                word,
+                tr!(
+                    "an audit" => ": proved{reach}.{later}",
+                    reach = reach(answer),
+                    later = later(answer)
+                ),
+            );
         }
-        Some(percent) => format!("{percent} above the best"),
-        None => format!("{} above the best", own - bound),
+        Some(percent) => tr!("{percent} above the best", percent),
+        None => tr!("{bound} above the best", bound = own - bound),
     };
     if is_reached {
         let of_those = reach(answer);
-        let rest = format!(": its {called} is {own}, and the least is {bound}{of_those}.");
+        let rest = tr!(
+            ": its {cost} is {own}, and the least is {bound}{of_those}.",
+            cost = called,
+            own,
+            bound,
+            of_those
+        );
         say(above, rest)
     } else {
-        let rest = format!(": its {called} is {own}, and no plan{among} has less than {bound}.");
-        say(format!("At most {above}"), rest)
+        let rest = tr!(
+            ": its {cost} is {own}, and no plan{among} has less than {bound}.",
+            cost = called,
+            own,
+            among,
+            bound
+        );
+        say(tr!("At most {above}", above), rest)
     }
 }
 
@@ -84,14 +113,28 @@ fn later(answer: &AuditAnswer) -> String {
         match answer.bounds.get(&cost) {
             Some(&bound) if bound == n => {}
             Some(&bound) if best_known(answer).is_some_and(|best| best.get(cost) == bound) => {
-                return format!(" Its {called} is {n}, and the least of those plans {bound}.");
-            }
-            Some(&bound) => {
-                return format!(
-                    " Its {called} is {n}, and of those plans none has less than {bound}."
+                return tr!(
+                    " Its {cost} is {n}, and the least of those plans {bound}.",
+                    cost = called,
+                    n,
+                    bound
                 );
             }
-            None => return format!(" Of its {called}, {n}, nothing is proved yet."),
+            Some(&bound) => {
+                return tr!(
+                    " Its {cost} is {n}, and of those plans none has less than {bound}.",
+                    cost = called,
+                    n,
+                    bound
+                );
+            }
+            None => {
+                return tr!(
+                    " Of its {cost}, {n}, nothing is proved yet.",
+                    cost = called,
+                    n
+                );
+            }
         }
     }
     String::new()
@@ -104,29 +147,29 @@ pub fn notes(answer: &AuditAnswer) -> Vec<String> {
         && let Some((cost, own, bound)) = first(answer)
         && own < bound
     {
-        notes.push(format!(
-            "Its {} is {own}, and every legal plan{} has at least {bound}. So it had to break a rule.",
-            name(cost),
-            among(answer)
-        ));
+        notes.push(tr!("Its {cost} is {own}, and every legal plan{among} has at least {bound}. So it had to break a rule.", cost = name(cost), own, among = among(answer), bound));
     }
     match (&answer.better_costs, answer.legal) {
         (Some(better), legal) => {
-            let kind = if legal { "better" } else { "legal" };
             let costs = values(answer.objective.costs(), better);
             let proved = if answer.search == Status::Optimal {
-                format!("; it is the best: proved{}", reach(answer))
+                tr!("; it is the best: proved{reach}", reach = reach(answer))
             } else {
                 String::new()
             };
-            notes.push(format!("A {kind} plan was found: {costs}{proved}."));
+            notes.push(if legal {
+                tr!("A better plan was found: {costs}{proved}.", costs, proved)
+            } else {
+                tr!("A legal plan was found: {costs}{proved}.", costs, proved)
+            });
         }
         (None, false) if answer.search == Status::Impossible => {
-            let reach = match answer.within {
-                Some(n) if !answer.complete => format!("within makespan {n}"),
-                _ => FOR_EVER.to_owned(),
-            };
-            notes.push(format!("There is no legal plan, {reach}."));
+            notes.push(match answer.within {
+                Some(n) if !answer.complete => {
+                    tr!("There is no legal plan, within makespan {n}.", n)
+                }
+                _ => tr!("There is no legal plan, no matter how many steps you allow.").to_owned(),
+            });
         }
         _ => {}
     }
@@ -153,14 +196,14 @@ const fn best_known(answer: &AuditAnswer) -> Option<&Costs> {
 fn reach(answer: &AuditAnswer) -> String {
     match among(answer).as_str() {
         "" => String::new(),
-        among => format!(", among plans{among}"),
+        among => tr!(", among plans{among}", among),
     }
 }
 
 /// Among which plans, where not all: ` of makespan at most 40`.
 fn among(answer: &AuditAnswer) -> String {
     match answer.within {
-        Some(within) if !answer.complete => format!(" of makespan at most {within}"),
+        Some(within) if !answer.complete => tr!(" of makespan at most {within}", within),
         _ => String::new(),
     }
 }

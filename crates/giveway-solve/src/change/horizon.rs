@@ -1,7 +1,7 @@
 //! The horizon that a person set, which may lie before the time of a change: what
 //! is past then cannot be any sooner.
 
-use giveway_model::Cost;
+use giveway_model::{Cost, tr};
 
 use super::MethodAnswer;
 use crate::Status;
@@ -21,7 +21,7 @@ pub(super) fn hold_to(within: Option<u32>, mut answer: MethodAnswer) -> MethodAn
         };
         result.complete = false;
         result.within = proved.then_some(within);
-        result.reason = Some("What has already happened takes longer than that.".to_owned());
+        result.reason = Some(tr!("What has already happened takes longer than that.").to_owned());
         (result.plan, result.costs) = (None, None);
         for names in [
             &mut answer.kept,

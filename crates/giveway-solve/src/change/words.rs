@@ -1,6 +1,6 @@
 //! Causes, and what else there is to say of a method, as sentences.
 
-use giveway_model::{Cell, words::and};
+use giveway_model::{Cell, tr, words::and};
 
 use super::{CauseKind, Method, MethodAnswer};
 use crate::solve::clash_sentence;
@@ -13,41 +13,74 @@ pub(super) fn cause(
     cell: Option<Cell>,
     agents: &[String],
 ) -> String {
-    let place = cell.map_or("there".to_owned(), |cell| cell.to_string());
+    let place = cell.map_or_else(
+        || tr!("a place" => "there").to_owned(),
+        |cell| cell.to_string(),
+    );
     let bounds = match method {
-        Method::Revise => "on its old path",
-        Method::Tunnel(_) => "in its tunnel",
-        Method::Replan => "on any path",
+        Method::Revise => tr!("on its old path"),
+        Method::Tunnel(_) => tr!("in its tunnel"),
+        Method::Replan => tr!("on any path"),
     };
     match (kind, method) {
         (CauseKind::Obstacle, Method::Replan) => {
-            format!("{agent} has to go to {place}, where there is an obstacle now.")
+            tr!(
+                "{agent} has to go to {place}, where there is an obstacle now.",
+                agent,
+                place
+            )
         }
         (CauseKind::Obstacle, _) => {
-            format!("An obstacle at {place} blocks the rest of the path of {agent}.")
+            tr!(
+                "An obstacle at {place} blocks the rest of the path of {agent}.",
+                place,
+                agent
+            )
         }
         (CauseKind::Goal, _) => {
-            format!("The goal of {agent} is now {place}, which is not {bounds}.")
+            tr!(
+                "The goal of {agent} is now {place}, which is not {bounds}.",
+                agent,
+                place,
+                bounds
+            )
         }
         (CauseKind::Waypoint, _) => {
-            format!("{agent} has to visit {place}, which is not {bounds}.")
+            tr!(
+                "{agent} has to visit {place}, which is not {bounds}.",
+                agent,
+                place,
+                bounds
+            )
         }
-        (CauseKind::Battery, _) => format!("The battery of {agent} does not last {bounds}."),
-        (CauseKind::NoWay, _) => format!("{agent} cannot do its task {bounds}, even alone."),
+        (CauseKind::Battery, _) => tr!(
+            "The battery of {agent} does not last {bounds}.",
+            agent,
+            bounds
+        ),
+        (CauseKind::NoWay, _) => tr!(
+            "{agent} cannot do its task {bounds}, even alone.",
+            agent,
+            bounds
+        ),
         (CauseKind::Blocked, Method::Replan) => {
             let names: Vec<&str> = agents.iter().map(String::as_str).collect();
             clash_sentence(&names)
         }
         (CauseKind::Blocked, _) if agents.len() < 2 => {
-            format!("{agent} cannot arrive {bounds}, no matter when it waits.")
+            tr!(
+                "{agent} cannot arrive {bounds}, no matter when it waits.",
+                agent,
+                bounds
+            )
         }
-        (CauseKind::Blocked, Method::Revise) => format!(
-            "{} block each other: no matter when they wait, they cannot all keep to their old paths.",
-            list(agents)
+        (CauseKind::Blocked, Method::Revise) => tr!(
+            "{robots} block each other: no matter when they wait, they cannot all keep to their old paths.",
+            robots = list(agents)
         ),
-        (CauseKind::Blocked, Method::Tunnel(_)) => format!(
-            "{} block each other: they cannot all stay in their tunnels.",
-            list(agents)
+        (CauseKind::Blocked, Method::Tunnel(_)) => tr!(
+            "{robots} block each other: they cannot all stay in their tunnels.",
+            robots = list(agents)
         ),
     }
 }
@@ -65,7 +98,11 @@ const TOLD: usize = 12;
 pub fn names(names: &[String]) -> String {
     match names.get(..TOLD) {
         Some(told) if names.len() > TOLD => {
-            format!("{} and {} more", told.join(", "), names.len() - TOLD)
+            tr!(
+                "{names} and {more} more",
+                names = told.join(", "),
+                more = names.len() - TOLD
+            )
         }
         _ => and(names),
     }
@@ -78,7 +115,7 @@ pub fn notes(answer: &MethodAnswer) -> Vec<String> {
         (Some(cause), _) => {
             notes.push(cause.text.clone());
             if let Some(within) = cause.within {
-                notes.push(format!("That is shown up to makespan {within}."));
+                notes.push(tr!("That is shown up to makespan {within}.", within));
             }
         }
         (None, Some(reason)) if answer.result.plan.is_none() => notes.push(reason.clone()),
@@ -87,11 +124,15 @@ pub fn notes(answer: &MethodAnswer) -> Vec<String> {
     if !answer.freed.is_empty() && answer.result.plan.is_some() {
         let names = names(&answer.freed);
         let fewest = if answer.fewest {
-            "freeing fewer robots is not enough"
+            tr!("freeing fewer robots is not enough")
         } else {
-            "freeing fewer robots might be enough"
+            tr!("freeing fewer robots might be enough")
         };
-        notes.push(format!("Free to take any path: {names}; {fewest}."));
+        notes.push(tr!(
+            "Free to take any path: {names}; {fewest}.",
+            names,
+            fewest
+        ));
     }
     notes
 }
@@ -99,7 +140,7 @@ pub fn notes(answer: &MethodAnswer) -> Vec<String> {
 /// Who blocks each other, as part of a sentence.
 fn list(names: &[String]) -> String {
     match names {
-        [] => "The robots".to_owned(),
+        [] => tr!("The robots").to_owned(),
         names => and(names),
     }
 }

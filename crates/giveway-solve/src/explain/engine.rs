@@ -4,6 +4,7 @@
 use std::collections::BTreeMap;
 use std::rc::Rc;
 
+use giveway_model::tr;
 use giveway_model::{
     Costs, Fault, Instance, Objective, Question, Version,
     check::{Report, check_history},
@@ -115,9 +116,9 @@ fn answered(asked: &Asked, budget: &Rc<Budget>, host: &dyn Host) -> Result<Expla
     };
     let best = solved.as_ref().and_then(|it| it.answer.plan.clone());
     let Some(plan) = plan.clone().or_else(|| best.clone()) else {
-        answer
-            .words
-            .push_str("The search ended before there was a plan to ask about.");
+        answer.words.push_str(tr!(
+            "The search ended before there was a plan to ask about."
+        ));
         answer.stats = budget.stats();
         return Ok(answer);
     };
@@ -226,15 +227,18 @@ fn no_plan(
     if let (Some(costs), Some(plan)) = (found.costs, &found.plan) {
         let costs = telling.past.whole_costs(costs, plan);
         let misfit = Misfit::NotSo {
-            is_so: format!("There is a plan, with a makespan of {}.", costs.makespan),
+            is_so: tr!(
+                "There is a plan, with a makespan of {makespan}.",
+                makespan = costs.makespan
+            ),
             ask: Some(Question::Makespan),
         };
         return Err(Refusal::Question { misfit });
     }
     if found.status == Status::Unknown {
-        answer
-            .words
-            .push_str("The search ended early. There may be a plan; none was found yet.");
+        answer.words.push_str(tr!(
+            "The search ended early. There may be a plan; none was found yet."
+        ));
         answer.stats = telling.budget.stats();
         return Ok(());
     }
@@ -261,7 +265,7 @@ fn solved(
     let solved = solve::solve(&task);
     if solved.answer.status == Status::Impossible {
         let misfit = Misfit::NotSo {
-            is_so: "There is no plan to ask about.".to_owned(),
+            is_so: tr!("There is no plan to ask about.").to_owned(),
             ask: Some(Question::Unsolvable),
         };
         return Err(Refusal::Question { misfit });

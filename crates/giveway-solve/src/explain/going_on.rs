@@ -1,5 +1,6 @@
 //! The agents that go on from a time on, as an instance has them.
 
+use giveway_model::tr;
 use giveway_model::{
     Agent, Battery, Cell, Costs, Plan,
     change::{History, Timeline, Trajectory, Whereabouts},
@@ -100,10 +101,11 @@ impl<'a> Resting<'a> {
                 .ok()
                 .filter(|_| !done || level >= floor);
             let Some(initial) = level else {
-                return Err(refused(format!(
-                    "The battery of {} is empty at time {since}. Questions about the time after \
+                return Err(refused(tr!(
+                    "The battery of {name} is empty at time {since}. Questions about the time after \
                      that cannot be answered.",
-                    timeline.name()
+                    name = timeline.name(),
+                    since
                 )));
             };
             agent.battery = Some(Battery { initial, ..battery });

@@ -10,6 +10,7 @@
 use std::collections::BTreeMap;
 use std::rc::Rc;
 
+use giveway_model::tr;
 use giveway_model::{
     Costs, Instance, Plan, Question,
     change::History,
@@ -192,17 +193,19 @@ impl Past {
             return misfit;
         };
         let about = |what: &str| Misfit::NotSo {
-            is_so: format!(
-                "{what} already at its goal at time {since}, and the past cannot change."
+            is_so: tr!(
+                "{what} already at its goal at time {since}, and the past cannot change.",
+                what,
+                since
             ),
             ask: None,
         };
         let told = match (question, misfit) {
             (Question::Arrival { agent }, Misfit::NotSo { ask: None, .. }) => {
-                return about(&format!("{agent} was"));
+                return about(&tr!("{agent} was", agent));
             }
             (Question::Makespan | Question::SumOfCosts, Misfit::NotSo { ask: None, .. }) => {
-                return about("Every robot was");
+                return about(tr!("Every robot was"));
             }
             (_, misfit @ Misfit::Fault { .. }) => misfit,
             (_, misfit) => {
@@ -213,7 +216,7 @@ impl Past {
         };
         match told {
             Misfit::NotSo { is_so, ask } => Misfit::NotSo {
-                is_so: format!("From time {since} on: {is_so}"),
+                is_so: tr!("From time {since} on: {is_so}", since, is_so),
                 ask,
             },
             fault @ Misfit::Fault { .. } => fault,

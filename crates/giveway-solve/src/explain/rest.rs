@@ -6,6 +6,7 @@
 //! rest begins at the first later time without. What an arrived agent adds to
 //! the costs when it is woken, no instance can say either: [`Past`] does.
 
+use giveway_model::tr;
 use giveway_model::{
     Costs, Instance, Objective, Plan, Question, Scene, Version,
     change::{History, MAX_TIME, Trajectory, Whereabouts},
@@ -57,9 +58,11 @@ pub(crate) fn rest_of(
     let members = resting.members()?;
     let question_now = resting.question(question, &members)?;
     if let Some(within) = request.within.filter(|within| *within < since) {
-        return Err(refused(format!(
+        return Err(refused(tr!(
             "Nothing can be asked about plans that end by time {within}: the question is about \
-             the plan from time {since} on."
+             the plan from time {since} on.",
+            within,
+            since
         )));
     }
     let objective = instance.objective();
@@ -77,17 +80,20 @@ pub(crate) fn rest_of(
     if solvable {
         let told = past.told_costs(&rest, &rest_plan);
         if told != costs_over_time(&history, plan) || !past.check(&rest, &rest_plan).is_empty() {
-            return Err(refused(format!(
-                "The plan from time {since} on cannot be separated from what happened before."
+            return Err(refused(tr!(
+                "The plan from time {since} on cannot be separated from what happened before.",
+                since
             )));
         }
         let idle = members.iter().any(|member| member.share.idle > 0);
         let counts = objective.costs().contains(&giveway_model::Cost::Waits)
             || matches!(question, Question::Waits { .. });
         if idle && counts {
-            return Err(refused(format!(
+            return Err(refused(tr!(
                 "Waits cannot be compared from time {since} on: a robot has been at its goal \
-                 since time {changed}, and whether that is waiting depends on what it does later."
+                 since time {changed}, and whether that is waiting depends on what it does later.",
+                since,
+                changed
             )));
         }
     }
@@ -141,10 +147,10 @@ fn first_standing(
             .find_map(|trajectory| {
                 let name = trajectory.timeline.name();
                 if !matches!(trajectory.place(time), Whereabouts::At(_)) {
-                    return Some(format!("{name} is in the middle of a slow move"));
+                    return Some(tr!("{name} is in the middle of a slow move", name));
                 }
                 let held = trajectory.timeline.is_held(time);
-                held.then(|| format!("{name} has broken down"))
+                held.then(|| tr!("{name} has broken down", name))
             });
         let Some(away) = away else { return Ok(time) };
         why = away;
@@ -153,8 +159,10 @@ fn first_standing(
         }
         time += 1;
     }
-    Err(refused(format!(
-        "At time {time} {why}. Questions about the time after that cannot be answered."
+    Err(refused(tr!(
+        "At time {time} {why}. Questions about the time after that cannot be answered.",
+        time,
+        why
     )))
 }
 
@@ -169,10 +177,12 @@ impl Resting<'_> {
         for Member { agent, .. } in members {
             let mut cells = agent.waypoints.iter().chain([&agent.goal]);
             if let Some(cell) = cells.find(|&&cell| !grid.is_vertex(cell)) {
-                return Err(refused(format!(
-                    "There is no plan from time {} on, because {} has to go to {cell}, where \
+                return Err(refused(tr!(
+                    "There is no plan from time {changed} on, because {agent} has to go to {cell}, where \
                      there is an obstacle.",
-                    self.changed, agent.name
+                    changed = self.changed,
+                    agent = agent.name,
+                    cell
                 )));
             }
         }
@@ -238,8 +248,10 @@ impl Resting<'_> {
             let is_there = members.iter().any(|member| member.agent.name == name);
             let mut timelines = self.history.timelines().iter();
             if !is_there && timelines.any(|timeline| timeline.name() == name) {
-                return Err(refused(format!(
-                    "{name} is no longer there at time {since}."
+                return Err(refused(tr!(
+                    "{name} is no longer there at time {since}.",
+                    name,
+                    since
                 )));
             }
         }
@@ -252,9 +264,11 @@ impl Resting<'_> {
             _ => None,
         };
         if let Some(time) = time.filter(|time| *time < since) {
-            return Err(refused(format!(
+            return Err(refused(tr!(
                 "Time {time} is already past: the question is about the plan from time {since} \
-                 on, and the past cannot change."
+                 on, and the past cannot change.",
+                time,
+                since
             )));
         }
         if let Question::Wait {
@@ -269,9 +283,11 @@ impl Resting<'_> {
             && let (Some(trajectory), Some(before)) = (&member.trajectory, since.checked_sub(1))
             && trajectory.at(before) == trajectory.at(since)
         {
-            return Err(refused(format!(
+            return Err(refused(tr!(
                 "{agent} was already waiting before the change. Ask about its wait from time \
-                 {since} on."
+                 {since} on.",
+                agent,
+                since
             )));
         }
         // Of an interval that began before, what is left.

@@ -1,5 +1,6 @@
 //! An answer about the rest of a course as one about the whole.
 
+use giveway_model::tr;
 use giveway_model::{
     Cell, Cost, Costs, Plan,
     change::{Timeline, Trajectory},
@@ -45,9 +46,10 @@ impl Past {
         }
         if !answer.words.is_empty() {
             let since = course.since;
-            answer.words = format!(
-                "This is about the plan from time {since} on. {}",
-                answer.words
+            answer.words = tr!(
+                "This is about the plan from time {since} on. {answer}",
+                since,
+                answer = answer.words
             );
         }
         answer
@@ -91,7 +93,7 @@ fn without_other(mut answer: ExplainAnswer) -> ExplainAnswer {
     answer.core = None;
     answer.repairs.clear();
     answer.exhaustive = false;
-    "The plan that was found does not fit what happened before, so nothing is claimed."
+    tr!("The plan that was found does not fit what happened before, so nothing is claimed.")
         .clone_into(&mut answer.words);
     answer
 }

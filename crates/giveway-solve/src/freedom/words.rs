@@ -1,14 +1,14 @@
 //! What must be so, in sentences: one text for the page and the command.
 
-use giveway_model::words::{count, grouped, name, value, values};
-use giveway_model::{Cost, Objective};
+use giveway_model::words::{grouped, name, value, values};
+use giveway_model::{Cost, Objective, tr};
 
 use super::{
     About, Closed, CriticalCell, Farthest, FreedomAnswer, Hold, Known, Later, Need, PlanCount,
     Slack, Visit, same_steps,
 };
 use crate::Status;
-use crate::words::{FOR_EVER, Headline};
+use crate::words::Headline;
 
 /// What is known of the plan in one sentence, with the number of best plans.
 pub fn headline(answer: &FreedomAnswer) -> Headline {
@@ -22,38 +22,49 @@ pub fn headline(answer: &FreedomAnswer) -> Headline {
         Status::Optimal => {
             let plans = answer.plans.as_ref();
             let plans = plans.map_or_else(String::new, |it| format!(" {}", plans_found(it.number)));
-            say("Optimal", format!(": {costs}.{plans}"))
+            say(tr!("an answer" => "Optimal"), format!(": {costs}.{plans}"))
         }
         Status::Feasible => say(
-            "Not proved best",
-            format!(": {costs}. What must be so is only known of best plans."),
+            tr!("Not proved best"),
+            tr!(
+                ": {costs}. What must be so is only known of best plans.",
+                costs
+            ),
         ),
-        Status::Impossible => say(
-            "No plan",
-            match answer.within.filter(|_| !answer.complete) {
-                Some(within) => format!(" within makespan {within}."),
-                None => format!(" exists, {FOR_EVER}."),
-            },
-        ),
-        Status::Unknown => say("No plan yet", ": time ran out.".to_owned()),
+        Status::Impossible => match answer.within.filter(|_| !answer.complete) {
+            Some(n) => say(
+                tr!("an answer" => "No plan"),
+                tr!("behind: No plan" => " within makespan {n}.", n),
+            ),
+            None => say(
+                tr!("an answer, before: exists" => "No plan"),
+                tr!("behind: No plan" => " exists, no matter how many steps you allow.").to_owned(),
+            ),
+        },
+        Status::Unknown => say(tr!("No plan yet"), tr!(": time ran out.").to_owned()),
     }
 }
 
 /// That the plan is not the one that was handed in, where it is not.
 pub fn about(answer: &FreedomAnswer) -> Option<&'static str> {
     let better = answer.about == About::Better && answer.status == Status::Optimal;
-    better.then_some("Your plan is not the best. This is about a better one.")
+    better.then_some(tr!(
+        "Your plan is not the best. This is about a better one."
+    ))
 }
 
 /// `There are 15 best plans.`
 pub fn plans_found(number: PlanCount) -> String {
     match number {
-        PlanCount::Exactly(1) => "There is no other best plan.".to_owned(),
-        PlanCount::Exactly(n) => format!("There are {} best plans.", grouped(n.into())),
-        PlanCount::MoreThan(n) => format!("There are more than {} best plans.", grouped(n.into())),
+        PlanCount::Exactly(1) => tr!("There is no other best plan.").to_owned(),
+        PlanCount::Exactly(n) => tr!("There are {many} best plans.", many = grouped(n.into())),
+        PlanCount::MoreThan(n) => tr!(
+            "There are more than {many} best plans.",
+            many = grouped(n.into())
+        ),
         PlanCount::AtLeast(n) => {
-            let plans = count(n, "best plan");
-            format!("{plans} found so far. There may be more.")
+            tr!("{n} best plan found so far. There may be more."
+                | "{n} best plans found so far. There may be more." % n)
         }
     }
 }
@@ -61,9 +72,9 @@ pub fn plans_found(number: PlanCount) -> String {
 /// `3 ways`, `1 way`, `more than 100 ways`.
 pub fn ways(number: PlanCount) -> String {
     match number {
-        PlanCount::Exactly(n) => count(n, "way"),
-        PlanCount::MoreThan(n) => format!("more than {}", count(n, "way")),
-        PlanCount::AtLeast(n) => format!("at least {}", count(n, "way")),
+        PlanCount::Exactly(n) => tr!("{n} way" | "{n} ways" % n),
+        PlanCount::MoreThan(n) => tr!("more than {n} way" | "more than {n} ways" % n),
+        PlanCount::AtLeast(n) => tr!("at least {n} way" | "at least {n} ways" % n),
     }
 }
 
@@ -86,7 +97,11 @@ pub fn product(answer: &FreedomAnswer) -> Option<String> {
         return None;
     }
     let factors: Vec<String> = factors.iter().map(u32::to_string).collect();
-    Some(format!("{} = {total} best plans", factors.join(" × ")))
+    Some(tr!(
+        "{factors} = {total} best plans",
+        factors = factors.join(" × "),
+        total
+    ))
 }
 
 /// `11 of 19 steps are the same in every best plan.`
@@ -96,13 +111,21 @@ pub fn backbone(answer: &FreedomAnswer) -> Option<String> {
     let (same, all) = each.fold((0, 0), |(same, all), (s, a)| (same + s, all + a));
     let open = backbone.values().flatten().any(is_open);
     Some(if all == 0 {
-        "No robot has to do anything.".to_owned()
+        tr!("No robot has to do anything.").to_owned()
     } else if same == all {
-        "Every step is the same in every best plan.".to_owned()
+        tr!("Every step is the same in every best plan.").to_owned()
     } else if open {
-        format!("At least {same} of {all} steps are the same in every best plan.")
+        tr!(
+            "At least {same} of {all} steps are the same in every best plan.",
+            same,
+            all
+        )
     } else {
-        format!("{same} of {all} steps are the same in every best plan.")
+        tr!(
+            "{same} of {all} steps are the same in every best plan.",
+            same,
+            all
+        )
     })
 }
 
@@ -113,28 +136,31 @@ fn is_open(visit: &Visit) -> bool {
 /// How late a robot could be: `A1 could be 3 steps late without harm`.
 pub fn late(agent: &str, slack: &Slack) -> String {
     match slack.late() {
-        None => format!("{agent} has nothing to do"),
-        Some(Hold::Steps(0)) => format!("{agent} has no step to spare somewhere on its way"),
+        None => tr!("{agent} has nothing to do", agent),
+        Some(Hold::Steps(0)) => tr!("{agent} has no step to spare somewhere on its way", agent),
         Some(Hold::Steps(steps)) => {
-            let steps = count(steps, "step");
-            format!("{agent} could be {steps} late without harm")
+            tr!(
+                "{agent} could be {n} step late without harm"
+                    | "{agent} could be {n} steps late without harm" % steps,
+                agent
+            )
         }
-        Some(_) => format!("{agent} can be as late as it likes without harm"),
+        Some(_) => tr!("{agent} can be as late as it likes without harm", agent),
     }
 }
 
 /// How much later a robot could arrive if the others planned anew.
 pub fn later(slack: &Slack) -> String {
     match slack.arrival {
-        Later::Exactly(0) => "arrives no later in any best plan".to_owned(),
+        Later::Exactly(0) => tr!("arrives no later in any best plan").to_owned(),
         Later::Exactly(steps) => {
-            let steps = count(steps, "step");
-            format!("arrives up to {steps} later in other best plans")
+            tr!("arrives up to {n} step later in other best plans"
+                | "arrives up to {n} steps later in other best plans" % steps)
         }
-        Later::AtLeast(0) => "may arrive later in other best plans; that is open".to_owned(),
+        Later::AtLeast(0) => tr!("may arrive later in other best plans; that is open").to_owned(),
         Later::AtLeast(steps) => {
-            let steps = count(steps, "step");
-            format!("arrives at least {steps} later in some best plan")
+            tr!("arrives at least {n} step later in some best plan"
+                | "arrives at least {n} steps later in some best plan" % steps)
         }
     }
 }
@@ -145,12 +171,12 @@ pub fn closed(it: &CriticalCell, objective: &Objective) -> String {
     match &it.closed {
         Closed::Impossible { needed, .. } => {
             let needed = match needed {
-                None => "no plan is left",
-                Some(Need::Start) => "a robot starts there",
-                Some(Need::Goal) => "a robot has to arrive there",
-                Some(Need::Waypoint) => "a robot has to visit it",
+                None => tr!("no plan is left"),
+                Some(Need::Start) => tr!("a robot starts there"),
+                Some(Need::Goal) => tr!("a robot has to arrive there"),
+                Some(Need::Waypoint) => tr!("a robot has to visit it"),
             };
-            format!("Close {cell}: {needed}")
+            tr!("Close {cell}: {outcome}", cell, outcome = needed)
         }
         Closed::Optimal { costs, deltas, .. } => {
             let changed = objective.costs().iter().find_map(|cost| {
@@ -158,18 +184,26 @@ pub fn closed(it: &CriticalCell, objective: &Objective) -> String {
                 (delta != 0).then_some((*cost, delta))
             });
             match changed {
-                None => format!("Close {cell}: nothing is lost"),
+                None => tr!("Close {cell}: nothing is lost", cell),
                 Some((cost, delta)) => {
                     let now = costs.get(cost);
                     let before = i64::from(now) - delta;
-                    format!("Close {cell}: {}, not {before}", value(cost, now))
+                    tr!(
+                        "Close {cell}: {cost}, not {before}",
+                        cell,
+                        cost = value(cost, now),
+                        before
+                    )
                 }
             }
         }
         Closed::Unknown { worse: true } => {
-            format!("Close {cell}: no plan stays as good; how much it costs is open")
+            tr!(
+                "Close {cell}: no plan stays as good; how much it costs is open",
+                cell
+            )
         }
-        Closed::Unknown { worse: false } => format!("Close {cell}: open"),
+        Closed::Unknown { worse: false } => tr!("Close {cell}: open", cell),
     }
 }
 
@@ -177,7 +211,7 @@ pub fn closed(it: &CriticalCell, objective: &Objective) -> String {
 /// `no plan`; nothing where closing it costs nothing, or somebody needs the very cell.
 pub fn mark(it: &CriticalCell, objective: &Objective) -> Option<String> {
     match &it.closed {
-        Closed::Impossible { needed: None, .. } => Some("no plan".to_owned()),
+        Closed::Impossible { needed: None, .. } => Some(tr!("no plan").to_owned()),
         Closed::Impossible { .. } => None,
         Closed::Unknown { worse } => worse.then(|| "?".to_owned()),
         Closed::Optimal { deltas, .. } => {
@@ -191,9 +225,9 @@ pub fn mark(it: &CriticalCell, objective: &Objective) -> Option<String> {
     }
 }
 
-const fn short(cost: Cost) -> &'static str {
+fn short(cost: Cost) -> &'static str {
     match cost {
-        Cost::SumOfCosts => "sum",
+        Cost::SumOfCosts => tr!("sum of costs, in short" => "sum"),
         cost => name(cost),
     }
 }
@@ -201,14 +235,21 @@ const fn short(cost: Cost) -> &'static str {
 /// How different another best plan is.
 pub fn farthest(farthest: &Farthest) -> String {
     match farthest {
-        Farthest::Only => "There is no other best plan.".to_owned(),
-        Farthest::Unknown => "Whether there is another best plan is open.".to_owned(),
+        Farthest::Only => tr!("There is no other best plan.").to_owned(),
+        Farthest::Unknown => tr!("Whether there is another best plan is open.").to_owned(),
         Farthest::Found { differs, most, .. } => {
-            let places = count(*differs, "place");
             if most.is_proved() {
-                format!("Another best plan differs in {places}. No best plan differs in more.")
+                tr!(
+                    "Another best plan differs in {n} place. No best plan differs in more."
+                        | "Another best plan differs in {n} places. No best plan differs in more."
+                            % *differs
+                )
             } else {
-                format!("Another best plan differs in {places}. There may be a more different one.")
+                tr!(
+                    "Another best plan differs in {n} place. There may be a more different one."
+                        | "Another best plan differs in {n} places. There may be a more different one."
+                            % *differs
+                )
             }
         }
     }

@@ -179,7 +179,7 @@ fn end(outcome: &Outcome, teller: &Teller) -> PlanEnd {
                 reason: words::stuck(arrived, teller.names.len()),
             },
             Halt::Effort => PlanEnd::Stopped {
-                reason: words::EFFORT.to_owned(),
+                reason: words::EFFORT.text().to_owned(),
             },
         },
         Outcome::Refused { lack } => PlanEnd::Refused {

@@ -3,10 +3,12 @@
 mod order;
 mod tree;
 
+use giveway_model::words::Later;
 use giveway_model::words::{and, name, sentence, values};
+use giveway_model::{tr, tr_later};
 
 use super::{Lack, PlanAnswer, PlanEnd, StuckAgent};
-use crate::words::{FOR_EVER, Headline};
+use crate::words::Headline;
 
 pub use order::{around, why_stuck};
 pub use tree::{branch, conflict, conflict_lines, constraint, moment, parties, subject};
@@ -20,43 +22,54 @@ pub fn headline(answer: &PlanAnswer) -> Headline {
     let costs = answer.costs.unwrap_or_default();
     let costs = || values(answer.objective.costs(), &costs);
     match &answer.ended {
-        PlanEnd::Best { .. } => say("Best plan", format!(": {}.", costs())),
-        PlanEnd::Found => say("Plan found", format!(": {}.", costs())),
+        PlanEnd::Best { .. } => say(tr!("an answer" => "Best plan"), format!(": {}.", costs())),
+        PlanEnd::Found => say(tr!("an answer" => "Plan found"), format!(": {}.", costs())),
         PlanEnd::NoOrderWorks { tried: 1, stuck } => say(
-            "This order does not work",
+            tr!("This order does not work"),
             format!(": {}.", is_stuck(stuck)),
         ),
         PlanEnd::NoOrderWorks { tried, stuck } => {
             let last = is_stuck(stuck);
             say(
-                "No plan found",
-                format!(": none of {tried} orders works. In the last, {last}."),
+                tr!("an answer" => "No plan found"),
+                tr!(
+                    ": none of {tried} orders works. In the last, {last}.",
+                    tried,
+                    last
+                ),
             )
         }
         PlanEnd::Stopped { reason } if answer.plan.is_some() => {
             let rest = format!(": {}. {}", costs(), sentence(reason));
-            say("Best so far", rest)
+            say(tr!("an answer" => "Best so far"), rest)
         }
-        PlanEnd::Stopped { reason } => say(&sentence(reason), NONE_YET.to_owned()),
+        PlanEnd::Stopped { reason } => say(&sentence(reason), NONE_YET.text().to_owned()),
         PlanEnd::Horizon { within } => say(
-            "No plan found",
-            format!(": there is none of makespan at most {within}. There may be a longer one."),
+            tr!("an answer" => "No plan found"),
+            tr!(
+                ": there is none of makespan at most {within}. There may be a longer one.",
+                within
+            ),
         ),
         PlanEnd::Refused { lack } => {
             let title = answer.planner.title();
             say(
-                "Not for this planner",
+                tr!("Not for this planner"),
                 format!(": {title} {}.", cannot(lack)),
             )
         }
         PlanEnd::Alone { agent } => say(
-            "No plan exists",
-            format!(", {FOR_EVER}: {agent} cannot do its task, even alone."),
+            tr!("an answer" => "No plan exists"),
+            tr!(
+                "behind: No plan exists" => ", no matter how many steps you allow: {agent} cannot do its task, even alone.",
+                agent
+            ),
         ),
     }
 }
 
-const NONE_YET: &str = " There may be a plan; none was found yet.";
+const NONE_YET: Later =
+    tr_later!("behind a sentence" => " There may be a plan; none was found yet.");
 
 /// What else is to be said, a sentence each: how far a claim reaches, what is
 /// proved, what may help.
@@ -65,25 +78,31 @@ pub fn notes(answer: &PlanAnswer) -> Vec<String> {
     let mut notes = Vec::new();
     match (&answer.ended, first) {
         (PlanEnd::Best { within: None }, Some(&cost)) => {
-            notes.push(format!("No plan has a smaller {}, {FOR_EVER}.", name(cost)));
+            notes.push(tr!(
+                "No plan has a smaller {cost}, no matter how many steps you allow.",
+                cost = name(cost)
+            ));
         }
         (PlanEnd::Best { within: Some(n) }, Some(&cost)) => {
             let cost = name(cost);
-            notes.push(format!(
-                "No plan of makespan at most {n} has a smaller {cost}; a longer one might."
+            notes.push(tr!(
+                "No plan of makespan at most {n} has a smaller {cost}; a longer one might.",
+                n,
+                cost
             ));
         }
-        (PlanEnd::Found, _) => notes.push("There may be better plans.".to_owned()),
+        (PlanEnd::Found, _) => notes.push(tr!("There may be better plans.").to_owned()),
         (PlanEnd::NoOrderWorks { .. }, _) => {
-            notes.push("Another order or another planner may find a plan.".to_owned());
+            notes.push(tr!("Another order or another planner may find a plan.").to_owned());
         }
         _ => {}
     }
     let is_best = matches!(answer.ended, PlanEnd::Best { .. });
     for (&cost, &bound) in answer.bounds.iter().filter(|_| !is_best) {
-        notes.push(format!(
-            "Proved so far: {} is at least {bound}.",
-            name(cost)
+        notes.push(tr!(
+            "Proved so far: {cost} is at least {bound}.",
+            cost = name(cost),
+            bound
         ));
     }
     notes
@@ -94,35 +113,48 @@ fn is_stuck(stuck: &StuckAgent) -> String {
     let StuckAgent { agent, around } = stuck;
     let around: Vec<&str> = around.iter().map(String::as_str).collect();
     match around.as_slice() {
-        [] => format!("{agent} has no way that is left free"),
-        around => format!("{agent} cannot get past {}", and(around)),
+        [] => tr!("{agent} has no way that is left free", agent),
+        around => tr!(
+            "{agent} cannot get past {others}",
+            agent,
+            others = and(around)
+        ),
     }
 }
 
 /// What follows the name of the planner.
 fn cannot(lack: &Lack) -> String {
     match lack {
-        Lack::Batteries { agent } => format!("cannot plan for batteries, and {agent} has one"),
-        Lack::Waypoints { agent } => format!("cannot plan for waypoints, and {agent} has some"),
+        Lack::Batteries { agent } => tr!("cannot plan for batteries, and {agent} has one", agent),
+        Lack::Waypoints { agent } => tr!("cannot plan for waypoints, and {agent} has some", agent),
         Lack::ManyWaypoints { agent } => {
-            format!("cannot plan for as many waypoints as {agent} has")
+            tr!("cannot plan for as many waypoints as {agent} has", agent)
         }
-        Lack::SlowZones => "cannot plan for slow zones".to_owned(),
+        Lack::SlowZones => tr!("cannot plan for slow zones").to_owned(),
         Lack::SharedGoals { agents: [a, b] } => {
-            format!("needs a goal of its own for each robot, and {a} and {b} share one")
+            tr!(
+                "needs a goal of its own for each robot, and {a} and {b} share one",
+                a,
+                b
+            )
         }
-        Lack::Questions => "cannot plan for what a question asks".to_owned(),
-        Lack::Cost { cost } => format!(
-            "makes makespan or sum of costs least, and the objective begins with {}",
-            name(*cost)
+        Lack::Questions => tr!("cannot plan for what a question asks").to_owned(),
+        Lack::Cost { cost } => tr!(
+            "makes makespan or sum of costs least, and the objective begins with {cost}",
+            cost = name(*cost)
         ),
     }
 }
 
 /// Why a planner that looks no further than the next step ended without a plan.
 pub(super) fn stuck(arrived: usize, all: usize) -> String {
-    format!("Robots stood in each other's way for good: {arrived} of {all} were at their goals.")
+    tr!(
+        "Robots stood in each other's way for good: {arrived} of {all} were at their goals.",
+        arrived,
+        all
+    )
 }
 
 /// Why a planner ended that had looked at enough.
-pub(super) const EFFORT: &str = "The planner gave up: it looked at as much as it ever does.";
+pub(super) const EFFORT: Later =
+    tr_later!("The planner gave up: it looked at as much as it ever does.");

@@ -3,8 +3,8 @@
 
 use std::collections::BTreeMap;
 
-use giveway_model::words::{and, capital, count, lower, name, sentence as full, value, values};
-use giveway_model::{Cost, Objective};
+use giveway_model::words::{and, capital, lower, name, sentence as full, value, values};
+use giveway_model::{Cost, Objective, tr};
 
 use super::{
     AgentLeast, AgentLimit, Cannot, Condition, Core, Entrant, FoundBy, Restart, SearchEvent,
@@ -26,22 +26,32 @@ pub fn sentence(objective: &Objective, event: &SearchEvent) -> String {
         SearchEvent::Plan { costs, by } => {
             let costs = values(objective.costs(), costs);
             match by {
-                FoundBy::Given => format!("The search begins with a plan: {costs}."),
-                by => format!("A plan is found {}: {costs}.", found(*by)),
+                FoundBy::Given => tr!("The search begins with a plan: {costs}.", costs),
+                by => tr!("A plan is found {how}: {costs}.", how = found(*by), costs),
             }
         }
         SearchEvent::Phase { cost, given } => {
             let given = given.iter().map(|(&cost, &n)| value(cost, n));
             let given: Vec<String> = given.collect();
-            let least = match cost {
-                Cost::Makespan | Cost::SumOfCosts => "least",
-                _ => "fewest",
-            };
-            format!("Next: the {least} {} with {}.", name(*cost), and(&given))
+            let given = and(&given);
+            match cost {
+                Cost::Makespan | Cost::SumOfCosts => {
+                    tr!(
+                        "Next: the least {cost} with {given}.",
+                        cost = name(*cost),
+                        given
+                    )
+                }
+                _ => tr!(
+                    "Next: the fewest {cost} with {given}.",
+                    cost = name(*cost),
+                    given
+                ),
+            }
         }
-        SearchEvent::Round { cost } => format!(
-            "Next round: {} allowed so far are limited together.",
-            extra(*cost)
+        SearchEvent::Round { cost } => tr!(
+            "Next round: {extras} allowed so far are limited together.",
+            extras = extra(*cost)
         ),
         SearchEvent::Entered { agents } => entered(agents),
         SearchEvent::Core(core) => under(&core.condition, core.cost, &claim(core)),
@@ -51,17 +61,19 @@ pub fn sentence(objective: &Objective, event: &SearchEvent) -> String {
             to,
             ..
         } => {
-            let claim = format!("No plan has less than {}.", value(*cost, *to));
+            let claim = tr!("No plan has less than {cost}.", cost = value(*cost, *to));
             under(condition, *cost, &claim)
         }
-        SearchEvent::Exhausted { bounds } => format!(
-            "All positions that the robots can be in together were gone through. The least: {}.",
-            told(bounds)
+        SearchEvent::Exhausted { bounds } => tr!(
+            "All positions that the robots can be in together were gone through. The least: {costs}.",
+            costs = told(bounds)
         ),
         SearchEvent::Restarted { why } => match why {
-            Restart::MoreTime => "The proof starts over: the first try was a short one.".to_owned(),
+            Restart::MoreTime => {
+                tr!("The proof starts over: the first try was a short one.").to_owned()
+            }
             Restart::Horizon => {
-                "The proof starts over: plans with the least first cost take too many steps."
+                tr!("The proof starts over: plans with the least first cost take too many steps.")
                     .to_owned()
             }
         },
@@ -100,7 +112,7 @@ pub fn condition(condition: &Condition, cost: Cost) -> Option<String> {
     {
         parts.push(at_most(Cost::Makespan, n));
     }
-    (!parts.is_empty()).then(|| format!("With {}", and(&parts)))
+    (!parts.is_empty()).then(|| tr!("a limit" => "With {limits}", limits = and(&parts)))
 }
 
 /// A claim with the plans that it speaks of.
@@ -120,59 +132,70 @@ fn is_long(core: &Core) -> bool {
 
 fn alone(cost: Cost, agents: &[AgentLeast], at_least: u32) -> String {
     let bound = match cost {
-        Cost::Makespan | Cost::SumOfCosts => format!("{} at least {at_least}", name(cost)),
-        cost => format!("at least {}", value(cost, at_least)),
+        Cost::Makespan | Cost::SumOfCosts => {
+            tr!(
+                "{cost} at least {least}",
+                cost = name(cost),
+                least = at_least
+            )
+        }
+        cost => tr!("at least {cost}", cost = value(cost, at_least)),
     };
     match cost {
         Cost::Makespan => {
             let last = agents.iter().find(|agent| agent.least == at_least);
-            let who = last.map_or("A robot", |agent| agent.agent.as_str());
-            let steps = count(at_least, "step");
-            format!("{who} alone needs {steps}: {bound}.")
+            let who = last.map_or(tr!("A robot"), |agent| agent.agent.as_str());
+            tr!(
+                "{who} alone needs {n} step: {bound}."
+                    | "{who} alone needs {n} steps: {bound}." % at_least,
+                who,
+                bound
+            )
         }
-        Cost::SumOfCosts => format!("Each robot alone, by its fastest way: {bound}."),
-        cost => format!(
-            "Each robot alone, with as few {} as it can: {bound}.",
-            cost.name()
+        Cost::SumOfCosts => tr!("Each robot alone, by its fastest way: {bound}.", bound),
+        cost => tr!(
+            "Each robot alone, with as few {cost} as it can: {bound}.",
+            cost = name(cost),
+            bound
         ),
     }
 }
 
-const fn found(by: FoundBy) -> &'static str {
+fn found(by: FoundBy) -> &'static str {
     match by {
-        FoundBy::Given => "before",
-        FoundBy::Alone => "at once, as the best ways of the robots meet nowhere",
-        FoundBy::Prioritised => "by planning one robot after the other",
-        FoundBy::Lacam => "by LaCAM",
-        FoundBy::Repair => "by repairing collisions, a few robots at a time",
-        FoundBy::Lns => "by planning a few robots anew (neighbourhood search)",
-        FoundBy::Solver => "by the solver",
-        FoundBy::PartlySolver => "by the solver in part, the other robots planned around",
-        FoundBy::Exhaustion => "by going through all positions",
+        FoundBy::Given => tr!("a plan is found" => "before"),
+        FoundBy::Alone => tr!("at once, as the best ways of the robots meet nowhere"),
+        FoundBy::Prioritised => tr!("by planning one robot after the other"),
+        FoundBy::Lacam => tr!("by LaCAM"),
+        FoundBy::Repair => tr!("by repairing collisions, a few robots at a time"),
+        FoundBy::Lns => tr!("by planning a few robots anew (neighbourhood search)"),
+        FoundBy::Solver => tr!("by the solver"),
+        FoundBy::PartlySolver => tr!("by the solver in part, the other robots planned around"),
+        FoundBy::Exhaustion => tr!("by going through all positions"),
     }
 }
 
 fn entered(agents: &[Entrant]) -> String {
     let names: Vec<&str> = agents.iter().map(|agent| agent.agent.as_str()).collect();
     match agents {
-        [one] if one.with.is_empty() => format!(
-            "{} joins the proof: its way around the others costs more than alone.",
-            one.agent
+        [one] if one.with.is_empty() => tr!(
+            "{agent} joins the proof: its way around the others costs more than alone.",
+            agent = one.agent
         ),
-        [one] => format!(
-            "{} joins the proof: it gets in the way of {}.",
-            one.agent,
-            in_a_row(&one.with)
+        [one] => tr!(
+            "{agent} joins the proof: it gets in the way of {others}.",
+            agent = one.agent,
+            others = in_a_row(&one.with)
         ),
         _ => {
             let with = agents.iter().flat_map(|agent| &agent.with);
             let is_among = |name: &String| names.contains(&name.as_str());
-            let whose = if with.into_iter().all(is_among) {
-                "each other's"
+            let who = who(&names);
+            if with.into_iter().all(is_among) {
+                tr!("{who} join the proof: they get in each other's way.", who)
             } else {
-                "others'"
-            };
-            format!("{} join the proof: they get in {whose} way.", who(&names))
+                tr!("{who} join the proof: they get in others' way.", who)
+            }
         }
     }
 }
@@ -186,19 +209,31 @@ fn cannot_alone(core: &Core, limit: &AgentLimit) -> String {
     } = limit;
     let late = at_most.saturating_sub(*least);
     let cannot = match (core.cost, late) {
-        (Cost::Makespan, _) => format!("{agent} cannot arrive by time {at_most}"),
-        (Cost::SumOfCosts, 0) => format!("{agent} cannot be on time"),
+        (Cost::Makespan, _) => tr!(
+            "{agent} cannot arrive by time {time}",
+            agent,
+            time = at_most
+        ),
+        (Cost::SumOfCosts, 0) => tr!("{agent} cannot be on time", agent),
         (Cost::SumOfCosts, late) => {
-            format!("{agent} is at least {} late", count(late + 1, "step"))
+            tr!(
+                "{agent} is at least {n} step late"
+                    | "{agent} is at least {n} steps late" % late + 1,
+                agent
+            )
         }
-        (Cost::Waits, 0) => format!("{agent} cannot do without waiting"),
-        (cost, _) => format!("{agent} needs more than {}", value(cost, *at_most)),
+        (Cost::Waits, 0) => tr!("{agent} cannot do without waiting", agent),
+        (cost, _) => tr!(
+            "{agent} needs more than {cost}",
+            agent,
+            cost = value(cost, *at_most)
+        ),
     };
     // Alone it could, among all plans; among others that may be the reason.
     let plans = &core.condition;
     let are_all = plans.given.is_empty() && plans.at_most.is_none() && plans.within.is_none();
     if are_all && at_most >= least {
-        format!("{cannot}: other robots are in its way.")
+        tr!("{cannot}: other robots are in its way.", cannot)
     } else {
         format!("{cannot}.")
     }
@@ -208,8 +243,8 @@ fn cannot_alone(core: &Core, limit: &AgentLimit) -> String {
 fn cannot_keep(cost: Cost, limits: &[AgentLimit]) -> String {
     let names: Vec<&str> = limits.iter().map(|limit| limit.agent.as_str()).collect();
     let all = match limits.len() {
-        2 => "both ",
-        _ => "all ",
+        2 => tr!("two robots cannot" => "both "),
+        _ => tr!("robots cannot" => "all "),
     };
     let first = limits.first();
     let same = |of: fn(&AgentLimit) -> u32| {
@@ -219,17 +254,26 @@ fn cannot_keep(cost: Cost, limits: &[AgentLimit]) -> String {
     let who = who(&names);
     if cost == Cost::Makespan {
         return match same(|limit| limit.at_most) {
-            Some(by) => format!("{who} cannot {all}arrive by time {by}."),
+            Some(by) => tr!("{who} cannot {all}arrive by time {by}.", who, all, by),
             None => one_by_one(cost, limits),
         };
     }
     match (same(|limit| limit.at_most - limit.least), cost) {
-        (Some(0), Cost::SumOfCosts) => format!("{who} cannot {all}be on time."),
-        (Some(0), Cost::Waits) => format!("{who} cannot {all}do without waiting."),
-        (Some(0), _) => format!("{who} cannot {all}have as few {} as alone.", cost.name()),
+        (Some(0), Cost::SumOfCosts) => tr!("{who} cannot {all}be on time.", who, all),
+        (Some(0), Cost::Waits) => tr!("{who} cannot {all}do without waiting.", who, all),
+        (Some(0), _) => tr!(
+            "{who} cannot {all}have as few {cost} as alone.",
+            who,
+            all,
+            cost = name(cost)
+        ),
         (Some(more), Cost::SumOfCosts) => {
-            let steps = count(more, "step");
-            format!("{who} cannot {all}be at most {steps} late.")
+            tr!(
+                "{who} cannot {all}be at most {n} step late."
+                    | "{who} cannot {all}be at most {n} steps late." % more,
+                who,
+                all
+            )
         }
         _ => one_by_one(cost, limits),
     }
@@ -242,37 +286,60 @@ fn one_by_one(cost: Cost, limits: &[AgentLimit]) -> String {
         .map(|limit| {
             let agent = &limit.agent;
             match (cost, limit.at_most - limit.least) {
-                (Cost::Makespan, _) => format!("{agent} arrives by time {}", limit.at_most),
-                (Cost::SumOfCosts, 0) => format!("{agent} is on time"),
+                (Cost::Makespan, _) => tr!(
+                    "{agent} arrives by time {time}",
+                    agent,
+                    time = limit.at_most
+                ),
+                (Cost::SumOfCosts, 0) => tr!("{agent} is on time", agent),
                 (Cost::SumOfCosts, more) => {
-                    format!("{agent} is at most {} late", count(more, "step"))
+                    tr!(
+                        "{agent} is at most {n} step late"
+                            | "{agent} is at most {n} steps late" % more,
+                        agent
+                    )
                 }
-                _ => format!("{agent} has at most {}", value(cost, limit.at_most)),
+                _ => tr!(
+                    "{agent} has at most {cost}",
+                    agent,
+                    cost = value(cost, limit.at_most)
+                ),
             }
         })
         .collect();
-    format!("This is not possible together: {}.", and(&parts))
+    tr!(
+        "This is not possible together: {limits}.",
+        limits = and(&parts)
+    )
 }
 
 /// `Six robots need 6 late steps together; 5 are not enough.` `A1 and A2 need at least 1
 /// late step together.`
 fn need(cost: Cost, agents: &[AgentLeast], more: u32) -> String {
     let names: Vec<&str> = agents.iter().map(|agent| agent.agent.as_str()).collect();
-    let (needs, together) = match names.as_slice() {
-        [_] => ("needs", ""),
-        _ => ("need", " together"),
-    };
+
     let what = match cost {
-        Cost::Makespan | Cost::SumOfCosts => count(more, "late step"),
-        cost => format!("{} more than alone", value(cost, more)),
+        Cost::Makespan | Cost::SumOfCosts => tr!("{n} late step" | "{n} late steps" % more),
+        cost => tr!("{cost} more than alone", cost = value(cost, more)),
     };
     let who = who(&names);
-    let less = match more {
-        0 | 1 => return format!("{who} {needs} at least {what}{together}."),
-        more => more - 1,
-    };
-    let are = if less == 1 { "is" } else { "are" };
-    format!("{who} {needs} {what}{together}; {less} {are} not enough.")
+    let is_one = names.len() == 1;
+    match more {
+        0 | 1 if is_one => tr!("{who} needs at least {what}.", who, what),
+        0 | 1 => tr!("{who} need at least {what} together.", who, what),
+        more if is_one => tr!(
+            "{who} needs {what}; {n} is not enough."
+                | "{who} needs {what}; {n} are not enough." % more - 1,
+            who,
+            what
+        ),
+        more => tr!(
+            "{who} need {what} together; {n} is not enough."
+                | "{who} need {what} together; {n} are not enough." % more - 1,
+            who,
+            what
+        ),
+    }
 }
 
 fn told(costs: &BTreeMap<Cost, u32>) -> String {
@@ -284,13 +351,13 @@ fn met(objective: &Objective, costs: &BTreeMap<Cost, u32>, within: Option<u32>) 
     let known = objective.costs().iter();
     let parts = known.filter_map(|&cost| Some(value(cost, *costs.get(&cost)?)));
     let parts: Vec<String> = parts.collect();
-    let meet = format!("Plan and bound meet: {}.", parts.join(", "));
+    let meet = tr!("Plan and bound meet: {costs}.", costs = parts.join(", "));
     if costs.len() < objective.costs().len() {
         return meet; // (how far that reaches is said in the end)
     }
     match within {
-        None => format!("{meet} No plan is better."),
-        Some(n) => format!("{meet} No plan of makespan at most {n} is better."),
+        None => tr!("{meet} No plan is better.", meet),
+        Some(n) => tr!("{meet} No plan of makespan at most {n} is better.", meet, n),
     }
 }
 
@@ -298,17 +365,18 @@ fn impossible(cannot: &Cannot) -> String {
     let names: Vec<&str> = cannot.agents.iter().map(String::as_str).collect();
     let clash = clash_sentence(&names);
     match cannot.within {
-        None => format!("No plan exists: {}", in_the_middle(&clash)),
-        Some(n) => format!(
-            "No plan of makespan at most {n} exists: {}",
-            in_the_middle(&clash)
+        None => tr!("No plan exists: {why}", why = in_the_middle(&clash)),
+        Some(n) => tr!(
+            "No plan of makespan at most {n} exists: {why}",
+            n,
+            why = in_the_middle(&clash)
         ),
     }
 }
 
 /// `The robots cannot ...` behind a colon; a name stands as it is.
 fn in_the_middle(sentence: &str) -> String {
-    if sentence.starts_with("The robots ") {
+    if sentence == clash_sentence(&[]) {
         lower(sentence)
     } else {
         sentence.to_owned()
@@ -319,7 +387,7 @@ fn ended(objective: &Objective, stopped: &Stopped) -> String {
     let reason = full(&stopped.reason);
     match known(objective, &stopped.bounds, stopped.costs.as_ref()).as_str() {
         "" => reason,
-        known => format!("{reason} Proved so far: {known}."),
+        known => tr!("{reason} Proved so far: {known}.", reason, known),
     }
 }
 
@@ -338,31 +406,33 @@ fn in_a_row<S: AsRef<str>>(names: &[S]) -> String {
         return and(names);
     }
     let number = match names.len() {
-        5 => "five",
-        6 => "six",
-        7 => "seven",
-        8 => "eight",
-        9 => "nine",
-        10 => "ten",
-        11 => "eleven",
-        12 => "twelve",
-        n => return format!("{n} robots"),
+        5 => tr!("five robots"),
+        6 => tr!("six robots"),
+        7 => tr!("seven robots"),
+        8 => tr!("eight robots"),
+        9 => tr!("nine robots"),
+        10 => tr!("ten robots"),
+        11 => tr!("eleven robots"),
+        12 => tr!("twelve robots"),
+        n => return tr!("{n} robot" | "{n} robots" % n),
     };
-    format!("{number} robots")
+    number.to_owned()
 }
 
 fn at_most(cost: Cost, n: u32) -> String {
     match cost {
-        Cost::Makespan | Cost::SumOfCosts => format!("a {} of at most {n}", name(cost)),
-        cost => format!("at most {}", value(cost, n)),
+        Cost::Makespan | Cost::SumOfCosts => {
+            tr!("a limit" => "a {cost} of at most {n}", cost = name(cost), n)
+        }
+        cost => tr!("a limit" => "at most {cost}", cost = value(cost, n)),
     }
 }
 
-const fn extra(cost: Cost) -> &'static str {
+fn extra(cost: Cost) -> &'static str {
     match cost {
-        Cost::Makespan | Cost::SumOfCosts => "late steps",
-        Cost::Charges => "extra charges",
-        Cost::Moves => "extra moves",
-        Cost::Waits => "waits",
+        Cost::Makespan | Cost::SumOfCosts => tr!("late steps"),
+        Cost::Charges => tr!("extra charges"),
+        Cost::Moves => tr!("extra moves"),
+        Cost::Waits => tr!("waits"),
     }
 }

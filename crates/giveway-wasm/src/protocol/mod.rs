@@ -9,6 +9,8 @@
 //! may also break without a word, when the browser gives it no more memory:
 //! then the `Worker` object in the page has an `error` event only.
 //!
+//! A text in the place of bytes is the [language](crate::language) to speak from then on.
+//!
 //! Both ends are the same program, so the bytes need not tell what they are: code
 //! that reads and writes them is a tenth of what JSON would take.
 

@@ -2,6 +2,7 @@
 
 use std::rc::Rc;
 
+use giveway_model::tr;
 use giveway_page::inside::{Chart, InsideAction, Tick};
 use giveway_page::{Action, PlayAction};
 use wasm_bindgen::JsCast;
@@ -82,8 +83,8 @@ pub(super) fn ChartSlider(props: &ChartProps) -> Html {
     html! {
         <>
             { picture(chart) }
-            <div class="chart-slide" role="slider" tabindex="0" aria-label="Step" aria-valuemin="0" aria-valuemax={(count - 1).to_string()}
-                aria-valuenow={chart.head.1.to_string()} aria-valuetext={format!("{} of {}", chart.head.1, count - 1)}
+            <div class="chart-slide" role="slider" tabindex="0" aria-label={tr!("Step")} aria-valuemin="0" aria-valuemax={(count - 1).to_string()}
+                aria-valuenow={chart.head.1.to_string()} aria-valuetext={tr!("{step} of {last}", step = chart.head.1, last = count - 1)}
                 {onpointerdown} {onpointermove} onpointerup={release.clone()} onpointercancel={release} {onkeydown}></div>
         </>
     }
@@ -133,8 +134,8 @@ fn picture(chart: &Chart) -> Html {
             <path class="gaph" d={chart.gap.clone()} />
             <path class="dn" d={chart.best.clone()} />
             <path class="up" d={chart.bound.clone()} />
-            { label("td", chart.names[1], "Best plan so far") }
-            { label("tu", chart.names[0], "Proved: at least") }
+            { label("td", chart.names[1], tr!("Best plan so far")) }
+            { label("tu", chart.names[0], tr!("Proved: at least")) }
             <text class="tt" x={right.to_string()} y="12" text-anchor="end">{ chart.title.clone() }</text>
             <line class="ph" x1={x.to_string()} x2={x.to_string()} y1="22" y2="100%" />
             { dot(1) }{ dot(0) }

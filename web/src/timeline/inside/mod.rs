@@ -7,7 +7,9 @@ mod tree;
 
 use std::rc::Rc;
 
+use giveway_model::tr;
 use giveway_page::inside::{InsideAction, Method, notes, steps};
+use giveway_page::keys::key_name;
 use giveway_page::{Action, State};
 use gloo::timers::callback::Interval;
 use yew::prelude::*;
@@ -43,14 +45,14 @@ pub(super) fn Inside(props: &DockProps) -> Html {
         Method::Orders => "pf-orders",
     };
     html! {
-        <section class={classes!("dock", "pf", "calm", class)} aria-label="How it was proved">
+        <section class={classes!("dock", "pf", "calm", class)} aria-label={tr!("How it was proved")}>
             <div class="transport">
                 { places(state, send) }
                 { keys(state, send) }
                 <span class="grow"></span>
                 { methods(state, send) }
             </div>
-            <Tabs tab={state.view.tab} checks={false} inside={Some(state.inside.method)} send={send.clone()} />
+            <Tabs tab={state.view.tab} checks={false} teaches={false} inside={Some(state.inside.method)} send={send.clone()} />
             { body(props) }
             <p class="vh" aria-live="polite">{ giveway_page::inside::said(state) }</p>
         </section>
@@ -96,11 +98,11 @@ fn keys(state: &State, send: &Callback<Action>) -> Html {
     let steps = steps(state);
     let button = |icon: &'static str,
                   name: &'static str,
-                  key: &str,
+                  key: &'static str,
                   action: InsideAction,
                   on: bool| {
         html! {
-            <button type="button" class="btn ghost round" title={format!("{name} ({key})")} disabled={!on}
+            <button type="button" class="btn ghost round" title={format!("{name} ({})", key_name(key))} disabled={!on}
                 onclick={send.reform(move |_| Action::Inside(action))}>
                 { icon::show(icon) }<span class="vh">{ name }</span>
             </button>
@@ -110,21 +112,21 @@ fn keys(state: &State, send: &Callback<Action>) -> Html {
     let after = steps.as_ref().is_some_and(|steps| steps.has_after);
     let is_playing = steps.as_ref().is_some_and(|steps| steps.is_playing);
     let (icon, name) = if is_playing {
-        ("pause", "Pause")
+        ("pause", tr!("Pause"))
     } else {
-        ("play", "Play")
+        ("play", tr!("Play"))
     };
     let play = send.reform(move |_| Action::Inside(InsideAction::Play(!is_playing)));
     html! {
         <>
             <div class="keys">
-                { button("start", "First step", "Home", InsideAction::First, before) }
-                { button("step-back", "Step before", ",", InsideAction::Back, before) }
-                <button type="button" class="btn playb" title={format!("{name} (Space)")} disabled={!before && !after} onclick={play}>
+                { button("start", tr!("First step"), "Home", InsideAction::First, before) }
+                { button("step-back", tr!("Step before"), ",", InsideAction::Back, before) }
+                <button type="button" class="btn playb" title={tr!("{name} (Space)", name)} disabled={!before && !after} onclick={play}>
                     { icon::show(icon) }<span class="vh">{ name }</span>
                 </button>
-                { button("step", "Next step", ".", InsideAction::Next, after) }
-                { button("end", "Last step", "End", InsideAction::Last, after) }
+                { button("step", tr!("Next step"), ".", InsideAction::Next, after) }
+                { button("end", tr!("Last step"), "End", InsideAction::Last, after) }
             </div>
             if let Some(steps) = steps {
                 <p class="clock"><b>{ steps.at }</b><span>{ format!(" {}", steps.of) }</span></p>

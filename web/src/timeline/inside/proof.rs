@@ -3,6 +3,7 @@
 use std::ops::Range;
 use std::rc::Rc;
 
+use giveway_model::tr;
 use giveway_page::Action;
 use giveway_page::inside::{InsideAction, Kind, ProofRow, chart, rows};
 use giveway_page::timeline::whole;
@@ -153,7 +154,7 @@ pub(super) fn Proof(props: &DockProps) -> Html {
             <div class="chart-at" ref={place}>
                 if let Some(drawn) = drawn { <ChartSlider chart={drawn} {count} send={send.clone()} /> }
             </div>
-            <ol class={classes!("plist", narrow)} aria-label="Steps" ref={list} {onscroll} onkeydown={keys(&focus, send)}>
+            <ol class={classes!("plist", narrow)} aria-label={tr!("Steps")} ref={list} {onscroll} onkeydown={keys(&focus, send)}>
                 { spacer(above) }
                 { for shown.iter().map(|row| show_row(row, count, send)) }
                 { spacer(below) }

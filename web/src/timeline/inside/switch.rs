@@ -1,5 +1,6 @@
 //! The tabs beside the transport: lanes or how they were found; and of which method.
 
+use giveway_model::tr;
 use giveway_page::inside::{InsideAction, Method};
 use giveway_page::{Action, State};
 use gloo::timers::callback::Timeout;
@@ -88,7 +89,7 @@ pub(in crate::timeline) fn places(state: &State, send: &Callback<Action>) -> Htm
     }
     let choose = send.reform(|index| Action::Inside(InsideAction::Show(index == 1)));
     html! {
-        <Switch class="dtabs" label="What stands below the board" names={vec!["Timeline", "How it was proved"]}
+        <Switch class="dtabs" label={tr!("What stands below the board")} names={vec![tr!("Timeline"), tr!("How it was proved")]}
             chosen={usize::from(state.is_inside())} {choose} />
     }
 }
@@ -103,7 +104,7 @@ pub(super) fn methods(state: &State, send: &Callback<Action>) -> Html {
         Action::Inside(InsideAction::By(method))
     });
     html! {
-        <Switch class="mtabs" label="Method" names={Method::ALL.map(Method::title).to_vec()}
+        <Switch class="mtabs" label={tr!("Method")} names={Method::ALL.map(Method::title).to_vec()}
             chosen={chosen.unwrap_or(0)} {choose} />
     }
 }

@@ -1,5 +1,6 @@
 //! The constraint tree: an SVG whose nodes are the items of a tree.
 
+use giveway_model::tr;
 use giveway_page::Action;
 use giveway_page::form;
 use giveway_page::inside::{Fold, InsideAction, NodeBox, TreeView};
@@ -42,7 +43,7 @@ pub(super) fn Tree(props: &TreeProps) -> Html {
     let [lines, on] = view.lines.clone();
     html! {
         <div class="treew lanes" id="lanes" ref={place}>
-            <svg class="tree" role="tree" aria-label="Conflict tree" tabindex="0" width={width.to_string()} height={height.to_string()}
+            <svg class="tree" role="tree" aria-label={tr!("Conflict tree")} tabindex="0" width={width.to_string()} height={height.to_string()}
                 aria-activedescendant={chosen.map(|node| id(node.id))} {onkeydown}>
                 <path class="e" d={lines} role="presentation" />
                 <path class="e on" d={on} role="presentation" />

@@ -32,7 +32,7 @@ fn status(objective: &Objective, answer: &FrontAnswer) -> String {
     let (word, rest) = match (answer.status, within) {
         (Status::Optimal, _) => ("Pareto front", said(true)),
         (Status::Feasible, _) => ("Part of the Pareto front", said(false)),
-        (Status::Impossible, None) => ("No plan exists", format!(", {}.", words::FOR_EVER)),
+        (Status::Impossible, None) => ("No plan exists", format!(", {}.", words::FOR_EVER.text())),
         (Status::Impossible, Some(n)) => ("No plan", format!(" within makespan {n}.")),
         (Status::Unknown, _) => (
             "The search ended early.",

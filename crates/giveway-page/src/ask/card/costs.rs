@@ -1,6 +1,6 @@
 //! What both plans cost: this one and the other one.
 
-use giveway_model::Cost;
+use giveway_model::{Cost, tr};
 
 use crate::timeline::Lane;
 use crate::{Answer, Asking, words};
@@ -22,7 +22,7 @@ impl CostRow {
     /// The difference in words: `same`, `+1`.
     pub fn difference(&self) -> String {
         match i64::from(self.other) - i64::from(self.this) {
-            0 => "same".to_owned(),
+            0 => tr!("a cost is the" => "same").to_owned(),
             more => format!("{more:+}").replace('-', "\u{2212}"),
         }
     }
@@ -58,7 +58,7 @@ pub(super) fn rows(asking: &Asking, other: &Answer) -> Vec<CostRow> {
             && before != after
         {
             rows.push(CostRow {
-                title: format!("{} arrives", who.name),
+                title: tr!("{name} arrives", name = who.name),
                 agent: Some(agent),
                 this: before,
                 other: after,

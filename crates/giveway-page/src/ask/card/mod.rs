@@ -3,7 +3,7 @@
 mod costs;
 mod parts;
 
-use giveway_model::Question;
+use giveway_model::{Question, tr};
 use giveway_solve::explain::{edits_in_words, facts_claim, facts_title, witness_title};
 use giveway_solve::words::reach;
 
@@ -33,7 +33,7 @@ pub fn card(state: &State) -> Option<Card> {
         standing: None,
     };
     let Some(told) = asking.told.as_deref() else {
-        card.pending.push("Looking for the verdict");
+        card.pending.push(tr!("Looking for the verdict"));
         return Some(card);
     };
     card.verdict = Some((badge(told), verdict_words(state, asking, told).to_owned()));
@@ -107,5 +107,5 @@ pub(crate) fn numbers_facts(asking: &Asking) -> bool {
 /// where that is proved.
 pub fn closeness(state: &State) -> Option<&'static str> {
     let told = state.document.mode.asking()?.told.as_deref()?;
-    told.closest.then_some("closest to this plan")
+    told.closest.then_some(tr!("closest to this plan"))
 }

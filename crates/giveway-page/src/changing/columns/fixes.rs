@@ -1,5 +1,6 @@
 //! What would help where no method has a plan.
 
+use giveway_model::tr;
 use giveway_solve::Status;
 
 use crate::State;
@@ -40,12 +41,12 @@ pub fn fixes(state: &State) -> Vec<Fix> {
         };
         fixes.push(Fix::Try(
             all,
-            "Let everyone plan freely (Replan)".to_owned(),
+            tr!("Let everyone plan freely (Replan)").to_owned(),
         ));
         if choice.tunnel && choice.width < WIDEST {
             let width = choice.width + 1;
             let wider = Choice { width, ..choice };
-            fixes.push(Fix::Try(wider, format!("Widen the tunnel to {width}")));
+            fixes.push(Fix::Try(wider, tr!("Widen the tunnel to {width}", width)));
         }
     }
     let listed = changing.list.iter().enumerate();

@@ -3,9 +3,10 @@
 mod fixes;
 mod notes;
 
+use giveway_model::words::Later;
 use std::rc::Rc;
 
-use giveway_model::{Cost, Costs};
+use giveway_model::{Cost, Costs, tr, tr_later};
 use giveway_solve::change::{Method, MethodAnswer};
 
 use super::{Changing, Tried};
@@ -30,7 +31,7 @@ pub struct Column {
     /// Its plan, to preview and to adopt.
     pub answer: Option<Rc<Answer>>,
     /// The name of its board.
-    pub board: &'static str,
+    pub board: Later,
     /// The costs, those of the objective; empty without a plan.
     pub costs: Vec<CostChange>,
     /// What became of the agents; empty without a plan.
@@ -64,7 +65,7 @@ impl CostChange {
     pub fn difference(&self) -> Option<String> {
         let by = i64::from(self.after) - i64::from(self.before?);
         Some(match by {
-            0 => "same".to_owned(),
+            0 => tr!("a cost is the" => "same").to_owned(),
             by => format!("{by:+}").replace('-', "\u{2212}"),
         })
     }
@@ -113,11 +114,11 @@ pub fn columns(state: &State) -> Option<Vec<Column>> {
 }
 
 /// No two boards on the page have the same name, and each method is tried once.
-const fn board(method: Method) -> &'static str {
+const fn board(method: Method) -> Later {
     match method {
-        Method::Revise => "Plan by revise",
-        Method::Tunnel(_) => "Plan by tunnel",
-        Method::Replan => "Plan by replan",
+        Method::Revise => tr_later!("Plan by revise"),
+        Method::Tunnel(_) => tr_later!("Plan by tunnel"),
+        Method::Replan => tr_later!("Plan by replan"),
     }
 }
 
@@ -151,13 +152,13 @@ fn groups(changing: &Changing, told: &MethodAnswer) -> Vec<Group> {
             .collect(),
     };
     let mut groups = vec![
-        group("Kept", &told.kept),
-        group("Re-timed", &told.retimed),
-        group("Re-routed", &told.rerouted),
-        group("New", &told.added),
+        group(tr!("robots" => "Kept"), &told.kept),
+        group(tr!("robots" => "Re-timed"), &told.retimed),
+        group(tr!("robots" => "Re-routed"), &told.rerouted),
+        group(tr!("robots" => "New"), &told.added),
     ];
     if !told.freed.is_empty() {
-        groups.push(group("Freed", &told.freed));
+        groups.push(group(tr!("robots" => "Freed"), &told.freed));
     }
     groups
 }

@@ -1,5 +1,7 @@
 //! A method in words: what it promises, what else there is to say, how long it took.
 
+use giveway_model::tr;
+use giveway_model::words::decimal;
 use giveway_solve::Status;
 use giveway_solve::change::Method;
 
@@ -7,11 +9,12 @@ use crate::changing::Tried;
 
 pub(super) fn promise(method: Method) -> String {
     match method {
-        Method::Revise => "Same paths, new times".to_owned(),
-        Method::Tunnel(0) => "On the cells of the old paths".to_owned(),
-        Method::Tunnel(1) => "Within 1 step of the old paths".to_owned(),
-        Method::Tunnel(width) => format!("Within {width} steps of the old paths"),
-        Method::Replan => "Everyone plans freely".to_owned(),
+        Method::Revise => tr!("Same paths, new times").to_owned(),
+        Method::Tunnel(0) => tr!("On the cells of the old paths").to_owned(),
+        Method::Tunnel(width) => {
+            tr!("Within {n} step of the old paths" | "Within {n} steps of the old paths" % width)
+        }
+        Method::Replan => tr!("Everyone plans freely").to_owned(),
     }
 }
 
@@ -20,11 +23,11 @@ pub(super) fn notes(tried: &Tried) -> Vec<String> {
     let mut notes = Vec::new();
     match (told.result.status, &told.result.plan) {
         (_, Some(_)) if tried.answer.is_none() => {
-            notes.push("Its plan does not fit what is listed.".to_owned());
+            notes.push(tr!("Its plan does not fit what is listed.").to_owned());
         }
         // Where it has none, its column says so first.
         (Status::Optimal, Some(_)) | (_, None) => {}
-        (_, Some(_)) => notes.push("The best so far: the limits ended the search.".to_owned()),
+        (_, Some(_)) => notes.push(tr!("The best so far: the limits ended the search.").to_owned()),
     }
     notes.extend(giveway_solve::change::notes(told));
     notes
@@ -32,10 +35,10 @@ pub(super) fn notes(tried: &Tried) -> Vec<String> {
 
 pub(super) fn time(seconds: f64) -> String {
     if seconds < 0.0005 {
-        "less than 1 ms".to_owned()
+        tr!("less than 1 ms").to_owned()
     } else if seconds < 1.0 {
-        format!("{:.0} ms", seconds * 1000.0)
+        format!("{} ms", decimal(seconds * 1000.0, 0))
     } else {
-        format!("{seconds:.1} s")
+        format!("{} s", decimal(seconds, 1))
     }
 }

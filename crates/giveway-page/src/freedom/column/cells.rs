@@ -1,11 +1,11 @@
 //! Cells that matter: what closing them would come to.
 
-use giveway_model::Cell;
+use giveway_model::{Cell, tr};
 use giveway_solve::freedom::{Closed, FreedomAnswer};
 
 use crate::freedom::cells::matters;
 use crate::freedom::words::{outcome, price, reach, worse};
-use crate::words::{at, count};
+use crate::words::at;
 
 /// Cells that matter.
 #[derive(Clone, Debug, PartialEq)]
@@ -53,7 +53,11 @@ pub(super) fn cells(told: &FreedomAnswer, is_counting: bool) -> Option<Cells> {
         let parts: Vec<String> = parts.into_iter().flatten().collect();
         Some(CellRow {
             cell,
-            title: format!("Close {}: {}", at(cell), outcome(told, closed)?),
+            title: tr!(
+                "Close {cell}: {outcome}",
+                cell = at(cell),
+                outcome = outcome(told, closed)?
+            ),
             detail: parts.join(". "),
         })
     };
@@ -61,15 +65,13 @@ pub(super) fn cells(told: &FreedomAnswer, is_counting: bool) -> Option<Cells> {
     let open = all.iter().filter(|it| it.closed.is_open()).count();
     let remark = match open {
         0 if rows.is_empty() => {
-            Some("Any other cell could be closed, and a plan would be as good.".to_owned())
+            Some(tr!("Any other cell could be closed, and a plan would be as good.").to_owned())
         }
         0 => None,
         // The status tells how many are to go.
         _ if is_counting => None,
-        1 => Some("1 cell is open: nobody knows what closing it costs.".to_owned()),
-        open => Some(format!(
-            "{open} cells are open: nobody knows what closing them costs."
-        )),
+        open => Some(tr!("{n} cell is open: nobody knows what closing it costs."
+            | "{n} cells are open: nobody knows what closing them costs." % open)),
     };
     Some(Cells { rows, remark })
 }
@@ -79,14 +81,16 @@ fn more(told: &FreedomAnswer, closed: &Closed, others: usize) -> Option<String> 
     if others == 0 {
         return None;
     }
-    let cells = count(u32::try_from(others).unwrap_or(u32::MAX), "more cell");
-    let (costs, leaves) = if others == 1 {
-        ("costs", "leaves")
-    } else {
-        ("cost", "leave")
-    };
+
     Some(match worse(&told.objective, closed) {
-        None => format!("and {cells} that {leaves} none"),
-        Some((_, cost, delta)) => format!("and {cells} that {costs} {}", price(cost, delta)),
+        None => tr!(
+            "closing leaves no plan" => "and {n} more cell that leaves none"
+                | "and {n} more cells that leave none" % others
+        ),
+        Some((_, cost, delta)) => tr!(
+            "and {n} more cell that costs {price}"
+                | "and {n} more cells that cost {price}" % others,
+            price = price(cost, delta)
+        ),
     })
 }

@@ -5,12 +5,12 @@ mod cells;
 mod slack;
 mod ways;
 
+use giveway_model::tr;
 use giveway_solve::freedom::{Farthest, Known, PlanCount, same_steps};
 use giveway_solve::words::reach;
 
 use super::{Freedom, doing, is_done};
 use crate::State;
-use crate::words::count;
 
 pub use cells::{CellRow, Cells};
 pub use slack::Late;
@@ -124,14 +124,14 @@ impl Left {
 
 fn lead(freedom: &Freedom, is_only: bool) -> String {
     if is_only {
-        return "This plan is the only best one: every step of it must be so.".to_owned();
+        return tr!("This plan is the only best one: every step of it must be so.").to_owned();
     }
     let backbone = freedom
         .told
         .as_deref()
         .and_then(|told| told.backbone.as_ref());
     let Some(backbone) = backbone else {
-        return "Over all best plans: what each of them has, and where there is a choice."
+        return tr!("Over all best plans: what each of them has, and where there is a choice.")
             .to_owned();
     };
     let (mut same, mut all, mut open) = (0, 0, false);
@@ -142,17 +142,25 @@ fn lead(freedom: &Freedom, is_only: bool) -> String {
         open |= visits.iter().any(|visit| visit.always == Known::Open);
     }
     if same == all && freedom.count().is_some() {
-        return format!(
-            "All {all} steps are the same in every best plan, but not when robots charge."
+        return tr!(
+            "All {all} steps are the same in every best plan, but not when robots charge.",
+            all
         );
     }
-    let verb = if same == 1 { "is" } else { "are" };
+
     if open {
-        format!(
-            "At least {same} of {all} steps {verb} the same in every best plan; others are open."
+        tr!(
+            "At least {n} of {all} steps is the same in every best plan; others are open."
+                | "At least {n} of {all} steps are the same in every best plan; others are open."
+                    % same,
+            all
         )
     } else {
-        format!("{same} of {all} steps {verb} the same in every best plan.")
+        tr!(
+            "{n} of {all} steps is the same in every best plan."
+                | "{n} of {all} steps are the same in every best plan." % same,
+            all
+        )
     }
 }
 
@@ -164,22 +172,26 @@ fn stopped(freedom: &Freedom, is_counting: bool) -> Option<String> {
         return None;
     }
     let reason = told.and_then(|told| told.reason.as_deref());
-    let reason = reason.unwrap_or("You stopped it");
+    let reason = reason.unwrap_or(tr!("You stopped it"));
     let reason = reason.trim_end_matches('.');
-    Some(format!("{reason}: what is not told below is open."))
+    Some(tr!("{reason}: what is not told below is open.", reason))
 }
 
 fn other(farthest: &Farthest, state: &State) -> Option<Other> {
     let Farthest::Found { differs, most, .. } = farthest else {
         return None;
     };
-    let times = count(*differs, "time");
+
     let most = match most {
-        Known::Yes => "No best plan differs in more.",
-        Known::No | Known::Open => "Another one may differ in more.",
+        Known::Yes => tr!("No best plan differs in more."),
+        Known::No | Known::Open => tr!("Another one may differ in more."),
     };
     Some(Other {
-        sentence: format!("In it robots are elsewhere {times}. {most}"),
+        sentence: tr!(
+            "In it robots are elsewhere {n} time. {most}"
+                | "In it robots are elsewhere {n} times. {most}" % *differs,
+            most
+        ),
         is_shown: state.farthest().is_some(),
     })
 }

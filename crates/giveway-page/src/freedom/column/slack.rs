@@ -1,10 +1,9 @@
 //! Who may be late.
 
-use giveway_model::{Cost, sorting};
+use giveway_model::{Cost, sorting, tr};
 use giveway_solve::freedom::{FreedomAnswer, Hold, Slack};
 
 use super::{Freedom, MOST, Row};
-use crate::words::count;
 
 /// Who may be late.
 #[derive(Clone, Debug, PartialEq)]
@@ -42,13 +41,13 @@ pub(super) fn late(freedom: &Freedom, told: &FreedomAnswer) -> Option<Late> {
         .all(|(_, row)| row.is_fixed && row.detail.is_empty());
     if is_nobody && first != Some(Cost::Makespan) {
         let why = match first {
-            Some(Cost::SumOfCosts) => " Each step late adds to the sum of costs.",
-            Some(Cost::Waits) => " Each step late is a wait more.",
+            Some(Cost::SumOfCosts) => tr!(" Each step late adds to the sum of costs."),
+            Some(Cost::Waits) => tr!(" Each step late is a wait more."),
             _ => "",
         };
         return Some(Late {
             rows: Vec::new(),
-            nobody: Some(format!("Nobody could be late without harm.{why}")),
+            nobody: Some(tr!("Nobody could be late without harm.{why}", why)),
         });
     }
     // Equal ones stay in the order of the scene.
@@ -74,12 +73,18 @@ pub(in crate::freedom) fn sentence(
     hold: Hold,
 ) -> String {
     match hold {
-        Hold::Steps(0) if decides(told, freedom, agent) => format!("{name} decides the makespan"),
-        Hold::Steps(0) => format!("{name} could not be late without harm"),
+        Hold::Steps(0) if decides(told, freedom, agent) => tr!("{name} decides the makespan", name),
+        Hold::Steps(0) => tr!("{name} could not be late without harm", name),
         Hold::Steps(steps) => {
-            format!("{name} could be {} late without harm", count(steps, "step"))
+            tr!(
+                "{name} could be {n} step late without harm"
+                    | "{name} could be {n} steps late without harm" % steps,
+                name
+            )
         }
-        Hold::Unlimited | Hold::InTransit => format!("{name} could be late by any number of steps"),
+        Hold::Unlimited | Hold::InTransit => {
+            tr!("{name} could be late by any number of steps", name)
+        }
     }
 }
 
@@ -92,12 +97,12 @@ pub(in crate::freedom) fn detail(
 ) -> String {
     let later = slack.arrival.number();
     if later > 0 {
-        let steps = count(later, "step");
-        return format!("in another best plan it arrives {steps} later");
+        return tr!("in another best plan it arrives {n} step later"
+            | "in another best plan it arrives {n} steps later" % later);
     }
     let makespan = told.costs.map(|costs| costs.makespan);
     match makespan.filter(|_| decides(told, freedom, agent)) {
-        Some(makespan) => format!("one step late makes it {}", makespan + 1),
+        Some(makespan) => tr!("one step late makes it {makespan}", makespan = makespan + 1),
         None => String::new(),
     }
 }

@@ -1,6 +1,7 @@
 //! Ways to choose from.
 
-use giveway_model::{Cell, sorting};
+use giveway_model::words::or;
+use giveway_model::{Cell, sorting, tr};
 use giveway_solve::freedom::{FreedomAnswer, PlanCount, same_steps};
 
 use super::{Freedom, MOST, Row};
@@ -33,11 +34,11 @@ pub(super) fn ways(freedom: &Freedom, told: &FreedomAnswer) -> Option<Ways> {
             agent,
             title: name.to_owned(),
             detail: if is_fixed {
-                "every step is fixed".to_owned()
+                tr!("every step is fixed").to_owned()
             } else {
                 fixed(told, name) + &waits(&ways.steps)
             },
-            value: format!("{many} {}", if n == 1 { "way" } else { "ways" }),
+            value: tr!("of a robot" => "{many} way" | "{many} ways" % n, many),
             is_fixed,
         })
     };
@@ -52,12 +53,15 @@ fn fixed(told: &FreedomAnswer, name: &str) -> String {
     let visits = told.backbone.as_ref().and_then(|all| all.get(name));
     match visits.map(|visits| same_steps(visits)) {
         None => String::new(),
-        Some((0, _)) => "no step is fixed".to_owned(),
-        Some((1, all)) if all > 1 => format!("1 of {all} steps is fixed"),
+        Some((0, _)) => tr!("no step is fixed").to_owned(),
+
         Some((same, all)) if same == all => {
-            "every step is fixed, but not when it charges".to_owned()
+            tr!("every step is fixed, but not when it charges").to_owned()
         }
-        Some((same, all)) => format!("{same} of {all} steps are fixed"),
+        Some((same, all)) => tr!(
+            "{n} of {all} steps is fixed" | "{n} of {all} steps are fixed" % same,
+            all
+        ),
     }
 }
 
@@ -69,7 +73,7 @@ fn waits(steps: &[giveway_solve::freedom::Step]) -> String {
     let mut named: Vec<String> = Vec::new();
     for (_, cell) in cells {
         // No line ends within a cell's numbers.
-        let cell = format!("at {}", at(cell).replace(' ', "\u{a0}"));
+        let cell = tr!("at {cell}", cell = at(cell).replace(' ', "\u{a0}"));
         if !named.contains(&cell) {
             named.push(cell);
         }
@@ -77,17 +81,17 @@ fn waits(steps: &[giveway_solve::freedom::Step]) -> String {
     if named.is_empty() || named.len() > WAITS {
         return String::new();
     }
-    format!(", may wait {}", named.join(" or "))
+    tr!(", may wait {places}", places = or(&named))
 }
 
 /// `3 × 1 × 5 = 15 best plans`.
 fn sum(freedom: &Freedom, told: &FreedomAnswer) -> Option<String> {
     let plans = told.plans.as_ref()?;
     let number = plans.number;
-    let all = match number.number() {
-        1 => format!("{} best plan", how_many(number)),
-        _ => format!("{} best plans", how_many(number)),
-    };
+    let all = tr!(
+        "{many} best plan" | "{many} best plans" % number.number(),
+        many = how_many(number)
+    );
     let all = giveway_model::words::capital(&all);
     let is_exact = number.is_exact() && plans.ways.values().all(|ways| ways.number.is_exact());
     let factors = freedom.names().filter_map(|(_, name)| plans.ways.get(name));
@@ -100,7 +104,7 @@ fn sum(freedom: &Freedom, told: &FreedomAnswer) -> Option<String> {
         return Some(all);
     }
     if product != u64::from(number.number()) {
-        return Some(format!("{all}: not every choice goes with every other."));
+        return Some(tr!("{all}: not every choice goes with every other.", all));
     }
     if factors.len() > FACTORS {
         factors.retain(|&n| n > 1);

@@ -3,6 +3,7 @@
 
 use std::fmt::Write as _;
 
+use giveway_model::tr;
 use giveway_solve::trace::SearchEvent;
 
 use super::rows::{Known, known};
@@ -178,14 +179,22 @@ fn gap(part: &[Known], first: usize, x: impl Fn(usize) -> f64, y: impl Fn(u32) -
 
 /// What is said of the chart.
 fn name(title: &str, bounds: Option<(u32, u32)>, plans: Option<(u32, u32)>) -> String {
-    let line = |who: &str, does: &str, ends: Option<(u32, u32)>| match ends {
+    let bound = match bounds {
         None => String::new(),
-        Some((from, to)) if from == to => format!(" {who} is {from}."),
-        Some((from, to)) => format!(" {who} {does} from {from} to {to}."),
+        Some((from, to)) if from == to => tr!(" The bound is {from}.", from),
+        Some((from, to)) => tr!(" The bound rises from {from} to {to}.", from, to),
     };
-    let bound = line("The bound", "rises", bounds);
-    let best = line("The best plan", "falls", plans);
-    format!("{title}: proved bound and best plan by step.{bound}{best}")
+    let best = match plans {
+        None => String::new(),
+        Some((from, to)) if from == to => tr!(" The best plan is {from}.", from),
+        Some((from, to)) => tr!(" The best plan falls from {from} to {to}.", from, to),
+    };
+    tr!(
+        "{title}: proved bound and best plan by step.{bound}{best}",
+        title,
+        bound,
+        best
+    )
 }
 
 /// At most four round figures from the least to the greatest.

@@ -3,7 +3,7 @@
 
 use std::rc::Rc;
 
-use giveway_model::Cost;
+use giveway_model::{Cost, tr};
 use giveway_solve::together::TogetherAnswer;
 use giveway_solve::trace::{AgentLimit, Core, SearchEvent, SearchTrace};
 
@@ -78,14 +78,15 @@ pub(super) fn limits(core: &Core) -> Vec<AgentLimit> {
 pub(super) fn keep(cost: Cost, limit: &AgentLimit) -> String {
     let more = limit.at_most.saturating_sub(limit.least);
     match (cost, more) {
-        (Cost::Makespan, _) => format!("arrive by time {}", limit.at_most),
-        (Cost::SumOfCosts, 0) => "be on time".to_owned(),
-        (Cost::SumOfCosts, 1) => "be at most 1 step late".to_owned(),
-        (Cost::SumOfCosts, more) => format!("be at most {more} steps late"),
-        (Cost::Waits, 0) => "do without waiting".to_owned(),
-        (cost, _) => format!(
-            "do with {}",
-            giveway_model::words::value(cost, limit.at_most)
+        (Cost::Makespan, _) => tr!("arrive by time {time}", time = limit.at_most),
+        (Cost::SumOfCosts, 0) => tr!("be on time").to_owned(),
+        (Cost::SumOfCosts, more) => {
+            tr!("be at most {n} step late" | "be at most {n} steps late" % more)
+        }
+        (Cost::Waits, 0) => tr!("do without waiting").to_owned(),
+        (cost, _) => tr!(
+            "do with {value}",
+            value = giveway_model::words::value(cost, limit.at_most)
         ),
     }
 }

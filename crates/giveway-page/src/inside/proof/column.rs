@@ -1,7 +1,7 @@
 //! What the column says of a step of the proof.
 
-use giveway_model::Cost;
-use giveway_model::words::{and, count, grouped, name, value};
+use giveway_model::words::{and, grouped, name, value};
+use giveway_model::{Cost, Objective, tr};
 use giveway_solve::trace::{AgentLeast, Core, SearchEvent, TraceEvent, words};
 
 use super::closer::{alone, chosen_core, limits, told, view_alone};
@@ -18,7 +18,8 @@ const LISTED: usize = 40;
 pub(crate) fn column(state: &State) -> Option<Column> {
     let (at, last) = chosen(state)?;
     let event = chosen_event(state)?;
-    let title = rows::text(event);
+    let objective = &trace(state)?.objective;
+    let title = rows::text(objective, event);
     let mut column = Column {
         over: match alone(state) {
             Some((view, _)) => {
@@ -26,11 +27,16 @@ pub(crate) fn column(state: &State) -> Option<Column> {
                     .into_iter()
                     .map(|own| own.agent)
                     .collect();
-                format!("{} alone: step {at} of {last}", and(&names))
+                tr!(
+                    "{robots} alone: step {at} of {last}",
+                    robots = and(&names),
+                    at,
+                    last
+                )
             }
-            None => format!("Step {at} of {last}"),
+            None => tr!("Step {at} of {last}", at, last),
         },
-        verdict: verdict(event, &title),
+        verdict: verdict(objective, event, &title),
         title,
         foot: foot(state, event, at, last),
         means: means(&event.event).map(str::to_owned),
@@ -45,9 +51,9 @@ pub(crate) fn column(state: &State) -> Option<Column> {
 /// The step as it is read aloud.
 pub(crate) fn step_text(state: &State) -> Option<String> {
     let event = chosen_event(state)?;
-    let text = rows::text(event);
+    let text = rows::text(&trace(state)?.objective, event);
     Some(match bound(&event.event) {
-        Some((_, to)) => format!("{text}: at least {to}"),
+        Some((_, to)) => tr!("{text}: at least {to}", text, to),
         None => text,
     })
 }
@@ -62,7 +68,7 @@ const fn bound(event: &SearchEvent) -> Option<(Option<u32>, u32)> {
     }
 }
 
-fn verdict(event: &TraceEvent, title: &str) -> Option<Verdict> {
+fn verdict(objective: &Objective, event: &TraceEvent, title: &str) -> Option<Verdict> {
     let tint = match &event.event {
         SearchEvent::Impossible(_) => Tint::Stuck,
         SearchEvent::Plan { .. } => Tint::Fine,
@@ -75,20 +81,26 @@ fn verdict(event: &TraceEvent, title: &str) -> Option<Verdict> {
     };
     let (word, beside) = match (&event.event, bound(&event.event)) {
         (_, Some((from, to))) => {
-            let was = from.map_or_else(String::new, |from| format!("was {from}"));
-            (format!("At least {to}"), was)
+            let was = from.map_or_else(String::new, |from| tr!("was {from}", from));
+            (tr!("At least {to}", to), was)
         }
-        (SearchEvent::Plan { .. }, _) => ("A better plan".to_owned(), String::new()),
+        (SearchEvent::Plan { .. }, _) => (tr!("A better plan").to_owned(), String::new()),
         (SearchEvent::Met { .. } | SearchEvent::Exhausted { .. }, _) => {
-            ("Proved".to_owned(), String::new())
+            (tr!("Proved").to_owned(), String::new())
         }
-        (SearchEvent::Impossible(_), _) => ("No plan".to_owned(), String::new()),
+        (SearchEvent::Impossible(_), _) => (tr!("No plan").to_owned(), String::new()),
         _ => return None,
     };
     let text = match &event.event {
         SearchEvent::Core(core) => so(core),
-        _ if event.text.trim_end_matches('.') == title => String::new(),
-        _ => event.text.clone(),
+        event => {
+            let text = words::sentence(objective, event);
+            if text.trim_end_matches('.') == title {
+                String::new()
+            } else {
+                text
+            }
+        }
     };
     Some(Verdict {
         tint,
@@ -102,12 +114,19 @@ fn verdict(event: &TraceEvent, title: &str) -> Option<Verdict> {
 fn so(core: &Core) -> String {
     let no_plan = match core.cost {
         Cost::Makespan | Cost::SumOfCosts => {
-            format!("no plan has a {} below {}", name(core.cost), core.to)
+            tr!(
+                "no plan has a {cost} below {to}",
+                cost = name(core.cost),
+                to = core.to
+            )
         }
-        cost => format!("no plan has fewer than {}", value(cost, core.to)),
+        cost => tr!(
+            "no plan has fewer than {value}",
+            value = value(cost, core.to)
+        ),
     };
     match words::condition(&core.condition, core.cost) {
-        None => format!("So {no_plan}."),
+        None => tr!("So {no_plan}.", no_plan),
         Some(plans) => format!("{plans}, {no_plan}."),
     }
 }
@@ -128,10 +147,11 @@ fn closer(state: &State, column: &mut Column) {
         let choice = Choice {
             agent: None,
             text: question(core),
-            small: format!("The proof for these robots alone: {}", count(last, "step")),
+            small: tr!("The proof for these robots alone: {n} step"
+                | "The proof for these robots alone: {n} steps" % last),
             action: InsideAction::Alone(true),
         };
-        column.choices = Some(("Look closer".to_owned(), vec![choice]));
+        column.choices = Some((tr!("Look closer").to_owned(), vec![choice]));
     }
 }
 
@@ -139,7 +159,12 @@ fn closer(state: &State, column: &mut Column) {
 fn about(state: &State, event: &TraceEvent, column: &mut Column) {
     match &event.event {
         SearchEvent::Alone { cost, agents, .. } => {
-            column.table = Some(table(state, "What each robot needs alone", *cost, agents));
+            column.table = Some(table(
+                state,
+                tr!("What each robot needs alone"),
+                *cost,
+                agents,
+            ));
         }
         SearchEvent::Core(core) => {
             let asked = limits(core);
@@ -149,23 +174,21 @@ fn about(state: &State, event: &TraceEvent, column: &mut Column) {
                 least: limit.at_most,
             });
             let own: Vec<AgentLeast> = own.collect();
-            let mut table = table(state, "The robots of this step", core.cost, &own);
+            let mut table = table(state, tr!("The robots of this step"), core.cost, &own);
             if !is_on_time {
-                table.columns[0] = "At most";
+                table.columns[0] = tr!("At most");
             }
             column.table = Some(table);
             if core.took > 0 {
                 let took = u32::try_from(core.took).unwrap_or(u32::MAX);
-                column.remark = Some(format!(
-                    "The solver met {} on the way to it.",
-                    count(took, "conflict")
-                ));
+                column.remark = Some(tr!("The solver met {n} conflict on the way to it."
+                    | "The solver met {n} conflicts on the way to it." % took));
             }
         }
         SearchEvent::Closed { took, .. } if *took > 0 => {
-            column.remark = Some(format!(
-                "The solver met {} conflicts on the way to it.",
-                grouped(*took)
+            column.remark = Some(tr!(
+                "The solver met {many} conflicts on the way to it.",
+                many = grouped(*took)
             ));
         }
         _ => {}
@@ -192,9 +215,9 @@ fn table(state: &State, title: &str, cost: Cost, agents: &[AgentLeast]) -> Liste
     Listed {
         title: title.to_owned(),
         columns: if is_time {
-            ["On time", "In the plan"]
+            [tr!("On time"), tr!("In the plan")]
         } else {
-            ["Alone", "In the plan"]
+            [tr!("Alone"), tr!("In the plan")]
         },
         rows: agents.iter().take(LISTED).map(row).collect(),
     }
@@ -202,12 +225,12 @@ fn table(state: &State, title: &str, cost: Cost, agents: &[AgentLeast]) -> Liste
 
 fn foot(state: &State, event: &TraceEvent, at: usize, last: usize) -> Vec<Button> {
     let next = (at < last).then_some(InsideAction::Next);
-    let step = Button::new("", "Next step", next, true);
+    let step = Button::new("", tr!("Next step"), next, true);
     if alone(state).is_some() {
         let back = |is_primary| {
             Button::new(
                 "back",
-                "All robots again",
+                tr!("All robots again"),
                 Some(InsideAction::Alone(false)),
                 is_primary,
             )
@@ -226,12 +249,17 @@ fn foot(state: &State, event: &TraceEvent, at: usize, last: usize) -> Vec<Button
     let on = match &event.event {
         SearchEvent::Impossible(_) => Button::new(
             "",
-            "Why is there no plan?",
+            tr!("Why is there no plan?"),
             Some(InsideAction::Reasons),
             true,
         ),
-        _ if can_play => Button::new("play", "Play the plan", Some(InsideAction::PlayPlan), true),
+        _ if can_play => Button::new(
+            "play",
+            tr!("Play the plan"),
+            Some(InsideAction::PlayPlan),
+            true,
+        ),
         _ => step,
     };
-    vec![Button::new("back", "Step before", before, false), on]
+    vec![Button::new("back", tr!("Step before"), before, false), on]
 }

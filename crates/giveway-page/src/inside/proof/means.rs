@@ -1,37 +1,54 @@
 //! What a kind of step means for the proof, in a sentence or two.
 
+use giveway_model::tr;
 use giveway_solve::trace::SearchEvent;
 
 /// What a step means; nothing of one that is explained by its robots.
-pub(super) const fn means(event: &SearchEvent) -> Option<&'static str> {
+pub(super) fn means(event: &SearchEvent) -> Option<&'static str> {
     Some(match event {
         SearchEvent::Alone { .. } => {
-            "No robot does better than with the floor to itself. So this bounds every plan, before \
+            tr!(
+                "No robot does better than with the floor to itself. So this bounds every plan, before \
              anybody has to give way."
+            )
         }
         SearchEvent::Plan { .. } => {
-            "This plan breaks no rule, so the best plan is at most as costly. The proof is done \
+            tr!(
+                "This plan breaks no rule, so the best plan is at most as costly. The proof is done \
              when the bound from below comes up to it."
+            )
         }
         SearchEvent::Entered { .. } => {
-            "At first each robot takes a best way of its own. These ways collide, so from now on \
+            tr!(
+                "At first each robot takes a best way of its own. These ways collide, so from now on \
              the solver looks at all ways that these robots can take."
+            )
         }
         SearchEvent::Phase { .. } => {
-            "Only plans that are the best so far are compared now: among them the next cost decides."
+            tr!(
+                "Only plans that are the best so far are compared now: among them the next cost decides."
+            )
         }
         SearchEvent::Closed { .. } => {
-            "The solver looked for a plan that is better than the best one so far, and proved that \
+            tr!(
+                "The solver looked for a plan that is better than the best one so far, and proved that \
              there is none."
+            )
         }
         SearchEvent::Met { .. } => {
-            "The bound says that no plan has less, and this plan has no more. So it is the best."
+            tr!(
+                "The bound says that no plan has less, and this plan has no more. So it is the best."
+            )
         }
         SearchEvent::Stopped(_) => {
-            "The gap between the bound and the best plan stays open. Go on, or raise the time limit."
+            tr!(
+                "The gap between the bound and the best plan stays open. Go on, or raise the time limit."
+            )
         }
-        SearchEvent::Exhausted { .. } => "The robots are few enough to look at every case.",
-        SearchEvent::Impossible(_) => "The facts that rule out every plan can be asked for below.",
+        SearchEvent::Exhausted { .. } => tr!("The robots are few enough to look at every case."),
+        SearchEvent::Impossible(_) => {
+            tr!("The facts that rule out every plan can be asked for below.")
+        }
         SearchEvent::Core(_) | SearchEvent::Restarted { .. } | SearchEvent::Round { .. } => {
             return None;
         }

@@ -3,7 +3,7 @@
 use std::collections::BTreeMap;
 use std::ops::Range;
 
-use giveway_model::{Cost, Costs};
+use giveway_model::{Cost, Costs, Objective, tr};
 use giveway_solve::trace::{SearchEvent, SearchTrace, TraceEvent, words};
 
 use super::{chosen, steps, trace};
@@ -100,7 +100,7 @@ pub fn rows(state: &State, range: &Range<usize>) -> (Vec<ProofRow>, usize) {
     let shown = steps(trace).enumerate().skip(range.start).take(range.len());
     let row = |(number, event): (usize, &TraceEvent)| ProofRow {
         number,
-        text: text(event),
+        text: text(&trace.objective, event),
         kind: kind(trace, &event.event),
         figure: figure(trace, &event.event),
         is_chosen: number == at,
@@ -108,11 +108,12 @@ pub fn rows(state: &State, range: &Range<usize>) -> (Vec<ProofRow>, usize) {
     (shown.map(row).collect(), last + 1)
 }
 
-/// What a step says, without what stands beside it as a figure.
-pub(super) fn text(event: &TraceEvent) -> String {
+/// What a step says, without what stands beside it as a figure. The record has its text
+/// in the language of the solver at that time; here it is said anew.
+pub(super) fn text(objective: &Objective, event: &TraceEvent) -> String {
     let said = match &event.event {
         SearchEvent::Core(core) => words::claim(core),
-        _ => event.text.clone(),
+        _ => words::sentence(objective, &event.event),
     };
     let said = said.trim_end_matches('.');
     let short = match (&event.event, said.split_once(": ")) {
@@ -140,7 +141,7 @@ fn kind(trace: &SearchTrace, event: &SearchEvent) -> Kind {
 }
 
 fn figure(trace: &SearchTrace, event: &SearchEvent) -> Option<(&'static str, String)> {
-    let at_least = |n: u32| Some(("at least", n.to_string()));
+    let at_least = |n: u32| Some((tr!("at least"), n.to_string()));
     match event {
         SearchEvent::Alone { at_least: n, .. } => at_least(*n),
         SearchEvent::Core(core) => at_least(core.to),
@@ -151,7 +152,10 @@ fn figure(trace: &SearchTrace, event: &SearchEvent) -> Option<(&'static str, Str
                 .costs()
                 .iter()
                 .map(|&cost| costs.get(cost).to_string());
-            Some(("plan", values.collect::<Vec<String>>().join(", ")))
+            Some((
+                tr!("before its costs" => "plan"),
+                values.collect::<Vec<String>>().join(", "),
+            ))
         }
         SearchEvent::Met { costs, .. } => {
             let objective = trace.objective.costs().iter();

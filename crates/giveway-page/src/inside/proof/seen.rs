@@ -1,7 +1,7 @@
 //! What is seen of a step of the proof on the board: its robots, where they can be,
 //! and where they get into each other's way.
 
-use giveway_model::Cell;
+use giveway_model::{Cell, tr};
 use giveway_solve::together::{MeetingKind, MustMeet};
 use giveway_solve::trace::SearchEvent;
 
@@ -84,6 +84,6 @@ fn mark(meeting: &MustMeet, width: u32) -> Meeting {
     Meeting {
         at,
         is_left,
-        text: format!("time {}", meeting.time),
+        text: tr!("time {time}", time = meeting.time),
     }
 }

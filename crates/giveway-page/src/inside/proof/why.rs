@@ -1,8 +1,8 @@
 //! Why the robots of a step cannot all keep their limits, in sentences: where each has
 //! to be, and where two of them collide whichever ways they take.
 
-use giveway_model::Cost;
 use giveway_model::words::and;
+use giveway_model::{Cost, tr};
 use giveway_solve::together::{MeetingKind, MustMeet, MustPass, TogetherAnswer};
 use giveway_solve::trace::{AgentLimit, Core};
 
@@ -47,11 +47,23 @@ fn must_pass(cost: Cost, limits: &[AgentLimit], pass: &MustPass) -> String {
         agent, cell, time, ..
     } = pass;
     let own = limits.iter().find(|limit| limit.agent == *agent);
-    let to = own.map_or_else(|| "do so".to_owned(), |limit| keep(cost, limit));
+    let to = own.map_or_else(|| tr!("do so").to_owned(), |limit| keep(cost, limit));
     if pass.rests {
-        format!("To {to}, {agent} must have arrived at {cell} by time {time}, and it stays there.")
+        tr!(
+            "To {to}, {agent} must have arrived at {cell} by time {time}, and it stays there.",
+            to,
+            agent,
+            cell,
+            time
+        )
     } else {
-        format!("To {to}, {agent} must be at {cell} at time {time}.")
+        tr!(
+            "To {to}, {agent} must be at {cell} at time {time}.",
+            to,
+            agent,
+            cell,
+            time
+        )
     }
 }
 
@@ -59,14 +71,31 @@ fn meet(meeting: &MustMeet) -> String {
     let ([a, b], time) = (&meeting.agents, meeting.time);
     match meeting.kind {
         MeetingKind::Vertex { cell } => {
-            format!("So {a} and {b} would both be at {cell} at time {time}.")
+            tr!(
+                "So {a} and {b} would both be at {cell} at time {time}.",
+                a,
+                b,
+                cell,
+                time
+            )
         }
-        MeetingKind::Swap { edge: [from, to] } => format!(
+        MeetingKind::Swap { edge: [from, to] } => tr!(
             "So {a} and {b} would pass through each other between {from} and {to} in the step \
-             from time {time}."
+             from time {time}.",
+            a,
+            b,
+            from,
+            to,
+            time
         ),
         MeetingKind::Target { cell } => {
-            format!("So {b} would run into {a} at {cell} at time {time}.")
+            tr!(
+                "So {b} would run into {a} at {cell} at time {time}.",
+                b,
+                a,
+                cell,
+                time
+            )
         }
     }
 }
@@ -75,14 +104,18 @@ fn meet(meeting: &MustMeet) -> String {
 fn without_place(limits: &[AgentLimit], told: &TogetherAnswer) -> &'static str {
     let refuted = told.alone.as_ref().and_then(|alone| alone.refuted);
     match (limits.len(), refuted) {
-        (1, Some(false)) => "By itself it could. The other robots leave it no way that is as good.",
-        (_, Some(false)) => {
-            "By themselves these robots could. The other robots have a part in it, too."
+        (1, Some(false)) => {
+            tr!("By itself it could. The other robots leave it no way that is as good.")
         }
-        (1, _) => "None of its ways goes together with the other robots.",
+        (_, Some(false)) => {
+            tr!("By themselves these robots could. The other robots have a part in it, too.")
+        }
+        (1, _) => tr!("None of its ways goes together with the other robots."),
         _ => {
-            "No single place shows it: each of these robots has several ways, but whichever they \
+            tr!(
+                "No single place shows it: each of these robots has several ways, but whichever they \
              take, two of them collide."
+            )
         }
     }
 }
@@ -95,11 +128,17 @@ pub(super) fn question(core: &Core) -> String {
     let is_same = asked.windows(2).all(|pair| pair[0] == pair[1]);
     let is_sum = !core.sums.is_empty();
     match asked.first() {
-        Some(asked) if names.len() == 1 => format!("Why can {} not {asked}?", names[0]),
-        Some(asked) if names.len() == 2 && is_same && !is_sum => {
-            format!("Why can {} not both {asked}?", and(&names))
+        Some(asked) if names.len() == 1 => {
+            tr!("Why can {robot} not {asked}?", robot = names[0], asked)
         }
-        Some(asked) if is_same && !is_sum => format!("Why can these not all {asked}?"),
-        _ => "Why is less not enough for these?".to_owned(),
+        Some(asked) if names.len() == 2 && is_same && !is_sum => {
+            tr!(
+                "Why can {robots} not both {asked}?",
+                robots = and(&names),
+                asked
+            )
+        }
+        Some(asked) if is_same && !is_sum => tr!("Why can these not all {asked}?", asked),
+        _ => tr!("Why is less not enough for these?").to_owned(),
     }
 }

@@ -1,45 +1,51 @@
 //! What an agent does in a step, in words.
 
+use giveway_model::tr;
+
 use crate::timeline::{Lane, Way};
 use crate::words::at;
 
 /// What an agent does in the step that begins at a time.
 pub(super) fn doing(lane: &Lane, time: u32) -> String {
     if time < lane.begins {
-        return format!("Joins at {} on {}", lane.begins, at(lane.entry));
+        return tr!(
+            "Joins at {time} on {cell}",
+            time = lane.begins,
+            cell = at(lane.entry)
+        );
     }
     let Some(step) = lane.step_at(time) else {
         let end = at(lane.end());
         if let Some(until) = lane.removed {
             return if time < until {
-                format!("At {end}, gone from time {until} on")
+                tr!("At {end}, gone from time {until} on", end, until)
             } else {
-                format!("Removed at time {until}")
+                tr!("Removed at time {until}", until)
             };
         }
         if !lane.arrives {
-            return format!("At {end}, not led any further");
+            return tr!("At {end}, not led any further", end);
         }
         return if lane.stays || time == lane.arrival {
-            format!("Arrived at {end}")
+            tr!("Arrived at {end}", end)
         } else {
-            format!("Arrived at {end}, and gone")
+            tr!("Arrived at {end}, and gone", end)
         };
     };
     let (from, to) = (at(step.from), at(step.to));
     let charges = lane.charges.contains(&time);
     match step.way {
-        _ if step.begins < time => format!("Half way from {from} to {to}"),
-        Way::Move if charges => format!("Charging at {from}, then to {to}"),
-        Way::Slow if charges => format!("Charging at {from}, then slowly to {to}"),
-        Way::Wait if charges => format!("Charging at {from}, and waiting there"),
-        Way::Move => format!("Going from {from} to {to}"),
-        Way::Slow => format!("Going slowly from {from} to {to}"),
+        _ if step.begins < time => tr!("Half way from {from} to {to}", from, to),
+        Way::Move if charges => tr!("Charging at {from}, then to {to}", from, to),
+        Way::Slow if charges => tr!("Charging at {from}, then slowly to {to}", from, to),
+        Way::Wait if charges => tr!("Charging at {from}, and waiting there", from),
+        Way::Move => tr!("Going from {from} to {to}", from, to),
+        Way::Slow => tr!("Going slowly from {from} to {to}", from, to),
         Way::Wait => {
             let later = lane.steps.iter().filter(|step| step.begins >= time);
             let waits = later.take_while(|step| step.way == Way::Wait);
             let until = waits.last().map_or(time, |step| step.ends);
-            format!("Waiting at {from} until {until}")
+            tr!("Waiting at {from} until {until}", from, until)
         }
     }
 }

@@ -7,8 +7,8 @@ mod tests;
 
 use std::collections::BTreeSet;
 
-use giveway_model::Cell;
 use giveway_model::sorting::set;
+use giveway_model::{Cell, tr};
 
 use crate::timeline::Lane;
 use crate::words::at;
@@ -62,8 +62,14 @@ pub fn agent(state: &State, agent: usize) -> Option<AgentFacts> {
     });
     let doing = match &lane {
         Some(lane) => doing(lane, time),
-        None if state.document.mode.changing().is_some() => format!("Joins at {}", at(who.start)),
-        None => format!("From {} to {}", at(who.start), at(who.goal)),
+        None if state.document.mode.changing().is_some() => {
+            tr!("Joins at {cell}", cell = at(who.start))
+        }
+        None => tr!(
+            "From {start} to {goal}",
+            start = at(who.start),
+            goal = at(who.goal)
+        ),
     };
     let visited = lane.as_ref().map(|lane| visited(lane, time));
     let is_visited = |cell: &&Cell| visited.as_ref().is_some_and(|cells| cells.contains(cell));

@@ -5,6 +5,8 @@ mod costs;
 mod tests;
 mod words;
 
+use giveway_model::tr;
+use giveway_model::words::decimal;
 use giveway_solve::{Status, words::reach_of_bounds};
 
 use crate::timeline::work_done;
@@ -35,7 +37,7 @@ pub fn whole(state: &State) -> Whole {
     let scene = state.document.draft.scene();
     let mut whole = Whole {
         title: if scene.name.is_empty() {
-            "Scene without a name".to_owned()
+            tr!("Scene without a name").to_owned()
         } else {
             scene.name.clone()
         },
@@ -65,7 +67,7 @@ pub fn whole(state: &State) -> Whole {
             for cost in &mut whole.costs {
                 cost.at_least = None;
             }
-            whole.claims = vec!["This is of the scene before the last edit.".to_owned()];
+            whole.claims = vec![tr!("This is of the scene before the last edit.").to_owned()];
             whole.work = None;
         }
     }
@@ -99,11 +101,11 @@ fn tell(whole: &mut Whole, answer: &Answer) {
         if !matches!(solved.status, Status::Optimal | Status::Impossible) {
             return;
         }
-        "Proved without SAT".clone_into(&mut work);
+        tr!("Proved without SAT").clone_into(&mut work);
     }
     let seconds = match solved.stats.cpu_seconds {
-        little if little < 0.05 => "less than 0.1 s".to_owned(),
-        seconds => format!("{seconds:.1} s"),
+        little if little < 0.05 => tr!("less than 0.1 s").to_owned(),
+        seconds => format!("{} s", decimal(seconds, 1)),
     };
     whole.work = Some(format!("{work}, {seconds}"));
 }

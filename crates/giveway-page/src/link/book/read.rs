@@ -3,7 +3,7 @@
 
 use std::rc::Rc;
 
-use giveway_model::Cell;
+use giveway_model::{Cell, tr};
 
 use super::{DISPLACED, HEAD};
 use crate::history::Moment;
@@ -38,7 +38,7 @@ pub fn kept_moment(text: &str) -> Result<Moment, Notice> {
 pub fn kept_elsewhere(text: &str) -> Result<Linked, Notice> {
     let mut lines = text.lines();
     let document = match lines.next() {
-        Some(HEAD) => first(lines).ok_or("It holds no document.".to_owned()),
+        Some(HEAD) => first(lines).ok_or(tr!("It holds no document.").to_owned()),
         Some(line) if line.starts_with("giveway=") => Ok(line.to_owned()),
         _ => Err(newer(text)),
     };
@@ -88,7 +88,7 @@ fn read(text: &str) -> Result<State, String> {
         }
     }
     let mut moments = moments.into_iter();
-    let present = moments.next().ok_or("It holds no document.")?;
+    let present = moments.next().ok_or(tr!("It holds no document."))?;
     let mut past: Vec<Moment> = moments.collect();
     past.reverse();
     let history = if touched {
@@ -106,7 +106,7 @@ fn read(text: &str) -> Result<State, String> {
 }
 
 fn read_moment(reader: &mut Reader, line: &str, parts: &[&str]) -> Result<Moment, String> {
-    let broken = || "Its list of documents is broken.".to_owned();
+    let broken = || tr!("Its list of documents is broken.").to_owned();
     let mut words = line.split('.');
     let time = words.next().and_then(|time| time.parse().ok());
     let selection = words.next().and_then(read_selection);
@@ -154,15 +154,15 @@ fn first(lines: std::str::Lines<'_>) -> Option<String> {
 /// Why a text is none that this page reads.
 fn newer(text: &str) -> String {
     if is_newer(text) {
-        "A newer version of this page has written it.".to_owned()
+        tr!("A newer version of this page has written it.").to_owned()
     } else {
-        "It is no document of Giveway.".to_owned()
+        tr!("It is no document of Giveway.").to_owned()
     }
 }
 
 fn unread(why: String) -> Notice {
     Notice {
-        sentence: "What this browser kept cannot be read.".to_owned(),
+        sentence: tr!("What this browser kept cannot be read.").to_owned(),
         details: vec![why],
     }
 }

@@ -4,7 +4,7 @@ use std::collections::BTreeMap;
 use std::rc::Rc;
 
 use giveway_model::change::Changes;
-use giveway_model::{Costs, Instance, Plan, Version, check};
+use giveway_model::{Costs, Instance, Plan, Version, check, tr};
 use giveway_solve::{SolveAnswer, SolveRequest, Stats, Status};
 
 use super::parts::Parts;
@@ -22,7 +22,7 @@ pub(crate) fn judged(draft: Draft, plan: Plan, changes: Option<Changes>) -> Resu
         // By way of a link's text, which is bounded.
         let text = change::write(&changes.changes);
         change::read(&text, draft.agents().len())
-            .ok_or("It has more changes than the page takes.")?;
+            .ok_or(tr!("It has more changes than the page takes."))?;
     }
     let answer = answer(&draft, Some(plan), changes, &Parts::default())?;
     Ok(Linked {
@@ -45,8 +45,9 @@ pub(super) fn answer(
         (Err(_), None) => return Ok(None),
         (Err(faults), Some(_)) => {
             let fault = first(faults);
-            return Err(format!(
-                "The file has a plan, but its scene is not valid: {fault}."
+            return Err(tr!(
+                "The file has a plan, but its scene is not valid: {fault}.",
+                fault
             ));
         }
     };
@@ -84,7 +85,7 @@ pub(super) fn answer(
             let steps = parts.get("steps").unwrap_or_default();
             let steps = change::read_steps(steps, &changes);
             Answer::over_time(draft, request, solved, changes, steps)
-                .map_err(|_| "Its changes do not fit its plan.")?
+                .map_err(|_| tr!("Its changes do not fit its plan."))?
         }
     };
     answer.is_shared = !has_claim;
@@ -106,10 +107,13 @@ fn costs(
     let report = match changes {
         None => check::check(instance, plan),
         Some(changes) => check::check_changes(instance, changes, plan)
-            .map_err(|faults| format!("Its changes do not fit: {}.", first(&faults)))?,
+            .map_err(|faults| tr!("Its changes do not fit: {first}.", first = first(&faults)))?,
     };
     match report.violations.first() {
-        Some(violation) => Err(format!("Its plan breaks a rule: {}", violation.message)),
+        Some(violation) => Err(tr!(
+            "Its plan breaks a rule: {message}",
+            message = violation.message
+        )),
         None => Ok(report.costs),
     }
 }

@@ -9,7 +9,7 @@ use std::collections::BTreeMap;
 use std::rc::Rc;
 
 use giveway_model::change::Changes;
-use giveway_model::{Agent, Plan, Scene};
+use giveway_model::{Agent, Plan, Scene, tr};
 
 use super::text::{numbers, unescape};
 use super::{From, LONGEST, Linked, Source, ask, change, knowledge, message, plan, scene};
@@ -39,7 +39,7 @@ impl Reader {
     /// What is wrong with it, as a sentence.
     pub(super) fn read(&mut self, text: &str, from: From) -> Result<Linked, String> {
         if text.len() > LONGEST {
-            return Err("It is longer than the page takes.".to_owned());
+            return Err(tr!("It is longer than the page takes.").to_owned());
         }
         let parts = Parts::split(text, from)?;
         let draft = self.draft(&parts)?;
@@ -72,7 +72,7 @@ impl Reader {
         }
         let draft = Draft::new(read).map_err(|faults| {
             let fault = judged::first(&faults);
-            format!("Its scene cannot be drawn: {fault}.")
+            tr!("Its scene cannot be drawn: {fault}.", fault)
         })?;
         let draft = Rc::new(draft);
         self.drafts.insert(key, Rc::clone(&draft));
@@ -185,7 +185,7 @@ fn plan(
         times.slept = slept;
     }
     let plan = plan::read(&agents, text, times);
-    plan.ok_or_else(|| "Its plan is broken.".to_owned())
+    plan.ok_or_else(|| tr!("Its plan is broken.").to_owned())
 }
 
 fn colours(text: &str) -> Option<Colours> {

@@ -3,6 +3,8 @@
 
 use std::collections::BTreeMap;
 
+use giveway_model::tr;
+
 use crate::link::From;
 
 /// The parts that make a scene.
@@ -69,11 +71,12 @@ impl<'a> Parts<'a> {
             Some(("giveway", "1")) => {}
             Some(("giveway", version)) => {
                 let version: String = version.chars().take(20).collect();
-                return Err(format!(
-                    "It is of version {version}; this page reads version 1."
+                return Err(tr!(
+                    "It is of version {version}; this page reads version 1.",
+                    version
                 ));
             }
-            _ => return Err("It holds no scene of Giveway.".to_owned()),
+            _ => return Err(tr!("It holds no scene of Giveway.").to_owned()),
         }
         let mut parts = BTreeMap::new();
         for (key, value) in all {
@@ -117,5 +120,5 @@ impl<'a> Parts<'a> {
 /// That a part is broken, as a sentence.
 pub(super) fn broken(key: &str) -> String {
     let key: String = key.chars().take(20).collect();
-    format!("Its part \u{201c}{key}\u{201d} is broken.")
+    tr!("Its part “{key}” is broken.", key)
 }

@@ -3,7 +3,7 @@
 use std::collections::BTreeMap;
 use std::rc::Rc;
 
-use giveway_model::Question;
+use giveway_model::{Question, tr};
 use giveway_solve::plan::Planner;
 use giveway_solve::{Limits, SolveRequest, Status};
 
@@ -70,8 +70,8 @@ pub(in crate::reduce) fn start(state: &mut State, how: Start) {
     if draft.instance().is_err() {
         let problems = draft.problems().iter();
         state.view.notice = Some(Notice {
-            sentence: "The scene cannot be solved as it is.".to_owned(),
-            details: problems.map(|problem| problem.sentence.clone()).collect(),
+            sentence: tr!("The scene cannot be solved as it is.").to_owned(),
+            details: problems.map(|problem| problem.sentence()).collect(),
         });
         return;
     }

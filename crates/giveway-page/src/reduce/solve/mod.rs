@@ -13,6 +13,7 @@ pub(super) use begin::{Start, start};
 pub(super) use preview::preview;
 
 use answered::show_point;
+use giveway_model::tr;
 
 /// A plan of at most so many agents is proved as soon as it is opened.
 const SMALL: usize = 12;
@@ -48,7 +49,7 @@ pub(super) fn is_small(document: &Document) -> bool {
 pub(super) fn cancel(state: &mut State) {
     match state.work.end() {
         Some(Task::Solve(run)) => {
-            if let Some(solved) = run.stopped("You stopped the search") {
+            if let Some(solved) = run.stopped(tr!("You stopped the search")) {
                 match run.planner {
                     Some(planner) => planners::arrive(state, &run, planner, solved, None),
                     None => answered(state, run, solved),
@@ -62,7 +63,7 @@ pub(super) fn cancel(state: &mut State) {
             }
         }
         Some(Task::Look(looking)) => {
-            inside::not_told(state, &looking, "You stopped it.");
+            inside::not_told(state, &looking, tr!("You stopped it."));
         }
         Some(Task::Certify(_) | Task::Export(_) | Task::Change(_) | Task::Freedom(_)) | None => {}
     }

@@ -1,30 +1,31 @@
 //! A lane in words.
 
+use giveway_model::tr;
+
 use super::{Lane, Way};
-use crate::words;
 
 impl Lane {
     /// The lane in one sentence, for those who do not see it.
     pub fn sentence(&self) -> String {
-        let mut parts = vec![words::count(self.moves(), "move")];
+        let mut parts = vec![tr!("{n} move" | "{n} moves" % self.moves())];
         match self.count(Way::Slow) {
             0 => {}
-            slow => parts.push(format!("{slow} of them slow")),
+            slow => parts.push(tr!("{slow} of them slow", slow)),
         }
         match self.count(Way::Wait) {
             0 => {}
-            waits => parts.push(words::count(waits, "wait")),
+            waits => parts.push(tr!("{n} wait" | "{n} waits" % waits)),
         }
         if !self.charges.is_empty() {
-            parts.push(format!("charges at {}", list(&self.charges)));
+            parts.push(tr!("charges at {times}", times = list(&self.charges)));
         }
         if self.begins > 0 {
-            parts.insert(0, format!("joins at {}", self.begins));
+            parts.insert(0, tr!("joins at {time}", time = self.begins));
         }
         parts.push(match self.removed {
-            Some(time) => format!("is removed at {time}"),
-            None if self.arrives => format!("arrives at {}", self.arrival),
-            None => format!("led up to {}", self.arrival),
+            Some(time) => tr!("is removed at {time}", time),
+            None if self.arrives => tr!("arrives at {time}", time = self.arrival),
+            None => tr!("led up to {time}", time = self.arrival),
         });
         format!("{}: {}", self.name, parts.join(", "))
     }
@@ -38,7 +39,7 @@ fn list(times: &[u32]) -> String {
         [only] => text(only),
         [first @ .., last] => {
             let first: Vec<String> = first.iter().map(text).collect();
-            format!("{} and {last}", first.join(", "))
+            tr!("list" => "{list} and {last}", list = first.join(", "), last)
         }
     }
 }

@@ -1,5 +1,7 @@
 //! The badge before the sentence: an icon and one word.
 
+use giveway_model::tr;
+
 /// What stands before the sentence: an icon and one word, never a colour alone.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Badge {
@@ -49,31 +51,31 @@ pub enum Badge {
 
 impl Badge {
     /// The word on it.
-    pub const fn word(self) -> &'static str {
+    pub fn word(self) -> &'static str {
         match self {
-            Self::Draft => "Draft",
-            Self::Faulty => "Problem",
-            Self::Solving => "Solving",
-            Self::Asking => "Asking",
-            Self::Checking => "Checking",
-            Self::Counting => "Counting",
-            Self::Changing => "Changing",
-            Self::Adapting => "Looking",
-            Self::Compared(1) => "1 answer",
-            Self::Compared(2) => "2 answers",
-            Self::Compared(_) => "3 answers",
-            Self::Steering => "Steering",
-            Self::Adopted => "Adopted",
-            Self::Proved => "Proved",
-            Self::Found => "Plan",
-            Self::Impossible => "Impossible",
-            Self::Stopped => "Stopped",
-            Self::Stale => "Stale",
-            Self::Shared => "Shared",
-            Self::Reading => "Reading",
-            Self::Saving => "Saving",
-            Self::Legal => "Legal",
-            Self::Illegal => "Not legal",
+            Self::Draft => tr!("the status in a word" => "Draft"),
+            Self::Faulty => tr!("the status in a word" => "Problem"),
+            Self::Solving => tr!("the status in a word" => "Solving"),
+            Self::Asking => tr!("the status in a word" => "Asking"),
+            Self::Checking => tr!("the status in a word" => "Checking"),
+            Self::Counting => tr!("the status in a word" => "Counting"),
+            Self::Changing => tr!("the status in a word" => "Changing"),
+            Self::Adapting => tr!("the status in a word" => "Looking"),
+            Self::Compared(1) => tr!("the status in a word" => "1 answer"),
+            Self::Compared(2) => tr!("the status in a word" => "2 answers"),
+            Self::Compared(_) => tr!("the status in a word" => "3 answers"),
+            Self::Steering => tr!("the status in a word" => "Steering"),
+            Self::Adopted => tr!("the status in a word" => "Adopted"),
+            Self::Proved => tr!("the status in a word" => "Proved"),
+            Self::Found => tr!("the status in a word" => "Plan"),
+            Self::Impossible => tr!("the status in a word" => "Impossible"),
+            Self::Stopped => tr!("the status in a word" => "Stopped"),
+            Self::Stale => tr!("the status in a word" => "Stale"),
+            Self::Shared => tr!("the status in a word" => "Shared"),
+            Self::Reading => tr!("the status in a word" => "Reading"),
+            Self::Saving => tr!("the status in a word" => "Saving"),
+            Self::Legal => tr!("the status in a word" => "Legal"),
+            Self::Illegal => tr!("the status in a word" => "Not legal"),
         }
     }
 

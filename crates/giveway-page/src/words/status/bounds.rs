@@ -1,6 +1,6 @@
 //! What is proved of each cost, in words, while the solver works.
 
-use giveway_model::Objective;
+use giveway_model::{Objective, tr};
 use giveway_solve::words::known;
 
 use crate::Solving;
@@ -11,9 +11,12 @@ pub(super) fn solving(run: &Solving) -> String {
     let known = known(objective(run), &run.bounds, run.best.as_ref());
     if known.is_empty() {
         return match &run.best {
-            Some(costs) => format!("a plan with {}.", values(objective(run), costs)),
-            None if run.planner.is_some() => "no plan yet.".to_owned(),
-            None => "no bound yet.".to_owned(),
+            Some(costs) => tr!(
+                "a plan with {costs}.",
+                costs = values(objective(run), costs)
+            ),
+            None if run.planner.is_some() => tr!("no plan yet.").to_owned(),
+            None => tr!("no bound yet.").to_owned(),
         };
     }
     format!("{known}.")

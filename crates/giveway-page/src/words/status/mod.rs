@@ -4,6 +4,7 @@ mod badge;
 mod bounds;
 mod resting;
 
+use giveway_model::tr;
 use giveway_model::words::capital;
 
 use crate::certificate;
@@ -74,7 +75,7 @@ pub fn standing(state: &State) -> Standing {
     if let Some(placing) = state.placing() {
         let at = crate::words::at(placing.start);
         let name = state.next_name();
-        let sentence = format!("{name} starts at {at}. Now choose its goal.");
+        let sentence = tr!("{name} starts at {at}. Now choose its goal.", name, at);
         return say(Badge::Draft, sentence);
     }
     match &state.document.mode {
@@ -110,11 +111,14 @@ fn working(state: &State, task: &Task) -> Standing {
             let known = solving(run);
             if let Some(planner) = run.planner {
                 let title = planner.title();
-                return say(Badge::Solving, format!("{title} is planning: {known}"));
+                return say(
+                    Badge::Solving,
+                    tr!("{title} is planning: {known}", title, known),
+                );
             }
             Standing {
                 beside: Some(capital(&known)),
-                ..say(Badge::Solving, format!("Solving: {known}"))
+                ..say(Badge::Solving, tr!("Solving: {known}", known))
             }
         }
         Task::Explain(_) => {
@@ -136,5 +140,8 @@ fn asked(asking: &Asking) -> String {
     if asking.told.is_none() {
         return question;
     }
-    format!("{question} The verdict is there; reasons and repairs follow.")
+    tr!(
+        "{question} The verdict is there; reasons and repairs follow.",
+        question
+    )
 }

@@ -2,13 +2,14 @@
 
 use std::rc::Rc;
 
+use giveway_model::tr;
 use giveway_solve::Status;
 use giveway_solve::words::headline;
 
 use super::{Badge, Standing};
 use crate::front::Front;
+use crate::words::change;
 use crate::words::costs::values;
-use crate::words::{change, count};
 use crate::{Answer, State, planners};
 
 /// Where the page stands with a scene and its plan, if it has one.
@@ -17,16 +18,19 @@ pub(super) fn resting(state: &State) -> Standing {
     if let Some(problem) = state.document.draft.problems().first()
         && state.document.fresh_answer().is_none()
     {
-        let fault = format!("This cannot be solved: {}", problem.sentence);
+        let fault = tr!(
+            "This cannot be solved: {problem}",
+            problem = problem.sentence()
+        );
         return say(Badge::Faulty, fault);
     }
     let Some(answer) = &state.document.answer else {
-        return say(Badge::Draft, "No plan yet.".to_owned());
+        return say(Badge::Draft, tr!("No plan yet.").to_owned());
     };
     if state.document.is_stale() {
         let what = match answer.plan() {
-            Some(_) => "The scene has changed since this plan. Solve again.",
-            None => "The scene has changed. Solve again.",
+            Some(_) => tr!("The scene has changed since this plan. Solve again."),
+            None => tr!("The scene has changed. Solve again."),
         };
         return say(Badge::Stale, what.to_owned());
     }
@@ -60,17 +64,25 @@ pub(super) fn resting(state: &State) -> Standing {
 
 /// `On the Pareto front of 3 plans: makespan 18, sum of costs 35.`
 fn on_front(front: &Front, answer: &Rc<Answer>) -> Standing {
-    let plans = count(front.points.len(), "plan");
+    let plans = front.points.len();
     let costs = front.name(front.place_of(answer).unwrap_or_default());
     let (badge, what) = if front.is_whole() {
         (
             Badge::Proved,
-            format!("On the Pareto front of {plans}: {costs}."),
+            tr!(
+                "On the Pareto front of {n} plan: {costs}."
+                    | "On the Pareto front of {n} plans: {costs}." % plans,
+                costs
+            ),
         )
     } else {
         (
             Badge::Stopped,
-            format!("On the Pareto front, {plans} so far: {costs}."),
+            tr!(
+                "On the Pareto front, {n} plan so far: {costs}."
+                    | "On the Pareto front, {n} plans so far: {costs}." % plans,
+                costs
+            ),
         )
     };
     Standing::new(badge, what)
@@ -81,7 +93,10 @@ fn shared(answer: &Answer) -> String {
     let objective = &answer.draft.scene().objective;
     let costs = answer.solved.costs;
     let costs = costs.map_or_else(String::new, |costs| values(objective, &costs));
-    format!("This plan was shared: {costs}. Nobody has checked here whether it is the best.")
+    tr!(
+        "This plan was shared: {costs}. Nobody has checked here whether it is the best.",
+        costs
+    )
 }
 
 fn answered(answer: &Answer) -> String {

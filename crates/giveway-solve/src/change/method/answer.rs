@@ -2,7 +2,7 @@
 
 use std::collections::BTreeMap;
 
-use giveway_model::{Cost, Costs, Version, sorting};
+use giveway_model::{Cost, Costs, Version, sorting, tr};
 
 use super::{
     MethodFound, blocked,
@@ -48,7 +48,7 @@ pub(super) fn without_search(case: &Case<'_, '_>, trouble: Trouble) -> MethodAns
         }
         Trouble::TooManyWaypoints(agent) => {
             let name = name(agent);
-            let reason = format!("{name} has more waypoints than can be planned for.");
+            let reason = tr!("{name} has more waypoints than can be planned for.", name);
             (Status::Unknown, None, reason, None)
         }
         Trouble::Stopped(stop) => (Status::Unknown, None, stop.sentence().to_owned(), None),

@@ -1,7 +1,7 @@
 //! What a question contrasts the plan with, as clauses.
 
 use giveway_model::question::{self, Contrast};
-use giveway_model::{Cost, Question};
+use giveway_model::{Cost, Question, tr};
 
 use super::{costs::name, verdict::Telling};
 use crate::explain::own_plan::own_costs;
@@ -25,14 +25,38 @@ fn of_cost(telling: &Telling) -> Option<Contrast> {
         let below = past.told_costs(instance, plan)?.get(cost);
         let name = name(cost);
         Some(Contrast {
-            would: format!("the {name} were below {below}"),
-            does: format!("the {name} is below {below}"),
+            would: tr!("If ..." => "the {cost} were below {below}", cost = name, below),
+            does: tr!("a plan in which ..." => "the {cost} is below {below}", cost = name, below),
         })
     };
-    let fewer = |agent: &str, below: u32, things: &str| {
+    let moves = |agent: &str, below: u32| {
         Some(Contrast {
-            would: format!("{agent} made fewer than {below} {things}"),
-            does: format!("{agent} makes fewer than {below} {things}"),
+            would: tr!("If ..." => "{agent} made fewer than {below} moves", agent, below),
+            does: tr!(
+                "a plan in which ..." => "{agent} makes fewer than {below} moves",
+                agent,
+                below
+            ),
+        })
+    };
+    let charges = |agent: &str, below: u32| {
+        Some(Contrast {
+            would: tr!("If ..." => "{agent} made fewer than {below} charges", agent, below),
+            does: tr!(
+                "a plan in which ..." => "{agent} makes fewer than {below} charges",
+                agent,
+                below
+            ),
+        })
+    };
+    let waits = |agent: &str, below: u32| {
+        Some(Contrast {
+            would: tr!("If ..." => "{agent} made fewer than {below} waits", agent, below),
+            does: tr!(
+                "a plan in which ..." => "{agent} makes fewer than {below} waits",
+                agent,
+                below
+            ),
         })
     };
     let own = |agent: &str, cost: Cost| Some(own_costs(instance, agent, plan)?.get(cost));
@@ -40,21 +64,19 @@ fn of_cost(telling: &Telling) -> Option<Contrast> {
         Question::Arrival { agent } => {
             let time = past.time(own(agent, Cost::Makespan)?);
             Some(Contrast {
-                would: format!("{agent} arrived before time {time}"),
-                does: format!("{agent} arrives before time {time}"),
+                would: tr!("If ..." => "{agent} arrived before time {time}", agent, time),
+                does: tr!("a plan in which ..." => "{agent} arrives before time {time}", agent, time),
             })
         }
         Question::Length {
             agent,
             fewer_than: Some(most),
-        } => fewer(agent, *most, "moves"),
+        } => moves(agent, *most),
         Question::Length { agent, .. } | Question::Moves { agent: Some(agent) } => {
-            fewer(agent, own(agent, Cost::Moves)?, "moves")
+            moves(agent, own(agent, Cost::Moves)?)
         }
-        Question::Charges { agent: Some(agent) } => {
-            fewer(agent, own(agent, Cost::Charges)?, "charges")
-        }
-        Question::Waits { agent: Some(agent) } => fewer(agent, own(agent, Cost::Waits)?, "waits"),
+        Question::Charges { agent: Some(agent) } => charges(agent, own(agent, Cost::Charges)?),
+        Question::Waits { agent: Some(agent) } => waits(agent, own(agent, Cost::Waits)?),
         Question::Makespan => whole(Cost::Makespan),
         Question::SumOfCosts => whole(Cost::SumOfCosts),
         Question::Charges { agent: None } => whole(Cost::Charges),

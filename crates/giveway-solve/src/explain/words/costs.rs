@@ -1,16 +1,16 @@
 //! Costs, and how two plans differ in them.
 
 use giveway_model::words::and;
-use giveway_model::{Cost, Costs, Objective};
+use giveway_model::{Cost, Costs, Objective, tr};
 
 /// The name of a cost, as a noun of one thing.
-pub(crate) const fn name(cost: Cost) -> &'static str {
+pub(crate) fn name(cost: Cost) -> &'static str {
     match cost {
-        Cost::Makespan => "makespan",
-        Cost::SumOfCosts => "sum of costs",
-        Cost::Charges => "number of charges",
-        Cost::Moves => "number of moves",
-        Cost::Waits => "number of waits",
+        Cost::Makespan => tr!("makespan"),
+        Cost::SumOfCosts => tr!("sum of costs"),
+        Cost::Charges => tr!("number of charges"),
+        Cost::Moves => tr!("number of moves"),
+        Cost::Waits => tr!("number of waits"),
     }
 }
 
@@ -19,7 +19,14 @@ pub(crate) const fn name(cost: Cost) -> &'static str {
 pub(crate) fn instead(objective: &Objective, now: &Costs, before: &Costs) -> String {
     let phrase = |&cost: &Cost| {
         let (now, before) = (now.get(cost), before.get(cost));
-        (now != before).then(|| format!("a {} of {now} instead of {before}", name(cost)))
+        (now != before).then(|| {
+            tr!(
+                "a {cost} of {now} instead of {before}",
+                cost = name(cost),
+                now,
+                before
+            )
+        })
     };
     let phrases: Vec<String> = objective.costs().iter().filter_map(phrase).collect();
     and(&phrases)

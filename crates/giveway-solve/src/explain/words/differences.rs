@@ -1,7 +1,7 @@
 //! What is different in the other plan, in a few words.
 
 use giveway_model::words::and;
-use giveway_model::{Cell, Cost, Instance, Plan, Question};
+use giveway_model::{Cell, Cost, Instance, Plan, Question, tr};
 
 use crate::explain::own_plan::own_costs;
 
@@ -35,20 +35,26 @@ pub(crate) fn instead(
         Question::Wait { .. } | Question::Waits { .. } | Question::Yield { .. }
     );
     if about_waiting && !waiting.is_empty() && waiting.len() <= 3 {
-        return Some(format!("{} could wait instead", subject(&waiting)));
+        return Some(tr!(
+            "{robots} could wait instead",
+            robots = subject(&waiting)
+        ));
     }
     let asked = asked.filter(|name| names.contains(name));
     match (asked, others.len()) {
         (Some(name), _) if way(plan, name) != way(other, name) => {
-            Some(format!("{name} could go another way"))
+            Some(tr!("{name} could go another way", name))
         }
         (Some(name), 0) if plan.path(name) == other.path(name) => {
-            Some(format!("{name} could charge at another time"))
+            Some(tr!("{name} could charge at another time", name))
         }
-        (Some(name), 0) if waits(name, other) > 0 => Some(format!("{name} could wait elsewhere")),
+        (Some(name), 0) if waits(name, other) > 0 => Some(tr!("{name} could wait elsewhere", name)),
         (_, 1..=3) => {
             let others: Vec<&str> = others.iter().map(|name| **name).collect();
-            Some(format!("{} could move differently", subject(&others)))
+            Some(tr!(
+                "{robots} could move differently",
+                robots = subject(&others)
+            ))
         }
         _ => None,
     }

@@ -1,6 +1,6 @@
 //! Facts that can be left out, as clauses.
 
-use giveway_model::Instance;
+use giveway_model::{Instance, tr};
 
 use crate::explain::group::Group;
 
@@ -10,29 +10,40 @@ pub(crate) fn fact(group: Group, instance: &Instance, within: Option<u32>) -> St
     let name = |a: usize| agent(a).map_or("", |agent| agent.name.as_str());
     match group {
         Group::Task(a) => agent(a).map_or_else(String::new, |a| {
-            format!("{} must go from {} to {}", a.name, a.start, a.goal)
+            tr!(
+                "{agent} must go from {start} to {goal}",
+                agent = a.name,
+                start = a.start,
+                goal = a.goal
+            )
         }),
-        Group::Waypoint(a, cell) => format!("{} must visit {cell}", name(a)),
+        Group::Waypoint(a, cell) => tr!("{name} must visit {cell}", name = name(a), cell),
         Group::Battery(a) => {
             let battery = agent(a).and_then(|agent| agent.battery);
             battery.map_or_else(String::new, |battery| {
                 let (initial, capacity) = (battery.initial, battery.capacity);
-                format!(
-                    "the battery of {} holds {capacity} and starts at {initial}",
-                    name(a)
+                tr!(
+                    "the battery of {name} holds {capacity} and starts at {initial}",
+                    name = name(a),
+                    capacity,
+                    initial
                 )
             })
         }
-        Group::Obstacle(cell) => format!("{cell} is an obstacle"),
-        Group::Collision(a, b) => format!("{} and {} must not collide", name(a), name(b)),
+        Group::Obstacle(cell) => tr!("{cell} is an obstacle", cell),
+        Group::Collision(a, b) => tr!("{a} and {b} must not collide", a = name(a), b = name(b)),
         Group::Stay(a) => {
             let goal = agent(a).map(|agent| agent.goal.to_string());
-            format!("{} stays at its goal {}", name(a), goal.unwrap_or_default())
+            tr!(
+                "{name} stays at its goal {goal}",
+                name = name(a),
+                goal = goal.unwrap_or_default()
+            )
         }
-        Group::Slow => "moves in the slow zone take 2 steps".to_owned(),
+        Group::Slow => tr!("moves in the slow zone take 2 steps").to_owned(),
         Group::Deadline => {
             let within = within.unwrap_or_default();
-            format!("every robot must arrive by time {within}")
+            tr!("every robot must arrive by time {within}", within)
         }
     }
 }

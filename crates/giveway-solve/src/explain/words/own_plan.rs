@@ -1,7 +1,7 @@
 //! What there is to say of a person's own plan.
 
-use giveway_model::words::{and, count};
-use giveway_model::{Cost, Costs, Objective};
+use giveway_model::words::and;
+use giveway_model::{Cost, Costs, Objective, tr};
 
 use super::costs::instead;
 use crate::explain::{answer::Excess, own_plan::Judged};
@@ -23,10 +23,12 @@ pub(crate) fn own_plan(
     }
     match (least, judged.optimal) {
         (Some(least), _) => better(judged, objective, least, costs),
-        (None, Some(true)) => "The plan keeps all rules, and no plan is better.".to_owned(),
-        (None, _) => "The plan keeps all rules. The search ended before it was known whether \
+        (None, Some(true)) => tr!("The plan keeps all rules, and no plan is better.").to_owned(),
+        (None, _) => tr!(
+            "The plan keeps all rules. The search ended before it was known whether \
                       there is a better one."
-            .to_owned(),
+        )
+        .to_owned(),
     }
 }
 
@@ -35,26 +37,31 @@ fn broken(judged: &Judged) -> Option<String> {
     let rest = judged.violations.len() - 1;
     let more = match rest {
         0 => String::new(),
-        1 => " There is one more violation.".to_owned(),
-        more => format!(" There are {more} more violations."),
+        more => tr!(" There is one more violation." | " There are {n} more violations." % more),
     };
-    Some(format!("The plan breaks a rule: {}{more}", first.message))
+    Some(tr!(
+        "The plan breaks a rule: {message}{more}",
+        message = first.message,
+        more
+    ))
 }
 
 fn better(judged: &Judged, objective: &Objective, least: &Costs, costs: &Costs) -> String {
     let instead = instead(objective, least, costs);
-    let mut text = format!("The plan keeps all rules, but there is a better one: {instead}.");
+    let mut text = tr!(
+        "The plan keeps all rules, but there is a better one: {instead}.",
+        instead
+    );
     let mut phrases: Vec<String> = judged.excess.iter().map(phrase).collect();
     if phrases.len() > MOST {
         let more = phrases.len() - MOST;
         phrases.truncate(MOST);
-        phrases.push(match more {
-            1 => "there is one more saving".to_owned(),
-            more => format!("there are {more} more savings"),
-        });
+        phrases.push(tr!(
+            "there is one more saving" | "there are {n} more savings" % more
+        ));
     }
     if !phrases.is_empty() {
-        text = format!("{text} In it {}.", and(&phrases));
+        text = tr!("{text} In it {savings}.", text, savings = and(&phrases));
     }
     text
 }
@@ -62,11 +69,23 @@ fn better(judged: &Judged, objective: &Objective, least: &Costs, costs: &Costs) 
 fn phrase(excess: &Excess) -> String {
     let (agent, by) = (&excess.agent, excess.by);
     match excess.cost {
-        Cost::Charges => format!("{agent} makes {}", count(by, "fewer charge")),
-        Cost::Moves => format!("{agent} makes {}", count(by, "fewer move")),
-        Cost::Waits => format!("{agent} waits {} less", count(by, "step")),
+        Cost::Charges => tr!(
+            "{agent} makes {n} fewer charge" | "{agent} makes {n} fewer charges" % by,
+            agent
+        ),
+        Cost::Moves => tr!(
+            "{agent} makes {n} fewer move" | "{agent} makes {n} fewer moves" % by,
+            agent
+        ),
+        Cost::Waits => tr!(
+            "{agent} waits {n} step less" | "{agent} waits {n} steps less" % by,
+            agent
+        ),
         Cost::Makespan | Cost::SumOfCosts => {
-            format!("{agent} arrives {} sooner", count(by, "step"))
+            tr!(
+                "{agent} arrives {n} step sooner" | "{agent} arrives {n} steps sooner" % by,
+                agent
+            )
         }
     }
 }

@@ -1,7 +1,7 @@
 //! Repairs, as sentences.
 
-use giveway_model::Costs;
 use giveway_model::words::{and, capital};
+use giveway_model::{Costs, tr};
 
 use crate::explain::answer::Edit;
 
@@ -13,7 +13,12 @@ pub(crate) fn repair(edits: &[Edit], costs: &Costs) -> String {
 /// Edits with what they lead to: `remove the obstacle at (3, 1): makespan 4, sum of costs 7`.
 pub(super) fn led_to(edits: &str, costs: &Costs) -> String {
     let (makespan, sum) = (costs.makespan, costs.sum_of_costs);
-    format!("{edits}: makespan {makespan}, sum of costs {sum}")
+    tr!(
+        "{edits}: makespan {makespan}, sum of costs {sum}",
+        edits,
+        makespan,
+        sum
+    )
 }
 
 /// Edits as a sentence without its full stop: `Remove the obstacle at (3, 1)`.
@@ -36,17 +41,22 @@ pub(super) fn phrase(edits: &[Edit]) -> String {
 
 fn one(edit: &Edit) -> String {
     match edit {
-        Edit::RemoveObstacle { cell } => format!("remove the obstacle at {cell}"),
-        Edit::AddCharger { cell } => format!("put a charger at {cell}"),
+        Edit::RemoveObstacle { cell } => tr!("remove the obstacle at {cell}", cell),
+        Edit::AddCharger { cell } => tr!("put a charger at {cell}", cell),
         Edit::Battery {
             agent,
             capacity,
             initial,
-        } => format!("give {agent} a battery that holds {capacity} and starts at {initial}"),
-        Edit::Deadline { within } => format!("give all robots until time {within}"),
-        Edit::MakeNormal { cell } => format!("take {cell} out of the slow zone"),
-        Edit::DropWaypoint { agent, cell } => format!("let {agent} skip {cell}"),
-        Edit::Vanish => "let robots leave the map at their goals".to_owned(),
-        Edit::LeaveOut { agent } => format!("leave {agent} out"),
+        } => tr!(
+            "give {agent} a battery that holds {capacity} and starts at {initial}",
+            agent,
+            capacity,
+            initial
+        ),
+        Edit::Deadline { within } => tr!("give all robots until time {within}", within),
+        Edit::MakeNormal { cell } => tr!("take {cell} out of the slow zone", cell),
+        Edit::DropWaypoint { agent, cell } => tr!("let {agent} skip {cell}", agent, cell),
+        Edit::Vanish => tr!("let robots leave the map at their goals").to_owned(),
+        Edit::LeaveOut { agent } => tr!("leave {agent} out", agent),
     }
 }

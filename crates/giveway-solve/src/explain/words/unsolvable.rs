@@ -1,5 +1,6 @@
 //! Why there is no plan.
 
+use giveway_model::tr;
 use giveway_model::words::and;
 
 use super::{verdict::help, violations::would};
@@ -15,13 +16,16 @@ pub(crate) fn unsolvable(
     core: Option<&Core>,
     repairs: &[Repair],
 ) -> String {
-    let within = within.map_or_else(String::new, |n| format!(" with a makespan of at most {n}"));
-    let mut sentences = vec![format!("There is no plan{within}.")];
+    let within = within.map_or_else(
+        String::new,
+        |n| tr!("a plan" => " with a makespan of at most {n}", n),
+    );
+    let mut sentences = vec![tr!("There is no plan{within}.", within)];
     if let Some(core) = core.filter(|core| !core.facts.is_empty()) {
         let texts: Vec<&str> = core.facts.iter().map(|fact| fact.text.as_str()).collect();
-        sentences.push(format!(
-            "These facts together rule it out: {}.",
-            texts.join("; ")
+        sentences.push(tr!(
+            "These facts together rule it out: {facts}.",
+            facts = texts.join("; ")
         ));
     }
     for class in [
@@ -35,21 +39,26 @@ pub(crate) fn unsolvable(
             continue;
         };
         let if_not = match class {
-            Class::Collision => "If robots could pass through each other",
-            Class::Obstacle => "If robots could pass through obstacles",
-            Class::Battery => "If batteries did not matter",
-            Class::Waypoint => "If waypoints could be skipped",
+            Class::Collision => tr!("If robots could pass through each other"),
+            Class::Obstacle => tr!("If robots could pass through obstacles"),
+            Class::Battery => tr!("If batteries did not matter"),
+            Class::Waypoint => tr!("If waypoints could be skipped"),
         };
         let phrases: Vec<String> = violations
             .chunk_by(|a, b| a.agents.first() == b.agents.first())
             .filter_map(|own| {
                 let agent = own.first()?.agents.first().unwrap_or(first);
-                Some(format!("{agent} would {}", would(agent, own)))
+                Some(tr!(
+                    "{agent} would {would}",
+                    agent,
+                    would = would(agent, own)
+                ))
             })
             .collect();
-        sentences.push(format!(
-            "{if_not}, only this would go wrong: {}.",
-            and(&phrases)
+        sentences.push(tr!(
+            "{if_not}, only this would go wrong: {all}.",
+            if_not,
+            all = and(&phrases)
         ));
     }
     sentences.extend(help(repairs));

@@ -1,6 +1,6 @@
 //! The answer to a question about a plan.
 
-use giveway_model::{Costs, Instance, Objective, Plan, Question};
+use giveway_model::{Costs, Instance, Objective, Plan, Question, tr};
 
 use super::{
     contrast::contrast,
@@ -44,30 +44,46 @@ pub(crate) fn verdict(telling: &Telling) -> String {
     let goes_wrong = !violations.is_empty();
     if goes_wrong {
         let of_agent = telling.question.agent() == Some(agent);
-        let who = if of_agent { "it" } else { agent };
+        let who = if of_agent {
+            tr!("a robot would" => "it")
+        } else {
+            agent
+        };
         let what = would(agent, &violations);
-        sentences.push(format!("If {}, {who} would {what}.", contrast.would));
+        sentences.push(tr!(
+            "If {would}, {who} would {what}.",
+            would = contrast.would,
+            who,
+            what
+        ));
     }
     let now = telling.alternative.and_then(costs).unwrap_or(before);
-    let within = telling
-        .within
-        .map_or_else(String::new, |n| format!(" with a makespan of at most {n}"));
+    let within = telling.within.map_or_else(
+        String::new,
+        |n| tr!("a plan" => " with a makespan of at most {n}", n),
+    );
     sentences.push(match telling.verdict {
         Verdict::Needless => needless(telling, goes_wrong, &contrast.does),
         Verdict::Improvable => {
             let instead = in_costs(telling.objective, &now, &before);
-            format!(
-                "There is even a better plan{}: {instead}.",
-                in_which(&contrast.does)
+            tr!(
+                "There is even a better plan{in_which}: {instead}.",
+                in_which = in_which(&contrast.does),
+                instead
             )
         }
         Verdict::Costly => costly(telling, &contrast.does, &now, &before),
-        Verdict::Necessary => format!("There is no plan{within}{}.", in_which(&contrast.does)),
+        Verdict::Necessary => tr!(
+            "There is no plan{within}{in_which}.",
+            within,
+            in_which = in_which(&contrast.does)
+        ),
         Verdict::Unknown => {
             let does = &contrast.does;
-            format!(
+            tr!(
                 "The search ended before it was known whether a plan in which {does} would cost \
-                 more."
+                 more.",
+                does
             )
         }
     });
@@ -79,7 +95,7 @@ pub(crate) fn verdict(telling: &Telling) -> String {
 }
 
 fn in_which(does: &str) -> String {
-    format!(" in which {does}")
+    tr!("a plan" => " in which {does}", does)
 }
 
 fn needless(telling: &Telling, goes_wrong: bool, does: &str) -> String {
@@ -88,47 +104,55 @@ fn needless(telling: &Telling, goes_wrong: bool, does: &str) -> String {
         .and_then(|other| instead(telling.question, telling.instance, telling.plan, other));
     match (instead, goes_wrong) {
         (Some(instead), true) => {
-            format!("But {instead}: there is another plan that costs the same.")
-        }
-        (Some(instead), false) => {
-            format!(
-                "It does not have to be this way. {instead}: there is a plan that costs the same \
-                 and in which {does}."
+            tr!(
+                "But {instead}: there is another plan that costs the same.",
+                instead
             )
         }
-        (None, true) => "But there is another plan that costs the same.".to_owned(),
-        (None, false) => format!(
+        (Some(instead), false) => {
+            tr!(
+                "It does not have to be this way. {instead}: there is a plan that costs the same \
+                 and in which {does}.",
+                instead,
+                does
+            )
+        }
+        (None, true) => tr!("But there is another plan that costs the same.").to_owned(),
+        (None, false) => tr!(
             "It does not have to be this way: there is a plan that costs the same and in which \
-             {does}."
+             {does}.",
+            does
         ),
     }
 }
 
 fn costly(telling: &Telling, does: &str, now: &Costs, before: &Costs) -> String {
     let instead = in_costs(telling.objective, now, before);
-    format!("There is a plan in which {does}, but the best one has {instead}.")
+    tr!(
+        "There is a plan in which {does}, but the best one has {instead}.",
+        does,
+        instead
+    )
 }
 
 /// What a set of facts excludes.
 fn because(core: &Core, verdict: Verdict) -> Option<String> {
     let texts: Vec<&str> = core.facts.iter().map(|fact| fact.text.as_str()).collect();
-    let what = match verdict {
-        Verdict::Costly => "a cheaper one",
-        _ => "it",
-    };
-    (!texts.is_empty()).then(|| {
-        format!(
-            "These facts together rule {what} out: {}.",
-            texts.join("; ")
-        )
+    let facts = texts.join("; ");
+    (!texts.is_empty()).then(|| match verdict {
+        Verdict::Costly => tr!(
+            "These facts together rule a cheaper one out: {facts}.",
+            facts
+        ),
+        _ => tr!("These facts together rule it out: {facts}.", facts),
     })
 }
 
 /// The first repair.
 pub(crate) fn help(repairs: &[Repair]) -> Option<String> {
     let first = repairs.first()?;
-    Some(format!(
-        "It would help to {}.",
-        led_to(&phrase(&first.edits), &first.costs)
+    Some(tr!(
+        "It would help to {do_so}.",
+        do_so = led_to(&phrase(&first.edits), &first.costs)
     ))
 }

@@ -3,7 +3,8 @@
 use std::collections::BTreeSet;
 
 use giveway_model::check::{Rule, Violation};
-use giveway_model::words::{and, count};
+use giveway_model::tr;
+use giveway_model::words::and;
 
 /// The most that a sentence tells one by one.
 const MOST: usize = 3;
@@ -22,7 +23,7 @@ pub(crate) fn would(agent: &str, violations: &[&Violation]) -> String {
     let more = phrases.len().saturating_sub(MOST);
     if more > 0 {
         phrases.truncate(MOST);
-        phrases.push(format!("break {}", count(more, "more rule")));
+        phrases.push(tr!("a robot would" => "break {n} more rule" | "break {n} more rules" % more));
     }
     and(&phrases)
 }
@@ -34,19 +35,32 @@ fn phrase(agent: &str, violation: &Violation) -> String {
     let time = violation.time;
     let cell = violation
         .cell
-        .map_or_else(String::new, |cell| format!(" at {cell}"));
-    let edge = violation
-        .edge
-        .map_or_else(String::new, |[u, v]| format!(" between {u} and {v}"));
+        .map_or_else(String::new, |cell| tr!("a collision" => " at {cell}", cell));
+    let edge = violation.edge.map_or_else(
+        String::new,
+        |[u, v]| tr!("a collision" => " between {u} and {v}", u, v),
+    );
     match violation.rule {
-        Rule::Vertex => format!("meet {other}{cell} at time {time}"),
-        Rule::Swap => format!("run into {other}{edge} at time {time}"),
-        Rule::SlowSwap => format!("meet {other} half way{edge} at time {time}"),
-        Rule::Battery => format!("run out of battery at time {time}"),
-        Rule::Waypoint => format!("miss its waypoint{cell}"),
-        Rule::Obstacle => format!("pass through the obstacle{cell} at time {time}"),
-        Rule::Goal => "not end at its goal".to_owned(),
-        Rule::Charge => format!("charge at time {time}, where it cannot"),
-        Rule::Shape | Rule::Start | Rule::Move => format!("break a rule at time {time}"),
+        Rule::Vertex => {
+            tr!("a robot would" => "meet {other}{cell} at time {time}", other, cell, time)
+        }
+        Rule::Swap => {
+            tr!("a robot would" => "run into {other}{edge} at time {time}", other, edge, time)
+        }
+        Rule::SlowSwap => tr!("a robot would" => "meet {other} half way{edge} at time {time}",
+            other,
+            edge,
+            time
+        ),
+        Rule::Battery => tr!("a robot would" => "run out of battery at time {time}", time),
+        Rule::Waypoint => tr!("a robot would" => "miss its waypoint{cell}", cell),
+        Rule::Obstacle => {
+            tr!("a robot would" => "pass through the obstacle{cell} at time {time}", cell, time)
+        }
+        Rule::Goal => tr!("a robot would" => "not end at its goal").to_owned(),
+        Rule::Charge => tr!("a robot would" => "charge at time {time}, where it cannot", time),
+        Rule::Shape | Rule::Start | Rule::Move => {
+            tr!("a robot would" => "break a rule at time {time}", time)
+        }
     }
 }

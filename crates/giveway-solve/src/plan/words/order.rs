@@ -1,5 +1,6 @@
 //! What came of an order of prioritised planning, in words.
 
+use giveway_model::tr;
 use giveway_model::words::and;
 
 use super::is_stuck;
@@ -10,10 +11,10 @@ pub fn around(order: &OrderTried, place: usize) -> String {
     let before = order.order.get(..place).unwrap_or_default();
     let before: Vec<&str> = before.iter().map(String::as_str).collect();
     match before.as_slice() {
-        [] => "plans freely".to_owned(),
-        [one] => format!("plans around {one}"),
-        [_, _] => format!("around {}", and(&before)),
-        more => format!("around {} before it", more.len()),
+        [] => tr!("plans freely").to_owned(),
+        [one] => tr!("plans around {one}", one),
+        [_, _] => tr!("around {others}", others = and(&before)),
+        more => tr!("around {more} before it", more = more.len()),
     }
 }
 
@@ -28,8 +29,19 @@ pub fn why_stuck(order: &OrderTried) -> Option<String> {
     let last = order.furthest.len() - 1;
     Some(if order.dead_end {
         let next = last + 1;
-        format!("{stuck}. At time {last} it stands at {end}, and has no free cell at time {next}.")
+        tr!(
+            "{stuck}. At time {last} it stands at {end}, and has no free cell at time {next}.",
+            stuck,
+            last,
+            end,
+            next
+        )
     } else {
-        format!("{stuck}. It comes as near as {end} at time {last}, and no further.")
+        tr!(
+            "{stuck}. It comes as near as {end} at time {last}, and no further.",
+            stuck,
+            end,
+            last
+        )
     })
 }

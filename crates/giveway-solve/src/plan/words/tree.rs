@@ -1,5 +1,7 @@
 //! What stands in a constraint tree, in words: conflicts, and what a node asks.
 
+use giveway_model::tr;
+
 use crate::plan::{ToldConflict, ToldConstraint};
 
 /// A conflict, to stand in a sentence: `A2 and A3 meet at (3, 1) at time 2`.
@@ -10,19 +12,38 @@ pub fn conflict(conflict: &ToldConflict) -> String {
             cell,
             time,
             ..
-        } => format!("{a} and {b} meet at {cell} at time {time}"),
+        } => tr!(
+            "{a} and {b} meet at {cell} at time {time}",
+            a,
+            b,
+            cell,
+            time
+        ),
         ToldConflict::Swap {
             agents: [a, b],
             edge: [from, to],
             time,
             ..
-        } => format!("{a} and {b} swap between {from} and {to} in the step from time {time}"),
+        } => tr!(
+            "{a} and {b} swap between {from} and {to} in the step from time {time}",
+            a,
+            b,
+            from,
+            to,
+            time
+        ),
         ToldConflict::Target {
             agents: [a, b],
             cell,
             time,
             ..
-        } => format!("{b} comes to {cell} at time {time}, where {a} rests"),
+        } => tr!(
+            "{b} comes to {cell} at time {time}, where {a} rests",
+            b,
+            cell,
+            time,
+            a
+        ),
     }
 }
 
@@ -35,8 +56,8 @@ pub fn conflict_lines(conflict: &ToldConflict) -> [String; 2] {
             time,
             ..
         } => [
-            format!("{a} and {b} meet"),
-            format!("{cell} at time {time}"),
+            tr!("{a} and {b} meet", a, b),
+            tr!("{cell} at time {time}", cell, time),
         ],
         ToldConflict::Swap {
             agents: [a, b],
@@ -44,8 +65,8 @@ pub fn conflict_lines(conflict: &ToldConflict) -> [String; 2] {
             time,
             ..
         } => [
-            format!("{a} and {b} swap"),
-            format!("{from}, {to} at {time}"),
+            tr!("{a} and {b} swap", a, b),
+            tr!("{from}, {to} at {time}", from, to, time),
         ],
         ToldConflict::Target {
             agents: [a, b],
@@ -53,8 +74,8 @@ pub fn conflict_lines(conflict: &ToldConflict) -> [String; 2] {
             time,
             ..
         } => [
-            format!("{b} runs into {a}"),
-            format!("{cell} at time {time}"),
+            tr!("{b} runs into {a}", b, a),
+            tr!("{cell} at time {time}", cell, time),
         ],
     }
 }
@@ -63,26 +84,49 @@ pub fn conflict_lines(conflict: &ToldConflict) -> [String; 2] {
 pub fn constraint(constraint: &ToldConstraint) -> String {
     match constraint {
         ToldConstraint::NotAt { agent, cell, time } => {
-            format!("{agent} is not at {cell} at time {time}")
+            tr!("{agent} is not at {cell} at time {time}", agent, cell, time)
         }
         ToldConstraint::At { agent, cell, time } => {
-            format!("{agent} is at {cell} at time {time}, and nobody else")
+            tr!(
+                "{agent} is at {cell} at time {time}, and nobody else",
+                agent,
+                cell,
+                time
+            )
         }
         ToldConstraint::NotAlong {
             agent,
             edge: [from, to],
             time,
-        } => format!("{agent} does not go from {from} to {to} at time {time}"),
+        } => tr!(
+            "{agent} does not go from {from} to {to} at time {time}",
+            agent,
+            from,
+            to,
+            time
+        ),
         ToldConstraint::Along {
             agent,
             edge: [from, to],
             time,
         } => {
-            format!("{agent} goes from {from} to {to} at time {time}, and nobody comes against it")
+            tr!(
+                "{agent} goes from {from} to {to} at time {time}, and nobody comes against it",
+                agent,
+                from,
+                to,
+                time
+            )
         }
-        ToldConstraint::ArriveAfter { agent, time } => format!("{agent} arrives after time {time}"),
+        ToldConstraint::ArriveAfter { agent, time } => {
+            tr!("{agent} arrives after time {time}", agent, time)
+        }
         ToldConstraint::ArriveBy { agent, time } => {
-            format!("{agent} arrives by time {time}, and nobody passes its goal from then on")
+            tr!(
+                "{agent} arrives by time {time}, and nobody passes its goal from then on",
+                agent,
+                time
+            )
         }
     }
 }
@@ -90,13 +134,19 @@ pub fn constraint(constraint: &ToldConstraint) -> String {
 /// The same beside the conflict that it avoids: `A2 keeps away`.
 pub fn branch(constraint: &ToldConstraint) -> String {
     match constraint {
-        ToldConstraint::NotAt { agent, .. } => format!("{agent} keeps away"),
-        ToldConstraint::At { agent, .. } => format!("{agent} is there, others keep away"),
-        ToldConstraint::NotAlong { agent, .. } => format!("{agent} does not go"),
-        ToldConstraint::Along { agent, .. } => format!("{agent} goes, others keep away"),
-        ToldConstraint::ArriveAfter { agent, time } => format!("{agent} arrives after time {time}"),
+        ToldConstraint::NotAt { agent, .. } => tr!("{agent} keeps away", agent),
+        ToldConstraint::At { agent, .. } => tr!("{agent} is there, others keep away", agent),
+        ToldConstraint::NotAlong { agent, .. } => tr!("{agent} does not go", agent),
+        ToldConstraint::Along { agent, .. } => tr!("{agent} goes, others keep away", agent),
+        ToldConstraint::ArriveAfter { agent, time } => {
+            tr!("{agent} arrives after time {time}", agent, time)
+        }
         ToldConstraint::ArriveBy { agent, time } => {
-            format!("{agent} arrives by time {time}, others keep away")
+            tr!(
+                "{agent} arrives by time {time}, others keep away",
+                agent,
+                time
+            )
         }
     }
 }

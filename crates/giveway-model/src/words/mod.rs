@@ -1,9 +1,20 @@
 //! Small parts of sentences for people, made in one place for the page, the
-//! command and certificates: lists, numbers of things, costs.
+//! command and certificates: lists, numbers of things, costs; and in which language
+//! they are said (`tr.rs`, `catalogue.rs`).
+
+mod catalogue;
+mod po;
+mod tr;
 
 use std::fmt::Display;
 
-use crate::{Cost, Costs};
+use crate::{Cost, Costs, tr};
+
+pub use catalogue::{Catalogue, PluralRule, speak};
+pub use po::{Message, NoCatalogue, read as messages};
+pub use tr::{Later, translated};
+#[doc(hidden)]
+pub use tr::{checked, checked_forms, fill, fill_counted, number, text};
 
 /// Phrases in a row: `a`, `a and b`, `a, b and c`.
 ///
@@ -17,9 +28,31 @@ pub fn and<S: AsRef<str>>(phrases: &[S]) -> String {
         [one] => one.as_ref().to_owned(),
         [init @ .., last] => {
             let init: Vec<&str> = init.iter().map(AsRef::as_ref).collect();
-            format!("{} and {}", init.join(", "), last.as_ref())
+            let (list, last) = (init.join(", "), last.as_ref());
+            tr!("list" => "{list} and {last}", list, last)
         }
     }
+}
+
+/// Phrases of which one holds: `a`, `a or b`.
+///
+/// ```
+/// use giveway_model::words::or;
+/// assert_eq!(or(&["here", "there"]), "here or there");
+/// ```
+pub fn or<S: AsRef<str>>(phrases: &[S]) -> String {
+    let phrases: Vec<&str> = phrases.iter().map(AsRef::as_ref).collect();
+    phrases.join(tr!("between phrases" => " or "))
+}
+
+/// A number with so many digits behind the decimal mark of the language.
+///
+/// ```
+/// assert_eq!(giveway_model::words::decimal(2.25, 1), "2.2");
+/// ```
+pub fn decimal(n: f64, digits: usize) -> String {
+    let text = format!("{n:.digits$}");
+    text.replace('.', tr!("decimal mark" => "."))
 }
 
 /// A number of things: `1 robot`, `2 robots`.
@@ -85,10 +118,13 @@ pub fn sentence(text: &str) -> String {
 }
 
 /// The name of a cost within a sentence.
-pub const fn name(cost: Cost) -> &'static str {
+pub fn name(cost: Cost) -> &'static str {
     match cost {
-        Cost::SumOfCosts => "sum of costs",
-        other => other.name(),
+        Cost::Makespan => tr!("makespan"),
+        Cost::SumOfCosts => tr!("sum of costs"),
+        Cost::Charges => tr!("charges"),
+        Cost::Moves => tr!("moves"),
+        Cost::Waits => tr!("waits"),
     }
 }
 
@@ -96,9 +132,9 @@ pub const fn name(cost: Cost) -> &'static str {
 pub fn value(cost: Cost, n: u32) -> String {
     match cost {
         Cost::Makespan | Cost::SumOfCosts => format!("{} {n}", name(cost)),
-        Cost::Charges => count(n, "charge"),
-        Cost::Moves => count(n, "move"),
-        Cost::Waits => count(n, "wait"),
+        Cost::Charges => tr!("{n} charge" | "{n} charges" % n),
+        Cost::Moves => tr!("{n} move" | "{n} moves" % n),
+        Cost::Waits => tr!("{n} wait" | "{n} waits" % n),
     }
 }
 

@@ -1,0 +1,354 @@
+//! A sentence for a person, in the language that is spoken: the macro `tr!`, and what
+//! fills its places.
+//!
+//! The English sentence stands in the source and is the key of the catalogue
+//! (`catalogue.rs`), as GNU gettext has it; so English needs no catalogue and costs
+//! nothing. The macro has the syntax of the crate `tr`, whose tool `xtr` can read these
+//! sources. That crate itself makes a `String` of each word and a closure of each call,
+//! which together weigh more than the sentences.
+
+use std::fmt::{Display, Write as _};
+
+use super::catalogue::{english, spoken};
+
+/// A sentence or a word for a person, in the language that is spoken.
+///
+/// - `tr!("Undo")` is a `&'static str`.
+/// - `tr!("{agent} waits at {cell}", agent, cell = at(cell))` is a `String`. The
+///   values stand in the order of their places in the text, which is checked when it
+///   is compiled. A translation may have them in any order, and more than once.
+/// - `tr!("{n} robot" | "{n} robots" % count)` chooses the form for a number; `{n}`
+///   is the number. More values follow behind it.
+/// - `tr!("a button" => "Open")` gives a context, where one English word has two
+///   meanings. It is also how a translator is told what a short text is for.
+///
+/// ```
+/// use giveway_model::tr;
+/// let name = "A1";
+/// assert_eq!(tr!("{name} waits.", name), "A1 waits.");
+/// assert_eq!(tr!("{name} has {n} task" | "{name} has {n} tasks" % 2, name), "A1 has 2 tasks");
+/// assert_eq!(tr!("a button" => "Open"), "Open");
+/// ```
+///
+/// A place without a value does not compile:
+///
+/// ```compile_fail
+/// let name = "A1";
+/// giveway_model::tr!("{name} waits for {other}.", name);
+/// ```
+#[macro_export]
+macro_rules! tr {
+    ($text:literal) => {
+        $crate::words::text($text)
+    };
+    ($context:literal => $text:literal) => {
+        $crate::words::text(concat!($context, "\u{4}", $text))
+    };
+    ($text:literal | $plural:literal % $n:expr $(, $name:ident $(= $value:expr)?)* $(,)?) => {
+        $crate::tr!(@count $text, $plural, $n, [$($name $(= $value)?),*])
+    };
+    ($context:literal => $text:literal | $plural:literal % $n:expr $(, $name:ident $(= $value:expr)?)* $(,)?) => {
+        $crate::tr!(@count concat!($context, "\u{4}", $text), $plural, $n, [$($name $(= $value)?),*])
+    };
+    ($context:literal => $text:literal, $($name:ident $(= $value:expr)?),+ $(,)?) => {
+        $crate::tr!(@fill concat!($context, "\u{4}", $text), [$($name $(= $value)?),+])
+    };
+    ($text:literal, $($name:ident $(= $value:expr)?),+ $(,)?) => {
+        $crate::tr!(@fill $text, [$($name $(= $value)?),+])
+    };
+    (@fill $text:expr, [$($name:ident $(= $value:expr)?),+]) => {
+        $crate::words::fill(
+            const { $crate::words::checked($text, &[$(stringify!($name)),+]) },
+            &[$($crate::tr!(@value $name $(= $value)?)),+],
+        )
+    };
+    (@count $text:expr, $plural:literal, $n:expr, [$($name:ident $(= $value:expr)?),*]) => {
+        match $n {
+            n => $crate::words::fill_counted(
+                const { $crate::words::checked_forms($text, $plural, &["n", $(stringify!($name)),*]) },
+                $crate::words::number(n),
+                &[&n, $($crate::tr!(@value $name $(= $value)?)),*],
+            ),
+        }
+    };
+    (@value $name:ident) => { &$name };
+    (@value $name:ident = $value:expr) => { &$value };
+}
+
+/// A text of a table that is written before anybody knows the language: a
+/// [`Later`](crate::words::Later).
+///
+/// ```
+/// use giveway_model::tr_later;
+/// use giveway_model::words::Later;
+/// const TABS: [Later; 2] = [tr_later!("Timeline"), tr_later!("a page" => "Plan")];
+/// assert_eq!(TABS.map(Later::text), ["Timeline", "Plan"]);
+/// ```
+#[macro_export]
+macro_rules! tr_later {
+    ($text:literal) => {
+        $crate::words::Later::new($text)
+    };
+    ($context:literal => $text:literal) => {
+        $crate::words::Later::new(concat!($context, "\u{4}", $text))
+    };
+}
+
+/// A text for a person, still to be said in a language.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Later(&'static str);
+
+impl Later {
+    /// The text of a key: made by [`tr_later!`](crate::tr_later) only.
+    #[doc(hidden)]
+    pub const fn new(key: &'static str) -> Self {
+        Self(key)
+    }
+
+    /// The text in the language that is spoken.
+    pub fn text(self) -> &'static str {
+        text(self.0)
+    }
+
+    /// The text in English, which stays the same in every language.
+    pub fn english(self) -> &'static str {
+        english(self.0)
+    }
+}
+
+/// A text without places in the language that is spoken.
+pub fn text(key: &'static str) -> &'static str {
+    match spoken().and_then(|catalogue| catalogue.text(key)) {
+        Some(text) => text,
+        None => english(key),
+    }
+}
+
+/// A text that data brings, such as the list of examples, which is written in English:
+/// in the language that is spoken, where its catalogue has it.
+pub fn translated(text: &str) -> &str {
+    let found = spoken().and_then(|catalogue| catalogue.text(text));
+    found.unwrap_or(text)
+}
+
+/// A text with its values, in the order of the key's places.
+pub fn fill(key: &'static str, values: &[&dyn Display]) -> String {
+    filled(text(key), english(key), values, false)
+}
+
+/// The form of a text for a number, with its values: the number, then the others in
+/// the order of the plural's places.
+pub fn fill_counted(key: (&'static str, &'static str), n: u64, values: &[&dyn Display]) -> String {
+    let (one, many) = key;
+    let form = match spoken().and_then(|catalogue| catalogue.form(one, n)) {
+        Some(text) => text,
+        None if n == 1 => english(one),
+        None => many,
+    };
+    filled(form, many, values, true)
+}
+
+/// A number of things, of any type of numbers.
+pub fn number<N: TryInto<u64>>(n: N) -> u64 {
+    n.try_into().unwrap_or(u64::MAX)
+}
+
+/// A form with values in its places. `named` is the English text, whose places tell
+/// which name is which value; where things are counted, `n` is the first value.
+fn filled(form: &str, named: &str, values: &[&dyn Display], is_counted: bool) -> String {
+    let mut names: Vec<&str> = Vec::with_capacity(values.len());
+    if is_counted {
+        names.push("n");
+    }
+    for (_, name) in places(named) {
+        if !names.contains(&name) {
+            names.push(name);
+        }
+    }
+    let mut told = String::with_capacity(form.len() + 16);
+    let mut rest = form;
+    for (before, name) in places(form) {
+        told.push_str(before);
+        // A place that the English text does not have stands as it is: a test keeps
+        // catalogues free of them.
+        match names.iter().position(|other| *other == name) {
+            Some(i) if i < values.len() => drop(write!(told, "{}", values[i])),
+            _ => drop(write!(told, "{{{name}}}")),
+        }
+        rest = &rest[before.len() + name.len() + 2..];
+    }
+    told.push_str(rest);
+    told
+}
+
+/// The places `{name}` of a text, each with the text before it.
+pub(super) fn places(text: &str) -> impl Iterator<Item = (&str, &str)> {
+    let mut rest = text;
+    std::iter::from_fn(move || {
+        let (before, behind) = rest.split_once('{')?;
+        let (name, after) = behind.split_once('}')?;
+        rest = after;
+        Some((before, name))
+    })
+}
+
+/// A text whose places are these names in this order; no other compiles.
+pub const fn checked(key: &'static str, names: &[&str]) -> &'static str {
+    assert!(
+        fits(key, names, 0),
+        "each place has its value, in the order of the text"
+    );
+    key
+}
+
+/// A text and the one for more, whose places are these names in this order, but for the
+/// first, which is the number.
+pub const fn checked_forms(
+    key: &'static str,
+    plural: &'static str,
+    names: &[&str],
+) -> (&'static str, &'static str) {
+    assert!(
+        fits(plural, names, 1),
+        "each place has its value, in the order of the text"
+    );
+    assert!(
+        is_within(key, names),
+        "the form for one has no place of its own"
+    );
+    (key, plural)
+}
+
+/// Whether the places of a text, each at its first mention, are these names in this
+/// order, behind so many that may stand anywhere.
+const fn fits(text: &str, names: &[&str], anywhere: usize) -> bool {
+    let text = text.as_bytes();
+    let (mut i, mut seen) = (0, anywhere);
+    while i < text.len() {
+        if text[i] != b'{' {
+            i += 1;
+            continue;
+        }
+        let from = i + 1;
+        while i < text.len() && text[i] != b'}' {
+            i += 1;
+        }
+        if is_among(text, from, i, names, seen) {
+            continue;
+        }
+        if seen >= names.len() || !is_name(text, from, i, names[seen]) {
+            return false;
+        }
+        seen += 1;
+    }
+    seen == names.len()
+}
+
+/// Whether every place of a text is one of the names.
+const fn is_within(text: &str, names: &[&str]) -> bool {
+    let text = text.as_bytes();
+    let mut i = 0;
+    while i < text.len() {
+        if text[i] == b'{' {
+            let from = i + 1;
+            while i < text.len() && text[i] != b'}' {
+                i += 1;
+            }
+            if !is_among(text, from, i, names, names.len()) {
+                return false;
+            }
+        }
+        i += 1;
+    }
+    true
+}
+
+const fn is_among(text: &[u8], from: usize, to: usize, names: &[&str], seen: usize) -> bool {
+    let mut i = 0;
+    while i < seen {
+        if is_name(text, from, to, names[i]) {
+            return true;
+        }
+        i += 1;
+    }
+    false
+}
+
+const fn is_name(text: &[u8], from: usize, to: usize, name: &str) -> bool {
+    let name = name.as_bytes();
+    if to - from != name.len() {
+        return false;
+    }
+    let mut i = 0;
+    while i < name.len() {
+        if text[from + i] != name[i] {
+            return false;
+        }
+        i += 1;
+    }
+    true
+}
+
+#[cfg(test)]
+mod tests {
+    use super::super::{Catalogue, speak};
+    use super::{fits, is_within};
+
+    #[test]
+    fn places_are_those_of_the_values_in_their_order() {
+        assert!(fits("{a} and {b} and {a}", &["a", "b"], 0));
+        assert!(fits("{n} of {a}", &["n", "a"], 1));
+        assert!(fits("nothing", &[], 0));
+        assert!(!fits("{b} and {a}", &["a", "b"], 0));
+        assert!(!fits("{a}", &["a", "b"], 0));
+        assert!(!fits("{a} and {b}", &["a"], 0));
+        assert!(!fits("{ab}", &["a"], 0));
+        assert!(is_within("one of {a}", &["n", "a"]));
+        assert!(!is_within("one of {b}", &["n", "a"]));
+    }
+
+    #[test]
+    fn english_is_what_the_source_says() {
+        let (name, other) = ("A1", "A2");
+        assert_eq!(tr!("context" => "Open"), "Open");
+        assert_eq!(
+            tr!("{name} before {other}, {name}!", name, other),
+            "A1 before A2, A1!"
+        );
+        assert_eq!(tr!("context" => "to {name}", name), "to A1");
+        assert_eq!(tr!("one" | "{n} of {name}" % 1, name), "one");
+        assert_eq!(tr!("one" | "{n} of {name}" % 0_u64, name), "0 of A1");
+        assert_eq!(tr!("context" => "one" | "{n}" % 1_usize), "one");
+    }
+
+    #[test]
+    fn a_catalogue_turns_the_words_around() {
+        let catalogue = r#"
+            msgid "{a} waits for {b}"
+            msgstr "auf {b} wartet {a}, auf {b}"
+            msgctxt "button"
+            msgid "Open"
+            msgstr "Öffnen"
+            msgid "{n} cell of {a}"
+            msgid_plural "{n} cells of {a}"
+            msgstr[0] "von {a} {n} Zelle"
+            msgstr[1] "von {a} {n} Zellen"
+        "#;
+        let catalogue = Catalogue::read(catalogue, Box::new(|n| usize::from(n != 1)));
+        speak(Some(catalogue.unwrap().kept()));
+        let (a, b) = ("A1", "A2");
+        assert_eq!(tr!("{a} waits for {b}", a, b), "auf A2 wartet A1, auf A2");
+        assert_eq!(tr!("button" => "Open"), "Öffnen");
+        assert_eq!(tr!("Open"), "Open", "another context");
+        assert_eq!(
+            tr!("{n} cell of {a}" | "{n} cells of {a}" % 1, a),
+            "von A1 1 Zelle"
+        );
+        assert_eq!(
+            tr!("{n} cell of {a}" | "{n} cells of {a}" % 3, a),
+            "von A1 3 Zellen"
+        );
+        speak(None);
+        assert_eq!(tr!("button" => "Open"), "Open");
+    }
+}

@@ -1,0 +1,68 @@
+// Languages: the page follows the browser's, turns to the one that is chosen, and keeps the choice.
+
+import assert from "node:assert/strict";
+import { describe } from "node:test";
+
+import { BOTH, flows } from "./flow.mjs";
+import { choose, english } from "./language.mjs";
+import { eventually } from "./wait.mjs";
+
+const GERMAN = { locale: "de-DE" };
+const SOLVED = /^Optimal: Makespan 18, Summe der Kosten 35, 3 Ladevorgänge\.$/;
+
+describe("languages", () => {
+  const flow = flows();
+
+  flow("are the browser's", async (playground) => {
+    await german(playground);
+    await playground.picture("german");
+    assert.equal(await playground.page.getAttribute("html", "lang"), "de");
+    assert.match(await playground.page.title(), /bewiesen/);
+    await playground.press("Lösen");
+    await playground.says(SOLVED);
+    assert.deepEqual(await english(playground), []);
+  }, { ...GERMAN, screens: BOTH });
+
+  flow("reword what is on the screen, and are kept", async (playground) => {
+    await playground.says(/^Optimal: makespan 18/);
+    await choose(playground, "Deutsch");
+    await playground.says(SOLVED);
+    await playground.page.reload();
+    await german(playground);
+    await choose(playground, "Wie der Browser");
+    await playground.says(/^Optimal: makespan 18, sum of costs 35, 3 charges\.$/);
+    assert.equal(await playground.page.getAttribute("html", "lang"), "en");
+  });
+
+  flow("can be English for a German browser", async (playground) => {
+    await german(playground);
+    await choose(playground, "English");
+    await playground.says(/^Optimal: makespan 18/);
+    await playground.reload();
+    await playground.says(/^Optimal: makespan 18/);
+  }, GERMAN);
+
+  flow("say answers, too", async (playground) => {
+    await german(playground);
+    await playground.page.getByRole("complementary", { name: "Details" }).getByRole("button", { name: /^A1\b/ }).first().click();
+    await playground.page.getByRole("button", { name: /^Warum kommt A1 nicht früher an\?/ }).first().click();
+    const details = playground.page.getByRole("complementary", { name: "Details" });
+    await details.getByText("Notwendig", { exact: true }).or(details.getByText("Teurer", { exact: true })).first().waitFor();
+    await eventually("all of the answer", () => details.innerText(), (text) => !/wird gesucht|werden gesucht/.test(text));
+    await playground.picture("german-answer");
+    assert.deepEqual(await english(playground), []);
+  }, GERMAN);
+
+  flow("that cannot be fetched leave the page in English", async (playground, { context }) => {
+    await context.route(/languages\/de\.po/, (route) => route.fulfill({ status: 404 }));
+    await playground.says(/^Optimal: makespan 18/);
+    await choose(playground, "Deutsch");
+    await playground.warns(/^The language did not arrive/);
+    await playground.says(/^Optimal: makespan 18/);
+  }, { complains: true });
+});
+
+/** Waits until the page speaks German. */
+async function german(playground) {
+  await playground.says(SOLVED);
+}

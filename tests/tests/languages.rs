@@ -1,0 +1,190 @@
+//! Languages: no sentence is missing or left over, none loses a value, and none is said
+//! without the catalogue where a person reads it.
+//!
+//! `GIVEWAY_UPDATE_LANGUAGES=1` brings the PO files up to date: new texts come without a
+//! translation, and what nobody says any more goes.
+#![allow(
+    clippy::unwrap_used,
+    clippy::print_stdout,
+    clippy::panic,
+    reason = "a test that cannot go on ends with a panic"
+)]
+
+use std::collections::BTreeMap;
+use std::fs;
+
+use giveway_model::words::{Message, messages};
+use giveway_tests::languages::{ENGLISH, Said, places, said, unsaid, updated};
+use giveway_tests::source;
+
+const FOLDER: &str = "static/languages";
+
+/// The PO files: their paths and texts.
+fn catalogues() -> Vec<(String, String)> {
+    let files = source::files(FOLDER).into_iter();
+    let files = files.filter(|file| file.path.ends_with(".po"));
+    let files: Vec<(String, String)> = files.map(|file| (file.path, file.text)).collect();
+    assert!(!files.is_empty(), "there is no language");
+    if std::env::var_os("GIVEWAY_UPDATE_LANGUAGES").is_none() {
+        return files;
+    }
+    let said = said();
+    let new = files.into_iter().map(|(path, text)| {
+        let text = updated(&text, &said);
+        fs::write(source::root().join(&path), &text).unwrap();
+        (path, text)
+    });
+    new.collect()
+}
+
+/// Fails with all complaints at once.
+#[track_caller]
+fn expect_none(complaints: &[String]) {
+    assert!(complaints.is_empty(), "\n{}", complaints.join("\n"));
+}
+
+/// What every language says of what the sources say.
+fn compare(complain: impl Fn(&Said, Option<&Message>) -> Option<String>) -> Vec<String> {
+    let said = said();
+    let mut complaints = Vec::new();
+    for (path, text) in catalogues() {
+        let read = messages(&text).unwrap();
+        let read: BTreeMap<String, Message> = read.into_iter().map(|m| (m.key(), m)).collect();
+        for one in &said {
+            if let Some(complaint) = complain(one, read.get(&one.key())) {
+                complaints.push(format!("{path}: {complaint}: {}", one.text));
+            }
+        }
+    }
+    complaints
+}
+
+#[test]
+fn no_text_is_missing() {
+    expect_none(&compare(|_, message| {
+        (!message.is_some_and(Message::is_translated)).then(|| "no translation".to_owned())
+    }));
+}
+
+#[test]
+fn no_text_is_left_over() {
+    let said = said();
+    let keys: Vec<String> = said.iter().map(Said::key).collect();
+    let mut complaints = Vec::new();
+    for (path, text) in catalogues() {
+        for message in messages(&text).unwrap() {
+            if !message.text.is_empty() && !keys.contains(&message.key()) {
+                complaints.push(format!("{path}: nobody says {}", message.text));
+            }
+        }
+    }
+    expect_none(&complaints);
+}
+
+#[test]
+fn every_value_is_told_in_every_form() {
+    expect_none(&compare(|said, message| {
+        let message = message?;
+        let all = places(said.plural.as_ref().unwrap_or(&said.text));
+        let wrong = message.forms.iter().enumerate().find(|(i, form)| {
+            let told = places(form);
+            // The first form may say "one" in words.
+            let is_whole = all
+                .iter()
+                .all(|name| told.contains(name) || *i == 0 && name == "n");
+            !form.is_empty() && !(is_whole && told.iter().all(|name| all.contains(name)))
+        });
+        wrong.map(|(_, form)| format!("\u{201c}{form}\u{201d} has other places"))
+    }));
+}
+
+#[test]
+fn what_is_counted_has_all_forms_of_its_language() {
+    let mut complaints = Vec::new();
+    for (path, text) in catalogues() {
+        let read = messages(&text).unwrap();
+        let head = read.iter().find(|message| message.text.is_empty()).unwrap();
+        let forms = head.forms[0].split_once("nplurals=").unwrap().1;
+        let forms: usize = forms.split(';').next().unwrap().trim().parse().unwrap();
+        for message in read.iter().filter(|message| !message.text.is_empty()) {
+            let expected = if message.plural.is_some() { forms } else { 1 };
+            if message.forms.len() != expected {
+                let found = message.forms.len();
+                let text = &message.text;
+                complaints.push(format!(
+                    "{path}: {found} forms, expected {expected}: {text}"
+                ));
+            }
+        }
+    }
+    expect_none(&complaints);
+}
+
+#[test]
+fn a_form_begins_and_ends_with_the_blanks_of_the_english_one() {
+    expect_none(&compare(|said, message| {
+        let english = &said.text;
+        // Where English has a blank, another language may begin with a comma.
+        let fits = |form: &str| match english.starts_with(' ') {
+            true => form.starts_with([' ', ',', ';', ':', '.']),
+            false => !form.starts_with(' '),
+        };
+        let ends = |form: &str| form.ends_with(' ') == english.ends_with(' ');
+        let wrong = |form: &&String| !form.is_empty() && !(fits(form) && ends(form));
+        let wrong = message?.forms.iter().find(wrong)?;
+        Some(format!("\u{201c}{wrong}\u{201d} has other blanks"))
+    }));
+}
+
+#[test]
+fn the_list_has_every_catalogue() {
+    let list = fs::read_to_string(source::root().join(FOLDER).join("list.txt")).unwrap();
+    let listed: Vec<String> = list
+        .lines()
+        .map(|line| format!("{FOLDER}/{}.po", line.split_once(' ').unwrap().0))
+        .collect();
+    let found: Vec<String> = catalogues().into_iter().map(|(path, _)| path).collect();
+    assert_eq!(listed, found);
+}
+
+#[test]
+fn a_catalogue_is_read_as_other_programs_read_it() {
+    for (path, text) in catalogues() {
+        let catalogue = polib::po_file::parse(&source::root().join(&path)).unwrap();
+        let theirs: Vec<Message> = catalogue.messages().map(message).collect();
+        let mut ours = messages(&text).unwrap();
+        ours.retain(|message| !message.text.is_empty());
+        assert_eq!(ours, theirs, "{path}");
+    }
+}
+
+fn message(message: &dyn polib::message::MessageView) -> Message {
+    let is_counted = message.is_plural();
+    Message {
+        context: message.msgctxt().map(str::to_owned),
+        text: message.msgid().to_owned(),
+        plural: is_counted.then(|| message.msgid_plural().unwrap().to_owned()),
+        forms: if is_counted {
+            message.msgstr_plural().unwrap().clone()
+        } else {
+            vec![message.msgstr().unwrap().to_owned()]
+        },
+        is_fuzzy: message.is_fuzzy(),
+    }
+}
+
+#[test]
+fn what_a_person_reads_goes_through_the_catalogue() {
+    let mut complaints = Vec::new();
+    for folder in ["web/src", "crates/giveway-page/src"] {
+        for file in source::files(folder) {
+            let is_said = !file.path.contains("/tests") && !file.path.starts_with(ENGLISH);
+            if file.path.ends_with(".rs") && is_said {
+                let found = unsaid(&file).into_iter();
+                complaints
+                    .extend(found.map(|(line, text)| format!("{}:{line}: {text}", file.path)));
+            }
+        }
+    }
+    expect_none(&complaints);
+}

@@ -1,0 +1,165 @@
+//! The language of the page: the one that was chosen, else the browser's first one that
+//! the page speaks. English is in the program; each other one is fetched when it is
+//! asked for, and until it is there the page speaks English.
+
+use std::cell::Cell;
+
+use giveway_model::tr;
+use giveway_model::words::{Catalogue, speak};
+use giveway_page::{Action, FileAction, Notice};
+use giveway_wasm::language;
+use yew::platform::spawn_local;
+use yew::prelude::*;
+
+use crate::held::Held;
+use crate::{files, keep};
+
+/// The languages beside English, a line each: the tag, which names the PO file, and
+/// what the language calls itself.
+const LIST: &str = include_str!("../../static/languages/list.txt");
+/// English by its tag.
+const ENGLISH: &str = "en";
+
+/// A language that was fetched.
+#[derive(Clone)]
+struct Fetched {
+    tag: &'static str,
+    catalogue: &'static Catalogue,
+    /// What workers are told.
+    told: String,
+}
+
+thread_local! {
+    static FETCHED: Held<Vec<Fetched>> = Held::default();
+    /// What was chosen while the page is open: a browser may keep nothing.
+    static CHOSEN: Held<Option<String>> = Held::default();
+    static SPOKEN: Cell<&'static str> = const { Cell::new(ENGLISH) };
+    /// Says on the page that another language is spoken.
+    static CHANGED: Held<Option<Callback<&'static str>>> = Held::default();
+    /// What the workers do not know yet is told to them by these.
+    static WORKERS: Held<Vec<Callback<String>>> = Held::default();
+}
+
+/// The languages: their tags, and their names in themselves.
+pub(crate) fn all() -> impl Iterator<Item = (&'static str, &'static str)> {
+    let others = LIST.lines().filter_map(|line| line.split_once(' '));
+    [(ENGLISH, "English")].into_iter().chain(others)
+}
+
+/// What was chosen; empty, if the browser decides.
+pub(crate) fn choice() -> String {
+    let chosen = CHOSEN.with(Held::get);
+    chosen.or_else(keep::language).unwrap_or_default()
+}
+
+/// What a worker is to be told; empty where English is spoken.
+pub(crate) fn told() -> String {
+    let spoken = SPOKEN.get();
+    let fetched = FETCHED.with(Held::get).into_iter();
+    let mut own = fetched.filter(|fetched| fetched.tag == spoken);
+    own.next().map(|fetched| fetched.told).unwrap_or_default()
+}
+
+/// The language that is spoken, by its tag.
+#[hook]
+pub(crate) fn use_language() -> &'static str {
+    let spoken = use_state_eq(|| ENGLISH);
+    {
+        let setter = spoken.setter();
+        use_effect_with((), move |()| {
+            CHANGED.with(|changed| changed.set(Some(Callback::from(move |tag| setter.set(tag)))));
+            spawn_local(async {
+                // Nobody asked for it: without it the page speaks English.
+                let _ = turn_to(wanted()).await;
+            });
+            || CHANGED.with(|changed| changed.set(None))
+        });
+    }
+    *spoken
+}
+
+/// Has somebody told what workers are told, whenever that changes.
+pub(crate) fn tell_workers(tell: Callback<String>) {
+    WORKERS.with(|workers| {
+        let mut all = workers.get();
+        all.push(tell);
+        workers.set(all);
+    });
+}
+
+/// Speaks a language from now on, and keeps the choice; an empty tag leaves it to the
+/// browser.
+pub(crate) fn choose(tag: &str, send: &Callback<Action>) {
+    keep::keep_language(tag);
+    CHOSEN.with(|chosen| chosen.set(Some(tag.to_owned())));
+    let send = send.clone();
+    spawn_local(async move {
+        if let Err(error) = turn_to(wanted()).await {
+            send.emit(Action::File(FileAction::Refuse(Notice {
+                sentence: tr!("The language did not arrive; the page stays as it is.").to_owned(),
+                details: vec![error],
+            })));
+        }
+    });
+}
+
+/// The language to speak.
+fn wanted() -> &'static str {
+    let known = |tag: &str| {
+        let own = tag.split('-').next().unwrap_or_default();
+        all().map(|(tag, _)| tag).find(|known| *known == own)
+    };
+    if let Some(chosen) = known(&choice()) {
+        return chosen;
+    }
+    let languages = gloo::utils::window().navigator().languages();
+    let mut asked = languages.iter().filter_map(|tag| tag.as_string());
+    asked.find_map(|tag| known(&tag)).unwrap_or(ENGLISH)
+}
+
+async fn turn_to(tag: &'static str) -> Result<(), String> {
+    if tag == SPOKEN.get() {
+        return Ok(());
+    }
+    let all = FETCHED.with(Held::get);
+    let catalogue = match all.iter().find(|fetched| fetched.tag == tag) {
+        _ if tag == ENGLISH => None,
+        Some(fetched) => Some(fetched.catalogue),
+        None => Some(fetch(tag).await?),
+    };
+    // Another one may have been chosen while it was on its way.
+    if wanted() != tag {
+        return Ok(());
+    }
+    speak(catalogue);
+    SPOKEN.set(tag);
+    let document = gloo::utils::document();
+    document.set_title(tr!("Giveway: plans for several robots, proved best"));
+    if let Some(root) = document.document_element() {
+        // The name of the attribute is valid.
+        let _ = root.set_attribute("lang", tag);
+    }
+    for tell in WORKERS.with(Held::get) {
+        tell.emit(told());
+    }
+    if let Some(changed) = CHANGED.with(Held::get) {
+        changed.emit(tag);
+    }
+    Ok(())
+}
+
+async fn fetch(tag: &'static str) -> Result<&'static Catalogue, String> {
+    let po = files::fetch_language(tag).await?;
+    let catalogue = language::catalogue(tag, &po).map_err(|fault| format!("{tag}.po, {fault}"))?;
+    FETCHED.with(|fetched| {
+        let mut all = fetched.get();
+        let told = language::told(tag, &po);
+        all.push(Fetched {
+            tag,
+            catalogue,
+            told,
+        });
+        fetched.set(all);
+    });
+    Ok(catalogue)
+}
