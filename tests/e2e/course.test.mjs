@@ -9,6 +9,7 @@ import { BOTH, LOOKS, flows } from "./flow.mjs";
 
 /** The course's own program. */
 const PROGRAM = /\/course[-_]/;
+const WASM = "**/course-*_bg.wasm";
 
 describe("the course", () => {
   const flow = flows();
@@ -43,6 +44,15 @@ describe("the course", () => {
     await page.keyboard.press("Escape");
     await course.contents.waitFor({ state: "detached" });
   }, { screens: BOTH });
+
+  flow("that does not arrive is told, and tried again", async (playground, { context }) => {
+    const course = new Course(playground);
+    await playground.act("Course");
+    await playground.warns(/The course could not be loaded\. Try again when the network is back\./);
+    await context.unroute(WASM);
+    await course.open();
+    await playground.key("Escape");
+  }, { complains: true, before: (context) => context.route(WASM, (route) => route.fulfill({ status: 404 })) });
 
   flow("its first lesson, by keys alone", async (playground, { page }) => {
     const course = new Course(playground);
@@ -135,7 +145,7 @@ describe("the course", () => {
       await course.at("Block one cell");
       await playground.pick("Obstacle");
       await playground.stroke([4, 0]);
-      await course.says(/Not yet: there is still a plan, makespan 9\. You blocked \(4, 0\) \./);
+      await course.says(/Not yet: there is still a plan, makespan 9\. You blocked \(4, 0\)\./);
       await audit(playground, "a task");
       await playground.picture(`course-not-yet-${theme}`);
       await course.lesson.getByRole("button", { name: "Take it back" }).click();

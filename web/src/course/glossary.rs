@@ -62,19 +62,17 @@ fn has(term: &Term, typed: &str) -> bool {
 fn entry(term: &Term, film: Option<&Rc<Film>>, props: &TermsProps) -> Html {
     html! {
         <div class="entry" key={term.term.to_string()}>
-            <span class="thumb2">
-                if let Some(film) = film { <Thumb film={Rc::clone(film)} /> }
-            </span>
-            <div>
-                <dt>{ term.name.clone() }</dt>
-                <dd>
-                    <p>{ for term.text.spans().iter().map(still) }</p>
-                    if let Some(source) = &term.source {
-                        <small>{ format!("{}: {}, {}", source.authors, source.title, source.year) }</small>
-                    }
-                    if let Some(lesson) = &term.lesson { { about(lesson, &props.shelf, &props.send) } }
-                </dd>
-            </div>
+            <dt>{ term.name.clone() }</dt>
+            <dd>
+                <p>{ for term.text.spans().iter().map(still) }</p>
+                if let Some(source) = &term.source {
+                    <small>{ format!("{}: {}, {}", source.authors, source.title, source.year) }</small>
+                }
+                if let Some(lesson) = &term.lesson { { about(lesson, &props.shelf, &props.send) } }
+            </dd>
+            if let Some(film) = film {
+                <dd class="thumb2" aria-hidden="true"><Thumb film={Rc::clone(film)} /></dd>
+            }
         </div>
     }
 }

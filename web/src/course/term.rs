@@ -124,8 +124,12 @@ fn put(around: &NodeRef, card: &NodeRef) {
         card.get_bounding_client_rect(),
     );
     let middle = word.left() + word.width() / 2.0;
+    // Within its column, so that the board stays in sight.
+    let column = around.closest("aside").ok().flatten();
+    let column = column.map(|column| column.get_bounding_client_rect().left());
+    let least = column.unwrap_or_default() + MARGIN;
     let most = width.unwrap_or_default() - size.width() - MARGIN;
-    let left = (middle - size.width() / 2.0).min(most).max(MARGIN);
+    let left = (middle - size.width() / 2.0).min(most).max(least);
     let above = word.top() - size.height() - GAP;
     let is_below = above < MARGIN / 2.0;
     let top = if is_below { word.bottom() + GAP } else { above };

@@ -4,7 +4,7 @@ use std::collections::BTreeMap;
 use std::rc::Rc;
 
 use giveway_course::judge::Verdict;
-use giveway_course::learner::{Action, Effect, Judge, Learner, Progress, reduce};
+use giveway_course::learner::{Action, Effect, Judge, Learner, Open, Progress, reduce};
 use giveway_course::lesson::{Id, Lesson};
 use gloo::events::EventListener;
 use gloo::timers::callback::Timeout;
@@ -160,7 +160,7 @@ impl Component for Tutor {
                     { lesson::show(self, open, shelf, &send) }
                 }
                 if let Some(page) = &self.page {
-                    <Contents page={page.clone()} shelf={self.shelf.clone()} progress={self.learner.progress.clone()}
+                    <Contents page={*page} shelf={self.shelf.clone()} progress={self.learner.progress.clone()}
                         missing={self.missing.clone()} {send} />
                 }
             </>
@@ -260,7 +260,7 @@ impl Tutor {
 
     /// Says that the judge looks only where that takes long.
     fn watch(&mut self, ctx: &Context<Self>) {
-        let judge = self.learner.open.as_ref().map(|open| open.judge());
+        let judge = self.learner.open.as_ref().map(Open::judge);
         if matches!(judge, Some(Judge::Looking(_))) {
             if self.late.is_none() {
                 let link = ctx.link().clone();

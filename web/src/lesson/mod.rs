@@ -5,6 +5,7 @@
 mod program;
 
 use giveway_model::tr;
+use std::cell::Cell;
 use std::rc::Rc;
 
 use giveway_course::port::ToPage;
@@ -27,6 +28,8 @@ const FROM_PAGE: &str = "giveway-from-page";
 const OPEN: &str = "giveway-open";
 /// From the course: it listens.
 const READY: &str = "giveway-course-ready";
+/// From the script of the course: it could not be started, for this reason.
+const FAILED: &str = "giveway-course-failed";
 
 /// The course, as the page sees it.
 #[derive(Clone)]
@@ -44,7 +47,9 @@ struct Inner {
     stage: Held<Stage>,
     /// The state that the lesson knows.
     known: Held<Option<Shown>>,
-    listening: Held<Option<Rc<[EventListener; 2]>>>,
+    listening: Held<Option<Rc<[EventListener; 3]>>>,
+    /// How often it was started.
+    starts: Cell<u32>,
 }
 
 /// How far the program is.
@@ -72,6 +77,7 @@ pub(crate) fn use_course(state: &Shown, send: &Callback<Action>) -> Course {
                 stage: Held::default(),
                 known: Held::default(),
                 listening: Held::default(),
+                starts: Cell::new(0),
             }))
         })
     };
@@ -97,7 +103,9 @@ impl Course {
                 self.listen();
                 self.0.stage.set(Stage::Coming(what.to_owned()));
                 let course = self.clone();
-                if let Err(why) = program::start(move |why| course.missing(why)) {
+                let number = self.0.starts.get();
+                self.0.starts.set(number + 1);
+                if let Err(why) = program::start(number, move |why| course.missing(why)) {
                     self.missing(why);
                 }
             }
@@ -139,7 +147,15 @@ impl Course {
                 }
             })
         };
-        self.0.listening.set(Some(Rc::new([ready, said])));
+        let failed = {
+            let course = self.clone();
+            EventListener::new(&place, FAILED, move |event| {
+                let why = event.dyn_ref().map(CustomEvent::detail);
+                let why = why.and_then(|why| why.as_string());
+                course.missing(why.unwrap_or_default());
+            })
+        };
+        self.0.listening.set(Some(Rc::new([ready, said, failed])));
     }
 
     /// Tells the lesson what happened since it was told last.

@@ -7,11 +7,12 @@ use web_sys::HtmlScriptElement;
 
 use crate::solver::written;
 
-/// Adds the script that fetches the program and runs it; tells where that fails.
+/// Adds the script that fetches the program and runs it; tells where that fails. No
+/// two starts have one number: a browser runs a script of one address only once.
 ///
 /// # Errors
 /// Why there is no script, as a sentence.
-pub(super) fn start(failed: impl FnOnce(String) + 'static) -> Result<(), String> {
+pub(super) fn start(number: u32, failed: impl FnOnce(String) + 'static) -> Result<(), String> {
     let address = written("giveway-course-start")?;
     let document = gloo::utils::document();
     let script = document.create_element("script");
@@ -20,7 +21,7 @@ pub(super) fn start(failed: impl FnOnce(String) + 'static) -> Result<(), String>
         .and_then(|script| script.dyn_into::<HtmlScriptElement>().ok())
         .ok_or(tr!("The browser makes no script."))?;
     script.set_type("module");
-    script.set_src(&address);
+    script.set_src(&format!("{address}#{number}"));
     let options = EventListenerOptions::default();
     let gone = script.clone();
     let said = tr!("{address} did not arrive.", address);

@@ -12,6 +12,8 @@ pub(super) struct TabsProps {
     pub tab: Tab,
     /// Whether a plan of elsewhere is checked.
     pub checks: bool,
+    /// Whether a lesson is on the board.
+    pub teaches: bool,
     /// What is looked into in the place of the lanes.
     pub inside: Option<Method>,
     pub send: Callback<Action>,
@@ -29,6 +31,7 @@ pub(super) fn Tabs(props: &TabsProps) -> Html {
     let TabsProps {
         tab,
         checks,
+        teaches,
         inside,
         send,
     } = props;
@@ -65,6 +68,7 @@ pub(super) fn Tabs(props: &TabsProps) -> Html {
         let is_shown = choice == *tab;
         let name = match (choice, *inside) {
             (Tab::Timeline, Some(_)) => tr!("How it was proved"),
+            (Tab::Inspector, _) if *teaches => tr!("Lesson"),
             (Tab::Inspector, Some(Method::Proof)) => tr!("Step"),
             (Tab::Inspector, Some(Method::Tree)) => tr!("Node"),
             (Tab::Inspector, Some(Method::Orders)) => tr!("Order"),

@@ -12,7 +12,7 @@ use super::{play, solve, steer, step, stroke};
 use crate::lesson::{Fate, Lesson, LessonAction, document, evidence, fate};
 use crate::steering::Lead;
 use crate::view::Layers;
-use crate::{Action, BoardAction, Mode, Notice, Selection, State};
+use crate::{Action, BoardAction, Mode, Notice, Selection, State, Tab};
 
 pub(super) fn lesson(state: &mut State, action: LessonAction) {
     match action {
@@ -129,6 +129,8 @@ fn open(state: &mut State, board: &Rc<Board>) {
     };
     let mut next = State::of(document);
     carry(state, &mut next);
+    // On a phone the lesson comes first: it says what is to be done with the rest.
+    next.view.tab = Tab::Inspector;
     let lesson = Lesson::new(Rc::clone(board), own);
     next.view.layers = Layers {
         trails: lesson.shows(Layer::Trails),

@@ -52,7 +52,7 @@ pub(super) fn Inside(props: &DockProps) -> Html {
                 <span class="grow"></span>
                 { methods(state, send) }
             </div>
-            <Tabs tab={state.view.tab} checks={false} inside={Some(state.inside.method)} send={send.clone()} />
+            <Tabs tab={state.view.tab} checks={false} teaches={false} inside={Some(state.inside.method)} send={send.clone()} />
             { body(props) }
             <p class="vh" aria-live="polite">{ giveway_page::inside::said(state) }</p>
         </section>

@@ -9,7 +9,7 @@ use crate::audit::bursts_of;
 use crate::reduce::tests::{after, stroke};
 use crate::steering::Lead;
 use crate::tests::{answered, saying, seek, select};
-use crate::{Action, BoardAction, Mode, PlayAction, Selection, State, Tool, sample};
+use crate::{Action, BoardAction, Mode, PlayAction, Selection, State, Tab, Tool, sample};
 
 fn press(x: u32, y: u32) -> [Action; 2] {
     [
@@ -153,4 +153,10 @@ fn the_lesson_lights_what_it_names() {
     assert_eq!(dark.lesson().unwrap().lit, None);
     let play = after(&dark, [Action::Play(PlayAction::Play)]);
     assert!(!play.view.playback.playing, "there is no plan to play");
+}
+
+#[test]
+fn a_phone_shows_the_lesson_first() {
+    let lesson = opened(&sample::solved(), board(5));
+    assert_eq!(lesson.view.tab, Tab::Inspector);
 }
