@@ -53,6 +53,16 @@ describe("languages", () => {
     assert.deepEqual(await english(playground), []);
   }, GERMAN);
 
+  flow("say why there is no plan", async (playground) => {
+    await german(playground);
+    await playground.press("Beispiele");
+    await playground.page.getByRole("dialog").getByRole("button", { name: /^Kein Vorbeikommen/ }).click();
+    await playground.says(/^Kein Plan existiert, egal wie viele Schritte erlaubt sind: \w+ und \w+ können nicht beide ankommen\.$/);
+    assert.deepEqual(await english(playground), []);
+    await choose(playground, "English");
+    await playground.says(/^No plan exists, no matter how many steps you allow: \w+ and \w+ cannot both arrive\.$/);
+  }, GERMAN);
+
   flow("that cannot be fetched leave the page in English", async (playground, { context }) => {
     await context.route(/languages\/de\.po/, (route) => route.fulfill({ status: 404 }));
     await playground.says(/^Optimal: makespan 18/);

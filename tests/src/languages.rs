@@ -3,6 +3,7 @@
 
 use std::collections::BTreeMap;
 use std::fmt::Write as _;
+use std::path::Path;
 
 use giveway_model::words::{Message, messages};
 use proc_macro2::{Delimiter, TokenStream, TokenTree};
@@ -21,7 +22,7 @@ pub const FOLDERS: [&str; 6] = [
 ];
 
 /// The program of the course: its lessons are in English alone so far, and so is it.
-pub const ENGLISH: &str = "web/src/course/";
+const ENGLISH: &str = "web/src/course/";
 
 /// The list of examples, whose words are said, too.
 const EXAMPLES: &str = "static/examples/index.json";
@@ -64,8 +65,7 @@ pub fn said() -> Vec<Said> {
     let mut places: BTreeMap<String, usize> = BTreeMap::new();
     for folder in FOLDERS {
         for file in source::files(folder) {
-            let is_rust = file.path.ends_with(".rs");
-            if !is_rust || file.path.contains("/tests") || file.path.starts_with(ENGLISH) {
+            if !is_source(&file.path) {
                 continue;
             }
             for one in of_file(&file) {
@@ -104,6 +104,12 @@ pub fn said() -> Vec<Said> {
         });
     }
     all
+}
+
+/// Whether a path is a Rust source that is no test, and is said in other languages.
+pub fn is_source(path: &str) -> bool {
+    let is_rust = Path::new(path).extension().is_some_and(|end| end == "rs");
+    is_rust && !path.contains("/tests") && !path.starts_with(ENGLISH)
 }
 
 /// The texts of one file.

@@ -12,9 +12,12 @@
 
 use std::collections::BTreeMap;
 use std::fs;
+use std::path::Path;
 
-use giveway_model::words::{Message, messages};
-use giveway_tests::languages::{ENGLISH, Said, places, said, unsaid, updated};
+use giveway_model::words::{Catalogue, Message, messages, speak};
+use giveway_planners::budget::Stop;
+use giveway_solve::words::reason;
+use giveway_tests::languages::{Said, is_source, places, said, unsaid, updated};
 use giveway_tests::source;
 
 const FOLDER: &str = "static/languages";
@@ -22,7 +25,8 @@ const FOLDER: &str = "static/languages";
 /// The PO files: their paths and texts.
 fn catalogues() -> Vec<(String, String)> {
     let files = source::files(FOLDER).into_iter();
-    let files = files.filter(|file| file.path.ends_with(".po"));
+    let is_po = |path: &str| Path::new(path).extension().is_some_and(|end| end == "po");
+    let files = files.filter(|file| is_po(&file.path));
     let files: Vec<(String, String)> = files.map(|file| (file.path, file.text)).collect();
     assert!(!files.is_empty(), "there is no language");
     if std::env::var_os("GIVEWAY_UPDATE_LANGUAGES").is_none() {
@@ -92,7 +96,8 @@ fn every_value_is_told_in_every_form() {
             let is_whole = all
                 .iter()
                 .all(|name| told.contains(name) || *i == 0 && name == "n");
-            !form.is_empty() && !(is_whole && told.iter().all(|name| all.contains(name)))
+            let has_no_other = told.iter().all(|name| all.contains(name));
+            !(form.is_empty() || is_whole && has_no_other)
         });
         wrong.map(|(_, form)| format!("\u{201c}{form}\u{201d} has other places"))
     }));
@@ -125,12 +130,15 @@ fn a_form_begins_and_ends_with_the_blanks_of_the_english_one() {
     expect_none(&compare(|said, message| {
         let english = &said.text;
         // Where English has a blank, another language may begin with a comma.
-        let fits = |form: &str| match english.starts_with(' ') {
-            true => form.starts_with([' ', ',', ';', ':', '.']),
-            false => !form.starts_with(' '),
+        let fits = |form: &str| {
+            if english.starts_with(' ') {
+                form.starts_with([' ', ',', ';', ':', '.'])
+            } else {
+                !form.starts_with(' ')
+            }
         };
         let ends = |form: &str| form.ends_with(' ') == english.ends_with(' ');
-        let wrong = |form: &&String| !form.is_empty() && !(fits(form) && ends(form));
+        let wrong = |form: &&String| !(form.is_empty() || fits(form) && ends(form));
         let wrong = message?.forms.iter().find(wrong)?;
         Some(format!("\u{201c}{wrong}\u{201d} has other blanks"))
     }));
@@ -174,12 +182,51 @@ fn message(message: &dyn polib::message::MessageView) -> Message {
 }
 
 #[test]
+fn what_the_solver_gave_as_a_reason_is_said_anew() {
+    let stops = [
+        Stop::Time,
+        Stop::Conflicts,
+        Stop::Memory,
+        Stop::Sets,
+        Stop::Cancelled,
+        Stop::Contradiction,
+    ];
+    let stops = stops.map(Stop::sentence);
+    let text = fs::read_to_string(source::root().join(FOLDER).join("de.po")).unwrap();
+    let german = Catalogue::read(&text, Box::new(|n| usize::from(n != 1))).unwrap();
+    speak(Some(german.kept()));
+    for stop in stops {
+        assert_ne!(reason(stop), stop);
+    }
+    for (english, german) in [
+        (
+            "A1 and A2 cannot both arrive.",
+            "A1 und A2 können nicht beide ankommen.",
+        ),
+        (
+            "A1, A2 and A3 cannot all arrive.",
+            "A1, A2 und A3 können nicht alle ankommen.",
+        ),
+        (
+            "A1 cannot do its task, even alone.",
+            "A1 kann die Aufgabe nicht einmal allein erfüllen.",
+        ),
+        (
+            "The goal of A1 is now (3, 1), which is not in its tunnel.",
+            "Das Ziel von A1 ist jetzt (3, 1), und das liegt nicht im Tunnel.",
+        ),
+    ] {
+        assert_eq!(reason(english), german);
+    }
+    speak(None);
+}
+
+#[test]
 fn what_a_person_reads_goes_through_the_catalogue() {
     let mut complaints = Vec::new();
     for folder in ["web/src", "crates/giveway-page/src"] {
         for file in source::files(folder) {
-            let is_said = !file.path.contains("/tests") && !file.path.starts_with(ENGLISH);
-            if file.path.ends_with(".rs") && is_said {
+            if is_source(&file.path) {
                 let found = unsaid(&file).into_iter();
                 complaints
                     .extend(found.map(|(line, text)| format!("{}:{line}: {text}", file.path)));

@@ -4,7 +4,7 @@ use giveway_model::words::Later;
 use std::collections::BTreeMap;
 use std::fmt;
 
-use giveway_model::words::{name, sentence, value, values};
+use giveway_model::words::{name, retold, sentence, value, values};
 use giveway_model::{Cost, Costs, Objective, tr, tr_later};
 
 use crate::{SolveAnswer, Status};
@@ -33,7 +33,10 @@ impl fmt::Display for Headline {
 
 /// What is known, and how far it reaches.
 pub fn headline(objective: &Objective, answer: &SolveAnswer) -> Headline {
-    let reason = answer.reason.as_deref().map(sentence);
+    let reason = answer
+        .reason
+        .as_deref()
+        .map(|given| sentence(&reason(given)));
     let within = answer.within.filter(|_| !answer.complete);
     let costs = answer.costs.unwrap_or_default();
     let say = |word: &str, rest: String| Headline {
@@ -82,6 +85,46 @@ pub fn headline(objective: &Objective, answer: &SolveAnswer) -> Headline {
             }
         }
     }
+}
+
+/// What the solver gives as a reason, each in its sentence: it speaks English, wherever
+/// it runs, and what it said is said anew where it is shown.
+const REASONS: [Later; 28] = [
+    tr_later!("The time limit was reached."),
+    tr_later!("The conflict limit was reached."),
+    tr_later!("The memory limit was reached."),
+    tr_later!("There were too many sets of robots to free to compare them all."),
+    tr_later!("The search was cancelled."),
+    tr_later!("A plan and a bound contradicted each other, which is a fault of this program."),
+    tr_later!("What has already happened takes longer than that."),
+    tr_later!("{name} cannot do its task, even alone."),
+    tr_later!("{name} has more waypoints than can be planned for."),
+    tr_later!("The robots cannot all arrive."),
+    tr_later!("{one} and {two} cannot both arrive."),
+    tr_later!("{robots} cannot all arrive."),
+    tr_later!("{one} cannot arrive."),
+    tr_later!("{agent} has to go to {place}, where there is an obstacle now."),
+    tr_later!("An obstacle at {place} blocks the rest of the path of {agent}."),
+    tr_later!("The goal of {agent} is now {place}, which is not {bounds}."),
+    tr_later!("{agent} has to visit {place}, which is not {bounds}."),
+    tr_later!("The battery of {agent} does not last {bounds}."),
+    tr_later!("{agent} cannot do its task {bounds}, even alone."),
+    tr_later!("{agent} cannot arrive {bounds}, no matter when it waits."),
+    tr_later!(
+        "{robots} block each other: no matter when they wait, they cannot all keep to their old paths."
+    ),
+    tr_later!("{robots} block each other: they cannot all stay in their tunnels."),
+    tr_later!("on its old path"),
+    tr_later!("in its tunnel"),
+    tr_later!("on any path"),
+    tr_later!("The robots"),
+    tr_later!("There is a better plan"),
+    tr_later!("list" => "{list} and {last}"),
+];
+
+/// A reason that the solver gave, in the language that is spoken.
+pub fn reason(given: &str) -> String {
+    retold(given, &REASONS)
 }
 
 /// How far a claim reaches that holds for plans of any makespan.

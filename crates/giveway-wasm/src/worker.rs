@@ -25,16 +25,20 @@ type Serve = fn(&Request, &dyn Host) -> Option<Response>;
 /// Answers the messages of [`protocol`](crate::protocol) from now on, in the
 /// worker that it is called in. This is all that a worker's `main` has to do.
 pub fn serve_messages() {
-    listen(|request, host| Some(serve(request, host)));
+    listen(|request, host| Some(serve(request, host)), language::hear);
 }
 
 /// Answers those messages whose request is [basic](Request::basic), and fails on others.
 /// A program with this `main` is a third smaller.
 pub fn serve_basic_messages() {
-    listen(|request, host| request.basic().map(|basic| serve_basic(basic, host)));
+    // It speaks English: all that it says of an answer is said anew where it is shown.
+    listen(
+        |request, host| request.basic().map(|basic| serve_basic(basic, host)),
+        |_| (),
+    );
 }
 
-fn listen(serve: Serve) {
+fn listen(serve: Serve, hear: fn(&str)) {
     std::panic::set_hook(Box::new(|panic| {
         post(&Message::Failed {
             id: AT.get(),
@@ -44,7 +48,7 @@ fn listen(serve: Serve) {
     let listen = Closure::<dyn Fn(MessageEvent)>::new(move |event: MessageEvent| {
         // A text tells the language; all else comes as bytes.
         if let Some(told) = event.data().as_string() {
-            language::hear(&told);
+            hear(&told);
             return;
         }
         let bytes = event.data().dyn_ref().map(Uint8Array::to_vec);

@@ -131,6 +131,56 @@ pub fn translated(text: &str) -> &str {
     found.unwrap_or(text)
 }
 
+/// A sentence that was said in English, elsewhere or before, in the language that is
+/// spoken: it is looked for among some texts, its values too. What is none of them stays
+/// as it is.
+///
+/// ```
+/// use giveway_model::tr_later;
+/// use giveway_model::words::{Catalogue, retold, speak};
+/// let text = "msgid \"{a} waits for {b}.\"\nmsgstr \"Auf {b} wartet {a}.\"\n";
+/// speak(Some(Catalogue::read(text, Box::new(|_| 0)).unwrap().kept()));
+/// let known = [tr_later!("{a} waits for {b}.")];
+/// assert_eq!(retold("A1 waits for A2.", &known), "Auf A2 wartet A1.");
+/// assert_eq!(retold("A1 sings.", &known), "A1 sings.");
+/// speak(None);
+/// assert_eq!(retold("A1 waits for A2.", &known), "A1 waits for A2.");
+/// ```
+pub fn retold(said: &str, among: &[Later]) -> String {
+    if spoken().is_none() {
+        return said.to_owned();
+    }
+    let mut found = among
+        .iter()
+        .map(|known| (known, values_in(said, known.english())));
+    let Some((known, values)) = found.find_map(|(known, values)| Some((known, values?))) else {
+        return said.to_owned();
+    };
+    let values: Vec<String> = values.iter().map(|value| retold(value, among)).collect();
+    let values: Vec<&dyn Display> = values.iter().map(|value| value as &dyn Display).collect();
+    fill(known.0, &values)
+}
+
+/// The values that a sentence has in the places of a text, if it is that text.
+fn values_in<'a>(said: &'a str, text: &str) -> Option<Vec<&'a str>> {
+    let Some((_, end)) = text.rsplit_once('}') else {
+        return (said == text).then(Vec::new);
+    };
+    let mut between = places(text).map(|(before, _)| before);
+    let mut rest = said.strip_prefix(between.next()?)?;
+    let mut values = Vec::new();
+    for before in between {
+        let (value, behind) = rest.split_once(before)?;
+        values.push(value);
+        rest = behind;
+    }
+    values.push(rest.strip_suffix(end)?);
+    values
+        .iter()
+        .all(|value| !value.is_empty())
+        .then_some(values)
+}
+
 /// A text with its values, in the order of the key's places.
 pub fn fill(key: &'static str, values: &[&dyn Display]) -> String {
     filled(text(key), english(key), values, false)

@@ -1,7 +1,10 @@
 //! The parts of a card in words and signs.
 
+use std::borrow::Cow;
+
 use giveway_model::{Question, tr};
 use giveway_solve::explain::{Edit, ExplainAnswer, Fact, FactKind, Part, Verdict, verdict_word};
+use giveway_solve::words::reason;
 
 use super::card::{Badge, numbers_facts};
 use crate::{Asking, State};
@@ -12,16 +15,18 @@ pub(super) fn verdict_words<'a>(
     state: &'a State,
     asking: &'a Asking,
     told: &'a ExplainAnswer,
-) -> &'a str {
+) -> Cow<'a, str> {
     if !numbers_facts(asking) || told.verdict != Verdict::Necessary {
-        return &told.words;
+        return Cow::Borrowed(&told.words);
     }
     // Where the world changed it is what the method found that keeps to the least.
     let tried = state.document.mode.comparing().into_iter();
     let mut tried = tried.flat_map(|comparing| comparing.tried.iter().rev());
     let found = tried.find_map(|tried| tried.told.result.reason.as_deref());
-    let reason = found.or(asking.about.solved.reason.as_deref());
-    reason.unwrap_or(&told.words)
+    let given = found.or(asking.about.solved.reason.as_deref());
+    given.map_or(Cow::Borrowed(&told.words), |given| {
+        Cow::Owned(reason(given))
+    })
 }
 
 pub(super) fn badge(told: &ExplainAnswer) -> Badge {

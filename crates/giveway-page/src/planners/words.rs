@@ -36,7 +36,7 @@ pub(crate) fn sentence(planner: Planner, answer: &Answer) -> String {
     }
     let known = match (smallest(answer), &answer.solved.reason) {
         (Some(cost), _) => tr!("No plan has a smaller {cost}.", cost),
-        (None, Some(reason)) => ended(reason),
+        (None, Some(given)) => ended(&giveway_solve::words::reason(given)),
         (None, None) => MAY_BE_BETTER.text().to_owned(),
     };
     tr!(

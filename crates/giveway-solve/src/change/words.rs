@@ -4,6 +4,7 @@ use giveway_model::{Cell, tr, words::and};
 
 use super::{CauseKind, Method, MethodAnswer};
 use crate::solve::clash_sentence;
+use crate::words::reason as told;
 
 /// What keeps an agent from what a method asks of it.
 pub(super) fn cause(
@@ -113,12 +114,12 @@ pub fn notes(answer: &MethodAnswer) -> Vec<String> {
     let mut notes = Vec::new();
     match (&answer.cause, &answer.result.reason) {
         (Some(cause), _) => {
-            notes.push(cause.text.clone());
+            notes.push(told(&cause.text));
             if let Some(within) = cause.within {
                 notes.push(tr!("That is shown up to makespan {within}.", within));
             }
         }
-        (None, Some(reason)) if answer.result.plan.is_none() => notes.push(reason.clone()),
+        (None, Some(reason)) if answer.result.plan.is_none() => notes.push(told(reason)),
         _ => {}
     }
     if !answer.freed.is_empty() && answer.result.plan.is_some() {

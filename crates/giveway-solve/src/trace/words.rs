@@ -10,7 +10,8 @@ use super::{
     AgentLeast, AgentLimit, Cannot, Condition, Core, Entrant, FoundBy, Restart, SearchEvent,
     Stopped,
 };
-use crate::{solve::clash_sentence, words::known};
+use crate::solve::clash_sentence;
+use crate::words::{known, reason};
 
 /// More robots are counted instead of named.
 const MOST_NAMES: usize = 4;
@@ -384,7 +385,7 @@ fn in_the_middle(sentence: &str) -> String {
 }
 
 fn ended(objective: &Objective, stopped: &Stopped) -> String {
-    let reason = full(&stopped.reason);
+    let reason = full(&reason(&stopped.reason));
     match known(objective, &stopped.bounds, stopped.costs.as_ref()).as_str() {
         "" => reason,
         known => tr!("{reason} Proved so far: {known}.", reason, known),

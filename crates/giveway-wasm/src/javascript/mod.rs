@@ -255,6 +255,7 @@ fn respond(request: Request, host: &dyn Host) -> Result<JsValue, JsValue> {
         Response::Checked(answer) => objects::write(&answer),
         Response::Explained(answer) => objects::write(&answer),
         Response::Certified(report) => objects::write(&report),
+        Response::Exported(answer) => objects::write(&answer),
         Response::Changed(answer) => objects::write(&answer),
         Response::Audited(answer) => objects::write(&answer),
         Response::Planned(answer) => objects::write(&answer),

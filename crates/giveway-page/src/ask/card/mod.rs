@@ -36,7 +36,7 @@ pub fn card(state: &State) -> Option<Card> {
         card.pending.push(tr!("Looking for the verdict"));
         return Some(card);
     };
-    card.verdict = Some((badge(told), verdict_words(state, asking, told).to_owned()));
+    card.verdict = Some((badge(told), verdict_words(state, asking, told).into_owned()));
     if let Some(other) = &asking.other {
         card.rows = rows(asking, other);
         card.other = Some(Other {

@@ -8,6 +8,7 @@ mod ways;
 use giveway_model::tr;
 use giveway_solve::freedom::{Farthest, Known, PlanCount, same_steps};
 use giveway_solve::words::reach;
+use giveway_solve::words::reason;
 
 use super::{Freedom, doing, is_done};
 use crate::State;
@@ -171,8 +172,8 @@ fn stopped(freedom: &Freedom, is_counting: bool) -> Option<String> {
     if is_counting || is_done {
         return None;
     }
-    let reason = told.and_then(|told| told.reason.as_deref());
-    let reason = reason.unwrap_or(tr!("You stopped it"));
+    let given = told.and_then(|told| told.reason.as_deref());
+    let reason = given.map_or_else(|| tr!("You stopped it").to_owned(), reason);
     let reason = reason.trim_end_matches('.');
     Some(tr!("{reason}: what is not told below is open.", reason))
 }

@@ -79,7 +79,9 @@ fn tell(whole: &mut Whole, answer: &Answer) {
     let asked = answer.request.objective.as_ref();
     let objective = asked.unwrap_or(&answer.request.scene.objective);
     whole.claims.push(claim(answer));
-    whole.claims.extend(solved.reason.clone());
+    whole
+        .claims
+        .extend(solved.reason.as_deref().map(giveway_solve::words::reason));
     whole.claims.extend(reach_of_bounds(solved));
     whole.costs = costs(objective.costs(), |cost| {
         (

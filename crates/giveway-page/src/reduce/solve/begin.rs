@@ -8,6 +8,7 @@ use giveway_solve::plan::Planner;
 use giveway_solve::{Limits, SolveRequest, Status};
 
 use crate::front::has_front;
+use crate::problems::Problem;
 use crate::reduce::{ask, change, inside, stroke};
 use crate::{Answer, Arrival, Mode, Notice, Size, Solving, State, Task};
 
@@ -71,7 +72,7 @@ pub(in crate::reduce) fn start(state: &mut State, how: Start) {
         let problems = draft.problems().iter();
         state.view.notice = Some(Notice {
             sentence: tr!("The scene cannot be solved as it is.").to_owned(),
-            details: problems.map(|problem| problem.sentence()).collect(),
+            details: problems.map(Problem::sentence).collect(),
         });
         return;
     }

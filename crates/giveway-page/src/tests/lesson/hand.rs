@@ -8,7 +8,7 @@ use super::{Board, at, board, heard, opened, say, scene, swapping, told};
 use crate::audit::bursts_of;
 use crate::reduce::tests::{after, stroke};
 use crate::steering::Lead;
-use crate::tests::{answered, seek, select};
+use crate::tests::{answered, saying, seek, select};
 use crate::{Action, BoardAction, Mode, PlayAction, Selection, State, Tab, Tool, sample};
 
 fn press(x: u32, y: u32) -> [Action; 2] {
@@ -86,6 +86,7 @@ fn conflicts_are_not_shown_to_who_is_to_find_them() {
     let lesson = opened(&sample::solved(), spot);
     assert!(matches!(lesson.document.mode, Mode::Auditing(_)));
     assert!(bursts_of(&lesson, "A1").is_empty());
+    assert_eq!(saying(&lesson), "Does this plan keep the rules?");
     let (state, said) = heard(&lesson, [seek(1)].into_iter().chain(press(1, 0)));
     let pick = Pick {
         cell: at(1, 0),
@@ -105,6 +106,7 @@ fn conflicts_are_not_shown_to_who_is_to_find_them() {
     assert_eq!(said, again, "by a key");
     let shown = say(&state, ToPage::Show(Box::default()));
     assert_eq!(bursts_of(&shown, "A1"), [1.5]);
+    assert!(saying(&shown).contains("rule"), "{}", saying(&shown));
 }
 
 #[test]

@@ -60,6 +60,10 @@ pub fn standing(state: &State) -> Standing {
         };
         return say(badge, job.sentence.clone());
     }
+    let of_lesson = |lesson| resting::of_lesson(lesson, state);
+    if let Some(standing) = state.lesson().and_then(of_lesson) {
+        return standing;
+    }
     if let Mode::Auditing(audit) = &state.document.mode
         && !state.has_gesture()
     {

@@ -8,6 +8,7 @@ use giveway_solve::words::headline;
 
 use super::{Badge, Standing};
 use crate::front::Front;
+use crate::lesson::Lesson;
 use crate::words::change;
 use crate::words::costs::values;
 use crate::{Answer, State, planners};
@@ -86,6 +87,19 @@ fn on_front(front: &Front, answer: &Rc<Answer>) -> Standing {
         )
     };
     Standing::new(badge, what)
+}
+
+/// The plan of a lesson: what it costs, and nothing that a person is to find.
+pub(super) fn of_lesson(lesson: &Lesson, state: &State) -> Option<Standing> {
+    let say = |sentence: String| Some(Standing::new(Badge::Found, sentence));
+    if lesson.hides_conflicts() && state.audit().is_some() {
+        return say(tr!("Does this plan keep the rules?").to_owned());
+    }
+    let answer = state.document.fresh_answer();
+    let answer = answer.filter(|answer| answer.is_shared && state.audit().is_none())?;
+    let objective = &answer.draft.scene().objective;
+    let costs = values(objective, &answer.solved.costs?);
+    say(tr!("A plan: {costs}.", costs))
 }
 
 /// `Not checked yet whether it is the best: makespan 18.`
