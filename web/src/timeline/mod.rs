@@ -93,11 +93,7 @@ pub fn Dock(props: &DockProps) -> Html {
         return html! {
             <section class={classes!("dock", calm.then_some("calm"), stale.then_some("stale"))} aria-label={tr!("Timeline")}>
                 { transport(props) }
-<<<<<<< HEAD
                 <Tabs tab={state.view.tab} checks={state.audit().is_some() && state.lesson().is_none()} teaches={state.lesson().is_some()} inside={None::<giveway_page::inside::Method>} send={send.clone()} />
-=======
-                <Tabs tab={state.view.tab} checks={state.audit().is_some()} teaches={state.lesson().is_some()} inside={None::<giveway_page::inside::Method>} send={send.clone()} />
->>>>>>> coursepage
                 <Plan answer={Same::new(answer)} beside={state.beside().cloned().map(Same::new)} notes={None::<Rc<Vec<giveway_page::inside::Note>>>} state={state.clone()} send={send.clone()} />
             </section>
         };
