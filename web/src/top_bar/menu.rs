@@ -46,7 +46,13 @@ pub(super) fn save_items(state: &Shown, send: &Callback<Action>, show: &Callback
     let changes = press(|state, _| save_if(files::changes_file(state)));
     let has_trace = answer.is_some_and(|answer| answer.solved.trace.is_some());
     let trace = press(|state, _| save_if(files::trace_file(state)));
-    let freedom = press(|state, _| save_if(files::freedom_file(state)));
+    let freedom = {
+        let (send, show) = (send.clone(), show.clone());
+        Callback::from(move |_: MouseEvent| {
+            show.emit(Panel::Nothing);
+            send.emit(Action::Intake(IntakeAction::Save(Save::Freedom)));
+        })
+    };
     let svg = press(|state, send| crate::files::save_picture(state, false, send));
     let png = press(|state, send| crate::files::save_picture(state, true, send));
     let moving = |kind: PictureKind| {

@@ -76,7 +76,7 @@ macro_rules! tr {
 }
 
 /// A text of a table that is written before anybody knows the language: a
-/// [`Later`](crate::words::Later).
+/// [`Later`].
 ///
 /// ```
 /// use giveway_model::tr_later;

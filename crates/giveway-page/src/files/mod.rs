@@ -20,10 +20,8 @@ use kind::Kind;
 
 pub use blank::blank;
 pub use dropped::read_beside;
-pub(crate) use save::certificate_name;
-pub use save::{
-    Saved, changes_file, freedom_file, kept_file, picture_name, plan_file, scene_file, trace_file,
-};
+pub use save::{Saved, changes_file, kept_file, picture_name, plan_file, scene_file, trace_file};
+pub(crate) use save::{certificate_name, freedom_name};
 pub use scenario::Choice;
 
 /// The largest file that is read, in bytes.

@@ -70,16 +70,11 @@ pub fn changes_file(state: &State) -> Option<Saved> {
     })
 }
 
-/// What must be so in every best plan, as far as it is known; `None` where it is not
-/// laid over the plan.
-pub fn freedom_file(state: &State) -> Option<Saved> {
-    let told = state.freedom()?.told.as_deref()?;
+/// The name of the file with what must be so in every best plan. The reader writes it:
+/// the code for that is large.
+pub(crate) fn freedom_name(state: &State) -> String {
     let stem = file_stem(&state.document.draft.scene().name, "scene");
-    let text = serde_json::to_string_pretty(told).ok()?;
-    Some(Saved {
-        name: format!("{stem}-freedom.json"),
-        text: text + "\n",
-    })
+    format!("{stem}-freedom.json")
 }
 
 /// All that the browser keeps of the page, to be kept elsewhere.

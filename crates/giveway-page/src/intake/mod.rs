@@ -81,6 +81,8 @@ pub enum Save {
     As(Format),
     /// A report of the audit, with a link that opens it.
     Report(ReportKind, String),
+    /// What must be so in every best plan, as far as it is known.
+    Freedom,
     /// The plan that is shown as a picture that moves.
     Picture(PictureKind, giveway_picture::Theme),
 }

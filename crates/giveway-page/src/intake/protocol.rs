@@ -10,6 +10,7 @@ use giveway_model::{Cost, Plan, Scene};
 use giveway_picture::Look;
 use giveway_picture::gif::Shot;
 use giveway_solve::ExportAnswer;
+use giveway_solve::freedom::FreedomAnswer;
 
 use crate::files::Opened;
 
@@ -60,6 +61,13 @@ pub enum Task {
     },
     /// The pixels of what was to be drawn last for a picture, row by row.
     Pixels(Vec<u8>),
+    /// Write what must be so in every best plan.
+    Freedom {
+        /// The name of the file.
+        name: String,
+        /// What is known.
+        told: FreedomAnswer,
+    },
     /// Write a report of an audit.
     Report {
         /// As what.
@@ -163,7 +171,7 @@ pub enum Reply {
     Written(Vec<(String, String)>, Vec<String>),
     /// One file, to be saved.
     Packed(Vec<u8>),
-    /// A picture to be saved: its name and its bytes.
+    /// A file to be saved: its name and its bytes.
     Drawn(String, Vec<u8>),
 }
 

@@ -32,6 +32,10 @@ pub(crate) fn work(task: Task) -> Reply {
             plan,
         } => writing(format, &stem, scene, plan.as_ref()),
         Task::Pack { answer, .. } => packing(answer),
+        Task::Freedom { name, told } => match serde_json::to_string_pretty(&told) {
+            Ok(text) => Reply::Drawn(name, (text + "\n").into_bytes()),
+            Err(error) => Reply::Refused(error.to_string(), Vec::new()),
+        },
         Task::Report {
             kind,
             kept,

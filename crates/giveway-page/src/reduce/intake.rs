@@ -9,7 +9,7 @@ use giveway_picture::Look;
 
 use super::{audit, file, stroke};
 use crate::action::IntakeAction;
-use crate::files::Opened;
+use crate::files::{self, Opened};
 use crate::intake::protocol::{Found, PictureKind, Read, Reply, Run, Task};
 use crate::intake::{self, Job, Packed, Save, Written, beside};
 use crate::link::{self, keep_moment};
@@ -118,6 +118,14 @@ fn save(state: &mut State, what: Save) {
                 scene,
                 plan,
                 look,
+            }
+        }
+        Save::Freedom => {
+            let told = state.freedom().and_then(|freedom| freedom.told.clone());
+            let Some(told) = told else { return };
+            Task::Freedom {
+                name: files::freedom_name(state),
+                told: (*told).clone(),
             }
         }
         Save::Report(kind, link) => {

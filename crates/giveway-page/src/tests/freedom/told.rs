@@ -10,11 +10,13 @@ use crate::freedom::{
     Chip, FreedomAction, Number, Section, Weight, chip, lane, late, lines, notes, numbers, part,
     pressed,
 };
+use crate::intake::{Save, work};
 use crate::reduce::tests::after;
 use crate::tests::{answer, answered, saying, select};
 use crate::timeline::{Axis, Row};
 use crate::{
-    Action, BoardAction, Edit, Point, Selection, SolveAction, ViewAction, board, files, table,
+    Action, BoardAction, Edit, IntakeAction, Point, Selection, SolveAction, ViewAction, board,
+    reduce, table,
 };
 
 #[test]
@@ -220,12 +222,17 @@ fn each_part_appears_as_it_is_done() {
 
 #[test]
 fn the_file_holds_what_is_told() {
-    let saved = files::freedom_file(&told()).unwrap();
+    let save = Action::Intake(IntakeAction::Save(Save::Freedom));
+    let asked = after(&told(), [save.clone()]);
+    let job = asked.intake.job().unwrap();
+    let reply = std::rc::Rc::new(work((*job.task).clone()));
+    let saved = Action::Intake(IntakeAction::Reply { job: job.id, reply });
+    let saved = reduce(&asked, saved).intake.packed.unwrap();
     assert_eq!(saved.name, "three-ways-freedom.json");
-    let json: serde_json::Value = serde_json::from_str(&saved.text).unwrap();
+    let json: serde_json::Value = serde_json::from_slice(&saved.bytes).unwrap();
     assert_eq!(json["plans"]["count"], 15);
     assert_eq!(json["status"], "optimal");
-    assert_eq!(files::freedom_file(&solved()), None);
+    assert_eq!(after(&solved(), [save]).intake.job(), None);
 }
 
 #[test]
