@@ -46,7 +46,7 @@ pub(crate) fn Thumb(props: &ThumbProps) -> Html {
         let (now, last) = (now.setter(), f64::from(film.last));
         use_effect_with(props.plays, move |&plays| {
             if plays {
-                play(now, None, last, frame);
+                play(now, None, last, &frame);
             } else {
                 drop(frame.take());
                 now.set(None);
@@ -83,9 +83,9 @@ fn play(
     now: UseStateSetter<Option<f64>>,
     begun: Option<f64>,
     last: f64,
-    frame: Rc<Held<Option<AnimationFrame>>>,
+    frame: &Rc<Held<Option<AnimationFrame>>>,
 ) {
-    let next = Rc::clone(&frame);
+    let next = Rc::clone(frame);
     frame.set(Some(request_animation_frame(move |moment| {
         let begun = begun.unwrap_or(moment);
         let time = (moment - begun) / STEP_MS;
@@ -94,7 +94,7 @@ fn play(
             return;
         }
         now.set(Some(time.min(last)));
-        play(now, Some(begun), last, next);
+        play(now, Some(begun), last, &next);
     })));
 }
 
@@ -119,7 +119,7 @@ fn way(film: &Film, index: usize, time: f64) -> Html {
 fn flag(mark: &Mark) -> Html {
     let x = f64::from(mark.cell.x) * CELL + mark.shift.0;
     let y = f64::from(mark.cell.y) * CELL + mark.shift.1;
-    let shape = match mark.kind {
+    match mark.kind {
         MarkKind::Goal => html! {
             <g class={classes!("flag", form::class(mark.agent))} transform={format!("translate({x} {y})")}>
                 <path class="halo" d={FLAG} /><path class="pole" d={FLAG_POLE} /><path class="cloth" d={FLAG_CLOTH} />
@@ -130,8 +130,7 @@ fn flag(mark: &Mark) -> Html {
                 <path class="halo" d={STAR} /><path class="body" d={STAR} />
             </g>
         },
-    };
-    shape
+    }
 }
 
 /// A robot; one that shares its cell stands beside the others.

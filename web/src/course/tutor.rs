@@ -4,11 +4,10 @@ use std::collections::BTreeMap;
 use std::rc::Rc;
 
 use giveway_course::judge::Verdict;
-use giveway_course::learner::{Action, Effect, Judge, Learner, Progress, reduce};
+use giveway_course::learner::{Action, Effect, Judge, Learner, Open, Progress, reduce};
 use giveway_course::lesson::{Id, Lesson};
 use gloo::events::EventListener;
 use gloo::timers::callback::Timeout;
-use web_sys::{HtmlElement, ScrollIntoViewOptions, ScrollLogicalPosition};
 use yew::platform::spawn_local;
 use yew::prelude::*;
 
@@ -19,6 +18,7 @@ use super::lesson;
 use super::line::Line;
 use super::place::Place;
 use super::shelf::Shelf;
+use super::sight::{bring_into_view, focus};
 use crate::keep;
 
 /// Under which name progress is kept.
@@ -160,7 +160,7 @@ impl Component for Tutor {
                     { lesson::show(self, open, shelf, &send) }
                 }
                 if let Some(page) = &self.page {
-                    <Contents page={page.clone()} shelf={self.shelf.clone()} progress={self.learner.progress.clone()}
+                    <Contents page={*page} shelf={self.shelf.clone()} progress={self.learner.progress.clone()}
                         missing={self.missing.clone()} {send} />
                 }
             </>
@@ -260,7 +260,7 @@ impl Tutor {
 
     /// Says that the judge looks only where that takes long.
     fn watch(&mut self, ctx: &Context<Self>) {
-        let judge = self.learner.open.as_ref().map(|open| open.judge());
+        let judge = self.learner.open.as_ref().map(Open::judge);
         if matches!(judge, Some(Judge::Looking(_))) {
             if self.late.is_none() {
                 let link = ctx.link().clone();
@@ -291,26 +291,5 @@ impl Tutor {
             return self.order.clone();
         }
         agents.iter().map(|agent| agent.name.clone()).collect()
-    }
-}
-
-/// Brings the focus to an element; one that is not there leaves it where it is.
-fn focus(node: &NodeRef) {
-    if let Some(element) = node.cast::<HtmlElement>() {
-        let _ = element.focus();
-    }
-}
-
-/// Scrolls what the judge says into sight, where it is not: what is done above it may
-/// have moved it away.
-fn bring_into_view() {
-    let said = super::place().and_then(|place| {
-        let said = place.query_selector(".ex.solved, .judge-at:not(:empty)");
-        said.ok().flatten()
-    });
-    if let Some(said) = said {
-        let options = ScrollIntoViewOptions::new();
-        options.set_block(ScrollLogicalPosition::Nearest);
-        said.scroll_into_view_with_scroll_into_view_options(&options);
     }
 }
