@@ -5,7 +5,8 @@ import { describe } from "node:test";
 
 import { audit } from "./audit.mjs";
 import { Course } from "./course.mjs";
-import { BOTH, LOOKS, flows } from "./flow.mjs";
+import { BOTH, LOOKS, MOVING, flows } from "./flow.mjs";
+import { eventually } from "./wait.mjs";
 
 /** The course's own program. */
 const PROGRAM = /\/course[-_]/;
@@ -44,6 +45,19 @@ describe("the course", () => {
     await page.keyboard.press("Escape");
     await course.contents.waitFor({ state: "detached" });
   }, { screens: BOTH });
+
+  flow("shows what a lesson is about: its board plays while somebody points at it", async (playground, { page }) => {
+    const course = new Course(playground);
+    await course.open();
+    await page.mouse.move(5, 5);
+    const card = course.contents.getByRole("button", { name: /^Room to pass/ });
+    const board = () => card.locator("svg").first().innerHTML();
+    const still = await board();
+    await card.hover();
+    await eventually("the board to play", board, (now) => now !== still);
+    await page.mouse.move(5, 5);
+    await eventually("the board to stand still", board, (now) => now === still);
+  }, MOVING);
 
   flow("that does not arrive is told, and tried again", async (playground, { context }) => {
     const course = new Course(playground);

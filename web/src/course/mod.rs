@@ -2,7 +2,8 @@
 //!
 //! What a person does in a lesson, and what is judged of it, is decided in
 //! `giveway-course`; here it becomes elements and events. The course is a program of
-//! its own, beside the page: they talk in messages ([`line`]).
+//! its own, beside the page: they talk in messages
+//! (`line`).
 
 mod asker;
 mod card;
@@ -15,6 +16,7 @@ mod line;
 mod place;
 mod prose;
 mod shelf;
+mod sight;
 mod term;
 mod tutor;
 

@@ -8,7 +8,6 @@ use giveway_course::learner::{Action, Effect, Judge, Learner, Open, Progress, re
 use giveway_course::lesson::{Id, Lesson};
 use gloo::events::EventListener;
 use gloo::timers::callback::Timeout;
-use web_sys::{HtmlElement, ScrollIntoViewOptions, ScrollLogicalPosition};
 use yew::platform::spawn_local;
 use yew::prelude::*;
 
@@ -19,6 +18,7 @@ use super::lesson;
 use super::line::Line;
 use super::place::Place;
 use super::shelf::Shelf;
+use super::sight::{bring_into_view, focus};
 use crate::keep;
 
 /// Under which name progress is kept.
@@ -291,26 +291,5 @@ impl Tutor {
             return self.order.clone();
         }
         agents.iter().map(|agent| agent.name.clone()).collect()
-    }
-}
-
-/// Brings the focus to an element; one that is not there leaves it where it is.
-fn focus(node: &NodeRef) {
-    if let Some(element) = node.cast::<HtmlElement>() {
-        let _ = element.focus();
-    }
-}
-
-/// Scrolls what the judge says into sight, where it is not: what is done above it may
-/// have moved it away.
-fn bring_into_view() {
-    let said = super::place().and_then(|place| {
-        let said = place.query_selector(".ex.solved, .judge-at:not(:empty)");
-        said.ok().flatten()
-    });
-    if let Some(said) = said {
-        let options = ScrollIntoViewOptions::new();
-        options.set_block(ScrollLogicalPosition::Nearest);
-        said.scroll_into_view_with_scroll_into_view_options(&options);
     }
 }
