@@ -9,12 +9,25 @@ use crate::embed::is_embedded;
 /// so that what is changed from now on is not lost by loading the page anew.
 /// Inside another page nothing is changed, and loading it anew shows the same.
 pub(super) fn opened() -> Option<Action> {
+    // What else stands there is nothing of this page's.
+    let text = taken("giveway=")?;
+    Some(link::open(&text))
+}
+
+/// The lesson that the address names, or a step of it (`room-to-pass.2`), once.
+pub(crate) fn lesson() -> Option<String> {
+    const LESSON: &str = "lesson=";
+    let text = taken(LESSON)?;
+    text.strip_prefix(LESSON).map(str::to_owned)
+}
+
+/// What stands behind `#` where it begins so; the address is then without it.
+fn taken(beginning: &str) -> Option<String> {
     let window = gloo::utils::window();
     let hash = window.location().hash().ok()?;
-    // What else stands there is nothing of this page's.
     let text = hash
         .strip_prefix('#')
-        .filter(|text| text.starts_with("giveway="))?;
+        .filter(|text| text.starts_with(beginning))?;
     if let (Ok(path), Ok(query), Ok(history)) = (
         window.location().pathname(),
         window.location().search(),
@@ -25,7 +38,7 @@ pub(super) fn opened() -> Option<Action> {
         // Where it is refused the link is just opened anew the next time.
         let _ = history.replace_state_with_url(&JsValue::NULL, "", Some(&address));
     }
-    Some(link::open(text))
+    Some(text.to_owned())
 }
 
 /// The address of the page with the state in it.

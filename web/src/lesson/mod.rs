@@ -16,8 +16,8 @@ use wasm_bindgen::{JsCast as _, JsValue};
 use web_sys::{CustomEvent, CustomEventInit, Element};
 use yew::prelude::*;
 
-use crate::Shown;
 use crate::held::Held;
+use crate::{Shown, keep};
 use gloo::events::EventListener;
 
 /// From the lesson: what the board shows.
@@ -85,6 +85,20 @@ pub(crate) fn use_course(state: &Shown, send: &Callback<Action>) -> Course {
         let course = (*course).clone();
         use_effect_with(state.clone(), move |state| course.tell(state));
     }
+    {
+        let course = (*course).clone();
+        use_effect_with((), move |()| {
+            let follow = move || {
+                if let Some(what) = keep::lesson() {
+                    course.open(&what);
+                }
+            };
+            follow();
+            let window = gloo::utils::window();
+            let listening = EventListener::new(&window, "hashchange", move |_| follow());
+            move || drop(listening)
+        });
+    }
     (*course).clone()
 }
 
@@ -96,6 +110,10 @@ impl Course {
 
     /// Opens the course: its contents (an empty text), a lesson, or a step of one.
     pub(crate) fn open(&self, what: &str) {
+        if self.0.place.get().is_none() {
+            // Inside another page there is no course.
+            return;
+        }
         match self.0.stage.get() {
             Stage::Ready => self.dispatch(OPEN, &JsValue::from_str(what)),
             Stage::Coming(_) => self.0.stage.set(Stage::Coming(what.to_owned())),
