@@ -10,8 +10,9 @@ const FLOATS = "dialog, .menu, .settings, .notice, .fit, .drop";
 /** What scrolls sideways by design. */
 const SIDEWAYS = ".lanes, .tblwrap, .cols, .tools";
 /** Smaller by design: the time of the ruler is also set by the buttons of the transport, and
- * whose lane it is is also chosen on the board and in the inspector. */
-const SLENDER = "[role=slider], .lane .lab";
+ * whose lane it is is also chosen on the board and in the inspector. What a sentence names is as
+ * high as its line. */
+const SLENDER = "[role=slider], .lane .lab, .aw, .cw, .term, .quiet .link";
 
 /** The least side of a control, in pixels: for a pointer, for a finger. */
 const POINTER = 24;

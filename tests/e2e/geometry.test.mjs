@@ -8,6 +8,7 @@ import { join } from "node:path";
 import { describe } from "node:test";
 
 import { adapt, begin, join as joins, running } from "./change.mjs";
+import { Course } from "./course.mjs";
 import { root } from "./dist.mjs";
 import { flows, isLong } from "./flow.mjs";
 import { geometry } from "./geometry.mjs";
@@ -126,6 +127,19 @@ describe("the geometry", () => {
       await playground.page.getByRole("dialog").waitFor();
     });
   }
+  state("the contents of the course", async (playground) => {
+    await opening(playground);
+    await new Course(playground).open();
+  });
+  state("the glossary", async (playground) => {
+    await opening(playground);
+    await new Course(playground).open();
+    await playground.press("Glossary");
+    await playground.page.getByRole("searchbox", { name: "Find a term" }).waitFor();
+  });
+  state("a guess in a lesson", (playground) => taught(playground, /^Room to pass/, "Step 2: How long will they need?"), { tabs: [] });
+  state("a task of a lesson", (playground) => taught(playground, /^One after the other/, "Step 2: An order that works"), { tabs: [] });
+  state("a robot led in a lesson", (playground) => taught(playground, /^Two robots, one cell/, "Step 4: Mend it"), { tabs: [] });
   state("the menu", async (playground) => {
     await opening(playground);
     await playground.page.setViewportSize({ width: 390, height: 664 });
@@ -307,4 +321,14 @@ function settled(page) {
     };
     next();
   }));
+}
+
+/** A step of a lesson, opened from the contents. */
+async function taught(playground, title, step) {
+  await opening(playground);
+  const course = new Course(playground);
+  await course.open();
+  await course.contents.getByRole("button", { name: title }).click();
+  await course.lesson.getByRole("button", { name: step }).click();
+  await course.at(step.replace(/^Step \d: /, ""));
 }

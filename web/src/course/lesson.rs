@@ -67,7 +67,7 @@ fn progress(open: &Open, send: &Callback<Msg>) -> Html {
         };
         let onclick = send.reform(move |_: MouseEvent| Msg::Do(Action::Go(index)));
         html! {
-            <li><button type="button" {class} title={step.title.clone()} aria-current={(index == at).then_some("step")} {onclick}>
+            <li {class}><button type="button" title={step.title.clone()} aria-current={(index == at).then_some("step")} {onclick}>
                 <span class="vh">{ format!("Step {}: {}", index + 1, step.title) }</span>
             </button></li>
         }
