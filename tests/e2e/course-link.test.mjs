@@ -13,8 +13,9 @@ describe("a link to a lesson", () => {
     await page.evaluate(() => { location.hash = "lesson=two-robots-one-cell.2"; });
     await course.at("Two in one cell");
     await page.waitForURL(host.url);
+    // In a page that is loaded with it, too.
+    await page.goto("about:blank");
     await playground.goto(`${host.url}#lesson=two-robots-one-cell.1`);
-    await page.reload();
     await course.at("Robots take steps");
     // One that there is not opens the contents.
     await page.evaluate(() => { location.hash = "lesson=nobody-wrote-this"; });

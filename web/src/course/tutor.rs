@@ -191,6 +191,11 @@ impl Tutor {
             self.wanted = Some(place);
             return;
         };
+        if shelf.entry(&place.lesson).is_none() {
+            // A link to a lesson that there is not: here are those that there are.
+            self.page = Some(Page::Lessons);
+            return;
+        }
         if let Some(lesson) = self.lessons.get(&place.lesson) {
             let action = Action::Open {
                 id: place.lesson,
