@@ -129,6 +129,7 @@ describe("asking why", () => {
 
   flow("gives a check of a proof up at once", async (playground) => {
     await playground.open(sample("mmapf/A05_mm_10x10_o10_a10.json"));
+    await playground.says(/^No plan yet/);
     await playground.press("Solve");
     await playground.says(/^Optimal: /);
     await toWhole(playground);
@@ -144,6 +145,7 @@ describe("asking why", () => {
     await playground.set("Time limit, s", 3);
     await playground.closeSettings();
     await playground.open(sample("mmapf/A17_mm_20x20_o15_a30.json"));
+    await playground.says(/^No plan yet/);
     await playground.press("Solve");
     await playground.button("Cancel").waitFor();
     await playground.says(/^Best so far/);

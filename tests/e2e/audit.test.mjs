@@ -108,6 +108,7 @@ describe("the audit finds nothing", () => {
       await playground.set("Time limit, s", 60);
       await playground.closeSettings();
       await playground.open(HARD);
+      await playground.says(/^No plan yet/);
       await playground.press("Solve");
       await playground.button("Cancel").waitFor();
       await audit(playground, "solving");

@@ -104,6 +104,7 @@ describe("how it was proved", () => {
 
   flow("grows while the search goes on", async (playground) => {
     await playground.open(HARD);
+    await playground.says(/^No plan yet/);
     await playground.press("Solve");
     await playground.button("Cancel").waitFor();
     await openOn(playground, "Proof");
