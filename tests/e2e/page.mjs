@@ -245,7 +245,28 @@ export class Playground {
     const chosen = files.map((file) => typeof file === "string"
       ? file
       : { name: file.name, mimeType: "application/octet-stream", buffer: Buffer.from(file.bytes) });
+    const before = await this.#seen();
     await (await chooser).setFiles(chosen);
+    await this.#taken(before);
+  }
+
+  /** Scene, status and what the page has to say, in a text. */
+  async #seen() {
+    const [name, status, said] = await Promise.all([
+      this.sceneName.innerText(), this.status.innerText(), this.page.getByRole("alert").allInnerTexts(),
+    ]);
+    return [name, status, ...said].join("\n");
+  }
+
+  /** Waits until a file has come to something: a worker reads it. The same scene again looks as before. */
+  async #taken(before) {
+    for (let tries = 0; tries < 40; tries += 1) {
+      const now = await this.#seen();
+      if (now !== before && !/Reading/.test(now)) {
+        return;
+      }
+      await this.page.waitForTimeout(50);
+    }
   }
 
   /** The button of an example in the dialog: other lines may hold its title, too. */

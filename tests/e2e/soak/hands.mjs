@@ -56,11 +56,7 @@ export async function home(sitting) {
 /** Opens an example, and waits until it is on the board and solved. */
 export async function openExample(playground, title) {
   const { page } = playground;
-  const [arrived] = await Promise.all([
-    page.waitForResponse((response) => /examples\/(?!index)[^/]*\.json/.test(response.url())),
-    playground.example(title),
-  ]);
-  await arrived.finished();
+  await playground.example(title);
   await playground.shows(new Map(EXAMPLES).get(title));
   await page.evaluate(() => new Promise((resolve) => setTimeout(resolve, 50)));
   await eventually("the example to be solved", () => look(page), ({ works }) => !works);
