@@ -21,6 +21,7 @@ mod tree;
 
 use std::rc::Rc;
 
+use giveway_course::lesson::Layer;
 use giveway_model::tr;
 use giveway_solve::trace::Core;
 
@@ -110,7 +111,10 @@ impl State {
 
     /// Whether there is something to look into: nothing else is done with the plan.
     pub fn can_look_inside(&self) -> bool {
-        self.document.mode == Mode::Editing && !self.is_embedded()
+        let is_wanted = self
+            .lesson()
+            .is_none_or(|lesson| lesson.shows(Layer::Inside));
+        self.document.mode == Mode::Editing && !self.is_embedded() && is_wanted
     }
 
     /// How many steps there are to go through.

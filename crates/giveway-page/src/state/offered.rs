@@ -13,8 +13,11 @@ impl State {
     }
 
     /// Whether the world could change at the time shown: there is a plan, and
-    /// nothing has changed then or later yet.
+    /// nothing has changed then or later yet. A lesson has its own ways to go on.
     pub fn can_change(&self) -> bool {
+        if self.lesson().is_some() {
+            return false;
+        }
         let document = &self.document;
         let answer = document
             .fresh_answer()
