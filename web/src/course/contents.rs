@@ -4,6 +4,7 @@ use std::rc::Rc;
 
 use giveway_course::learner::{Action, Onward, Progress};
 use giveway_course::lesson::{Chapter, Course};
+use giveway_model::tr;
 use giveway_model::words::count;
 use gloo::events::EventListener;
 use web_sys::HtmlDialogElement;
@@ -55,6 +56,8 @@ impl PartialEq for ContentsProps {
 pub(super) fn Contents(props: &ContentsProps) -> Html {
     let node = use_node_ref();
     let close = use_callback(props.send.clone(), |(), send| send.emit(Msg::Show(None)));
+    // Whether it is asked if progress is to be forgotten.
+    let asks = use_state_eq(|| false);
     use_modal(&node, &close);
     // A press on the dialog itself, and not in it, is one beside it.
     let beside = {
@@ -70,7 +73,7 @@ pub(super) fn Contents(props: &ContentsProps) -> Html {
             <div class="sheet-in">
                 { head(props, &close) }
                 <div class="sbody">{ body(props) }</div>
-                if let Some(shelf) = &props.shelf { { foot(props, &shelf.course) } }
+                if let Some(shelf) = &props.shelf { { foot(props, &shelf.course, &asks) } }
             </div>
         </dialog>
     }
@@ -123,7 +126,7 @@ fn sum(course: &Course) -> String {
     let lessons = course.lessons().count();
     let minutes = course.minutes();
     format!(
-        "{lessons} short lessons, {minutes} minutes in all. Every board is live: change it and see what happens."
+        "{lessons} short lessons, {minutes} minutes in all. Try things on the board: every answer is judged at once."
     )
 }
 
@@ -202,10 +205,9 @@ fn chapter(
     }
 }
 
-fn foot(props: &ContentsProps, course: &Course) -> Html {
+fn foot(props: &ContentsProps, course: &Course, asks: &UseStateHandle<bool>) -> Html {
     let (done, all) = (props.progress.done(), course.lessons().count());
     let is_new = props.progress == Progress::default();
-    let reset = props.send.reform(|_: MouseEvent| Msg::Do(Action::Reset));
     let (page, word, name) = match props.page {
         Page::Lessons => (Page::Terms, "Glossary", "course"),
         Page::Terms => (Page::Lessons, "All lessons", "back"),
@@ -217,11 +219,40 @@ fn foot(props: &ContentsProps, course: &Course) -> Html {
         <footer class="sf">
             <span class="prog"><b>{ done }</b>{ format!(" of {} done", count(all as u32, "lesson")) }</span>
             <span class="pb-at">{ bar(done as u64, all as u64) }</span>
-            if !is_new {
-                <button type="button" class="btn ghost" onclick={reset}><span>{ "Forget my progress" }</span></button>
-            }
+            if !is_new { { forget(props, asks) } }
             <span class="grow"></span>
             <button type="button" class="btn outline" onclick={turn}>{ icon::show(name) }<span>{ word }</span></button>
         </footer>
+    }
+}
+
+/// Forgets all progress, once that was asked. The button that asks then keeps it: a
+/// second press of the same key does no harm.
+fn forget(props: &ContentsProps, asks: &UseStateHandle<bool>) -> Html {
+    let is_asked = **asks;
+    let turn = {
+        let asks = asks.clone();
+        move |_: MouseEvent| asks.set(!is_asked)
+    };
+    let reset = {
+        let (send, asks) = (props.send.clone(), asks.clone());
+        move |_: MouseEvent| {
+            asks.set(false);
+            send.emit(Msg::Do(Action::Reset));
+        }
+    };
+    let word = if is_asked {
+        tr!("Keep it")
+    } else {
+        tr!("Forget my progress")
+    };
+    html! {
+        <>
+            <span class="prog" role="status">{ is_asked.then(|| tr!("Forget how far you came in all lessons?")) }</span>
+            <button type="button" class={if is_asked { "btn outline" } else { "btn ghost" }} onclick={turn}><span>{ word }</span></button>
+            if is_asked {
+                <button type="button" class="btn outline" onclick={reset}><span>{ tr!("Forget it") }</span></button>
+            }
+        </>
     }
 }

@@ -14,10 +14,12 @@ mod keys;
 mod lesson;
 mod line;
 mod place;
+mod print;
 mod prose;
 mod shelf;
 mod sight;
 mod term;
+mod third;
 mod tutor;
 
 use yew::prelude::*;

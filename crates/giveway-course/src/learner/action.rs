@@ -21,7 +21,7 @@ pub enum Action {
         /// The step.
         at: Option<usize>,
     },
-    /// To the next step; after the last one the lesson is done.
+    /// To the next step; after the last one the lesson was read to its end.
     Next,
     /// To the step before.
     Back,

@@ -12,7 +12,6 @@ pub mod course;
 pub mod glossary;
 mod id;
 mod layout;
-mod object;
 pub mod quantity;
 pub mod read;
 mod step;
@@ -20,7 +19,7 @@ pub mod task;
 pub mod text;
 mod write;
 
-use giveway_model::Version;
+use giveway_model::{Version, object_only};
 use serde::{Deserialize, Serialize};
 
 pub use board::{Layer, Tool};
@@ -34,8 +33,6 @@ pub use step::Step;
 pub use task::Task;
 pub use text::{Span, Target, Text};
 pub use write::{write_course, write_glossary, write_lesson};
-
-use object::object_only;
 
 /// A lesson: one idea, in a few steps.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
