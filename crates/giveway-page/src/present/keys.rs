@@ -15,15 +15,13 @@ pub(crate) fn pressed(name: &str, state: &State) -> Option<Action> {
                 Presenting::Told | Presenting::Off => Presenting::Bare,
             },
         ))),
-        "ArrowLeft" => step(state, false),
-        "ArrowRight" => step(state, true),
         "ArrowUp" => turn(state, false),
         "ArrowDown" => turn(state, true),
         // A clicker goes through what there is: questions while one is open, else times.
         "PageUp" if asked => turn(state, false),
         "PageDown" if asked => turn(state, true),
-        "PageUp" => step(state, false),
-        "PageDown" => step(state, true),
+        "ArrowLeft" | "PageUp" => step(state, false),
+        "ArrowRight" | "PageDown" => step(state, true),
         _ => None,
     }
 }
