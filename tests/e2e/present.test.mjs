@@ -69,7 +69,7 @@ describe("a presentation", () => {
     await presentation.shows(2);
 
     await playground.key("ArrowDown");
-    await presentation.says(/^Why is the makespan 18\?/);
+    await presentation.says(/^Why does it take this long\?/);
     await presentation.says(/(It must|It would cost more|There is a better way)\. /);
     await presentation.lies();
     await playground.picture("present-question");
@@ -80,7 +80,7 @@ describe("a presentation", () => {
     await playground.key("PageUp", "h");
     await presentation.said.waitFor({ state: "detached" });
     await playground.key("h");
-    await presentation.says(/^Why is the makespan 18\?/);
+    await presentation.says(/^Why does it take this long\?/);
     await playground.key("ArrowUp");
     await presentation.says(/^$/);
     await playground.picture("present");
@@ -150,7 +150,7 @@ describe("a presentation", () => {
       const presentation = new Presentation(playground);
       await presentation.begun();
       await playground.key("ArrowDown");
-      await presentation.says(/^Why is the makespan 18\? It /);
+      await presentation.says(/^Why does it take this long\? It /);
       await presentation.lies();
       await playground.picture(`present-${name}`);
     }, { screens: ["phone"] });

@@ -2,6 +2,8 @@
 //! is said, and large buttons that play. What only that takes, a script fetches when it
 //! begins first (`static/present.js`): the style sheet, the full screen, buttons that fade.
 
+use std::cell::Cell;
+
 use giveway_model::tr;
 use giveway_page::lesson::Lesson;
 use giveway_page::present::{END, third};
@@ -20,11 +22,15 @@ const SCRIPT: &str = "giveway-present";
 #[hook]
 pub(crate) fn use_presenting(is_presented: bool, send: &Callback<Action>) {
     let send = send.clone();
+    // A script that failed is another one when it is tried again.
+    let failures = use_memo((), |()| Cell::new(0));
     use_effect_with(is_presented, move |&is_presented| {
         if !is_presented {
             return;
         }
+        let number = failures.get();
         let missing = move |why| {
+            failures.set(number + 1);
             send.emit(END);
             send.emit(Action::File(FileAction::Refuse(Notice {
                 sentence: tr!(
@@ -35,7 +41,7 @@ pub(crate) fn use_presenting(is_presented: bool, send: &Callback<Action>) {
             })));
         };
         let failed = missing.clone();
-        if let Err(why) = script::start(SCRIPT, 0, failed) {
+        if let Err(why) = script::start(SCRIPT, number, failed) {
             missing(why);
         }
     });

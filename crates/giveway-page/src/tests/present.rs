@@ -70,7 +70,10 @@ fn arrows_and_a_clicker_go_through_the_plan() {
     let time = |state: &State| state.view.playback.time;
     assert_eq!(time(&pressed(&state, &["ArrowRight", "PageDown"])), 2);
     assert_eq!(
-        time(&pressed(&state, &["ArrowRight", "ArrowRight", "PageUp", "ArrowLeft"])),
+        time(&pressed(
+            &state,
+            &["ArrowRight", "ArrowRight", "PageUp", "ArrowLeft"]
+        )),
         0
     );
     assert_eq!(key(" ", &state), Some(Action::Play(PlayAction::Play)));
@@ -88,7 +91,9 @@ fn arrows_and_a_clicker_go_through_the_plan() {
 #[test]
 fn up_and_down_change_the_question() {
     let state = presented();
-    let offers = ask::offers(&state).into_iter().flat_map(|group| group.offers);
+    let offers = ask::offers(&state)
+        .into_iter()
+        .flat_map(|group| group.offers);
     let all: Vec<Question> = offers.map(|offer| offer.question).collect();
     assert!(all.len() > 1);
     assert_eq!(key("ArrowUp", &state), None);
@@ -97,8 +102,14 @@ fn up_and_down_change_the_question() {
     let second = pressed(&first, &["ArrowDown"]);
     assert_eq!(question(&second).as_ref(), all.get(1));
     // A clicker does the same once a question is open.
-    assert_eq!(question(&pressed(&first, &["PageDown"])).as_ref(), all.get(1));
-    assert_eq!(question(&pressed(&second, &["PageUp"])).as_ref(), all.first());
+    assert_eq!(
+        question(&pressed(&first, &["PageDown"])).as_ref(),
+        all.get(1)
+    );
+    assert_eq!(
+        question(&pressed(&second, &["PageUp"])).as_ref(),
+        all.first()
+    );
     // Before the first one there is none, after the last one none either.
     assert_eq!(question(&pressed(&first, &["ArrowUp"])), None);
     let last = (1..all.len()).fold(first, |state, _| pressed(&state, &["ArrowDown"]));
@@ -124,7 +135,10 @@ fn the_verdict_comes_first() {
 
 #[test]
 fn a_hand_only_points() {
-    let state = after(&solved(), [Action::Board(BoardAction::PickTool(Tool::Obstacle)), BEGIN]);
+    let state = after(
+        &solved(),
+        [Action::Board(BoardAction::PickTool(Tool::Obstacle)), BEGIN],
+    );
     assert_eq!(state.view.tool, Tool::Select);
     let start = state.document.agents()[0].start;
     assert!(solved().can_move(start) && !state.can_move(start));
