@@ -76,7 +76,9 @@ fn arrows_and_a_clicker_go_through_the_plan() {
         )),
         0
     );
-    assert_eq!(key(" ", &state), Some(Action::Play(PlayAction::Play)));
+    assert_eq!(key(" ", &state), Some(Action::Play(PlayAction::Pause)));
+    let stands = pressed(&state, &["ArrowRight"]);
+    assert_eq!(key(" ", &stands), Some(Action::Play(PlayAction::Play)));
     // Without a plan there is no time.
     let empty = after(&State::new(Draft::default()), [BEGIN]);
     for name in ["ArrowRight", "PageDown", " "] {
