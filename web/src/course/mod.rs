@@ -11,6 +11,7 @@ mod contents;
 mod exercise;
 mod glossary;
 mod keys;
+mod language;
 mod lesson;
 mod line;
 mod place;

@@ -14,6 +14,7 @@ use yew::prelude::*;
 use super::asker::Asker;
 use super::contents::{Contents, Page};
 use super::keys;
+use super::language;
 use super::lesson;
 use super::line::Line;
 use super::place::Place;
@@ -33,6 +34,10 @@ pub(super) enum Msg {
     Do(Action),
     /// The page wants an address to be opened; the contents, where it is empty.
     Open(String),
+    /// The page tells the language that is spoken.
+    Told(String),
+    /// That language is spoken from now on.
+    Spoken,
     /// A place is chosen.
     Enter(Place),
     /// Index and glossary are there, or are not.
@@ -52,8 +57,14 @@ pub(super) enum Msg {
 /// The course.
 pub(super) struct Tutor {
     pub(super) learner: Learner,
+    /// The course in the language that is spoken.
     pub(super) shelf: Option<Rc<Shelf>>,
+    /// The course as it was fetched, in English.
+    fetched: Option<Rc<Shelf>>,
+    /// The lessons as they were fetched, in English.
     lessons: BTreeMap<Id, Rc<Lesson>>,
+    /// Whether a language is on its way.
+    is_turning: bool,
     /// What is to be opened as soon as it is there.
     wanted: Option<Place>,
     page: Option<Page>,
@@ -94,7 +105,9 @@ impl Component for Tutor {
         Self {
             learner,
             shelf: None,
+            fetched: None,
             lessons: BTreeMap::new(),
+            is_turning: false,
             wanted: None,
             page: None,
             missing: None,
@@ -121,10 +134,24 @@ impl Component for Tutor {
                 None => self.page = Some(Page::Lessons),
             },
             Msg::Enter(place) => self.enter(ctx, place),
+            Msg::Told(told) => {
+                self.is_turning = true;
+                let link = ctx.link().clone();
+                spawn_local(async move {
+                    if language::hear(told).await {
+                        link.send_message(Msg::Spoken);
+                    }
+                });
+            }
+            Msg::Spoken => {
+                self.is_turning = false;
+                self.reword(ctx);
+            }
             Msg::Shelved(Ok(shelf)) => {
-                self.shelf = Some(shelf);
-                if let Some(place) = self.wanted.take() {
-                    self.enter(ctx, place);
+                self.fetched = Some(shelf);
+                // Nobody is to read English first.
+                if !self.is_turning {
+                    self.reword(ctx);
                 }
             }
             Msg::Fetched(place, Ok(lesson)) => {
@@ -160,7 +187,7 @@ impl Component for Tutor {
                     { lesson::show(self, open, shelf, &send) }
                 }
                 if let Some(page) = &self.page {
-                    <Contents page={*page} shelf={self.shelf.clone()} progress={self.learner.progress.clone()}
+                    <Contents key={language::tag()} page={*page} shelf={self.shelf.clone()} progress={self.learner.progress.clone()}
                         missing={self.missing.clone()} {send} />
                 }
             </>
@@ -183,6 +210,23 @@ impl Component for Tutor {
 }
 
 impl Tutor {
+    /// Puts all into the words of the language that is spoken, and opens what waited.
+    fn reword(&mut self, ctx: &Context<Self>) {
+        self.shelf = self.fetched.as_ref().map(|shelf| Rc::new(shelf.said()));
+        let open = self.learner.open.as_ref().map(|open| open.id.clone());
+        if let Some(id) = open
+            && let Some(lesson) = self.lessons.get(&id)
+        {
+            let lesson = Rc::new(language::said(&**lesson));
+            self.act(ctx, Action::Reword { id, lesson });
+        }
+        if self.shelf.is_some()
+            && let Some(place) = self.wanted.take()
+        {
+            self.enter(ctx, place);
+        }
+    }
+
     /// Opens a place, as soon as what it takes is there.
     fn enter(&mut self, ctx: &Context<Self>, place: Place) {
         self.asker.warm();
@@ -199,7 +243,7 @@ impl Tutor {
         if let Some(lesson) = self.lessons.get(&place.lesson) {
             let action = Action::Open {
                 id: place.lesson,
-                lesson: Rc::clone(lesson),
+                lesson: Rc::new(language::said(&**lesson)),
                 at: place.step,
             };
             self.wanted = None;
