@@ -38,7 +38,7 @@ fn catalogues(part: Part) -> Vec<(String, String)> {
     }
     let said = part.said();
     let new = files.into_iter().map(|(path, text)| {
-        let text = updated(&text, &said);
+        let text = updated(&text, said);
         fs::write(source::root().join(&path), &text).unwrap();
         (path, text)
     });
@@ -64,7 +64,7 @@ fn compare(complain: impl Fn(&Said, Option<&Message>) -> Option<String>) -> Vec<
         for (path, text) in catalogues(part) {
             let read = messages(&text).unwrap();
             let read: BTreeMap<String, Message> = read.into_iter().map(|m| (m.key(), m)).collect();
-            for one in &said {
+            for one in said {
                 if let Some(complaint) = complain(one, read.get(&one.key())) {
                     complaints.push(format!("{path}: {complaint}: {}", one.text));
                 }

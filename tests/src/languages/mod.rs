@@ -11,6 +11,7 @@ mod update;
 
 use std::collections::BTreeMap;
 use std::path::Path;
+use std::sync::LazyLock;
 
 use crate::source;
 
@@ -62,17 +63,18 @@ impl Part {
     /// # Panics
     ///
     /// If one text has two plurals, or `tr!` is not read.
-    pub fn said(self) -> Vec<Said> {
-        let page = once(of_folders(&FOLDERS).into_iter().chain(examples()));
+    pub fn said(self) -> &'static [Said] {
+        static PAGE: LazyLock<Vec<Said>> =
+            LazyLock::new(|| once(of_folders(&FOLDERS).into_iter().chain(examples())));
+        static COURSE_ALONE: LazyLock<Vec<Said>> = LazyLock::new(|| {
+            let mut own = once(of_folders(&COURSE).into_iter().chain(lessons::said()));
+            let known: Vec<String> = PAGE.iter().map(Said::key).collect();
+            own.retain(|one| !known.contains(&one.key()));
+            own
+        });
         match self {
-            Self::Page => page,
-            Self::Course => {
-                let own = once(of_folders(&COURSE).into_iter().chain(lessons::said()));
-                let known: Vec<String> = page.iter().map(Said::key).collect();
-                let mut own = own;
-                own.retain(|one| !known.contains(&one.key()));
-                own
-            }
+            Self::Page => &PAGE,
+            Self::Course => &COURSE_ALONE,
         }
     }
 }

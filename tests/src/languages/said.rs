@@ -135,7 +135,7 @@ fn read(tokens: TokenStream, path: &str) -> Option<Said> {
 }
 
 /// What a string literal says.
-pub fn unescaped(literal: &str) -> Option<String> {
+pub(super) fn unescaped(literal: &str) -> Option<String> {
     let inner = literal.strip_prefix('"')?.strip_suffix('"')?;
     let mut text = String::new();
     let mut rest = inner;
