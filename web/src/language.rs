@@ -60,10 +60,10 @@ pub(crate) fn told() -> String {
 }
 
 /// Tells all who want to be told.
-pub(crate) fn tell(told: String) {
-    TOLD.with(|known| known.set(told.clone()));
+pub(crate) fn tell(told: &str) {
+    TOLD.with(|known| known.set(told.to_owned()));
     for tell in WORKERS.with(Held::get) {
-        tell.emit(told.clone());
+        tell.emit(told.to_owned());
     }
 }
 
@@ -150,7 +150,7 @@ async fn turn_to(tag: &'static str) -> Result<(), String> {
     if let Some(changed) = CHANGED.with(Held::get) {
         changed.emit(tag);
     }
-    tell(fetched.map(|fetched| fetched.told).unwrap_or_default());
+    tell(fetched.as_ref().map_or("", |fetched| &fetched.told));
     Ok(())
 }
 

@@ -18,6 +18,8 @@ thread_local! {
     static FETCHED: Held<Vec<(String, &'static Catalogue)>> = Held::default();
     /// How often a language was told.
     static TOLD: Cell<u32> = const { Cell::new(0) };
+    /// Which of these is spoken.
+    static SPOKEN: Cell<u32> = const { Cell::new(0) };
 }
 
 /// Speaks what the page told, and tells the workers; whether nothing else was told
@@ -30,8 +32,14 @@ pub(super) async fn hear(told: String) -> bool {
         return false;
     }
     speak(catalogue);
-    language::tell(catalogue.map(|_| told).unwrap_or_default());
+    SPOKEN.set(number);
+    language::tell(catalogue.map_or("", |_| &told));
     true
+}
+
+/// Whether a language is on its way.
+pub(super) fn is_coming() -> bool {
+    TOLD.get() != SPOKEN.get()
 }
 
 /// The catalogue of a language as the page tells it; none where that is English.

@@ -63,8 +63,6 @@ pub(super) struct Tutor {
     fetched: Option<Rc<Shelf>>,
     /// The lessons as they were fetched, in English.
     lessons: BTreeMap<Id, Rc<Lesson>>,
-    /// Whether a language is on its way.
-    is_turning: bool,
     /// What is to be opened as soon as it is there.
     wanted: Option<Place>,
     page: Option<Page>,
@@ -107,7 +105,6 @@ impl Component for Tutor {
             shelf: None,
             fetched: None,
             lessons: BTreeMap::new(),
-            is_turning: false,
             wanted: None,
             page: None,
             missing: None,
@@ -135,7 +132,6 @@ impl Component for Tutor {
             },
             Msg::Enter(place) => self.enter(ctx, place),
             Msg::Told(told) => {
-                self.is_turning = true;
                 let link = ctx.link().clone();
                 spawn_local(async move {
                     if language::hear(told).await {
@@ -143,14 +139,11 @@ impl Component for Tutor {
                     }
                 });
             }
-            Msg::Spoken => {
-                self.is_turning = false;
-                self.reword(ctx);
-            }
+            Msg::Spoken => self.reword(ctx),
             Msg::Shelved(Ok(shelf)) => {
                 self.fetched = Some(shelf);
                 // Nobody is to read English first.
-                if !self.is_turning {
+                if !language::is_coming() {
                     self.reword(ctx);
                 }
             }

@@ -122,7 +122,12 @@ impl Course {
 
     /// Opens the course: its contents (an empty text), a lesson, or a step of one.
     pub(crate) fn open(&self, what: &str) {
-        if !self.0.place.as_ref().is_some_and(Element::is_connected) {
+        if !self
+            .0
+            .place
+            .as_ref()
+            .is_some_and(|place| place.is_connected())
+        {
             // Inside another page there is no course.
             return;
         }
