@@ -13,6 +13,7 @@
 use std::collections::BTreeMap;
 use std::fs;
 use std::path::Path;
+use std::sync::LazyLock;
 
 use giveway_model::words::{Catalogue, Message, messages, speak};
 use giveway_planners::budget::Stop;
@@ -24,6 +25,16 @@ const FOLDER: &str = "static/languages";
 
 /// The PO files of a part: their paths and texts.
 fn catalogues(part: Part) -> Vec<(String, String)> {
+    static UPDATED: LazyLock<()> = LazyLock::new(|| {
+        if std::env::var_os("GIVEWAY_UPDATE_LANGUAGES").is_some() {
+            update();
+        }
+    });
+    LazyLock::force(&UPDATED);
+    read(part)
+}
+
+fn read(part: Part) -> Vec<(String, String)> {
     let folder = part.folder();
     let is_own = |path: &str| {
         let name = path.strip_prefix(folder).unwrap_or_default();
@@ -33,16 +44,17 @@ fn catalogues(part: Part) -> Vec<(String, String)> {
     let files = files.filter(|file| is_own(&file.path));
     let files: Vec<(String, String)> = files.map(|file| (file.path, file.text)).collect();
     assert!(!files.is_empty(), "there is no language in {folder}");
-    if std::env::var_os("GIVEWAY_UPDATE_LANGUAGES").is_none() {
-        return files;
+    files
+}
+
+/// Brings all up to date; what moved from one part to another keeps its translation.
+fn update() {
+    let [page, course] = Part::ALL.map(read);
+    for ((page, of_page), (course, of_course)) in page.into_iter().zip(course) {
+        let write = |path: &str, text: String| fs::write(source::root().join(path), text).unwrap();
+        write(&page, updated(&of_page, &of_course, Part::Page.said()));
+        write(&course, updated(&of_course, &of_page, Part::Course.said()));
     }
-    let said = part.said();
-    let new = files.into_iter().map(|(path, text)| {
-        let text = updated(&text, said);
-        fs::write(source::root().join(&path), &text).unwrap();
-        (path, text)
-    });
-    new.collect()
 }
 
 /// All PO files.

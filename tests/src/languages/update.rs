@@ -8,14 +8,16 @@ use giveway_model::words::{Message, messages};
 use super::Said;
 
 /// A PO file with exactly the texts of the sources: translations are kept, what is
-/// missing has none yet, and what nobody says is left out.
+/// missing has the one of `other`, where that has it, and what nobody says is left out.
 ///
 /// # Panics
 ///
 /// If the file is no PO.
-pub fn updated(po: &str, said: &[Said]) -> String {
-    let known = messages(po).expect("a PO file");
-    let known: BTreeMap<String, Message> = known.into_iter().map(|m| (m.key(), m)).collect();
+pub fn updated(po: &str, other: &str, said: &[Said]) -> String {
+    // What comes last counts.
+    let known = [other, po].map(|po| messages(po).expect("a PO file"));
+    let known = known.into_iter().flatten().filter(Message::is_translated);
+    let known: BTreeMap<String, Message> = known.map(|m| (m.key(), m)).collect();
     let head = po.split_once("\n\n").map_or(po, |(head, _)| head);
     let mut text = format!("{}\n", head.trim_end());
     for one in said {

@@ -19,6 +19,7 @@ mod prose;
 mod shelf;
 mod sight;
 mod term;
+mod turn;
 mod tutor;
 
 use yew::prelude::*;

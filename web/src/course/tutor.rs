@@ -60,11 +60,11 @@ pub(super) struct Tutor {
     /// The course in the language that is spoken.
     pub(super) shelf: Option<Rc<Shelf>>,
     /// The course as it was fetched, in English.
-    fetched: Option<Rc<Shelf>>,
+    pub(super) fetched: Option<Rc<Shelf>>,
     /// The lessons as they were fetched, in English.
-    lessons: BTreeMap<Id, Rc<Lesson>>,
+    pub(super) lessons: BTreeMap<Id, Rc<Lesson>>,
     /// What is to be opened as soon as it is there.
-    wanted: Option<Place>,
+    pub(super) wanted: Option<Place>,
     page: Option<Page>,
     /// Why something is not there.
     missing: Option<String>,
@@ -131,14 +131,7 @@ impl Component for Tutor {
                 None => self.page = Some(Page::Lessons),
             },
             Msg::Enter(place) => self.enter(ctx, place),
-            Msg::Told(told) => {
-                let link = ctx.link().clone();
-                spawn_local(async move {
-                    if language::hear(told).await {
-                        link.send_message(Msg::Spoken);
-                    }
-                });
-            }
+            Msg::Told(told) => Self::turn(ctx, told),
             Msg::Spoken => self.reword(ctx),
             Msg::Shelved(Ok(shelf)) => {
                 self.fetched = Some(shelf);
@@ -203,25 +196,8 @@ impl Component for Tutor {
 }
 
 impl Tutor {
-    /// Puts all into the words of the language that is spoken, and opens what waited.
-    fn reword(&mut self, ctx: &Context<Self>) {
-        self.shelf = self.fetched.as_ref().map(|shelf| Rc::new(shelf.said()));
-        let open = self.learner.open.as_ref().map(|open| open.id.clone());
-        if let Some(id) = open
-            && let Some(lesson) = self.lessons.get(&id)
-        {
-            let lesson = Rc::new(language::said(&**lesson));
-            self.act(ctx, Action::Reword { id, lesson });
-        }
-        if self.shelf.is_some()
-            && let Some(place) = self.wanted.take()
-        {
-            self.enter(ctx, place);
-        }
-    }
-
     /// Opens a place, as soon as what it takes is there.
-    fn enter(&mut self, ctx: &Context<Self>, place: Place) {
+    pub(super) fn enter(&mut self, ctx: &Context<Self>, place: Place) {
         self.asker.warm();
         self.missing = None;
         let Some(shelf) = self.shelf.clone() else {
@@ -251,7 +227,7 @@ impl Tutor {
         });
     }
 
-    fn act(&mut self, ctx: &Context<Self>, action: Action) {
+    pub(super) fn act(&mut self, ctx: &Context<Self>, action: Action) {
         let is_next = action == Action::Next;
         let was = self.step();
         let said = self.learner.open.as_ref().map(|open| open.judge().clone());
@@ -319,19 +295,5 @@ impl Tutor {
     fn step(&self) -> Option<(Id, usize)> {
         let open = self.learner.open.as_ref()?;
         Some((open.id.clone(), open.index()))
-    }
-
-    /// The robots in the order that is tried next: that of the scene at first.
-    pub(super) fn order(&self) -> Vec<String> {
-        let Some(open) = &self.learner.open else {
-            return Vec::new();
-        };
-        let agents = &open.scene().agents;
-        let is_whole = agents.len() == self.order.len()
-            && agents.iter().all(|agent| self.order.contains(&agent.name));
-        if is_whole {
-            return self.order.clone();
-        }
-        agents.iter().map(|agent| agent.name.clone()).collect()
     }
 }

@@ -5,8 +5,24 @@ use giveway_model::tr;
 use yew::prelude::*;
 
 use super::super::prose::Reader;
-use super::super::tutor::Msg;
+use super::super::tutor::{Msg, Tutor};
 use crate::icon;
+
+impl Tutor {
+    /// The robots in the order that is tried next: that of the scene at first.
+    pub(in super::super) fn order(&self) -> Vec<String> {
+        let Some(open) = &self.learner.open else {
+            return Vec::new();
+        };
+        let agents = &open.scene().agents;
+        let is_whole = agents.len() == self.order.len()
+            && agents.iter().all(|agent| self.order.contains(&agent.name));
+        if is_whole {
+            return self.order.clone();
+        }
+        agents.iter().map(|agent| agent.name.clone()).collect()
+    }
+}
 
 pub(super) fn show(order: &[String], reader: Reader<'_>) -> Html {
     let last = order.len().saturating_sub(1);
