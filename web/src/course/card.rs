@@ -60,7 +60,7 @@ pub(super) fn Card(props: &CardProps) -> Html {
     let onclick = props
         .send
         .reform(move |_: MouseEvent| Msg::Enter(place.clone()));
-    let is_now = props.is_next && matches!(stage, Stage::Begun(_));
+    let is_now = props.is_next && matches!(stage, Stage::Begun(_) | Stage::Seen { .. });
     html! {
         <button type="button" class={classes!("lc", is_now.then_some("now"))} aria-current={is_now.then_some("step")} {onclick}
             onmouseenter={move |_| enter()} onmouseleave={move |_| leave()} onfocus={move |_| focus()} onblur={move |_| blur()}>
@@ -81,6 +81,13 @@ fn reached(entry: &Entry, stage: Stage) -> Html {
             html! {
                 <><small class="acc">{ tr!("Step {step} of {steps}", step, steps) }</small>{ bar(step, steps) }</>
             }
+        }
+        Stage::Seen { solved, tasks, .. } => {
+            let words = tr!(
+                "{solved} of {n} task" | "{solved} of {n} tasks" % tasks,
+                solved
+            );
+            html! { <><small class="acc">{ words }</small>{ bar(solved as u64, tasks as u64) }</> }
         }
         Stage::Done => {
             html! { <small class="okk">{ icon::show("check") }{ tr!("of a lesson" => "Done") }</small> }

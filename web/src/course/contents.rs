@@ -55,6 +55,8 @@ impl PartialEq for ContentsProps {
 pub(super) fn Contents(props: &ContentsProps) -> Html {
     let node = use_node_ref();
     let close = use_callback(props.send.clone(), |(), send| send.emit(Msg::Show(None)));
+    // Whether it is asked if progress is to be forgotten.
+    let asks = use_state_eq(|| false);
     use_modal(&node, &close);
     // A press on the dialog itself, and not in it, is one beside it.
     let beside = {
@@ -70,7 +72,7 @@ pub(super) fn Contents(props: &ContentsProps) -> Html {
             <div class="sheet-in">
                 { head(props, &close) }
                 <div class="sbody">{ body(props) }</div>
-                if let Some(shelf) = &props.shelf { { foot(props, &shelf.course) } }
+                if let Some(shelf) = &props.shelf { { foot(props, &shelf.course, &asks) } }
             </div>
         </dialog>
     }
@@ -123,8 +125,8 @@ fn sum(course: &Course) -> String {
     let lessons = course.lessons().count();
     let minutes = course.minutes();
     tr!(
-        "{n} short lesson, {minutes} minutes in all. Every board is live: change it and see what happens."
-            | "{n} short lessons, {minutes} minutes in all. Every board is live: change it and see what happens."
+        "{n} short lesson, {minutes} minutes in all. Try things on the board: every answer is judged at once."
+            | "{n} short lessons, {minutes} minutes in all. Try things on the board: every answer is judged at once."
                 % lessons,
         minutes
     )
@@ -205,10 +207,9 @@ fn chapter(
     }
 }
 
-fn foot(props: &ContentsProps, course: &Course) -> Html {
+fn foot(props: &ContentsProps, course: &Course, asks: &UseStateHandle<bool>) -> Html {
     let (done, all) = (props.progress.done(), course.lessons().count());
     let is_new = props.progress == Progress::default();
-    let reset = props.send.reform(|_: MouseEvent| Msg::Do(Action::Reset));
     let (page, word, name) = match props.page {
         Page::Lessons => (Page::Terms, tr!("Glossary"), "course"),
         Page::Terms => (Page::Lessons, tr!("All lessons"), "back"),
@@ -220,11 +221,40 @@ fn foot(props: &ContentsProps, course: &Course) -> Html {
         <footer class="sf">
             <span class="prog"><b>{ done }</b>{ tr!("behind a number" => " of {n} lesson done" | " of {n} lessons done" % all) }</span>
             <span class="pb-at">{ bar(done as u64, all as u64) }</span>
-            if !is_new {
-                <button type="button" class="btn ghost" onclick={reset}><span>{ tr!("Forget my progress") }</span></button>
-            }
+            if !is_new { { forget(props, asks) } }
             <span class="grow"></span>
             <button type="button" class="btn outline" onclick={turn}>{ icon::show(name) }<span>{ word }</span></button>
         </footer>
+    }
+}
+
+/// Forgets all progress, once that was asked. The button that asks then keeps it: a
+/// second press of the same key does no harm.
+fn forget(props: &ContentsProps, asks: &UseStateHandle<bool>) -> Html {
+    let is_asked = **asks;
+    let turn = {
+        let asks = asks.clone();
+        move |_: MouseEvent| asks.set(!is_asked)
+    };
+    let reset = {
+        let (send, asks) = (props.send.clone(), asks.clone());
+        move |_: MouseEvent| {
+            asks.set(false);
+            send.emit(Msg::Do(Action::Reset));
+        }
+    };
+    let word = if is_asked {
+        tr!("Keep it")
+    } else {
+        tr!("Forget my progress")
+    };
+    html! {
+        <>
+            <span class="prog" role="status">{ is_asked.then(|| tr!("Forget how far you came in all lessons?")) }</span>
+            <button type="button" class={if is_asked { "btn outline" } else { "btn ghost" }} onclick={turn}><span>{ word }</span></button>
+            if is_asked {
+                <button type="button" class="btn outline" onclick={reset}><span>{ tr!("Forget it") }</span></button>
+            }
+        </>
     }
 }

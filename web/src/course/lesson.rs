@@ -11,6 +11,7 @@ use super::contents::Page;
 use super::exercise;
 use super::prose::Reader;
 use super::shelf::Shelf;
+use super::third;
 use super::tutor::{Msg, Tutor};
 use crate::icon;
 
@@ -37,8 +38,10 @@ pub(super) fn show(tutor: &Tutor, open: &Open, shelf: &Rc<Shelf>, send: &Callbac
                 if let Some(task) = &step.task {
                     { exercise::show(tutor, open, task, reader) }
                 }
+                { elsewhere(send) }
             </div>
             { foot(tutor, open, send) }
+            { third::show(open, step, reader) }
         </aside>
     }
 }
@@ -52,6 +55,21 @@ fn way_out(send: &Callback<Msg>) -> Html {
             <span class="grow"></span>
             <button type="button" class="btn ghost round sm" title={tr!("Leave the lesson")} onclick={leave}>
                 { icon::show("cancel") }<span class="vh">{ tr!("Leave the lesson") }</span>
+            </button>
+        </div>
+    }
+}
+
+/// The lesson before a room, and on paper.
+fn elsewhere(send: &Callback<Msg>) -> Html {
+    let press = |msg: fn() -> Msg| send.reform(move |_: MouseEvent| msg());
+    html! {
+        <div class="exa elsewhere">
+            <button type="button" class="btn ghost" title={tr!("The board full screen, before a room (P)")} onclick={press(|| Msg::Present)}>
+                { icon::show("fit") }<span>{ tr!("Present") }</span>
+            </button>
+            <button type="button" class="btn ghost" title={tr!("The lesson on paper, its answers apart")} onclick={press(|| Msg::Print)}>
+                { icon::show("file") }<span>{ tr!("Print") }</span>
             </button>
         </div>
     }
@@ -98,10 +116,11 @@ fn foot(tutor: &Tutor, open: &Open, send: &Callback<Msg>) -> Html {
     };
     html! {
         <footer class="foot">
-            <button type="button" class="btn outline" disabled={open.index() == 0} onclick={back}>
+            <button type="button" class="btn outline" disabled={open.index() == 0} data-turn="PageUp" onclick={back}>
                 { icon::show("back") }<span>{ tr!("a step" => "Back") }</span>
             </button>
-            <button type="button" {class} ref={tutor.next.clone()} onclick={next}><span>{ word }</span></button>
+            // A clicker does not end the lesson.
+            <button type="button" {class} ref={tutor.next.clone()} data-turn={(!open.is_last()).then_some("PageDown")} onclick={next}><span>{ word }</span></button>
         </footer>
     }
 }

@@ -15,10 +15,12 @@ mod language;
 mod lesson;
 mod line;
 mod place;
+mod print;
 mod prose;
 mod shelf;
 mod sight;
 mod term;
+mod third;
 mod turn;
 mod tutor;
 

@@ -6,6 +6,7 @@ use std::rc::Rc;
 use giveway_course::judge::Verdict;
 use giveway_course::learner::{Action, Effect, Judge, Learner, Open, Progress, reduce};
 use giveway_course::lesson::{Id, Lesson};
+use giveway_course::port::ToPage;
 use gloo::events::EventListener;
 use gloo::timers::callback::Timeout;
 use yew::platform::spawn_local;
@@ -18,6 +19,7 @@ use super::language;
 use super::lesson;
 use super::line::Line;
 use super::place::Place;
+use super::print::Sheet;
 use super::shelf::Shelf;
 use super::sight::{bring_into_view, focus};
 use crate::keep;
@@ -52,6 +54,12 @@ pub(super) enum Msg {
     Type(String),
     /// The judge has been looking for a while.
     Late,
+    /// The page is to be shown to a room.
+    Present,
+    /// The lesson is to be printed.
+    Print,
+    /// It was printed, or not.
+    Printed,
 }
 
 /// The course.
@@ -84,6 +92,8 @@ pub(super) struct Tutor {
     pub(super) next: NodeRef,
     asker: Asker,
     line: Option<Line>,
+    /// The lesson on its way to a printer.
+    sheet: Option<Sheet>,
     _keys: EventListener,
 }
 
@@ -119,6 +129,7 @@ impl Component for Tutor {
             next: NodeRef::default(),
             asker: Asker::new(ctx.link().callback(Msg::Do)),
             line: None,
+            sheet: None,
             _keys: keys::listen(),
         }
     }
@@ -161,6 +172,17 @@ impl Component for Tutor {
             }
             Msg::Type(typed) => self.typed = typed,
             Msg::Late => self.is_late = true,
+            Msg::Present => {
+                if let Some(line) = &self.line {
+                    line.say(&ToPage::Present);
+                }
+            }
+            Msg::Print => {
+                // One that no browser told the end of goes first.
+                self.sheet = None;
+                self.sheet = Sheet::new(ctx.link().callback(|msg: Msg| msg));
+            }
+            Msg::Printed => self.sheet = None,
         }
         true
     }
@@ -171,6 +193,7 @@ impl Component for Tutor {
             <>
                 if let (Some(open), Some(shelf)) = (&self.learner.open, &self.shelf) {
                     { lesson::show(self, open, shelf, &send) }
+                    if let Some(sheet) = &self.sheet { { sheet.show(&open.id, &open.lesson) } }
                 }
                 if let Some(page) = &self.page {
                     <Contents key={language::tag()} page={*page} shelf={self.shelf.clone()} progress={self.learner.progress.clone()}
@@ -191,6 +214,9 @@ impl Component for Tutor {
         }
         if std::mem::take(&mut self.has_said) {
             bring_into_view();
+        }
+        if let Some(sheet) = &mut self.sheet {
+            sheet.print();
         }
     }
 }
@@ -245,6 +271,9 @@ impl Tutor {
             self.before = None;
             self.is_new = is.is_some();
             self.has_said = false;
+            if is.is_none() {
+                self.sheet = None;
+            }
             // After the last step there is the next lesson to choose.
             if is.is_none() && is_next {
                 self.page = Some(Page::Lessons);

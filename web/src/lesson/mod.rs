@@ -2,8 +2,6 @@
 //! opened first, which lives in an element of the page. It says what the board shows,
 //! and hears what happened there (`giveway_course::port`).
 
-mod program;
-
 use giveway_model::tr;
 use std::cell::Cell;
 use std::rc::Rc;
@@ -17,7 +15,7 @@ use web_sys::{CustomEvent, CustomEventInit, Element};
 use yew::prelude::*;
 
 use crate::held::Held;
-use crate::{Shown, keep, language};
+use crate::{Shown, keep, language, script};
 use gloo::events::EventListener;
 
 /// From the lesson: what the board shows.
@@ -140,7 +138,9 @@ impl Course {
                 let course = self.clone();
                 let number = self.0.starts.get();
                 self.0.starts.set(number + 1);
-                if let Err(why) = program::start(number, move |why| course.missing(why)) {
+                if let Err(why) = script::start("giveway-course-start", number, move |why| {
+                    course.missing(why);
+                }) {
                     self.missing(why);
                 }
             }

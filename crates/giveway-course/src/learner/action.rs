@@ -28,7 +28,7 @@ pub enum Action {
         /// The same lesson in those words.
         lesson: Rc<Lesson>,
     },
-    /// To the next step; after the last one the lesson is done.
+    /// To the next step; after the last one the lesson was read to its end.
     Next,
     /// To the step before.
     Back,

@@ -13,7 +13,6 @@ pub mod course;
 pub mod glossary;
 mod id;
 mod layout;
-mod object;
 pub mod quantity;
 pub mod read;
 mod step;
@@ -22,7 +21,7 @@ pub mod text;
 mod translate;
 mod write;
 
-use giveway_model::Version;
+use giveway_model::{Version, object_only};
 use serde::{Deserialize, Serialize};
 
 pub use board::{Layer, Tool};
@@ -37,8 +36,6 @@ pub use task::Task;
 pub use text::{Span, Target, Text};
 pub use translate::{Find, Worded, keys, translated};
 pub use write::{write_course, write_glossary, write_lesson};
-
-use object::object_only;
 
 /// A lesson: one idea, in a few steps.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
