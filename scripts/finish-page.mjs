@@ -151,7 +151,7 @@ function joined(stem, names) {
 
 function shortenLanguages() {
   const folder = join(built, "static/languages");
-  for (const name of readdirSync(folder).filter((name) => name.endsWith(".po"))) {
+  for (const name of readdirSync(folder, { recursive: true }).filter((name) => name.endsWith(".po"))) {
     const path = join(folder, name);
     writeFileSync(path, readFileSync(path, "utf8").replaceAll(REMARKS, ""));
   }

@@ -5,7 +5,6 @@ use std::rc::Rc;
 use giveway_course::learner::{Action, Onward, Progress};
 use giveway_course::lesson::{Chapter, Course};
 use giveway_model::tr;
-use giveway_model::words::count;
 use gloo::events::EventListener;
 use web_sys::HtmlDialogElement;
 use yew::prelude::*;
@@ -104,10 +103,10 @@ fn head(props: &ContentsProps, close: &Callback<()>) -> Html {
     let course = props.shelf.as_ref().map(|shelf| &shelf.course);
     let (title, line) = match (props.page, course) {
         (Page::Lessons, Some(course)) => (course.title.clone(), sum(course)),
-        (Page::Lessons, None) => ("Course".to_owned(), String::new()),
+        (Page::Lessons, None) => (tr!("Course").to_owned(), String::new()),
         (Page::Terms, _) => (
-            "Glossary".to_owned(),
-            "The words of the field, a sentence or two each.".to_owned(),
+            tr!("Glossary").to_owned(),
+            tr!("The words of the field, a sentence or two each.").to_owned(),
         ),
     };
     html! {
@@ -115,8 +114,8 @@ fn head(props: &ContentsProps, close: &Callback<()>) -> Html {
             <div><h2 id="course-title">{ title }</h2><p>{ line }</p></div>
             <span class="grow"></span>
             if let Some(course) = course { { onward(course, props) } }
-            <button type="button" class="btn ghost round" title="Close (Escape)" onclick={close}>
-                { icon::show("cancel") }<span class="vh">{ "Close" }</span>
+            <button type="button" class="btn ghost round" title={tr!("Close (Escape)")} onclick={close}>
+                { icon::show("cancel") }<span class="vh">{ tr!("Close") }</span>
             </button>
         </header>
     }
@@ -125,8 +124,11 @@ fn head(props: &ContentsProps, close: &Callback<()>) -> Html {
 fn sum(course: &Course) -> String {
     let lessons = course.lessons().count();
     let minutes = course.minutes();
-    format!(
-        "{lessons} short lessons, {minutes} minutes in all. Try things on the board: every answer is judged at once."
+    tr!(
+        "{n} short lesson, {minutes} minutes in all. Try things on the board: every answer is judged at once."
+            | "{n} short lessons, {minutes} minutes in all. Try things on the board: every answer is judged at once."
+                % lessons,
+        minutes
     )
 }
 
@@ -137,9 +139,9 @@ fn onward(course: &Course, props: &ContentsProps) -> Html {
     };
     let entry = onward.entry();
     let (class, text) = match onward {
-        Onward::Start(_) => ("btn primary", format!("Start: {}", entry.title)),
-        Onward::GoOn(_) => ("btn primary", format!("Go on: {}", entry.title)),
-        Onward::Again(_) => ("btn outline", "Again from the start".to_owned()),
+        Onward::Start(_) => ("btn primary", tr!("Start: {title}", title = entry.title)),
+        Onward::GoOn(_) => ("btn primary", tr!("Go on: {title}", title = entry.title)),
+        Onward::Again(_) => ("btn outline", tr!("Again from the start").to_owned()),
     };
     let place = Place {
         lesson: entry.lesson.clone(),
@@ -155,10 +157,10 @@ fn onward(course: &Course, props: &ContentsProps) -> Html {
 
 fn body(props: &ContentsProps) -> Html {
     let missing = props.missing.as_ref().map(|sentence| {
-        html! { <p class="missing" role="alert">{ format!("The course did not arrive: {sentence}") }</p> }
+        html! { <p class="missing" role="alert">{ tr!("The course did not arrive: {sentence}", sentence) }</p> }
     });
     let Some(shelf) = &props.shelf else {
-        let loading = || html! { <p class="missing">{ "Loading\u{2026}" }</p> };
+        let loading = || html! { <p class="missing">{ tr!("Loading\u{2026}") }</p> };
         return missing.unwrap_or_else(loading);
     };
     if props.page == Page::Terms {
@@ -209,15 +211,15 @@ fn foot(props: &ContentsProps, course: &Course, asks: &UseStateHandle<bool>) -> 
     let (done, all) = (props.progress.done(), course.lessons().count());
     let is_new = props.progress == Progress::default();
     let (page, word, name) = match props.page {
-        Page::Lessons => (Page::Terms, "Glossary", "course"),
-        Page::Terms => (Page::Lessons, "All lessons", "back"),
+        Page::Lessons => (Page::Terms, tr!("Glossary"), "course"),
+        Page::Terms => (Page::Lessons, tr!("All lessons"), "back"),
     };
     let turn = props
         .send
         .reform(move |_: MouseEvent| Msg::Show(Some(page)));
     html! {
         <footer class="sf">
-            <span class="prog"><b>{ done }</b>{ format!(" of {} done", count(all as u32, "lesson")) }</span>
+            <span class="prog"><b>{ done }</b>{ tr!("behind a number" => " of {n} lesson done" | " of {n} lessons done" % all) }</span>
             <span class="pb-at">{ bar(done as u64, all as u64) }</span>
             if !is_new { { forget(props, asks) } }
             <span class="grow"></span>

@@ -11,6 +11,7 @@ mod contents;
 mod exercise;
 mod glossary;
 mod keys;
+mod language;
 mod lesson;
 mod line;
 mod place;
@@ -20,6 +21,7 @@ mod shelf;
 mod sight;
 mod term;
 mod third;
+mod turn;
 mod tutor;
 
 use yew::prelude::*;

@@ -15,6 +15,7 @@ use yew::prelude::*;
 use super::asker::Asker;
 use super::contents::{Contents, Page};
 use super::keys;
+use super::language;
 use super::lesson;
 use super::line::Line;
 use super::place::Place;
@@ -35,6 +36,10 @@ pub(super) enum Msg {
     Do(Action),
     /// The page wants an address to be opened; the contents, where it is empty.
     Open(String),
+    /// The page tells the language that is spoken.
+    Told(String),
+    /// That language is spoken from now on.
+    Spoken,
     /// A place is chosen.
     Enter(Place),
     /// Index and glossary are there, or are not.
@@ -60,10 +65,14 @@ pub(super) enum Msg {
 /// The course.
 pub(super) struct Tutor {
     pub(super) learner: Learner,
+    /// The course in the language that is spoken.
     pub(super) shelf: Option<Rc<Shelf>>,
-    lessons: BTreeMap<Id, Rc<Lesson>>,
+    /// The course as it was fetched, in English.
+    pub(super) fetched: Option<Rc<Shelf>>,
+    /// The lessons as they were fetched, in English.
+    pub(super) lessons: BTreeMap<Id, Rc<Lesson>>,
     /// What is to be opened as soon as it is there.
-    wanted: Option<Place>,
+    pub(super) wanted: Option<Place>,
     page: Option<Page>,
     /// Why something is not there.
     missing: Option<String>,
@@ -104,6 +113,7 @@ impl Component for Tutor {
         Self {
             learner,
             shelf: None,
+            fetched: None,
             lessons: BTreeMap::new(),
             wanted: None,
             page: None,
@@ -132,10 +142,13 @@ impl Component for Tutor {
                 None => self.page = Some(Page::Lessons),
             },
             Msg::Enter(place) => self.enter(ctx, place),
+            Msg::Told(told) => Self::turn(ctx, told),
+            Msg::Spoken => self.reword(ctx),
             Msg::Shelved(Ok(shelf)) => {
-                self.shelf = Some(shelf);
-                if let Some(place) = self.wanted.take() {
-                    self.enter(ctx, place);
+                self.fetched = Some(shelf);
+                // Nobody is to read English first.
+                if !language::is_coming() {
+                    self.reword(ctx);
                 }
             }
             Msg::Fetched(place, Ok(lesson)) => {
@@ -183,7 +196,7 @@ impl Component for Tutor {
                     if let Some(sheet) = &self.sheet { { sheet.show(&open.id, &open.lesson) } }
                 }
                 if let Some(page) = &self.page {
-                    <Contents page={*page} shelf={self.shelf.clone()} progress={self.learner.progress.clone()}
+                    <Contents key={language::tag()} page={*page} shelf={self.shelf.clone()} progress={self.learner.progress.clone()}
                         missing={self.missing.clone()} {send} />
                 }
             </>
@@ -210,7 +223,7 @@ impl Component for Tutor {
 
 impl Tutor {
     /// Opens a place, as soon as what it takes is there.
-    fn enter(&mut self, ctx: &Context<Self>, place: Place) {
+    pub(super) fn enter(&mut self, ctx: &Context<Self>, place: Place) {
         self.asker.warm();
         self.missing = None;
         let Some(shelf) = self.shelf.clone() else {
@@ -225,7 +238,7 @@ impl Tutor {
         if let Some(lesson) = self.lessons.get(&place.lesson) {
             let action = Action::Open {
                 id: place.lesson,
-                lesson: Rc::clone(lesson),
+                lesson: Rc::new(language::said(&**lesson)),
                 at: place.step,
             };
             self.wanted = None;
@@ -240,7 +253,7 @@ impl Tutor {
         });
     }
 
-    fn act(&mut self, ctx: &Context<Self>, action: Action) {
+    pub(super) fn act(&mut self, ctx: &Context<Self>, action: Action) {
         let is_next = action == Action::Next;
         let was = self.step();
         let said = self.learner.open.as_ref().map(|open| open.judge().clone());
@@ -311,19 +324,5 @@ impl Tutor {
     fn step(&self) -> Option<(Id, usize)> {
         let open = self.learner.open.as_ref()?;
         Some((open.id.clone(), open.index()))
-    }
-
-    /// The robots in the order that is tried next: that of the scene at first.
-    pub(super) fn order(&self) -> Vec<String> {
-        let Some(open) = &self.learner.open else {
-            return Vec::new();
-        };
-        let agents = &open.scene().agents;
-        let is_whole = agents.len() == self.order.len()
-            && agents.iter().all(|agent| self.order.contains(&agent.name));
-        if is_whole {
-            return self.order.clone();
-        }
-        agents.iter().map(|agent| agent.name.clone()).collect()
     }
 }

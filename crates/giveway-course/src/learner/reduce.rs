@@ -30,6 +30,11 @@ impl Learner {
                 let open = Open::at(id, lesson, at, self.board, scene);
                 self.enter(open, effects);
             }
+            Action::Reword { id, lesson } => {
+                if let Some(open) = self.open.as_mut().filter(|open| open.id == id) {
+                    open.lesson = lesson;
+                }
+            }
             Action::Next => self.next(effects),
             Action::Back => {
                 let before = self.open.as_ref().and_then(|open| open.at.checked_sub(1));

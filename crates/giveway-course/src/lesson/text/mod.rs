@@ -124,6 +124,17 @@ impl Text {
         })
     }
 
+    /// Whether its links name the same things as those of another text, in any order.
+    pub fn names_the_same_as(&self, other: &Self) -> bool {
+        let mut left: Vec<&Target> = other.targets().collect();
+        let mut own = self.targets();
+        let is_within = own.all(|target| {
+            let found = left.iter().position(|other| *other == target);
+            found.map(|index| left.swap_remove(index)).is_some()
+        });
+        is_within && left.is_empty()
+    }
+
     /// Whether there is nothing to read.
     pub fn is_empty(&self) -> bool {
         self.0.iter().all(|span| span.words().trim().is_empty())
