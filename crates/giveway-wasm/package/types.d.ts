@@ -86,7 +86,9 @@ export type Progress =
   | { event: "traced"; events: TraceEvent[] }
   /** What is known so far; `pending` has the parts that are to come. */
   | { event: "freedom"; answer: FreedomAnswer }
-  | { event: "certifying"; claim: string; checking: boolean };
+  | { event: "certifying"; claim: string; checking: boolean }
+  /** So many certificates are made. */
+  | { event: "exporting"; done: number; of: number };
 
 /** For what may take long. */
 export interface Options {
@@ -497,6 +499,24 @@ export interface Report {
   /** Whether the check ended before it came to a result. */
   stopped: boolean;
   claims: Checked[];
+}
+
+/** Certificates to be made as files, each with a name of letters, digits and hyphens. */
+export interface ExportRequest {
+  /** The limits of each are not asked for. */
+  certificates: { name: string; request: CertifyRequest }[];
+  /** For all of them. */
+  limits?: Limits;
+}
+
+/** Certificates as one file. */
+export interface Exported {
+  /** A zip archive with a folder for each; `giveway verify` reads it. */
+  zip: Uint8Array;
+  /** What came of checking each, by their names. */
+  reports: Record<string, Report>;
+  /** How many there was no time for. */
+  missing: number;
 }
 
 export interface VerifyRequest {
@@ -921,6 +941,9 @@ export function compare(request: CompareRequest): Comparison;
 
 /** Proves again what was answered, and checks the proofs. */
 export function certify(request: CertifyRequest, options?: Options): Report;
+
+/** Makes certificates as files, checks them, and packs them into a zip archive. */
+export function exportCertificates(request: ExportRequest, options?: Options): Exported;
 
 /** Checks the files of a certificate, as `giveway verify` does. */
 export function verify(request: VerifyRequest, options?: Options): Report;

@@ -7,6 +7,7 @@
 mod callbacks;
 mod convert;
 mod error;
+mod export;
 mod files;
 mod objects;
 mod texts;
@@ -35,6 +36,7 @@ use crate::{
 use callbacks::Callbacks;
 pub use convert::convert;
 use error::{Code, error};
+pub use export::export_certificates;
 pub use files::read_files;
 pub use texts::{read_moving_ai, read_plan, read_scene};
 
@@ -249,7 +251,11 @@ fn with_callbacks(
 }
 
 fn respond(request: Request, host: &dyn Host) -> Result<JsValue, JsValue> {
-    match serve(&within_budget(request), host) {
+    answered(serve(&within_budget(request), host))
+}
+
+fn answered(response: Response) -> Result<JsValue, JsValue> {
+    match response {
         Response::Solved(answer) => objects::write(&answer),
         Response::Front(answer) => objects::write(&answer),
         Response::Checked(answer) => objects::write(&answer),

@@ -1,0 +1,52 @@
+//! Certificates as an archive.
+
+use giveway_proof::bundle::archive::unpack;
+use giveway_proof::{Budget, verify};
+use js_sys::{Reflect, Uint8Array};
+use serde_json::{Value, json};
+use wasm_bindgen::{JsCast as _, JsValue};
+use wasm_bindgen_test::wasm_bindgen_test;
+
+use super::{data, object, solve, told, warehouse};
+
+fn export(request: &Value) -> Result<JsValue, JsValue> {
+    giveway_wasm::export_certificates(&object(request), &JsValue::UNDEFINED)
+}
+
+fn request() -> Value {
+    let answer = solve(&json!({ "scene": warehouse() }));
+    let claimed = json!({
+        "scene": warehouse(), "about": { "most": {}, "within": null }, "bounds": answer["bounds"],
+        "impossible": false, "complete": answer["complete"], "within": answer["within"],
+        "plan": answer["plan"],
+    });
+    json!({ "certificates": [{ "name": "best", "request": claimed }] })
+}
+
+#[wasm_bindgen_test]
+fn the_archive_holds_what_anyone_can_check() {
+    let exported = export(&request()).unwrap();
+    let zip = Reflect::get(&exported, &"zip".into()).unwrap();
+    let zip: Uint8Array = zip.dyn_into().expect("bytes");
+    Reflect::delete_property(exported.unchecked_ref(), &"zip".into()).unwrap();
+    let rest = data(&exported);
+    assert_eq!(rest["missing"], 0);
+    assert_eq!(rest["reports"]["best"]["certified"], "proved");
+    let bundles = unpack(&zip.to_vec()).unwrap();
+    assert_eq!(bundles.len(), 1);
+    let report = verify(&bundles["best"], &Budget::default());
+    assert_eq!(json!(report), rest["reports"]["best"]);
+}
+
+#[wasm_bindgen_test]
+fn what_is_wrong_is_told_with_its_place_and_what_has_no_time_is_counted() {
+    let mut wrong = request();
+    wrong["certificates"][0]["request"]["scene"]["map"] = json!(7);
+    let (code, place, _) = told(&export(&wrong).unwrap_err());
+    assert_eq!(code, "bad-input");
+    assert_eq!(place, "certificates[0].request.scene.map");
+    let mut none = request();
+    none["limits"] = json!({ "seconds": 0 });
+    let exported = data(&export(&none).unwrap());
+    assert_eq!(exported["missing"], 1);
+}
