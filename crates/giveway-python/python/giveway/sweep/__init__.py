@@ -2,7 +2,7 @@
 
 A spec (a file of TOML) says what is combined with what; :func:`tasks` lists it, :func:`run` does
 one task, :class:`Results` keeps the rows, one line of JSON each, and :func:`table` makes tables and
-plots of them. :mod:`giveway.sweep.dask` does the tasks on a Dask cluster.
+plots of them. :mod:`giveway.sweep.dask` and :mod:`giveway.sweep.ray` do the tasks on a cluster.
 """
 
 from __future__ import annotations
