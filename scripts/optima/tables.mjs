@@ -59,14 +59,14 @@ export function reach(rows, left) {
   const made = count(proved, (row) => row.certificate !== "");
   const seconds = rows.reduce((sum, row) => sum + Number(row["CPU s"]) + Number(row["certificate CPU s"] || 0), 0);
   const bytes = rows.reduce((sum, row) => sum + Number(row["certificate bytes"] || 0), 0);
-  const parts = [
-    `${number(rows.length)} tasks were tried, in ${(seconds / 3600).toFixed(2)} CPU hours; ${number(proved.length)} of them are `
-    + `proved (${share(proved.length, rows.length)}), ${number(made)} of these with a certificate (${share(made, proved.length)}), `
-    + `which are ${(bytes / 1e9).toFixed(2)} GB together. `
-    + (left === 0
+  const parts = [[
+    `${number(rows.length)} tasks were tried, in ${(seconds / 3600).toFixed(2)} CPU hours: ${number(proved.length)} of them are`,
+    `proved (${share(proved.length, rows.length)}), ${number(made)} of these with a certificate (${share(made, proved.length)}).`,
+    `The certificates are ${(bytes / 1e9).toFixed(1)} GB together.`,
+    left === 0
       ? "The sweep is at its end: each scenario ends with its last robots, or with the first number that is not proved."
-      : `${number(left)} tasks are left; many of them will be skipped, as tasks before them are not proved.`),
-  ];
+      : `${number(left)} tasks are left; many of them will be skipped, as those before them are not proved.`,
+  ].join("\n")];
   for (const [objective, own] of grouped(rows, (row) => row.objective)) {
     parts.push(`### ${objective}`, table(own));
   }

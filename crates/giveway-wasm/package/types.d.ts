@@ -511,7 +511,7 @@ export interface ExportRequest {
 
 /** Certificates as one file. */
 export interface Exported {
-  /** A zip archive with a folder for each; `giveway verify` reads it. */
+  /** A zip archive with a folder for each, not compressed; `giveway verify` reads it. */
   zip: Uint8Array;
   /** What came of checking each, by their names. */
   reports: Record<string, Report>;

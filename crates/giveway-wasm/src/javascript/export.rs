@@ -3,13 +3,13 @@
 use std::collections::BTreeMap;
 
 use giveway_proof::Report;
-use giveway_proof::bundle::archive::pack;
 use giveway_solve::{ExportAnswer, ExportRequest, Request, Response, serve};
 use js_sys::{Reflect, Uint8Array};
 use serde::Serialize;
 use wasm_bindgen::{JsValue, prelude::wasm_bindgen};
 
 use super::error::{Code, error};
+use super::zip::pack;
 use super::{answered, objects, with_callbacks};
 use crate::budget::within_budget;
 

@@ -11,6 +11,7 @@ mod export;
 mod files;
 mod objects;
 mod texts;
+mod zip;
 
 use std::collections::BTreeMap;
 
