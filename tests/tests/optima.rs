@@ -64,17 +64,30 @@ fn the_bounds_of_each_row_can_be_so_beside_those_of_fewer_agents() {
         let name = row.name();
         let (lower, upper) = (row.number("lower bound"), row.number("upper bound"));
         let (lower, status) = (lower.unwrap_or(0), row.text("status"));
-        assert!(["optimal", "feasible", "unknown"].contains(&status), "{name}");
+        assert!(
+            ["optimal", "feasible", "unknown"].contains(&status),
+            "{name}"
+        );
         assert_eq!(status == "optimal", upper == Some(lower), "{name}");
         assert!(upper.is_none_or(|upper| lower <= upper), "{name}");
         let series = (row.text("scenario"), row.text("objective"));
         let agents = row.number("agents").unwrap();
         let (fewer, least) = known.insert(series, (agents, lower)).unwrap_or((0, 0));
-        assert!(fewer < agents, "{name}: rows come by their agents, once each");
+        assert!(
+            fewer < agents,
+            "{name}: rows come by their agents, once each"
+        );
         assert!(upper.is_none_or(|upper| least <= upper), "{name}");
         let is_proved = row.text("certificate") == "proved";
-        assert_eq!(is_proved, row.text("manifest SHA-256").len() == 64, "{name}");
-        assert!(row.text("certificate").is_empty() || status == "optimal", "{name}");
+        assert_eq!(
+            is_proved,
+            row.text("manifest SHA-256").len() == 64,
+            "{name}"
+        );
+        assert!(
+            row.text("certificate").is_empty() || status == "optimal",
+            "{name}"
+        );
     }
 }
 
@@ -105,12 +118,24 @@ fn rows_are_made_again_with_the_same_certificate() {
         let made = run(task, &loaded.instance, loaded.map.as_deref(), &SilentHost);
         let name = row.name();
         let cost: Cost = task.objective.as_ref().unwrap().costs()[0];
-        assert_eq!(made.bounds.get(&cost).copied(), row.number("lower bound"), "{name}");
+        assert_eq!(
+            made.bounds.get(&cost).copied(),
+            row.number("lower bound"),
+            "{name}"
+        );
         let upper = made.costs.map(|costs| costs.get(cost));
         assert_eq!(upper, row.number("upper bound"), "{name}");
         let certificate = made.certificate.unwrap();
-        assert_eq!(certificate.manifest.as_deref(), Some(row.text("manifest SHA-256")), "{name}");
-        assert_eq!(Some(certificate.bytes as u32), row.number("certificate bytes"), "{name}");
+        assert_eq!(
+            certificate.manifest.as_deref(),
+            Some(row.text("manifest SHA-256")),
+            "{name}"
+        );
+        assert_eq!(
+            Some(certificate.bytes as u32),
+            row.number("certificate bytes"),
+            "{name}"
+        );
     }
 }
 

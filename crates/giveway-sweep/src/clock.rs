@@ -17,6 +17,7 @@ pub enum Clock {
 
 impl Clock {
     /// Whether it is the one that nobody has to name.
+    #[expect(clippy::trivially_copy_pass_by_ref, reason = "as serde calls it")]
     pub(crate) fn is_wall(&self) -> bool {
         *self == Self::Wall
     }
