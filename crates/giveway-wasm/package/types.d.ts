@@ -501,22 +501,12 @@ export interface Report {
   claims: Checked[];
 }
 
-/** Certificates to be made as files, each with a name of letters, digits and hyphens. */
-export interface ExportRequest {
-  /** The limits of each are not asked for. */
-  certificates: { name: string; request: CertifyRequest }[];
-  /** For all of them. */
-  limits?: Limits;
-}
-
 /** Certificates as one file. */
 export interface Exported {
   /** A zip archive with a folder for each, not compressed; `giveway verify` reads it. */
   zip: Uint8Array;
-  /** What came of checking each, by their names. */
+  /** What came of checking each, by their names; those that there was no time for are not there. */
   reports: Record<string, Report>;
-  /** How many there was no time for. */
-  missing: number;
 }
 
 export interface VerifyRequest {
@@ -942,8 +932,8 @@ export function compare(request: CompareRequest): Comparison;
 /** Proves again what was answered, and checks the proofs. */
 export function certify(request: CertifyRequest, options?: Options): Report;
 
-/** Makes certificates as files, checks them, and packs them into a zip archive. */
-export function exportCertificates(request: ExportRequest, options?: Options): Exported;
+/** Makes certificates, checks them, and packs them into a zip archive, each in a folder of its name. */
+export function exportCertificates(requests: Record<string, CertifyRequest>, options?: Options): Exported;
 
 /** Checks the files of a certificate, as `giveway verify` does. */
 export function verify(request: VerifyRequest, options?: Options): Report;

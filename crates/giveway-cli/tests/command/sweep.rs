@@ -197,7 +197,7 @@ fn certificates_of_a_sweep_are_made_again_by_the_command() {
         let solve = "solve empty-8-8.scen --objective sum-of-costs -q";
         let made = folder.run(&format!("{solve} --agents {agents} --proof made-{agents}"));
         assert_eq!(made.exit, Some(0), "{}", made.err);
-        let manifest = fs::read(folder.path(&format!("made-{agents}/manifest.json"))).unwrap();
+        let manifest = fs::read(folder.path(format!("made-{agents}/manifest.json"))).unwrap();
         assert_eq!(giveway_proof::bundle::fingerprint(&manifest), sum);
         assert_eq!(folder.run(&format!("verify made-{agents}")).exit, Some(0));
         proofs += 1;
