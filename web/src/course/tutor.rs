@@ -6,6 +6,8 @@ use std::rc::Rc;
 use giveway_course::judge::Verdict;
 use giveway_course::learner::{Action, Effect, Judge, Learner, Open, Progress, reduce};
 use giveway_course::lesson::{Id, Lesson};
+use giveway_course::port::BoardNumber;
+use giveway_course::tour::{self, Tour};
 use gloo::events::EventListener;
 use gloo::timers::callback::Timeout;
 use yew::platform::spawn_local;
@@ -19,6 +21,7 @@ use super::line::Line;
 use super::place::Place;
 use super::shelf::Shelf;
 use super::sight::{bring_into_view, focus};
+use super::tour::Guide;
 use crate::keep;
 
 /// Under which name progress is kept.
@@ -31,7 +34,10 @@ const LATE_MS: u32 = 300;
 pub(super) enum Msg {
     /// Something that a learner does, or hears.
     Do(Action),
-    /// The page wants an address to be opened; the contents, where it is empty.
+    /// Something that happens on the tour.
+    Tour(tour::Action),
+    /// The page wants the tour, or an address, to be opened; the contents, where it is
+    /// empty.
     Open(String),
     /// A place is chosen.
     Enter(Place),
@@ -52,11 +58,15 @@ pub(super) enum Msg {
 /// The course.
 pub(super) struct Tutor {
     pub(super) learner: Learner,
+    /// The tour of the page, while somebody takes it.
+    pub(super) tour: Option<Tour>,
+    /// The number that the board of the next tour has.
+    pub(super) tours: BoardNumber,
     pub(super) shelf: Option<Rc<Shelf>>,
     lessons: BTreeMap<Id, Rc<Lesson>>,
     /// What is to be opened as soon as it is there.
     wanted: Option<Place>,
-    page: Option<Page>,
+    pub(super) page: Option<Page>,
     /// Why something is not there.
     missing: Option<String>,
     /// The robots in the order that is tried next, by their names.
@@ -93,6 +103,8 @@ impl Component for Tutor {
         let (learner, _) = reduce(Learner::default(), Action::Kept(kept.unwrap_or_default()));
         Self {
             learner,
+            tour: None,
+            tours: tour::FIRST,
             shelf: None,
             lessons: BTreeMap::new(),
             wanted: None,
@@ -115,10 +127,18 @@ impl Component for Tutor {
 
     fn update(&mut self, ctx: &Context<Self>, msg: Msg) -> bool {
         match msg {
+            Msg::Do(Action::Page(message)) if self.tour.is_some() => {
+                self.guide(tour::Action::Page(message));
+            }
             Msg::Do(action) => self.act(ctx, action),
+            Msg::Tour(action) => self.guide(action),
+            Msg::Open(name) if name == tour::NAME => self.begin_tour(ctx),
             Msg::Open(address) => match Place::read(&address) {
                 Some(place) => self.enter(ctx, place),
-                None => self.page = Some(Page::Lessons),
+                None => {
+                    self.guide(tour::Action::End);
+                    self.page = Some(Page::Lessons);
+                }
             },
             Msg::Enter(place) => self.enter(ctx, place),
             Msg::Shelved(Ok(shelf)) => {
@@ -158,6 +178,9 @@ impl Component for Tutor {
             <>
                 if let (Some(open), Some(shelf)) = (&self.learner.open, &self.shelf) {
                     { lesson::show(self, open, shelf, &send) }
+                }
+                if let Some(tour) = &self.tour {
+                    <Guide tour={tour.clone()} send={send.clone()} />
                 }
                 if let Some(page) = &self.page {
                     <Contents page={*page} shelf={self.shelf.clone()} progress={self.learner.progress.clone()}
@@ -204,6 +227,8 @@ impl Tutor {
             };
             self.wanted = None;
             self.page = None;
+            // The lesson takes its place on the board.
+            self.tour = None;
             return self.act(ctx, action);
         }
         self.wanted = Some(place.clone());
@@ -214,7 +239,7 @@ impl Tutor {
         });
     }
 
-    fn act(&mut self, ctx: &Context<Self>, action: Action) {
+    pub(super) fn act(&mut self, ctx: &Context<Self>, action: Action) {
         let is_next = action == Action::Next;
         let was = self.step();
         let said = self.learner.open.as_ref().map(|open| open.judge().clone());
@@ -248,7 +273,7 @@ impl Tutor {
         }
     }
 
-    fn effect(&self, effect: Effect) {
+    pub(super) fn effect(&self, effect: Effect) {
         match effect {
             Effect::Ask { number, request } => self.asker.ask(number, *request),
             Effect::Forget => self.asker.forget(),

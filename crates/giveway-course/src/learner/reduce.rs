@@ -169,6 +169,8 @@ impl Learner {
                 self.forget(effects);
                 self.open = None;
             }
+            // Only a tour is told of it.
+            Happened::Seen(_) => {}
         }
     }
 

@@ -17,5 +17,6 @@ mod schema;
 mod shipped;
 mod tasks;
 mod terms;
+mod tour;
 mod unknown;
 mod words;

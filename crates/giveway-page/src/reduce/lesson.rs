@@ -4,15 +4,18 @@ use giveway_model::tr;
 use std::rc::Rc;
 
 use giveway_course::lesson::Layer;
-use giveway_course::port::{Board, BoardPlan, Evidence, Hand, Pick, ToPage};
+use giveway_course::port::{Board, BoardPlan, Deed, Evidence, Hand, Pick, ToPage};
 use giveway_model::{Cell, Fault};
 
+use super::board::board;
 use super::document::{amend, undo};
 use super::{play, solve, steer, step, stroke};
 use crate::lesson::{Fate, Lesson, LessonAction, document, evidence, fate};
 use crate::steering::Lead;
 use crate::view::Layers;
-use crate::{Action, BoardAction, Mode, Notice, Selection, State, Tab};
+use crate::{
+    Action, AskAction, BoardAction, Mode, Notice, Selection, SolveAction, State, Tab, Tool, ask,
+};
 
 pub(super) fn lesson(state: &mut State, action: LessonAction) {
     match action {
@@ -75,7 +78,7 @@ fn pointed_at(state: &State, action: &BoardAction) -> Option<Cell> {
 
 /// A plan of a scene that was edited since is not shown on the board of a lesson.
 pub(super) fn settle(state: &mut State) {
-    if state.lesson.is_some() && state.document.is_stale() {
+    if state.lesson().is_some() && state.document.is_stale() {
         state.document.answer = None;
         super::document::keep_to_plan(state);
     }
@@ -96,6 +99,7 @@ fn says(state: &mut State, message: ToPage) {
         ToPage::Show(found) => show(state, &found),
         ToPage::Seal(cells) => change(state, |lesson| lesson.sealed = cells),
         ToPage::Wait => steer::steer(state, Lead::Step((0, 0))),
+        ToPage::Do(deed) => tour(state, deed),
         ToPage::TakeBack => {
             change(state, |lesson| lesson.sealed.clear());
             undo(state);
@@ -165,6 +169,8 @@ fn aside(state: &State) -> State {
     own.intake.end();
     own.view.playback.playing = false;
     own.view.notice = None;
+    // Who has found the course needs no welcome.
+    own.view.waiting.welcome = false;
     own
 }
 
@@ -192,6 +198,33 @@ fn leave(state: &mut State) {
         carry(state, &mut own);
         own.view.playback.speed = speed;
         *state = own;
+    }
+}
+
+/// Does what a person could do. Outside of a tour nobody asks for it.
+fn tour(state: &mut State, deed: Deed) {
+    if !state.lesson.as_ref().is_some_and(|lesson| lesson.is_tour()) {
+        return;
+    }
+    match deed {
+        Deed::Select(name) => {
+            let mut agents = state.document.agents().iter();
+            if let Some(agent) = agents.position(|agent| agent.name == name) {
+                board(state, BoardAction::Select(Selection::Agent(agent)));
+            }
+        }
+        Deed::Ask => {
+            let groups = ask::offers(state).into_iter();
+            if let Some(offer) = groups.flat_map(|group| group.offers).next() {
+                step(state, Action::Ask(AskAction::Ask(offer.question)));
+            }
+        }
+        Deed::Paint(cell) => {
+            board(state, BoardAction::PickTool(Tool::Obstacle));
+            board(state, BoardAction::Press(cell));
+            board(state, BoardAction::Release);
+        }
+        Deed::Solve => step(state, Action::Solve(SolveAction::Solve)),
     }
 }
 
