@@ -130,8 +130,13 @@ impl Tour {
     }
 
     fn saw(&mut self, sight: Sight, effects: &mut Vec<Effect>) {
+        let is_new = sight.is_solved && !self.sight.is_solved;
         self.sight = sight;
         let before = self.step;
+        if is_new && before == Step::Watch {
+            // A plan that arrives plays by itself: here, a person begins it.
+            effects.push(Effect::Page(ToPage::Go(0)));
+        }
         while self.step.is_done(&self.sight) {
             self.step = self.step.next();
             self.is_wanted = false;

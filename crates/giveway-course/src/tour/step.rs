@@ -64,7 +64,7 @@ impl Step {
     /// Whether a person has done it.
     pub fn is_done(self, sight: &Sight) -> bool {
         match self {
-            Self::Watch => sight.last > 0 && sight.time == sight.last,
+            Self::Watch => sight.is_solved && sight.last > 0 && sight.time == sight.last,
             Self::Select => sight.robot.as_deref() == Some(super::ROBOT),
             Self::Ask => sight.is_asking,
             Self::Close => sight.is_edited,

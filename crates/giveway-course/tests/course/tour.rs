@@ -141,6 +141,14 @@ fn it_points_at_what_comes_next() {
 }
 
 #[test]
+fn a_plan_that_arrives_waits_for_the_person() {
+    let (tour, effects) = saw(begin(FIRST).0, &plan());
+    assert_eq!(says(&effects), [ToPage::Go(0)]);
+    let playing = Sight { time: 1, ..plan() };
+    assert_eq!(saw(tour, &playing).1, []);
+}
+
+#[test]
 fn each_step_is_done_for_a_person() {
     let shown = |step| says(&reduce(at(step).0, Action::Show).1);
     let select = ToPage::Do(Deed::Select("A1".to_owned()));
@@ -162,7 +170,7 @@ fn what_takes_a_plan_is_done_once_there_is_one() {
     let (tour, effects) = reduce(tour, Action::Show);
     assert_eq!(effects, []);
     let (tour, effects) = saw(tour.unwrap(), &plan());
-    assert_eq!(says(&effects), [ToPage::Play]);
+    assert_eq!(says(&effects), [ToPage::Go(0), ToPage::Play]);
     // Only once.
     assert_eq!(saw(tour, &plan()).1, []);
 }

@@ -72,7 +72,10 @@ fn it_goes_with_the_first_edit_and_stays_while_a_person_looks() {
         None,
         "nor comes it back"
     );
-    assert_eq!(title(&reduce(&looked, link_to("theirs"))), None);
+    let linked = reduce(&looked, link_to("theirs"));
+    assert_eq!(title(&linked), Some("Your own scene is kept"));
+    let close = message(&linked).unwrap().close.unwrap();
+    assert_eq!(title(&reduce(&linked, close)), None);
 }
 
 #[test]

@@ -9,7 +9,10 @@ fn places(target: Target) -> Vec<String> {
     let places: &[&str] = match target {
         Target::Play => &[".dock .playb"],
         Target::Cell(cell) => return vec![format!("#Board-{}-{}", cell.x, cell.y)],
-        Target::Question => &["#inspector .ask", "[role=tab][aria-controls=inspector]"],
+        Target::Question => &[
+            "#inspector section:not(.must-be-told) > h3 + .asks .ask",
+            "[role=tab][aria-controls=inspector]",
+        ],
         Target::Obstacle => &[".tools [aria-keyshortcuts=o]"],
         Target::Solve => &[".solve > .btn"],
         Target::Course => &[

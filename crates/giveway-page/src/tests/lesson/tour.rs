@@ -44,12 +44,12 @@ impl Both {
 
     /// An action on the page, which the tour hears of.
     fn act(&mut self, action: Action) {
-        let before = std::mem::replace(&mut self.page, after(&self.page, [action]));
-        self.tell(&before);
+        self.become_of(after(&self.page, [action]));
     }
 
-    fn tell(&mut self, before: &State) {
-        for message in happened(before, &self.page.clone()) {
+    fn become_of(&mut self, next: State) {
+        let before = std::mem::replace(&mut self.page, next);
+        for message in happened(&before, &self.page.clone()) {
             self.guide(tour::Action::Page(message));
         }
     }
@@ -63,8 +63,7 @@ impl Both {
 
     /// The solver answers.
     fn solve(&mut self) {
-        let before = std::mem::replace(&mut self.page, answered(&self.page));
-        self.tell(&before);
+        self.become_of(answered(&self.page));
     }
 
     fn step(&self) -> Step {
@@ -130,7 +129,7 @@ fn it_is_shown_step_by_step() {
             }
             Step::Ask => {
                 let asking = both.page.document.mode.asking().unwrap();
-                let question = crate::words::question(&asking.question);
+                let question = crate::words::question(asking.question());
                 assert!(question.starts_with("Why does A1 wait"), "{question}");
             }
             Step::Solve => both.solve(),
