@@ -170,6 +170,10 @@ pub enum Happened {
 
 /// What a tour sees of the page.
 #[derive(Clone, Debug, Default, PartialEq, Eq, BorshSerialize, BorshDeserialize)]
+#[expect(
+    clippy::struct_excessive_bools,
+    reason = "each is seen by itself: none of them excludes another"
+)]
 pub struct Sight {
     /// The time shown.
     pub time: u32,

@@ -3,7 +3,7 @@
 use crate::freedom::FreedomAction;
 use crate::inside::InsideAction;
 use crate::intake::Job;
-use crate::slot::{self, Kind, SlotAction};
+use crate::slot::SlotAction;
 use crate::steering::Lead;
 use crate::{
     Action, AskAction, BoardAction, ChangeAction, Phase, Selection, SolveAction, State, ViewAction,
@@ -26,7 +26,7 @@ pub(super) fn escape(state: &State) -> Option<Action> {
         Some(Action::Solve(SolveAction::Cancel))
     } else if state.view.notice.is_some() {
         Some(Action::View(ViewAction::DismissNotice))
-    } else if slot::message(state).is_some_and(|said| said.kind == Kind::Welcome) {
+    } else if state.view.waiting.welcome {
         Some(Action::Slot(SlotAction::Close))
     } else if state.is_inside() && state.inside.alone.is_some() {
         Some(Action::Inside(InsideAction::Alone(false)))

@@ -7,14 +7,14 @@ use giveway_course::lesson::Layer;
 use giveway_course::port::{Board, BoardPlan, Deed, Evidence, Hand, Pick, ToPage};
 use giveway_model::{Cell, Fault};
 
-use super::board::board;
 use super::document::{amend, undo};
 use super::{play, solve, steer, step, stroke};
 use crate::lesson::{Fate, Lesson, LessonAction, document, evidence, fate};
 use crate::steering::Lead;
 use crate::view::Layers;
 use crate::{
-    Action, AskAction, BoardAction, Mode, Notice, Selection, SolveAction, State, Tab, Tool, ask,
+    Action, AskAction, BoardAction, Edit, Mode, Notice, Paint, Selection, SolveAction, State, Tab,
+    ask,
 };
 
 pub(super) fn lesson(state: &mut State, action: LessonAction) {
@@ -206,25 +206,22 @@ fn tour(state: &mut State, deed: Deed) {
     if !state.lesson.as_ref().is_some_and(|lesson| lesson.is_tour()) {
         return;
     }
-    match deed {
+    let action = match deed {
         Deed::Select(name) => {
             let mut agents = state.document.agents().iter();
-            if let Some(agent) = agents.position(|agent| agent.name == name) {
-                board(state, BoardAction::Select(Selection::Agent(agent)));
-            }
+            let agent = agents.position(|agent| agent.name == name);
+            agent.map(|agent| Action::Board(BoardAction::Select(Selection::Agent(agent))))
         }
         Deed::Ask => {
-            let groups = ask::offers(state).into_iter();
-            if let Some(offer) = groups.flat_map(|group| group.offers).next() {
-                step(state, Action::Ask(AskAction::Ask(offer.question)));
-            }
+            let first = ask::offers(state).into_iter().next();
+            let offer = first.and_then(|group| group.offers.into_iter().next());
+            offer.map(|offer| Action::Ask(AskAction::Ask(offer.question)))
         }
-        Deed::Paint(cell) => {
-            board(state, BoardAction::PickTool(Tool::Obstacle));
-            board(state, BoardAction::Press(cell));
-            board(state, BoardAction::Release);
-        }
-        Deed::Solve => step(state, Action::Solve(SolveAction::Solve)),
+        Deed::Paint(cell) => Some(Action::Edit(Edit::Paint(Paint::Obstacle, cell, true))),
+        Deed::Solve => Some(Action::Solve(SolveAction::Solve)),
+    };
+    if let Some(action) = action {
+        step(state, action);
     }
 }
 

@@ -7,7 +7,6 @@ use super::message::{Button, Kind, Message, Press, Weight, button};
 use crate::{Action, SlotAction};
 
 pub(super) fn message() -> Message {
-    let close = Action::Slot(SlotAction::Close);
     Message {
         kind: Kind::Welcome,
         title: tr!("Robots share a floor. Who gives way?"),
@@ -26,9 +25,13 @@ pub(super) fn message() -> Message {
             button(tr!("Start the course"), Some("course"), Press::Learn("")),
             Button {
                 weight: Weight::Quiet,
-                ..button(tr!("Just play"), None, Press::Act(Box::new(close.clone())))
+                ..button(
+                    tr!("Just play"),
+                    None,
+                    Press::Act(Box::new(Action::Slot(SlotAction::Close))),
+                )
             },
         ],
-        close: Some(close),
+        close: Some(Action::Slot(SlotAction::Close)),
     }
 }
