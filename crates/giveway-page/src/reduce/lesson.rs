@@ -15,7 +15,7 @@ use crate::steering::Lead;
 use crate::view::Layers;
 use crate::{
     Action, AskAction, BoardAction, Edit, Mode, Notice, Paint, Selection, SolveAction, State, Tab,
-    ask,
+    ViewAction, ask,
 };
 
 pub(super) fn lesson(state: &mut State, action: LessonAction) {
