@@ -39,6 +39,9 @@ pub enum ToPage {
     /// Puts the board back to what it was when it was opened; it has this number from
     /// then on.
     StartAfresh(BoardNumber),
+    /// Asks for a person's own board as it is now: its scene, its plan and the time are
+    /// told under the number 0, which no board of a lesson has.
+    Take,
     /// The lesson ends: a person's own scene comes back.
     Close,
 }

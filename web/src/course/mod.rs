@@ -6,6 +6,7 @@
 //! (`line`).
 
 mod asker;
+mod author;
 mod card;
 mod contents;
 mod exercise;

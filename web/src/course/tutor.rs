@@ -6,12 +6,14 @@ use std::rc::Rc;
 use giveway_course::judge::Verdict;
 use giveway_course::learner::{Action, Effect, Judge, Learner, Open, Progress, reduce};
 use giveway_course::lesson::{Id, Lesson};
+use giveway_course::port::ToPage;
 use gloo::events::EventListener;
 use gloo::timers::callback::Timeout;
 use yew::platform::spawn_local;
 use yew::prelude::*;
 
 use super::asker::Asker;
+use super::author::{Author, AuthorMsg, is_own};
 use super::contents::{Contents, Page};
 use super::keys;
 use super::lesson;
@@ -39,6 +41,8 @@ pub(super) enum Msg {
     Shelved(Result<Rc<Shelf>, String>),
     /// A lesson is there, or is not.
     Fetched(Place, Result<Rc<Lesson>, String>),
+    /// Something is done in the editor.
+    Author(AuthorMsg),
     /// Shows a page of the contents, or closes them.
     Show(Option<Page>),
     /// Moves a robot in the order, from one place to another.
@@ -73,6 +77,7 @@ pub(super) struct Tutor {
     has_said: bool,
     pub(super) title: NodeRef,
     pub(super) next: NodeRef,
+    pub(super) author: Author,
     asker: Asker,
     line: Option<Line>,
     _keys: EventListener,
@@ -107,6 +112,7 @@ impl Component for Tutor {
             has_said: false,
             title: NodeRef::default(),
             next: NodeRef::default(),
+            author: Author::new(ctx.link().callback(Msg::Author)),
             asker: Asker::new(ctx.link().callback(Msg::Do)),
             line: None,
             _keys: keys::listen(),
@@ -116,6 +122,8 @@ impl Component for Tutor {
     fn update(&mut self, ctx: &Context<Self>, msg: Msg) -> bool {
         match msg {
             Msg::Do(action) => self.act(ctx, action),
+            Msg::Author(msg) => self.author(ctx, msg),
+            Msg::Open(address) if is_own(&address) => self.arrive(ctx, address),
             Msg::Open(address) => match Place::read(&address) {
                 Some(place) => self.enter(ctx, place),
                 None => self.page = Some(Page::Lessons),
@@ -126,6 +134,7 @@ impl Component for Tutor {
                 if let Some(place) = self.wanted.take() {
                     self.enter(ctx, place);
                 }
+                self.arrive_late(ctx);
             }
             Msg::Fetched(place, Ok(lesson)) => {
                 self.lessons.insert(place.lesson.clone(), lesson);
@@ -161,8 +170,9 @@ impl Component for Tutor {
                 }
                 if let Some(page) = &self.page {
                     <Contents page={*page} shelf={self.shelf.clone()} progress={self.learner.progress.clone()}
-                        missing={self.missing.clone()} {send} />
+                        missing={self.missing.clone()} send={send.clone()} />
                 }
+                { self.author_view(&send) }
             </>
         }
     }
@@ -214,8 +224,28 @@ impl Tutor {
         });
     }
 
-    fn act(&mut self, ctx: &Context<Self>, action: Action) {
+    /// Sees to it that the solver is there when the first task is judged.
+    pub(super) fn warm(&self) {
+        self.asker.warm();
+    }
+
+    /// Says something to the page.
+    pub(super) fn say(&self, message: &ToPage) {
+        if let Some(line) = &self.line {
+            line.say(message);
+        }
+    }
+
+    /// Nothing but the lesson is shown, or what comes over it.
+    pub(super) fn close_contents(&mut self) {
+        self.page = None;
+        self.missing = None;
+    }
+
+    pub(super) fn act(&mut self, ctx: &Context<Self>, action: Action) {
+        let was_tried = self.learner.open.as_ref().is_some_and(Open::is_tried);
         let is_next = action == Action::Next;
+        let is_left_there = matches!(action, Action::Page(_));
         let was = self.step();
         let said = self.learner.open.as_ref().map(|open| open.judge().clone());
         let (learner, effects) = reduce(std::mem::take(&mut self.learner), action);
@@ -233,7 +263,9 @@ impl Tutor {
             self.is_new = is.is_some();
             self.has_said = false;
             // After the last step there is the next lesson to choose.
-            if is.is_none() && is_next {
+            if is.is_none() && was_tried && !is_left_there {
+                self.author.back();
+            } else if is.is_none() && is_next {
                 self.page = Some(Page::Lessons);
             }
         }
@@ -252,11 +284,7 @@ impl Tutor {
         match effect {
             Effect::Ask { number, request } => self.asker.ask(number, *request),
             Effect::Forget => self.asker.forget(),
-            Effect::Page(message) => {
-                if let Some(line) = &self.line {
-                    line.say(&message);
-                }
-            }
+            Effect::Page(message) => self.say(&message),
             // A browser may keep nothing: then the course begins anew with the page.
             Effect::Keep(progress) => drop(keep::store(KEPT, &progress.write())),
             Effect::FocusNext => focus(&self.next),

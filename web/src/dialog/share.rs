@@ -18,6 +18,8 @@ pub(crate) struct ShareProps {
     pub(crate) name: String,
     /// Takes what the browser refuses.
     pub(crate) send: Callback<Action>,
+    /// Opens the editor of lessons.
+    pub(crate) on_lesson: Callback<MouseEvent>,
     /// Called when it was closed.
     pub(crate) on_close: Callback<()>,
 }
@@ -53,6 +55,7 @@ pub(crate) fn Share(props: &ShareProps) -> Html {
             </div>
             <div class="dialog-foot">
                 <span class="grow" role="status">{ *told }</span>
+                <button class="btn ghost" onclick={props.on_lesson.clone()}>{ tr!("Make a lesson") }</button>
                 <button class="btn outline" title={tr!("HTML that shows the plan inside another page")}
                     onclick={code}>{ tr!("Copy embed code") }</button>
                 <button class="btn primary" onclick={link}>{ icon::show("copy") }{ tr!("Copy link") }</button>

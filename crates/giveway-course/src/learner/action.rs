@@ -21,6 +21,13 @@ pub enum Action {
         /// The step.
         at: Option<usize>,
     },
+    /// A lesson that is being written is tried, at a step from 0: it leaves no traces.
+    Try {
+        /// The lesson.
+        lesson: Rc<Lesson>,
+        /// The step.
+        at: usize,
+    },
     /// To the next step; after the last one the lesson is done.
     Next,
     /// To the step before.

@@ -110,6 +110,8 @@ fn says(state: &mut State, message: ToPage) {
             }
         }
         ToPage::Close => leave(state),
+        // It changes nothing: the page answers by itself.
+        ToPage::Take => {}
     }
 }
 

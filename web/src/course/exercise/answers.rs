@@ -94,7 +94,9 @@ pub(super) fn predict(tutor: &Tutor, open: &Open, task: &Predict, reader: Reader
             if !answered {
                 { hints(open.hints(), reader) }
                 <p class="quiet">{ "A wrong guess costs nothing. " }
-                    <button type="button" class="link" onclick={reader.send.reform(|_: MouseEvent| Msg::Do(Action::Reveal))}>{ "Show me the answer" }</button>
+                    if !open.hides_answers() {
+                        <button type="button" class="link" onclick={reader.send.reform(|_: MouseEvent| Msg::Do(Action::Reveal))}>{ "Show me the answer" }</button>
+                    }
                 </p>
                 <div class="exa">{ hint(open, reader.send) }</div>
             }

@@ -149,6 +149,7 @@ fn of_answer(why: &Why, solved: bool) -> Vec<Span> {
     match why {
         Why::Guessed { guess, truth, .. } => guessed(guess, truth, solved),
         Why::Revealed(truth) => vec![shown(truth), text(" is proved.")],
+        Why::Untold => plain("this is not it. Look again."),
         Why::Differs => plain("best plans differ in this."),
         Why::Found { found, of } if solved => plain(format!("{found} of {of} conflicts found.")),
         Why::Found { found, .. } => plain(format!(
