@@ -34,7 +34,7 @@ const ON_DEMAND = /^static\/(maps|languages)\//;
 /** What only translators read in a catalogue. */
 const REMARKS = /^(#.*)?\n/gm;
 /** The style sheets that nobody needs before the course is opened. */
-const OF_COURSE = /^(course|lesson)-[0-9a-f]+\.css$/;
+const OF_COURSE = /^(course|lesson|author)-[0-9a-f]+\.css$/;
 const STYLES = /<link rel="stylesheet" href="\.\/([^"]+)"[^>]*>\s*/g;
 
 const source = process.env.TRUNK_SOURCE_DIR;

@@ -5,6 +5,7 @@
 //! its own, beside the page: they talk in messages
 //! (`line`).
 
+mod act;
 mod asker;
 mod author;
 mod card;

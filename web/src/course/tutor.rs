@@ -4,9 +4,8 @@ use std::collections::BTreeMap;
 use std::rc::Rc;
 
 use giveway_course::judge::Verdict;
-use giveway_course::learner::{Action, Effect, Judge, Learner, Open, Progress, reduce};
+use giveway_course::learner::{Action, Learner, Progress, reduce};
 use giveway_course::lesson::{Id, Lesson};
-use giveway_course::port::ToPage;
 use gloo::events::EventListener;
 use gloo::timers::callback::Timeout;
 use yew::platform::spawn_local;
@@ -24,9 +23,7 @@ use super::sight::{bring_into_view, focus};
 use crate::keep;
 
 /// Under which name progress is kept.
-const KEPT: &str = "course";
-/// How long the judge may look before that is said, in milliseconds.
-const LATE_MS: u32 = 300;
+pub(super) const KEPT: &str = "course";
 
 /// What happens in the course.
 #[derive(Clone)]
@@ -60,9 +57,9 @@ pub(super) struct Tutor {
     lessons: BTreeMap<Id, Rc<Lesson>>,
     /// What is to be opened as soon as it is there.
     wanted: Option<Place>,
-    page: Option<Page>,
+    pub(super) page: Option<Page>,
     /// Why something is not there.
-    missing: Option<String>,
+    pub(super) missing: Option<String>,
     /// The robots in the order that is tried next, by their names.
     pub(super) order: Vec<String>,
     /// The value that is being typed.
@@ -70,16 +67,16 @@ pub(super) struct Tutor {
     /// What the judge said before it looked again.
     pub(super) before: Option<Box<Verdict>>,
     pub(super) is_late: bool,
-    late: Option<Timeout>,
+    pub(super) late: Option<Timeout>,
     /// Whether the title of a step that is new takes the focus.
-    is_new: bool,
+    pub(super) is_new: bool,
     /// Whether the judge has just said something.
-    has_said: bool,
+    pub(super) has_said: bool,
     pub(super) title: NodeRef,
     pub(super) next: NodeRef,
     pub(super) author: Author,
-    asker: Asker,
-    line: Option<Line>,
+    pub(super) asker: Asker,
+    pub(super) line: Option<Line>,
     _keys: EventListener,
 }
 
@@ -222,94 +219,6 @@ impl Tutor {
             let lesson = shelf.lesson(&place.lesson).await;
             link.send_message(Msg::Fetched(place, lesson.map(Rc::new)));
         });
-    }
-
-    /// Sees to it that the solver is there when the first task is judged.
-    pub(super) fn warm(&self) {
-        self.asker.warm();
-    }
-
-    /// Says something to the page.
-    pub(super) fn say(&self, message: &ToPage) {
-        if let Some(line) = &self.line {
-            line.say(message);
-        }
-    }
-
-    /// Nothing but the lesson is shown, or what comes over it.
-    pub(super) fn close_contents(&mut self) {
-        self.page = None;
-        self.missing = None;
-    }
-
-    pub(super) fn act(&mut self, ctx: &Context<Self>, action: Action) {
-        let was_tried = self.learner.open.as_ref().is_some_and(Open::is_tried);
-        let is_next = action == Action::Next;
-        let is_left_there = matches!(action, Action::Page(_));
-        let was = self.step();
-        let said = self.learner.open.as_ref().map(|open| open.judge().clone());
-        let (learner, effects) = reduce(std::mem::take(&mut self.learner), action);
-        self.learner = learner;
-        if let Some(Judge::Said(verdict)) = &said {
-            self.before = Some(verdict.clone());
-        }
-        let now = self.learner.open.as_ref().map(|open| open.judge().clone());
-        self.has_said |= now != said && matches!(now, Some(Judge::Said(_)));
-        let is = self.step();
-        if is != was {
-            self.order.clear();
-            self.typed.clear();
-            self.before = None;
-            self.is_new = is.is_some();
-            self.has_said = false;
-            // After the last step there is the next lesson to choose.
-            if is.is_none() && was_tried && !is_left_there {
-                self.author.back();
-            } else if is.is_none() && is_next {
-                self.page = Some(Page::Lessons);
-            }
-        }
-        self.watch(ctx);
-        for effect in effects {
-            self.effect(effect);
-        }
-        if let Some(line) = &self.line
-            && is.is_some() != was.is_some()
-        {
-            line.tell_state(is.is_some());
-        }
-    }
-
-    fn effect(&self, effect: Effect) {
-        match effect {
-            Effect::Ask { number, request } => self.asker.ask(number, *request),
-            Effect::Forget => self.asker.forget(),
-            Effect::Page(message) => self.say(&message),
-            // A browser may keep nothing: then the course begins anew with the page.
-            Effect::Keep(progress) => drop(keep::store(KEPT, &progress.write())),
-            Effect::FocusNext => focus(&self.next),
-        }
-    }
-
-    /// Says that the judge looks only where that takes long.
-    fn watch(&mut self, ctx: &Context<Self>) {
-        let judge = self.learner.open.as_ref().map(Open::judge);
-        if matches!(judge, Some(Judge::Looking(_))) {
-            if self.late.is_none() {
-                let link = ctx.link().clone();
-                let late = Timeout::new(LATE_MS, move || link.send_message(Msg::Late));
-                self.late = Some(late);
-            }
-        } else {
-            self.late = None;
-            self.is_late = false;
-        }
-    }
-
-    /// The lesson that is open, and its step.
-    fn step(&self) -> Option<(Id, usize)> {
-        let open = self.learner.open.as_ref()?;
-        Some((open.id.clone(), open.index()))
     }
 
     /// The robots in the order that is tried next: that of the scene at first.

@@ -66,6 +66,10 @@ impl Draft {
                 serde_json::from_value(written).unwrap_or_default()
             }
         };
+        if step.task.is_some() && step.reason.is_none() {
+            // That it is missing was told.
+            step.reason = Some(Text::default());
+        }
         step.scene.clone_from(&draft.scene);
         match draft.word(PLAN) {
             "given" => step.plan.clone_from(&draft.plan),
@@ -76,16 +80,10 @@ impl Draft {
     }
 }
 
-/// Whether what is wrong at a place may be why something is wrong at another one.
+/// Whether a place is one where something is wrong already, or in it.
 fn covers(known: &str, place: &str) -> bool {
-    let is_within = |inner: &str, outer: &str| {
-        let rest = inner.strip_prefix(outer);
-        rest.is_some_and(|rest| rest.is_empty() || rest.starts_with(['.', '[']))
-    };
-    let step = |place: &str| place.split(['.', '[']).take(2).collect::<Vec<_>>().join("[");
-    is_within(known, place)
-        || is_within(place, known)
-        || (known.contains(".task") && place.contains(".task") && step(known) == step(place))
+    let rest = place.strip_prefix(known);
+    rest.is_some_and(|rest| rest.is_empty() || rest.starts_with(['.', '[']))
 }
 
 impl Looked {

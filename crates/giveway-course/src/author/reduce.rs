@@ -3,7 +3,7 @@
 use giveway_model::Scene;
 
 use super::undo::{is_of_answers, is_of_board, some};
-use super::{ANSWERS, Action, Draft, MAX_FIELD, PLAN, StepDraft, Undo, Whose};
+use super::{ANSWERS, Action, Draft, KIND, MAX_FIELD, PLAN, StepDraft, Undo, Whose};
 use crate::lesson::read::{MAX_ANSWERS, MAX_STEPS};
 
 /// What becomes of a draft.
@@ -206,7 +206,9 @@ impl StepDraft {
     /// How many answers there are.
     pub fn answers(&self) -> usize {
         let count = self.word(ANSWERS).parse().unwrap_or(0);
-        MAX_ANSWERS.min(count)
+        // There is nothing to pick from fewer.
+        let least = if self.word(KIND) == "choose" { 2 } else { 0 };
+        MAX_ANSWERS.min(count).max(least)
     }
 }
 

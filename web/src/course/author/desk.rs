@@ -15,7 +15,7 @@ use super::super::contents::use_modal;
 use super::super::prose::Reader;
 use super::super::shelf::Shelf;
 use super::super::tutor::Msg;
-use super::fields::{Form, closest, sentence};
+use super::fields::{Form, rest};
 use super::preview::{SmallBoard, prose};
 use super::{AuthorMsg, Notes, steps};
 use crate::board::Film;
@@ -185,6 +185,7 @@ fn step(props: &DeskProps, act: &Callback<Action>, write: &Callback<AuthorMsg>) 
             <section class="apart" aria-label={tr!("Task")}>
                 <h4>{ tr!("Task") }</h4>
                 { part(Part::Task) }
+                { rest(&fields, &faults, true) }
                 { for (0..if has_answers { step.answers() } else { 0 }).map(|index| answer(index, part(Part::Answer(index)), act)) }
                 if has_answers {
                     <button type="button" class="btn outline" onclick={act.reform(|_: MouseEvent| Action::AddAnswer)}>
@@ -229,8 +230,6 @@ fn board(props: &DeskProps, write: &Callback<AuthorMsg>, fields: &[Field], fault
         (None, None) => tr!("There is none yet. Take the one on the page.").to_owned(),
     };
     let is_strict = props.notes.is_strict || scene.is_some();
-    let other = faults.iter().filter(|fault| closest(fields, &fault.place).is_none());
-    let other: Vec<&Fault> = other.filter(|_| is_strict).take(4).collect();
     html! {
         <>
             <p class="quiet">{ line }</p>
@@ -244,9 +243,7 @@ fn board(props: &DeskProps, write: &Callback<AuthorMsg>, fields: &[Field], fault
                     <button type="button" class="btn ghost" onclick={drop_it}><span>{ tr!("As the step before leaves it") }</span></button>
                 }
             </div>
-            if !other.is_empty() {
-                <span class="wrong">{ for other.into_iter().map(|fault| html! { <span>{ sentence(fault, &giveway_course::author::Input::Line) }</span> }) }</span>
-            }
+            if is_strict { { rest(fields, faults, false) } }
         </>
     }
 }

@@ -150,8 +150,26 @@ pub(super) fn closest<'a>(fields: &'a [Field], place: &str) -> Option<&'a Field>
         let rest = place.strip_prefix(field.name.as_str());
         rest.is_some_and(|rest| rest.is_empty() || rest.starts_with(['.', '[']))
     };
-    let fields = fields.iter().filter(holds);
-    fields.max_by_key(|field| field.name.len())
+    let close = fields.iter().filter(holds);
+    let close = close.max_by_key(|field| field.name.len());
+    // What is wrong with a list is told at its first field.
+    let begins = |field: &&Field| {
+        let rest = field.name.strip_prefix(place);
+        !place.is_empty() && rest.is_some_and(|rest| rest.starts_with('['))
+    };
+    close.or_else(|| fields.iter().find(begins))
+}
+
+/// What is wrong and belongs to no field, of the task or of all else.
+pub(super) fn rest(fields: &[Field], faults: &[Fault], of_task: bool) -> Html {
+    let rest = faults.iter().filter(|fault| {
+        fault.place.starts_with("task") == of_task && closest(fields, &fault.place).is_none()
+    });
+    let rest: Vec<String> = rest.map(|fault| sentence(fault, &Input::Line)).take(4).collect();
+    if rest.is_empty() {
+        return html! {};
+    }
+    html! { <span class="wrong">{ for rest.into_iter().map(|said| html! { <span>{ said }</span> }) }</span> }
 }
 
 /// What is wrong, in a sentence.
