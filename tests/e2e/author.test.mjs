@@ -50,7 +50,7 @@ async function write(author, playground) {
   await author.choose("Done when", "no plan exists");
   await author.press("Obstacle");
   await author.fill("The most edits", "one");
-  await author.tells(/Found "one"; expected is a whole number\./);
+  await author.tells(/Found "one", expected a whole number\./);
   await author.fill("The most edits", "1");
   await author.fill("First hint", "Think of a flag.");
   await author.fill("Said once it is solved: why it is so", "Nobody stands on an obstacle.");

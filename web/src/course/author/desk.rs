@@ -107,6 +107,7 @@ fn top(props: &DeskProps, write: &Callback<AuthorMsg>) -> Html {
         _ => tr!("Kept in this browser while you write."),
     };
     html! {
+        <>
         <header class="sh">
             <div><h2 id="author-title">{ tr!("Write a lesson") }</h2><p>{ line }</p></div>
             <span class="grow"></span>
@@ -126,6 +127,7 @@ fn top(props: &DeskProps, write: &Callback<AuthorMsg>) -> Html {
             <p class="aside-note" role="status">{ tr!("This lesson was also changed in another tab. What is written last stays.") }
                 <button type="button" class="link" onclick={take}>{ tr!("Take what is written there") }</button></p>
         }
+        </>
     }
 }
 
@@ -169,6 +171,7 @@ fn step(props: &DeskProps, act: &Callback<Action>, write: &Callback<AuthorMsg>) 
     };
     let asks = !step.word("task.kind").is_empty();
     let has_answers = matches!(step.word("task.kind"), "choose" | "predict");
+    let answers = 0..if has_answers { step.answers() } else { 0 };
     // Nothing of one step stays in the fields of another one.
     html! {
         <div class="astep" key={step.key()}>
@@ -186,7 +189,7 @@ fn step(props: &DeskProps, act: &Callback<Action>, write: &Callback<AuthorMsg>) 
                 <h4>{ tr!("Task") }</h4>
                 { part(Part::Task) }
                 { rest(&fields, &faults, true) }
-                { for (0..if has_answers { step.answers() } else { 0 }).map(|index| answer(index, part(Part::Answer(index)), act)) }
+                { for answers.map(|index| answer(index, part(Part::Answer(index)), act)) }
                 if has_answers {
                     <button type="button" class="btn outline" onclick={act.reform(|_: MouseEvent| Action::AddAnswer)}>
                         { icon::show("plus") }<span>{ tr!("Add an answer") }</span>
@@ -222,10 +225,14 @@ fn board(props: &DeskProps, write: &Callback<AuthorMsg>, fields: &[Field], fault
     let scene = draft.scene(draft.at());
     let own = draft.step().and_then(|step| step.scene());
     let line = match (own, scene) {
-        (Some(scene), _) => tr!(
-            "{name}: {n} robot" | "{name}: {n} robots" % scene.agents.len(),
-            name = if scene.name.is_empty() { tr!("Untitled") } else { &scene.name }
-        ),
+        (Some(scene), _) => {
+            let name = match &*scene.name {
+                "" => tr!("Untitled"),
+                name => name,
+            };
+            let robots = tr!("{n} robot" | "{n} robots" % scene.agents.len());
+            format!("{name}: {robots}")
+        }
         (None, Some(_)) => tr!("As the step before leaves it.").to_owned(),
         (None, None) => tr!("There is none yet. Take the one on the page.").to_owned(),
     };

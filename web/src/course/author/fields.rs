@@ -176,7 +176,7 @@ pub(super) fn rest(fields: &[Field], faults: &[Fault], of_task: bool) -> Html {
 pub(super) fn sentence(fault: &Fault, input: &Input) -> String {
     match input {
         _ if !Looked::is_missing(fault) => tr!(
-            "Found {found}; expected is {expected}.",
+            "Found {found}, expected {expected}.",
             found = fault.found,
             expected = fault.expected
         ),

@@ -132,7 +132,7 @@ impl Author {
 
     /// Something happens to the draft, which is kept at once.
     fn act(&mut self, action: Action, glossary: &Glossary) {
-        let was = matches!(&action, Action::Kept(_) | Action::Go(_));
+        let is_kept = matches!(&action, Action::Kept(_) | Action::Go(_));
         let same_board = matches!(&action, Action::Write { whose, field, .. }
             if *whose == Whose::Lesson || (field != "time" && field != "plan"));
         self.told.clear();
@@ -142,7 +142,7 @@ impl Author {
         } else {
             self.look(glossary);
         }
-        if !was {
+        if !is_kept {
             self.is_unkept = keep::store(KEPT, &self.draft.write()).is_err();
         }
     }
