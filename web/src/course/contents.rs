@@ -206,7 +206,10 @@ fn chapter(
 
 fn foot(props: &ContentsProps, course: &Course) -> Html {
     let is_done = |entry: &&Entry| props.progress.stage(&entry.lesson) == Stage::Done;
-    let (done, all) = (course.lessons().filter(is_done).count(), course.lessons().count());
+    let (done, all) = (
+        course.lessons().filter(is_done).count(),
+        course.lessons().count(),
+    );
     let is_new = props.progress == Progress::default();
     let reset = props.send.reform(|_: MouseEvent| Msg::Do(Action::Reset));
     let (page, word, name) = match props.page {

@@ -52,7 +52,11 @@ fn way_out(open: &Open, send: &Callback<Msg>) -> Html {
             Msg::Show(Some(Page::Lessons))
         }
     });
-    let course = if is_tried { tr!("Go on writing") } else { "Course" };
+    let course = if is_tried {
+        tr!("Go on writing")
+    } else {
+        "Course"
+    };
     let leave = send.reform(|_: MouseEvent| Msg::Do(Action::Close));
     html! {
         <div class="lrow">

@@ -150,7 +150,9 @@ fn pair(cell: Cell) -> Value {
 fn cells(text: &str) -> Option<Vec<Cell>> {
     let is_between = |c: char| c.is_whitespace() || matches!(c, ',' | ';' | '(' | ')' | '[' | ']');
     let numbers = text.split(is_between).filter(|part| !part.is_empty());
-    let numbers: Vec<u32> = numbers.map(|part| part.parse().ok()).collect::<Option<_>>()?;
+    let numbers: Vec<u32> = numbers
+        .map(|part| part.parse().ok())
+        .collect::<Option<_>>()?;
     let pairs = numbers.chunks(2).map(|pair| match pair {
         [x, y] => Some(Cell::new(*x, *y)),
         _ => None,

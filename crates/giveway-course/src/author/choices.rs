@@ -143,10 +143,7 @@ pub(super) fn quantities() -> Vec<Pick> {
         Pick::new("arrival", tr!("when a robot arrives")),
         Pick::new("place", tr!("where a robot is at a time")),
         Pick::new("waits", tr!("which robot waits")),
-        Pick::new(
-            "first-waypoint",
-            tr!("which waypoint a robot visits first"),
-        ),
+        Pick::new("first-waypoint", tr!("which waypoint a robot visits first")),
         Pick::new("plans", tr!("how many best plans there are")),
         Pick::new("points", tr!("how many plans the Pareto front has")),
         Pick::new("planner", tr!("what the plan of a planner costs")),

@@ -17,7 +17,13 @@ pub fn head() -> Vec<Field> {
     };
     vec![
         field("title", tr!("Title"), Input::Line, Shape::Word, true),
-        field("minutes", tr!("Minutes"), Input::Number, Shape::Number, true),
+        field(
+            "minutes",
+            tr!("Minutes"),
+            Input::Number,
+            Shape::Number,
+            true,
+        ),
         field(
             "about",
             tr!("What it is about, in one sentence"),

@@ -39,7 +39,10 @@ impl Draft {
         }
         for fault in check_lesson(&lesson, glossary) {
             // What cannot be read is told once.
-            if !faults.iter().any(|known| covers(&known.place, &fault.place)) {
+            if !faults
+                .iter()
+                .any(|known| covers(&known.place, &fault.place))
+            {
                 faults.push(fault);
             }
         }

@@ -1,7 +1,7 @@
 //! From a lesson back to a draft.
 
-use giveway_model::question::to_words;
 use giveway_model::Question;
+use giveway_model::question::to_words;
 use serde_json::Value;
 
 use super::{ANSWERS, Draft, PLAN, StepDraft, Words, YES};

@@ -214,6 +214,9 @@ impl StepDraft {
 
 /// Which answer a field is of, and what follows in its name.
 fn answer(name: &str) -> Option<(usize, &str)> {
-    let (index, rest) = name.strip_prefix(ANSWERS)?.strip_prefix('[')?.split_once(']')?;
+    let (index, rest) = name
+        .strip_prefix(ANSWERS)?
+        .strip_prefix('[')?
+        .split_once(']')?;
     Some((index.parse().ok()?, rest))
 }

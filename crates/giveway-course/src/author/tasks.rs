@@ -122,7 +122,11 @@ fn quantity(form: &mut Form<'_>) {
             }
             form.one("task.what.cost", tr!("Cost"), costs());
         }
-        "node" => form.number("task.what.number", tr!("Number of the node, 0 is the root"), true),
+        "node" => form.number(
+            "task.what.number",
+            tr!("Number of the node, 0 is the root"),
+            true,
+        ),
         "changed" => {
             changes(form, "task.what.changes");
             form.one("task.what.method", tr!("How it goes on"), methods());
@@ -134,7 +138,10 @@ fn quantity(form: &mut Form<'_>) {
 }
 
 fn guess(form: &mut Form<'_>, at: &str) {
-    let what = form.words.get("task.what.is").map_or("cost", String::as_str);
+    let what = form
+        .words
+        .get("task.what.is")
+        .map_or("cost", String::as_str);
     let value = format!("{at}.value");
     match what {
         "waits" => {
@@ -176,7 +183,11 @@ fn change(form: &mut Form<'_>) {
     if !cost.is_empty() {
         form.number("task.cost.at-most", tr!("At most"), true);
     }
-    form.number("task.kept", tr!("Robots that keep their path, at least"), false);
+    form.number(
+        "task.kept",
+        tr!("Robots that keep their path, at least"),
+        false,
+    );
 }
 
 fn changes(form: &mut Form<'_>, name: &str) {

@@ -1,7 +1,7 @@
 //! Lessons that are written: a draft, what is wrong with it, links.
 
 use fastrand::Rng;
-use giveway_course::author::{Action, Draft, Field, Input, Words, Whose, form, reduce};
+use giveway_course::author::{Action, Draft, Field, Input, Whose, Words, form, reduce};
 use giveway_course::learner::{self, Effect, Learner, Stage};
 use giveway_course::lesson::{Glossary, Lesson, link, read_lesson, write_lesson};
 use giveway_model::Scene;
@@ -33,12 +33,20 @@ fn written() -> Draft {
     draft = write(draft, Whose::Lesson, "about", "One door, two robots.");
     draft = reduce(draft, Action::TakeScene(Box::new(scene())));
     draft = step(draft, "title", "Shut it");
-    step(draft, "text", "Two robots\nshare a floor.\n\nOne is [A1](robot:A1).")
+    step(
+        draft,
+        "text",
+        "Two robots\nshare a floor.\n\nOne is [A1](robot:A1).",
+    )
 }
 
 fn places(draft: &Draft, glossary: &Glossary) -> Vec<String> {
     let looked = draft.look(glossary);
-    looked.faults().iter().map(|fault| fault.place.clone()).collect()
+    looked
+        .faults()
+        .iter()
+        .map(|fault| fault.place.clone())
+        .collect()
 }
 
 #[test]
@@ -46,16 +54,31 @@ fn a_lesson_is_written_from_nothing() {
     let glossary = Glossary::default();
     let empty = Draft::default();
     let missing = places(&empty, &glossary);
-    for place in ["title", "about", "steps[0].title", "steps[0].text", "steps[0]"] {
-        assert!(missing.iter().any(|missing| missing == place), "{place}: {missing:?}");
+    for place in [
+        "title",
+        "about",
+        "steps[0].title",
+        "steps[0].text",
+        "steps[0]",
+    ] {
+        assert!(
+            missing.iter().any(|missing| missing == place),
+            "{place}: {missing:?}"
+        );
     }
     let mut draft = written();
     assert_eq!(places(&draft, &glossary), Vec::<String>::new());
     draft = step(draft, "task.kind", "paint");
     draft = step(draft, "task.say", "Shut the door.");
     let missing = places(&draft, &glossary);
-    assert!(missing.contains(&"steps[0].reason".to_owned()), "{missing:?}");
-    assert!(missing.contains(&"steps[0]".to_owned()), "no tools: {missing:?}");
+    assert!(
+        missing.contains(&"steps[0].reason".to_owned()),
+        "{missing:?}"
+    );
+    assert!(
+        missing.contains(&"steps[0]".to_owned()),
+        "no tools: {missing:?}"
+    );
     draft = step(draft, "reason", "So.");
     draft = step(draft, "hints[0]", "Look at the door.");
     draft = step(draft, "tools", "obstacle");
@@ -139,12 +162,23 @@ fn links_hold_a_lesson_or_say_that_they_were_cut() {
         let text = link::write(&lesson, Some(1));
         let is_plain = |c: char| c.is_ascii_alphanumeric() || "~.-_".contains(c);
         assert!(text.chars().all(is_plain), "{name}");
-        assert!(text.len() < write_lesson(&lesson).len() * 2 / 3, "{name}: {}", text.len());
-        assert_eq!(link::read(&text, &glossary), Ok((lesson, Some(1))), "{name}");
+        assert!(
+            text.len() < write_lesson(&lesson).len() * 2 / 3,
+            "{name}: {}",
+            text.len()
+        );
+        assert_eq!(
+            link::read(&text, &glossary),
+            Ok((lesson, Some(1))),
+            "{name}"
+        );
         let mut rng = Rng::with_seed(3);
         for _ in 0..40 {
             let cut = rng.usize(1..text.len() - 3);
-            assert!(link::read(&text[..cut], &glossary).is_err(), "{name} at {cut}");
+            assert!(
+                link::read(&text[..cut], &glossary).is_err(),
+                "{name} at {cut}"
+            );
         }
     }
     // What unfolds to more than a lesson can be is not unfolded.
@@ -159,28 +193,46 @@ fn answers_can_be_hidden_and_a_lesson_tried_leaves_no_trace() {
     let (mut lesson, mut found) = (None, 0);
     for (_, shipped) in shipped::lessons() {
         let is_choose = |step: &giveway_course::lesson::Step| {
-            step.task.as_ref().is_some_and(|task| task.kind() == "choose")
+            step.task
+                .as_ref()
+                .is_some_and(|task| task.kind() == "choose")
         };
         if let Some(at) = shipped.steps.iter().position(is_choose) {
             found = at;
             lesson = Some(shipped);
         }
     }
-    let draft = write(Draft::of(&lesson.unwrap()), Whose::Lesson, "hides-answers", "yes");
+    let draft = write(
+        Draft::of(&lesson.unwrap()),
+        Whose::Lesson,
+        "hides-answers",
+        "yes",
+    );
     let lesson: Lesson = draft.look(&glossary).whole().unwrap().clone();
     assert!(lesson.hides_answers);
     let Some(giveway_course::lesson::Task::Choose(task)) = &lesson.steps[found].task else {
         unreachable!();
     };
-    let wrong = task.answers.iter().position(|answer| !answer.right).unwrap();
+    let wrong = task
+        .answers
+        .iter()
+        .position(|answer| !answer.right)
+        .unwrap();
     let id = lesson.own_id();
     assert!(id.as_str().starts_with("own-"));
     let lesson = Rc::new(lesson);
     let (learner, effects) = learner::reduce(
         Learner::default(),
-        learner::Action::Try { lesson: Rc::clone(&lesson), at: found },
+        learner::Action::Try {
+            lesson: Rc::clone(&lesson),
+            at: found,
+        },
     );
-    assert!(!effects.iter().any(|effect| matches!(effect, Effect::Keep(_))));
+    assert!(
+        !effects
+            .iter()
+            .any(|effect| matches!(effect, Effect::Keep(_)))
+    );
     let (learner, _) = learner::reduce(learner, learner::Action::Hint);
     let (learner, _) = learner::reduce(learner, learner::Action::Choose(wrong));
     let open = learner.open.as_ref().unwrap();
@@ -189,7 +241,11 @@ fn answers_can_be_hidden_and_a_lesson_tried_leaves_no_trace() {
         assert_eq!(verdict.why, giveway_course::judge::Why::Untold);
     }
     // One that is shared is kept by what is in it.
-    let open = learner::Action::Open { id: id.clone(), lesson, at: Some(0) };
+    let open = learner::Action::Open {
+        id: id.clone(),
+        lesson,
+        at: Some(0),
+    };
     let (learner, _) = learner::reduce(Learner::default(), open);
     assert_eq!(learner.progress.stage(&id), Stage::Begun(0));
 }
@@ -204,9 +260,24 @@ fn word(rng: &mut Rng, field: &Field, words: &Words) -> String {
         return Field::switched(rng.bool()).to_owned();
     }
     let typed = [
-        "", "3", "4294967296", "-1", "A1", "3,1", "(0, 0) (1, 0)", "*so*", "*", "[A1](robot:A1)",
-        "[x](robot:)", "wait A1 --at 0,0", "A sentence.", "One.\n\nTwo.", "{\"giveway\": 1, \"changes\": []}",
-        "\u{7}", "<b>", "cost",
+        "",
+        "3",
+        "4294967296",
+        "-1",
+        "A1",
+        "3,1",
+        "(0, 0) (1, 0)",
+        "*so*",
+        "*",
+        "[A1](robot:A1)",
+        "[x](robot:)",
+        "wait A1 --at 0,0",
+        "A sentence.",
+        "One.\n\nTwo.",
+        "{\"giveway\": 1, \"changes\": []}",
+        "\u{7}",
+        "<b>",
+        "cost",
     ];
     (*rng.choice(typed.as_slice()).unwrap()).to_owned()
 }
@@ -218,7 +289,10 @@ fn random(rng: &mut Rng, draft: &Draft, lessons: &[(String, Lesson)]) -> Action 
         0 => Action::Add,
         1 => Action::Copy(rng.usize(0..count + 1)),
         2 => Action::Remove(rng.usize(0..count + 1)),
-        3 => Action::Move { from: rng.usize(0..count + 1), to: rng.usize(0..count + 1) },
+        3 => Action::Move {
+            from: rng.usize(0..count + 1),
+            to: rng.usize(0..count + 1),
+        },
         4 => Action::Go(rng.usize(0..count + 1)),
         5 => Action::TakeScene(Box::new(scene())),
         6 => Action::DropBoard,
@@ -235,13 +309,21 @@ fn random(rng: &mut Rng, draft: &Draft, lessons: &[(String, Lesson)]) -> Action 
         15 => Action::Kept(Box::new(Draft::read(&draft.write()).unwrap())),
         16 => {
             let (field, text) = ("title".to_owned(), "T".to_owned());
-            Action::Write { whose: Whose::Lesson, field, text }
+            Action::Write {
+                whose: Whose::Lesson,
+                field,
+                text,
+            }
         }
         _ => {
             let field = rng.choice(&fields).unwrap();
             let text = word(rng, field, draft.step().unwrap().words());
             let field = field.name.clone();
-            Action::Write { whose: Whose::Step, field, text }
+            Action::Write {
+                whose: Whose::Step,
+                field,
+                text,
+            }
         }
     }
 }
@@ -258,7 +340,8 @@ fn random_actions_never_panic_and_what_is_whole_reads_back_the_same() {
         let action = random(&mut rng, &draft, &lessons);
         draft = reduce(draft, action);
         assert!(draft.step().is_some());
-        let keys: std::collections::BTreeSet<u32> = draft.steps().iter().map(|step| step.key()).collect();
+        let keys: std::collections::BTreeSet<u32> =
+            draft.steps().iter().map(|step| step.key()).collect();
         assert_eq!(keys.len(), draft.steps().len());
         let looked = draft.look(&glossary);
         let _ = looked.to_try(draft.at());

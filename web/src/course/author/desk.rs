@@ -5,10 +5,6 @@ use std::rc::Rc;
 
 use giveway_course::author::{Action, Draft, Field, Looked, Part, Whose, form, head};
 use giveway_model::{Fault, tr};
-use gloo::file::File;
-use gloo::file::futures::read_as_text;
-use web_sys::HtmlInputElement;
-use yew::platform::spawn_local;
 use yew::prelude::*;
 
 use super::super::contents::use_modal;
@@ -17,7 +13,7 @@ use super::super::shelf::Shelf;
 use super::super::tutor::Msg;
 use super::fields::{Form, rest};
 use super::preview::{SmallBoard, prose};
-use super::{AuthorMsg, Notes, steps};
+use super::{AuthorMsg, Notes, steps, top};
 use crate::board::Film;
 use crate::icon;
 
@@ -61,7 +57,7 @@ pub(in crate::course) fn Desk(props: &DeskProps) -> Html {
     html! {
         <dialog ref={node} class="sheet author" aria-labelledby="author-title">
             <div class="sheet-in">
-                { top(props, &write) }
+                { top::show(props, &write) }
                 <div class="abody">
                     { steps::list(&props.draft, &props.looked, props.notes.is_strict, &act) }
                     <div class="aform">
@@ -73,61 +69,6 @@ pub(in crate::course) fn Desk(props: &DeskProps) -> Html {
                 { foot(props, &write) }
             </div>
         </dialog>
-    }
-}
-
-fn top(props: &DeskProps, write: &Callback<AuthorMsg>) -> Html {
-    let close = write.reform(|_: MouseEvent| AuthorMsg::Close);
-    let fresh = write.reform(|_: MouseEvent| AuthorMsg::Act(Action::New));
-    let undo = write.reform(|_: MouseEvent| AuthorMsg::Act(Action::Undo));
-    let take = write.reform(|_: MouseEvent| AuthorMsg::TakeElsewhere);
-    let chosen = {
-        let write = write.clone();
-        move |event: Event| {
-            let input: HtmlInputElement = event.target_unchecked_into();
-            let file = input.files().and_then(|files| files.get(0));
-            // So that the same file can be opened again.
-            input.set_value("");
-            let (Some(file), write) = (file, write.clone()) else {
-                return;
-            };
-            spawn_local(async move {
-                let read = read_as_text(&File::from(file)).await;
-                write.emit(match read {
-                    Ok(text) => AuthorMsg::File(text),
-                    Err(error) => AuthorMsg::Told(error.to_string()),
-                });
-            });
-        }
-    };
-    let line = match props.notes {
-        Notes { is_unkept: true, .. } => {
-            tr!("This browser does not keep what you write: save it as a file before you leave.")
-        }
-        _ => tr!("Kept in this browser while you write."),
-    };
-    html! {
-        <>
-        <header class="sh">
-            <div><h2 id="author-title">{ tr!("Write a lesson") }</h2><p>{ line }</p></div>
-            <span class="grow"></span>
-            if let Some(undo_what) = props.draft.can_undo() {
-                <span class="quiet">{ undo_what.sentence() }</span>
-                <button type="button" class="btn ghost" onclick={undo}>{ icon::show("undo") }<span>{ tr!("Undo") }</span></button>
-            }
-            <label class="btn ghost filed">{ icon::show("open") }<span>{ tr!("Open a file") }</span>
-                <input class="vh" type="file" accept=".json,application/json" onchange={chosen} />
-            </label>
-            <button type="button" class="btn ghost" disabled={props.draft.is_empty()} onclick={fresh}>{ icon::show("plus") }<span>{ tr!("New lesson") }</span></button>
-            <button type="button" class="btn ghost round" title={tr!("Close (Escape)")} onclick={close}>
-                { icon::show("cancel") }<span class="vh">{ tr!("Close") }</span>
-            </button>
-        </header>
-        if props.notes.is_elsewhere {
-            <p class="aside-note" role="status">{ tr!("This lesson was also changed in another tab. What is written last stays.") }
-                <button type="button" class="link" onclick={take}>{ tr!("Take what is written there") }</button></p>
-        }
-        </>
     }
 }
 
@@ -217,7 +158,12 @@ fn answer(index: usize, fields: Html, act: &Callback<Action>) -> Html {
 }
 
 /// Where the board comes from, and what is wrong with it.
-fn board(props: &DeskProps, write: &Callback<AuthorMsg>, fields: &[Field], faults: &[Fault]) -> Html {
+fn board(
+    props: &DeskProps,
+    write: &Callback<AuthorMsg>,
+    fields: &[Field],
+    faults: &[Fault],
+) -> Html {
     let draft = &props.draft;
     let take = write.reform(|_: MouseEvent| AuthorMsg::Take);
     let to_page = write.reform(|_: MouseEvent| AuthorMsg::ToPage);

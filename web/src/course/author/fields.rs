@@ -44,7 +44,9 @@ impl Form<'_> {
         }
         if field.input == Input::Switch {
             let on = field.is_on(self.words);
-            let onchange = self.written(field).reform(move |_: Event| Field::switched(!on).to_owned());
+            let onchange = self
+                .written(field)
+                .reform(move |_: Event| Field::switched(!on).to_owned());
             return html! {
                 <label class="switch af"><input type="checkbox" checked={on} {onchange} /><i></i><span>{ field.label }</span></label>
             };
@@ -165,7 +167,10 @@ pub(super) fn rest(fields: &[Field], faults: &[Fault], of_task: bool) -> Html {
     let rest = faults.iter().filter(|fault| {
         fault.place.starts_with("task") == of_task && closest(fields, &fault.place).is_none()
     });
-    let rest: Vec<String> = rest.map(|fault| sentence(fault, &Input::Line)).take(4).collect();
+    let rest: Vec<String> = rest
+        .map(|fault| sentence(fault, &Input::Line))
+        .take(4)
+        .collect();
     if rest.is_empty() {
         return html! {};
     }

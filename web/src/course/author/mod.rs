@@ -10,6 +10,7 @@ mod fields;
 mod preview;
 mod share;
 mod steps;
+mod top;
 
 use std::rc::Rc;
 

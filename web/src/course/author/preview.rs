@@ -63,8 +63,16 @@ pub(super) fn prose(step: &Step, reader: Reader<'_>) -> Html {
 
 fn answers(task: &Task) -> Vec<Text> {
     match task {
-        Task::Choose(task) => task.answers.iter().map(|answer| answer.text.clone()).collect(),
-        Task::Predict(task) => task.answers.iter().map(|answer| answer.text.clone()).collect(),
+        Task::Choose(task) => task
+            .answers
+            .iter()
+            .map(|answer| answer.text.clone())
+            .collect(),
+        Task::Predict(task) => task
+            .answers
+            .iter()
+            .map(|answer| answer.text.clone())
+            .collect(),
         _ => Vec::new(),
     }
 }

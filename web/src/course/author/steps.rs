@@ -9,7 +9,12 @@ use yew::prelude::*;
 use crate::icon;
 
 /// The list.
-pub(super) fn list(draft: &Draft, looked: &Looked, is_strict: bool, send: &Callback<Action>) -> Html {
+pub(super) fn list(
+    draft: &Draft,
+    looked: &Looked,
+    is_strict: bool,
+    send: &Callback<Action>,
+) -> Html {
     let (at, count) = (draft.at(), draft.steps().len());
     let row = |(index, step): (usize, &giveway_course::author::StepDraft)| {
         let title = match step.word("title").trim() {
@@ -61,7 +66,11 @@ pub(super) fn list(draft: &Draft, looked: &Looked, is_strict: bool, send: &Callb
 /// What is done with the step that is shown.
 pub(super) fn tools(draft: &Draft, send: &Callback<Action>) -> Html {
     let (at, count) = (draft.at(), draft.steps().len());
-    let button = |icon: &'static str, class: &'static str, name: &'static str, can: bool, action: Action| {
+    let button = |icon: &'static str,
+                  class: &'static str,
+                  name: &'static str,
+                  can: bool,
+                  action: Action| {
         let onclick = send.reform(move |_: MouseEvent| action.clone());
         html! {
             <button type="button" class={classes!("btn", "ghost", "round", "sm", class)} title={name} disabled={!can} {onclick}>
