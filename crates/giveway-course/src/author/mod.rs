@@ -135,8 +135,8 @@ impl Draft {
 
     /// Whether nothing was written yet.
     pub fn is_empty(&self) -> bool {
-        let blank = Self::default();
-        self.words == blank.words && self.steps == blank.steps
+        let is_blank = self.steps.iter().all(StepDraft::is_empty);
+        self.words == Self::default().words && self.steps.len() == 1 && is_blank
     }
 }
 
@@ -144,6 +144,11 @@ impl StepDraft {
     /// What tells it from the other steps, wherever it is moved.
     pub const fn key(&self) -> u32 {
         self.key
+    }
+
+    /// Whether nothing was written yet.
+    pub fn is_empty(&self) -> bool {
+        self.words.is_empty() && self.scene.is_none() && self.plan.is_none()
     }
 
     /// What is written.

@@ -53,9 +53,11 @@ impl Draft {
             Action::New => self.put(Self::default()),
             Action::Open(lesson) => self.put(Self::of(&lesson)),
             Action::Kept(kept) => {
-                let undo = std::mem::take(&mut self.undo);
+                // What can be undone here has keys of its own.
+                let (undo, next) = (std::mem::take(&mut self.undo), self.next);
                 *self = *kept;
                 self.undo = undo;
+                self.next = next.max(self.next);
                 self.mend();
             }
         }
@@ -165,17 +167,9 @@ impl Draft {
 
     /// Another lesson takes the place of this one.
     fn put(&mut self, other: Self) {
-        let before = (
-            std::mem::take(&mut self.words),
-            std::mem::take(&mut self.steps),
-            self.at,
-        );
-        let was_empty = Self {
-            words: before.0.clone(),
-            steps: before.1.clone(),
-            ..Self::default()
-        }
-        .is_empty();
+        let was_empty = self.is_empty();
+        let words = std::mem::take(&mut self.words);
+        let before = (words, std::mem::take(&mut self.steps), self.at);
         self.words = other.words;
         self.steps = other.steps;
         self.at = 0;

@@ -6,6 +6,7 @@
 use giveway_model::{Plan, Scene, tr};
 
 use super::{Draft, StepDraft, Words};
+use crate::lesson::read::MAX_STEPS;
 
 /// The most that is kept to be undone.
 const MOST: usize = 40;
@@ -48,7 +49,15 @@ impl Draft {
     pub(super) fn undo(&mut self) {
         match self.undo.pop() {
             None => {}
+            Some(removed @ Undo::Removed(..)) if self.steps.len() >= MAX_STEPS => {
+                // There is no room for it now.
+                self.undo.push(removed);
+            }
             Some(Undo::Removed(index, step)) => {
+                if matches!(&*self.steps, [only] if only.is_empty()) {
+                    // It took the place of the last one.
+                    self.steps.clear();
+                }
                 let index = index.min(self.steps.len());
                 self.steps.insert(index, *step);
                 self.at = index;
