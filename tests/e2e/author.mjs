@@ -23,7 +23,7 @@ export class Author {
 
   /** The field of this name. */
   field(name) {
-    return this.desk.getByLabel(name, { exact: true });
+    return this.desk.getByLabel(name, { exact: true }).and(this.desk.locator("input, textarea, select"));
   }
 
   fill(name, text) {
