@@ -42,6 +42,7 @@ async function write(author, playground) {
   await author.press("Take the board as it is now");
   await author.says(/^The board is taken\./);
   await author.preview.getByText("second").waitFor();
+  await playground.picture("author-first");
   await author.press("Add a step");
   await author.fill("Title of the step", "Shut it");
   await author.fill("Text", "Now it is your turn.");

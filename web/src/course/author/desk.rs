@@ -85,7 +85,7 @@ fn lesson(props: &DeskProps, act: &Callback<Action>) -> Html {
     };
     let shown = fields.iter().filter(|field| field.name != "hides-answers");
     html! {
-        <section class="apart head" aria-label={tr!("Lesson")}>{ for shown.map(|field| form.show(field)) }</section>
+        <section class="apart lede" aria-label={tr!("Lesson")}>{ for shown.map(|field| form.show(field)) }</section>
     }
 }
 
