@@ -56,7 +56,17 @@ pub fn App() -> Html {
     });
     let open = use_state_eq(Panel::default);
     let panel: Panel = (*open).clone();
-    let show = use_callback(open.setter(), |panel: Panel, open| open.set(panel));
+    let course = use_course(&state, &send);
+    let shown_by = (open.setter(), course.clone());
+    let show = use_callback(shown_by, |panel: Panel, (open, course)| {
+        open.set(match panel {
+            Panel::Course(what) => {
+                course.open(&what);
+                Panel::Nothing
+            }
+            panel => panel,
+        });
+    });
     let clock = {
         let send = send.clone();
         use_memo((), move |()| {
@@ -72,7 +82,6 @@ pub fn App() -> Html {
     }
     use_solver(&state, &send);
     use_intake(&state, &send, &show);
-    let course = use_course(&state, &send);
     use_keep(&state, &send);
     use_theme(state.view.theme);
     use_colours(state.document.colours);
@@ -151,10 +160,12 @@ fn dialog(panel: &Panel, state: &Shown, send: &Callback<Action>, show: &Callback
         Panel::SaveAs => html! { <SaveAs state={state.clone()} {send} {on_close} /> },
         Panel::Scenes => html! { <Scenes state={state.clone()} {send} {on_close} /> },
         Panel::Share(link) => {
-            html! { <Share link={link.clone()} name={state.document.draft.scene().name.clone()} {send} {on_close} /> }
+            let on_lesson = show.reform(|_| Panel::Course("~write".to_owned()));
+            html! { <Share link={link.clone()} name={state.document.draft.scene().name.clone()} {send} {on_lesson} {on_close} /> }
         }
         Panel::Help => help(on_close),
         Panel::Nothing
+        | Panel::Course(_)
         | Panel::Menu
         | Panel::Open
         | Panel::Save

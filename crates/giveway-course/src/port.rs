@@ -43,6 +43,9 @@ pub enum ToPage {
     StartAfresh(BoardNumber),
     /// Shows the page to a room.
     Present,
+    /// Asks for a person's own board as it is now: its scene, its plan and the time are
+    /// told under the number 0, which no board of a lesson has.
+    Take,
     /// The lesson ends: a person's own scene comes back.
     Close,
 }

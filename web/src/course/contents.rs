@@ -2,13 +2,14 @@
 
 use std::rc::Rc;
 
-use giveway_course::learner::{Action, Onward, Progress};
-use giveway_course::lesson::{Chapter, Course};
+use giveway_course::learner::{Action, Onward, Progress, Stage};
+use giveway_course::lesson::{Chapter, Course, Entry};
 use giveway_model::tr;
 use gloo::events::EventListener;
 use web_sys::HtmlDialogElement;
 use yew::prelude::*;
 
+use super::author::AuthorMsg;
 use super::card::{Card, bar};
 use super::glossary::Terms;
 use super::place::Place;
@@ -80,7 +81,7 @@ pub(super) fn Contents(props: &ContentsProps) -> Html {
 
 /// Opens a dialog over the page; Escape closes it, and the focus goes back.
 #[hook]
-fn use_modal(node: &NodeRef, close: &Callback<()>) {
+pub(super) fn use_modal(node: &NodeRef, close: &Callback<()>) {
     let (node, close) = (node.clone(), close.clone());
     use_effect_with((), move |()| {
         let dialog = node.cast::<HtmlDialogElement>();
@@ -208,7 +209,11 @@ fn chapter(
 }
 
 fn foot(props: &ContentsProps, course: &Course, asks: &UseStateHandle<bool>) -> Html {
-    let (done, all) = (props.progress.done(), course.lessons().count());
+    let is_done = |entry: &&Entry| props.progress.stage(&entry.lesson) == Stage::Done;
+    let (done, all) = (
+        course.lessons().filter(is_done).count(),
+        course.lessons().count(),
+    );
     let is_new = props.progress == Progress::default();
     let (page, word, name) = match props.page {
         Page::Lessons => (Page::Terms, tr!("Glossary"), "course"),
@@ -217,6 +222,9 @@ fn foot(props: &ContentsProps, course: &Course, asks: &UseStateHandle<bool>) -> 
     let turn = props
         .send
         .reform(move |_: MouseEvent| Msg::Show(Some(page)));
+    let write = props
+        .send
+        .reform(|_: MouseEvent| Msg::Author(AuthorMsg::Open));
     html! {
         <footer class="sf">
             <span class="prog"><b>{ done }</b>{ tr!("behind a number" => " of {n} lesson done" | " of {n} lessons done" % all) }</span>
@@ -224,6 +232,7 @@ fn foot(props: &ContentsProps, course: &Course, asks: &UseStateHandle<bool>) -> 
             if !is_new { { forget(props, asks) } }
             <span class="grow"></span>
             <button type="button" class="btn outline" onclick={turn}>{ icon::show(name) }<span>{ word }</span></button>
+            <button type="button" class="btn outline" onclick={write}>{ icon::show("edit") }<span>{ tr!("Write your own") }</span></button>
         </footer>
     }
 }

@@ -30,7 +30,7 @@ pub(super) fn show(tutor: &Tutor, open: &Open, shelf: &Rc<Shelf>, send: &Callbac
         <aside class="insp lesson" aria-label={tr!("Lesson")}>
             <div class="scroll" {key}>
                 <header class="qh">
-                    { way_out(send) }
+                    { way_out(open, send) }
                     { progress(open, send) }
                     <h2 tabindex="-1" ref={tutor.title.clone()}>{ step.title.clone() }</h2>
                 </header>
@@ -46,12 +46,24 @@ pub(super) fn show(tutor: &Tutor, open: &Open, shelf: &Rc<Shelf>, send: &Callbac
     }
 }
 
-fn way_out(send: &Callback<Msg>) -> Html {
-    let contents = send.reform(|_: MouseEvent| Msg::Show(Some(Page::Lessons)));
+fn way_out(open: &Open, send: &Callback<Msg>) -> Html {
+    let is_tried = open.is_tried();
+    let contents = send.reform(move |_: MouseEvent| {
+        if is_tried {
+            Msg::Do(Action::Close)
+        } else {
+            Msg::Show(Some(Page::Lessons))
+        }
+    });
+    let course = if is_tried {
+        tr!("Go on writing")
+    } else {
+        tr!("Course")
+    };
     let leave = send.reform(|_: MouseEvent| Msg::Do(Action::Close));
     html! {
         <div class="lrow">
-            <button type="button" class="crumb" onclick={contents}>{ icon::show("back") }{ tr!("Course") }</button>
+            <button type="button" class="crumb" onclick={contents}>{ icon::show("back") }{ course }</button>
             <span class="grow"></span>
             <button type="button" class="btn ghost round sm" title={tr!("Leave the lesson")} onclick={leave}>
                 { icon::show("cancel") }<span class="vh">{ tr!("Leave the lesson") }</span>

@@ -2,13 +2,14 @@
 //! stands.
 
 use giveway_course::learner::Action;
-use giveway_course::port::{FromPage, ToPage};
+use giveway_course::port::{BoardNumber, FromPage, ToPage};
 use gloo::events::EventListener;
 use js_sys::Uint8Array;
 use wasm_bindgen::{JsCast as _, JsValue};
 use web_sys::{CustomEvent, CustomEventInit, Element, Event};
 use yew::prelude::*;
 
+use super::author::AuthorMsg;
 use super::tutor::Msg;
 
 /// A message to the page, in bytes.
@@ -39,7 +40,13 @@ impl Line {
                 let bytes = detail(event).dyn_ref().map(Uint8Array::to_vec);
                 // The page is of the same build: it says nothing else.
                 if let Ok(message) = FromPage::from_bytes(&bytes.unwrap_or_default()) {
-                    send.emit(Msg::Do(Action::Page(message)));
+                    send.emit(match message {
+                        // Of no board of a lesson, but of a person's own page.
+                        FromPage { number, what } if number == BoardNumber::default() => {
+                            Msg::Author(AuthorMsg::Heard(what))
+                        }
+                        message => Msg::Do(Action::Page(message)),
+                    });
                 }
             })
         };

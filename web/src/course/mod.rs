@@ -5,7 +5,9 @@
 //! its own, beside the page: they talk in messages
 //! (`line`).
 
+mod act;
 mod asker;
+mod author;
 mod card;
 mod contents;
 mod exercise;

@@ -4,7 +4,7 @@ use std::collections::BTreeMap;
 use std::rc::Rc;
 
 use giveway_course::judge::Verdict;
-use giveway_course::learner::{Action, Effect, Judge, Learner, Open, Progress, reduce};
+use giveway_course::learner::{Action, Learner, Progress, reduce};
 use giveway_course::lesson::{Id, Lesson};
 use giveway_course::port::{BoardNumber, ToPage};
 use giveway_course::tour::{self, Tour};
@@ -14,6 +14,7 @@ use yew::platform::spawn_local;
 use yew::prelude::*;
 
 use super::asker::Asker;
+use super::author::{Author, AuthorMsg, is_own};
 use super::contents::{Contents, Page};
 use super::keys;
 use super::language;
@@ -27,9 +28,7 @@ use super::tour::Guide;
 use crate::keep;
 
 /// Under which name progress is kept.
-const KEPT: &str = "course";
-/// How long the judge may look before that is said, in milliseconds.
-const LATE_MS: u32 = 300;
+pub(super) const KEPT: &str = "course";
 
 /// What happens in the course.
 #[derive(Clone)]
@@ -51,6 +50,8 @@ pub(super) enum Msg {
     Shelved(Result<Rc<Shelf>, String>),
     /// A lesson is there, or is not.
     Fetched(Place, Result<Rc<Lesson>, String>),
+    /// Something is done in the editor.
+    Author(AuthorMsg),
     /// Shows a page of the contents, or closes them.
     Show(Option<Page>),
     /// Moves a robot in the order, from one place to another.
@@ -84,7 +85,7 @@ pub(super) struct Tutor {
     pub(super) wanted: Option<Place>,
     pub(super) page: Option<Page>,
     /// Why something is not there.
-    missing: Option<String>,
+    pub(super) missing: Option<String>,
     /// The robots in the order that is tried next, by their names.
     pub(super) order: Vec<String>,
     /// The value that is being typed.
@@ -92,17 +93,18 @@ pub(super) struct Tutor {
     /// What the judge said before it looked again.
     pub(super) before: Option<Box<Verdict>>,
     pub(super) is_late: bool,
-    late: Option<Timeout>,
+    pub(super) late: Option<Timeout>,
     /// Whether the title of a step that is new takes the focus.
-    is_new: bool,
+    pub(super) is_new: bool,
     /// Whether the judge has just said something.
-    has_said: bool,
+    pub(super) has_said: bool,
     pub(super) title: NodeRef,
     pub(super) next: NodeRef,
-    asker: Asker,
-    line: Option<Line>,
+    pub(super) author: Author,
+    pub(super) asker: Asker,
+    pub(super) line: Option<Line>,
     /// The lesson on its way to a printer.
-    sheet: Option<Sheet>,
+    pub(super) sheet: Option<Sheet>,
     _keys: EventListener,
 }
 
@@ -138,6 +140,7 @@ impl Component for Tutor {
             has_said: false,
             title: NodeRef::default(),
             next: NodeRef::default(),
+            author: Author::new(ctx.link().callback(Msg::Author)),
             asker: Asker::new(ctx.link().callback(Msg::Do)),
             line: None,
             sheet: None,
@@ -153,6 +156,8 @@ impl Component for Tutor {
             Msg::Do(action) => self.act(ctx, action),
             Msg::Tour(action) => self.guide(action),
             Msg::Open(name) if name == tour::NAME => self.begin_tour(ctx),
+            Msg::Author(msg) => self.author(ctx, msg),
+            Msg::Open(address) if is_own(&address) => self.arrive(ctx, address),
             Msg::Open(address) => match Place::read(&address) {
                 Some(place) => self.enter(ctx, place),
                 None => {
@@ -169,6 +174,7 @@ impl Component for Tutor {
                 if !language::is_coming() {
                     self.reword(ctx);
                 }
+                self.arrive_late(ctx);
             }
             Msg::Fetched(place, Ok(lesson)) => {
                 self.lessons.insert(place.lesson.clone(), lesson);
@@ -219,8 +225,9 @@ impl Component for Tutor {
                 }
                 if let Some(page) = &self.page {
                     <Contents key={language::tag()} page={*page} shelf={self.shelf.clone()} progress={self.learner.progress.clone()}
-                        missing={self.missing.clone()} {send} />
+                        missing={self.missing.clone()} send={send.clone()} />
                 }
+                { self.author_view(&send) }
             </>
         }
     }
@@ -277,76 +284,17 @@ impl Tutor {
         });
     }
 
-    pub(super) fn act(&mut self, ctx: &Context<Self>, action: Action) {
-        let is_next = action == Action::Next;
-        let was = self.step();
-        let said = self.learner.open.as_ref().map(|open| open.judge().clone());
-        let (learner, effects) = reduce(std::mem::take(&mut self.learner), action);
-        self.learner = learner;
-        if let Some(Judge::Said(verdict)) = &said {
-            self.before = Some(verdict.clone());
+    /// The robots in the order that is tried next: that of the scene at first.
+    pub(super) fn order(&self) -> Vec<String> {
+        let Some(open) = &self.learner.open else {
+            return Vec::new();
+        };
+        let agents = &open.scene().agents;
+        let is_whole = agents.len() == self.order.len()
+            && agents.iter().all(|agent| self.order.contains(&agent.name));
+        if is_whole {
+            return self.order.clone();
         }
-        let now = self.learner.open.as_ref().map(|open| open.judge().clone());
-        self.has_said |= now != said && matches!(now, Some(Judge::Said(_)));
-        let is = self.step();
-        if is != was {
-            self.order.clear();
-            self.typed.clear();
-            self.before = None;
-            self.is_new = is.is_some();
-            self.has_said = false;
-            if is.is_none() {
-                self.sheet = None;
-            }
-            // After the last step there is the next lesson to choose.
-            if is.is_none() && is_next {
-                self.page = Some(Page::Lessons);
-            }
-        }
-        self.watch(ctx);
-        for effect in effects {
-            self.effect(effect);
-        }
-        if let Some(line) = &self.line
-            && is.is_some() != was.is_some()
-        {
-            line.tell_state(is.is_some());
-        }
-    }
-
-    pub(super) fn effect(&self, effect: Effect) {
-        match effect {
-            Effect::Ask { number, request } => self.asker.ask(number, *request),
-            Effect::Forget => self.asker.forget(),
-            Effect::Page(message) => {
-                if let Some(line) = &self.line {
-                    line.say(&message);
-                }
-            }
-            // A browser may keep nothing: then the course begins anew with the page.
-            Effect::Keep(progress) => drop(keep::store(KEPT, &progress.write())),
-            Effect::FocusNext => focus(&self.next),
-        }
-    }
-
-    /// Says that the judge looks only where that takes long.
-    fn watch(&mut self, ctx: &Context<Self>) {
-        let judge = self.learner.open.as_ref().map(Open::judge);
-        if matches!(judge, Some(Judge::Looking(_))) {
-            if self.late.is_none() {
-                let link = ctx.link().clone();
-                let late = Timeout::new(LATE_MS, move || link.send_message(Msg::Late));
-                self.late = Some(late);
-            }
-        } else {
-            self.late = None;
-            self.is_late = false;
-        }
-    }
-
-    /// The lesson that is open, and its step.
-    fn step(&self) -> Option<(Id, usize)> {
-        let open = self.learner.open.as_ref()?;
-        Some((open.id.clone(), open.index()))
+        agents.iter().map(|agent| agent.name.clone()).collect()
     }
 }

@@ -19,6 +19,8 @@ pub(crate) struct ShareProps {
     pub(crate) name: String,
     /// Takes what the browser refuses.
     pub(crate) send: Callback<Action>,
+    /// Opens the editor of lessons.
+    pub(crate) on_lesson: Callback<MouseEvent>,
     /// Called when it was closed.
     pub(crate) on_close: Callback<()>,
 }
@@ -64,6 +66,7 @@ pub(crate) fn Share(props: &ShareProps) -> Html {
                     { icon::show("fit") }{ tr!("Present") }
                 </button>
                 <span class="grow" role="status">{ *told }</span>
+                <button class="btn ghost" onclick={props.on_lesson.clone()}>{ tr!("Make a lesson") }</button>
                 <button class="btn outline" title={tr!("HTML that shows the plan inside another page")}
                     onclick={code}>{ tr!("Copy embed code") }</button>
                 <button class="btn primary" onclick={link}>{ icon::show("copy") }{ tr!("Copy link") }</button>

@@ -6,8 +6,8 @@ use giveway_model::tr;
 use std::cell::Cell;
 use std::rc::Rc;
 
-use giveway_course::port::ToPage;
-use giveway_page::lesson::{LessonAction, happened};
+use giveway_course::port::{FromPage, ToPage};
+use giveway_page::lesson::{LessonAction, as_it_is, happened};
 use giveway_page::{Action, FileAction, Notice};
 use js_sys::Uint8Array;
 use wasm_bindgen::{JsCast as _, JsValue};
@@ -172,14 +172,22 @@ impl Course {
             })
         };
         let said = {
-            let send = self.0.send.clone();
+            let course = self.clone();
             EventListener::new(place, TO_PAGE, move |event| {
                 let detail = event.dyn_ref().map(CustomEvent::detail);
                 let bytes = detail.and_then(|detail| detail.dyn_into::<Uint8Array>().ok());
                 let message = bytes.map(|bytes| ToPage::from_bytes(&bytes.to_vec()));
-                if let Some(Ok(message)) = message {
-                    let says = LessonAction::Says(Box::new(message));
-                    send.emit(Action::Lesson(says));
+                match message {
+                    Some(Ok(ToPage::Take)) => {
+                        if let Some(state) = course.0.known.get() {
+                            course.say(as_it_is(&state));
+                        }
+                    }
+                    Some(Ok(message)) => {
+                        let says = LessonAction::Says(Box::new(message));
+                        course.0.send.emit(Action::Lesson(says));
+                    }
+                    _ => {}
                 }
             })
         };
@@ -199,7 +207,11 @@ impl Course {
         let before = self.0.known.get();
         self.0.known.set(Some(state.clone()));
         let said = before.map(|before| happened(&before, state));
-        for message in said.unwrap_or_default() {
+        self.say(said.unwrap_or_default());
+    }
+
+    fn say(&self, messages: Vec<FromPage>) {
+        for message in messages {
             let bytes = Uint8Array::from(message.to_bytes().as_slice());
             self.dispatch(FROM_PAGE, &bytes.into());
         }

@@ -28,6 +28,13 @@ pub enum Action {
         /// The same lesson in those words.
         lesson: Rc<Lesson>,
     },
+    /// A lesson that is being written is tried, at a step from 0: it leaves no traces.
+    Try {
+        /// The lesson.
+        lesson: Rc<Lesson>,
+        /// The step.
+        at: usize,
+    },
     /// To the next step; after the last one the lesson was read to its end.
     Next,
     /// To the step before.

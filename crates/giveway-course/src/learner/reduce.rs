@@ -5,6 +5,7 @@ use giveway_solve::Response;
 
 use super::{Action, AskNumber, Effect, Judge, Learner, Open, Progress, Stage, task};
 use crate::judge::Did;
+use crate::lesson::Id;
 use crate::port::{BoardNumber, FromPage, Happened, ToPage};
 
 /// What becomes of a learner, and what must be done outside, in this order.
@@ -35,6 +36,10 @@ impl Learner {
                     open.lesson = lesson;
                 }
             }
+            Action::Try { lesson, at } => {
+                let (id, at) = (Id::tried(), Some(at));
+                self.act(Action::Open { id, lesson, at }, effects);
+            }
             Action::Next => self.next(effects),
             Action::Back => {
                 let before = self.open.as_ref().and_then(|open| open.at.checked_sub(1));
@@ -43,6 +48,7 @@ impl Learner {
             Action::Go(step) => self.go(Some(step), None, effects),
             Action::Page(message) => self.heard(message, effects),
             Action::Guess(value) => self.did(Did::Guessed(value), effects),
+            Action::Reveal | Action::Hint if self.hides_answers() => {}
             Action::Reveal => self.did(Did::Revealed, effects),
             Action::Choose(answer) => self.did(Did::Chose(answer), effects),
             Action::Order(order) => self.did(Did::Ordered(order), effects),
@@ -74,6 +80,10 @@ impl Learner {
             }
             Action::Close => self.close(effects),
         }
+    }
+
+    fn hides_answers(&self) -> bool {
+        self.open.as_ref().is_some_and(Open::hides_answers)
     }
 
     fn next(&mut self, effects: &mut Vec<Effect>) {
@@ -123,9 +133,11 @@ impl Learner {
         if let Some(board) = open.as_board() {
             effects.push(Effect::Page(ToPage::Open(Box::new(board))));
         }
-        self.progress.opened(&open.id, &open.lesson, open.at);
+        if !open.is_tried() {
+            self.progress.opened(&open.id, &open.lesson, open.at);
+            effects.push(Effect::Keep(self.progress.clone()));
+        }
         self.open = Some(open);
-        effects.push(Effect::Keep(self.progress.clone()));
     }
 
     fn afresh(&mut self, effects: &mut Vec<Effect>) {

@@ -74,10 +74,13 @@ impl Learner {
         }
     }
 
-    fn settle(&mut self, verdict: Box<Verdict>, effects: &mut Vec<Effect>) {
+    fn settle(&mut self, mut verdict: Box<Verdict>, effects: &mut Vec<Effect>) {
         let Some(open) = &mut self.open else {
             return;
         };
+        if open.lesson.hides_answers {
+            verdict.keep_quiet();
+        }
         // What was predicted is shown at once, right or not.
         if matches!(verdict.why, Why::Guessed { .. } | Why::Revealed(_))
             && verdict.evidence.plan.is_some()

@@ -6,6 +6,7 @@
     reason = "a test stops at the first surprise"
 )]
 
+mod author;
 mod claims;
 mod docs;
 mod files;

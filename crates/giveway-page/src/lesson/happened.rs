@@ -1,9 +1,25 @@
 //! What the lesson hears of its board: the difference of two states.
 
-use giveway_course::port::{FromPage, Happened, Sight};
+use giveway_course::port::{BoardNumber, FromPage, Happened, Sight};
 
 use super::Lesson;
 use crate::{State, Tool};
+
+/// A person's own board as it is now, for who writes a lesson: its scene, its plan, the
+/// time shown.
+pub fn as_it_is(state: &State) -> Vec<FromPage> {
+    let own = state.own();
+    let scene = own.document.draft.scene().clone();
+    let plan = own.document.plan().cloned();
+    let all = [
+        Some(Happened::Board(Box::new(scene))),
+        plan.map(|plan| Happened::Led(Box::new(plan))),
+        Some(Happened::Time(own.view.playback.time)),
+    ];
+    let number = BoardNumber::default();
+    let all = all.into_iter().flatten();
+    all.map(|what| FromPage { number, what }).collect()
+}
 
 /// What happened on the board of a lesson between two states of the page.
 pub fn happened(before: &State, after: &State) -> Vec<FromPage> {

@@ -19,7 +19,7 @@ use crate::steering::Lead;
 use crate::{Action, BoardAction, FileAction, IntakeAction, SolveAction, State, Tool};
 
 pub(crate) use board::{document, evidence};
-pub use happened::happened;
+pub use happened::{as_it_is, happened};
 
 /// What a lesson does with the page, and what a person does with the lesson.
 #[derive(Clone, Debug, PartialEq)]

@@ -116,6 +116,8 @@ fn says(state: &mut State, message: ToPage) {
         }
         ToPage::Present => super::view::view(state, &ViewAction::Present(Presenting::Told)),
         ToPage::Close => leave(state),
+        // It changes nothing: the page answers by itself.
+        ToPage::Take => {}
     }
 }
 

@@ -95,7 +95,9 @@ pub(super) fn predict(tutor: &Tutor, open: &Open, task: &Predict, reader: Reader
             if !answered {
                 { hints(open.hints(), reader) }
                 <p class="quiet">{ tr!("A wrong guess costs nothing.") }{ " " }
-                    <button type="button" class="link" onclick={reader.send.reform(|_: MouseEvent| Msg::Do(Action::Reveal))}>{ tr!("Show me the answer") }</button>
+                    if !open.hides_answers() {
+                        <button type="button" class="link" onclick={reader.send.reform(|_: MouseEvent| Msg::Do(Action::Reveal))}>{ tr!("Show me the answer") }</button>
+                    }
                 </p>
                 <div class="exa">{ hint(open, reader.send) }</div>
             }

@@ -104,6 +104,7 @@ fn hint(open: &Open, send: &Callback<Msg>) -> Html {
     let all = open.step().map_or(0, |step| step.hints.len());
     let left = all.saturating_sub(open.hints().len());
     let word = match left {
+        _ if open.hides_answers() => return html! {},
         0 => return html! {},
         1 if all > 1 => tr!("Show me how"),
         _ if left < all => tr!("Next hint"),

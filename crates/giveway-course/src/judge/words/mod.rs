@@ -152,6 +152,7 @@ fn of_answer(why: &Why, solved: bool) -> String {
     match why {
         Why::Guessed { guess, truth, .. } => guessed(guess, truth, solved),
         Why::Revealed(truth) => tr!("{value} is proved.", value = shown(truth)),
+        Why::Untold => tr!("this is not it. Look again.").to_owned(),
         Why::Differs => tr!("best plans differ in this.").to_owned(),
         Why::Found { found, of } if solved => {
             tr!("{found} of {all} conflicts found.", found, all = of)
