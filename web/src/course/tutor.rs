@@ -283,18 +283,4 @@ impl Tutor {
             link.send_message(Msg::Fetched(place, lesson.map(Rc::new)));
         });
     }
-
-    /// The robots in the order that is tried next: that of the scene at first.
-    pub(super) fn order(&self) -> Vec<String> {
-        let Some(open) = &self.learner.open else {
-            return Vec::new();
-        };
-        let agents = &open.scene().agents;
-        let is_whole = agents.len() == self.order.len()
-            && agents.iter().all(|agent| self.order.contains(&agent.name));
-        if is_whole {
-            return self.order.clone();
-        }
-        agents.iter().map(|agent| agent.name.clone()).collect()
-    }
 }
