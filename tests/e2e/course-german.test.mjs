@@ -5,7 +5,7 @@ import { describe } from "node:test";
 
 import { Course } from "./course.mjs";
 import { BOTH, flows } from "./flow.mjs";
-import { choose, english } from "./language.mjs";
+import { english } from "./language.mjs";
 import { eventually } from "./wait.mjs";
 
 const GERMAN = { locale: "de-DE" };
@@ -24,9 +24,21 @@ class Kurs extends Course {
   /** Opens the contents once the page speaks German. */
   async open() {
     await this.playground.says(SOLVED);
-    await this.playground.act("Kurs");
+    if (this.playground.isPhone()) {
+      await this.playground.press("Mehr");
+    }
+    await this.playground.press("Kurs");
     await this.contents.getByRole("heading", { name: "Warum", exact: true }).waitFor();
   }
+}
+
+/** Chooses a language where there is a menu for it in a lesson, too: on a phone. */
+async function turn(playground, language) {
+  const { page } = playground;
+  await page.getByRole("button", { name: /^(More|Mehr)$/ }).click();
+  await page.getByRole("button", { name: /^(Settings|Einstellungen)$/ }).click();
+  await page.getByLabel(/^(Language|Sprache)$/).selectOption({ label: language });
+  await page.keyboard.press("Escape");
 }
 
 describe("the course in German", () => {
@@ -99,7 +111,7 @@ describe("the course in German", () => {
     await playground.key("ArrowUp", "ArrowUp", "ArrowUp", "ArrowUp");
     await course.says(/(Noch nicht|So nicht): /);
     assert.deepEqual(await english(playground), []);
-    await course.lesson.getByRole("button", { name: "Von vorn beginnen" }).click();
+    await course.lesson.getByRole("button", { name: "Neu beginnen" }).click();
     await board.focus();
     await playground.key("w", "ArrowUp", "ArrowUp", "ArrowUp", "ArrowUp");
     await course.says(/Gelöst/);
@@ -115,29 +127,28 @@ describe("the course in German", () => {
     await course.open();
     await course.contents.getByRole("button", { name: /^Room to pass/ }).click();
     await course.at("A corridor and a bay");
-    await course.lesson.getByRole("button", { name: "Step 4: Block one cell" }).click();
-    await course.at("Block one cell");
-    await playground.pick("Obstacle");
-    await playground.stroke([4, 0]);
-    await course.says(/Not yet: there is still a plan, makespan 9\. You blocked \(4, 0\)\./);
-    await course.lesson.getByRole("button", { name: "Hint", exact: true }).click();
+    await course.next.click();
+    await course.at("How long will they need?");
+    await course.lesson.getByRole("button", { name: /^2|At 8\./ }).click();
+    await course.says(/your guess.*proved.*8 is not enough/);
 
-    await choose(playground, "Deutsch");
-    await kurs.at("Eine Zelle sperren");
-    await kurs.says(/Noch nicht: Es gibt noch einen Plan, Makespan 9\. Geändert: \(4, 0\) gesperrt\./);
-    await kurs.says(/Der Gang muss offen bleiben/);
+    await turn(playground, "Deutsch");
+    await kurs.at("Wie lange brauchen sie?");
+    await kurs.says(/Wer im Gang wartet, lässt niemanden vorbei\..*Der Solver hat bewiesen, dass 8 nicht genügen\./);
     assert.deepEqual(await english(playground), []);
     await playground.picture("course-turned-german");
-    await kurs.lesson.getByRole("button", { name: "Zurücknehmen" }).click();
-    await playground.page.getByRole("toolbar", { name: "Werkzeuge" }).getByRole("button", { name: "Hindernis", exact: true }).click();
+    await kurs.next.click();
+    await kurs.at("Wer weicht aus?");
 
-    await choose(playground, "English");
-    await course.at("Block one cell");
-    await playground.stroke([3, 1]);
-    await course.solved();
-    await choose(playground, "Deutsch");
-    await kurs.says(/Gelöst .*Ohne \(3, 1\) ist kein Platz zum Ausweichen/);
-  });
+    await turn(playground, "English");
+    await course.at("Who gives way?");
+    await course.lesson.getByRole("button", { name: /No\. That plan would cost more/ }).click();
+    await course.says(/Solved/);
+    await turn(playground, "Deutsch");
+    await kurs.says(/Gelöst .*Die Bucht liegt näher bei A1/);
+    await kurs.lesson.getByRole("button", { name: "Kurs" }).click();
+    await kurs.contents.getByText("Schritt 3 von 4").waitFor();
+  }, { screens: ["phone"] });
 
   flow("stays in English where its catalogue does not arrive", async (playground, { context }) => {
     await context.route(/languages\/course\/de\.po/, (route) => route.fulfill({ status: 404 }));
