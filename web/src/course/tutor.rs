@@ -6,7 +6,8 @@ use std::rc::Rc;
 use giveway_course::judge::Verdict;
 use giveway_course::learner::{Action, Effect, Judge, Learner, Open, Progress, reduce};
 use giveway_course::lesson::{Id, Lesson};
-use giveway_course::port::ToPage;
+use giveway_course::port::{BoardNumber, ToPage};
+use giveway_course::tour::{self, Tour};
 use gloo::events::EventListener;
 use gloo::timers::callback::Timeout;
 use yew::platform::spawn_local;
@@ -22,6 +23,7 @@ use super::place::Place;
 use super::print::Sheet;
 use super::shelf::Shelf;
 use super::sight::{bring_into_view, focus};
+use super::tour::Guide;
 use crate::keep;
 
 /// Under which name progress is kept.
@@ -34,7 +36,10 @@ const LATE_MS: u32 = 300;
 pub(super) enum Msg {
     /// Something that a learner does, or hears.
     Do(Action),
-    /// The page wants an address to be opened; the contents, where it is empty.
+    /// Something that happens on the tour.
+    Tour(tour::Action),
+    /// The page wants the tour, or an address, to be opened; the contents, where it is
+    /// empty.
     Open(String),
     /// The page tells the language that is spoken.
     Told(String),
@@ -65,6 +70,10 @@ pub(super) enum Msg {
 /// The course.
 pub(super) struct Tutor {
     pub(super) learner: Learner,
+    /// The tour of the page, while somebody takes it.
+    pub(super) tour: Option<Tour>,
+    /// The number that the board of the next tour has.
+    pub(super) tours: BoardNumber,
     /// The course in the language that is spoken.
     pub(super) shelf: Option<Rc<Shelf>>,
     /// The course as it was fetched, in English.
@@ -73,7 +82,7 @@ pub(super) struct Tutor {
     pub(super) lessons: BTreeMap<Id, Rc<Lesson>>,
     /// What is to be opened as soon as it is there.
     pub(super) wanted: Option<Place>,
-    page: Option<Page>,
+    pub(super) page: Option<Page>,
     /// Why something is not there.
     missing: Option<String>,
     /// The robots in the order that is tried next, by their names.
@@ -112,6 +121,8 @@ impl Component for Tutor {
         let (learner, _) = reduce(Learner::default(), Action::Kept(kept.unwrap_or_default()));
         Self {
             learner,
+            tour: None,
+            tours: tour::FIRST,
             shelf: None,
             fetched: None,
             lessons: BTreeMap::new(),
@@ -136,10 +147,18 @@ impl Component for Tutor {
 
     fn update(&mut self, ctx: &Context<Self>, msg: Msg) -> bool {
         match msg {
+            Msg::Do(Action::Page(message)) if self.tour.is_some() => {
+                self.guide(tour::Action::Page(message));
+            }
             Msg::Do(action) => self.act(ctx, action),
+            Msg::Tour(action) => self.guide(action),
+            Msg::Open(name) if name == tour::NAME => self.begin_tour(ctx),
             Msg::Open(address) => match Place::read(&address) {
                 Some(place) => self.enter(ctx, place),
-                None => self.page = Some(Page::Lessons),
+                None => {
+                    self.guide(tour::Action::End);
+                    self.page = Some(Page::Lessons);
+                }
             },
             Msg::Enter(place) => self.enter(ctx, place),
             Msg::Told(told) => Self::turn(ctx, told),
@@ -195,6 +214,9 @@ impl Component for Tutor {
                     { lesson::show(self, open, shelf, &send) }
                     if let Some(sheet) = &self.sheet { { sheet.show(&open.id, &open.lesson) } }
                 }
+                if let Some(tour) = &self.tour {
+                    <Guide tour={tour.clone()} send={send.clone()} />
+                }
                 if let Some(page) = &self.page {
                     <Contents key={language::tag()} page={*page} shelf={self.shelf.clone()} progress={self.learner.progress.clone()}
                         missing={self.missing.clone()} {send} />
@@ -243,6 +265,8 @@ impl Tutor {
             };
             self.wanted = None;
             self.page = None;
+            // The lesson takes its place on the board.
+            self.tour = None;
             return self.act(ctx, action);
         }
         self.wanted = Some(place.clone());
@@ -290,7 +314,7 @@ impl Tutor {
         }
     }
 
-    fn effect(&self, effect: Effect) {
+    pub(super) fn effect(&self, effect: Effect) {
         match effect {
             Effect::Ask { number, request } => self.asker.ask(number, *request),
             Effect::Forget => self.asker.forget(),

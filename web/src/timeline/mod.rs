@@ -88,7 +88,8 @@ pub fn Dock(props: &DockProps) -> Html {
                 | Phase::Comparing
                 | Phase::Steering
                 | Phase::Auditing
-        ) || ask::offers_next_step(state);
+        ) || ask::offers_next_step(state)
+            || state.view.waiting.welcome;
         let stale = state.shows_stale();
         return html! {
             <section class={classes!("dock", calm.then_some("calm"), stale.then_some("stale"))} aria-label={tr!("Timeline")}>

@@ -174,6 +174,8 @@ impl Learner {
                 self.forget(effects);
                 self.open = None;
             }
+            // Only a tour is told of it.
+            Happened::Seen(_) => {}
         }
     }
 
