@@ -41,6 +41,8 @@ pub enum ToPage {
     /// Puts the board back to what it was when it was opened; it has this number from
     /// then on.
     StartAfresh(BoardNumber),
+    /// Shows the page to a room.
+    Present,
     /// The lesson ends: a person's own scene comes back.
     Close,
 }

@@ -11,14 +11,18 @@ mod contents;
 mod exercise;
 mod glossary;
 mod keys;
+mod language;
 mod lesson;
 mod line;
 mod place;
+mod print;
 mod prose;
 mod shelf;
 mod sight;
 mod term;
+mod third;
 mod tour;
+mod turn;
 mod tutor;
 
 use yew::prelude::*;

@@ -6,7 +6,7 @@ use std::rc::Rc;
 use giveway_course::judge::Verdict;
 use giveway_course::learner::{Action, Effect, Judge, Learner, Open, Progress, reduce};
 use giveway_course::lesson::{Id, Lesson};
-use giveway_course::port::BoardNumber;
+use giveway_course::port::{BoardNumber, ToPage};
 use giveway_course::tour::{self, Tour};
 use gloo::events::EventListener;
 use gloo::timers::callback::Timeout;
@@ -16,9 +16,11 @@ use yew::prelude::*;
 use super::asker::Asker;
 use super::contents::{Contents, Page};
 use super::keys;
+use super::language;
 use super::lesson;
 use super::line::Line;
 use super::place::Place;
+use super::print::Sheet;
 use super::shelf::Shelf;
 use super::sight::{bring_into_view, focus};
 use super::tour::Guide;
@@ -39,6 +41,10 @@ pub(super) enum Msg {
     /// The page wants the tour, or an address, to be opened; the contents, where it is
     /// empty.
     Open(String),
+    /// The page tells the language that is spoken.
+    Told(String),
+    /// That language is spoken from now on.
+    Spoken,
     /// A place is chosen.
     Enter(Place),
     /// Index and glossary are there, or are not.
@@ -53,6 +59,12 @@ pub(super) enum Msg {
     Type(String),
     /// The judge has been looking for a while.
     Late,
+    /// The page is to be shown to a room.
+    Present,
+    /// The lesson is to be printed.
+    Print,
+    /// It was printed, or not.
+    Printed,
 }
 
 /// The course.
@@ -62,10 +74,14 @@ pub(super) struct Tutor {
     pub(super) tour: Option<Tour>,
     /// The number that the board of the next tour has.
     pub(super) tours: BoardNumber,
+    /// The course in the language that is spoken.
     pub(super) shelf: Option<Rc<Shelf>>,
-    lessons: BTreeMap<Id, Rc<Lesson>>,
+    /// The course as it was fetched, in English.
+    pub(super) fetched: Option<Rc<Shelf>>,
+    /// The lessons as they were fetched, in English.
+    pub(super) lessons: BTreeMap<Id, Rc<Lesson>>,
     /// What is to be opened as soon as it is there.
-    wanted: Option<Place>,
+    pub(super) wanted: Option<Place>,
     pub(super) page: Option<Page>,
     /// Why something is not there.
     missing: Option<String>,
@@ -85,6 +101,8 @@ pub(super) struct Tutor {
     pub(super) next: NodeRef,
     asker: Asker,
     line: Option<Line>,
+    /// The lesson on its way to a printer.
+    sheet: Option<Sheet>,
     _keys: EventListener,
 }
 
@@ -106,6 +124,7 @@ impl Component for Tutor {
             tour: None,
             tours: tour::FIRST,
             shelf: None,
+            fetched: None,
             lessons: BTreeMap::new(),
             wanted: None,
             page: None,
@@ -121,6 +140,7 @@ impl Component for Tutor {
             next: NodeRef::default(),
             asker: Asker::new(ctx.link().callback(Msg::Do)),
             line: None,
+            sheet: None,
             _keys: keys::listen(),
         }
     }
@@ -141,10 +161,13 @@ impl Component for Tutor {
                 }
             },
             Msg::Enter(place) => self.enter(ctx, place),
+            Msg::Told(told) => Self::turn(ctx, told),
+            Msg::Spoken => self.reword(ctx),
             Msg::Shelved(Ok(shelf)) => {
-                self.shelf = Some(shelf);
-                if let Some(place) = self.wanted.take() {
-                    self.enter(ctx, place);
+                self.fetched = Some(shelf);
+                // Nobody is to read English first.
+                if !language::is_coming() {
+                    self.reword(ctx);
                 }
             }
             Msg::Fetched(place, Ok(lesson)) => {
@@ -168,6 +191,17 @@ impl Component for Tutor {
             }
             Msg::Type(typed) => self.typed = typed,
             Msg::Late => self.is_late = true,
+            Msg::Present => {
+                if let Some(line) = &self.line {
+                    line.say(&ToPage::Present);
+                }
+            }
+            Msg::Print => {
+                // One that no browser told the end of goes first.
+                self.sheet = None;
+                self.sheet = Sheet::new(ctx.link().callback(|msg: Msg| msg));
+            }
+            Msg::Printed => self.sheet = None,
         }
         true
     }
@@ -178,12 +212,13 @@ impl Component for Tutor {
             <>
                 if let (Some(open), Some(shelf)) = (&self.learner.open, &self.shelf) {
                     { lesson::show(self, open, shelf, &send) }
+                    if let Some(sheet) = &self.sheet { { sheet.show(&open.id, &open.lesson) } }
                 }
                 if let Some(tour) = &self.tour {
-                    <Guide tour={tour.clone()} send={send.clone()} />
+                    <Guide tour={tour.clone()} spoken={language::tag()} send={send.clone()} />
                 }
                 if let Some(page) = &self.page {
-                    <Contents page={*page} shelf={self.shelf.clone()} progress={self.learner.progress.clone()}
+                    <Contents key={language::tag()} page={*page} shelf={self.shelf.clone()} progress={self.learner.progress.clone()}
                         missing={self.missing.clone()} {send} />
                 }
             </>
@@ -202,12 +237,15 @@ impl Component for Tutor {
         if std::mem::take(&mut self.has_said) {
             bring_into_view();
         }
+        if let Some(sheet) = &mut self.sheet {
+            sheet.print();
+        }
     }
 }
 
 impl Tutor {
     /// Opens a place, as soon as what it takes is there.
-    fn enter(&mut self, ctx: &Context<Self>, place: Place) {
+    pub(super) fn enter(&mut self, ctx: &Context<Self>, place: Place) {
         self.asker.warm();
         self.missing = None;
         let Some(shelf) = self.shelf.clone() else {
@@ -222,7 +260,7 @@ impl Tutor {
         if let Some(lesson) = self.lessons.get(&place.lesson) {
             let action = Action::Open {
                 id: place.lesson,
-                lesson: Rc::clone(lesson),
+                lesson: Rc::new(language::said(&**lesson)),
                 at: place.step,
             };
             self.wanted = None;
@@ -257,6 +295,9 @@ impl Tutor {
             self.before = None;
             self.is_new = is.is_some();
             self.has_said = false;
+            if is.is_none() {
+                self.sheet = None;
+            }
             // After the last step there is the next lesson to choose.
             if is.is_none() && is_next {
                 self.page = Some(Page::Lessons);
@@ -307,19 +348,5 @@ impl Tutor {
     fn step(&self) -> Option<(Id, usize)> {
         let open = self.learner.open.as_ref()?;
         Some((open.id.clone(), open.index()))
-    }
-
-    /// The robots in the order that is tried next: that of the scene at first.
-    pub(super) fn order(&self) -> Vec<String> {
-        let Some(open) = &self.learner.open else {
-            return Vec::new();
-        };
-        let agents = &open.scene().agents;
-        let is_whole = agents.len() == self.order.len()
-            && agents.iter().all(|agent| self.order.contains(&agent.name));
-        if is_whole {
-            return self.order.clone();
-        }
-        agents.iter().map(|agent| agent.name.clone()).collect()
     }
 }

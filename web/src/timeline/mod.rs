@@ -26,8 +26,8 @@ use inside::{Inside, places};
 use plan::Plan;
 use same::Same;
 use tabs::Tabs;
-pub(crate) use transport::play_keys;
 use transport::transport;
+pub(crate) use transport::{clock, play_keys};
 use wait::Wait;
 
 /// Windows lower than this, in pixels, begin with the plan table closed, so

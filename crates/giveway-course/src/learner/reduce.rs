@@ -20,7 +20,7 @@ impl Learner {
         match action {
             Action::Open { id, lesson, at } => {
                 let at = at.unwrap_or(match self.progress.stage(&id) {
-                    Stage::Begun(step) => step,
+                    Stage::Begun(step) | Stage::Seen { step, .. } => step,
                     Stage::New | Stage::Done => 0,
                 });
                 let at = at.min(lesson.steps.len().saturating_sub(1));
@@ -29,6 +29,11 @@ impl Learner {
                 };
                 let open = Open::at(id, lesson, at, self.board, scene);
                 self.enter(open, effects);
+            }
+            Action::Reword { id, lesson } => {
+                if let Some(open) = self.open.as_mut().filter(|open| open.id == id) {
+                    open.lesson = lesson;
+                }
             }
             Action::Next => self.next(effects),
             Action::Back => {
@@ -76,7 +81,7 @@ impl Learner {
             return;
         };
         if open.is_last() {
-            self.progress.finished(&open.id);
+            self.progress.finished(&open.id, &open.lesson);
             effects.push(Effect::Keep(self.progress.clone()));
             return self.close(effects);
         }
@@ -118,7 +123,7 @@ impl Learner {
         if let Some(board) = open.as_board() {
             effects.push(Effect::Page(ToPage::Open(Box::new(board))));
         }
-        self.progress.opened(&open.id, open.at);
+        self.progress.opened(&open.id, &open.lesson, open.at);
         self.open = Some(open);
         effects.push(Effect::Keep(self.progress.clone()));
     }

@@ -18,5 +18,6 @@ mod shipped;
 mod tasks;
 mod terms;
 mod tour;
+mod translate;
 mod unknown;
 mod words;

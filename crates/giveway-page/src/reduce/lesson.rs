@@ -10,11 +10,12 @@ use giveway_model::{Cell, Fault};
 use super::document::{amend, undo};
 use super::{play, solve, steer, step, stroke};
 use crate::lesson::{Fate, Lesson, LessonAction, document, evidence, fate};
+use crate::present::Presenting;
 use crate::steering::Lead;
 use crate::view::Layers;
 use crate::{
     Action, AskAction, BoardAction, Edit, Mode, Notice, Paint, Selection, SolveAction, State, Tab,
-    ask,
+    ViewAction, ask,
 };
 
 pub(super) fn lesson(state: &mut State, action: LessonAction) {
@@ -113,6 +114,7 @@ fn says(state: &mut State, message: ToPage) {
                 open(state, &Rc::new(board));
             }
         }
+        ToPage::Present => super::view::view(state, &ViewAction::Present(Presenting::Told)),
         ToPage::Close => leave(state),
     }
 }
@@ -185,6 +187,7 @@ fn carry(from: &State, to: &mut State) {
     let (view, before) = (&mut to.view, &from.view);
     view.theme = before.theme;
     view.is_wide = before.is_wide;
+    view.presenting = before.presenting;
     view.tab = before.tab;
     view.playback.speed = before.playback.speed;
 }
