@@ -156,6 +156,12 @@ describe("the tour", () => {
     await playground.picture("tour-question");
     await question.click();
     await tour.at("Change the scene");
+    if (playground.isPhone()) {
+      // The tools are folded away until the answer is left.
+      const back = playground.inspector.getByRole("button", { name: "Back" });
+      await tour.pointsAt(back);
+      await back.click();
+    }
     await tour.pointsAt(playground.tools.getByRole("button", { name: "Obstacle" }));
     await playground.picture("tour-tool");
     await playground.pick("Obstacle");

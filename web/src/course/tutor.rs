@@ -221,7 +221,7 @@ impl Component for Tutor {
                     if let Some(sheet) = &self.sheet { { sheet.show(&open.id, &open.lesson) } }
                 }
                 if let Some(tour) = &self.tour {
-                    <Guide tour={tour.clone()} send={send.clone()} />
+                    <Guide tour={tour.clone()} spoken={language::tag()} send={send.clone()} />
                 }
                 if let Some(page) = &self.page {
                     <Contents key={language::tag()} page={*page} shelf={self.shelf.clone()} progress={self.learner.progress.clone()}

@@ -17,6 +17,8 @@ use follow::Follow;
 pub(super) struct GuideProps {
     /// The tour.
     pub(super) tour: Tour,
+    /// The language that is spoken: in another one it says all of it anew.
+    pub(super) spoken: String,
     /// Takes what happens.
     pub(super) send: Callback<Msg>,
 }
@@ -24,7 +26,7 @@ pub(super) struct GuideProps {
 /// The card of the step. It takes the focus when the tour begins, and gives it back.
 #[component]
 pub(super) fn Guide(props: &GuideProps) -> Html {
-    let GuideProps { tour, send } = props;
+    let GuideProps { tour, send, .. } = props;
     let (card, ring) = (use_node_ref(), use_node_ref());
     {
         let (card, send) = (card.clone(), send.clone());

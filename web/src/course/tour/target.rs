@@ -13,7 +13,8 @@ fn places(target: Target) -> Vec<String> {
             "#inspector section:not(.must-be-told) > h3 + .asks .ask",
             "[role=tab][aria-controls=inspector]",
         ],
-        Target::Obstacle => &[".tools [aria-keyshortcuts=o]"],
+        // While an answer is read a phone folds the tools away.
+        Target::Obstacle => &[".tools [aria-keyshortcuts=o]", "#inspector .crumb"],
         Target::Solve => &[".solve > .btn"],
         Target::Course => &[
             ".acts > .menu > button",
