@@ -5,7 +5,7 @@ import { describe } from "node:test";
 
 import { Course } from "./course.mjs";
 import { BOTH, flows } from "./flow.mjs";
-import { english } from "./language.mjs";
+import { choose, english } from "./language.mjs";
 import { eventually } from "./wait.mjs";
 
 const GERMAN = { locale: "de-DE" };
@@ -32,13 +32,13 @@ class Kurs extends Course {
   }
 }
 
-/** Chooses a language where there is a menu for it in a lesson, too: on a phone. */
-async function turn(playground, language) {
-  const { page } = playground;
-  await page.getByRole("button", { name: /^(More|Mehr)$/ }).click();
-  await page.getByRole("button", { name: /^(Settings|Einstellungen)$/ }).click();
-  await page.getByLabel(/^(Language|Sprache)$/).selectOption({ label: language });
-  await page.keyboard.press("Escape");
+/** Tells the course another language, as the page does when one is chosen. */
+function tell(playground, tag) {
+  return playground.page.evaluate(async (tag) => {
+    const po = tag && await (await fetch(`static/languages/${tag}.po`)).text();
+    const detail = tag && `${tag}\n${po}`;
+    document.querySelector("#course").dispatchEvent(new CustomEvent("giveway-language", { detail }));
+  }, tag);
 }
 
 describe("the course in German", () => {
@@ -129,26 +129,51 @@ describe("the course in German", () => {
     await course.at("A corridor and a bay");
     await course.next.click();
     await course.at("How long will they need?");
-    await course.lesson.getByRole("button", { name: /^2|At 8\./ }).click();
+    await playground.key("2");
     await course.says(/your guess.*proved.*8 is not enough/);
 
-    await turn(playground, "Deutsch");
+    await tell(playground, "de");
     await kurs.at("Wie lange brauchen sie?");
     await kurs.says(/Wer im Gang wartet, lässt niemanden vorbei\..*Der Solver hat bewiesen, dass 8 nicht genügen\./);
-    assert.deepEqual(await english(playground), []);
     await playground.picture("course-turned-german");
     await kurs.next.click();
     await kurs.at("Wer weicht aus?");
 
-    await turn(playground, "English");
+    await tell(playground, "");
     await course.at("Who gives way?");
-    await course.lesson.getByRole("button", { name: /No\. That plan would cost more/ }).click();
+    await playground.key("2");
     await course.says(/Solved/);
-    await turn(playground, "Deutsch");
+    await tell(playground, "de");
     await kurs.says(/Gelöst .*Die Bucht liegt näher bei A1/);
-    await kurs.lesson.getByRole("button", { name: "Kurs" }).click();
-    await kurs.contents.getByText("Schritt 3 von 4").waitFor();
-  }, { screens: ["phone"] });
+  });
+
+  flow("turns with the page, and keeps how far one got", async (playground) => {
+    const course = new Course(playground);
+    const kurs = new Kurs(playground);
+    await playground.says(/^Optimal: makespan 18/);
+    await course.open();
+    await course.contents.getByRole("button", { name: /^Room to pass/ }).click();
+    await course.at("A corridor and a bay");
+    await course.next.click();
+    await course.at("How long will they need?");
+    await course.lesson.getByRole("button", { name: "Leave the lesson" }).click();
+    await course.lesson.waitFor({ state: "detached" });
+
+    await choose(playground, "Deutsch");
+    await kurs.open();
+    await kurs.contents.getByText("Schritt 2 von 4").waitFor();
+    assert.deepEqual(await english(playground), []);
+    await kurs.contents.getByRole("button", { name: "Weiter: Platz zum Ausweichen" }).click();
+    await kurs.at("Wie lange brauchen sie?");
+    await playground.key("3");
+    await kurs.says(/Gelöst .*Der Solver hat bewiesen, dass 8 nicht genügen\./);
+    // The name of the scene is that of the file.
+    assert.deepEqual(await english(playground), ["room to pass"]);
+    await kurs.lesson.getByRole("button", { name: "Lektion verlassen" }).click();
+    await choose(playground, "English");
+    await course.open();
+    await course.contents.getByRole("button", { name: "Go on: Room to pass" }).waitFor();
+  });
 
   flow("stays in English where its catalogue does not arrive", async (playground, { context }) => {
     await context.route(/languages\/course\/de\.po/, (route) => route.fulfill({ status: 404 }));
