@@ -115,6 +115,7 @@ pub(crate) fn take(
         Ok(Reading::Scene(scene)) => send.emit(Action::File(FileAction::Open(scene))),
         Ok(Reading::Linked(linked)) => send.emit(Action::File(FileAction::OpenLink(linked))),
         Ok(Reading::Scenario(choice)) => show.emit(Panel::Agents(Rc::new(*choice))),
+        Ok(Reading::Lesson(text)) => show.emit(Panel::Course(text)),
         Ok(Reading::Illegal(files)) => send.emit(Action::Intake(IntakeAction::Read(files))),
         Err(notice) => send.emit(Action::File(FileAction::Refuse(notice))),
     }

@@ -2,13 +2,14 @@
 //! stands.
 
 use giveway_course::learner::Action;
-use giveway_course::port::{FromPage, ToPage};
+use giveway_course::port::{BoardNumber, FromPage, ToPage};
 use gloo::events::EventListener;
 use js_sys::Uint8Array;
 use wasm_bindgen::{JsCast as _, JsValue};
 use web_sys::{CustomEvent, CustomEventInit, Element, Event};
 use yew::prelude::*;
 
+use super::author::AuthorMsg;
 use super::tutor::Msg;
 
 /// A message to the page, in bytes.
@@ -17,6 +18,8 @@ const TO_PAGE: &str = "giveway-to-page";
 const FROM_PAGE: &str = "giveway-from-page";
 /// The page asks for the contents, a lesson or a step.
 const OPEN: &str = "giveway-open";
+/// The page tells the language that is spoken.
+const LANGUAGE: &str = "giveway-language";
 /// The course listens.
 const READY: &str = "giveway-course-ready";
 /// A lesson was opened, or left.
@@ -25,7 +28,7 @@ const STATE: &str = "giveway-course-state";
 /// The course's end of the line.
 pub(super) struct Line {
     place: Element,
-    _listening: [EventListener; 2],
+    _listening: [EventListener; 3],
 }
 
 impl Line {
@@ -37,8 +40,21 @@ impl Line {
                 let bytes = detail(event).dyn_ref().map(Uint8Array::to_vec);
                 // The page is of the same build: it says nothing else.
                 if let Ok(message) = FromPage::from_bytes(&bytes.unwrap_or_default()) {
-                    send.emit(Msg::Do(Action::Page(message)));
+                    send.emit(match message {
+                        // Of no board of a lesson, but of a person's own page.
+                        FromPage { number, what } if number == BoardNumber::default() => {
+                            Msg::Author(AuthorMsg::Heard(what))
+                        }
+                        message => Msg::Do(Action::Page(message)),
+                    });
                 }
+            })
+        };
+        let told = {
+            let send = send.clone();
+            EventListener::new(&place, LANGUAGE, move |event| {
+                let told = detail(event).as_string();
+                send.emit(Msg::Told(told.unwrap_or_default()));
             })
         };
         let opened = EventListener::new(&place, OPEN, move |event| {
@@ -47,7 +63,7 @@ impl Line {
         });
         Self {
             place,
-            _listening: [heard, opened],
+            _listening: [heard, told, opened],
         }
     }
 

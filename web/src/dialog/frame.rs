@@ -9,24 +9,24 @@ use yew::prelude::*;
 use crate::icon;
 
 #[derive(Clone, PartialEq, Properties)]
-pub(super) struct FrameProps {
+pub(crate) struct FrameProps {
     /// The title, which is its name.
-    pub(super) title: AttrValue,
+    pub(crate) title: AttrValue,
     /// Whether it holds little.
     #[prop_or_default]
-    pub(super) narrow: bool,
+    pub(crate) narrow: bool,
     /// Whether nothing in it takes the focus: then keys must be able to scroll it.
     #[prop_or_default]
-    pub(super) reads: bool,
+    pub(crate) reads: bool,
     /// Called when it was closed.
-    pub(super) on_close: Callback<()>,
+    pub(crate) on_close: Callback<()>,
     /// What is in it.
-    pub(super) children: Html,
+    pub(crate) children: Html,
 }
 
 /// The frame of a dialog; open as long as it is there.
 #[component]
-pub(super) fn Frame(props: &FrameProps) -> Html {
+pub(crate) fn Frame(props: &FrameProps) -> Html {
     let FrameProps {
         title,
         narrow,

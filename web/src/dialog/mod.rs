@@ -18,6 +18,7 @@ use giveway_page::files::Choice;
 pub(crate) use agents::Agents;
 pub(crate) use examples::Examples;
 pub(crate) use find::FindRobot;
+pub(crate) use frame::Frame;
 pub(crate) use help::help;
 pub(crate) use new_scene::NewScene;
 pub(crate) use popover::use_dismiss;
@@ -53,6 +54,8 @@ pub(crate) enum Panel {
     Scenes,
     /// The link, to be copied.
     Share(yew::AttrValue),
+    /// Something of the course: a lesson, or what its address says.
+    Course(String),
     /// The keys.
     Help,
 }

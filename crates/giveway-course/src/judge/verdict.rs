@@ -155,6 +155,9 @@ pub enum Why {
     /// There is no conflict of these robots then.
     NoConflict(Mark),
 
+    /// What was said is not so, and what is so is not told.
+    Untold,
+
     /// An answer was picked that has its own reply.
     Reply(usize),
     /// The solver does not agree with what the lesson says of an answer.
@@ -235,6 +238,14 @@ impl Verdict {
     pub(super) fn with(mut self, evidence: Evidence) -> Self {
         self.evidence = evidence;
         self
+    }
+
+    /// Tells an answer that is not right nothing but that: where answers are hidden.
+    pub(crate) fn keep_quiet(&mut self) {
+        let is_answer = matches!(self.why, Why::Guessed { .. } | Why::Reply(_));
+        if is_answer && !self.is_solved() {
+            *self = Self::not_yet(Why::Untold);
+        }
     }
 
     /// Whether the task is done.

@@ -21,7 +21,21 @@ pub enum Action {
         /// The step.
         at: Option<usize>,
     },
-    /// To the next step; after the last one the lesson is done.
+    /// A lesson that is open goes on in the words of another language.
+    Reword {
+        /// Its short name.
+        id: Id,
+        /// The same lesson in those words.
+        lesson: Rc<Lesson>,
+    },
+    /// A lesson that is being written is tried, at a step from 0: it leaves no traces.
+    Try {
+        /// The lesson.
+        lesson: Rc<Lesson>,
+        /// The step.
+        at: usize,
+    },
+    /// To the next step; after the last one the lesson was read to its end.
     Next,
     /// To the step before.
     Back,

@@ -65,6 +65,16 @@ impl Open {
         })
     }
 
+    /// Whether it is tried by who writes it.
+    pub fn is_tried(&self) -> bool {
+        self.id == Id::tried()
+    }
+
+    /// Whether hints, replies and the answer are not shown.
+    pub fn hides_answers(&self) -> bool {
+        self.lesson.hides_answers
+    }
+
     /// The step that is shown, from 0.
     pub const fn index(&self) -> usize {
         self.at

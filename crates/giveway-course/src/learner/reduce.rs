@@ -5,6 +5,7 @@ use giveway_solve::Response;
 
 use super::{Action, AskNumber, Effect, Judge, Learner, Open, Progress, Stage, task};
 use crate::judge::Did;
+use crate::lesson::Id;
 use crate::port::{BoardNumber, FromPage, Happened, ToPage};
 
 /// What becomes of a learner, and what must be done outside, in this order.
@@ -20,7 +21,7 @@ impl Learner {
         match action {
             Action::Open { id, lesson, at } => {
                 let at = at.unwrap_or(match self.progress.stage(&id) {
-                    Stage::Begun(step) => step,
+                    Stage::Begun(step) | Stage::Seen { step, .. } => step,
                     Stage::New | Stage::Done => 0,
                 });
                 let at = at.min(lesson.steps.len().saturating_sub(1));
@@ -30,6 +31,15 @@ impl Learner {
                 let open = Open::at(id, lesson, at, self.board, scene);
                 self.enter(open, effects);
             }
+            Action::Reword { id, lesson } => {
+                if let Some(open) = self.open.as_mut().filter(|open| open.id == id) {
+                    open.lesson = lesson;
+                }
+            }
+            Action::Try { lesson, at } => {
+                let (id, at) = (Id::tried(), Some(at));
+                self.act(Action::Open { id, lesson, at }, effects);
+            }
             Action::Next => self.next(effects),
             Action::Back => {
                 let before = self.open.as_ref().and_then(|open| open.at.checked_sub(1));
@@ -38,6 +48,7 @@ impl Learner {
             Action::Go(step) => self.go(Some(step), None, effects),
             Action::Page(message) => self.heard(message, effects),
             Action::Guess(value) => self.did(Did::Guessed(value), effects),
+            Action::Reveal | Action::Hint if self.hides_answers() => {}
             Action::Reveal => self.did(Did::Revealed, effects),
             Action::Choose(answer) => self.did(Did::Chose(answer), effects),
             Action::Order(order) => self.did(Did::Ordered(order), effects),
@@ -71,12 +82,16 @@ impl Learner {
         }
     }
 
+    fn hides_answers(&self) -> bool {
+        self.open.as_ref().is_some_and(Open::hides_answers)
+    }
+
     fn next(&mut self, effects: &mut Vec<Effect>) {
         let Some(open) = &self.open else {
             return;
         };
         if open.is_last() {
-            self.progress.finished(&open.id);
+            self.progress.finished(&open.id, &open.lesson);
             effects.push(Effect::Keep(self.progress.clone()));
             return self.close(effects);
         }
@@ -118,9 +133,11 @@ impl Learner {
         if let Some(board) = open.as_board() {
             effects.push(Effect::Page(ToPage::Open(Box::new(board))));
         }
-        self.progress.opened(&open.id, open.at);
+        if !open.is_tried() {
+            self.progress.opened(&open.id, &open.lesson, open.at);
+            effects.push(Effect::Keep(self.progress.clone()));
+        }
         self.open = Some(open);
-        effects.push(Effect::Keep(self.progress.clone()));
     }
 
     fn afresh(&mut self, effects: &mut Vec<Effect>) {
@@ -169,6 +186,8 @@ impl Learner {
                 self.forget(effects);
                 self.open = None;
             }
+            // Only a tour is told of it.
+            Happened::Seen(_) => {}
         }
     }
 

@@ -74,10 +74,13 @@ impl Learner {
         }
     }
 
-    fn settle(&mut self, verdict: Box<Verdict>, effects: &mut Vec<Effect>) {
+    fn settle(&mut self, mut verdict: Box<Verdict>, effects: &mut Vec<Effect>) {
         let Some(open) = &mut self.open else {
             return;
         };
+        if open.lesson.hides_answers {
+            verdict.keep_quiet();
+        }
         // What was predicted is shown at once, right or not.
         if matches!(verdict.why, Why::Guessed { .. } | Why::Revealed(_))
             && verdict.evidence.plan.is_some()
@@ -90,6 +93,8 @@ impl Learner {
             if !verdict.seal.is_empty() {
                 effects.push(Effect::Page(ToPage::Seal(verdict.seal.clone())));
             }
+            self.progress.solved(&open.id, open.at);
+            effects.push(Effect::Keep(self.progress.clone()));
             effects.push(Effect::FocusNext);
         }
         open.judge = Judge::Said(verdict);

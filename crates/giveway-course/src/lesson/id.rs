@@ -36,6 +36,21 @@ impl fmt::Display for BadId {
 impl std::error::Error for BadId {}
 
 impl Id {
+    /// The name of a lesson that is no part of a course: by what is in it, so that the
+    /// same lesson is found again wherever it comes from.
+    pub(super) fn of_content(content: &str) -> Self {
+        // FNV-1a with 64 bits. Nothing is at stake but where one was in a lesson.
+        let mix = |hash: u64, byte: u8| (hash ^ u64::from(byte)).wrapping_mul(0x0100_0000_01b3);
+        let hash = content.bytes().fold(0xcbf2_9ce4_8422_2325, mix);
+        Self(format!("own-{hash:016x}"))
+    }
+
+    /// The name of a lesson that is tried while it is written. Nothing that is read can
+    /// have it, and no progress is kept under it.
+    pub(crate) fn tried() -> Self {
+        Self("~".to_owned())
+    }
+
     /// The name.
     pub fn as_str(&self) -> &str {
         &self.0

@@ -4,7 +4,8 @@
 //! - [`task`], [`condition`], [`quantity`]: what there is to do, and what decides it;
 //! - [`text`]: the little markup of a paragraph;
 //! - [`course`], [`glossary`]: the index of lessons, the terms of the field;
-//! - [`read`]: read with distrust, `write`: written for people.
+//! - [`read`]: read with distrust, `write`: written for people; [`link`]: as a part of an address;
+//! - [`translated`]: the same in the words of another language.
 
 pub mod board;
 pub mod condition;
@@ -12,15 +13,16 @@ pub mod course;
 pub mod glossary;
 mod id;
 mod layout;
-mod object;
+pub mod link;
 pub mod quantity;
 pub mod read;
 mod step;
 pub mod task;
 pub mod text;
+mod translate;
 mod write;
 
-use giveway_model::Version;
+use giveway_model::{Version, object_only};
 use serde::{Deserialize, Serialize};
 
 pub use board::{Layer, Tool};
@@ -33,9 +35,8 @@ pub use read::{read_course, read_glossary, read_lesson};
 pub use step::Step;
 pub use task::Task;
 pub use text::{Span, Target, Text};
+pub use translate::{Find, Worded, keys, translated};
 pub use write::{write_course, write_glossary, write_lesson};
-
-use object::object_only;
 
 /// A lesson: one idea, in a few steps.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
@@ -49,11 +50,20 @@ pub struct Lesson {
     pub minutes: u32,
     /// The idea in one sentence.
     pub about: Text,
+    /// Whether hints, replies and the answer are not shown to the learner, who may try
+    /// as often as they like.
+    #[serde(default, skip_serializing_if = "is_false")]
+    pub hides_answers: bool,
     /// The steps; there is at least one, and the first has a scene.
     pub steps: Vec<Step>,
 }
 
 object_only!(Lesson);
+
+#[expect(clippy::trivially_copy_pass_by_ref, reason = "as serde calls it")]
+const fn is_false(value: &bool) -> bool {
+    !*value
+}
 
 impl Lesson {
     /// The scene with which a step begins where nothing was done before: its own, or
@@ -61,6 +71,11 @@ impl Lesson {
     pub fn scene(&self, step: usize) -> Option<&giveway_model::Scene> {
         let steps = self.steps.get(..=step)?;
         steps.iter().rev().find_map(|step| step.scene.as_ref())
+    }
+
+    /// The short name of a lesson that is no part of a course.
+    pub fn own_id(&self) -> Id {
+        Id::of_content(&write::dense(self))
     }
 
     /// The JSON Schema (draft 2020-12) of lessons, courses and glossaries. It refers

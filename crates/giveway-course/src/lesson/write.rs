@@ -10,6 +10,11 @@ pub fn write_lesson(lesson: &Lesson) -> String {
     written(lesson)
 }
 
+/// A lesson as JSON without blanks.
+pub(super) fn dense(lesson: &Lesson) -> String {
+    without_defaults(&serde_json::to_string(lesson).unwrap_or_default())
+}
+
 /// Writes the index of a course. Ends with a line break.
 pub fn write_course(course: &Course) -> String {
     written(course)

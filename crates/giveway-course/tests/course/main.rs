@@ -6,6 +6,7 @@
     reason = "a test stops at the first surprise"
 )]
 
+mod author;
 mod claims;
 mod docs;
 mod files;
@@ -17,5 +18,7 @@ mod schema;
 mod shipped;
 mod tasks;
 mod terms;
+mod tour;
+mod translate;
 mod unknown;
 mod words;

@@ -6,6 +6,16 @@ use giveway_model::tr;
 use super::{Kind, Opened, Reading, read_here, scenario, text};
 use crate::{Notice, State, intake};
 
+/// The text of a file that is a lesson by a look at it. The course reads it.
+fn lesson(files: &[Opened]) -> Option<&str> {
+    let [file] = files else {
+        return None;
+    };
+    let text = text(file).ok()?;
+    let keys = ["\"giveway\"", "\"title\"", "\"steps\""];
+    keys.iter().all(|key| text.contains(key)).then_some(text)
+}
+
 /// Reads files that the page reads by itself; a scenario that lacks its map takes that
 /// of the board, where it fits. `None` where the files are for the reader.
 ///
@@ -17,8 +27,13 @@ use crate::{Notice, State, intake};
 /// let scenario = file("hall.scen", "version 1\n0 hall.map 8 8 0 0 7 7 14\n");
 /// assert!(matches!(read_beside(&state, &[scenario]), Some(Ok(Reading::Scenario(_)))));
 /// assert_eq!(read_beside(&state, &[file("a.json", "{}")]), None);
+/// let lesson = file("a.json", r#"{ "giveway": 1, "title": "T", "steps": [] }"#);
+/// assert!(matches!(read_beside(&state, &[lesson]), Some(Ok(Reading::Lesson(_)))));
 /// ```
 pub fn read_beside(state: &State, files: &[Opened]) -> Option<Result<Reading, Notice>> {
+    if let Some(lesson) = lesson(files) {
+        return Some(Ok(Reading::Lesson(lesson.to_owned())));
+    }
     if intake::is_for_reader(state, files) {
         return None;
     }

@@ -45,6 +45,8 @@ pub enum Reading {
     Linked(Box<Linked>),
     /// A map and a scenario: a person chooses how many of its agents.
     Scenario(Box<Choice>),
+    /// A lesson, for the course: its text, or the part of a link that holds it.
+    Lesson(String),
     /// A scene with a plan that breaks a rule: the reader brings it into an audit.
     Illegal(Vec<Opened>),
 }
@@ -163,6 +165,9 @@ pub fn pasted(state: &State, text: &str) -> Result<Pasted, Notice> {
     if let Some(link) = link.filter(|link| link.starts_with("giveway=")) {
         let linked = link::read(link, link::From::Anywhere)?;
         return Ok(Pasted::Read(Reading::Linked(Box::new(linked))));
+    }
+    if let Some(lesson) = link.and_then(|link| link.strip_prefix("lesson=")) {
+        return Ok(Pasted::Read(Reading::Lesson(lesson.to_owned())));
     }
     let files = [Opened {
         name: PASTED.text().to_owned(),

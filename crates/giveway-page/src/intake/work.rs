@@ -104,7 +104,7 @@ fn own(read: Read) -> Reply {
         Ok(Reading::Linked(linked)) => run(&linked).unwrap_or(Reply::Own),
         // A plan that breaks a rule is audited.
         Ok(Reading::Illegal(files)) => reply(gathered(&files, &Options::default()), &files),
-        Ok(Reading::Scenario(_)) => Reply::Own,
+        Ok(Reading::Scenario(_) | Reading::Lesson(_)) => Reply::Own,
         Err(Notice { sentence, details }) => Reply::Refused(sentence, details),
     }
 }

@@ -82,6 +82,11 @@ impl Faults {
         }
     }
 
+    /// All of them.
+    pub(super) fn all(self) -> Vec<Fault> {
+        self.0
+    }
+
     /// What was read, where nothing is wrong with it.
     pub(super) fn or<T>(self, value: T, text: &str) -> Result<T, Vec<Fault>> {
         if self.0.is_empty() {

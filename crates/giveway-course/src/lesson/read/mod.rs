@@ -39,6 +39,13 @@ pub fn read_lesson(text: &str, glossary: &Glossary) -> Result<Lesson, Vec<Fault>
     faults.or(lesson, text)
 }
 
+/// What is wrong with a lesson that no text holds yet, each with its place.
+pub(crate) fn check_lesson(lesson: &Lesson, glossary: &Glossary) -> Vec<Fault> {
+    let mut faults = Faults::default();
+    check::lesson(lesson, glossary, &mut faults);
+    faults.all()
+}
+
 /// Reads the index of a course.
 ///
 /// # Errors

@@ -1,0 +1,172 @@
+// A lesson of one's own: written in the page, tried, shared as a link and as a file, opened.
+
+import assert from "node:assert/strict";
+import { readFileSync } from "node:fs";
+import { describe } from "node:test";
+
+import { audit } from "./audit.mjs";
+import { Author } from "./author.mjs";
+import { Course } from "./course.mjs";
+import { BOTH, flows } from "./flow.mjs";
+import { eventually } from "./wait.mjs";
+
+const MINE = { permissions: ["clipboard-read", "clipboard-write"] };
+
+/** Two robots that meet in a corridor with a way around. */
+const SCENE = {
+  giveway: 1,
+  name: "two ways",
+  map: ["...", ".#.", "..."],
+  agents: [{ name: "A1", start: [0, 0], goal: [2, 0] }, { name: "A2", start: [2, 2], goal: [0, 2] }],
+};
+
+const file = (name, value) => ({ name, bytes: typeof value === "string" ? value : JSON.stringify(value) });
+
+/** Drops a file onto the page. */
+function drop(page, { name, bytes }) {
+  return page.evaluate(([name, text]) => {
+    const data = new DataTransfer();
+    data.items.add(new File([text], name));
+    for (const kind of ["dragover", "drop"]) {
+      document.body.dispatchEvent(new DragEvent(kind, { dataTransfer: data, bubbles: true, cancelable: true }));
+    }
+  }, [name, bytes]);
+}
+
+/** Writes a lesson of two steps on the scene that is on the page. */
+async function write(author, playground) {
+  await author.fill("Title", "A ring");
+  await author.fill("What it is about, in one sentence", "Two robots go around.");
+  await author.fill("Title of the step", "Look");
+  await author.fill("Text", "[A1](robot:A1) goes along the top.\n\nThere is a *second* way.");
+  await author.press("Take the board as it is now");
+  await author.says(/^The board is taken\./);
+  await author.preview.getByText("second").waitFor();
+  await playground.picture("author-first");
+  await author.press("Add a step");
+  await author.fill("Title of the step", "Shut it");
+  await author.fill("Text", "Now it is your turn.");
+  await author.choose("What there is to do", "Edit the scene");
+  await author.fill("What it asks", "Leave no plan with one obstacle.");
+  await author.choose("Done when", "no plan exists");
+  await author.press("Obstacle");
+  await author.fill("The most edits", "one");
+  await author.tells(/Found "one", expected a whole number\./);
+  await author.fill("The most edits", "1");
+  await author.fill("First hint", "Think of a flag.");
+  await author.fill("Said once it is solved: why it is so", "Nobody stands on an obstacle.");
+  await author.says(/^Ready to share\./);
+  assert.equal(await author.steps.getByRole("listitem").count(), 2);
+  await playground.picture("author");
+}
+
+/** Solves the second step: the ring becomes a corridor, in which A2 stands in the way of A1. */
+async function solve(playground, course) {
+  await course.at("Shut it");
+  await playground.showTab("Tools").catch(() => undefined);
+  await playground.pick("Obstacle");
+  await playground.stroke([1, 0]);
+  await course.solved();
+}
+
+describe("a lesson of one's own", () => {
+  const flow = flows();
+
+  flow("is written from nothing, tried, shared by a link, opened and solved elsewhere", async (playground, { page, host }) => {
+    const course = new Course(playground);
+    const author = new Author(playground);
+    await playground.open(file("ways.json", SCENE));
+    await playground.shows("two ways");
+    await author.open(course);
+    await author.press("Try it");
+    await author.says(/Something is still missing/);
+    await author.tells(/Write something here\./);
+    await write(author, playground);
+    await audit(playground, "the editor");
+
+    // Tried, and back with nothing lost.
+    await author.press("Try it");
+    await course.at("Shut it");
+    await course.lesson.getByRole("button", { name: "Hint" }).click();
+    await course.lesson.getByText("Think of a flag.").waitFor();
+    await course.lesson.getByRole("button", { name: "Go on writing" }).click();
+    await author.desk.waitFor();
+    assert.equal(await author.field("Title of the step").inputValue(), "Shut it");
+
+    await author.press("Copy link");
+    const link = await author.copied();
+    assert.match(link, /#lesson=~[\w-]+$/);
+    assert.ok(link.length < 2000, `${link.length} characters`);
+    await page.keyboard.press("Escape");
+    await author.desk.waitFor({ state: "detached" });
+    await playground.shows("two ways");
+
+    // Kept by the browser.
+    await playground.reload();
+    await author.open(course);
+    assert.equal(await author.field("Title").inputValue(), "A ring");
+    await page.keyboard.press("Escape");
+
+    // Somebody else follows it.
+    await page.evaluate(() => localStorage.clear());
+    await page.goto("about:blank");
+    await playground.goto(link);
+    await course.at("Look");
+    await page.waitForURL(host.url);
+    await course.next.click();
+    await solve(playground, course);
+    await playground.picture("author-solved");
+    await page.goto("about:blank");
+    await playground.goto(`${link}.2`);
+    await course.at("Shut it");
+  }, { screens: BOTH, ...MINE });
+
+  flow("is saved as a file that opens when it is dropped, and goes on being written", async (playground, { page }) => {
+    const course = new Course(playground);
+    const author = new Author(playground);
+    await playground.open(file("ways.json", SCENE));
+    await playground.shows("two ways");
+    // From the menu of what is shared, too.
+    await playground.act("Share");
+    await playground.press("Make a lesson");
+    await author.desk.waitFor();
+    await write(author, playground);
+    const saving = page.waitForEvent("download");
+    await author.press("Save as a file");
+    const saved = await saving;
+    assert.equal(saved.suggestedFilename(), "a-ring.json");
+    const text = readFileSync(await saved.path(), "utf8");
+    assert.equal(JSON.parse(text).steps.length, 2);
+
+    // A step is removed, and comes back.
+    await author.press("Remove the step");
+    assert.equal(await author.steps.getByRole("listitem").count(), 1);
+    await author.press("Undo");
+    assert.equal(await author.steps.getByRole("listitem").count(), 2);
+    // Moved by keys.
+    await author.steps.getByRole("button", { name: /Shut it/ }).focus();
+    await page.keyboard.press("Alt+ArrowUp");
+    await eventually("the step to be the first", () => author.steps.getByRole("listitem").first().innerText(), (text) => text.includes("Shut it"));
+    await page.keyboard.press("Escape");
+
+    await drop(page, file("a-ring.json", text));
+    await course.at("Look");
+    await course.lesson.getByRole("button", { name: "Leave the lesson" }).click();
+    await playground.shows("two ways");
+  }, MINE);
+
+  flow("that is faulty tells its fault, and the page stays as it is", async (playground, { page }) => {
+    const author = new Author(playground);
+    await playground.open(file("ways.json", SCENE));
+    await playground.shows("two ways");
+    const lesson = { giveway: 1, title: "T", minutes: 4, about: "A sentence.", steps: [{ title: "One", text: ["See [A9](robot:A9)."], scene: SCENE }] };
+    await drop(page, file("faulty.json", lesson));
+    await author.refused.getByText(/steps\[0\]\.text\[0\]: found a link to the robot "A9", expected a robot of the scene/).waitFor();
+    await page.keyboard.press("Escape");
+    await author.refused.waitFor({ state: "detached" });
+    await page.evaluate(() => { location.hash = "lesson=~cut-off"; });
+    await author.refused.getByText(/found a link that was cut or changed/).waitFor();
+    await page.keyboard.press("Escape");
+    await playground.shows("two ways");
+  });
+});

@@ -1,0 +1,296 @@
+//! A lesson of one's own: the editor in which it is written, and what is done with a
+//! lesson that comes as a file or in a link.
+//!
+//! What is written, and what is wrong with it, is decided in `giveway_course::author`;
+//! here it becomes a dialog, and a text that the browser keeps.
+
+mod arrive;
+mod desk;
+mod fields;
+mod preview;
+mod share;
+mod steps;
+mod top;
+
+use std::rc::Rc;
+
+use giveway_course::author::{Action, Draft, Looked, Whose, reduce};
+use giveway_course::learner;
+use giveway_course::lesson::{Glossary, Picture};
+use giveway_course::port::{Happened, ToPage};
+use giveway_model::{Fault, tr};
+use gloo::events::EventListener;
+use wasm_bindgen::JsCast as _;
+use web_sys::StorageEvent;
+use yew::prelude::*;
+
+use super::tutor::{Msg, Tutor};
+use crate::board::Film;
+use crate::keep;
+
+use desk::Desk;
+use share::Refused;
+
+pub(super) use arrive::is_own;
+
+/// Under which name the draft is kept.
+const KEPT: &str = "lesson-draft";
+/// The same, as other tabs are told of it.
+const KEY: &str = "giveway.lesson-draft";
+
+/// What is done in the editor.
+#[derive(Clone)]
+pub(in crate::course) enum AuthorMsg {
+    /// It is opened, with what was kept.
+    Open,
+    /// It is closed; what is written stays.
+    Close,
+    /// Something happens to the draft.
+    Act(Action),
+    /// The board on the page is asked for.
+    Take,
+    /// The page tells what is on its board.
+    Heard(Happened),
+    /// The board of the step goes onto the page, to be changed there.
+    ToPage,
+    /// The step is tried as the learner has it.
+    Try,
+    /// The lesson is saved as a file.
+    Save,
+    /// The lesson is copied as a link.
+    Copy,
+    /// Something was done, or not: a sentence.
+    Told(String),
+    /// Another tab has kept a draft.
+    Elsewhere,
+    /// The draft of the other tab is taken.
+    TakeElsewhere,
+    /// A file was chosen, with this text.
+    File(String),
+    /// What is wrong with a lesson that came was read.
+    Dismiss,
+}
+
+/// The editor.
+pub(in crate::course) struct Author {
+    pub(super) draft: Rc<Draft>,
+    pub(super) looked: Option<Rc<Looked>>,
+    /// The board of the step that is shown.
+    pub(super) film: Option<Rc<Film>>,
+    is_open: bool,
+    /// Whether what is missing is told, too: after somebody wanted to go on.
+    pub(super) is_strict: bool,
+    /// What was done last, as a sentence.
+    pub(super) told: String,
+    /// Whether another tab has kept a draft since.
+    pub(super) is_elsewhere: bool,
+    /// Whether the browser does not keep the draft.
+    pub(super) is_unkept: bool,
+    /// What is wrong with a lesson that came as a file or in a link.
+    refused: Option<Rc<[Fault]>>,
+    /// A lesson that came before the glossary was there.
+    arriving: Option<String>,
+    _listening: EventListener,
+}
+
+impl Author {
+    /// The editor, closed.
+    pub(in crate::course) fn new(send: Callback<AuthorMsg>) -> Self {
+        let window = gloo::utils::window();
+        // Only other tabs are told what one has kept.
+        let listening = EventListener::new(&window, "storage", move |event| {
+            let key = event.dyn_ref::<StorageEvent>().and_then(StorageEvent::key);
+            if key.as_deref() == Some(KEY) {
+                send.emit(AuthorMsg::Elsewhere);
+            }
+        });
+        Self {
+            draft: Rc::default(),
+            looked: None,
+            film: None,
+            is_open: false,
+            is_strict: false,
+            told: String::new(),
+            is_elsewhere: false,
+            is_unkept: false,
+            refused: None,
+            arriving: None,
+            _listening: listening,
+        }
+    }
+
+    fn open(&mut self, glossary: &Glossary) {
+        self.is_open = true;
+        self.is_strict = false;
+        self.is_elsewhere = false;
+        self.told.clear();
+        if let Some(kept) = kept() {
+            self.act(Action::Kept(Box::new(kept)), glossary);
+        } else {
+            self.look(glossary);
+        }
+    }
+
+    /// Something happens to the draft, which is kept at once.
+    fn act(&mut self, action: Action, glossary: &Glossary) {
+        let is_kept = matches!(&action, Action::Kept(_) | Action::Go(_));
+        let same_board = matches!(&action, Action::Write { whose, field, .. }
+            if *whose == Whose::Lesson || (field != "time" && field != "plan"));
+        self.told.clear();
+        self.draft = Rc::new(reduce((*self.draft).clone(), action));
+        if same_board {
+            self.looked = Some(Rc::new(self.draft.look(glossary)));
+        } else {
+            self.look(glossary);
+        }
+        if !is_kept {
+            self.is_unkept = keep::store(KEPT, &self.draft.write()).is_err();
+        }
+    }
+
+    fn look(&mut self, glossary: &Glossary) {
+        let looked = self.draft.look(glossary);
+        let at = self.draft.at();
+        let step = looked.step(at);
+        self.film = self.draft.scene(at).and_then(|scene| {
+            Film::of(&Picture {
+                scene: scene.clone(),
+                plan: step.and_then(|step| step.plan.clone()),
+                time: step.map_or(0, |step| step.time),
+            })
+        });
+        self.looked = Some(Rc::new(looked));
+    }
+
+    /// A lesson that is whole; else what is missing is told from now on.
+    fn whole(&mut self) -> Option<giveway_course::lesson::Lesson> {
+        let whole = self.looked.as_ref()?.whole().ok().cloned();
+        if whole.is_none() {
+            self.is_strict = true;
+            tr!("Something is still missing, or not as it must be.").clone_into(&mut self.told);
+        }
+        whole
+    }
+}
+
+fn kept() -> Option<Draft> {
+    // What was kept may be of another version, or not ours.
+    keep::load(KEPT).and_then(|text| Draft::read(&text).ok())
+}
+
+impl Tutor {
+    /// Something is done in the editor.
+    pub(super) fn author(&mut self, ctx: &Context<Self>, msg: AuthorMsg) {
+        let Some(shelf) = self.shelf.clone() else {
+            return;
+        };
+        let glossary = &shelf.glossary;
+        let author = &mut self.author;
+        let tell = ctx
+            .link()
+            .callback(|told: String| Msg::Author(AuthorMsg::Told(told)));
+        match msg {
+            AuthorMsg::Open => {
+                self.close_contents();
+                self.author.open(glossary);
+            }
+            AuthorMsg::Close => author.is_open = false,
+            AuthorMsg::Act(action) => author.act(action, glossary),
+            AuthorMsg::Take => self.say(&ToPage::Take),
+            AuthorMsg::Heard(happened) => {
+                let action = match happened {
+                    Happened::Board(scene) => Action::TakeScene(scene),
+                    Happened::Led(plan) => Action::TakePlan(plan),
+                    Happened::Time(time) => Action::TakeTime(time),
+                    Happened::Picked(_)
+                    | Happened::Changed(_)
+                    | Happened::Seen(_)
+                    | Happened::Closed => return,
+                };
+                author.act(action, glossary);
+                tr!("The board is taken.").clone_into(&mut author.told);
+            }
+            AuthorMsg::ToPage => {
+                if share::show_on_page(&author.draft) {
+                    author.is_open = false;
+                }
+            }
+            AuthorMsg::Try => {
+                let at = author.draft.at();
+                let to_try = author.looked.as_ref().and_then(|looked| looked.to_try(at));
+                let Some((lesson, at)) = to_try else {
+                    drop(author.whole());
+                    return;
+                };
+                author.is_open = false;
+                let lesson = Rc::new(lesson);
+                self.warm();
+                self.act(ctx, learner::Action::Try { lesson, at });
+            }
+            AuthorMsg::Save => {
+                if let Some(lesson) = author.whole() {
+                    author.told = share::save(&lesson);
+                }
+            }
+            AuthorMsg::Copy => {
+                if let Some(lesson) = author.whole() {
+                    share::copy(&lesson, tell);
+                }
+            }
+            AuthorMsg::Told(told) => author.told = told,
+            AuthorMsg::Elsewhere => author.is_elsewhere = author.is_open,
+            AuthorMsg::TakeElsewhere => author.open(glossary),
+            AuthorMsg::File(text) => match arrive::from_file(&text, glossary) {
+                Ok(lesson) => author.act(Action::Open(Box::new(lesson)), glossary),
+                Err(faults) => author.refused = Some(faults.into()),
+            },
+            AuthorMsg::Dismiss => author.refused = None,
+        }
+    }
+
+    /// What lies over the page: the editor, or what is wrong with a lesson that came.
+    pub(super) fn author_view(&self, send: &Callback<Msg>) -> Html {
+        let author = &self.author;
+        let write = send.reform(Msg::Author);
+        html! {
+            <>
+                if let (true, Some(shelf), Some(looked)) = (author.is_open, &self.shelf, &author.looked) {
+                    <Desk draft={Rc::clone(&author.draft)} looked={Rc::clone(looked)} film={author.film.clone()}
+                        shelf={Rc::clone(shelf)} notes={author.notes()} send={send.clone()} />
+                }
+                if let Some(faults) = &author.refused {
+                    <Refused faults={Rc::clone(faults)} send={write} />
+                }
+            </>
+        }
+    }
+}
+
+/// What is told beside the draft.
+#[derive(Clone, Debug, PartialEq)]
+pub(super) struct Notes {
+    /// Whether what is missing is told, too.
+    is_strict: bool,
+    /// What was done last, as a sentence.
+    told: String,
+    /// Whether another tab has kept a draft since.
+    is_elsewhere: bool,
+    /// Whether the browser does not keep the draft.
+    is_unkept: bool,
+}
+
+impl Author {
+    fn notes(&self) -> Notes {
+        Notes {
+            is_strict: self.is_strict,
+            told: self.told.clone(),
+            is_elsewhere: self.is_elsewhere,
+            is_unkept: self.is_unkept,
+        }
+    }
+
+    /// The lesson that was tried was left.
+    pub(in crate::course) fn back(&mut self) {
+        self.is_open = true;
+    }
+}
