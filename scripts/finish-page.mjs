@@ -1,9 +1,9 @@
 // Trunk's last step (Trunk.toml): makes of what it has built a folder for any static host.
 //
-// 1. The programs of the workers and of the course, and these, get the hashes of what they hold into their
+// 1. The programs of the workers and of the course, and the scripts, get the hashes of what they hold into their
 //    paths, as Trunk gives all other files: so no cache can mix two versions.
-// 2. The style sheets become one, in their order, and those of the course another: fewer requests and bytes before
-//    the first paint.
+// 2. The style sheets become one, in their order, those of the course another, and that of presenting a third: fewer
+//    requests and bytes before the first paint.
 // 3. The page's bindings lose their comments and indentation, and the page is told how
 //    large its Wasm is.
 // 4. The policy loses the nonce, which only `trunk serve` needs.
@@ -29,12 +29,17 @@ const PROGRAMS = [
   ["reader-worker.js", "reader.js", "reader_bg.wasm"],
   ["course-start.js", "course.js", "course_bg.wasm"],
 ];
+/** The script of what is fetched by itself. */
+const SCRIPTS = ["present.js"];
 /** What is fetched when a file asks for it, and not kept beforehand. */
 const ON_DEMAND = /^static\/(maps|languages)\//;
 /** What only translators read in a catalogue. */
 const REMARKS = /^(#.*)?\n/gm;
-/** The style sheets that nobody needs before the course is opened. */
-const OF_COURSE = /^(course|lesson|author)-[0-9a-f]+\.css$/;
+/** The style sheets that come later: those of the course when it is opened, that of presenting when that begins. */
+const LATER = [
+  ["course-style", /^(author|course|lesson|print|tour)-[0-9a-f]+\.css$/],
+  ["present-style", /^present-[0-9a-f]+\.css$/],
+];
 const STYLES = /<link rel="stylesheet" href="\.\/([^"]+)"[^>]*>\s*/g;
 
 const source = process.env.TRUNK_SOURCE_DIR;
@@ -86,6 +91,7 @@ function finishPage() {
       [`content="./${script}">`, `content="./${scriptAt}">`],
     ];
   });
+  programs.push(...SCRIPTS.map((script) => [`content="./${script}">`, `content="./${rename(script)}">`]));
   for (const name of readdirSync(built).filter((name) => /^app-.*\.js$/.test(name))) {
     writeFileSync(join(built, name), plain(read(name).toString()));
   }
@@ -116,16 +122,16 @@ function plain(script) {
   return script.replaceAll(/^\s*\/\*\*.*?\*\/\n/gms, "").replaceAll(/^\s*\/\/.*\n/gm, "").replaceAll(/^\s+/gm, "");
 }
 
-/** The page with one style sheet in the place of the first, without comments and indentation. */
-/** The page's style sheets become one, and those of the course another, which comes when it is opened. */
+/** The page's style sheets become one, in the place of the first; those that come later are named in its head. */
 function joinStyles(text) {
   const names = [...text.matchAll(STYLES)].map(([, name]) => name);
-  const style = joined("style", names.filter((name) => !OF_COURSE.test(name)));
-  const course = joined("course-style", names.filter((name) => OF_COURSE.test(name)));
+  const isLater = (name) => LATER.some(([, pattern]) => pattern.test(name));
+  const style = joined("style", names.filter((name) => !isLater(name)));
+  const later = LATER.map(([stem, pattern]) => [stem, joined(stem, names.filter((name) => pattern.test(name)))]);
   let isFirst = true;
   return text.replaceAll(STYLES, () => {
-    const meta = `<meta name="giveway-course-style" content="./${course}">`;
-    const links = isFirst ? `<link rel="stylesheet" href="./${style}">\n  ${meta}\n  ` : "";
+    const metas = later.map(([stem, name]) => `<meta name="giveway-${stem}" content="./${name}">\n  `).join("");
+    const links = isFirst ? `<link rel="stylesheet" href="./${style}">\n  ${metas}` : "";
     isFirst = false;
     return links;
   });
@@ -145,7 +151,7 @@ function joined(stem, names) {
 
 function shortenLanguages() {
   const folder = join(built, "static/languages");
-  for (const name of readdirSync(folder).filter((name) => name.endsWith(".po"))) {
+  for (const name of readdirSync(folder, { recursive: true }).filter((name) => name.endsWith(".po"))) {
     const path = join(folder, name);
     writeFileSync(path, readFileSync(path, "utf8").replaceAll(REMARKS, ""));
   }

@@ -18,6 +18,14 @@ test_packaging() {
     CARGO_TARGET_DIR=target/packed cargo package --locked --allow-dirty "${published[@]/#/--package=}"
 }
 
+# The package for Python as pip gets it where there is no wheel: packed, installed into a new
+# environment, and asked for a plan.
+test_python_sources() {
+    if [[ -z $python ]]; then return; fi
+    step "Packing the sources of the package for Python, and installing them (some minutes)"
+    node scripts/release/wheel.mjs sdist
+}
+
 # Licences, sources and known faults of all that is depended on, in Rust and for tools.
 audit_dependencies() {
     lock_cache

@@ -7,11 +7,11 @@ import { appendFileSync, existsSync, mkdtempSync, readdirSync, rmSync, writeFile
 import { tmpdir } from "node:os";
 import { join } from "node:path";
 
-import { notes, releaseFiles, root, settings } from "./settings.mjs";
+import { notes, releaseFiles, releaseWheels, root, settings } from "./settings.mjs";
 import { CRATES } from "./stamp.mjs";
 
 const { version, address } = settings();
-const PARTS = { tag, page, files, npm, crates };
+const PARTS = { tag, page, files, npm, crates, pypi };
 
 const [part] = process.argv.slice(2);
 if (!Object.hasOwn(PARTS, part ?? "")) {
@@ -87,6 +87,33 @@ function npm() {
     });
   } finally {
     rmSync(config, { recursive: true });
+  }
+}
+
+/** The package for Python: wheels, and the sources for other systems. */
+function pypi() {
+  if (!process.env.PYPI_TOKEN) {
+    console.log("The package for Python is not published: the secret PYPI_TOKEN is not set.");
+    return;
+  }
+  const names = existsSync(releaseWheels) ? readdirSync(releaseWheels) : [];
+  const paths = names.sort().map((name) => join(releaseWheels, name));
+  if (paths.length === 0) {
+    fail(`there is nothing in ${releaseWheels}`);
+  }
+  const folder = mkdtempSync(join(tmpdir(), "giveway-pypi-"));
+  try {
+    const run = (command, ...args) => execFileSync(command, args, {
+      stdio: ["ignore", "inherit", "inherit"],
+      // The environment alone has the secret; no command line shows it.
+      env: { ...process.env, TWINE_USERNAME: "__token__", TWINE_PASSWORD: process.env.PYPI_TOKEN },
+    });
+    run("python3", "-m", "venv", folder);
+    const python = join(folder, "bin/python");
+    run(python, "-m", "pip", "install", "--quiet", "twine==6.2.0");
+    run(python, "-m", "twine", "upload", "--non-interactive", "--skip-existing", ...paths);
+  } finally {
+    rmSync(folder, { recursive: true });
   }
 }
 

@@ -14,6 +14,9 @@ export const built = process.env.CARGO_TARGET_DIR ?? join(root, "target");
 /** The files of a release, with their sums. */
 export const releaseFiles = join(built, "release-files");
 
+/** The package for Python, as wheels and as sources. */
+export const releaseWheels = join(built, "release-wheels");
+
 /** `{ version, address }` of the workspace in a folder. */
 export function settings(folder = root) {
   const manifest = readFileSync(join(folder, "Cargo.toml"), "utf8");

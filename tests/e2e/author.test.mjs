@@ -169,6 +169,7 @@ describe("a lesson of one's own", () => {
     await author.says(/^The board is taken\./);
     assert.equal(await author.field("Plan").inputValue(), "given");
     await author.choose("What there is to do", "Find the conflicts");
+    await author.fill("What it asks", "Find all.");
     await author.tells(/Found a plan that breaks no rule, expected one with conflicts\./);
     await page.keyboard.press("Escape");
 

@@ -27,15 +27,25 @@ export function launch(flags = []) {
 /**
  * A page in a browser context of its own: nothing is kept from one test to the next.
  * @param browser what `launch` gave
- * @param options `width`, `height`, `theme` ("light" or "dark"), and what a context takes
+ * @param options `width`, `height`, `theme` ("light" or "dark"), `welcome` for a person who was never here, and what
+ *   a context takes
  * @param heard where complaints go
  */
-export async function open(browser, { width = 1440, height = 900, theme = "light", ...options } = {}, heard = []) {
+export async function open(browser, { width = 1440, height = 900, theme = "light", welcome = false, ...options } = {}, heard = []) {
   const context = await browser.newContext({
     viewport: { width, height },
     colorScheme: theme,
     ...options,
   });
+  if (!welcome) {
+    await context.addInitScript(() => {
+      try {
+        localStorage.setItem("giveway.welcome", "seen");
+      } catch {
+        // Where nothing can be kept it is there.
+      }
+    });
+  }
   const page = await context.newPage();
   return { context, page, complaints: complaintsOf(page, heard) };
 }

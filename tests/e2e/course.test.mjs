@@ -41,6 +41,11 @@ describe("the course", () => {
     await course.at("Two in one cell");
     await course.lesson.getByRole("button", { name: "Course" }).click();
     await course.contents.getByRole("button", { name: "Forget my progress" }).click();
+    // It asks first; the same button keeps it.
+    await course.contents.getByRole("button", { name: "Keep it" }).click();
+    await course.contents.getByText("Step 2 of 4").waitFor();
+    await course.contents.getByRole("button", { name: "Forget my progress" }).click();
+    await course.contents.getByRole("button", { name: "Forget it" }).click();
     await course.contents.getByRole("button", { name: "Start: Two robots, one cell" }).waitFor();
     await page.keyboard.press("Escape");
     await course.contents.waitFor({ state: "detached" });

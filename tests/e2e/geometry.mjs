@@ -6,7 +6,7 @@
 /** The places that hold all there is; what is in one stays within it. */
 const PLACES = ".bar, .status, .boards, .under, .tools, .insp, .dock, .transport, .tabs, .lanes, .tblwrap, .cmp, .foot";
 /** What floats over the page, and hides what is below it on purpose. */
-const FLOATS = "dialog, .menu, .settings, .notice, .fit, .drop";
+const FLOATS = "dialog, .menu, .settings, .notice, .fit, .drop, .coach, .coach-ring";
 /** What scrolls sideways by design. */
 const SIDEWAYS = ".lanes, .tblwrap, .cols, .tools";
 /** Smaller by design: the time of the ruler is also set by the buttons of the transport, and

@@ -51,9 +51,10 @@ test("a tag that is not that of the version is refused", () => {
 });
 
 test("what has no secret or address says so and is not published", () => {
-  ["cargo", "npm"].forEach((name) => stand(name));
+  ["cargo", "npm", "python3"].forEach((name) => stand(name));
   assert.match(publish("crates").told, /^The crates are not published: the secret CARGO_REGISTRY_TOKEN is not set\.$/m);
   assert.match(publish("npm").told, /^The package is not published: the secret NPM_TOKEN is not set\.$/m);
+  assert.match(publish("pypi").told, /^The package for Python is not published: the secret PYPI_TOKEN is not set\.$/m);
   const outputs = join(folder, "outputs");
   const { told } = publish("page", { GITHUB_OUTPUT: outputs });
   assert.match(told, address ? /^$/ : /^The page is not deployed: no address is set/);
@@ -117,6 +118,51 @@ test("a binary is packed with its licences, and its sum is right", () => {
     "cargo build --locked --release --package giveway-cli --target some-linux-target",
   ]);
   assert.ok(!run("binary.mjs", []).isFine);
+});
+
+/** A Python that makes environments of itself, whose maturin and pip only write down what they are asked. */
+function standPython(made) {
+  stand("rustup");
+  stand("rustc", "echo 'host: x86_64-unknown-linux-gnu'");
+  stand("python3", `case "$2" in
+    venv) mkdir -p "$3/bin"; cp "$0" "$3/bin/python" ;;
+    maturin) for last; do [ "$before" = --out ] && mkdir -p "$last" && touch ${made.map((name) => `"$last/${name}"`).join(" ")}; before=$last; done ;;
+    twine) echo "$TWINE_USERNAME" >> "${log}" ;;
+  esac; exit 0`);
+}
+
+test("a wheel is one for all versions of Python, and is tried where it can run", () => {
+  const wheel = `giveway-${version}-cp310-abi3-manylinux2014_x86_64.whl`;
+  standPython([wheel]);
+  const { isFine, told } = run("wheel.mjs", ["x86_64-unknown-linux-gnu"]);
+  assert.ok(isFine, told);
+  assert.deepEqual(readdirSync(join(target, "release-wheels")), [wheel]);
+  const all = asked().join("\n");
+  assert.match(all, /maturin build --release --locked --target x86_64-unknown-linux-gnu --out \S+ --zig --compatibility manylinux2014/);
+  assert.match(all, /pip install .*\.whl\npython3 -c import giveway/, "it is installed into a new environment");
+  writeFileSync(log, "");
+  assert.ok(run("wheel.mjs", ["aarch64-apple-darwin"]).isFine);
+  assert.doesNotMatch(asked().join("\n"), /import giveway|zig/, "it cannot run here");
+  standPython([`giveway-${version}-cp313-cp313-manylinux2014_x86_64.whl`]);
+  assert.match(run("wheel.mjs", ["x86_64-unknown-linux-gnu"]).told, /maturin made giveway-\S*cp313/);
+  standPython([`giveway-${version}.tar.gz`]);
+  assert.ok(run("wheel.mjs", ["sdist"]).isFine);
+  assert.match(asked().join("\n"), /maturin sdist --out \S+\n[^]*pip install .*\.tar\.gz\npython3 -c import giveway/);
+  assert.ok(!run("wheel.mjs", []).isFine);
+});
+
+test("the package for Python is published with a secret that no command line shows", () => {
+  standPython([]);
+  const env = { PYPI_TOKEN: "a-secret" };
+  assert.match(publish("pypi", env).told, /there is nothing in/);
+  mkdirSync(join(target, "release-wheels"), { recursive: true });
+  const wheel = join(target, "release-wheels/a.whl");
+  writeFileSync(wheel, "");
+  const { isFine, told } = publish("pypi", env);
+  assert.ok(isFine, told);
+  assert.equal(asked().at(-2), `python3 -m twine upload --non-interactive --skip-existing ${wheel}`);
+  assert.equal(asked().at(-1), "__token__");
+  assert.doesNotMatch(asked().join() + told, /a-secret/);
 });
 
 test("the files go to a new release, or to the one that is there", () => {

@@ -16,7 +16,7 @@ const ALLOWED = {
   deploy: { pages: "write", "id-token": "write" }, // to put the page on the forge's host
 };
 /** Where secrets are seen: by the step that publishes, and by nothing else in its job. */
-const SECRETS = ["CARGO_REGISTRY_TOKEN", "NPM_TOKEN"];
+const SECRETS = ["CARGO_REGISTRY_TOKEN", "NPM_TOKEN", "PYPI_TOKEN"];
 
 const { parse } = tool("yaml");
 const commands = [...read("x").matchAll(/^ {4}([a-z |-]+)\)$/gm)].flatMap(([, names]) => names.split(" | "));
@@ -103,7 +103,17 @@ test("what is published waits for the tests", () => {
   for (const job of Object.keys(jobs)) {
     assert.ok(job === "test" || waitsFor(job).includes("test"), job);
   }
-  for (const job of ["npm", "crates"]) {
+  for (const job of ["npm", "crates", "pypi"]) {
     assert.ok(waitsFor(job).includes("files"), `${job} cannot be taken back: it comes last`);
   }
+});
+
+test("wheels are built for each system that the command is built for, and the sources are tried", () => {
+  const { jobs } = workflows.find(({ name }) => name === "release.yml");
+  const targets = (job) => jobs[job].strategy.matrix.include.map(({ target }) => target);
+  // For Linux a wheel goes with the C library of each distribution, the command with none.
+  const linked = targets("binaries").map((target) => target.replace("-musl", "-gnu"));
+  assert.deepEqual(linked.filter((target) => !targets("wheels").includes(target)), []);
+  assert.ok(targets("wheels").includes("sdist") && targets("wheels").includes("aarch64-unknown-linux-gnu"));
+  assert.ok(jobs.files.needs.includes("wheels"), "nothing is released where a wheel cannot be built");
 });

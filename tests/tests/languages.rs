@@ -13,32 +13,53 @@
 use std::collections::BTreeMap;
 use std::fs;
 use std::path::Path;
+use std::sync::LazyLock;
 
 use giveway_model::words::{Catalogue, Message, messages, speak};
 use giveway_planners::budget::Stop;
 use giveway_solve::words::reason;
-use giveway_tests::languages::{Said, is_source, places, said, unsaid, updated};
+use giveway_tests::languages::{Part, Said, is_source, places, unsaid, updated};
 use giveway_tests::source;
 
 const FOLDER: &str = "static/languages";
 
-/// The PO files: their paths and texts.
-fn catalogues() -> Vec<(String, String)> {
-    let files = source::files(FOLDER).into_iter();
-    let is_po = |path: &str| Path::new(path).extension().is_some_and(|end| end == "po");
-    let files = files.filter(|file| is_po(&file.path));
-    let files: Vec<(String, String)> = files.map(|file| (file.path, file.text)).collect();
-    assert!(!files.is_empty(), "there is no language");
-    if std::env::var_os("GIVEWAY_UPDATE_LANGUAGES").is_none() {
-        return files;
-    }
-    let said = said();
-    let new = files.into_iter().map(|(path, text)| {
-        let text = updated(&text, &said);
-        fs::write(source::root().join(&path), &text).unwrap();
-        (path, text)
+/// The PO files of a part: their paths and texts.
+fn catalogues(part: Part) -> Vec<(String, String)> {
+    static UPDATED: LazyLock<()> = LazyLock::new(|| {
+        if std::env::var_os("GIVEWAY_UPDATE_LANGUAGES").is_some() {
+            update();
+        }
     });
-    new.collect()
+    LazyLock::force(&UPDATED);
+    read(part)
+}
+
+fn read(part: Part) -> Vec<(String, String)> {
+    let folder = part.folder();
+    let is_own = |path: &str| {
+        let name = path.strip_prefix(folder).unwrap_or_default();
+        name.rfind('/') == Some(0) && Path::new(path).extension().is_some_and(|end| end == "po")
+    };
+    let files = source::files(folder).into_iter();
+    let files = files.filter(|file| is_own(&file.path));
+    let files: Vec<(String, String)> = files.map(|file| (file.path, file.text)).collect();
+    assert!(!files.is_empty(), "there is no language in {folder}");
+    files
+}
+
+/// Brings all up to date; what moved from one part to another keeps its translation.
+fn update() {
+    let [page, course] = Part::ALL.map(read);
+    for ((page, of_page), (course, of_course)) in page.into_iter().zip(course) {
+        let write = |path: &str, text: String| fs::write(source::root().join(path), text).unwrap();
+        write(&page, updated(&of_page, &of_course, Part::Page.said()));
+        write(&course, updated(&of_course, &of_page, Part::Course.said()));
+    }
+}
+
+/// All PO files.
+fn all_catalogues() -> Vec<(String, String)> {
+    Part::ALL.into_iter().flat_map(catalogues).collect()
 }
 
 /// Fails with all complaints at once.
@@ -49,14 +70,16 @@ fn expect_none(complaints: &[String]) {
 
 /// What every language says of what the sources say.
 fn compare(complain: impl Fn(&Said, Option<&Message>) -> Option<String>) -> Vec<String> {
-    let said = said();
     let mut complaints = Vec::new();
-    for (path, text) in catalogues() {
-        let read = messages(&text).unwrap();
-        let read: BTreeMap<String, Message> = read.into_iter().map(|m| (m.key(), m)).collect();
-        for one in &said {
-            if let Some(complaint) = complain(one, read.get(&one.key())) {
-                complaints.push(format!("{path}: {complaint}: {}", one.text));
+    for part in Part::ALL {
+        let said = part.said();
+        for (path, text) in catalogues(part) {
+            let read = messages(&text).unwrap();
+            let read: BTreeMap<String, Message> = read.into_iter().map(|m| (m.key(), m)).collect();
+            for one in said {
+                if let Some(complaint) = complain(one, read.get(&one.key())) {
+                    complaints.push(format!("{path}: {complaint}: {}", one.text));
+                }
             }
         }
     }
@@ -72,13 +95,14 @@ fn no_text_is_missing() {
 
 #[test]
 fn no_text_is_left_over() {
-    let said = said();
-    let keys: Vec<String> = said.iter().map(Said::key).collect();
     let mut complaints = Vec::new();
-    for (path, text) in catalogues() {
-        for message in messages(&text).unwrap() {
-            if !message.text.is_empty() && !keys.contains(&message.key()) {
-                complaints.push(format!("{path}: nobody says {}", message.text));
+    for part in Part::ALL {
+        let keys: Vec<String> = part.said().iter().map(Said::key).collect();
+        for (path, text) in catalogues(part) {
+            for message in messages(&text).unwrap() {
+                if !message.text.is_empty() && !keys.contains(&message.key()) {
+                    complaints.push(format!("{path}: nobody says {}", message.text));
+                }
             }
         }
     }
@@ -106,7 +130,7 @@ fn every_value_is_told_in_every_form() {
 #[test]
 fn what_is_counted_has_all_forms_of_its_language() {
     let mut complaints = Vec::new();
-    for (path, text) in catalogues() {
+    for (path, text) in all_catalogues() {
         let read = messages(&text).unwrap();
         let head = read.iter().find(|message| message.text.is_empty()).unwrap();
         let forms = head.forms[0].split_once("nplurals=").unwrap().1;
@@ -147,17 +171,18 @@ fn a_form_begins_and_ends_with_the_blanks_of_the_english_one() {
 #[test]
 fn the_list_has_every_catalogue() {
     let list = fs::read_to_string(source::root().join(FOLDER).join("list.txt")).unwrap();
-    let listed: Vec<String> = list
-        .lines()
-        .map(|line| format!("{FOLDER}/{}.po", line.split_once(' ').unwrap().0))
-        .collect();
-    let found: Vec<String> = catalogues().into_iter().map(|(path, _)| path).collect();
-    assert_eq!(listed, found);
+    for part in Part::ALL {
+        let tags = list.lines().map(|line| line.split_once(' ').unwrap().0);
+        let folder = part.folder();
+        let listed: Vec<String> = tags.map(|tag| format!("{folder}/{tag}.po")).collect();
+        let found: Vec<String> = catalogues(part).into_iter().map(|(path, _)| path).collect();
+        assert_eq!(listed, found);
+    }
 }
 
 #[test]
 fn a_catalogue_is_read_as_other_programs_read_it() {
-    for (path, text) in catalogues() {
+    for (path, text) in all_catalogues() {
         let catalogue = polib::po_file::parse(&source::root().join(&path)).unwrap();
         let theirs: Vec<Message> = catalogue.messages().map(message).collect();
         let mut ours = messages(&text).unwrap();
@@ -224,7 +249,11 @@ fn what_the_solver_gave_as_a_reason_is_said_anew() {
 #[test]
 fn what_a_person_reads_goes_through_the_catalogue() {
     let mut complaints = Vec::new();
-    for folder in ["web/src", "crates/giveway-page/src"] {
+    for folder in [
+        "web/src",
+        "crates/giveway-page/src",
+        "crates/giveway-course/src/judge/words",
+    ] {
         for file in source::files(folder) {
             if is_source(&file.path) {
                 let found = unsaid(&file).into_iter();

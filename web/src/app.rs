@@ -4,6 +4,7 @@ use std::rc::Rc;
 
 use giveway_course::lesson::Layer;
 use giveway_page::inside::Method;
+use giveway_page::present::Presenting;
 use giveway_page::{Action, Draft, FileAction, Phase, Tab, Tool};
 use yew::prelude::*;
 
@@ -15,12 +16,15 @@ use crate::keys::use_keys;
 use crate::language::use_language;
 use crate::lesson::use_course;
 use crate::paste::use_paste;
+use crate::present::use_presenting;
 use crate::solver::use_solver;
 use crate::status::StatusBar;
 use crate::theme::{use_colours, use_theme, wants_less_motion};
 use crate::top_bar::TopBar;
 use crate::wide::use_wide;
-use crate::{Board, Clock, Dock, Inspector, Shown, Tools, compare, embed, notice, opening};
+use crate::{
+    Board, Clock, Dock, Inspector, Shown, Tools, compare, embed, notice, opening, present,
+};
 
 impl Reducible for Shown {
     type Action = Action;
@@ -85,6 +89,8 @@ pub fn App() -> Html {
     use_keys(&state, &send, &show);
     use_paste(&state, &send, &show, is_embedded);
     use_wide(&send);
+    let is_presented = state.is_presented();
+    use_presenting(is_presented, &send);
     if is_embedded {
         return html! {
             <ContextProvider<Clock> key={spoken} context={(*clock).clone()}>
@@ -104,23 +110,32 @@ pub fn App() -> Html {
     let in_proof = state.is_inside() && state.inside.method == Method::Proof;
     html! {
         <ContextProvider<Clock> key={spoken} context={(*clock).clone()}>
-            <div class={classes!("app", phase_class(&state), is_answering.then_some("answering"), state.is_inside().then_some("inside"), in_proof.then_some("in-proof"), lesson_class(&state))} data-tab={tab(state.view.tab)}>
-                <TopBar state={settled.clone()} panel={panel.clone()} course={course.clone()}
-                    send={send.clone()} show={show.clone()} />
-                <StatusBar state={settled.clone()} panel={panel.clone()} send={send.clone()}
-                    show={show.clone()} />
+            <div class={classes!("app", phase_class(&state), is_answering.then_some("answering"), state.is_inside().then_some("inside"), in_proof.then_some("in-proof"), lesson_class(&state))} data-tab={tab(state.view.tab)} data-presents={presents(&state)}>
+                if is_presented {
+                    { present::head(&state, &send) }
+                } else {
+                    <TopBar state={settled.clone()} panel={panel.clone()} course={course.clone()}
+                        send={send.clone()} show={show.clone()} />
+                    <StatusBar state={settled.clone()} panel={panel.clone()} send={send.clone()}
+                        show={show.clone()} />
+                }
                 <main class="middle">
                     <div class="stage">
-                        <Tools tool={state.view.tool} live={tools(&state)} send={send.clone()} />
-                        <Board state={state.clone()} send={send.clone()} />
+                        if !is_presented {
+                            <Tools tool={state.view.tool} live={tools(&state)} send={send.clone()} />
+                        }
+                        // Another one before a room: its cells are larger.
+                        <Board key={u32::from(is_presented)} state={state.clone()} send={send.clone()} />
                     </div>
                     { compare::show(&settled, &send) }
                 </main>
-                if state.lesson().is_none() {
+                if state.lesson().is_none() && !is_presented {
                     <Inspector state={state.clone()} send={send.clone()} />
                 }
                 { course.place() }
-                if has_dock {
+                if is_presented {
+                    { present::foot(&state, has_dock && state.plan().is_some(), &send) }
+                } else if has_dock {
                     <Dock state={settled} send={send.clone()} />
                 }
                 { notice::show(state.view.notice.as_ref(), &send) }
@@ -183,6 +198,15 @@ fn tools(state: &Shown) -> Vec<Tool> {
     let lesson = state.lesson();
     all.filter(|&tool| lesson.is_none_or(|lesson| lesson.allows(tool)))
         .collect()
+}
+
+/// What is shown to a room, for the style sheets and the script.
+fn presents(state: &Shown) -> Option<&'static str> {
+    match state.view.presenting {
+        Presenting::Off => None,
+        Presenting::Told => Some("told"),
+        Presenting::Bare => Some("bare"),
+    }
 }
 
 /// A lesson in the style sheets: it may do without the lanes.

@@ -35,7 +35,7 @@ pub(crate) fn show(state: &Shown, send: &Callback<Action>) -> Html {
     }
 }
 
-fn title(state: &State) -> String {
+pub(crate) fn title(state: &State) -> String {
     match state.document.draft.scene().name.as_str() {
         "" => tr!("Untitled"),
         name => name,
@@ -44,7 +44,7 @@ fn title(state: &State) -> String {
 }
 
 /// The time shown; the browser's own slider has its keys, too.
-fn slider(state: &State, send: &Callback<Action>) -> Html {
+pub(crate) fn slider(state: &State, send: &Callback<Action>) -> Html {
     let (time, last) = (state.view.playback.time, state.last_time());
     let seek = send.reform(|event: InputEvent| {
         let input: HtmlInputElement = event.target_unchecked_into();

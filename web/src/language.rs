@@ -34,9 +34,11 @@ thread_local! {
     /// What was chosen while the page is open: a browser may keep nothing.
     static CHOSEN: Held<Option<String>> = Held::default();
     static SPOKEN: Cell<&'static str> = const { Cell::new(ENGLISH) };
+    /// What workers and the course are told; empty where English is spoken.
+    static TOLD: Held<String> = Held::default();
     /// Says on the page that another language is spoken.
     static CHANGED: Held<Option<Callback<&'static str>>> = Held::default();
-    /// What the workers do not know yet is told to them by these.
+    /// What workers and the course do not know yet is told to them by these.
     static WORKERS: Held<Vec<Callback<String>>> = Held::default();
 }
 
@@ -54,10 +56,15 @@ pub(crate) fn choice() -> String {
 
 /// What a worker is to be told; empty where English is spoken.
 pub(crate) fn told() -> String {
-    let spoken = SPOKEN.get();
-    let fetched = FETCHED.with(Held::get).into_iter();
-    let mut own = fetched.filter(|fetched| fetched.tag == spoken);
-    own.next().map(|fetched| fetched.told).unwrap_or_default()
+    TOLD.with(Held::get)
+}
+
+/// Tells all who want to be told.
+pub(crate) fn tell(told: &str) {
+    TOLD.with(|known| known.set(told.to_owned()));
+    for tell in WORKERS.with(Held::get) {
+        tell.emit(told.to_owned());
+    }
 }
 
 /// The language that is spoken, by its tag.
@@ -78,7 +85,7 @@ pub(crate) fn use_language() -> &'static str {
     *spoken
 }
 
-/// Has somebody told what workers are told, whenever that changes.
+/// Has somebody told the language that is spoken, whenever that changes.
 pub(crate) fn tell_workers(tell: Callback<String>) {
     WORKERS.with(|workers| {
         let mut all = workers.get();
@@ -121,17 +128,17 @@ async fn turn_to(tag: &'static str) -> Result<(), String> {
     if tag == SPOKEN.get() {
         return Ok(());
     }
-    let all = FETCHED.with(Held::get);
-    let catalogue = match all.iter().find(|fetched| fetched.tag == tag) {
+    let mut all = FETCHED.with(Held::get).into_iter();
+    let fetched = match all.find(|fetched| fetched.tag == tag) {
         _ if tag == ENGLISH => None,
-        Some(fetched) => Some(fetched.catalogue),
+        Some(fetched) => Some(fetched),
         None => Some(fetch(tag).await?),
     };
     // Another one may have been chosen while it was on its way.
     if wanted() != tag {
         return Ok(());
     }
-    speak(catalogue);
+    speak(fetched.as_ref().map(|fetched| fetched.catalogue));
     SPOKEN.set(tag);
     let document = gloo::utils::document();
     document.set_title(tr!("Giveway: plans for several robots, proved best"));
@@ -139,27 +146,27 @@ async fn turn_to(tag: &'static str) -> Result<(), String> {
         // The name of the attribute is valid.
         let _ = root.set_attribute("lang", tag);
     }
-    for tell in WORKERS.with(Held::get) {
-        tell.emit(told());
-    }
+    // The page first: the course is moved while that is made anew.
     if let Some(changed) = CHANGED.with(Held::get) {
         changed.emit(tag);
     }
+    tell(fetched.as_ref().map_or("", |fetched| &fetched.told));
     Ok(())
 }
 
-async fn fetch(tag: &'static str) -> Result<&'static Catalogue, String> {
+async fn fetch(tag: &'static str) -> Result<Fetched, String> {
     let po = files::fetch_language(tag).await?;
     let catalogue = language::catalogue(tag, &po).map_err(|fault| format!("{tag}.po, {fault}"))?;
+    let told = language::told(tag, &po);
+    let new = Fetched {
+        tag,
+        catalogue,
+        told,
+    };
     FETCHED.with(|fetched| {
         let mut all = fetched.get();
-        let told = language::told(tag, &po);
-        all.push(Fetched {
-            tag,
-            catalogue,
-            told,
-        });
+        all.push(new.clone());
         fetched.set(all);
     });
-    Ok(catalogue)
+    Ok(new)
 }

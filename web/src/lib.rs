@@ -29,6 +29,8 @@ mod notice;
 mod opening;
 mod paper;
 mod paste;
+mod present;
+mod script;
 mod settings;
 mod shown;
 mod slot;

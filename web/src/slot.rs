@@ -2,7 +2,7 @@
 //! below. What it says is decided in [`giveway_page::slot`].
 
 use giveway_model::tr;
-use giveway_page::slot::{Button, Kind, Message, Press, message};
+use giveway_page::slot::{Button, Kind, Message, Press, Weight, message};
 use giveway_page::{Action, Draft, SlotAction, State, files};
 use yew::prelude::*;
 
@@ -31,6 +31,7 @@ pub(crate) fn show(state: &State, said: Option<&Message>, send: &Callback<Action
 
 fn card(state: &State, said: &Message, send: &Callback<Action>) -> Html {
     let is_alert = said.kind == Kind::Alert;
+    let is_welcome = said.kind == Kind::Welcome;
     let close = said.close.clone().map(|action| {
         let press = send.reform(move |_: MouseEvent| action.clone());
         html! {
@@ -40,8 +41,10 @@ fn card(state: &State, said: &Message, send: &Callback<Action>) -> Html {
         }
     });
     html! {
-        <section class="slot" aria-label={said.title}>
-            <span class={classes!("slot-icon", is_alert.then_some("warn"))}>{ icon::show(said.kind.icon()) }</span>
+        <section class={if is_welcome { "slot welcome" } else { "slot" }} aria-label={said.title}>
+            if let Some(name) = said.kind.icon() {
+                <span class={classes!("slot-icon", is_alert.then_some("warn"))}>{ icon::show(name) }</span>
+            }
             <div class="slot-words"><h2>{ said.title }</h2><p>{ said.text.clone() }</p></div>
             if let Some([here, there]) = &said.boards {
                 <div class="slot-boards">
@@ -62,15 +65,22 @@ fn small(draft: &std::rc::Rc<Draft>, name: &'static str) -> Html {
 }
 
 fn button(state: &State, button: &Button, send: &Callback<Action>) -> Html {
-    let class = if button.is_filled {
-        "primary"
-    } else {
-        "outline"
+    let class = match button.weight {
+        Weight::Filled => "primary",
+        Weight::Outlined => "outline",
+        Weight::Quiet => "ghost",
     };
     let press: Callback<MouseEvent> = match &button.press {
         Press::Act(action) => {
             let action = action.clone();
             send.reform(move |_| (*action).clone())
+        }
+        Press::Learn(what) => {
+            let what = *what;
+            send.reform(move |_| {
+                keep::learn(what);
+                Action::Slot(SlotAction::Close)
+            })
         }
         Press::Download => send.reform(|_| {
             keep::download_lost();
@@ -92,6 +102,7 @@ fn button(state: &State, button: &Button, send: &Callback<Action>) -> Html {
     html! {
         <button type="button" class={classes!("btn", class)} onclick={press}>
             { button.icon.map(icon::show) }<span>{ button.name }</span>
+            if let Some(remark) = button.remark { <small>{ remark }</small> }
         </button>
     }
 }

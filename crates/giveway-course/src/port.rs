@@ -34,6 +34,8 @@ pub enum ToPage {
     Seal(Vec<Cell>),
     /// The robot that is led waits for a step.
     Wait,
+    /// Does what a person could do, on the board of a tour.
+    Do(Deed),
     /// Takes the last edit, or the last step of a robot that is led, back.
     TakeBack,
     /// Puts the board back to what it was when it was opened; it has this number from
@@ -42,6 +44,8 @@ pub enum ToPage {
     /// Asks for a person's own board as it is now: its scene, its plan and the time are
     /// told under the number 0, which no board of a lesson has.
     Take,
+    /// Shows the page to a room.
+    Present,
     /// The lesson ends: a person's own scene comes back.
     Close,
 }
@@ -94,6 +98,22 @@ pub enum Hand {
     Leads(Vec<String>),
     /// It points at robots, cells and times, and each click is told.
     Points,
+    /// It does whatever it likes: the page is as it is without a lesson. So a tour has
+    /// it.
+    Tours,
+}
+
+/// What a tour does for a person.
+#[derive(Clone, Debug, PartialEq, Eq, BorshSerialize, BorshDeserialize)]
+pub enum Deed {
+    /// Selects a robot, by its name.
+    Select(String),
+    /// Asks the first question that is offered.
+    Ask,
+    /// Paints an obstacle.
+    Paint(Cell),
+    /// Solves the scene.
+    Solve,
 }
 
 /// A robot or a cell.
@@ -149,6 +169,31 @@ pub enum Happened {
     Changed(Method),
     /// A person closed the lesson from the page.
     Closed,
+    /// What a tour sees of the page is something else now.
+    Seen(Sight),
+}
+
+/// What a tour sees of the page.
+#[derive(Clone, Debug, Default, PartialEq, Eq, BorshSerialize, BorshDeserialize)]
+#[expect(
+    clippy::struct_excessive_bools,
+    reason = "each is seen by itself: none of them excludes another"
+)]
+pub struct Sight {
+    /// The time shown.
+    pub time: u32,
+    /// The last time of the plan; 0 where there is none.
+    pub last: u32,
+    /// The robot that is selected, by its name.
+    pub robot: Option<String>,
+    /// Whether a question is asked.
+    pub is_asking: bool,
+    /// Whether the tool for obstacles is picked.
+    pub paints: bool,
+    /// Whether the scene is another one than at first.
+    pub is_edited: bool,
+    /// Whether the scene is solved as it is.
+    pub is_solved: bool,
 }
 
 /// What a person pointed at.

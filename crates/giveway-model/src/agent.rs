@@ -4,7 +4,7 @@ use borsh::{BorshDeserialize, BorshSerialize};
 use serde::{Deserialize, Serialize};
 
 use crate::Cell;
-use crate::object::object_only;
+use crate::object_only;
 
 /// A battery, in time steps: one step of waiting or moving takes one.
 #[derive(

@@ -56,6 +56,16 @@ impl<'de, D: Deserializer<'de>> Deserializer<'de> for ObjectOnly<D> {
 
 /// Gives a type that derives its serde code for itself (`remote = "Self"`) the
 /// two traits, read from objects only.
+///
+/// ```
+/// #[derive(serde::Serialize, serde::Deserialize)]
+/// #[serde(remote = "Self")]
+/// struct One { value: u32 }
+/// giveway_model::object_only!(One);
+/// assert!(serde_json::from_str::<One>("[1]").is_err());
+/// assert_eq!(serde_json::from_str::<One>(r#"{ "value": 1 }"#).unwrap().value, 1);
+/// ```
+#[macro_export]
 macro_rules! object_only {
     ($type:ident) => {
         impl serde::Serialize for $type {
@@ -66,9 +76,8 @@ macro_rules! object_only {
 
         impl<'de> serde::Deserialize<'de> for $type {
             fn deserialize<D: serde::Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
-                Self::deserialize($crate::object::ObjectOnly(deserializer))
+                Self::deserialize($crate::format::ObjectOnly(deserializer))
             }
         }
     };
 }
-pub(crate) use object_only;

@@ -9,7 +9,7 @@ use serde::de::{self, MapAccess, Visitor};
 use serde::{Deserialize, Deserializer, Serialize};
 
 use crate::message::read_map;
-use crate::object::object_only;
+use crate::object_only;
 use crate::{Cell, Instance, Version};
 
 /// Where an agent is at each time, from its first entry on; `None` is *in

@@ -4,7 +4,7 @@ use std::borrow::Cow;
 
 use serde::{Deserialize, Deserializer, Serialize, de};
 
-use crate::object::object_only;
+use crate::object_only;
 
 /// What becomes of an agent at its goal.
 #[derive(

@@ -3,7 +3,7 @@
 use borsh::{BorshDeserialize, BorshSerialize};
 use serde::{Deserialize, Serialize};
 
-use crate::object::object_only;
+use crate::object_only;
 use crate::{Agent, Objective, Rules, Version};
 
 /// An instance as a person writes it: plain data that may be wrong.

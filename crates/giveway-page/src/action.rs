@@ -16,6 +16,7 @@ use crate::intake::{Save, protocol::Reply};
 use crate::lesson::LessonAction;
 use crate::link::Linked;
 use crate::planners::By;
+use crate::present::Presenting;
 use crate::slot::SlotAction;
 use crate::steering::Lead;
 use crate::{Edit, Fill, Lit, Moment, Notice, Selection, Speed, Tab, Theme, Tool};
@@ -270,6 +271,8 @@ pub enum ViewAction {
     ShowTab(Tab),
     /// Whether there is room for two boards side by side.
     SetWide(bool),
+    /// Shows the page to a room, or to one person again.
+    Present(Presenting),
     /// Light or dark.
     SetTheme(Theme),
     /// The time limit in seconds.

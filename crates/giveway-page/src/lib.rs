@@ -47,6 +47,7 @@ pub mod opening;
 mod phase;
 pub mod planners;
 mod playback;
+pub mod present;
 mod problems;
 pub mod proof;
 mod reduce;

@@ -7,6 +7,7 @@ use crate::find::Find;
 use crate::freedom::Overlay;
 use crate::gesture::Gesture;
 use crate::planners::By;
+use crate::present::Presenting;
 use crate::slot::Waiting;
 use crate::{Notice, Playback, Theme, Tool};
 
@@ -76,6 +77,8 @@ pub struct Sought {
 pub struct View {
     /// Where the page is shown.
     pub place: Place,
+    /// Whether it is shown to a room.
+    pub presenting: Presenting,
     /// The time shown, and the speed.
     pub playback: Playback,
     /// What the inspector tells of.
@@ -119,6 +122,7 @@ impl Default for View {
     fn default() -> Self {
         Self {
             place: Place::Own,
+            presenting: Presenting::Off,
             playback: Playback::default(),
             selection: Selection::Nothing,
             tool: Tool::Select,

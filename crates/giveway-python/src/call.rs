@@ -10,7 +10,7 @@ use giveway_proof::Bundle;
 use giveway_solve::{Host, Limits, Refusal, Request, Response, serve, verify};
 use serde::{Deserialize, Deserializer, Serialize, de::DeserializeOwned};
 
-use crate::{files, sweep};
+use crate::{export, files, sweep};
 
 /// What kind of thing is wrong.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
@@ -76,6 +76,7 @@ fn called(function: &str, text: &str, host: &dyn Host) -> Result<String, Failure
         "plan" => Request::Plan(read(text)?),
         "together" => Request::Together(read(text)?),
         "certify" => Request::Certify(read(text)?),
+        "export" => export::request(read(text)?)?,
         "verify" => return verified(&read(text)?, host),
         "compare" => return compared(read(text)?),
         "convert" => {

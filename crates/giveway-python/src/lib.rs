@@ -6,6 +6,7 @@
 //! to the solver. Everything else that a person meets is in `python/giveway/`.
 
 mod call;
+mod export;
 mod files;
 mod host;
 #[cfg(feature = "module")]

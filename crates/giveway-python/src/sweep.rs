@@ -16,6 +16,9 @@ use crate::call::{Code, Failure};
 #[serde(deny_unknown_fields)]
 pub(crate) struct SpecRequest {
     spec: PathBuf,
+    /// The folder from which its paths start, where it is not its own.
+    #[serde(default)]
+    files: Option<PathBuf>,
 }
 
 /// The tasks of a spec.
@@ -66,17 +69,19 @@ pub(crate) fn tasks(request: &SpecRequest) -> Result<Listed, Failure> {
         ))
     })?;
     let spec = read_text(&bytes).and_then(Spec::read).map_err(wrong)?;
-    let folder = Folder::of(path);
-    let tasks = spec
-        .tasks(&|pattern| folder.files(pattern))
-        .map_err(wrong)?;
+    let own = || path.parent().map(Path::to_owned).unwrap_or_default();
+    let place = request.files.clone().unwrap_or_else(own);
+    let folder = Folder::new(&place);
+    let most = |path: &str| folder.agents(path);
+    let tasks = spec.tasks(&|pattern| folder.files(pattern), &most);
+    let tasks = tasks.map_err(wrong)?;
     let named = tasks.into_iter().map(|task| NamedTask {
         name: task.name(),
         series: task.series(),
         task,
     });
     Ok(Listed {
-        folder: path.parent().map(Path::to_owned).unwrap_or_default(),
+        folder: place,
         skip_after: spec.skip_after,
         tasks: named.collect(),
     })

@@ -2,7 +2,9 @@
 
 from __future__ import annotations
 
+import io
 import json
+import zipfile
 from typing import Any
 
 import pytest
@@ -75,6 +77,50 @@ def test_other_functions() -> None:
     assert by_words.words == by_data.words and by_words.verdict == by_data.verdict
     assert giveway.Explanation.from_dict(by_words.to_dict()) == by_words
     assert not giveway.verify(DATA / "wrong/f2-conclusion").accepted
+
+
+def test_certificates_are_made_of_every_kind_of_answer_and_hold() -> None:
+    pocket = {
+        "giveway": 1, "map": ["....", "#.##"],
+        "agents": [{"name": "a", "start": [0, 0], "goal": [3, 0]}, {"name": "b", "start": [3, 0], "goal": [0, 0]}],
+    }
+    answer = giveway.solve(pocket, objective="sum-of-costs")
+    asked = giveway.explain(pocket, "arrival a", answer.plan, objective="sum-of-costs")
+    free = giveway.freedom(pocket, answer.plan, objective="sum-of-costs")
+    cases: list[tuple[Any, set[str] | None]] = [
+        (answer, {"solved"}), (answer.to_dict(), {"solved"}), (asked, {"explained"}), (free, None),
+    ]
+    for told, names in cases:
+        made = giveway.export(pocket, told, answer.plan, objective="sum-of-costs")
+        assert made.missing == 0 and (names is None or set(made.certificates) == names)
+        assert names is not None or len(made.certificates) > 3
+        for one in made.certificates.values():
+            assert one.report.accepted
+            assert giveway.verify(one.files) == one.report
+        with zipfile.ZipFile(io.BytesIO(made.to_zip())) as archive:
+            texts = {name: archive.read(name).decode() for name in archive.namelist()}
+        assert texts == {f"{name}/{file}": text for name, one in made.certificates.items() for file, text in one.files.items()}
+        assert made.to_zip() == made.to_zip()
+    solved = giveway.export(pocket, answer, objective="sum-of-costs").certificates["solved"]
+    assert solved.report.certified == "proved" and solved.report.concluded is not None
+    assert giveway.export(pocket, answer, time_limit=0).missing == 1
+    with pytest.raises(giveway.BadInput):
+        giveway.export(pocket, {"status": "optimal"})
+
+
+def test_together_looks_at_a_step_of_a_proof() -> None:
+    a05 = scene("mmapf/A05_mm_10x10_o10_a10")
+    trace = giveway.solve(a05, objective="sum-of-costs", trace=True).trace
+    assert trace is not None
+    cores = [event for event in trace["events"] if event["event"] == "core" and not event.get("sums")]
+    small = min(cores, key=lambda core: len(core["limits"]))
+    answer = giveway.together(a05, small["cost"], small["limits"])
+    assert answer.alone is not None and answer.alone.refuted is True
+    assert [region["agent"] for region in answer.regions] == [limit["agent"] for limit in small["limits"]]
+    assert [agent.name for agent in answer.alone.scene.agents] == [limit["agent"] for limit in small["limits"]]
+    with pytest.raises(giveway.BadInput) as raised:
+        giveway.together(a05, "sum-of-costs", [{"agent": "nobody", "least": 1, "at_most": 1}])
+    assert raised.value.place == "agents[0].agent"
 
 
 @pytest.mark.parametrize("planner", ["prioritised", "cbs", "pibt", "lacam", "lns"])

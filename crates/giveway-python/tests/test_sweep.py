@@ -99,6 +99,57 @@ def test_a_cluster_of_which_a_worker_is_killed_has_the_table_of_one_process(spec
     assert summary == [line.split("|")[:-2] for line in sweep.table(alone).splitlines()]
 
 
+def test_a_ray_cluster_of_which_a_worker_is_killed_has_the_table_of_one_process(spec: Path) -> None:
+    ray = pytest.importorskip("ray", reason="pip install ray: without it sweeps on a Ray cluster are not tested")
+    from giveway.sweep import ray as on_ray
+
+    spec.write_text(SPEC.replace("to = 25", "to = 5"))
+    results = spec.parent / "results"
+    count = 0
+
+    def own_pid() -> int:
+        return os.getpid()
+
+    def kill_half_way(_: sweep.Row) -> None:
+        nonlocal count
+        count += 1
+        if count == 50:
+            os.kill(ray.get(ray.remote(own_pid).remote()), signal.SIGKILL)
+
+    ray.init(num_cpus=2, include_dashboard=False, configure_logging=False, log_to_driver=False)
+    try:
+        assert on_ray.run(spec, results, on_row=kill_half_way) == 100
+        assert on_ray.run(spec, results) == 0, "all of it is done"
+    finally:
+        ray.shutdown()
+    assert count == 100
+    alone = spec.parent / "alone"
+    run_here(spec, alone)
+    assert rows(results) == rows(alone)
+
+
+def test_files_are_found_where_they_are_and_a_certificate_comes_with_its_fingerprint(spec: Path) -> None:
+    elsewhere = spec.parent / "specs"
+    elsewhere.mkdir()
+    own = elsewhere / "own.toml"
+    own.write_text("""
+        objectives = ["sum-of-costs"]
+        clock = "cpu"
+        time-limit = 30
+        [certificates]
+        [[instances]]
+        files = ["empty-8-8-even-*.scen"]
+        agents = { from = 5, step = 14 }
+    """)
+    with pytest.raises(BadText, match="which is no file"):
+        sweep.tasks(own)
+    tasks = sweep.tasks(own, spec.parent).tasks
+    assert [task.data["agents"] for task in tasks] == [5, 19], "as many as the scenario has"
+    first = sweep.run(tasks[0])
+    assert first["certificate"]["certified"] == "proved" and len(first["certificate"]["manifest"]) == 64
+    assert sweep.run(tasks[0])["certificate"] == first["certificate"], "the same again"
+
+
 def test_a_series_that_became_too_hard_is_given_up(spec: Path) -> None:
     distributed = pytest.importorskip("distributed")
     from giveway.sweep import dask
@@ -108,7 +159,13 @@ def test_a_series_that_became_too_hard_is_given_up(spec: Path) -> None:
     spec.write_text('skip-after = 2\nobjectives = ["moves"]\nplanners = ["cbs", "prioritised"]\n' + text)
     with distributed.Client(processes=False, dashboard_address=None) as client:
         dask.run(spec, client, spec.parent / "results")
+        assert dask.run(spec, client, spec.parent / "results") == 0
     found = [line.split(",") for line in sweep.table(spec.parent / "results", "rows", "csv").splitlines()[1:]]
     assert len(found) == 2 * 5 * 2
     # Of five tasks of a series two are tried; prioritised planning finds plans, and goes on.
     assert sum("skipped" in row for row in found) == 2 * 3
+    # With more patience what was skipped is tried.
+    spec.write_text(spec.read_text().replace("skip-after = 2", "skip-after = 4"))
+    with distributed.Client(processes=False, dashboard_address=None) as client:
+        assert dask.run(spec, client, spec.parent / "results") == 2 * 2
+    assert sweep.table(spec.parent / "results", "rows", "csv").count("skipped") == 2

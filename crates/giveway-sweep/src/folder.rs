@@ -57,6 +57,29 @@ impl Folder {
         Ok(files)
     }
 
+    /// How many agents a scenario has.
+    ///
+    /// # Errors
+    /// When it cannot be read, or is no scenario.
+    pub fn agents(&self, path: &str) -> Result<usize, Fault> {
+        let wrong = |found: String| {
+            Fault::at(
+                "agents",
+                found,
+                "a scenario (.scen), or a last number of agents",
+            )
+        };
+        if Path::new(path)
+            .extension()
+            .is_none_or(|ending| ending != "scen")
+        {
+            return Err(wrong(format!("no last number for {path}")));
+        }
+        let text = read(&self.0.join(path)).map_err(wrong)?;
+        let scenario = movingai::read_scenario(&text).map_err(|fault| fault.in_file(path))?;
+        Ok(scenario.routes.len())
+    }
+
     /// Reads the instance of a task.
     ///
     /// # Errors

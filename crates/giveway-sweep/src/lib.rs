@@ -17,13 +17,15 @@
 //!     "#,
 //! )?;
 //! let files = |_: &str| Ok(vec!["maze-32-32-2-even-1.scen".to_owned()]);
-//! let tasks = spec.tasks(&files)?;
+//! let tasks = spec.tasks(&files, &|_: &str| Ok(20))?;
 //! assert_eq!(tasks.len(), 4);
 //! let shard: Shard = "2/4".parse().map_err(|error| giveway_model::Fault::at("shard", error, "I/N"))?;
 //! assert_eq!(spec.part(&tasks, shard).len(), 1);
 //! # Ok::<(), giveway_model::Fault>(())
 //! ```
 
+mod certificate;
+mod clock;
 mod folder;
 mod patience;
 mod results;
@@ -34,6 +36,8 @@ mod spec;
 pub mod table;
 mod task;
 
+pub use certificate::{Certificates, RowCertificate};
+pub use clock::Clock;
 pub use folder::{Folder, Loaded};
 pub use patience::Patience;
 pub use results::{Results, line, read};

@@ -2,7 +2,7 @@
 
 use std::collections::BTreeMap;
 
-use crate::{Row, Spec, Task};
+use crate::{Row, RowStatus, Spec, Task};
 
 /// How the tasks of each series went so far.
 #[derive(Clone, Debug)]
@@ -26,6 +26,12 @@ impl Patience {
         self.after.is_some_and(|after| misses >= after)
     }
 
+    /// Whether a row says what there is to know of a task: one that was skipped, and is not
+    /// to be skipped now, is to be tried.
+    pub fn accepts(&self, task: &Task, row: &Row) -> bool {
+        row.status != RowStatus::Skipped || self.skips(task)
+    }
+
     /// Notes how a task ended.
     pub fn note(&mut self, task: &Task, row: &Row) {
         if self.after.is_some() {
@@ -45,7 +51,9 @@ mod tests {
         let spec =
             "skip-after = 2\n[[instances]]\nfiles = [\"a\", \"b\"]\nagents = { from = 1, to = 5 }";
         let spec = Spec::read(spec).unwrap();
-        let tasks = spec.tasks(&|file| Ok(vec![file.to_owned()])).unwrap();
+        let tasks = spec
+            .tasks(&|file| Ok(vec![file.to_owned()]), &|_| Ok(5))
+            .unwrap();
         let mut patience = Patience::of(&spec);
         let of = |file: &str| {
             tasks
@@ -60,5 +68,9 @@ mod tests {
         }
         assert!(patience.skips(of("a")[4]));
         assert!(!patience.skips(of("b")[4]));
+        for (task, accepted) in [(of("a")[4], true), (of("b")[4], false)] {
+            assert_eq!(patience.accepts(task, &Row::skipped(task)), accepted);
+            assert!(patience.accepts(task, &Row::bare(task, Unknown, None)));
+        }
     }
 }

@@ -9,7 +9,7 @@ use std::fs::{self, File, OpenOptions};
 use std::io::{self, Read, Write};
 use std::path::{Path, PathBuf};
 
-use crate::{Row, Shard};
+use crate::{Row, RowStatus, Shard};
 
 /// The rows of a sweep.
 #[derive(Debug)]
@@ -120,7 +120,11 @@ pub fn read(paths: &[PathBuf]) -> Result<Vec<Row>, String> {
                         number + 1
                     )
                 })?;
-                rows.entry(row.task.clone()).or_insert(row);
+                // What was skipped may have been tried since.
+                let known: Option<&Row> = rows.get(&row.task);
+                if known.is_none_or(|known| known.status == RowStatus::Skipped) {
+                    rows.insert(row.task.clone(), row);
+                }
             }
         }
     }
@@ -149,7 +153,7 @@ fn lines_of(path: &Path) -> Result<Vec<PathBuf>, String> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::{Method, RowStatus, Task};
+    use crate::{Method, Task};
 
     fn row(name: &str) -> Row {
         let task = Task {
@@ -158,6 +162,8 @@ mod tests {
             objective: None,
             planner: Method::Search,
             limits: giveway_solve::Limits::default(),
+            clock: crate::Clock::Wall,
+            certificate: None,
         };
         Row::bare(&task, RowStatus::Unknown, None)
     }
@@ -189,6 +195,16 @@ mod tests {
         let rows = read(&[folder.path().to_owned(), path.clone()]).unwrap();
         let names: Vec<&str> = rows.iter().map(|row| row.instance.as_str()).collect();
         assert_eq!(names, ["a", "b", "c"]);
+
+        others
+            .add(Row {
+                status: RowStatus::Skipped,
+                ..row("d")
+            })
+            .unwrap();
+        others.add(row("d")).unwrap();
+        let rows = read(&[folder.path().to_owned()]).unwrap();
+        assert_eq!(rows[3].status, RowStatus::Unknown, "tried since");
 
         fs::write(&path, "{}\n").unwrap();
         let wrong = read(&[path]).unwrap_err();

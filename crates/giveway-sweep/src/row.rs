@@ -5,7 +5,7 @@ use std::collections::BTreeMap;
 use giveway_model::{Cost, Costs, Objective, Version};
 use serde::{Deserialize, Serialize};
 
-use crate::{Method, Task};
+use crate::{Method, RowCertificate, Task};
 
 /// How a task ended.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Serialize, Deserialize)]
@@ -51,6 +51,9 @@ pub struct Took {
     pub cpu_seconds: f64,
     /// Wall seconds.
     pub wall_seconds: f64,
+    /// CPU seconds to make its certificate and to check it, which are not among the others.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub certificate_cpu_seconds: Option<f64>,
 }
 
 /// One result.
@@ -84,6 +87,9 @@ pub struct Row {
     /// Why there is no plan or no proof, as a sentence.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub reason: Option<String>,
+    /// Its certificate, where one was wanted and there is an answer.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub certificate: Option<RowCertificate>,
     /// What it took.
     pub took: Took,
 }
@@ -105,6 +111,7 @@ impl Row {
             costs: None,
             bounds: BTreeMap::new(),
             reason,
+            certificate: None,
             took: Took::default(),
         }
     }

@@ -4,6 +4,8 @@ use giveway_model::Instance;
 use giveway_solve::plan::{PlanAnswer, PlanEnd, PlanRequest};
 use giveway_solve::{Host, Request, Response, SolveAnswer, SolveRequest, Status, serve};
 
+use crate::certificate::certify;
+use crate::clock::Clocked;
 use crate::row::Took;
 use crate::{Method, Row, RowStatus, Task};
 
@@ -23,8 +25,24 @@ pub fn run(task: &Task, instance: &Instance, map: Option<&str>, host: &dyn Host)
             ..PlanRequest::new(instance.to_scene(), planner)
         }),
     };
-    let row = match serve(&request, host) {
-        Response::Solved(answer) => solved(task, &answer),
+    let (clock, limits) = (task.clock, task.certificate);
+    let clocked = Clocked { clock, host };
+    let response = serve(&request, &clocked);
+    let mut took = Took {
+        cpu_seconds: host.cpu_seconds(),
+        wall_seconds: host.wall_seconds(),
+        certificate_cpu_seconds: None,
+    };
+    let row = match response {
+        Response::Solved(answer) => {
+            let mut row = solved(task, &answer);
+            if let Some(limits) = limits.filter(|_| row.is_success()) {
+                let certificate = certify(instance, task, limits, &answer, &clocked);
+                row.certificate = Some(certificate);
+                took.certificate_cpu_seconds = Some(host.cpu_seconds() - took.cpu_seconds);
+            }
+            row
+        }
         Response::Planned(answer) => planned(task, &answer),
         Response::Refused(refusal) => Row::error(task, refusal.sentences().join("; ")),
         _ => Row::error(
@@ -36,10 +54,7 @@ pub fn run(task: &Task, instance: &Instance, map: Option<&str>, host: &dyn Host)
         map: map.map(str::to_owned),
         agents: Some(instance.agents().len()),
         objective: Some(objective.unwrap_or_else(|| instance.objective().clone())),
-        took: Took {
-            cpu_seconds: host.cpu_seconds(),
-            wall_seconds: host.wall_seconds(),
-        },
+        took,
         ..row
     }
 }

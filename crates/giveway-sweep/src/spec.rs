@@ -3,7 +3,7 @@
 use giveway_model::{Fault, Objective};
 use serde::{Deserialize, Serialize};
 
-use crate::Method;
+use crate::{Certificates, Clock, Method};
 
 /// A sweep: every instance with every number of agents, objective and planner.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
@@ -17,9 +17,12 @@ pub struct Spec {
     /// The planners; by default the search for the best plan.
     #[serde(default)]
     pub planners: Vec<Method>,
-    /// Wall seconds for each task.
+    /// Seconds for each task.
     #[serde(default)]
     pub time_limit: Option<f64>,
+    /// Which clock counts these seconds; by default the one on the wall.
+    #[serde(default)]
+    pub clock: Clock,
     /// Conflicts of the SAT solver for each task: a budget that is the same on every machine.
     #[serde(default)]
     pub conflict_limit: Option<u64>,
@@ -30,6 +33,10 @@ pub struct Spec {
     /// the same series (instance, objective, planner) are skipped. By default none is.
     #[serde(default)]
     pub skip_after: Option<usize>,
+    /// Whether answers of the search get certificates, which are made and checked, and
+    /// what one of them may take. By default they get none.
+    #[serde(default)]
+    pub certificates: Option<Certificates>,
 }
 
 /// Instances of one kind.
@@ -62,8 +69,9 @@ pub enum Agents {
 pub struct Range {
     /// The first.
     pub from: usize,
-    /// The last, where the step meets it.
-    pub to: usize,
+    /// The last, where the step meets it; by default all that a scenario has.
+    #[serde(default)]
+    pub to: Option<usize>,
     /// From one to the next.
     #[serde(default = "one")]
     pub step: usize,
@@ -77,11 +85,15 @@ const fn one() -> usize {
 const MOST: usize = 10_000_000;
 
 impl Agents {
-    /// The numbers, in their order.
+    /// The numbers, in their order; none where a file has fewer agents than the first of
+    /// them. `most` tells how many agents a file has.
     ///
     /// # Errors
-    /// When there is none, one is 0, or a step is 0.
-    pub(crate) fn numbers(&self) -> Result<Vec<usize>, Fault> {
+    /// When there is none, one is 0, or a step is 0; when a file tells no number.
+    pub(crate) fn numbers(
+        &self,
+        most: &dyn Fn() -> Result<usize, Fault>,
+    ) -> Result<Vec<usize>, Fault> {
         let fault = |found: String, expected: &str| Err(Fault::at("agents", found, expected));
         let numbers: Vec<usize> = match self {
             Self::One(number) => vec![*number],
@@ -90,10 +102,12 @@ impl Agents {
                 return fault("the step 0".to_owned(), "at least 1");
             }
             Self::Range(Range { from, to, step }) => {
-                (*from..=*to).step_by(*step).take(MOST + 1).collect()
+                let last = to.map_or_else(most, Ok)?;
+                (*from..=last).step_by(*step).take(MOST + 1).collect()
             }
         };
-        if numbers.is_empty() {
+        let open = matches!(self, Self::Range(Range { to: None, .. }));
+        if numbers.is_empty() && !open {
             return fault("no number".to_owned(), "at least one");
         }
         if numbers.contains(&0) {
@@ -116,7 +130,11 @@ impl Spec {
         if spec.instances.is_empty() {
             return Err(Fault::at("instances", "none", "at least one"));
         }
-        for (place, limit) in [("time-limit", spec.time_limit)] {
+        let certificates = spec.certificates.and_then(|limits| limits.time_limit);
+        for (place, limit) in [
+            ("time-limit", spec.time_limit),
+            ("certificates.time-limit", certificates),
+        ] {
             if limit.is_some_and(|limit| !limit.is_finite() || limit < 0.0) {
                 return Err(Fault::at(place, format!("{limit:?}"), "seconds from 0"));
             }
@@ -188,6 +206,8 @@ mod tests {
         assert!(objective.contains("objectives[0]"), "{objective}");
         let limit = refused("time-limit = -1.0\n[[instances]]\nfiles = []");
         assert!(limit.contains("time-limit"), "{limit}");
+        let limit = "[certificates]\ntime-limit = -1.0\n[[instances]]\nfiles = []";
+        assert!(refused(limit).contains("certificates.time-limit"));
         assert!(!refused("é = [").is_empty());
     }
 
@@ -199,7 +219,7 @@ mod tests {
                 .agents
                 .clone()
                 .unwrap()
-                .numbers()
+                .numbers(&|| Ok(12))
         };
         assert_eq!(numbers("7").unwrap(), [7]);
         assert_eq!(numbers("[3, 1]").unwrap(), [3, 1]);
@@ -208,6 +228,8 @@ mod tests {
             [5, 10, 15]
         );
         assert_eq!(numbers("{ from = 2, to = 4 }").unwrap(), [2, 3, 4]);
+        assert_eq!(numbers("{ from = 5, step = 5 }").unwrap(), [5, 10]);
+        assert!(numbers("{ from = 13 }").unwrap().is_empty());
         for wrong in [
             "[]",
             "0",

@@ -9,7 +9,7 @@ use giveway_solve::Limits;
 use giveway_solve::plan::Planner;
 use serde::{Deserialize, Serialize};
 
-use crate::{Shard, Spec};
+use crate::{Clock, Shard, Spec};
 
 /// Who plans.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Serialize, Deserialize)]
@@ -82,6 +82,12 @@ pub struct Task {
     /// The budget.
     #[serde(default)]
     pub limits: Limits,
+    /// Which clock counts its seconds, and those of the certificate.
+    #[serde(default, skip_serializing_if = "Clock::is_wall")]
+    pub clock: Clock,
+    /// What a certificate may take, where one is wanted.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub certificate: Option<Limits>,
 }
 
 impl Task {
@@ -89,23 +95,26 @@ impl Task {
     /// every run of a sweep, and another one where the budget is another.
     pub fn name(&self) -> String {
         let mut name = self.series();
-        let Limits {
-            seconds,
-            conflicts,
-            memory_bytes,
-        } = self.limits;
         let mut add = |key: &str, value: Option<String>| {
             if let Some(value) = value {
                 name.extend([" ", key, "=", &value]);
             }
         };
+        let seconds = match self.clock {
+            Clock::Wall => "seconds",
+            Clock::Cpu => "cpu-seconds",
+        };
+        let text = |number: Option<u64>| number.map(|number| number.to_string());
         add("agents", self.agents.map(|agents| agents.to_string()));
-        add("seconds", seconds.map(|seconds| seconds.to_string()));
-        add(
-            "conflicts",
-            conflicts.map(|conflicts| conflicts.to_string()),
-        );
-        add("bytes", memory_bytes.map(|bytes| bytes.to_string()));
+        add(seconds, self.limits.seconds.map(|limit| limit.to_string()));
+        add("conflicts", text(self.limits.conflicts));
+        add("bytes", text(self.limits.memory_bytes));
+        if let Some(limits) = self.certificate {
+            let limit = limits.seconds.map(|limit| limit.to_string());
+            add("certificate", Some("yes".to_owned()));
+            add("certificate-seconds", limit);
+            add("certificate-bytes", text(limits.memory_bytes));
+        }
         name
     }
 
@@ -122,29 +131,24 @@ impl Task {
 impl Spec {
     /// Every task, the smallest numbers of agents of all instances first: so a sweep that
     /// is cut off has done what was easy. `files` gives the paths that a pattern stands
-    /// for, in their order.
+    /// for, in their order, and `most` how many agents one of them has.
     ///
     /// # Errors
     /// When a pattern stands for nothing, or a number of agents is wrong.
     pub fn tasks(
         &self,
         files: &dyn Fn(&str) -> Result<Vec<String>, Fault>,
+        most: &dyn Fn(&str) -> Result<usize, Fault>,
     ) -> Result<Vec<Task>, Fault> {
         let limits = Limits {
             seconds: self.time_limit,
             conflicts: self.conflict_limit,
             memory_bytes: self.memory_limit,
         };
+        let certificate = self.certificates.map(Limits::from);
         let mut tasks = Vec::new();
         for (index, instances) in self.instances.iter().enumerate() {
             let place = format!("instances[{index}]");
-            let numbers = match &instances.agents {
-                None => vec![None],
-                Some(agents) => {
-                    let numbers = agents.numbers().map_err(|fault| fault.of_part(&place))?;
-                    numbers.into_iter().map(Some).collect()
-                }
-            };
             for pattern in &instances.files {
                 let paths = files(pattern).map_err(|fault| fault.of_part(&place))?;
                 if paths.is_empty() {
@@ -156,7 +160,15 @@ impl Spec {
                     ));
                 }
                 for path in paths {
-                    for &agents in &numbers {
+                    let numbers = match &instances.agents {
+                        None => vec![None],
+                        Some(agents) => {
+                            let numbers = agents.numbers(&|| most(&path));
+                            let numbers = numbers.map_err(|fault| fault.of_part(&place))?;
+                            numbers.into_iter().map(Some).collect()
+                        }
+                    };
+                    for agents in numbers {
                         for objective in self.objectives()? {
                             for planner in self.methods() {
                                 tasks.push(Task {
@@ -165,6 +177,8 @@ impl Spec {
                                     objective: objective.clone(),
                                     planner,
                                     limits,
+                                    clock: self.clock,
+                                    certificate: certificate.filter(|_| planner == Method::Search),
                                 });
                             }
                         }
@@ -219,7 +233,7 @@ mod tests {
             };
             Ok(names.into_iter().map(str::to_owned).collect())
         };
-        spec.tasks(&files).unwrap()
+        spec.tasks(&files, &|_| Ok(2)).unwrap()
     }
 
     #[test]
@@ -258,9 +272,29 @@ mod tests {
     }
 
     #[test]
+    fn all_agents_of_each_file_may_be_meant_and_limits_belong_to_the_name() {
+        let text = "clock = \"cpu\"\ntime-limit = 3\nplanners = [\"search\", \"cbs\"]\n\
+            [certificates]\nmemory-limit = 7\n\
+            [[instances]]\nfiles = [\"a\", \"bcd\"]\nagents = { from = 1, step = 2 }";
+        let spec = Spec::read(text).unwrap();
+        let files = |file: &str| Ok(vec![file.to_owned()]);
+        let tasks = spec.tasks(&files, &|file| Ok(file.len())).unwrap();
+        let names: Vec<String> = tasks.iter().map(Task::name).collect();
+        let search = "agents=1 cpu-seconds=3 certificate=yes certificate-bytes=7";
+        assert_eq!(names[0], format!("a planner=search {search}"));
+        assert_eq!(names[1], "a planner=cbs agents=1 cpu-seconds=3");
+        assert_eq!(names.len(), 2 * (1 + 2));
+        let text = serde_json::to_string(&tasks[0]).unwrap();
+        assert_eq!(serde_json::from_str::<Task>(&text).unwrap(), tasks[0]);
+    }
+
+    #[test]
     fn a_pattern_for_nothing_is_refused() {
         let spec = Spec::read("[[instances]]\nfiles = [\"x*\"]").unwrap();
-        let fault = spec.tasks(&|_| Ok(Vec::new())).unwrap_err().to_string();
+        let fault = spec
+            .tasks(&|_| Ok(Vec::new()), &|_| Ok(2))
+            .unwrap_err()
+            .to_string();
         assert!(fault.contains("instances[0].files"), "{fault}");
     }
 }

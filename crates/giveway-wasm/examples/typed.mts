@@ -23,6 +23,7 @@ function words(event: Progress): string {
     case "freedom": return `${event.answer.plans?.count ?? 0} best plans so far`;
     case "traced": return event.events.map((step) => step.text).join(" ");
     case "certifying": return event.claim;
+    case "exporting": return `${event.done} of ${event.of} certificates`;
   }
 }
 

@@ -86,7 +86,9 @@ export type Progress =
   | { event: "traced"; events: TraceEvent[] }
   /** What is known so far; `pending` has the parts that are to come. */
   | { event: "freedom"; answer: FreedomAnswer }
-  | { event: "certifying"; claim: string; checking: boolean };
+  | { event: "certifying"; claim: string; checking: boolean }
+  /** So many certificates are made. */
+  | { event: "exporting"; done: number; of: number };
 
 /** For what may take long. */
 export interface Options {
@@ -497,6 +499,14 @@ export interface Report {
   /** Whether the check ended before it came to a result. */
   stopped: boolean;
   claims: Checked[];
+}
+
+/** Certificates as one file. */
+export interface Exported {
+  /** A zip archive with a folder for each, not compressed; `giveway verify` reads it. */
+  zip: Uint8Array;
+  /** What came of checking each, by their names; those that there was no time for are not there. */
+  reports: Record<string, Report>;
 }
 
 export interface VerifyRequest {
@@ -921,6 +931,9 @@ export function compare(request: CompareRequest): Comparison;
 
 /** Proves again what was answered, and checks the proofs. */
 export function certify(request: CertifyRequest, options?: Options): Report;
+
+/** Makes certificates, checks them, and packs them into a zip archive, each in a folder of its name. */
+export function exportCertificates(requests: Record<string, CertifyRequest>, options?: Options): Exported;
 
 /** Checks the files of a certificate, as `giveway verify` does. */
 export function verify(request: VerifyRequest, options?: Options): Report;

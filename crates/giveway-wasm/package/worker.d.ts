@@ -1,6 +1,7 @@
 import type {
   AuditAnswer, AuditRequest, CertifyRequest, ChangeAnswer, ChangeRequest, CheckAnswer, CheckRequest, CompareRequest,
-  Comparison, ConvertAnswer, ConvertRequest, ExplainAnswer, ExplainRequest, Files, FreedomAnswer, FreedomRequest, FrontAnswer,
+  Comparison, ConvertAnswer, ConvertRequest, ExplainAnswer, ExplainRequest, Exported, Files, FreedomAnswer,
+  FreedomRequest, FrontAnswer,
   PlanAnswer, PlanRequest, Progress, ReadOptions, Report, Schema, SolveAnswer, SolveRequest, TogetherAnswer, TogetherRequest,
   VerifyRequest,
 } from "./types.js";
@@ -30,6 +31,7 @@ export class Giveway {
   compare(request: CompareRequest, waiting?: Waiting): Promise<Comparison>;
   readFiles(files: Record<string, string>, options?: ReadOptions, waiting?: Waiting): Promise<Files>;
   certify(request: CertifyRequest, waiting?: Waiting): Promise<Report>;
+  exportCertificates(requests: Record<string, CertifyRequest>, waiting?: Waiting): Promise<Exported>;
   verify(request: VerifyRequest, waiting?: Waiting): Promise<Report>;
   convert(request: ConvertRequest, waiting?: Waiting): Promise<ConvertAnswer>;
   schema(waiting?: Waiting): Promise<Schema>;

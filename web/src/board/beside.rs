@@ -48,7 +48,7 @@ pub(crate) fn Beside(props: &BesideProps) -> Html {
     let area = use_node_ref();
     let world = Place::Beside.world(state);
     let board = (world.grid().width(), world.grid().height());
-    let viewport = use_viewport(&area, board);
+    let viewport = use_viewport(&area, board, Camera::default());
     let frame = viewport.frame_of(camera, board);
     let sight = use_sight(frame);
     let cursor = state.view.cursor;

@@ -37,7 +37,9 @@ use giveway_model::words::Later;
 use giveway_model::{tr, tr_later};
 use std::rc::Rc;
 
-use giveway_page::board::{CELL, Cast, Frame, Kind, Minimap, Window, legend};
+use giveway_page::board::{
+    CELL, Camera, Cast, Frame, Kind, Minimap, PRESENTED_CELL_PX, Window, legend,
+};
 use giveway_page::freedom::{claim, notes};
 use giveway_page::{Action, Answer, Selection, Tool, ask, words};
 use yew::prelude::*;
@@ -83,7 +85,13 @@ pub fn Board(props: &BoardProps) -> Html {
     let whole = use_node_ref();
     let (cast, other) = use_casts(state);
     let board = (state.world().grid().width(), state.world().grid().height());
-    let viewport = use_viewport(&area, board);
+    let is_presented = state.is_presented();
+    let whole_map = if is_presented {
+        Camera::up_to(PRESENTED_CELL_PX)
+    } else {
+        Camera::default()
+    };
+    let viewport = use_viewport(&area, board, whole_map);
     let frame = viewport.frame(board);
     let sight = use_sight(frame);
     let detail = frame.detail();
@@ -107,7 +115,11 @@ pub fn Board(props: &BoardProps) -> Html {
     });
     let (_, rows) = frame.cells(board);
     let page = rows.1 - rows.0;
-    let onkeydown = keys::use_cursor_keys(state.view.cursor, &props.send, &look, page);
+    let mut onkeydown = keys::use_cursor_keys(state.view.cursor, &props.send, &look, page);
+    if is_presented {
+        // Arrows go through the plan, wherever the focus is.
+        onkeydown = Callback::noop();
+    }
 
     let overlay = giveway_page::inside::overlay(state);
     let reasons = giveway_page::board::reasons(state);

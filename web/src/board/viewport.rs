@@ -36,6 +36,8 @@ pub(super) enum Look {
 #[derive(Clone, PartialEq)]
 struct Looked {
     camera: Camera,
+    /// The one that shows all.
+    whole: Camera,
     board: (u32, u32),
     screen: Option<(f64, f64)>,
 }
@@ -48,6 +50,7 @@ impl Reducible for Looked {
             camera,
             board,
             screen,
+            ..
         } = *self;
         let px = screen.unwrap_or((0.0, 0.0));
         let middle = (px.0 / 2.0, px.1 / 2.0);
@@ -62,20 +65,22 @@ impl Reducible for Looked {
             Look::Board(board) => {
                 return Rc::new(Self {
                     board,
-                    camera: Camera::default(),
+                    whole: self.whole,
+                    camera: self.whole,
                     screen,
                 });
             }
             Look::Zoom(factor, at) => camera.zoom(factor, at.unwrap_or(middle), board, px),
             Look::Pan(by) => camera.pan(by, board, px),
             Look::Pinch(factor, at, by) => camera.zoom(factor, at, board, px).pan(by, board, px),
-            Look::Fit => Camera::default(),
+            Look::Fit => self.whole,
             Look::Middle(point) => camera.centred(point, board, px),
             Look::Show(cell) => camera.show(cell, board, px),
             Look::Find(cell) => camera.find(cell, board, px),
         };
         Rc::new(Self {
             camera,
+            whole: self.whole,
             board,
             screen,
         })
@@ -115,11 +120,13 @@ impl Viewport {
     }
 }
 
-/// The viewport of an area that shows a map of some cells.
+/// The viewport of an area that shows a map of some cells, all of it at first as by the
+/// camera `whole`.
 #[hook]
-pub(super) fn use_viewport(area: &NodeRef, board: (u32, u32)) -> Viewport {
+pub(super) fn use_viewport(area: &NodeRef, board: (u32, u32), whole: Camera) -> Viewport {
     let sight = use_reducer_eq(|| Looked {
-        camera: Camera::default(),
+        camera: whole,
+        whole,
         board,
         screen: None,
     });
@@ -137,11 +144,7 @@ pub(super) fn use_viewport(area: &NodeRef, board: (u32, u32)) -> Viewport {
     }
     let is_new = sight.board != board;
     Viewport {
-        camera: if is_new {
-            Camera::default()
-        } else {
-            sight.camera
-        },
+        camera: if is_new { whole } else { sight.camera },
         look,
         screen: sight.screen,
     }

@@ -53,6 +53,9 @@ impl Tutor {
             self.before = None;
             self.is_new = is.is_some();
             self.has_said = false;
+            if is.is_none() {
+                self.sheet = None;
+            }
             // After the last step there is the next lesson to choose.
             if is.is_none() && was_tried && !is_left_there {
                 self.author.back();
@@ -71,7 +74,7 @@ impl Tutor {
         }
     }
 
-    fn effect(&self, effect: Effect) {
+    pub(super) fn effect(&self, effect: Effect) {
         match effect {
             Effect::Ask { number, request } => self.asker.ask(number, *request),
             Effect::Forget => self.asker.forget(),

@@ -7,11 +7,13 @@ use std::cell::Cell;
 use std::rc::Rc;
 
 use giveway_course::learner::{Action, AskNumber};
+use giveway_model::tr;
 use giveway_solve::Request;
 use giveway_wasm::protocol::{Ask, Message};
 use yew::prelude::*;
 
 use crate::held::Held;
+use crate::language;
 use crate::solver::{Event, Hired, Name, Program};
 
 /// The course's end of the link to the solver.
@@ -31,13 +33,20 @@ struct Inner {
 impl Asker {
     /// A link without a worker.
     pub(super) fn new(send: Callback<Action>) -> Self {
-        Self(Rc::new(Inner {
+        let asker = Self(Rc::new(Inner {
             send,
             program: Rc::new(Program::new(Name::Analyst)),
             worker: Held::default(),
             asked: Cell::default(),
             waiting: Held::default(),
-        }))
+        }));
+        let tell = asker.clone();
+        language::tell_workers(Callback::from(move |told: String| {
+            if let Some(worker) = tell.0.worker.get().filter(|worker| worker.is_ready()) {
+                worker.speak(&told);
+            }
+        }));
+        asker
     }
 
     /// Sees to it that a worker is there, or on its way.
@@ -112,7 +121,10 @@ impl Asker {
             }
             Ok(Message::Failed { sentence, .. }) => self.broken(sentence),
             Err(error) => {
-                self.broken(format!("The solver said what nobody understands: {error}"));
+                self.broken(tr!(
+                    "The solver said what nobody understands: {error}",
+                    error
+                ));
             }
         }
     }

@@ -4,6 +4,7 @@ use std::rc::Rc;
 
 use giveway_course::learner::Stage;
 use giveway_course::lesson::Entry;
+use giveway_model::tr;
 use yew::prelude::*;
 
 use super::place::Place;
@@ -30,9 +31,10 @@ pub(super) struct CardProps {
 }
 
 impl PartialEq for CardProps {
-    /// The board comes with the lesson.
+    /// The board comes with the lesson, and is made anew with its words.
     fn eq(&self, other: &Self) -> bool {
         self.entry.lesson == other.entry.lesson
+            && self.film.as_ref().map(Rc::as_ptr) == other.film.as_ref().map(Rc::as_ptr)
             && self.stage == other.stage
             && self.is_next == other.is_next
             && self.send == other.send
@@ -58,7 +60,7 @@ pub(super) fn Card(props: &CardProps) -> Html {
     let onclick = props
         .send
         .reform(move |_: MouseEvent| Msg::Enter(place.clone()));
-    let is_now = props.is_next && matches!(stage, Stage::Begun(_));
+    let is_now = props.is_next && matches!(stage, Stage::Begun(_) | Stage::Seen { .. });
     html! {
         <button type="button" class={classes!("lc", is_now.then_some("now"))} aria-current={is_now.then_some("step")} {onclick}
             onmouseenter={move |_| enter()} onmouseleave={move |_| leave()} onfocus={move |_| focus()} onblur={move |_| blur()}>
@@ -72,15 +74,24 @@ pub(super) fn Card(props: &CardProps) -> Html {
 
 fn reached(entry: &Entry, stage: Stage) -> Html {
     match stage {
-        Stage::New => html! { <small>{ format!("{} min", entry.minutes) }</small> },
+        Stage::New => html! { <small>{ tr!("{n} min", n = entry.minutes) }</small> },
         Stage::Begun(step) => {
             let step = u64::try_from(step).unwrap_or(0) + 1;
             let steps = u64::from(entry.steps);
             html! {
-                <><small class="acc">{ format!("Step {step} of {steps}") }</small>{ bar(step, steps) }</>
+                <><small class="acc">{ tr!("Step {step} of {steps}", step, steps) }</small>{ bar(step, steps) }</>
             }
         }
-        Stage::Done => html! { <small class="okk">{ icon::show("check") }{ "Done" }</small> },
+        Stage::Seen { solved, tasks, .. } => {
+            let words = tr!(
+                "{solved} of {n} task" | "{solved} of {n} tasks" % tasks,
+                solved
+            );
+            html! { <><small class="acc">{ words }</small>{ bar(solved as u64, tasks as u64) }</> }
+        }
+        Stage::Done => {
+            html! { <small class="okk">{ icon::show("check") }{ tr!("of a lesson" => "Done") }</small> }
+        }
     }
 }
 

@@ -5,7 +5,6 @@ use std::rc::Rc;
 use giveway_course::learner::{Action, Onward, Progress, Stage};
 use giveway_course::lesson::{Chapter, Course, Entry};
 use giveway_model::tr;
-use giveway_model::words::count;
 use gloo::events::EventListener;
 use web_sys::HtmlDialogElement;
 use yew::prelude::*;
@@ -57,6 +56,8 @@ impl PartialEq for ContentsProps {
 pub(super) fn Contents(props: &ContentsProps) -> Html {
     let node = use_node_ref();
     let close = use_callback(props.send.clone(), |(), send| send.emit(Msg::Show(None)));
+    // Whether it is asked if progress is to be forgotten.
+    let asks = use_state_eq(|| false);
     use_modal(&node, &close);
     // A press on the dialog itself, and not in it, is one beside it.
     let beside = {
@@ -72,7 +73,7 @@ pub(super) fn Contents(props: &ContentsProps) -> Html {
             <div class="sheet-in">
                 { head(props, &close) }
                 <div class="sbody">{ body(props) }</div>
-                if let Some(shelf) = &props.shelf { { foot(props, &shelf.course) } }
+                if let Some(shelf) = &props.shelf { { foot(props, &shelf.course, &asks) } }
             </div>
         </dialog>
     }
@@ -103,10 +104,10 @@ fn head(props: &ContentsProps, close: &Callback<()>) -> Html {
     let course = props.shelf.as_ref().map(|shelf| &shelf.course);
     let (title, line) = match (props.page, course) {
         (Page::Lessons, Some(course)) => (course.title.clone(), sum(course)),
-        (Page::Lessons, None) => ("Course".to_owned(), String::new()),
+        (Page::Lessons, None) => (tr!("Course").to_owned(), String::new()),
         (Page::Terms, _) => (
-            "Glossary".to_owned(),
-            "The words of the field, a sentence or two each.".to_owned(),
+            tr!("Glossary").to_owned(),
+            tr!("The words of the field, a sentence or two each.").to_owned(),
         ),
     };
     html! {
@@ -114,8 +115,8 @@ fn head(props: &ContentsProps, close: &Callback<()>) -> Html {
             <div><h2 id="course-title">{ title }</h2><p>{ line }</p></div>
             <span class="grow"></span>
             if let Some(course) = course { { onward(course, props) } }
-            <button type="button" class="btn ghost round" title="Close (Escape)" onclick={close}>
-                { icon::show("cancel") }<span class="vh">{ "Close" }</span>
+            <button type="button" class="btn ghost round" title={tr!("Close (Escape)")} onclick={close}>
+                { icon::show("cancel") }<span class="vh">{ tr!("Close") }</span>
             </button>
         </header>
     }
@@ -124,8 +125,11 @@ fn head(props: &ContentsProps, close: &Callback<()>) -> Html {
 fn sum(course: &Course) -> String {
     let lessons = course.lessons().count();
     let minutes = course.minutes();
-    format!(
-        "{lessons} short lessons, {minutes} minutes in all. Every board is live: change it and see what happens."
+    tr!(
+        "{n} short lesson, {minutes} minutes in all. Try things on the board: every answer is judged at once."
+            | "{n} short lessons, {minutes} minutes in all. Try things on the board: every answer is judged at once."
+                % lessons,
+        minutes
     )
 }
 
@@ -136,9 +140,9 @@ fn onward(course: &Course, props: &ContentsProps) -> Html {
     };
     let entry = onward.entry();
     let (class, text) = match onward {
-        Onward::Start(_) => ("btn primary", format!("Start: {}", entry.title)),
-        Onward::GoOn(_) => ("btn primary", format!("Go on: {}", entry.title)),
-        Onward::Again(_) => ("btn outline", "Again from the start".to_owned()),
+        Onward::Start(_) => ("btn primary", tr!("Start: {title}", title = entry.title)),
+        Onward::GoOn(_) => ("btn primary", tr!("Go on: {title}", title = entry.title)),
+        Onward::Again(_) => ("btn outline", tr!("Again from the start").to_owned()),
     };
     let place = Place {
         lesson: entry.lesson.clone(),
@@ -154,10 +158,10 @@ fn onward(course: &Course, props: &ContentsProps) -> Html {
 
 fn body(props: &ContentsProps) -> Html {
     let missing = props.missing.as_ref().map(|sentence| {
-        html! { <p class="missing" role="alert">{ format!("The course did not arrive: {sentence}") }</p> }
+        html! { <p class="missing" role="alert">{ tr!("The course did not arrive: {sentence}", sentence) }</p> }
     });
     let Some(shelf) = &props.shelf else {
-        let loading = || html! { <p class="missing">{ "Loading\u{2026}" }</p> };
+        let loading = || html! { <p class="missing">{ tr!("Loading\u{2026}") }</p> };
         return missing.unwrap_or_else(loading);
     };
     if props.page == Page::Terms {
@@ -204,17 +208,16 @@ fn chapter(
     }
 }
 
-fn foot(props: &ContentsProps, course: &Course) -> Html {
+fn foot(props: &ContentsProps, course: &Course, asks: &UseStateHandle<bool>) -> Html {
     let is_done = |entry: &&Entry| props.progress.stage(&entry.lesson) == Stage::Done;
     let (done, all) = (
         course.lessons().filter(is_done).count(),
         course.lessons().count(),
     );
     let is_new = props.progress == Progress::default();
-    let reset = props.send.reform(|_: MouseEvent| Msg::Do(Action::Reset));
     let (page, word, name) = match props.page {
-        Page::Lessons => (Page::Terms, "Glossary", "course"),
-        Page::Terms => (Page::Lessons, "All lessons", "back"),
+        Page::Lessons => (Page::Terms, tr!("Glossary"), "course"),
+        Page::Terms => (Page::Lessons, tr!("All lessons"), "back"),
     };
     let turn = props
         .send
@@ -224,14 +227,43 @@ fn foot(props: &ContentsProps, course: &Course) -> Html {
         .reform(|_: MouseEvent| Msg::Author(AuthorMsg::Open));
     html! {
         <footer class="sf">
-            <span class="prog"><b>{ done }</b>{ format!(" of {} done", count(all as u32, "lesson")) }</span>
+            <span class="prog"><b>{ done }</b>{ tr!("behind a number" => " of {n} lesson done" | " of {n} lessons done" % all) }</span>
             <span class="pb-at">{ bar(done as u64, all as u64) }</span>
-            if !is_new {
-                <button type="button" class="btn ghost" onclick={reset}><span>{ "Forget my progress" }</span></button>
-            }
+            if !is_new { { forget(props, asks) } }
             <span class="grow"></span>
             <button type="button" class="btn outline" onclick={turn}>{ icon::show(name) }<span>{ word }</span></button>
             <button type="button" class="btn outline" onclick={write}>{ icon::show("edit") }<span>{ tr!("Write your own") }</span></button>
         </footer>
+    }
+}
+
+/// Forgets all progress, once that was asked. The button that asks then keeps it: a
+/// second press of the same key does no harm.
+fn forget(props: &ContentsProps, asks: &UseStateHandle<bool>) -> Html {
+    let is_asked = **asks;
+    let turn = {
+        let asks = asks.clone();
+        move |_: MouseEvent| asks.set(!is_asked)
+    };
+    let reset = {
+        let (send, asks) = (props.send.clone(), asks.clone());
+        move |_: MouseEvent| {
+            asks.set(false);
+            send.emit(Msg::Do(Action::Reset));
+        }
+    };
+    let word = if is_asked {
+        tr!("Keep it")
+    } else {
+        tr!("Forget my progress")
+    };
+    html! {
+        <>
+            <span class="prog" role="status">{ is_asked.then(|| tr!("Forget how far you came in all lessons?")) }</span>
+            <button type="button" class={if is_asked { "btn outline" } else { "btn ghost" }} onclick={turn}><span>{ word }</span></button>
+            if is_asked {
+                <button type="button" class="btn outline" onclick={reset}><span>{ tr!("Forget it") }</span></button>
+            }
+        </>
     }
 }

@@ -3,9 +3,11 @@
 use std::rc::Rc;
 
 use giveway_course::lesson::Term;
+use giveway_model::tr;
 use web_sys::HtmlInputElement;
 use yew::prelude::*;
 
+use super::language::small;
 use super::shelf::Shelf;
 use super::term::{about, still};
 use super::tutor::Msg;
@@ -42,10 +44,10 @@ pub(super) fn Terms(props: &TermsProps) -> Html {
     let none = found.is_empty();
     html! {
         <div class="terms">
-            <label class="find"><span class="vh">{ "Find a term" }</span>
-                <input class="field" type="search" placeholder="Find a term" autocomplete="off" value={(*typed).clone()} {oninput} />
+            <label class="find"><span class="vh">{ tr!("Find a term") }</span>
+                <input class="field" type="search" placeholder={tr!("Find a term")} autocomplete="off" value={(*typed).clone()} {oninput} />
             </label>
-            <p class="missing" role="status">{ if none { "No term has that in it." } else { "" } }</p>
+            <p class="missing" role="status">{ if none { tr!("No term has that in it.") } else { "" } }</p>
             <dl>{ for found.into_iter().map(|(term, film)| entry(term, film.as_ref(), props)) }</dl>
         </div>
     }
@@ -53,10 +55,10 @@ pub(super) fn Terms(props: &TermsProps) -> Html {
 
 /// Whether what is typed is in a term, in another word for it, or in its text.
 fn has(term: &Term, typed: &str) -> bool {
-    let typed = typed.trim().to_ascii_lowercase();
+    let typed = small(typed.trim());
     let text = term.text.plain();
     let mut words = [&term.name, &text].into_iter().chain(&term.also);
-    words.any(|words| words.to_ascii_lowercase().contains(&typed))
+    words.any(|words| small(words).contains(&typed))
 }
 
 fn entry(term: &Term, film: Option<&Rc<Film>>, props: &TermsProps) -> Html {

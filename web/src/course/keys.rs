@@ -1,4 +1,5 @@
-//! The keys of a lesson: a figure picks the answer that has it.
+//! The keys of a lesson: a figure picks the answer that has it; before a room, those of
+//! a clicker go through its steps.
 
 use gloo::events::{EventListener, EventListenerOptions};
 use wasm_bindgen::JsCast as _;
@@ -18,11 +19,22 @@ pub(super) fn listen() -> EventListener {
         if !is_plain || event.default_prevented() || dialog_is_open() || is_in(event, FIELDS) {
             return;
         }
-        if let Some(answer) = answer(&event.key()) {
+        let key = event.key();
+        if let Some(pressed) = answer(&key).or_else(|| turn(&key)) {
             event.prevent_default();
-            answer.click();
+            pressed.click();
         }
     })
+}
+
+/// What a clicker presses while the lesson is shown to a room.
+fn turn(key: &str) -> Option<HtmlElement> {
+    if !matches!(key, "PageUp" | "PageDown") {
+        return None;
+    }
+    let document = gloo::utils::document();
+    let found = document.query_selector(&format!("[data-presents] [data-turn='{key}']"));
+    found.ok().flatten()?.dyn_into().ok()
 }
 
 /// The answer that a key picks.

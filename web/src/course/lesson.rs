@@ -11,6 +11,7 @@ use super::contents::Page;
 use super::exercise;
 use super::prose::Reader;
 use super::shelf::Shelf;
+use super::third;
 use super::tutor::{Msg, Tutor};
 use crate::icon;
 
@@ -26,7 +27,7 @@ pub(super) fn show(tutor: &Tutor, open: &Open, shelf: &Rc<Shelf>, send: &Callbac
     // The next step begins at its top.
     let key = format!("{}.{}", open.id, open.index());
     html! {
-        <aside class="insp lesson" aria-label="Lesson">
+        <aside class="insp lesson" aria-label={tr!("Lesson")}>
             <div class="scroll" {key}>
                 <header class="qh">
                     { way_out(open, send) }
@@ -37,8 +38,10 @@ pub(super) fn show(tutor: &Tutor, open: &Open, shelf: &Rc<Shelf>, send: &Callbac
                 if let Some(task) = &step.task {
                     { exercise::show(tutor, open, task, reader) }
                 }
+                { elsewhere(send) }
             </div>
             { foot(tutor, open, send) }
+            { third::show(open, step, reader) }
         </aside>
     }
 }
@@ -62,8 +65,23 @@ fn way_out(open: &Open, send: &Callback<Msg>) -> Html {
         <div class="lrow">
             <button type="button" class="crumb" onclick={contents}>{ icon::show("back") }{ course }</button>
             <span class="grow"></span>
-            <button type="button" class="btn ghost round sm" title="Leave the lesson" onclick={leave}>
-                { icon::show("cancel") }<span class="vh">{ "Leave the lesson" }</span>
+            <button type="button" class="btn ghost round sm" title={tr!("Leave the lesson")} onclick={leave}>
+                { icon::show("cancel") }<span class="vh">{ tr!("Leave the lesson") }</span>
+            </button>
+        </div>
+    }
+}
+
+/// The lesson before a room, and on paper.
+fn elsewhere(send: &Callback<Msg>) -> Html {
+    let press = |msg: fn() -> Msg| send.reform(move |_: MouseEvent| msg());
+    html! {
+        <div class="exa elsewhere">
+            <button type="button" class="btn ghost" title={tr!("The board full screen, before a room (P)")} onclick={press(|| Msg::Present)}>
+                { icon::show("fit") }<span>{ tr!("Present") }</span>
+            </button>
+            <button type="button" class="btn ghost" title={tr!("The lesson on paper, its answers apart")} onclick={press(|| Msg::Print)}>
+                { icon::show("file") }<span>{ tr!("Print") }</span>
             </button>
         </div>
     }
@@ -81,17 +99,17 @@ fn progress(open: &Open, send: &Callback<Msg>) -> Html {
         let onclick = send.reform(move |_: MouseEvent| Msg::Do(Action::Go(index)));
         html! {
             <li {class}><button type="button" title={step.title.clone()} aria-current={(index == at).then_some("step")} {onclick}>
-                <span class="vh">{ format!("Step {}: {}", index + 1, step.title) }</span>
+                <span class="vh">{ tr!("Step {n}: {title}", n = index + 1, title = step.title) }</span>
             </button></li>
         }
     };
     html! {
         <div class="lp">
             <span>{ open.lesson.title.clone() }</span>
-            <ol aria-label={format!("Step {} of {steps}", at + 1)}>
+            <ol aria-label={tr!("Step {step} of {steps}", step = at + 1, steps)}>
                 { for open.lesson.steps.iter().enumerate().map(bar) }
             </ol>
-            <span class="num">{ format!("{} of {steps}", at + 1) }</span>
+            <span class="num">{ tr!("{step} of {steps}", step = at + 1, steps) }</span>
         </div>
     }
 }
@@ -103,13 +121,18 @@ fn foot(tutor: &Tutor, open: &Open, send: &Callback<Msg>) -> Html {
     // It goes on in any case; where there is something to do, that comes first.
     let is_next = !has_task || open.is_solved() || exercise::is_answered(open);
     let class = classes!("btn", if is_next { "primary" } else { "outline" });
-    let word = if open.is_last() { "Finish" } else { "Next" };
+    let word = if open.is_last() {
+        tr!("a lesson" => "Finish")
+    } else {
+        tr!("a step" => "Next")
+    };
     html! {
         <footer class="foot">
-            <button type="button" class="btn outline" disabled={open.index() == 0} onclick={back}>
-                { icon::show("back") }<span>{ "Back" }</span>
+            <button type="button" class="btn outline" disabled={open.index() == 0} data-turn="PageUp" onclick={back}>
+                { icon::show("back") }<span>{ tr!("a step" => "Back") }</span>
             </button>
-            <button type="button" {class} ref={tutor.next.clone()} onclick={next}><span>{ word }</span></button>
+            // A clicker does not end the lesson.
+            <button type="button" {class} ref={tutor.next.clone()} data-turn={(!open.is_last()).then_some("PageDown")} onclick={next}><span>{ word }</span></button>
         </footer>
     }
 }

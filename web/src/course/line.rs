@@ -18,6 +18,8 @@ const TO_PAGE: &str = "giveway-to-page";
 const FROM_PAGE: &str = "giveway-from-page";
 /// The page asks for the contents, a lesson or a step.
 const OPEN: &str = "giveway-open";
+/// The page tells the language that is spoken.
+const LANGUAGE: &str = "giveway-language";
 /// The course listens.
 const READY: &str = "giveway-course-ready";
 /// A lesson was opened, or left.
@@ -26,7 +28,7 @@ const STATE: &str = "giveway-course-state";
 /// The course's end of the line.
 pub(super) struct Line {
     place: Element,
-    _listening: [EventListener; 2],
+    _listening: [EventListener; 3],
 }
 
 impl Line {
@@ -48,13 +50,20 @@ impl Line {
                 }
             })
         };
+        let told = {
+            let send = send.clone();
+            EventListener::new(&place, LANGUAGE, move |event| {
+                let told = detail(event).as_string();
+                send.emit(Msg::Told(told.unwrap_or_default()));
+            })
+        };
         let opened = EventListener::new(&place, OPEN, move |event| {
             let address = detail(event).as_string();
             send.emit(Msg::Open(address.unwrap_or_default()));
         });
         Self {
             place,
-            _listening: [heard, opened],
+            _listening: [heard, told, opened],
         }
     }
 

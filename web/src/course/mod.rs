@@ -1,7 +1,7 @@
 //! The course: its contents, the lesson that is open, its glossary.
 //!
 //! What a person does in a lesson, and what is judged of it, is decided in
-//! `giveway-course`; here it becomes elements and events. The course is a program of
+//! `giveway-course`, and so is the tour of the page; here it becomes elements and events. The course is a program of
 //! its own, beside the page: they talk in messages
 //! (`line`).
 
@@ -13,13 +13,18 @@ mod contents;
 mod exercise;
 mod glossary;
 mod keys;
+mod language;
 mod lesson;
 mod line;
 mod place;
+mod print;
 mod prose;
 mod shelf;
 mod sight;
 mod term;
+mod third;
+mod tour;
+mod turn;
 mod tutor;
 
 use yew::prelude::*;

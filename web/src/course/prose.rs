@@ -5,7 +5,7 @@ use std::rc::Rc;
 use giveway_course::learner::Action;
 use giveway_course::lesson::{Span, Target, Text};
 use giveway_course::port::Lit;
-use giveway_model::Agent;
+use giveway_model::{Agent, tr};
 use giveway_page::form;
 use yew::prelude::*;
 
@@ -82,7 +82,7 @@ impl Reader<'_> {
                 let time = *time;
                 let onclick = self.send.reform(move |_| Msg::Do(Action::Time(time)));
                 html! {
-                    <button type="button" class="cw" aria-label={format!("{label}, go there")} {onclick}>{ label.to_owned() }</button>
+                    <button type="button" class="cw" aria-label={tr!("{label}, go there", label)} {onclick}>{ label.to_owned() }</button>
                 }
             }
             Target::Term(id) => match self.shelf.term(id) {
@@ -103,7 +103,7 @@ impl Reader<'_> {
         };
         let off = || self.send.reform(|()| Msg::Do(Action::Light(None)));
         html! {
-            <button type="button" {class} aria-label={format!("{label}, show on the board")}
+            <button type="button" {class} aria-label={tr!("{label}, show on the board", label)}
                 onmouseenter={on().reform(|_: MouseEvent| ())} onmouseleave={off().reform(|_: MouseEvent| ())}
                 onfocus={on().reform(|_: FocusEvent| ())} onblur={off().reform(|_: FocusEvent| ())}
                 onclick={on().reform(|_: MouseEvent| ())}>

@@ -8,6 +8,7 @@ use giveway_course::lesson::{
 };
 use giveway_model::Fault;
 
+use super::language;
 use crate::board::Film;
 use crate::files::fetch_text;
 
@@ -50,6 +51,16 @@ impl Shelf {
         let course = read_course(&course).map_err(|faults| first(&faults))?;
         let glossary = read_glossary(&glossary).map_err(|faults| first(&faults))?;
         Ok(Self::new(course, glossary))
+    }
+
+    /// The same in the language that is spoken; its terms are in the order of that one.
+    pub(super) fn said(&self) -> Self {
+        let mut glossary = language::said(&self.glossary);
+        if !language::tag().is_empty() {
+            let terms = &mut glossary.terms;
+            terms.sort_by(|one, two| language::order(&one.name, &two.name));
+        }
+        Self::new(language::said(&self.course), glossary)
     }
 
     /// Fetches a lesson.

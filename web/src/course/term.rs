@@ -3,6 +3,7 @@
 use std::rc::Rc;
 
 use giveway_course::lesson::{Id, Span, Term};
+use giveway_model::tr;
 use web_sys::{Element, HtmlElement};
 use yew::prelude::*;
 
@@ -76,8 +77,8 @@ fn said(term: &Term, shelf: &Shelf, close: &Callback<()>, send: &Callback<Msg>) 
         <>
             <span class="gt">
                 <b>{ term.name.clone() }</b>
-                <button type="button" class="btn ghost round sm" title="Close" onclick={close}>
-                    { icon::show("cancel") }<span class="vh">{ "Close" }</span>
+                <button type="button" class="btn ghost round sm" title={tr!("Close")} onclick={close}>
+                    { icon::show("cancel") }<span class="vh">{ tr!("Close") }</span>
                 </button>
             </span>
             <span class="gx">{ for term.text.spans().iter().map(still) }</span>
@@ -105,7 +106,7 @@ pub(super) fn about(lesson: &Id, shelf: &Shelf, send: &Callback<Msg>) -> Html {
     };
     let onclick = send.reform(move |_: MouseEvent| Msg::Enter(place.clone()));
     html! {
-        <button type="button" class="link" {onclick}>{ format!("Lesson {number}: {}", entry.title) }</button>
+        <button type="button" class="link" {onclick}>{ tr!("Lesson {number}: {title}", number, title = entry.title) }</button>
     }
 }
 

@@ -6,6 +6,8 @@ use std::rc::Rc;
 use giveway_course::judge::Verdict;
 use giveway_course::learner::{Action, Learner, Progress, reduce};
 use giveway_course::lesson::{Id, Lesson};
+use giveway_course::port::{BoardNumber, ToPage};
+use giveway_course::tour::{self, Tour};
 use gloo::events::EventListener;
 use gloo::timers::callback::Timeout;
 use yew::platform::spawn_local;
@@ -15,11 +17,14 @@ use super::asker::Asker;
 use super::author::{Author, AuthorMsg, is_own};
 use super::contents::{Contents, Page};
 use super::keys;
+use super::language;
 use super::lesson;
 use super::line::Line;
 use super::place::Place;
+use super::print::Sheet;
 use super::shelf::Shelf;
 use super::sight::{bring_into_view, focus};
+use super::tour::Guide;
 use crate::keep;
 
 /// Under which name progress is kept.
@@ -30,8 +35,15 @@ pub(super) const KEPT: &str = "course";
 pub(super) enum Msg {
     /// Something that a learner does, or hears.
     Do(Action),
-    /// The page wants an address to be opened; the contents, where it is empty.
+    /// Something that happens on the tour.
+    Tour(tour::Action),
+    /// The page wants the tour, or an address, to be opened; the contents, where it is
+    /// empty.
     Open(String),
+    /// The page tells the language that is spoken.
+    Told(String),
+    /// That language is spoken from now on.
+    Spoken,
     /// A place is chosen.
     Enter(Place),
     /// Index and glossary are there, or are not.
@@ -48,15 +60,29 @@ pub(super) enum Msg {
     Type(String),
     /// The judge has been looking for a while.
     Late,
+    /// The page is to be shown to a room.
+    Present,
+    /// The lesson is to be printed.
+    Print,
+    /// It was printed, or not.
+    Printed,
 }
 
 /// The course.
 pub(super) struct Tutor {
     pub(super) learner: Learner,
+    /// The tour of the page, while somebody takes it.
+    pub(super) tour: Option<Tour>,
+    /// The number that the board of the next tour has.
+    pub(super) tours: BoardNumber,
+    /// The course in the language that is spoken.
     pub(super) shelf: Option<Rc<Shelf>>,
-    lessons: BTreeMap<Id, Rc<Lesson>>,
+    /// The course as it was fetched, in English.
+    pub(super) fetched: Option<Rc<Shelf>>,
+    /// The lessons as they were fetched, in English.
+    pub(super) lessons: BTreeMap<Id, Rc<Lesson>>,
     /// What is to be opened as soon as it is there.
-    wanted: Option<Place>,
+    pub(super) wanted: Option<Place>,
     pub(super) page: Option<Page>,
     /// Why something is not there.
     pub(super) missing: Option<String>,
@@ -77,6 +103,8 @@ pub(super) struct Tutor {
     pub(super) author: Author,
     pub(super) asker: Asker,
     pub(super) line: Option<Line>,
+    /// The lesson on its way to a printer.
+    pub(super) sheet: Option<Sheet>,
     _keys: EventListener,
 }
 
@@ -95,7 +123,10 @@ impl Component for Tutor {
         let (learner, _) = reduce(Learner::default(), Action::Kept(kept.unwrap_or_default()));
         Self {
             learner,
+            tour: None,
+            tours: tour::FIRST,
             shelf: None,
+            fetched: None,
             lessons: BTreeMap::new(),
             wanted: None,
             page: None,
@@ -112,24 +143,36 @@ impl Component for Tutor {
             author: Author::new(ctx.link().callback(Msg::Author)),
             asker: Asker::new(ctx.link().callback(Msg::Do)),
             line: None,
+            sheet: None,
             _keys: keys::listen(),
         }
     }
 
     fn update(&mut self, ctx: &Context<Self>, msg: Msg) -> bool {
         match msg {
+            Msg::Do(Action::Page(message)) if self.tour.is_some() => {
+                self.guide(tour::Action::Page(message));
+            }
             Msg::Do(action) => self.act(ctx, action),
             Msg::Author(msg) => self.author(ctx, msg),
+            Msg::Tour(action) => self.guide(action),
+            Msg::Open(name) if name == tour::NAME => self.begin_tour(ctx),
             Msg::Open(address) if is_own(&address) => self.arrive(ctx, address),
             Msg::Open(address) => match Place::read(&address) {
                 Some(place) => self.enter(ctx, place),
-                None => self.page = Some(Page::Lessons),
+                None => {
+                    self.guide(tour::Action::End);
+                    self.page = Some(Page::Lessons);
+                }
             },
             Msg::Enter(place) => self.enter(ctx, place),
+            Msg::Told(told) => Self::turn(ctx, told),
+            Msg::Spoken => self.reword(ctx),
             Msg::Shelved(Ok(shelf)) => {
-                self.shelf = Some(shelf);
-                if let Some(place) = self.wanted.take() {
-                    self.enter(ctx, place);
+                self.fetched = Some(shelf);
+                // Nobody is to read English first.
+                if !language::is_coming() {
+                    self.reword(ctx);
                 }
                 self.arrive_late(ctx);
             }
@@ -154,6 +197,17 @@ impl Component for Tutor {
             }
             Msg::Type(typed) => self.typed = typed,
             Msg::Late => self.is_late = true,
+            Msg::Present => {
+                if let Some(line) = &self.line {
+                    line.say(&ToPage::Present);
+                }
+            }
+            Msg::Print => {
+                // One that no browser told the end of goes first.
+                self.sheet = None;
+                self.sheet = Sheet::new(ctx.link().callback(|msg: Msg| msg));
+            }
+            Msg::Printed => self.sheet = None,
         }
         true
     }
@@ -164,9 +218,13 @@ impl Component for Tutor {
             <>
                 if let (Some(open), Some(shelf)) = (&self.learner.open, &self.shelf) {
                     { lesson::show(self, open, shelf, &send) }
+                    if let Some(sheet) = &self.sheet { { sheet.show(&open.id, &open.lesson) } }
+                }
+                if let Some(tour) = &self.tour {
+                    <Guide tour={tour.clone()} send={send.clone()} />
                 }
                 if let Some(page) = &self.page {
-                    <Contents page={*page} shelf={self.shelf.clone()} progress={self.learner.progress.clone()}
+                    <Contents key={language::tag()} page={*page} shelf={self.shelf.clone()} progress={self.learner.progress.clone()}
                         missing={self.missing.clone()} send={send.clone()} />
                 }
                 { self.author_view(&send) }
@@ -186,12 +244,15 @@ impl Component for Tutor {
         if std::mem::take(&mut self.has_said) {
             bring_into_view();
         }
+        if let Some(sheet) = &mut self.sheet {
+            sheet.print();
+        }
     }
 }
 
 impl Tutor {
     /// Opens a place, as soon as what it takes is there.
-    fn enter(&mut self, ctx: &Context<Self>, place: Place) {
+    pub(super) fn enter(&mut self, ctx: &Context<Self>, place: Place) {
         self.asker.warm();
         self.missing = None;
         let Some(shelf) = self.shelf.clone() else {
@@ -206,11 +267,13 @@ impl Tutor {
         if let Some(lesson) = self.lessons.get(&place.lesson) {
             let action = Action::Open {
                 id: place.lesson,
-                lesson: Rc::clone(lesson),
+                lesson: Rc::new(language::said(&**lesson)),
                 at: place.step,
             };
             self.wanted = None;
             self.page = None;
+            // The lesson takes its place on the board.
+            self.tour = None;
             return self.act(ctx, action);
         }
         self.wanted = Some(place.clone());
@@ -219,19 +282,5 @@ impl Tutor {
             let lesson = shelf.lesson(&place.lesson).await;
             link.send_message(Msg::Fetched(place, lesson.map(Rc::new)));
         });
-    }
-
-    /// The robots in the order that is tried next: that of the scene at first.
-    pub(super) fn order(&self) -> Vec<String> {
-        let Some(open) = &self.learner.open else {
-            return Vec::new();
-        };
-        let agents = &open.scene().agents;
-        let is_whole = agents.len() == self.order.len()
-            && agents.iter().all(|agent| self.order.contains(&agent.name));
-        if is_whole {
-            return self.order.clone();
-        }
-        agents.iter().map(|agent| agent.name.clone()).collect()
     }
 }

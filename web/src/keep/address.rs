@@ -14,9 +14,25 @@ pub(super) fn opened() -> Option<Action> {
     Some(link::open(&text))
 }
 
+/// How the part of the address begins that names a lesson.
+const LESSON: &str = "lesson=";
+
+/// Whether the address names something to be opened.
+pub(super) fn is_link() -> bool {
+    let hash = gloo::utils::window().location().hash();
+    hash.is_ok_and(|hash| !hash.is_empty())
+}
+
+/// Opens the contents of the course, or what has this name in it, as a link does that is
+/// followed; the browser's way back stays as it is.
+pub(crate) fn learn(what: &str) {
+    let location = gloo::utils::window().location();
+    // It fails only for an address that is none.
+    let _ = location.replace(&format!("#{LESSON}{what}"));
+}
+
 /// The lesson that the address names, or a step of it (`room-to-pass.2`), once.
 pub(crate) fn lesson() -> Option<String> {
-    const LESSON: &str = "lesson=";
     let text = taken(LESSON)?;
     text.strip_prefix(LESSON).map(str::to_owned)
 }

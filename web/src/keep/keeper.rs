@@ -40,6 +40,8 @@ struct Inner {
     displaced: Held<Option<Rc<Moment>>>,
     /// What was told last of why nothing is kept.
     told: Cell<Option<Unkept>>,
+    /// Whether a person is being welcomed.
+    welcomes: Cell<bool>,
 }
 
 impl PartialEq for Inner {
@@ -57,6 +59,7 @@ impl Keeper {
             waiting: Held::default(),
             displaced: Held::default(),
             told: Cell::default(),
+            welcomes: Cell::default(),
         }))
     }
 
@@ -74,6 +77,10 @@ impl Keeper {
         SHOWN.set(Some(state.clone()));
         inner.latest.set(Some(state.clone()));
         self.keep_displaced(state);
+        let welcomes = state.own().view.waiting.welcome;
+        if inner.welcomes.replace(welcomes) && !welcomes {
+            storage::welcomed();
+        }
         // Where nothing that is kept has changed, the page stays as calm as it was.
         let since = inner.since.get();
         if since.is_none_or(|since| !since.is_kept_alike(state)) {

@@ -25,7 +25,13 @@ pub(crate) fn opening(otherwise: impl FnOnce() -> Draft) -> State {
         state.view.place = Place::Embedded;
     }
     state.view.waiting.lost = lost::why();
-    match address::opened() {
+    // Who had work here, or comes by a link, knows what it is about.
+    let is_first = !is_embedded()
+        && state.view.waiting.lost.is_none()
+        && !state.history.is_touched()
+        && !address::is_link()
+        && !storage::is_welcomed();
+    let mut state = match address::opened() {
         Some(action @ Action::File(FileAction::OpenLink(_))) => reduce(&state, action),
         // A link that is refused is told beside the page as it opens without it.
         refused => {
@@ -34,7 +40,9 @@ pub(crate) fn opening(otherwise: impl FnOnce() -> Draft) -> State {
             }
             refused.map_or_else(|| state.clone(), |action| reduce(&state, action))
         }
-    }
+    };
+    state.view.waiting.welcome = is_first;
+    state
 }
 
 /// What is kept, if it can be opened; else it is put aside.

@@ -49,6 +49,20 @@ pub(crate) fn store(name: &str, text: &str) -> Result<(), Unkept> {
         })
 }
 
+/// The name under which it is kept that nobody needs a welcome any more.
+const WELCOME: &str = "welcome";
+
+/// Whether a person was welcomed before.
+pub(super) fn is_welcomed() -> bool {
+    load(WELCOME).is_some()
+}
+
+/// Nobody needs a welcome any more.
+pub(super) fn welcomed() {
+    // A browser that keeps nothing welcomes again.
+    let _ = store(WELCOME, "seen");
+}
+
 /// Forgets what is kept under a name.
 pub(super) fn forget(name: &str) {
     if let Some(storage) = lasting() {

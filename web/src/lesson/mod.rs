@@ -2,8 +2,6 @@
 //! opened first, which lives in an element of the page. It says what the board shows,
 //! and hears what happened there (`giveway_course::port`).
 
-mod program;
-
 use giveway_model::tr;
 use std::cell::Cell;
 use std::rc::Rc;
@@ -17,7 +15,7 @@ use web_sys::{CustomEvent, CustomEventInit, Element};
 use yew::prelude::*;
 
 use crate::held::Held;
-use crate::{Shown, keep};
+use crate::{Shown, keep, language, script};
 use gloo::events::EventListener;
 
 /// From the lesson: what the board shows.
@@ -26,6 +24,8 @@ const TO_PAGE: &str = "giveway-to-page";
 const FROM_PAGE: &str = "giveway-from-page";
 /// To the course: open this.
 const OPEN: &str = "giveway-open";
+/// To the course: the language that is spoken, as workers are told it.
+const LANGUAGE: &str = "giveway-language";
 /// From the course: it listens.
 const READY: &str = "giveway-course-ready";
 /// From the script of the course: it could not be started, for this reason.
@@ -42,7 +42,9 @@ impl PartialEq for Course {
 }
 
 struct Inner {
-    place: NodeRef,
+    /// The element in which it lives: always the same, whichever language the page
+    /// around it is made anew in.
+    place: Option<Element>,
     send: Callback<Action>,
     stage: Held<Stage>,
     /// The state that the lesson knows.
@@ -67,10 +69,13 @@ enum Stage {
 /// The link to the course: tells it what happens on the board of a lesson.
 #[hook]
 pub(crate) fn use_course(state: &Shown, send: &Callback<Action>) -> Course {
-    let place = use_node_ref();
     let course = {
-        let (place, send) = (place, send.clone());
+        let send = send.clone();
         use_memo((), move |()| {
+            let place = gloo::utils::document().create_element("div").ok();
+            if let Some(place) = &place {
+                place.set_id("course");
+            }
             Course(Rc::new(Inner {
                 place,
                 send,
@@ -88,12 +93,16 @@ pub(crate) fn use_course(state: &Shown, send: &Callback<Action>) -> Course {
     {
         let course = (*course).clone();
         use_effect_with((), move |()| {
+            let told = course.clone();
             let follow = move || {
                 if let Some(what) = keep::lesson() {
                     course.open(&what);
                 }
             };
             follow();
+            language::tell_workers(Callback::from(move |language: String| {
+                told.dispatch(LANGUAGE, &JsValue::from_str(&language));
+            }));
             let window = gloo::utils::window();
             let listening = EventListener::new(&window, "hashchange", move |_| follow());
             move || drop(listening)
@@ -105,12 +114,18 @@ pub(crate) fn use_course(state: &Shown, send: &Callback<Action>) -> Course {
 impl Course {
     /// Where the course lives. What is in it is its own business.
     pub(crate) fn place(&self) -> Html {
-        html! { <div id="course" ref={self.0.place.clone()}></div> }
+        let place = self.0.place.clone();
+        place.map_or_else(Html::default, |place| Html::VRef(place.into()))
     }
 
     /// Opens the course: its contents (an empty text), a lesson, or a step of one.
     pub(crate) fn open(&self, what: &str) {
-        if self.0.place.get().is_none() {
+        if !self
+            .0
+            .place
+            .as_ref()
+            .is_some_and(|place| place.is_connected())
+        {
             // Inside another page there is no course.
             return;
         }
@@ -123,7 +138,9 @@ impl Course {
                 let course = self.clone();
                 let number = self.0.starts.get();
                 self.0.starts.set(number + 1);
-                if let Err(why) = program::start(number, move |why| course.missing(why)) {
+                if let Err(why) = script::start("giveway-course-start", number, move |why| {
+                    course.missing(why);
+                }) {
                     self.missing(why);
                 }
             }
@@ -141,21 +158,22 @@ impl Course {
     }
 
     fn listen(&self) {
-        let Some(place) = self.0.place.cast::<Element>() else {
+        let Some(place) = &self.0.place else {
             return;
         };
         let ready = {
             let course = self.clone();
-            EventListener::new(&place, READY, move |_| {
+            EventListener::new(place, READY, move |_| {
                 if let Stage::Coming(what) = course.0.stage.get() {
                     course.0.stage.set(Stage::Ready);
+                    course.dispatch(LANGUAGE, &JsValue::from_str(&language::told()));
                     course.dispatch(OPEN, &JsValue::from_str(&what));
                 }
             })
         };
         let said = {
             let course = self.clone();
-            EventListener::new(&place, TO_PAGE, move |event| {
+            EventListener::new(place, TO_PAGE, move |event| {
                 let detail = event.dyn_ref().map(CustomEvent::detail);
                 let bytes = detail.and_then(|detail| detail.dyn_into::<Uint8Array>().ok());
                 let message = bytes.map(|bytes| ToPage::from_bytes(&bytes.to_vec()));
@@ -175,7 +193,7 @@ impl Course {
         };
         let failed = {
             let course = self.clone();
-            EventListener::new(&place, FAILED, move |event| {
+            EventListener::new(place, FAILED, move |event| {
                 let why = event.dyn_ref().map(CustomEvent::detail);
                 let why = why.and_then(|why| why.as_string());
                 course.missing(why.unwrap_or_default());
@@ -203,7 +221,7 @@ impl Course {
         let init = CustomEventInit::new();
         init.set_detail(detail);
         let event = CustomEvent::new_with_event_init_dict(kind, &init);
-        if let (Some(place), Ok(event)) = (self.0.place.cast::<Element>(), event) {
+        if let (Some(place), Ok(event)) = (&self.0.place, event) {
             // It fails only where an event is dispatched twice.
             let _ = place.dispatch_event(&event);
         }

@@ -26,8 +26,8 @@ use inside::{Inside, places};
 use plan::Plan;
 use same::Same;
 use tabs::Tabs;
-pub(crate) use transport::play_keys;
 use transport::transport;
+pub(crate) use transport::{clock, play_keys};
 use wait::Wait;
 
 /// Windows lower than this, in pixels, begin with the plan table closed, so
@@ -88,7 +88,8 @@ pub fn Dock(props: &DockProps) -> Html {
                 | Phase::Comparing
                 | Phase::Steering
                 | Phase::Auditing
-        ) || ask::offers_next_step(state);
+        ) || ask::offers_next_step(state)
+            || state.view.waiting.welcome;
         let stale = state.shows_stale();
         return html! {
             <section class={classes!("dock", calm.then_some("calm"), stale.then_some("stale"))} aria-label={tr!("Timeline")}>

@@ -2,7 +2,7 @@
 
 use giveway_model::tr;
 use giveway_page::changing::columns;
-use giveway_page::freedom::{Chip, FreedomAction, TITLE, chip};
+use giveway_page::freedom::{Chip, FreedomAction, TITLE, chip, is_offered};
 use giveway_page::keys::key_name;
 use giveway_page::{Action, ChangeAction, FileAction, PlayAction, Speed, State, ViewAction, table};
 use gloo::timers::callback::Timeout;
@@ -17,18 +17,24 @@ const COPIED_MS: u32 = 1600;
 /// The buttons above the lanes.
 pub(super) fn transport(props: &DockProps) -> Html {
     let DockProps { state, send } = props;
-    let (playback, last) = (state.view.playback, state.last_time());
     html! {
         <div class={classes!("transport", state.can_look_inside().then_some("two"))}>
             { super::places(state, send) }
             { play_keys(state, send) }
-            // No live region: nobody wants every step read aloud.
-            <p class="clock" title={tr!("Time {time} of {last}", time = playback.time, last)}><b>{ playback.time }</b><span>{ tr!("after a bold number" => " of {last}", last) }</span></p>
-            { speed(playback.speed, send) }
+            { clock(state) }
+            { speed(state.view.playback.speed, send) }
             { change(props) }
             <span class="grow"></span>
             { views(props) }
         </div>
+    }
+}
+
+/// The time shown. No live region: nobody wants every step read aloud.
+pub(crate) fn clock(state: &State) -> Html {
+    let (time, last) = (state.view.playback.time, state.last_time());
+    html! {
+        <p class="clock" title={tr!("Time {time} of {last}", time, last)}><b>{ time }</b><span>{ tr!("after a bold number" => " of {last}", last) }</span></p>
     }
 }
 
@@ -110,6 +116,9 @@ fn trails(state: &State, send: &Callback<Action>) -> Html {
 
 /// The chip that lays what must be so over the plan; where that cannot be, it says why.
 fn must_be_so(state: &State, send: &Callback<Action>) -> Html {
+    if !is_offered(state) {
+        return html! {};
+    }
     let (on, title) = match chip(state) {
         Chip::Off(why) => (None, why.to_owned()),
         Chip::Ready => (Some(false), format!("{} (m)", TITLE.text())),

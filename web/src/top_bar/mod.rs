@@ -5,6 +5,7 @@ mod menu;
 use giveway_model::tr;
 use giveway_page::find::FindAction;
 use giveway_page::inside::{InsideAction, Method};
+use giveway_page::present::BEGIN;
 use giveway_page::{Action, ViewAction};
 use web_sys::{Event, HtmlInputElement};
 use yew::prelude::*;
@@ -102,6 +103,13 @@ pub(crate) fn TopBar(props: &TopBarProps) -> Html {
             Panel::Nothing
         })
     };
+    let present = {
+        let send = send.clone();
+        show.reform(move |_: MouseEvent| {
+            send.emit(BEGIN);
+            Panel::Nothing
+        })
+    };
     let help = show.reform(|_: MouseEvent| Panel::Help);
     let theme = press_theme(state, send);
     let theme_title = tr!("Theme: {theme}", theme = state.view.theme.name());
@@ -182,6 +190,7 @@ pub(crate) fn TopBar(props: &TopBarProps) -> Html {
                         { save_items(state, send, show) }
                         { copy_item(state, &is_copied, send) }
                         { item("share", tr!("Share"), share) }
+                        { item("fit", tr!("Present"), present) }
                         <hr />
                         { inside_items(state, send, show) }
                         { item("search", tr!("Find a robot"), find) }

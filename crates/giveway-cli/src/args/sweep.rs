@@ -9,14 +9,17 @@ use giveway_sweep::table::{Show, Written};
 /// A benchmark of many instances, or a part of it.
 #[derive(Debug, ClapArgs)]
 #[command(after_help = "\
-A SPEC says what is combined with what; paths start from its folder:
+A SPEC says what is combined with what; paths start from its folder, or from --files:
   objectives = [\"sum-of-costs\"]          # by default the instances' own
   planners = [\"search\", \"cbs\"]           # by default search, the best plan with its proof
   time-limit = 30                        # seconds a task; conflict-limit, memory-limit
+  clock = \"cpu\"                          # they are CPU seconds; by default wall seconds
   skip-after = 2                         # so many misses in a row end a series
   [[instances]]
   files = [\"maze-32-32-2-*.scen\"]
-  agents = { from = 5, to = 50, step = 5 }   # or 20, or [5, 10]
+  agents = { from = 5, to = 50, step = 5 }   # or 20, or [5, 10]; without to: as many as there are
+  [certificates]                         # makes and checks certificates of what is proved
+  time-limit = 10                        # seconds for each; memory-limit
 
 Each result is one line of JSON in the folder of results, written whole. What is there is not done
 again: run the same command once more, and it goes on. Every shard may run on another machine.
@@ -35,6 +38,9 @@ pub(crate) struct Sweep {
     /// Do one part of so many, such as 3/64 [default: all of it]
     #[arg(long, value_name = "I/N", default_value_t = Shard::ALL, hide_default_value = true)]
     pub(crate) shard: Shard,
+    /// The folder from which the paths of the spec start [default: the folder of the spec]
+    #[arg(long, value_name = "DIR")]
+    pub(crate) files: Option<PathBuf>,
     /// The folder of results [default: NAME-results beside NAME.toml]
     #[arg(long, value_name = "DIR")]
     pub(crate) results: Option<PathBuf>,
@@ -52,7 +58,7 @@ pub(crate) struct Table {
     #[arg(required = true, value_name = "RESULTS")]
     pub(crate) results: Vec<PathBuf>,
     /// What to show: summary (how many tasks of each map, objective, planner and number of robots
-    /// ended how), rows (every result), success (the success rate against the number of robots), cactus (how many within how many CPU seconds each)
+    /// ended how), rows (every result), optima (the bounds of every row that was tried, and its certificate), success (the success rate against the number of robots), cactus (how many within how many CPU seconds each)
     #[arg(long, default_value = "summary", value_name = "WHAT")]
     pub(crate) show: Show,
     /// How it is written: markdown, csv, or svg, a plot of success or cactus

@@ -28,8 +28,12 @@ struct Listed<'a> {
 pub(crate) fn run(args: &Sweep, common: &Common) -> Result<Exit, Failure> {
     let source = Source::read(&args.spec)?;
     let spec = Spec::read(&source.text).map_err(|fault| source.fault(fault))?;
-    let folder = Folder::of(&args.spec);
-    let tasks = spec.tasks(&|pattern| folder.files(pattern));
+    let folder = match &args.files {
+        Some(files) => Folder::new(files),
+        None => Folder::of(&args.spec),
+    };
+    let most = |path: &str| folder.agents(path);
+    let tasks = spec.tasks(&|pattern| folder.files(pattern), &most);
     let tasks = tasks.map_err(|fault| source.fault(fault))?;
     let tasks = spec.part(&tasks, args.shard);
     if args.list {
@@ -42,7 +46,8 @@ pub(crate) fn run(args: &Sweep, common: &Common) -> Result<Exit, Failure> {
     let mut patience = Patience::of(&spec);
     let mut counts: BTreeMap<_, usize> = BTreeMap::new();
     for (index, task) in tasks.iter().enumerate() {
-        let known = results.of(&task.name()).cloned();
+        let known = results.of(&task.name());
+        let known = known.filter(|row| patience.accepts(task, row)).cloned();
         let is_new = known.is_none();
         let row = known.unwrap_or_else(|| done(task, &folder, &patience));
         patience.note(task, &row);

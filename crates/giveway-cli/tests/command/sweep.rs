@@ -97,10 +97,8 @@ fn shards_and_what_a_killed_one_left_come_to_the_same_table() {
     assert_eq!(rows(&folder, "parts"), expected);
 }
 
-#[test]
-fn a_process_that_is_killed_loses_no_more_than_one_task() {
-    let folder = folder();
-    // Fourteen robots on sixteen cells turn round: nobody is done with that soon.
+/// Fourteen robots on sixteen cells turn round: nobody is done with that soon.
+fn full(folder: &Folder) {
     let cell = |index: usize| (index % 4, index / 4);
     let line = |index: usize| {
         let ((x, y), (u, v)) = (cell(index), cell(15 - index));
@@ -113,6 +111,12 @@ fn a_process_that_is_killed_loses_no_more_than_one_task() {
         "....\n".repeat(4)
     );
     fs::write(folder.path("full.map"), map).unwrap();
+}
+
+#[test]
+fn a_process_that_is_killed_loses_no_more_than_one_task() {
+    let folder = folder();
+    full(&folder);
     let easy = "[[instances]]\nfiles = [\"empty-8-8.scen\"]\nagents = { from = 1, to = 6 }\n";
     let hard = "[[instances]]\nfiles = [\"full.scen\"]\nagents = 14\n";
     fs::write(folder.path("spec.toml"), format!("{easy}{hard}")).unwrap();
@@ -166,6 +170,68 @@ fn tables_and_plots_are_written() {
 }
 
 #[test]
+fn certificates_of_a_sweep_are_made_again_by_the_command() {
+    let folder = folder();
+    let spec = "objectives = [\"sum-of-costs\"]\nclock = \"cpu\"\ntime-limit = 60\n[certificates]\n\
+        [[instances]]\nfiles = [\"*.scen\"]\nagents = { from = 2, step = 3 }";
+    let specs = folder.path("specs");
+    fs::create_dir(&specs).unwrap();
+    fs::write(specs.join("spec.toml"), spec).unwrap();
+    let run = folder.run("sweep specs/spec.toml --files . -q --results rows");
+    assert_eq!(run.exit, Some(0), "{}", run.err);
+    let table = folder.run("table rows --show optima --to csv");
+    let lines: Vec<Vec<&str>> = table
+        .answer()
+        .lines()
+        .map(|line| line.split(',').collect())
+        .collect();
+    let numbers: Vec<&str> = lines[1..].iter().map(|cells| cells[2]).collect();
+    assert_eq!(numbers, ["2", "5", "8"], "as many as the scenario has");
+    let mut proofs = 0;
+    for cells in lines[1..]
+        .iter()
+        .filter(|cells| cells[9] == "proved")
+        .take(3)
+    {
+        let (agents, sum) = (cells[2], cells[12]);
+        let solve = "solve empty-8-8.scen --objective sum-of-costs -q";
+        let made = folder.run(&format!("{solve} --agents {agents} --proof made-{agents}"));
+        assert_eq!(made.exit, Some(0), "{}", made.err);
+        let manifest = fs::read(folder.path(format!("made-{agents}/manifest.json"))).unwrap();
+        assert_eq!(giveway_proof::bundle::fingerprint(&manifest), sum);
+        assert_eq!(folder.run(&format!("verify made-{agents}")).exit, Some(0));
+        proofs += 1;
+    }
+    assert_eq!(proofs, 3);
+}
+
+#[test]
+fn what_was_skipped_is_tried_when_more_is_asked_for() {
+    let folder = folder();
+    let spec = |skip_after: usize| {
+        // Nothing can be done without a conflict by these agents, but for the first few.
+        format!(
+            "skip-after = {skip_after}\nconflict-limit = 0\nobjectives = [\"sum-of-costs\"]\n\
+            [[instances]]\nfiles = [\"full.scen\"]\nagents = [10, 11, 12]"
+        )
+    };
+    full(&folder);
+    fs::write(folder.path("spec.toml"), spec(1)).unwrap();
+    let run = folder.run("sweep spec.toml -q");
+    assert!(run.answer().contains("2 skipped"), "{}", run.out);
+    fs::write(folder.path("spec.toml"), spec(2)).unwrap();
+    let run = folder.run("sweep spec.toml");
+    assert!(run.out.contains("1 skipped"), "{}", run.out);
+    assert_eq!(run.err.lines().count(), 1, "{}", run.err);
+    assert!(
+        folder
+            .run("table spec-results")
+            .answer()
+            .contains("skipped")
+    );
+}
+
+#[test]
 fn what_is_wrong_is_told_and_the_other_tasks_go_on() {
     let folder = folder();
     fs::write(
@@ -175,7 +241,7 @@ fn what_is_wrong_is_told_and_the_other_tasks_go_on() {
     .unwrap();
     folder.refuses("sweep typo.toml", &expect![[r#"
         exit 1
-        typo.toml: line 1, column 1: found unknown field `time-limt`, expected one of `instances`, `objectives`, `planners`, `time-limit`, `conflict-limit`, `memory-limit`, `skip-after`, expected a sweep: instances, objectives, planners, limits
+        typo.toml: line 1, column 1: found unknown field `time-limt`, expected one of `instances`, `objectives`, `planners`, `time-limit`, `clock`, `conflict-limit`, `memory-limit`, `skip-after`, `certificates`, expected a sweep: instances, objectives, planners, limits
     "#]]);
     fs::write(
         folder.path("none.toml"),

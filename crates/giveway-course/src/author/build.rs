@@ -24,9 +24,8 @@ pub(super) fn object(fields: &[Field], words: &Words, faults: &mut Vec<Fault>) -
             }
             continue;
         }
-        match value(field, text, faults) {
-            Some(value) => put(&mut whole, &field.name, value),
-            None => {}
+        if let Some(value) = value(field, text, faults) {
+            put(&mut whole, &field.name, value);
         }
     }
     whole

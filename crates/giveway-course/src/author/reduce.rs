@@ -16,7 +16,7 @@ pub fn reduce(mut draft: Draft, action: Action) -> Draft {
 impl Draft {
     fn act(&mut self, action: Action) {
         match action {
-            Action::Write { whose, field, text } => self.enter(whose, field, text),
+            Action::Write { whose, field, text } => self.enter(whose, field, &text),
             Action::Toggle { field, value } => self.toggle(field, &value),
             Action::Go(step) => self.at = step.min(self.steps.len().saturating_sub(1)),
             Action::Add => self.insert(self.at + 1, StepDraft::default()),
@@ -40,7 +40,7 @@ impl Draft {
                     step.words.insert(PLAN.to_owned(), "given".to_owned());
                 }
             }
-            Action::TakeTime(time) => self.enter(Whose::Step, "time".to_owned(), time.to_string()),
+            Action::TakeTime(time) => self.enter(Whose::Step, "time".to_owned(), &time.to_string()),
             Action::DropBoard => self.board(None),
             Action::AddAnswer => {
                 if let Some(step) = self.shown() {
@@ -67,7 +67,7 @@ impl Draft {
         self.steps.get_mut(self.at)
     }
 
-    fn enter(&mut self, whose: Whose, field: String, text: String) {
+    fn enter(&mut self, whose: Whose, field: String, text: &str) {
         let words = match whose {
             Whose::Lesson => Some(&mut self.words),
             Whose::Step => self.steps.get_mut(self.at).map(|step| &mut step.words),
@@ -92,7 +92,7 @@ impl Draft {
             None => chosen.push(value),
         }
         let text = chosen.join("\n");
-        self.enter(Whose::Step, field, text);
+        self.enter(Whose::Step, field, &text);
     }
 
     fn insert(&mut self, index: usize, mut step: StepDraft) {

@@ -28,7 +28,14 @@ pub enum Action {
         /// The step.
         at: usize,
     },
-    /// To the next step; after the last one the lesson is done.
+    /// A lesson that is open goes on in the words of another language.
+    Reword {
+        /// Its short name.
+        id: Id,
+        /// The same lesson in those words.
+        lesson: Rc<Lesson>,
+    },
+    /// To the next step; after the last one the lesson was read to its end.
     Next,
     /// To the step before.
     Back,

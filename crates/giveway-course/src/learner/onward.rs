@@ -8,7 +8,8 @@ use crate::lesson::{Course, Entry};
 pub enum Onward<'a> {
     /// Nothing was begun yet: the first one.
     Start(&'a Entry),
-    /// A lesson that was begun, else the first one that is new.
+    /// A lesson that was begun, else the first one that is new, else the first one of
+    /// which tasks are left.
     GoOn(&'a Entry),
     /// All are done: the first one again.
     Again(&'a Entry),
@@ -24,7 +25,8 @@ impl<'a> Onward<'a> {
             return Some(Self::Start(first));
         }
         let new = || course.lessons().find(|entry| stage(entry) == Stage::New);
-        let next = course.lessons().find(begun).or_else(new);
+        let left = || course.lessons().find(|entry| stage(entry) != Stage::Done);
+        let next = course.lessons().find(begun).or_else(new).or_else(left);
         Some(next.map_or(Self::Again(first), Self::GoOn))
     }
 

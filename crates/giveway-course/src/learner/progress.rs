@@ -1,12 +1,12 @@
 //! How far each lesson has come: what a browser keeps, and is distrusted when read back.
 
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
 
 use giveway_model::{Fault, Version, format::native};
 use serde::{Deserialize, Serialize};
 
-use crate::lesson::Id;
 use crate::lesson::read::{MAX_LESSONS, MAX_STEPS};
+use crate::lesson::{Id, Lesson};
 
 /// How far each lesson has come.
 #[derive(Clone, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
@@ -18,14 +18,31 @@ pub struct Progress {
 }
 
 /// How far a lesson has come.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
+#[derive(Clone, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
 struct Reached {
     /// The step that was opened last, from 0.
     step: usize,
-    /// Whether it was done once.
-    #[serde(default)]
+    /// Whether it counted as done before tasks were counted: it was read to its end.
+    #[serde(default, skip_serializing_if = "std::ops::Not::not")]
     done: bool,
+    /// Whether it was read to its end.
+    #[serde(default)]
+    seen: bool,
+    /// The steps whose tasks are solved, from 0.
+    #[serde(default)]
+    solved: BTreeSet<usize>,
+    /// How many tasks it has.
+    #[serde(default)]
+    tasks: usize,
+}
+
+impl Reached {
+    /// Whether all of its tasks are solved; where it has none, whether it was read.
+    fn is_done(&self) -> bool {
+        let has_tasks = self.tasks > 0;
+        self.done || (self.solved.len() >= self.tasks && (has_tasks || self.seen))
+    }
 }
 
 /// How far a lesson has come.
@@ -35,7 +52,16 @@ pub enum Stage {
     New,
     /// It was left at a step, from 0.
     Begun(usize),
-    /// It was done.
+    /// It was read to its end, and some of its tasks are left.
+    Seen {
+        /// The step to go on with, from 0.
+        step: usize,
+        /// How many tasks are solved.
+        solved: usize,
+        /// How many there are.
+        tasks: usize,
+    },
+    /// All of its tasks are solved.
     Done,
 }
 
@@ -44,8 +70,13 @@ impl Progress {
     pub fn stage(&self, lesson: &Id) -> Stage {
         match self.lessons.get(lesson) {
             None => Stage::New,
-            Some(Reached { done: true, .. }) => Stage::Done,
-            Some(Reached { step, .. }) => Stage::Begun(*step),
+            Some(reached) if reached.is_done() => Stage::Done,
+            Some(reached) if reached.seen => Stage::Seen {
+                step: reached.step,
+                solved: reached.solved.len(),
+                tasks: reached.tasks,
+            },
+            Some(reached) => Stage::Begun(reached.step),
         }
     }
 
@@ -56,23 +87,37 @@ impl Progress {
 
     /// How many lessons are done.
     pub fn done(&self) -> usize {
-        self.lessons.values().filter(|reached| reached.done).count()
+        self.lessons.values().filter(|it| it.is_done()).count()
     }
 
     /// A step of a lesson was opened.
-    pub(super) fn opened(&mut self, lesson: &Id, step: usize) {
-        if self.lessons.len() < MAX_LESSONS || self.lessons.contains_key(lesson) {
-            self.lessons.entry(lesson.clone()).or_default().step = step.min(MAX_STEPS);
+    pub(super) fn opened(&mut self, id: &Id, lesson: &Lesson, step: usize) {
+        if self.lessons.len() >= MAX_LESSONS && !self.lessons.contains_key(id) {
+            return;
+        }
+        let reached = self.lessons.entry(id.clone()).or_default();
+        reached.step = step.min(MAX_STEPS);
+        // The lesson may have other tasks than when it was opened last.
+        reached.tasks = tasks(lesson).count();
+        reached
+            .solved
+            .retain(|step| tasks(lesson).any(|task| task == *step));
+    }
+
+    /// The task of a step is solved.
+    pub(super) fn solved(&mut self, id: &Id, step: usize) {
+        if let Some(reached) = self.lessons.get_mut(id) {
+            reached.solved.insert(step);
         }
     }
 
-    /// A lesson is done; it begins at its first step when it is opened again.
-    pub(super) fn finished(&mut self, lesson: &Id) {
-        if let Some(reached) = self.lessons.get_mut(lesson) {
-            *reached = Reached {
-                step: 0,
-                done: true,
-            };
+    /// A lesson was read to its end. It begins at the first task that is left when it is
+    /// opened again.
+    pub(super) fn finished(&mut self, id: &Id, lesson: &Lesson) {
+        if let Some(reached) = self.lessons.get_mut(id) {
+            let left = tasks(lesson).find(|step| !reached.solved.contains(step));
+            reached.step = left.unwrap_or(0);
+            reached.seen = true;
         }
     }
 
@@ -97,11 +142,21 @@ impl Progress {
                 format!("at most {MAX_LESSONS}"),
             ));
         }
-        let mut steps = progress.lessons.values().map(|reached| reached.step);
-        if let Some(step) = steps.find(|step| *step > MAX_STEPS) {
+        let counts = |it: &Reached| {
+            let last = it.solved.last().copied().unwrap_or_default();
+            it.step.max(it.tasks).max(last)
+        };
+        let most = progress.lessons.values().map(counts).max();
+        if let Some(step) = most.filter(|most| *most > MAX_STEPS) {
             let found = format!("step {step}");
             return Err(Fault::at("lessons", found, format!("at most {MAX_STEPS}")));
         }
         Ok(progress)
     }
+}
+
+/// The steps of a lesson that have a task, from 0.
+fn tasks(lesson: &Lesson) -> impl Iterator<Item = usize> {
+    let steps = lesson.steps.iter().enumerate();
+    steps.filter_map(|(index, step)| step.task.as_ref().map(|_| index))
 }

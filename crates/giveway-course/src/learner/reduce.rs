@@ -21,7 +21,7 @@ impl Learner {
         match action {
             Action::Open { id, lesson, at } => {
                 let at = at.unwrap_or(match self.progress.stage(&id) {
-                    Stage::Begun(step) => step,
+                    Stage::Begun(step) | Stage::Seen { step, .. } => step,
                     Stage::New | Stage::Done => 0,
                 });
                 let at = at.min(lesson.steps.len().saturating_sub(1));
@@ -34,6 +34,11 @@ impl Learner {
             Action::Try { lesson, at } => {
                 let (id, at) = (Id::tried(), Some(at));
                 self.act(Action::Open { id, lesson, at }, effects);
+            }
+            Action::Reword { id, lesson } => {
+                if let Some(open) = self.open.as_mut().filter(|open| open.id == id) {
+                    open.lesson = lesson;
+                }
             }
             Action::Next => self.next(effects),
             Action::Back => {
@@ -86,7 +91,7 @@ impl Learner {
             return;
         };
         if open.is_last() {
-            self.progress.finished(&open.id);
+            self.progress.finished(&open.id, &open.lesson);
             effects.push(Effect::Keep(self.progress.clone()));
             return self.close(effects);
         }
@@ -129,7 +134,7 @@ impl Learner {
             effects.push(Effect::Page(ToPage::Open(Box::new(board))));
         }
         if !open.is_tried() {
-            self.progress.opened(&open.id, open.at);
+            self.progress.opened(&open.id, &open.lesson, open.at);
             effects.push(Effect::Keep(self.progress.clone()));
         }
         self.open = Some(open);
@@ -181,6 +186,8 @@ impl Learner {
                 self.forget(effects);
                 self.open = None;
             }
+            // Only a tour is told of it.
+            Happened::Seen(_) => {}
         }
     }
 

@@ -93,6 +93,8 @@ impl Learner {
             if !verdict.seal.is_empty() {
                 effects.push(Effect::Page(ToPage::Seal(verdict.seal.clone())));
             }
+            self.progress.solved(&open.id, open.at);
+            effects.push(Effect::Keep(self.progress.clone()));
             effects.push(Effect::FocusNext);
         }
         open.judge = Judge::Said(verdict);

@@ -1,9 +1,8 @@
 //! The index of a course: chapters of lessons, with what the page of contents shows.
 
-use giveway_model::{Plan, Scene, Version};
+use giveway_model::{Plan, Scene, Version, object_only};
 use serde::{Deserialize, Serialize};
 
-use super::object::object_only;
 use super::{Id, Text};
 
 /// A course.

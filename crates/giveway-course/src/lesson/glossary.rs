@@ -1,9 +1,8 @@
 //! The glossary: every term of the field that the page and its lessons use.
 
-use giveway_model::Version;
+use giveway_model::{Version, object_only};
 use serde::{Deserialize, Serialize};
 
-use super::object::object_only;
 use super::{Id, Picture, Text};
 
 /// A glossary.

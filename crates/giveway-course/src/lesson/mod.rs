@@ -4,7 +4,8 @@
 //! - [`task`], [`condition`], [`quantity`]: what there is to do, and what decides it;
 //! - [`text`]: the little markup of a paragraph;
 //! - [`course`], [`glossary`]: the index of lessons, the terms of the field;
-//! - [`read`]: read with distrust, `write`: written for people; [`link`]: as a part of an address.
+//! - [`read`]: read with distrust, `write`: written for people; [`link`]: as a part of an address;
+//! - [`translated`]: the same in the words of another language.
 
 pub mod board;
 pub mod condition;
@@ -13,15 +14,15 @@ pub mod glossary;
 mod id;
 mod layout;
 pub mod link;
-mod object;
 pub mod quantity;
 pub mod read;
 mod step;
 pub mod task;
 pub mod text;
+mod translate;
 mod write;
 
-use giveway_model::Version;
+use giveway_model::{Version, object_only};
 use serde::{Deserialize, Serialize};
 
 pub use board::{Layer, Tool};
@@ -34,9 +35,8 @@ pub use read::{read_course, read_glossary, read_lesson};
 pub use step::Step;
 pub use task::Task;
 pub use text::{Span, Target, Text};
+pub use translate::{Find, Worded, keys, translated};
 pub use write::{write_course, write_glossary, write_lesson};
-
-use object::object_only;
 
 /// A lesson: one idea, in a few steps.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]

@@ -1,9 +1,8 @@
 //! A step of a lesson: a text, a board, and at most one task.
 
-use giveway_model::{Cell, Plan, Scene};
+use giveway_model::{Cell, Plan, Scene, object_only};
 use serde::{Deserialize, Serialize};
 
-use super::object::object_only;
 use super::{Layer, Task, Text, Tool};
 
 /// A step.

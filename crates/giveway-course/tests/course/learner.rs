@@ -174,6 +174,14 @@ fn the_course_goes_on_with_what_was_begun_then_with_what_is_new() {
     assert_eq!(next(&progress(&[(0, 0, true), (1, 0, true)])), ("go on", 2));
     let done: Vec<_> = (0..all.len()).map(|lesson| (lesson, 0, true)).collect();
     assert_eq!(next(&progress(&done)), ("again", 0));
+    // Then with those of which tasks are left.
+    let text = progress(&done).write();
+    let from = format!("\"{}\":{{", all[5]);
+    let at = text.find(&from).unwrap() + from.len();
+    let end = at + text[at..].find('}').unwrap();
+    let left = "\"step\":1,\"seen\":true,\"solved\":[2],\"tasks\":2";
+    let text = [&text[..at], left, &text[end..]].concat();
+    assert_eq!(next(&Progress::read(&text).unwrap()), ("go on", 5));
 }
 
 #[test]
@@ -204,7 +212,7 @@ fn two_clicks_make_a_mark() {
 }
 
 #[test]
-fn progress_is_kept_and_read_back_with_distrust() {
+fn a_lesson_is_done_when_all_of_its_tasks_are_solved() {
     let (mut learner, _) = opened("room-to-pass", 0);
     let name = id("room-to-pass");
     assert_eq!(learner.progress.stage(&name), Stage::Begun(0));
@@ -212,11 +220,67 @@ fn progress_is_kept_and_read_back_with_distrust() {
         learner = reduce(learner, Action::Next).0;
         assert_eq!(learner.progress.stage(&name), Stage::Begun(step));
     }
+    // Only read: all of its tasks are left.
     let (learner, effects) = reduce(learner, Action::Next);
-    assert_eq!(learner.progress.stage(&name), Stage::Done);
     assert!(learner.open.is_none() && effects.contains(&Effect::Page(ToPage::Close)));
+    let seen = |step, solved| Stage::Seen {
+        step,
+        solved,
+        tasks: 3,
+    };
+    assert_eq!(learner.progress.stage(&name), seen(1, 0));
+    assert_eq!(learner.progress.done(), 0);
+
+    let reopen = |learner| {
+        let lesson = Rc::new(shipped::lesson("room-to-pass"));
+        let id = name.clone();
+        reduce(
+            learner,
+            Action::Open {
+                id,
+                lesson,
+                at: None,
+            },
+        )
+    };
+    // It is opened at the first task that is left; a wrong answer solves none.
+    let (learner, _) = reopen(learner);
+    assert_eq!(learner.open.as_ref().unwrap().index(), 1);
+    let (learner, effects) = reduce(learner, Action::Guess(Value::Number(7)));
+    let (learner, _) = answered(learner, effects);
+    let (learner, _) = reduce(learner, Action::Go(2));
+    let (learner, _) = reduce(learner, Action::Choose(0));
+    assert_eq!(learner.progress.stage(&name), seen(2, 0));
+    let (learner, effects) = reduce(learner, Action::Choose(1));
+    assert!(effects.contains(&Effect::Keep(learner.progress.clone())));
+    let (learner, effects) = reduce(learner, Action::Next);
+    let edit = painted(&learner, 3, 1);
+    let (learner, effects) = reduce(learner, said(board(&effects), edit));
+    let (learner, _) = answered(learner, effects);
+    let (learner, _) = reduce(learner, Action::Next);
+    assert_eq!(learner.progress.stage(&name), seen(1, 2));
+    let (learner, _) = reopen(learner);
+    let (learner, effects) = reduce(learner, Action::Guess(Value::Number(9)));
+    let (learner, _) = answered(learner, effects);
+    assert_eq!(learner.progress.stage(&name), Stage::Done);
+    assert_eq!(learner.progress.done(), 1);
     let kept = learner.progress.write();
     assert_eq!(Progress::read(&kept), Ok(learner.progress.clone()));
+    // Once done, it begins at its first step again.
+    let (learner, _) = reduce(learner, Action::Close);
+    assert_eq!(reopen(learner).0.open.unwrap().index(), 0);
+}
+
+#[test]
+fn progress_is_read_back_with_distrust() {
+    // As it was kept when a lesson was done as soon as it was read to its end.
+    let early =
+        r#"{"giveway":1,"lessons":{"x":{"step":0,"done":true},"y":{"step":2,"done":false}}}"#;
+    let early = Progress::read(early).unwrap();
+    assert_eq!(early.stage(&id("x")), Stage::Done);
+    assert_eq!(early.stage(&id("y")), Stage::Begun(2));
+    let (learner, _) = reduce(Learner::default(), Action::Kept(early.clone()));
+    assert_eq!(learner.progress, early);
     for bad in [
         "",
         "[]",
@@ -224,6 +288,8 @@ fn progress_is_kept_and_read_back_with_distrust() {
         r#"{"giveway":1,"lessons":{"../x":{"step":0}}}"#,
         r#"{"giveway":1,"lessons":{"x":{"step":99}}}"#,
         r#"{"giveway":1,"lessons":{"x":{"step":-1}}}"#,
+        r#"{"giveway":1,"lessons":{"x":{"step":1,"tasks":99}}}"#,
+        r#"{"giveway":1,"lessons":{"x":{"step":1,"solved":[99]}}}"#,
         r#"{"giveway":1,"lessons":{},"more":1}"#,
     ] {
         assert!(Progress::read(bad).is_err(), "{bad}");

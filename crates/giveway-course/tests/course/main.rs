@@ -18,5 +18,7 @@ mod schema;
 mod shipped;
 mod tasks;
 mod terms;
+mod tour;
+mod translate;
 mod unknown;
 mod words;

@@ -13,7 +13,7 @@ mod written;
 
 use serde::{Deserialize, Serialize};
 
-use crate::object::object_only;
+use crate::object_only;
 use crate::{Agent, Cell, Fault, Version, sorting};
 
 pub use history::{Epoch, History};

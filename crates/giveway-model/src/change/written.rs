@@ -8,7 +8,7 @@ use serde::de::{self, MapAccess, Visitor};
 use serde::{Deserialize, Deserializer, Serialize};
 
 use super::{Change, What};
-use crate::object::object_only;
+use crate::object_only;
 use crate::{Agent, Cell};
 
 /// All keys that a change may have.

@@ -12,7 +12,7 @@ use crate::{Cost, Costs, tr};
 
 pub use catalogue::{Catalogue, PluralRule, speak};
 pub use po::{Message, NoCatalogue, read as messages};
-pub use tr::{Later, retold, translated};
+pub use tr::{Later, found, retold, translated};
 #[doc(hidden)]
 pub use tr::{checked, checked_forms, fill, fill_counted, number, text};
 

@@ -127,8 +127,13 @@ pub fn text(key: &'static str) -> &'static str {
 /// A text that data brings, such as the list of examples, which is written in English:
 /// in the language that is spoken, where its catalogue has it.
 pub fn translated(text: &str) -> &str {
-    let found = spoken().and_then(|catalogue| catalogue.text(text));
-    found.unwrap_or(text)
+    found(text).unwrap_or(text)
+}
+
+/// What the catalogue of the language that is spoken has for a key that data brings; a
+/// context stands before it, with U+0004 between the two.
+pub fn found(key: &str) -> Option<&'static str> {
+    spoken()?.text(key)
 }
 
 /// A sentence that was said in English, elsewhere or before, in the language that is

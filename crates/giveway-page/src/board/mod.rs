@@ -15,7 +15,7 @@ mod shade;
 #[cfg(test)]
 mod tests;
 
-pub use camera::{Camera, Frame, MAX_CELL_PX};
+pub use camera::{Camera, Frame, MAX_CELL_PX, PRESENTED_CELL_PX};
 pub use cast::Cast;
 pub use floor::{Band, Floor, TILE};
 use giveway_picture::whole;

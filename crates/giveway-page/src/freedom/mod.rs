@@ -11,6 +11,7 @@ mod words;
 
 use std::rc::Rc;
 
+use giveway_course::lesson::Layer;
 use giveway_model::{Cell, check, tr};
 use giveway_solve::freedom::{Closed, Farthest, FreedomAnswer, FreedomRequest, PlanCount};
 use giveway_solve::{Limits, SolveAnswer, Stats, Status};
@@ -210,6 +211,12 @@ pub enum Chip {
     Ready,
     /// It is.
     On,
+}
+
+/// Whether it is offered at all: a step of a lesson may do without it.
+pub fn is_offered(state: &State) -> bool {
+    let mut lesson = state.lesson().into_iter();
+    lesson.all(|lesson| lesson.shows(Layer::Freedom))
 }
 
 /// Whether what must be so can be laid over the plan.

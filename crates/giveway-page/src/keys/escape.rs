@@ -3,13 +3,14 @@
 use crate::freedom::FreedomAction;
 use crate::inside::InsideAction;
 use crate::intake::Job;
+use crate::slot::SlotAction;
 use crate::steering::Lead;
 use crate::{
     Action, AskAction, BoardAction, ChangeAction, Phase, Selection, SolveAction, State, ViewAction,
 };
 
-/// What Escape closes first: what is being placed, what runs, the notice, robots that
-/// are looked at alone, a question, what is led, the selection, the changes of the world,
+/// What Escape closes first: what is being placed, what runs, the notice, the
+/// welcome, robots that are looked at alone, a question, what is led, the selection, the changes of the world,
 /// what is laid over the plan.
 pub(super) fn escape(state: &State) -> Option<Action> {
     if state.has_gesture() {
@@ -25,6 +26,8 @@ pub(super) fn escape(state: &State) -> Option<Action> {
         Some(Action::Solve(SolveAction::Cancel))
     } else if state.view.notice.is_some() {
         Some(Action::View(ViewAction::DismissNotice))
+    } else if state.view.waiting.welcome {
+        Some(Action::Slot(SlotAction::Close))
     } else if state.is_inside() && state.inside.alone.is_some() {
         Some(Action::Inside(InsideAction::Alone(false)))
     } else if state.document.mode.asking().is_some() {

@@ -13,7 +13,7 @@ pub struct Row {
 }
 
 /// The help: groups of rows, each with a title.
-pub const HELP: [(Later, &[Row]); 5] = [
+pub const HELP: [(Later, &[Row]); 6] = [
     (
         tr_later!("Solving"),
         &[
@@ -71,7 +71,27 @@ pub const HELP: [(Later, &[Row]); 5] = [
             row(&["F"], tr_later!("Follow the robot selected")),
             row(&["N"], tr_later!("Next conflict (of the robot selected)")),
             row(&["M"], tr_later!("What must be so in every best plan")),
+            row(&["P"], tr_later!("Present: the board full screen")),
             row(&["?"], tr_later!("This list")),
+        ],
+    ),
+    (
+        tr_later!("While presenting"),
+        &[
+            row(
+                &["\u{2190}", "\u{2192}"],
+                tr_later!("One step back, one step forward"),
+            ),
+            row(
+                &["\u{2191}", "\u{2193}"],
+                tr_later!("The question before, the next one"),
+            ),
+            row(
+                &["Page Up", "Page Down"],
+                tr_later!("Back, on: a step of the lesson, a question, a time"),
+            ),
+            row(&["H"], tr_later!("Hide what is said, show it again")),
+            row(&["Escape"], tr_later!("End the presentation")),
         ],
     ),
     (
@@ -102,6 +122,8 @@ pub fn key_name(key: &'static str) -> &'static str {
         "Space" => tr!("a key" => "Space"),
         "Home" => tr!("a key" => "Home"),
         "End" => tr!("a key" => "End"),
+        "Page Up" => tr!("a key" => "Page Up"),
+        "Page Down" => tr!("a key" => "Page Down"),
         other => other,
     }
 }

@@ -11,6 +11,7 @@ use crate::freedom::FreedomAction;
 use crate::reduce::only_looks;
 use crate::steering::Lead;
 use crate::{Action, BoardAction, ChangeAction, PlayAction, SolveAction, State, Tool, ViewAction};
+use crate::{freedom, present};
 
 pub use help::{HELP, Row, key_name};
 
@@ -63,8 +64,13 @@ fn meant(key: Key<'_>, state: &State) -> Option<Command> {
     if key.ctrl {
         return with_ctrl(key).map(Command::Act);
     }
-    if let Some(lead) = leads(key.name, state) {
+    let is_presented = state.is_presented();
+    let lead = leads(key.name, state).filter(|lead| !is_presented || *lead != Lead::Begin);
+    if let Some(lead) = lead {
         return Some(Command::Act(Action::Steer(lead)));
+    }
+    if is_presented && let Some(action) = present::pressed(key.name, state) {
+        return Some(Command::Act(action));
     }
     // Keys step through how the plan was found where that is shown.
     let (playing, has_plan) = if state.is_inside() {
@@ -97,11 +103,15 @@ fn meant(key: Key<'_>, state: &State) -> Option<Command> {
         "x" | "X" => state
             .can_change()
             .then_some(Action::Change(ChangeAction::Begin)),
-        "m" | "M" => Some(Action::Freedom(FreedomAction::Show(
-            state.freedom().is_none(),
-        ))),
+        "m" | "M" => {
+            let show = FreedomAction::Show(state.freedom().is_none());
+            freedom::is_offered(state).then_some(Action::Freedom(show))
+        }
+        "p" | "P" => Some(present::BEGIN),
         name => tool(name).map(|tool| Action::Board(BoardAction::PickTool(tool))),
     };
+    // Before a room, what else a key does cannot be seen.
+    let action = action.filter(|action| !is_presented || matches!(action, Action::Play(_)));
     action.map(Command::Act)
 }
 

@@ -1,9 +1,9 @@
 //! What the lesson hears of its board: the difference of two states.
 
-use giveway_course::port::{BoardNumber, FromPage, Happened};
+use giveway_course::port::{BoardNumber, FromPage, Happened, Sight};
 
 use super::Lesson;
-use crate::State;
+use crate::{State, Tool};
 
 /// A person's own board as it is now, for who writes a lesson: its scene, its plan, the
 /// time shown.
@@ -23,16 +23,22 @@ pub fn as_it_is(state: &State) -> Vec<FromPage> {
 
 /// What happened on the board of a lesson between two states of the page.
 pub fn happened(before: &State, after: &State) -> Vec<FromPage> {
-    let Some(was) = before.lesson() else {
+    let Some(was) = &before.lesson else {
         return Vec::new();
     };
     let number = was.board.number;
     let told = |what| FromPage { number, what };
-    let Some(is) = after.lesson() else {
+    let Some(is) = &after.lesson else {
         return vec![told(Happened::Closed)];
     };
     if is.board.number != number {
         return Vec::new();
+    }
+    if is.is_tour() {
+        let sight = seen(after, is);
+        let is_new = sight != seen(before, was);
+        let said = is_new.then(|| told(Happened::Seen(sight)));
+        return said.into_iter().collect();
     }
     let mut all = Vec::new();
     let scene = after.document.draft.scene();
@@ -61,4 +67,19 @@ pub fn happened(before: &State, after: &State) -> Vec<FromPage> {
         all.push(Happened::Time(time));
     }
     all.into_iter().map(told).collect()
+}
+
+/// What a tour sees.
+fn seen(state: &State, tour: &Lesson) -> Sight {
+    let agents = state.document.agents();
+    let robot = state.selected_agent().and_then(|agent| agents.get(agent));
+    Sight {
+        time: state.view.playback.time,
+        last: state.last_time(),
+        robot: robot.map(|agent| agent.name.clone()),
+        is_asking: state.document.mode.asking().is_some(),
+        paints: state.view.tool == Tool::Obstacle,
+        is_edited: *state.document.draft.scene() != tour.board.scene,
+        is_solved: state.document.fresh_answer().is_some() && state.work.solving().is_none(),
+    }
 }

@@ -99,8 +99,13 @@ impl Lesson {
     pub(crate) fn leads(&self, name: &str) -> bool {
         match &self.board.hand {
             Hand::Leads(names) => names.iter().any(|led| led == name),
-            Hand::Looks | Hand::Points => false,
+            Hand::Looks | Hand::Points | Hand::Tours => false,
         }
+    }
+
+    /// Whether it is a tour: then the page is as it is without a lesson.
+    pub(crate) fn is_tour(&self) -> bool {
+        self.board.hand == Hand::Tours
     }
 }
 
@@ -124,6 +129,10 @@ const NOT_NOW: Later = tr_later!("Leave the lesson before you do this.");
 /// What becomes of an action on the board of a lesson.
 pub(crate) fn fate(state: &State, lesson: &Lesson, action: &Action) -> Fate {
     match action {
+        Action::Slot(_) | Action::File(FileAction::Resume(_)) => Fate::Own,
+        Action::Intake(IntakeAction::Read(_) | IntakeAction::Reply { .. }) => Fate::Leaves,
+        Action::File(action) if !matches!(action, FileAction::Refuse(_)) => Fate::Leaves,
+        _ if lesson.is_tour() => Fate::Happens,
         Action::Board(BoardAction::PickTool(tool)) if !lesson.allows(*tool) => {
             Fate::Closed(tr!("This step does without that tool."))
         }
@@ -134,19 +143,14 @@ pub(crate) fn fate(state: &State, lesson: &Lesson, action: &Action) -> Fate {
         | Action::Redo
         | Action::Play(_)
         | Action::View(_)
-        | Action::File(FileAction::Refuse(_))
+        | Action::File(_)
+        | Action::Intake(_)
         | Action::Solve(
             SolveAction::Cancel
             | SolveAction::Progress { .. }
             | SolveAction::Respond { .. }
             | SolveAction::Crash { .. },
         ) => Fate::Happens,
-        Action::Slot(_) | Action::File(FileAction::Resume(_)) => Fate::Own,
-        Action::File(_) => Fate::Leaves,
-        Action::Intake(action) => match action {
-            IntakeAction::Read(_) | IntakeAction::Reply { .. } => Fate::Leaves,
-            _ => Fate::Happens,
-        },
         Action::Solve(SolveAction::Begin) | Action::Steer(Lead::Discard) => Fate::Dropped,
         Action::Steer(_) => match state.selected_agent() {
             Some(agent) if leads(state, lesson, agent) => Fate::Happens,
@@ -173,9 +177,9 @@ fn leads(state: &State, lesson: &Lesson, agent: usize) -> bool {
 }
 
 impl State {
-    /// The lesson on the board.
+    /// The lesson on the board; a tour is none.
     pub fn lesson(&self) -> Option<&Lesson> {
-        self.lesson.as_deref()
+        self.lesson.as_deref().filter(|lesson| !lesson.is_tour())
     }
 
     /// The agent that the text of a lesson names just now, by its index.

@@ -4,15 +4,19 @@ use giveway_model::tr;
 use std::rc::Rc;
 
 use giveway_course::lesson::Layer;
-use giveway_course::port::{Board, BoardPlan, Evidence, Hand, Pick, ToPage};
+use giveway_course::port::{Board, BoardPlan, Deed, Evidence, Hand, Pick, ToPage};
 use giveway_model::{Cell, Fault};
 
 use super::document::{amend, undo};
 use super::{play, solve, steer, step, stroke};
 use crate::lesson::{Fate, Lesson, LessonAction, document, evidence, fate};
+use crate::present::Presenting;
 use crate::steering::Lead;
 use crate::view::Layers;
-use crate::{Action, BoardAction, Mode, Notice, Selection, State, Tab};
+use crate::{
+    Action, AskAction, BoardAction, Edit, Mode, Notice, Paint, Selection, SolveAction, State, Tab,
+    ViewAction, ask,
+};
 
 pub(super) fn lesson(state: &mut State, action: LessonAction) {
     match action {
@@ -75,7 +79,7 @@ fn pointed_at(state: &State, action: &BoardAction) -> Option<Cell> {
 
 /// A plan of a scene that was edited since is not shown on the board of a lesson.
 pub(super) fn settle(state: &mut State) {
-    if state.lesson.is_some() && state.document.is_stale() {
+    if state.lesson().is_some() && state.document.is_stale() {
         state.document.answer = None;
         super::document::keep_to_plan(state);
     }
@@ -96,6 +100,7 @@ fn says(state: &mut State, message: ToPage) {
         ToPage::Show(found) => show(state, &found),
         ToPage::Seal(cells) => change(state, |lesson| lesson.sealed = cells),
         ToPage::Wait => steer::steer(state, Lead::Step((0, 0))),
+        ToPage::Do(deed) => tour(state, deed),
         ToPage::TakeBack => {
             change(state, |lesson| lesson.sealed.clear());
             undo(state);
@@ -109,6 +114,7 @@ fn says(state: &mut State, message: ToPage) {
                 open(state, &Rc::new(board));
             }
         }
+        ToPage::Present => super::view::view(state, &ViewAction::Present(Presenting::Told)),
         ToPage::Close => leave(state),
         // It changes nothing: the page answers by itself.
         ToPage::Take => {}
@@ -167,6 +173,8 @@ fn aside(state: &State) -> State {
     own.intake.end();
     own.view.playback.playing = false;
     own.view.notice = None;
+    // Who has found the course needs no welcome.
+    own.view.waiting.welcome = false;
     own
 }
 
@@ -181,6 +189,7 @@ fn carry(from: &State, to: &mut State) {
     let (view, before) = (&mut to.view, &from.view);
     view.theme = before.theme;
     view.is_wide = before.is_wide;
+    view.presenting = before.presenting;
     view.tab = before.tab;
     view.playback.speed = before.playback.speed;
 }
@@ -194,6 +203,30 @@ fn leave(state: &mut State) {
         carry(state, &mut own);
         own.view.playback.speed = speed;
         *state = own;
+    }
+}
+
+/// Does what a person could do. Outside of a tour nobody asks for it.
+fn tour(state: &mut State, deed: Deed) {
+    if !state.lesson.as_ref().is_some_and(|lesson| lesson.is_tour()) {
+        return;
+    }
+    let action = match deed {
+        Deed::Select(name) => {
+            let mut agents = state.document.agents().iter();
+            let agent = agents.position(|agent| agent.name == name);
+            agent.map(|agent| Action::Board(BoardAction::Select(Selection::Agent(agent))))
+        }
+        Deed::Ask => {
+            let first = ask::offers(state).into_iter().next();
+            let offer = first.and_then(|group| group.offers.into_iter().next());
+            offer.map(|offer| Action::Ask(AskAction::Ask(offer.question)))
+        }
+        Deed::Paint(cell) => Some(Action::Edit(Edit::Paint(Paint::Obstacle, cell, true))),
+        Deed::Solve => Some(Action::Solve(SolveAction::Solve)),
+    };
+    if let Some(action) = action {
+        step(state, action);
     }
 }
 

@@ -26,7 +26,7 @@ mod view;
 
 pub(crate) use document::settle;
 
-use crate::{Action, BoardAction, FileAction, SolveAction, State};
+use crate::{Action, BoardAction, FileAction, SolveAction, State, ViewAction};
 
 /// The next state. Pure: the same state and action always give the same.
 ///
@@ -93,7 +93,8 @@ fn step(state: &mut State, action: Action) {
 /// else happens.
 pub(crate) const fn only_looks(action: &Action) -> bool {
     match action {
-        Action::Play(_) | Action::View(_) => true,
+        Action::View(action) => !matches!(action, ViewAction::Present(_)),
+        Action::Play(_) => true,
         Action::Board(action) => matches!(action, BoardAction::StepCursor { carries: false, .. }),
         Action::File(action) => matches!(action, FileAction::OpenLink(_) | FileAction::Refuse(_)),
         Action::Solve(action) => matches!(

@@ -31,10 +31,11 @@ pub(super) fn slot(state: &mut State, action: SlotAction) {
                 state.history.record(Rc::unwrap_or_clone(moment));
             }
         }
-        SlotAction::Close => {
+        SlotAction::Close if waiting.unkept.is_some() || waiting.other.is_some() => {
             waiting.unkept = None;
             waiting.other = None;
         }
+        SlotAction::Close => waiting.welcome = false,
     }
 }
 

@@ -1,9 +1,14 @@
 //! What is shown and how; and what a person set for all scenes.
 
-use super::play;
+use super::{play, stroke};
+use crate::present::present;
 use crate::{State, ViewAction};
 
 pub(super) fn view(state: &mut State, action: &ViewAction) {
+    if let ViewAction::Present(to) = *action {
+        stroke::abandon(state);
+        return present(state, to);
+    }
     let (view, settings) = (&mut state.view, &mut state.settings);
     match *action {
         ViewAction::DismissNotice => view.notice = None,
@@ -13,6 +18,7 @@ pub(super) fn view(state: &mut State, action: &ViewAction) {
         ViewAction::ShowTable(on) => view.table = on,
         ViewAction::ShowTab(tab) => view.tab = tab,
         ViewAction::SetWide(on) => play::widen(state, on),
+        ViewAction::Present(_) => {}
         ViewAction::SetTheme(theme) => view.theme = theme,
         ViewAction::SetSeconds(seconds) => settings.seconds = seconds.max(1),
         ViewAction::SetSolveOnChange(on) => settings.solve_on_change = on,

@@ -30,14 +30,17 @@ pub enum Kind {
     Kept,
     /// Something was changed.
     Changed,
+    /// A first visit.
+    Welcome,
 }
 
 impl Kind {
-    /// The icon beside it.
-    pub const fn icon(self) -> &'static str {
+    /// The icon beside it, if it has one.
+    pub const fn icon(self) -> Option<&'static str> {
         match self {
-            Self::Alert => "warning",
-            Self::Kept | Self::Changed => "kept",
+            Self::Alert => Some("warning"),
+            Self::Kept | Self::Changed => Some("kept"),
+            Self::Welcome => None,
         }
     }
 }
@@ -49,10 +52,23 @@ pub struct Button {
     pub name: &'static str,
     /// The icon on it.
     pub icon: Option<&'static str>,
-    /// Whether it is the one next step.
-    pub is_filled: bool,
+    /// What is said behind the name, more quietly.
+    pub remark: Option<&'static str>,
+    /// How much it asks to be pressed.
+    pub weight: Weight,
     /// What it does.
     pub press: Press,
+}
+
+/// How much a button asks to be pressed.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Weight {
+    /// It is the one next step.
+    Filled,
+    /// It is one of several.
+    Outlined,
+    /// It only closes the message.
+    Quiet,
 }
 
 /// What a button does.
@@ -66,6 +82,8 @@ pub enum Press {
     Save,
     /// An action of the page.
     Act(Box<Action>),
+    /// Opens the course: its contents where this is empty, else what has this name.
+    Learn(&'static str),
 }
 
 /// A button that is not the one next step.
@@ -73,7 +91,8 @@ pub(super) fn button(name: &'static str, icon: Option<&'static str>, press: Pres
     Button {
         name,
         icon,
-        is_filled: false,
+        remark: None,
+        weight: Weight::Outlined,
         press,
     }
 }

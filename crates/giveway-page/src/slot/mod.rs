@@ -1,23 +1,25 @@
 //! What the page says without being asked, one thing at a time, in the row under
-//! the board: that something was kept, could not be kept, or was changed elsewhere.
+//! the board: that something was kept, could not be kept, or was changed elsewhere; and
+//! on a first visit, what this page is.
 
 mod differ;
 mod message;
 mod waiting;
+mod welcome;
 
 use std::rc::Rc;
 
 use crate::{Action, By, Draft, FileAction, State};
 
 pub(crate) use differ::difference;
-pub use message::{Button, Kind, Message, Press};
+pub use message::{Button, Kind, Message, Press, Weight};
 pub use waiting::{Elsewhere, Lost, Other, SlotAction, Unkept, Waiting};
 
 use giveway_model::tr;
 use message::button;
 
 /// What is to be said now, if there is anything: kept data first, then a link, then
-/// another tab.
+/// another tab, and last a welcome.
 pub fn message(state: &State) -> Option<Message> {
     let waiting = &state.view.waiting;
     if state.is_embedded() {
@@ -29,6 +31,7 @@ pub fn message(state: &State) -> Option<Message> {
     lost.or_else(unkept)
         .or_else(|| displaced(state))
         .or_else(other)
+        .or_else(|| waiting.welcome.then(welcome::message))
 }
 
 fn lost(why: Lost) -> Message {
@@ -62,7 +65,7 @@ fn lost(why: Lost) -> Message {
         boards: None,
         buttons: vec![
             Button {
-                is_filled: true,
+                weight: Weight::Filled,
                 ..button(tr!("Download it"), Some("save"), Press::Download)
             },
             button(tr!("Start afresh"), None, Press::StartAfresh),
@@ -89,7 +92,7 @@ fn unkept(why: Unkept) -> Message {
         text: text.to_owned(),
         boards: None,
         buttons: vec![Button {
-            is_filled: true,
+            weight: Weight::Filled,
             ..button(tr!("Download it"), Some("save"), Press::Save)
         }],
         close: Some(Action::Slot(SlotAction::Close)),

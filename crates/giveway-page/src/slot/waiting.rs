@@ -37,13 +37,17 @@ pub struct Waiting {
     pub unkept: Option<Unkept>,
     /// What another tab did.
     pub other: Option<Other>,
+    /// It is a first visit, and nobody has done anything yet.
+    pub welcome: bool,
     /// The tabs that a person does not want to hear of.
     pub(crate) declined: BTreeSet<String>,
 }
 
 impl Waiting {
-    /// The document has changed. What another tab did to the one before is old news.
+    /// The document has changed: who changed it needs no welcome, and what another tab
+    /// did to the one before is old news.
     pub(crate) fn go_on(&mut self) {
+        self.welcome = false;
         if let Some(Other::Taken { .. }) = self.other {
             self.other = None;
         }

@@ -40,7 +40,12 @@ impl State {
 
     /// What the tool `Select` takes hold of on a cell.
     pub(crate) fn thing_at(&self, cell: Cell) -> Option<Thing> {
-        if self.lesson().is_some_and(|lesson| !lesson.allows_moving()) {
+        let is_still = match self.lesson() {
+            Some(lesson) => !lesson.allows_moving(),
+            // Before a room a hand only points.
+            None => self.is_presented(),
+        };
+        if is_still {
             return None;
         }
         match &self.document.mode {

@@ -9,6 +9,7 @@ mod moving;
 mod opening;
 mod picture;
 mod planners;
+mod present;
 mod soak;
 mod steer;
 

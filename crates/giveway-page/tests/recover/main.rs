@@ -11,6 +11,7 @@ mod displaced;
 mod kept;
 mod tabs;
 mod unkept;
+mod welcome;
 
 use giveway_model::{Agent, Cell, Scene};
 use giveway_page::files::blank;

@@ -2,7 +2,7 @@
 
 use giveway_model::{Agent, Cell, Scene};
 use giveway_page::link::Kin;
-use giveway_page::slot::{Elsewhere, Kind, message};
+use giveway_page::slot::{Elsewhere, Kind, Weight, message};
 use giveway_page::{Action, Draft, SlotAction, SolveAction, State, link, reduce};
 
 use super::{act, edited, opened, scene, solved, title};
@@ -70,7 +70,11 @@ fn what_went_on_on_both_sides_is_asked() {
     let told = message(&asked).unwrap();
     assert!(told.boards.is_some());
     assert!(told.close.is_none());
-    assert!(told.buttons.iter().all(|button| !button.is_filled));
+    assert!(
+        told.buttons
+            .iter()
+            .all(|button| button.weight != Weight::Filled)
+    );
 
     let taken = act(&asked, "Take theirs");
     assert_eq!(taken.document.draft.scene(), theirs.document.draft.scene());

@@ -3,6 +3,8 @@
 from __future__ import annotations
 
 import dataclasses
+import io
+import zipfile
 from collections.abc import Mapping
 from dataclasses import dataclass, field
 from typing import Any, ClassVar, Literal, TypeVar
@@ -277,6 +279,62 @@ class Report(Record):
     reason: str | None
     stopped: bool
     claims: tuple[dict[str, Any], ...]
+
+
+@dataclass(frozen=True)
+class Certificate(Record):
+    """A certificate: the texts of its files by their names, and what came of checking them."""
+
+    files: Mapping[str, str]
+    report: Report
+
+
+@dataclass(frozen=True)
+class Certificates(Record):
+    """What ``export`` gives: certificates by their names."""
+
+    certificates: Mapping[str, Certificate]
+    #: How many there was no time for.
+    missing: int
+
+    def to_zip(self) -> bytes:
+        """One file with a folder for each, as ``giveway verify`` reads it; the same bytes each time."""
+        packed = io.BytesIO()
+        with zipfile.ZipFile(packed, "w") as archive:
+            for name, certificate in sorted(self.certificates.items()):
+                for file, text in sorted(certificate.files.items()):
+                    entry = zipfile.ZipInfo(f"{name}/{file}")
+                    entry.compress_type = zipfile.ZIP_DEFLATED
+                    entry.external_attr = 0o644 << 16
+                    archive.writestr(entry, text)
+        return packed.getvalue()
+
+
+@dataclass(frozen=True)
+class Alone(Record):
+    """The search for some agents by themselves."""
+
+    #: With these agents only, and the cost as its objective.
+    scene: Scene
+    solved: Answer
+    #: Whether they cannot keep their limits even by themselves; ``None`` where that is open.
+    refuted: bool | None
+
+
+@dataclass(frozen=True)
+class Together(Record):
+    """The answer of ``together``."""
+
+    document: ClassVar[bool] = True
+
+    #: Where each can be, and from when to when, while it keeps its limit.
+    regions: tuple[dict[str, Any], ...]
+    #: Where an agent has to be at a time, as far as that explains the meetings.
+    passes: tuple[dict[str, Any], ...]
+    #: Where two of them collide whichever ways they take.
+    meetings: tuple[dict[str, Any], ...]
+    #: The same agents by themselves; ``None`` where they are more than four.
+    alone: Alone | None
 
 
 @dataclass(frozen=True)

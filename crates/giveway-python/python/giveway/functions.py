@@ -10,7 +10,8 @@ from typing import Any, Union, overload
 
 from giveway._door import OnProgress, ShouldStop, call, data, limits, without_none
 from giveway.answers import (
-    Answer, AuditAnswer, ChangeAnswer, Converted, Explanation, Freedom, FreedomPart, Front, Planner, PlannerAnswer, Report, Verdict, on,
+    Answer, AuditAnswer, Certificates, ChangeAnswer, Converted, Explanation, Freedom, FreedomPart, Front, Planner,
+    PlannerAnswer, Report, Together, Verdict, on,
 )
 from giveway.plan import Plan
 from giveway.scene import Cost, Scene
@@ -156,6 +157,51 @@ def freedom(
         scene=scene, plan=plan, parts=parts, count=count, objective=_objective(objective), within=within)
     request["limits"] = limits(time_limit, conflict_limit, memory_limit)
     return on(_scene(scene), Freedom.from_dict(call("freedom", request, on_progress, should_stop)))
+
+
+def together(
+    scene: AnyScene, cost: Cost, agents: Sequence[Mapping[str, Any]], *, more: int | None = None,
+    within: int | None = None, time_limit: float | None = None, conflict_limit: int | None = None,
+    memory_limit: int | None = None, on_progress: OnProgress | None = None, should_stop: ShouldStop | None = None,
+) -> Together:
+    """Tells why some agents cannot all keep their limits: a step of a proof, looked at closely.
+
+    Each agent has a name, the ``least`` that it needs alone, and the ``at_most`` that it may have, as
+    the ``limits`` of a core in a trace (``solve(scene, trace=True)``) have them. ``more`` limits what
+    they may have together beyond the least of each.
+
+    >>> from giveway import Agent, Scene
+    >>> agents = Agent("A", (0, 0), (2, 0)), Agent("B", (2, 0), (0, 0))
+    >>> on_time = [{"agent": name, "least": 2, "at_most": 2} for name in "AB"]
+    >>> together(Scene(map=("...", "..."), agents=agents), "sum-of-costs", on_time).meetings[0]["cell"]
+    [1, 0]
+    """
+    request = without_none(scene=scene, cost=cost, agents=agents, more=more, within=within)
+    request["limits"] = limits(time_limit, conflict_limit, memory_limit)
+    return on(_scene(scene), Together.from_dict(call("together", request, on_progress, should_stop)))
+
+
+def export(
+    scene: AnyScene, answer: Answer | Explanation | Freedom | Mapping[str, Any], plan: AnyPlan | None = None, *,
+    objective: Objective | None = None, time_limit: float | None = None, memory_limit: int | None = None,
+    on_progress: OnProgress | None = None, should_stop: ShouldStop | None = None,
+) -> Certificates:
+    """Proves again what was answered, as files that anyone can check, and checks them.
+
+    ``answer`` is that of ``solve``, ``explain`` (with the ``plan`` that was asked about) or ``freedom``, and
+    ``objective`` the one that it was asked with. What has no proof within the limits says so in its report.
+
+    >>> from giveway import Agent, Scene
+    >>> scene = Scene(map=("...",), agents=(Agent("A", (0, 0), (2, 0)),))
+    >>> made = export(scene, solve(scene, objective="makespan"), objective="makespan")
+    >>> made.certificates["solved"].report.certified, made.to_zip()[:2]
+    ('proved', b'PK')
+    """
+    told: dict[str, Any] = data(answer)
+    kind = "explain" if "verdict" in told else "freedom" if "about" in told else "solve"
+    request = without_none(scene=scene, objective=_objective(objective), answer={kind: told}, plan=plan)
+    request["limits"] = limits(time_limit, None, memory_limit)
+    return Certificates.from_dict(call("export", request, on_progress, should_stop))
 
 
 def convert(files: Mapping[str, str] | Sequence[str | PathLike[str]], to: str, agents: int | None = None) -> Converted:

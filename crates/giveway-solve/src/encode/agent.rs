@@ -6,8 +6,8 @@
 //! only under the deadline that excludes them, so growing adds clauses and
 //! takes none back. No clause says that an agent is in one place only: of
 //! several that are true at once, those that follow each other from the start
-//! are a path, and the rest does no harm. With a battery they do (a charge
-//! might be on another branch), so there the nodes of a time exclude each other.
+//! are a path, and the rest does no harm. A charge excludes the nodes of its time
+//! that are not at chargers, so that it is on that path.
 //!
 //! Diagrams in SAT: Surynek et al., "Efficient SAT approach to multi-agent path
 //! finding under the sum of costs objective" (2016).
@@ -167,9 +167,7 @@ impl MddEncoding {
                 self.write_steps(id, deadline, task, &problem.terrain, &mut added, out);
             }
         }
-        if self.battery.is_none() {
-            self.write_layers(old, deadline, out);
-        }
+        self.write_layers(old, deadline, out);
         if let Some(battery) = &mut self.battery {
             let chain = &mut self.by;
             let optimum = self.optimum;

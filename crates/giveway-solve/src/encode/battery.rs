@@ -5,8 +5,13 @@
 //! latest. So in any `full + 1` consecutive times there is a charge, or the
 //! agent has arrived by the last of them. The first window is as long as the
 //! battery lasts at time 0. (Compare the windows of the electric vehicle
-//! problems; here the agent's nodes exclude each other, so that a charge can
-//! only be on its path.)
+//! problems.)
+//!
+//! Several nodes of one time may be true, and only some of them be on the agent's
+//! path. So a charge excludes all nodes of its time that are not at a charger: the
+//! path then passes one that is. That is cheaper than to let all nodes of a time
+//! exclude each other, and does the same. Only where a charge at *one* charger is
+//! demanded do they exclude each other.
 
 use crate::{
     sat::{Clauses, Lit},
@@ -20,6 +25,8 @@ pub(crate) struct BatteryCode {
     charges: Vec<Lit>,
     /// Nodes at chargers, by time.
     places: Vec<Vec<Lit>>,
+    /// Nodes that are not at chargers, with their times, which no clause excludes yet.
+    elsewhere: Vec<(u32, Lit)>,
     /// The first time whose window is not written yet; windows are named by
     /// their last time.
     next_window: u32,
@@ -43,6 +50,7 @@ impl BatteryCode {
             reserve,
             charges: Vec::new(),
             places: Vec::new(),
+            elsewhere: Vec::new(),
             next_window: reserve.initial,
             demanded: Demanded::default(),
         }
@@ -70,6 +78,11 @@ impl BatteryCode {
         self.places[time].push(node);
     }
 
+    /// A node that is not at a charger.
+    pub(crate) fn elsewhere(&mut self, time: u32, node: Lit) {
+        self.elsewhere.push((time, node));
+    }
+
     /// Writes what a later deadline needs. `by(d)` is the literal "arrived by
     /// d", `None` where that is false, and `by(deadline)` is assumed.
     pub(crate) fn grow<C: Clauses>(
@@ -90,6 +103,14 @@ impl BatteryCode {
             clause.extend(guard);
             out.clause(&clause);
         }
+        let charges = &self.charges;
+        self.elsewhere.retain(|&(time, node)| {
+            let Some(&charge) = charges.get(time as usize) else {
+                return true;
+            };
+            out.clause(&[!charge, !node]);
+            false
+        });
         if self.demanded.is_on {
             let Demanded { nodes, charges, .. } = &mut self.demanded;
             nodes.retain(|&(time, node)| {

@@ -1,6 +1,7 @@
 //! Tables and plots of rows.
 
 mod curves;
+mod optima;
 mod plot;
 mod sheet;
 mod written;
@@ -8,6 +9,7 @@ mod written;
 use std::collections::BTreeMap;
 
 pub use curves::{Curve, cactus, success};
+pub use optima::optima;
 pub use plot::{Axes, plot};
 pub use sheet::Sheet;
 pub use written::{Show, Written, write};

@@ -1,9 +1,10 @@
 //! Tables and curves of a few rows.
 
 use giveway_model::{Cost, Costs};
+use giveway_proof::Certified;
 
 use super::*;
-use crate::{Method, Task};
+use crate::{Method, RowCertificate, Task};
 
 fn row(agents: usize, status: RowStatus, seconds: f64) -> Row {
     let task = Task {
@@ -12,6 +13,8 @@ fn row(agents: usize, status: RowStatus, seconds: f64) -> Row {
         objective: Some("sum-of-costs,makespan".parse().unwrap()),
         planner: Method::Search,
         limits: giveway_solve::Limits::default(),
+        clock: crate::Clock::Wall,
+        certificate: None,
     };
     let mut row = Row::bare(&task, status, None);
     row.map = Some("a".to_owned());
@@ -64,6 +67,32 @@ fn every_row_has_a_line_and_odd_names_are_quoted() {
     let markdown = sheet.markdown();
     assert_eq!(markdown.lines().count(), 2 + 5);
     assert!(markdown.contains("| ---: |"), "{markdown}");
+}
+
+#[test]
+fn what_was_tried_is_listed_by_scenario_and_number_with_its_certificate() {
+    let mut rows = rows();
+    rows[1] = row(100, RowStatus::Optimal, 0.25);
+    rows[1].certificate = Some(RowCertificate {
+        certified: Certified::Proved,
+        bytes: 1234,
+        manifest: Some("abc".to_owned()),
+        reason: None,
+    });
+    rows[1].took.certificate_cpu_seconds = Some(0.5);
+    rows[4] = row(20, RowStatus::Skipped, 0.25);
+    for row in &mut rows {
+        row.instance = "maps/a-even-1.scen".to_owned();
+    }
+    let text = optima(&rows).csv();
+    let expected = [
+        "a,a-even-1,5,\"sum-of-costs,makespan\",22,22,optimal,0.00,0.25,,,,",
+        "a,a-even-1,10,\"sum-of-costs,makespan\",20,22,feasible,10.00,30.00,,,,",
+        "a,a-even-1,10,\"sum-of-costs,makespan\",,,impossible,,0.12,,,,",
+        "a,a-even-1,100,\"sum-of-costs,makespan\",22,22,optimal,0.00,0.25,proved,1234,0.50,abc",
+    ];
+    let lines: Vec<&str> = text.lines().skip(1).collect();
+    assert_eq!(lines, expected);
 }
 
 #[test]

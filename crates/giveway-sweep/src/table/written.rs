@@ -4,7 +4,7 @@ use std::str::FromStr;
 
 use serde::{Deserialize, Serialize};
 
-use super::{Axes, Curve, Sheet, all, cactus, plot, success, summary};
+use super::{Axes, Curve, Sheet, all, cactus, optima, plot, success, summary};
 use crate::Row;
 
 /// What a table or a plot shows.
@@ -16,6 +16,8 @@ pub enum Show {
     Summary,
     /// Every row.
     Rows,
+    /// The bounds of every row that was tried, and its certificate.
+    Optima,
     /// The success rate against the number of agents.
     Success,
     /// How many tasks succeeded within how many CPU seconds each.
@@ -42,11 +44,12 @@ impl FromStr for Show {
         Ok(match text {
             "summary" => Self::Summary,
             "rows" => Self::Rows,
+            "optima" => Self::Optima,
             "success" => Self::Success,
             "cactus" => Self::Cactus,
             _ => {
                 return Err(format!(
-                    "found \"{text}\", expected summary, rows, success or cactus"
+                    "found \"{text}\", expected summary, rows, optima, success or cactus"
                 ));
             }
         })
@@ -74,6 +77,7 @@ pub fn write(rows: &[Row], show: Show, to: Written) -> Result<String, String> {
     match show {
         Show::Summary => sheet(&summary(rows), to),
         Show::Rows => sheet(&all(rows), to),
+        Show::Optima => sheet(&optima(rows), to),
         Show::Success => drawn(&success(rows), Axes::Success, to),
         Show::Cactus => drawn(&cactus(rows), Axes::Cactus, to),
     }

@@ -3,6 +3,7 @@
 mod bad_input;
 mod cases;
 mod changes;
+mod export;
 mod large;
 mod limits;
 mod noise;

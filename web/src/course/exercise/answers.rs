@@ -5,6 +5,7 @@ use giveway_course::learner::{Action, Judge, Open};
 use giveway_course::lesson::quantity::ValueKind;
 use giveway_course::lesson::task::{Choose, Guess, Predict};
 use giveway_course::lesson::{Text, Value};
+use giveway_model::tr;
 use web_sys::HtmlInputElement;
 use yew::prelude::*;
 
@@ -44,7 +45,7 @@ fn option(
     let is_over = stands != Stands::Open;
     let number = place + 1;
     html! {
-        <li><button type="button" class={classes!("opt", class)} title={format!("Key {number}")} data-key={number.to_string()}
+        <li><button type="button" class={classes!("opt", class)} title={tr!("Key {number}", number)} data-key={number.to_string()}
             aria-disabled={is_over.then_some("true")} onclick={press.clone()}>
             <kbd aria-hidden="true">if stands == Stands::Right { { icon::show("check") } } else { { number } }</kbd>
             <span><b>{ reader.still(&title) }</b>if !detail.is_empty() { <small>{ reader.still(&detail) }</small> }</span>
@@ -68,8 +69,8 @@ pub(super) fn predict(tutor: &Tutor, open: &Open, task: &Predict, reader: Reader
     let one = |(place, answer): (usize, &Guess)| {
         let is_mine = guess == Some(&answer.value);
         let (stands, note) = match truth {
-            Some(truth) if *truth == answer.value => (Stands::Right, "proved"),
-            _ if is_mine => (Stands::Mine, "your guess"),
+            Some(truth) if *truth == answer.value => (Stands::Right, tr!("an answer" => "proved")),
+            _ if is_mine => (Stands::Mine, tr!("your guess")),
             Some(_) => (Stands::Passed, ""),
             None => (Stands::Open, ""),
         };
@@ -93,9 +94,9 @@ pub(super) fn predict(tutor: &Tutor, open: &Open, task: &Predict, reader: Reader
             <div class="judge-at" role="status">{ outcome(tutor, open, reader) }</div>
             if !answered {
                 { hints(open.hints(), reader) }
-                <p class="quiet">{ "A wrong guess costs nothing. " }
+                <p class="quiet">{ tr!("A wrong guess costs nothing.") }{ " " }
                     if !open.hides_answers() {
-                        <button type="button" class="link" onclick={reader.send.reform(|_: MouseEvent| Msg::Do(Action::Reveal))}>{ "Show me the answer" }</button>
+                        <button type="button" class="link" onclick={reader.send.reform(|_: MouseEvent| Msg::Do(Action::Reveal))}>{ tr!("Show me the answer") }</button>
                     }
                 </p>
                 <div class="exa">{ hint(open, reader.send) }</div>
@@ -109,7 +110,7 @@ fn outcome(tutor: &Tutor, open: &Open, reader: Reader<'_>) -> Html {
     let (Some(verdict), Some(step)) = (open.judge().verdict(), open.step()) else {
         return match open.judge() {
             Judge::Looking(_) if tutor.is_late => {
-                html! { <p class="quiet">{ "Looking\u{2026}" }</p> }
+                html! { <p class="quiet">{ tr!("Looking\u{2026}") }</p> }
             }
             _ => html! {},
         };
@@ -127,7 +128,7 @@ fn outcome(tutor: &Tutor, open: &Open, reader: Reader<'_>) -> Html {
     );
     html! {
         <div class="why">
-            if verdict.is_solved() { <p class="exw">{ icon::show("proved") }<b>{ "Solved" }</b></p> }
+            if verdict.is_solved() { <p class="exw">{ icon::show(tr!("an answer" => "proved")) }<b>{ tr!("a verdict" => "Solved") }</b></p> }
             if is_reply || step.reason.is_none() { <p>{ reader.show(&said) }</p> }
             if let Some(reason) = &step.reason { <p>{ reader.show(reason) }</p> }
         </div>
@@ -160,7 +161,7 @@ fn said_freely(
                 <form class="guess" {onsubmit}>
                     <input class="field" type="text" inputmode="numeric" autocomplete="off" aria-labelledby="ex-h"
                         disabled={answered} value={tutor.typed.clone()} {oninput} />
-                    <button class="btn outline" disabled={answered || number.is_none()}>{ "Say it" }</button>
+                    <button class="btn outline" disabled={answered || number.is_none()}>{ tr!("Say it") }</button>
                 </form>
             }
         }
@@ -174,7 +175,7 @@ fn said_freely(
             };
             html! { <ul class="opts few">{ for open.scene().agents.iter().map(one) }</ul> }
         }
-        ValueKind::Cell => html! { <p class="quiet">{ "Click the cell on the board." }</p> },
+        ValueKind::Cell => html! { <p class="quiet">{ tr!("Click the cell on the board.") }</p> },
     }
 }
 
@@ -194,7 +195,7 @@ pub(super) fn choose(tutor: &Tutor, open: &Open, task: &Choose, reader: Reader<'
             (false, false) => Stands::Open,
         };
         let note = if stands == Stands::Mine {
-            "your answer"
+            tr!("your answer")
         } else {
             ""
         };

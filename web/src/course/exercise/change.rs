@@ -3,6 +3,7 @@
 use giveway_course::judge::Did;
 use giveway_course::learner::{Action, Open};
 use giveway_course::lesson::task::Change;
+use giveway_model::tr;
 use giveway_solve::change::Method;
 use yew::prelude::*;
 
@@ -23,25 +24,22 @@ pub(super) fn show(open: &Open, task: &Change, send: &Callback<Msg>) -> Html {
             </button></li>
         }
     };
-    html! { <ul class="opts" aria-label="Methods">{ for task.methods.iter().map(one) }</ul> }
+    html! { <ul class="opts" aria-label={tr!("Methods")}>{ for task.methods.iter().map(one) }</ul> }
 }
 
 /// A method, and what it keeps.
 fn words(method: Method) -> (String, String) {
-    match method {
-        Method::Revise => ("Revise".to_owned(), "Same paths, new times.".to_owned()),
-        Method::Tunnel(0) => (
-            "Tunnel 0".to_owned(),
-            "On the cells of the old paths.".to_owned(),
-        ),
-        Method::Tunnel(1) => (
-            "Tunnel 1".to_owned(),
-            "Within 1 step of the old paths.".to_owned(),
-        ),
-        Method::Tunnel(width) => (
-            format!("Tunnel {width}"),
-            format!("Within {width} steps of the old paths."),
-        ),
-        Method::Replan => ("Replan".to_owned(), "Everyone plans freely.".to_owned()),
-    }
+    let tunnel = |width: u32| tr!("Tunnel {width}", width);
+    let (name, keeps) = match method {
+        Method::Revise => (tr!("Revise").to_owned(), tr!("Same paths, new times.")),
+        Method::Tunnel(0) => (tunnel(0), tr!("On the cells of the old paths.")),
+        Method::Tunnel(width) => {
+            let within =
+                tr!("Within {n} step of the old paths."
+                    | "Within {n} steps of the old paths." % width);
+            return (tunnel(width), within);
+        }
+        Method::Replan => (tr!("Replan").to_owned(), tr!("Everyone plans freely.")),
+    };
+    (name, keeps.to_owned())
 }

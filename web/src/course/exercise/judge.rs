@@ -5,6 +5,7 @@ use giveway_course::judge::{Kind, Verdict, Why};
 use giveway_course::learner::{Action, Judge, Open};
 use giveway_course::lesson::{Task, Text};
 use giveway_course::port::Evidence;
+use giveway_model::tr;
 use yew::prelude::*;
 
 use super::super::prose::Reader;
@@ -22,7 +23,7 @@ pub(super) fn bare(tutor: &Tutor, open: &Open, reader: Reader<'_>) -> Html {
     match open.judge() {
         Judge::Waiting => html! {},
         Judge::Looking(_) if tutor.is_late => html! {
-            <div class="judge">{ icon::show("search") }<p><b>{ "Looking\u{2026}" }</b></p></div>
+            <div class="judge">{ icon::show("search") }<p><b>{ tr!("Looking\u{2026}") }</b></p></div>
         },
         // What was said stays for a moment, so that nothing flickers.
         Judge::Looking(_) => match &tutor.before {
@@ -72,9 +73,9 @@ pub(super) fn evidence(evidence: &Evidence, send: &Callback<Msg>) -> Html {
         return html! {};
     }
     let word = if evidence.plan.is_some() {
-        "Show me the plan"
+        tr!("Show me the plan")
     } else {
-        "Show me where"
+        tr!("Show me where")
     };
     html! {
         <button type="button" class="link" onclick={send.reform(|_: MouseEvent| Msg::Do(Action::ShowEvidence))}>{ word }</button>

@@ -10,6 +10,7 @@ mod spot;
 use giveway_course::judge::{Did, Why};
 use giveway_course::learner::{Action, Judge, Open};
 use giveway_course::lesson::{Task, Text};
+use giveway_model::tr;
 use yew::prelude::*;
 
 use super::prose::Reader;
@@ -33,7 +34,7 @@ pub(super) fn show(tutor: &Tutor, open: &Open, task: &Task, reader: Reader<'_>) 
         },
         task => html! {
             <section class="ex" aria-labelledby="ex-h">
-                <p class="exk" id="ex-h">{ icon::show("edit") }{ "Your turn" }</p>
+                <p class="exk" id="ex-h">{ icon::show("edit") }{ tr!("Your turn") }</p>
                 <p class="exq">{ reader.show(task.say()) }</p>
                 { tools(tutor, open, task, reader) }
                 { judge::show(tutor, open, reader) }
@@ -60,8 +61,8 @@ fn lead(send: &Callback<Msg>) -> Html {
     let wait = send.reform(|_: MouseEvent| Msg::Do(Action::Wait));
     html! {
         <div class="leads">
-            <p class="quiet">{ "Press the cell that it goes to, or use the arrow keys." }</p>
-            <button type="button" class="btn outline" title="Wait (w)" onclick={wait}>{ icon::show("pause") }<span>{ "Wait a step" }</span></button>
+            <p class="quiet">{ tr!("Press the cell that it goes to, or use the arrow keys.") }</p>
+            <button type="button" class="btn outline" title={tr!("Wait (w)")} onclick={wait}>{ icon::show("pause") }<span>{ tr!("Wait a step") }</span></button>
         </div>
     }
 }
@@ -71,7 +72,7 @@ fn hints(hints: &[Text], reader: Reader<'_>) -> Html {
         return html! {};
     }
     html! {
-        <ol class="hints" aria-label="Hints" aria-live="polite">
+        <ol class="hints" aria-label={tr!("Hints")} aria-live="polite">
             { for hints.iter().map(|hint| html! { <li>{ icon::show("hint") }<p>{ reader.show(hint) }</p></li> }) }
         </ol>
     }
@@ -87,12 +88,12 @@ fn actions(open: &Open, send: &Callback<Msg>) -> Html {
         <div class="exa">
             if has_done {
                 <button type="button" class="btn outline" onclick={act(Action::TakeBack)}>
-                    { icon::show("undo") }<span>{ "Take it back" }</span>
+                    { icon::show("undo") }<span>{ tr!("Take it back") }</span>
                 </button>
             }
             { hint(open, send) }
             if has_done && open.attempts() > 1 {
-                <button type="button" class="btn ghost" onclick={act(Action::Afresh)}><span>{ "Start afresh" }</span></button>
+                <button type="button" class="btn ghost" onclick={act(Action::Afresh)}><span>{ tr!("Start afresh") }</span></button>
             }
         </div>
     }
@@ -105,9 +106,9 @@ fn hint(open: &Open, send: &Callback<Msg>) -> Html {
     let word = match left {
         _ if open.hides_answers() => return html! {},
         0 => return html! {},
-        1 if all > 1 => "Show me how",
-        _ if left < all => "Next hint",
-        _ => "Hint",
+        1 if all > 1 => tr!("Show me how"),
+        _ if left < all => tr!("Next hint"),
+        _ => tr!("Hint"),
     };
     html! {
         <button type="button" class="btn ghost" onclick={send.reform(|_: MouseEvent| Msg::Do(Action::Hint))}>

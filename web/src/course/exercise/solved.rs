@@ -3,6 +3,7 @@
 use giveway_course::judge::Why;
 use giveway_course::judge::words::said;
 use giveway_course::learner::Open;
+use giveway_model::tr;
 use giveway_model::words::capital;
 use yew::prelude::*;
 
@@ -32,7 +33,7 @@ pub(super) fn show(open: &Open, reader: Reader<'_>) -> Html {
     html! {
         <>
             <div class="garland" aria-hidden="true">{ for (0..FORMS).map(|form| glyph::show(form, "garland-glyph")) }</div>
-            <p class="exw" id="ex-h" role="status">{ icon::show("proved") }<b>{ "Solved" }</b></p>
+            <p class="exw" id="ex-h" role="status">{ icon::show("proved") }<b>{ tr!("a verdict" => "Solved") }</b></p>
             <p class="exq">{ words }</p>
             if let Some(reason) = &step.reason { <p class="exq">{ reader.show(reason) }</p> }
             { evidence(&verdict.evidence, reader.send) }

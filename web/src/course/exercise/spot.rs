@@ -2,6 +2,7 @@
 
 use giveway_course::judge::{Did, Mark, Why};
 use giveway_course::learner::{Action, Open};
+use giveway_model::tr;
 use giveway_model::words::and;
 use yew::prelude::*;
 
@@ -24,12 +25,12 @@ pub(super) fn show(open: &Open, reader: Reader<'_>) -> Html {
     html! {
         <>
             if !marks.is_empty() {
-                <ul class="marks" aria-label="Marked">{ for marks.iter().map(|mark| one(mark, wrong == Some(mark), reader)) }</ul>
+                <ul class="marks" aria-label={tr!("Marked")}>{ for marks.iter().map(|mark| one(mark, wrong == Some(mark), reader)) }</ul>
             }
             if let Some(pick) = open.pointed() {
                 <p class="pointed">
                     { for pick.robots.iter().map(|name| reader.robot(name)) }
-                    { format!(" at time {}, and who else?", pick.time) }
+                    { tr!("behind a robot" => " at time {time}, and who else?", time = pick.time) }
                 </p>
             }
         </>
@@ -44,10 +45,10 @@ fn one(mark: &Mark, is_wrong: bool, reader: Reader<'_>) -> Html {
         .reform(move |_: MouseEvent| Msg::Do(Action::Time(time)));
     let name = if is_wrong { "question" } else { "collision" };
     html! {
-        <li><button type="button" class="choice" {onclick} aria-label={format!("{} at time {time}, go there", and(&mark.robots))}>
+        <li><button type="button" class="choice" {onclick} aria-label={tr!("{robots} at time {time}, go there", robots = and(&mark.robots), time)}>
             { icon::show(name) }
             <span>{ for mark.robots.iter().map(|name| reader.robot(name)) }</span>
-            <span class="tt">{ format!("time {time}") }</span>
+            <span class="tt">{ tr!("time {time}", time) }</span>
         </button></li>
     }
 }

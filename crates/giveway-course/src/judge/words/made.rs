@@ -1,9 +1,10 @@
 //! What a learner has changed of a scene, in words: `You blocked (4, 0).`
 
-use giveway_model::{Cell, Grid, Ground, Scene};
+use giveway_model::words::and;
+use giveway_model::{Cell, Grid, Ground, Scene, tr};
 
-use super::spans::{cell, robot, text};
-use crate::lesson::{Span, Text};
+use super::spans::{cell, plain, robot, text};
+use crate::lesson::Text;
 
 /// The most changes that are told one by one.
 const FEW: usize = 3;
@@ -12,28 +13,15 @@ const FEW: usize = 3;
 pub fn made(start: &Scene, scene: &Scene) -> Option<Text> {
     let mut changes = cells(start, scene);
     changes.extend(robots(start, scene));
-    if changes.is_empty() {
-        return None;
-    }
-    if changes.len() > FEW {
-        let words = format!("You made {} changes.", changes.len());
-        return Some(Text::of(vec![text(&words)]));
-    }
-    let last = changes.len() - 1;
-    let mut spans = vec![text("You ")];
-    for (index, change) in changes.into_iter().enumerate() {
-        match index {
-            0 => {}
-            _ if index == last => spans.push(text(" and ")),
-            _ => spans.push(text(", ")),
-        }
-        spans.extend(change);
-    }
-    spans.push(text("."));
-    Some(Text::of(spans))
+    let sentence = match changes.len() {
+        0 => return None,
+        1..=FEW => tr!("You {changes}.", changes = and(&changes)),
+        many => tr!("You made {n} change." | "You made {n} changes." % many),
+    };
+    Some(text(&sentence))
 }
 
-fn cells(start: &Scene, scene: &Scene) -> Vec<Vec<Span>> {
+fn cells(start: &Scene, scene: &Scene) -> Vec<String> {
     let grids = (Grid::from_rows(&start.map), Grid::from_rows(&scene.map));
     let (Ok(before), Ok(now)) = grids else {
         return Vec::new();
@@ -47,44 +35,48 @@ fn cells(start: &Scene, scene: &Scene) -> Vec<Vec<Span>> {
 }
 
 /// What was done to one cell.
-fn ground(was: Ground, is: Ground, at: Cell) -> Vec<Span> {
-    let (before, after) = match (was, is) {
-        (_, Ground::Obstacle) => ("blocked ", ""),
-        (Ground::Obstacle, Ground::Free) => ("freed ", ""),
-        _ if is.is_charger() && !was.is_charger() => ("put a charger on ", ""),
-        _ if was.is_charger() && !is.is_charger() => ("took the charger from ", ""),
-        _ if is.is_slow() => ("made ", " slow"),
-        _ => ("made ", " normal"),
-    };
-    vec![text(before), cell(at), text(after)]
+fn ground(was: Ground, is: Ground, at: Cell) -> String {
+    let cell = cell(at);
+    match (was, is) {
+        (_, Ground::Obstacle) => tr!("You ..." => "blocked {cell}", cell),
+        (Ground::Obstacle, Ground::Free) => tr!("You ..." => "freed {cell}", cell),
+        _ if is.is_charger() && !was.is_charger() => {
+            tr!("You ..." => "put a charger on {cell}", cell)
+        }
+        _ if was.is_charger() && !is.is_charger() => {
+            tr!("You ..." => "took the charger from {cell}", cell)
+        }
+        _ if is.is_slow() => tr!("You ..." => "made {cell} slow", cell),
+        _ => tr!("You ..." => "made {cell} normal", cell),
+    }
 }
 
-fn robots(start: &Scene, scene: &Scene) -> Vec<Vec<Span>> {
+fn robots(start: &Scene, scene: &Scene) -> Vec<String> {
     let find = |scene: &'_ Scene, name: &str| {
         let mut agents = scene.agents.iter();
         agents.find(|agent| agent.name == name).cloned()
     };
     let mut changes = Vec::new();
     for agent in &scene.agents {
-        let name = robot(&agent.name);
-        match find(start, &agent.name) {
-            None => changes.push(vec![text("added "), name]),
+        let robot = robot(&agent.name);
+        changes.push(match find(start, &agent.name) {
+            None => tr!("You ..." => "added {robot}", robot),
             Some(before) if before.start != agent.start => {
-                changes.push(vec![text("moved "), name, text(" to "), cell(agent.start)]);
+                tr!("You ..." => "moved {robot} to {cell}", robot, cell = cell(agent.start))
             }
             Some(before) if before.goal != agent.goal => {
-                let to = text(" another flag, ");
-                changes.push(vec![text("gave "), name, to, cell(agent.goal)]);
+                tr!("You ..." => "gave {robot} another flag, {cell}", robot, cell = cell(agent.goal))
             }
             Some(before) if before.waypoints != agent.waypoints => {
-                changes.push(vec![text("changed the waypoints of "), name]);
+                tr!("You ..." => "changed the waypoints of {robot}", robot)
             }
-            Some(_) => {}
-        }
+            Some(_) => continue,
+        });
     }
     for agent in &start.agents {
         if find(scene, &agent.name).is_none() {
-            changes.push(vec![text("took "), text(&agent.name), text(" away")]);
+            let robot = plain(&agent.name);
+            changes.push(tr!("You ..." => "took {robot} away", robot));
         }
     }
     changes

@@ -4,10 +4,12 @@ mod made;
 mod numbers;
 mod spans;
 
-use giveway_model::words::{and, count, name, sentence, value};
+use giveway_model::tr;
+use giveway_model::words::{and, name, sentence, value};
+use giveway_solve::words::reason;
 
 use super::{Kind, Outside, Verdict, Why};
-use crate::lesson::{Span, Step, Task, Text, Value};
+use crate::lesson::{Step, Task, Text, Value};
 use spans::{cell, plain, robot, shown, text};
 
 pub use made::made;
@@ -22,11 +24,11 @@ pub struct Said {
 }
 
 /// The first words of a verdict.
-pub const fn head(kind: Kind) -> &'static str {
+pub fn head(kind: Kind) -> &'static str {
     match kind {
-        Kind::NotYet => "Not yet",
-        Kind::Solved => "Solved",
-        Kind::NotLikeThis => "Not like this",
+        Kind::NotYet => tr!("a verdict" => "Not yet"),
+        Kind::Solved => tr!("a verdict" => "Solved"),
+        Kind::NotLikeThis => tr!("a verdict" => "Not like this"),
     }
 }
 
@@ -34,7 +36,7 @@ pub const fn head(kind: Kind) -> &'static str {
 pub fn said(verdict: &Verdict, step: &Step) -> Said {
     Said {
         head: head(verdict.kind),
-        text: reply(verdict, step).unwrap_or_else(|| Text::of(why(verdict))),
+        text: reply(verdict, step).unwrap_or_else(|| text(&why(verdict))),
     }
 }
 
@@ -56,164 +58,181 @@ fn reply(verdict: &Verdict, step: &Step) -> Option<Text> {
 }
 
 /// What is said of a scene; the rest is of plans and answers.
-fn why(verdict: &Verdict) -> Vec<Span> {
+fn why(verdict: &Verdict) -> String {
     let solved = verdict.is_solved();
     match &verdict.why {
-        Why::Untouched => plain("nothing has changed."),
-        Why::Unknown(None) => plain("the solver ran out of time. There may be an answer."),
-        Why::Unknown(Some(reason)) | Why::Refused(reason) => plain(sentence(reason)),
+        Why::Untouched => tr!("nothing has changed.").to_owned(),
+        Why::Unknown(None) => tr!("the solver ran out of time. There may be an answer.").to_owned(),
+        Why::Unknown(Some(given)) | Why::Refused(given) => plain(&sentence(&reason(given))),
         Why::Outside(outside) => self::outside(outside),
-        Why::TooManyEdits { made, allowed } => {
-            let edits = count(*made, "edit");
-            plain(format!(
-                "{edits}, and this asks for at most {allowed}. Take one back."
-            ))
+        Why::TooManyEdits { made, allowed } => tr!(
+            "{n} edit, and this asks for at most {allowed}. Take one back."
+                | "{n} edits, and this asks for at most {allowed}. Take one back." % *made,
+            allowed
+        ),
+        Why::AloneStuck(name) => {
+            tr!("{robot} alone cannot arrive any more.", robot = robot(name))
         }
-        Why::AloneStuck(robot_name) => {
-            vec![robot(robot_name), text(" alone cannot arrive any more.")]
+        Why::Plan(costs) if solved => tr!("there is a plan, makespan {n}.", n = costs.makespan),
+        Why::Plan(costs) => tr!("there is still a plan, makespan {n}.", n = costs.makespan),
+        Why::NoPlan if solved => {
+            tr!("no plan exists, no matter how many steps you allow.").to_owned()
         }
-        Why::Plan(costs) if solved => {
-            plain(format!("there is a plan, makespan {}.", costs.makespan))
-        }
-        Why::Plan(costs) => plain(format!(
-            "there is still a plan, makespan {}.",
-            costs.makespan
-        )),
-        Why::NoPlan if solved => plain("no plan exists, no matter how many steps you allow."),
-        Why::NoPlan => plain("no plan is left, no matter how many steps you allow."),
+        Why::NoPlan => tr!("no plan is left, no matter how many steps you allow.").to_owned(),
         Why::Cost {
             cost,
             value,
             compare,
             wanted,
-        } => plain(numbers::cost(*cost, *value, *compare, *wanted, solved)),
+        } => numbers::cost(*cost, *value, *compare, *wanted, solved),
         Why::Raised {
             cost,
             before,
             now,
             by,
-        } => plain(numbers::raised(*cost, *before, *now, *by, solved)),
-        Why::Answered { verdict, wanted } => plain(numbers::answered(*verdict, *wanted, solved)),
-        Why::Points { count: 1, costs } => {
-            let [one, other] = costs.map(name);
-            plain(format!("one plan is best in both, {one} and {other}."))
-        }
+        } => numbers::raised(*cost, *before, *now, *by, solved),
+        Why::Answered { verdict, wanted } => numbers::answered(*verdict, *wanted, solved),
         Why::Points { count, costs } => {
             let [one, other] = costs.map(name);
-            plain(format!(
-                "no plan is best in both, {one} and {other}: {count} plans are worth a choice."
-            ))
+            tr!(
+                "one plan is best in both, {one} and {other}."
+                    | "no plan is best in both, {one} and {other}: {n} plans are worth a choice."
+                        % *count,
+                one,
+                other
+            )
         }
         other => of_plan(other, solved),
     }
 }
 
 /// What is said of a plan; the rest is of answers.
-fn of_plan(why: &Why, solved: bool) -> Vec<Span> {
+fn of_plan(why: &Why, solved: bool) -> String {
     match why {
-        Why::Broken(violation) => plain(sentence(&violation.message)),
-        Why::Legal => plain("this plan breaks no rule."),
+        Why::Broken(violation) => plain(&sentence(&violation.message)),
+        Why::Legal => tr!("this plan breaks no rule.").to_owned(),
         Why::Best { cost, value: n } => {
-            plain(format!("{}, and no plan is better.", value(*cost, *n)))
+            tr!("{cost}, and no plan is better.", cost = value(*cost, *n))
         }
         Why::NotBest {
             cost,
             value: n,
             best,
-        } => plain(format!(
-            "your plan is legal, with {}. The best has {best}.",
-            value(*cost, *n)
-        )),
-        Why::NotHome(name) => vec![robot(name), text(" is not at its flag.")],
-        Why::NotVisited(name, Some(at)) => {
-            vec![robot(name), text(" has not been at "), cell(*at), text(".")]
-        }
-        Why::NotVisited(name, None) => vec![robot(name), text(" has missed a waypoint.")],
+        } => tr!(
+            "your plan is legal, with {cost}. The best has {best}.",
+            cost = value(*cost, *n),
+            best
+        ),
+        Why::NotHome(name) => tr!("{robot} is not at its flag.", robot = robot(name)),
+        Why::NotVisited(name, Some(at)) => tr!(
+            "{robot} has not been at {cell}.",
+            robot = robot(name),
+            cell = cell(*at)
+        ),
+        Why::NotVisited(name, None) => tr!("{robot} has missed a waypoint.", robot = robot(name)),
         Why::Costs {
             cost,
             value: n,
             at_most,
-        } => plain(format!(
-            "{}; at most {at_most} is asked for.",
-            value(*cost, *n)
-        )),
-        Why::LedAnother(name) => {
-            vec![robot(name), text(" must go as planned. Take that back.")]
-        }
+        } => tr!(
+            "{cost}; at most {most} is asked for.",
+            cost = value(*cost, *n),
+            most = at_most
+        ),
+        Why::LedAnother(name) => tr!(
+            "{robot} must go as planned. Take that back.",
+            robot = robot(name)
+        ),
         other => of_answer(other, solved),
     }
 }
 
 /// What is said of an answer that was given.
-fn of_answer(why: &Why, solved: bool) -> Vec<Span> {
+fn of_answer(why: &Why, solved: bool) -> String {
     match why {
         Why::Guessed { guess, truth, .. } => guessed(guess, truth, solved),
-        Why::Revealed(truth) => vec![shown(truth), text(" is proved.")],
-        Why::Untold => plain("this is not it. Look again."),
-        Why::Differs => plain("best plans differ in this."),
-        Why::Found { found, of } if solved => plain(format!("{found} of {of} conflicts found.")),
-        Why::Found { found, .. } => plain(format!(
-            "{} found. There are more.",
-            count(*found as u32, "conflict")
-        )),
-        Why::NoConflict(mark) => {
-            let who = and(&mark.robots);
-            let who = if who.is_empty() { "nobody" } else { &who };
-            plain(format!("no rule is broken at time {} by {who}.", mark.time))
+        Why::Revealed(truth) => tr!("{value} is proved.", value = shown(truth)),
+        Why::Untold => tr!("this is not it. Look again.").to_owned(),
+        Why::Differs => tr!("best plans differ in this.").to_owned(),
+        Why::Found { found, of } if solved => {
+            tr!("{found} of {all} conflicts found.", found, all = of)
         }
-        Why::Disputed => plain("the solver does not agree with this lesson here."),
+        Why::Found { found, .. } => {
+            tr!("{n} conflict found. There are more."
+                | "{n} conflicts found. There are more." % *found)
+        }
+        Why::NoConflict(mark) if mark.robots.is_empty() => {
+            tr!(
+                "no rule is broken at time {time} by nobody.",
+                time = mark.time
+            )
+        }
+        Why::NoConflict(mark) => tr!(
+            "no rule is broken at time {time} by {robots}.",
+            time = mark.time,
+            robots = all(&mark.robots)
+        ),
+        Why::Disputed => tr!("the solver does not agree with this lesson here.").to_owned(),
         Why::OrderStuck {
             robot: name,
             around,
-        } => {
-            let mut spans = vec![robot(name), text(" finds no way")];
-            if !around.is_empty() {
-                spans.push(text(&format!(" around {}", and(around))));
-            }
-            spans.push(text("."));
-            spans
-        }
+        } if around.is_empty() => tr!("{robot} finds no way.", robot = robot(name)),
+        Why::OrderStuck {
+            robot: name,
+            around,
+        } => tr!(
+            "{robot} finds no way around {others}.",
+            robot = robot(name),
+            others = all(around)
+        ),
         Why::OrderWorks {
             cost,
             value: n,
             best,
-        } => plain(numbers::order_works(*cost, *n, *best)),
-        Why::NoOrderWorks { orders } => plain(format!(
-            "none of the {orders} orders works, and yet there is a plan."
-        )),
-        Why::SomeOrderWorks(order) => plain(format!("the order {} works.", and(order))),
+        } => numbers::order_works(*cost, *n, *best),
+        Why::NoOrderWorks { orders } => tr!(
+            "none of the {orders} orders works, and yet there is a plan.",
+            orders
+        ),
+        Why::SomeOrderWorks(order) => tr!("the order {robots} works.", robots = all(order)),
         Why::Went {
             method,
             cost,
             kept,
             wanted,
-        } => plain(numbers::went(*method, *cost, *kept, *wanted)),
-        Why::NoWayOn(method) => plain(format!(
-            "{} has no plan here.",
-            numbers::method_name(*method)
-        )),
-        _ => Vec::new(),
+        } => numbers::went(*method, *cost, *kept, *wanted),
+        Why::NoWayOn(method) => tr!(
+            "{method} has no plan here.",
+            method = numbers::method_name(*method)
+        ),
+        _ => String::new(),
     }
 }
 
-fn outside(outside: &Outside) -> Vec<Span> {
-    match outside {
-        Outside::Cell(at) => vec![cell(*at), text(" must stay as it is. Take that back.")],
-        Outside::Robot(name) => vec![robot(name), text(" must stay as it is. Take that back.")],
-        Outside::Rules => plain("map size, rules and costs must stay as they are."),
-    }
+/// Robots by their names.
+fn all(names: &[String]) -> String {
+    plain(&and(names))
 }
 
-fn guessed(guess: &Value, truth: &Value, solved: bool) -> Vec<Span> {
+fn outside(outside: &Outside) -> String {
+    let what = match outside {
+        Outside::Cell(at) => cell(*at),
+        Outside::Robot(name) => robot(name),
+        Outside::Rules => {
+            return tr!("map size, rules and costs must stay as they are.").to_owned();
+        }
+    };
+    tr!("{what} must stay as it is. Take that back.", what)
+}
+
+fn guessed(guess: &Value, truth: &Value, solved: bool) -> String {
     if solved {
-        vec![shown(truth), text(" is proved.")]
+        tr!("{value} is proved.", value = shown(truth))
     } else {
-        vec![
-            text("you said "),
-            shown(guess),
-            text("; proved is "),
-            shown(truth),
-            text("."),
-        ]
+        tr!(
+            "you said {guess}; proved is {truth}.",
+            guess = shown(guess),
+            truth = shown(truth)
+        )
     }
 }

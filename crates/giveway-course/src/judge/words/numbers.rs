@@ -1,34 +1,51 @@
 //! Sentences about costs, answers to questions, orders and methods.
 
-use giveway_model::Cost;
-use giveway_model::words::{and, count, name, value};
+use giveway_model::words::{and, name, value};
+use giveway_model::{Cost, tr};
 use giveway_solve::change::Method;
 use giveway_solve::explain;
 
 use crate::lesson::Comparison;
 
 pub(super) fn cost(cost: Cost, n: u32, compare: Comparison, wanted: u32, solved: bool) -> String {
-    let found = value(cost, n);
-    if solved {
-        return format!("the best plan has {found}.");
+    let cost = value(cost, n);
+    match compare {
+        _ if solved => tr!("the best plan has {cost}.", cost),
+        Comparison::Equal => tr!(
+            "the best plan has {cost}; exactly {wanted} is asked for.",
+            cost,
+            wanted
+        ),
+        Comparison::AtMost => tr!(
+            "the best plan has {cost}; at most {wanted} is asked for.",
+            cost,
+            wanted
+        ),
+        Comparison::AtLeast => tr!(
+            "the best plan has {cost}; at least {wanted} is asked for.",
+            cost,
+            wanted
+        ),
     }
-    let asked = match compare {
-        Comparison::Equal => format!("exactly {wanted}"),
-        Comparison::AtMost => format!("at most {wanted}"),
-        Comparison::AtLeast => format!("at least {wanted}"),
-    };
-    format!("the best plan has {found}; {asked} is asked for.")
 }
 
 pub(super) fn raised(cost: Cost, before: u32, now: u32, by: u32, solved: bool) -> String {
-    let what = name(cost);
+    let cost = name(cost);
     match (solved, before == now) {
-        (true, _) => format!("the best {what} went from {before} to {now}."),
-        (false, true) => format!("the best {what} is still {now}."),
-        (false, false) => {
-            let wanted = before.saturating_add(by);
-            format!("the best {what} went from {before} to {now}; {wanted} is asked for.")
-        }
+        (true, _) => tr!(
+            "the best {cost} went from {before} to {now}.",
+            cost,
+            before,
+            now
+        ),
+        (false, true) => tr!("the best {cost} is still {now}.", cost, now),
+        (false, false) => tr!(
+            "the best {cost} went from {before} to {now}; {wanted} is asked for.",
+            cost,
+            before,
+            now,
+            wanted = before.saturating_add(by)
+        ),
     }
 }
 
@@ -38,25 +55,30 @@ pub(super) fn answered(
     solved: bool,
 ) -> String {
     let word = |verdict| match verdict {
-        explain::Verdict::Needless => "needless",
-        explain::Verdict::Improvable => "a mistake of the plan",
-        explain::Verdict::Costly => "costly to do without",
-        explain::Verdict::Necessary => "necessary",
-        explain::Verdict::Unknown => "not known",
+        explain::Verdict::Needless => tr!("it is" => "needless"),
+        explain::Verdict::Improvable => tr!("it is" => "a mistake of the plan"),
+        explain::Verdict::Costly => tr!("it is" => "costly to do without"),
+        explain::Verdict::Necessary => tr!("it is" => "necessary"),
+        explain::Verdict::Unknown => tr!("it is" => "not known"),
     };
+    let is = word(verdict);
     if solved {
-        format!("now it is {}.", word(verdict))
+        tr!("now it is {is}.", is)
     } else {
-        format!("it is {}, not {}.", word(verdict), word(wanted))
+        tr!("it is {is}, not {wanted}.", is, wanted = word(wanted))
     }
 }
 
 pub(super) fn order_works(cost: Cost, n: u32, best: Option<u32>) -> String {
-    let found = value(cost, n);
+    let cost = value(cost, n);
     match best {
-        None => format!("this order gives a plan, {found}."),
-        Some(best) if best == n => format!("this order gives a plan with the best {found}."),
-        Some(best) => format!("this order gives a plan with {found}; the best has {best}."),
+        None => tr!("this order gives a plan, {cost}.", cost),
+        Some(best) if best == n => tr!("this order gives a plan with the best {cost}.", cost),
+        Some(best) => tr!(
+            "this order gives a plan with {cost}; the best has {best}.",
+            cost,
+            best
+        ),
     }
 }
 
@@ -66,28 +88,40 @@ pub(super) fn went(
     kept: u32,
     wanted: Option<u32>,
 ) -> String {
-    let who = method_name(method);
     let mut parts = Vec::new();
     if let Some((cost, n, at_most)) = cost {
-        let asked = if n > at_most {
-            format!(" (at most {at_most} is asked for)")
+        let cost = value(cost, n);
+        parts.push(if n > at_most {
+            tr!(
+                "of a method" => "has {cost} (at most {most} is asked for)",
+                cost,
+                most = at_most
+            )
         } else {
-            String::new()
-        };
-        parts.push(format!("has {}{asked}", value(cost, n)));
+            tr!("of a method" => "has {cost}", cost)
+        });
     }
-    let asked = match wanted {
-        Some(wanted) if kept < wanted => format!(" (at least {wanted} is asked for)"),
-        _ => String::new(),
-    };
-    parts.push(format!("keeps {} as planned{asked}", count(kept, "robot")));
-    format!("{who} {}.", and(&parts))
+    parts.push(match wanted {
+        Some(wanted) if kept < wanted => tr!(
+            "of a method" => "keeps {n} robot as planned (at least {wanted} is asked for)"
+                | "keeps {n} robots as planned (at least {wanted} is asked for)" % kept,
+            wanted
+        ),
+        _ => {
+            tr!("of a method" => "keeps {n} robot as planned" | "keeps {n} robots as planned" % kept)
+        }
+    });
+    tr!(
+        "{method} {does}.",
+        method = method_name(method),
+        does = and(&parts)
+    )
 }
 
 pub(super) fn method_name(method: Method) -> String {
     match method {
-        Method::Revise => "revising".to_owned(),
-        Method::Tunnel(width) => format!("a tunnel of width {width}"),
-        Method::Replan => "replanning".to_owned(),
+        Method::Revise => tr!("who goes on" => "revising").to_owned(),
+        Method::Tunnel(width) => tr!("who goes on" => "a tunnel of width {width}", width),
+        Method::Replan => tr!("who goes on" => "replanning").to_owned(),
     }
 }

@@ -1,34 +1,36 @@
-//! The parts of a sentence: words, and links to robots and cells.
+//! The parts of a sentence as the markup of a paragraph: words, and links to robots and
+//! cells. A sentence is put together in a language's own order, and then read.
 
 use giveway_model::Cell;
 
-use crate::lesson::{Span, Target, Value};
+use crate::lesson::{Span, Target, Text, Value};
 
-pub(super) fn plain(words: impl Into<String>) -> Vec<Span> {
-    vec![Span::Plain(words.into())]
+/// A sentence that was put together; one that is no markup stands as it is.
+pub(super) fn text(marked: &str) -> Text {
+    let words = || Text::of(vec![Span::Plain(marked.to_owned())]);
+    marked.parse().unwrap_or_else(|_| words())
 }
 
-pub(super) fn text(words: &str) -> Span {
-    Span::Plain(words.to_owned())
+/// Words that name nothing.
+pub(super) fn plain(words: &str) -> String {
+    Text::of(vec![Span::Plain(words.to_owned())]).to_string()
 }
 
-pub(super) fn robot(name: &str) -> Span {
-    Span::Link {
-        label: name.to_owned(),
-        target: Target::Robot(name.to_owned()),
-    }
+pub(super) fn robot(name: &str) -> String {
+    link(name.to_owned(), Target::Robot(name.to_owned()))
 }
 
-pub(super) fn cell(cell: Cell) -> Span {
-    Span::Link {
-        label: cell.to_string(),
-        target: Target::Cell(cell),
-    }
+pub(super) fn cell(cell: Cell) -> String {
+    link(cell.to_string(), Target::Cell(cell))
 }
 
-pub(super) fn shown(value: &Value) -> Span {
+fn link(label: String, target: Target) -> String {
+    Text::of(vec![Span::Link { label, target }]).to_string()
+}
+
+pub(super) fn shown(value: &Value) -> String {
     match value {
-        Value::Number(number) => text(&number.to_string()),
+        Value::Number(number) => number.to_string(),
         Value::Robot(name) => robot(name),
         Value::Cell(at) => cell(*at),
     }

@@ -73,6 +73,39 @@ impl Text {
         Self(joined)
     }
 
+    /// The first sentences of some paragraphs, as one.
+    ///
+    /// ```
+    /// use giveway_course::lesson::Text;
+    /// let text = |words: &str| -> Text { words.parse().unwrap() };
+    /// let all = [text("One [A1](robot:A1)."), text("Two at 1.5? Three.")];
+    /// assert_eq!(Text::opening(&all, 2).plain(), "One A1. Two at 1.5?");
+    /// assert_eq!(Text::opening(&all, 9).plain(), "One A1. Two at 1.5? Three.");
+    /// ```
+    #[must_use]
+    pub fn opening(texts: &[Self], sentences: usize) -> Self {
+        let mut spans = Vec::new();
+        let mut left = sentences;
+        for text in texts.iter().filter(|text| !text.is_empty()) {
+            if !spans.is_empty() {
+                spans.push(Span::Plain(" ".to_owned()));
+            }
+            for span in text.spans() {
+                let Span::Plain(words) = span else {
+                    spans.push(span.clone());
+                    continue;
+                };
+                let (kept, ended) = first(words, left);
+                left -= ended;
+                spans.push(Span::Plain(kept.to_owned()));
+                if left == 0 {
+                    return Self::of(spans);
+                }
+            }
+        }
+        Self::of(spans)
+    }
+
     /// Its parts. No two plain ones follow each other, and none is empty.
     pub fn spans(&self) -> &[Span] {
         &self.0
@@ -91,10 +124,34 @@ impl Text {
         })
     }
 
+    /// Whether its links name the same things as those of another text, in any order.
+    pub fn names_the_same_as(&self, other: &Self) -> bool {
+        let mut left: Vec<&Target> = other.targets().collect();
+        let mut own = self.targets();
+        let is_within = own.all(|target| {
+            let found = left.iter().position(|other| *other == target);
+            found.map(|index| left.swap_remove(index)).is_some()
+        });
+        is_within && left.is_empty()
+    }
+
     /// Whether there is nothing to read.
     pub fn is_empty(&self) -> bool {
         self.0.iter().all(|span| span.words().trim().is_empty())
     }
+}
+
+/// The first sentences of some words, and how many end in them.
+fn first(words: &str, sentences: usize) -> (&str, usize) {
+    let mut ended = 0;
+    for (at, _) in words.match_indices(['.', '?', '!']) {
+        let rest = &words[at + 1..];
+        ended += usize::from(rest.is_empty() || rest.starts_with(' '));
+        if ended == sentences {
+            return (&words[..=at], ended);
+        }
+    }
+    (words, ended)
 }
 
 impl Span {

@@ -13,6 +13,8 @@ use crate::Point;
 
 /// The largest side of a cell, in pixels.
 pub const MAX_CELL_PX: f64 = 148.0;
+/// The same before a room.
+pub const PRESENTED_CELL_PX: f64 = 592.0;
 
 /// The side of a cell that was looked for, in pixels, where cells were too small.
 const FOUND_PX: f64 = 20.0;
@@ -31,23 +33,22 @@ pub struct Camera {
     /// The point in the middle, in cells; it matters only where not all is in
     /// sight.
     middle: Point,
+    /// The largest side of a cell, in pixels.
+    largest: f64,
 }
 
 impl Default for Camera {
     fn default() -> Self {
-        Self {
-            zoom: 1.0,
-            middle: Point { x: 0.0, y: 0.0 },
-        }
+        Self::up_to(MAX_CELL_PX)
     }
 }
 
 /// The side of a cell where all fits, in pixels.
-fn fit_px(board: (u32, u32), screen: (f64, f64)) -> f64 {
+fn fit_px(board: (u32, u32), screen: (f64, f64), largest: f64) -> f64 {
     let least = |space: f64, px: f64| {
         let across = (screen.0 - px).max(1.0) / (f64::from(board.0) + space);
         let down = (screen.1 - px).max(1.0) / (f64::from(board.1) + space);
-        across.min(down).min(MAX_CELL_PX)
+        across.min(down).min(largest)
     };
     let with_axis = least((AXIS.0 + AXIS.1) / CELL, 0.0);
     if Detail::of(with_axis) == Detail::All {
@@ -58,6 +59,15 @@ fn fit_px(board: (u32, u32), screen: (f64, f64)) -> f64 {
 }
 
 impl Camera {
+    /// One that shows all, with cells of at most so many pixels.
+    pub const fn up_to(largest: f64) -> Self {
+        Self {
+            zoom: 1.0,
+            middle: Point { x: 0.0, y: 0.0 },
+            largest,
+        }
+    }
+
     /// What is in sight of a map of some cells on a screen of some pixels.
     pub fn frame(&self, board: (u32, u32), screen: (f64, f64)) -> Frame {
         let cell_px = self.cell_px(board, screen);
@@ -87,7 +97,11 @@ impl Camera {
     }
 
     fn cell_px(&self, board: (u32, u32), screen: (f64, f64)) -> f64 {
-        (fit_px(board, screen) * self.zoom).min(MAX_CELL_PX)
+        (self.fit_px(board, screen) * self.zoom).min(self.largest)
+    }
+
+    fn fit_px(&self, board: (u32, u32), screen: (f64, f64)) -> f64 {
+        fit_px(board, screen, self.largest)
     }
 
     /// Whether all is in sight.
@@ -97,7 +111,7 @@ impl Camera {
 
     /// Whether cells are as large as they get.
     pub fn is_nearest(&self, board: (u32, u32), screen: (f64, f64)) -> bool {
-        self.cell_px(board, screen) >= MAX_CELL_PX
+        self.cell_px(board, screen) >= self.largest
     }
 
     /// Larger or smaller by a factor; the point at a pixel stays where it is.
@@ -109,15 +123,20 @@ impl Camera {
         board: (u32, u32),
         screen: (f64, f64),
     ) -> Self {
-        let nearest = (MAX_CELL_PX / fit_px(board, screen)).max(1.0);
+        let nearest = (self.largest / self.fit_px(board, screen)).max(1.0);
         let stays = self.frame(board, screen).point(at_px);
         let zoom = (self.zoom * factor).clamp(1.0, nearest);
-        let cell_px = fit_px(board, screen) * zoom;
+        let cell_px = self.fit_px(board, screen) * zoom;
         let middle = Point {
             x: stays.x + (screen.0 / 2.0 - at_px.0) / cell_px,
             y: stays.y + (screen.1 / 2.0 - at_px.1) / cell_px,
         };
-        Self { zoom, middle }.settled(board, screen)
+        Self {
+            zoom,
+            middle,
+            ..*self
+        }
+        .settled(board, screen)
     }
 
     /// Moved by the way of a pointer, in pixels.
@@ -178,9 +197,6 @@ impl Camera {
     fn settled(&self, board: (u32, u32), screen: (f64, f64)) -> Self {
         let frame = self.frame(board, screen);
         let middle = frame.point((screen.0 / 2.0, screen.1 / 2.0));
-        Self {
-            zoom: self.zoom,
-            middle,
-        }
+        Self { middle, ..*self }
     }
 }

@@ -1,16 +1,18 @@
 //! A person's own page while a lesson is on the board.
 
+use giveway_course::lesson::Layer;
 use giveway_course::port::{BoardPlan, Happened, ToPage};
 use giveway_solve::Status;
 
 use super::{board, heard, opened, say, scene, told};
+use crate::keys::{Key, command};
 use crate::lesson::{LessonAction, as_it_is};
-use crate::link;
+use crate::present::{END, third};
 use crate::reduce::tests::{after, stroke};
 use crate::tests::{answered, seek, select};
 use crate::{
     Action, AskAction, BoardAction, Edit, FileAction, SolveAction, State, Tool, ViewAction, ask,
-    sample,
+    freedom, link, sample,
 };
 
 const LEAVE: Action = Action::Lesson(LessonAction::Leave);
@@ -181,4 +183,40 @@ fn who_writes_a_lesson_takes_ones_own_board_as_it_is() {
     assert_eq!(as_it_is(&lesson), all);
     assert_eq!(say(&lesson, ToPage::Take), lesson);
     assert_eq!(as_it_is(&State::default()).len(), 2);
+}
+
+#[test]
+fn what_must_be_so_is_offered_where_a_step_shows_it() {
+    let keys_it = |state: &State| {
+        let key = Key {
+            name: "m",
+            ..Key::default()
+        };
+        command(key, state).is_some()
+    };
+    let own = own();
+    assert!(freedom::is_offered(&own) && keys_it(&own));
+    let without = opened(&own, board(1));
+    assert!(!freedom::is_offered(&without) && !keys_it(&without));
+    assert!(!without.can_look_inside());
+    let mut shows = board(2);
+    shows.show.extend([Layer::Freedom, Layer::Inside]);
+    let with = opened(&without, shows);
+    assert!(freedom::is_offered(&with) && keys_it(&with));
+    assert!(with.can_look_inside());
+}
+
+#[test]
+fn a_room_goes_from_board_to_board() {
+    let lesson = opened(&own(), board(1));
+    let presented = say(&lesson, ToPage::Present);
+    assert!(presented.is_presented());
+    assert_eq!(third(&presented), None, "the lesson tells by itself");
+    let next = opened(&presented, board(2));
+    assert!(next.is_presented());
+    let left = say(&next, ToPage::Close);
+    assert!(left.is_presented() && left.lesson().is_none());
+    // Who presents a page of their own comes back to it without.
+    let ended = after(&next, [END]);
+    assert!(!say(&ended, ToPage::Close).is_presented());
 }

@@ -3,6 +3,7 @@
 
 mod aside;
 mod hand;
+mod tour;
 
 use giveway_course::lesson::{Layer, Tool as LessonTool};
 use giveway_course::port::{Board, BoardNumber, BoardPlan, FromPage, Hand, Happened, ToPage};

@@ -2,7 +2,7 @@
 
 A spec (a file of TOML) says what is combined with what; :func:`tasks` lists it, :func:`run` does
 one task, :class:`Results` keeps the rows, one line of JSON each, and :func:`table` makes tables and
-plots of them. :mod:`giveway.sweep.dask` does the tasks on a Dask cluster.
+plots of them. :mod:`giveway.sweep.dask` and :mod:`giveway.sweep.ray` do the tasks on a cluster.
 """
 
 from __future__ import annotations
@@ -23,7 +23,7 @@ __all__ = ["AnyPath", "Results", "Row", "Show", "Sweep", "Task", "run", "skipped
 AnyPath = Union[str, "PathLike[str]"]
 #: One result, in the shape of its line.
 Row = dict[str, Any]
-Show = Literal["summary", "rows", "success", "cactus"]
+Show = Literal["summary", "rows", "optima", "success", "cactus"]
 Written = Literal["markdown", "csv", "svg"]
 
 
@@ -57,9 +57,10 @@ class Sweep:
         return series
 
 
-def tasks(spec: AnyPath) -> Sweep:
-    """Reads a spec, and lists its tasks."""
-    listed = call("sweep-tasks", {"spec": os.fspath(spec)})
+def tasks(spec: AnyPath, files: AnyPath | None = None) -> Sweep:
+    """Reads a spec, and lists its tasks; its paths start from its own folder, or from ``files``."""
+    place = None if files is None else os.fspath(files)
+    listed = call("sweep-tasks", {"spec": os.fspath(spec), "files": place})
     folder = str(Path(listed["folder"]).absolute())
     named = (Task(task["name"], task["series"], folder, task["task"]) for task in listed["tasks"])
     return Sweep(tuple(named), listed["skip_after"])

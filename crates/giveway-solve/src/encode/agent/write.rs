@@ -31,24 +31,29 @@ impl MddEncoding {
         {
             out.clause(&[!lit, !sooner]);
         }
-        self.exclude_others(time, lit, out);
+        self.exclude_others(time, lit, task, out);
         match place {
             Place::At(v) => {
                 // Where one vertex and time can have several nodes, a variable
                 // of its own stands for "here now".
                 let several = task.masks() > 1 || (self.stays && v == task.goal);
                 self.stand(time, v, lit, several, added, out);
-                if let Some(battery) = &mut self.battery
-                    && task.may_charge(terrain, v, Some(time))
-                {
-                    battery.place(time, lit);
-                    if matches!(task.demand, Some(TaskConstraint::Charge { v: there, .. }) if there == v)
-                    {
-                        battery.demand(time, lit);
+                if let Some(battery) = &mut self.battery {
+                    if task.may_charge(terrain, v, Some(time)) {
+                        battery.place(time, lit);
+                        if matches!(task.demand, Some(TaskConstraint::Charge { v: there, .. }) if there == v)
+                        {
+                            battery.demand(time, lit);
+                        }
+                    } else {
+                        battery.elsewhere(time, lit);
                     }
                 }
             }
             Place::Along(arc) => {
+                if let Some(battery) = &mut self.battery {
+                    battery.elsewhere(time, lit);
+                }
                 let (from, _) = terrain.ends(arc);
                 if let Some(&arc) = terrain.arcs(from).iter().find(|a| a.id == arc) {
                     // Of one that is there at time 0 the first half is past.
@@ -76,13 +81,14 @@ impl MddEncoding {
                 out.clause(&[!before, lit]);
             }
             self.rest.push(lit);
-            self.exclude_others(time, lit, out);
+            self.exclude_others(time, lit, task, out);
             self.stand(time, task.goal, lit, true, added, out);
         }
     }
 
-    fn exclude_others(&mut self, time: u32, lit: Lit, out: &mut impl Clauses) {
-        if self.battery.is_some() {
+    /// Where a charge at one charger is demanded, it is in one place at a time.
+    fn exclude_others(&mut self, time: u32, lit: Lit, task: &Task, out: &mut impl Clauses) {
+        if matches!(task.demand, Some(TaskConstraint::Charge { .. })) {
             let time = time as usize;
             if self.alone.len() <= time {
                 self.alone.resize(time + 1, AtMostOne::default());

@@ -1,4 +1,5 @@
-//! The course's program: begun by a script of its own, which the page adds.
+//! What is fetched when it is needed first: begun by a script of its own, which the page
+//! adds.
 
 use giveway_model::tr;
 use gloo::events::{EventListener, EventListenerOptions};
@@ -7,13 +8,18 @@ use web_sys::HtmlScriptElement;
 
 use crate::solver::written;
 
-/// Adds the script that fetches the program and runs it; tells where that fails. No
-/// two starts have one number: a browser runs a script of one address only once.
+/// Adds the script whose address the page's head has under this name; tells where that
+/// fails. A browser runs a script of one address only once: what is to be tried again has
+/// another number each time.
 ///
 /// # Errors
 /// Why there is no script, as a sentence.
-pub(super) fn start(number: u32, failed: impl FnOnce(String) + 'static) -> Result<(), String> {
-    let address = written("giveway-course-start")?;
+pub(crate) fn start(
+    name: &str,
+    number: u32,
+    failed: impl FnOnce(String) + 'static,
+) -> Result<(), String> {
+    let address = written(name)?;
     let document = gloo::utils::document();
     let script = document.create_element("script");
     let script = script

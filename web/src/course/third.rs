@@ -1,0 +1,78 @@
+//! What a lesson says before a room: its step in a few words, in the lower third of the
+//! page. Elsewhere it is not shown.
+
+use giveway_course::judge::words::said;
+use giveway_course::judge::{Did, Why};
+use giveway_course::learner::Open;
+use giveway_course::lesson::{Step, Task, Text, Value};
+use yew::prelude::*;
+
+use super::prose::{Reader, first_sentence};
+
+/// The most sentences that are read from the last row.
+const SENTENCES: usize = 2;
+
+/// The title, then the task or what the text begins with, then what is judged.
+pub(super) fn show(open: &Open, step: &Step, reader: Reader<'_>) -> Html {
+    let text = match &step.task {
+        Some(task) => task.say().clone(),
+        None => Text::opening(&step.text, SENTENCES),
+    };
+    let verdict = open.judge().verdict();
+    let judged = verdict.map(|verdict| {
+        let said = said(verdict, step);
+        let reason = step.reason.as_ref().filter(|_| verdict.is_solved());
+        let words = Text::opening(&[reason.cloned().unwrap_or(said.text)], SENTENCES);
+        html! { <p><b>{ format!("{}. ", said.head) }</b>{ reader.still(words.spans()) }</p> }
+    });
+    html! {
+        <section class="third" aria-live="polite">
+            <h2>{ step.title.clone() }</h2>
+            <p>{ reader.still(text.spans()) }</p>
+            { answers(open, step.task.as_ref(), reader) }
+            { judged.unwrap_or_default() }
+        </section>
+    }
+}
+
+/// The answers to choose from, by their keys.
+fn answers(open: &Open, task: Option<&Task>, reader: Reader<'_>) -> Html {
+    let one = |place: usize, text: &Text, is_right: bool| {
+        let (title, _) = first_sentence(text);
+        html! {
+            <li class={is_right.then_some("right")}><kbd>{ place + 1 }</kbd><span>{ reader.still(&title) }</span></li>
+        }
+    };
+    let list: Vec<Html> = match task {
+        Some(Task::Predict(task)) => {
+            let truth = truth(open);
+            let answers = task.answers.iter().enumerate();
+            answers
+                .map(|(place, answer)| one(place, &answer.text, truth == Some(&answer.value)))
+                .collect()
+        }
+        Some(Task::Choose(task)) => {
+            let chosen = match open.did() {
+                Did::Chose(place) if open.is_solved() => Some(*place),
+                _ => None,
+            };
+            let answers = task.answers.iter().enumerate();
+            answers
+                .map(|(place, answer)| one(place, &answer.text, chosen == Some(place)))
+                .collect()
+        }
+        _ => Vec::new(),
+    };
+    if list.is_empty() {
+        return html! {};
+    }
+    html! { <ol>{ for list }</ol> }
+}
+
+/// What was to be said, once it is on the table.
+fn truth(open: &Open) -> Option<&Value> {
+    match &open.judge().verdict()?.why {
+        Why::Guessed { truth, .. } | Why::Revealed(truth) => Some(truth),
+        _ => None,
+    }
+}
