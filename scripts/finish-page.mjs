@@ -37,7 +37,7 @@ const ON_DEMAND = /^static\/(maps|languages)\//;
 const REMARKS = /^(#.*)?\n/gm;
 /** The style sheets that come later: those of the course when it is opened, that of presenting when that begins. */
 const LATER = [
-  ["course-style", /^(course|lesson|print|tour|author)-[0-9a-f]+\.css$/],
+  ["course-style", /^(author|course|lesson|print|tour)-[0-9a-f]+\.css$/],
   ["present-style", /^present-[0-9a-f]+\.css$/],
 ];
 const STYLES = /<link rel="stylesheet" href="\.\/([^"]+)"[^>]*>\s*/g;

@@ -155,6 +155,59 @@ describe("a lesson of one's own", () => {
     await playground.shows("two ways");
   }, MINE);
 
+  flow("takes a plan along, also a faulty one, and can hide its answers", async (playground, { page }) => {
+    const course = new Course(playground);
+    const author = new Author(playground);
+    await playground.open(file("ways.json", SCENE));
+    await playground.shows("two ways");
+    await playground.press("Solve");
+    await playground.says(/^Optimal: /);
+    await author.open(course);
+    await author.fill("Title of the step", "Look");
+    await author.fill("Text", "Where do they meet?");
+    await author.press("Take the board as it is now");
+    await author.says(/^The board is taken\./);
+    assert.equal(await author.field("Plan").inputValue(), "given");
+    await author.choose("What there is to do", "Find the conflicts");
+    await author.fill("What it asks", "Find all.");
+    await author.tells(/Found a plan that breaks no rule, expected one with conflicts\./);
+    await page.keyboard.press("Escape");
+
+    const paths = { A1: [[0, 0], [1, 0], [2, 0]], A2: [[2, 2], [2, 1], [2, 0], [1, 0], [0, 0], [0, 1], [0, 2]] };
+    await playground.open(file("faulty-plan.json", { giveway: 1, paths }));
+    await page.getByRole("button", { name: /are both at|swap|and A/ }).first().waitFor();
+    await author.open(course);
+    await author.press("Take the board as it is now");
+    await author.says(/^The board is taken\./);
+    assert.equal(await author.field("Plan").inputValue(), "given");
+
+    await author.choose("What there is to do", "Pick an answer");
+    await author.fill("What it asks", "Who goes first?");
+    const answer = async (number, text, reply) => {
+      const one = author.desk.getByRole("group", { name: `Answer ${number}`, exact: true });
+      await one.getByLabel("Answer", { exact: true }).fill(text);
+      await one.getByLabel("Reply", { exact: true }).fill(reply);
+      return one;
+    };
+    await answer(1, "A1", "A1 has the longer way.");
+    const right = await answer(2, "A2", "It does.");
+    await right.getByText("It is right").click();
+    await author.fill("First hint", "Not A1.");
+    await author.fill("Said once it is solved: why it is so", "It is so.");
+    await author.desk.getByText("Hide the hints and the answers").click();
+    await author.press("Try it");
+    await course.at("Look");
+    assert.equal(await course.lesson.getByRole("button", { name: "Hint" }).count(), 0);
+    await page.keyboard.press("1");
+    const said = await course.says(/this is not it\. Look again\./);
+    assert.doesNotMatch(said, /longer way/);
+    await page.keyboard.press("2");
+    await course.solved();
+    await course.lesson.getByRole("button", { name: "Go on writing" }).click();
+    await author.desk.waitFor();
+    await page.keyboard.press("Escape");
+  });
+
   flow("that is faulty tells its fault, and the page stays as it is", async (playground, { page }) => {
     const author = new Author(playground);
     await playground.open(file("ways.json", SCENE));

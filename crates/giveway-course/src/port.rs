@@ -41,11 +41,11 @@ pub enum ToPage {
     /// Puts the board back to what it was when it was opened; it has this number from
     /// then on.
     StartAfresh(BoardNumber),
-    /// Shows the page to a room.
-    Present,
     /// Asks for a person's own board as it is now: its scene, its plan and the time are
     /// told under the number 0, which no board of a lesson has.
     Take,
+    /// Shows the page to a room.
+    Present,
     /// The lesson ends: a person's own scene comes back.
     Close,
 }

@@ -154,9 +154,9 @@ impl Component for Tutor {
                 self.guide(tour::Action::Page(message));
             }
             Msg::Do(action) => self.act(ctx, action),
+            Msg::Author(msg) => self.author(ctx, msg),
             Msg::Tour(action) => self.guide(action),
             Msg::Open(name) if name == tour::NAME => self.begin_tour(ctx),
-            Msg::Author(msg) => self.author(ctx, msg),
             Msg::Open(address) if is_own(&address) => self.arrive(ctx, address),
             Msg::Open(address) => match Place::read(&address) {
                 Some(place) => self.enter(ctx, place),

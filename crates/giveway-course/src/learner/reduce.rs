@@ -31,14 +31,14 @@ impl Learner {
                 let open = Open::at(id, lesson, at, self.board, scene);
                 self.enter(open, effects);
             }
+            Action::Try { lesson, at } => {
+                let (id, at) = (Id::tried(), Some(at));
+                self.act(Action::Open { id, lesson, at }, effects);
+            }
             Action::Reword { id, lesson } => {
                 if let Some(open) = self.open.as_mut().filter(|open| open.id == id) {
                     open.lesson = lesson;
                 }
-            }
-            Action::Try { lesson, at } => {
-                let (id, at) = (Id::tried(), Some(at));
-                self.act(Action::Open { id, lesson, at }, effects);
             }
             Action::Next => self.next(effects),
             Action::Back => {

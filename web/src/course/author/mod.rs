@@ -202,10 +202,7 @@ impl Tutor {
                     Happened::Board(scene) => Action::TakeScene(scene),
                     Happened::Led(plan) => Action::TakePlan(plan),
                     Happened::Time(time) => Action::TakeTime(time),
-                    Happened::Picked(_)
-                    | Happened::Changed(_)
-                    | Happened::Seen(_)
-                    | Happened::Closed => return,
+                    _ => return,
                 };
                 author.act(action, glossary);
                 tr!("The board is taken.").clone_into(&mut author.told);

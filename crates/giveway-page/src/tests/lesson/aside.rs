@@ -6,7 +6,7 @@ use giveway_solve::Status;
 
 use super::{board, heard, opened, say, scene, told};
 use crate::keys::{Key, command};
-use crate::lesson::LessonAction;
+use crate::lesson::{LessonAction, as_it_is};
 use crate::present::{END, third};
 use crate::reduce::tests::{after, stroke};
 use crate::tests::{answered, seek, select};
@@ -163,6 +163,26 @@ fn a_board_that_is_no_scene_changes_nothing() {
     assert_eq!(refused.document, own.document);
     assert!(refused.view.notice.is_some());
     assert_eq!(say(&own, ToPage::Close).document, own.document);
+}
+
+#[test]
+fn who_writes_a_lesson_takes_ones_own_board_as_it_is() {
+    let own = own();
+    let plan = own.document.plan().cloned().unwrap();
+    let all = [
+        told(
+            0,
+            Happened::Board(Box::new(own.document.draft.scene().clone())),
+        ),
+        told(0, Happened::Led(Box::new(plan))),
+        told(0, Happened::Time(3)),
+    ];
+    assert_eq!(as_it_is(&own), all);
+    // Also while another lesson is on the board; to ask changes nothing.
+    let lesson = opened(&own, board(1));
+    assert_eq!(as_it_is(&lesson), all);
+    assert_eq!(say(&lesson, ToPage::Take), lesson);
+    assert_eq!(as_it_is(&State::default()).len(), 2);
 }
 
 #[test]
