@@ -163,6 +163,8 @@ describe("a sheet to print", () => {
   flow("a lesson: its boards, its tasks, its answers apart", async (playground, { page }) => {
     // The browser's own dialog waits for a person.
     await page.evaluate(() => { window.print = () => { window.printed = true; }; });
+    // Two formats are made of one sheet: it is told only afterwards that it was printed.
+    await page.evaluate(() => addEventListener("afterprint", (event) => window.isDone || event.stopImmediatePropagation()));
     const course = new Course(playground);
     await course.open();
     await course.contents.getByRole("button", { name: /^Room to pass/ }).click();
@@ -181,14 +183,14 @@ describe("a sheet to print", () => {
     const before = (await sheet.innerText()).replace(answers, "");
     assert.ok(!before.includes("Yes: without A1"), "an answer stands beside its task");
     for (const format of ["A4", "Letter"]) {
-      const pdf = await page.pdf({ format, preferCSSPageSize: false });
+      const pdf = await page.pdf({ format });
       const pages = pdf.toString("latin1").match(/\/Type\s*\/Page\b/g)?.length ?? 0;
       assert.ok(pages >= 2 && pages <= 5, `${pages} pages of ${format}`);
     }
-    await playground.picture("print");
+    await page.screenshot({ path: playground.pathOf("print"), fullPage: true });
     await page.emulateMedia({ media: "screen" });
     assert.equal(await sheet.isVisible(), false);
-    await page.evaluate(() => dispatchEvent(new Event("afterprint")));
+    await page.evaluate(() => { window.isDone = true; dispatchEvent(new Event("afterprint")); });
     await sheet.waitFor({ state: "detached" });
   });
 });
