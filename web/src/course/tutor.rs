@@ -158,13 +158,14 @@ impl Component for Tutor {
             Msg::Tour(action) => self.guide(action),
             Msg::Open(name) if name == tour::NAME => self.begin_tour(ctx),
             Msg::Open(address) if is_own(&address) => self.arrive(ctx, address),
-            Msg::Open(address) => match Place::read(&address) {
-                Some(place) => self.enter(ctx, place),
-                None => {
+            Msg::Open(address) => {
+                if let Some(place) = Place::read(&address) {
+                    self.enter(ctx, place);
+                } else {
                     self.guide(tour::Action::End);
                     self.page = Some(Page::Lessons);
                 }
-            },
+            }
             Msg::Enter(place) => self.enter(ctx, place),
             Msg::Told(told) => Self::turn(ctx, told),
             Msg::Spoken => self.reword(ctx),

@@ -21,13 +21,6 @@ pub enum Action {
         /// The step.
         at: Option<usize>,
     },
-    /// A lesson that is being written is tried, at a step from 0: it leaves no traces.
-    Try {
-        /// The lesson.
-        lesson: Rc<Lesson>,
-        /// The step.
-        at: usize,
-    },
     /// A lesson that is open goes on in the words of another language.
     Reword {
         /// Its short name.

@@ -72,6 +72,10 @@ pub(in crate::course) enum AuthorMsg {
 }
 
 /// The editor.
+#[expect(
+    clippy::struct_excessive_bools,
+    reason = "each is told by itself, in any mixture"
+)]
 pub(in crate::course) struct Author {
     pub(super) draft: Rc<Draft>,
     pub(super) looked: Option<Rc<Looked>>,
