@@ -87,7 +87,7 @@ pub const HELP: [(Later, &[Row]); 6] = [
                 tr_later!("The question before, the next one"),
             ),
             row(
-                &["Page Up", "Page Down"],
+                &["PageUp", "PageDown"],
                 tr_later!("Back, on: a step of the lesson, a question, a time"),
             ),
             row(&["H"], tr_later!("Hide what is said, show it again")),
@@ -122,8 +122,8 @@ pub fn key_name(key: &'static str) -> &'static str {
         "Space" => tr!("a key" => "Space"),
         "Home" => tr!("a key" => "Home"),
         "End" => tr!("a key" => "End"),
-        "Page Up" => tr!("a key" => "Page Up"),
-        "Page Down" => tr!("a key" => "Page Down"),
+        "PageUp" => tr!("a key" => "Page Up"),
+        "PageDown" => tr!("a key" => "Page Down"),
         other => other,
     }
 }
