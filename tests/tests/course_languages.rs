@@ -112,7 +112,7 @@ fn what_there_is_to_do_stays_the_same() {
             let kinds = |lesson: &Lesson| {
                 let tasks = lesson.steps.iter().map(|step| step.task.as_ref());
                 tasks
-                    .map(|task| task.map(|task| task.kind()))
+                    .map(|task| task.map(giveway_course::lesson::Task::kind))
                     .collect::<Vec<_>>()
             };
             assert_eq!(kinds(&other), kinds(lesson));

@@ -1,7 +1,7 @@
 //! Lessons that are written: a draft, what is wrong with it, links.
 
 use fastrand::Rng;
-use giveway_course::author::{Action, Draft, Field, Input, Whose, Words, form, reduce};
+use giveway_course::author::{Action, Draft, Field, Input, StepDraft, Whose, Words, form, reduce};
 use giveway_course::learner::{self, Effect, Learner, Stage};
 use giveway_course::lesson::{Glossary, Lesson, link, read_lesson, write_lesson};
 use giveway_model::Scene;
@@ -287,13 +287,13 @@ fn random(rng: &mut Rng, draft: &Draft, lessons: &[(String, Lesson)]) -> Action 
     let fields = form(draft.step().unwrap(), draft.scene(draft.at()));
     match rng.u8(0..30) {
         0 => Action::Add,
-        1 => Action::Copy(rng.usize(0..count + 1)),
-        2 => Action::Remove(rng.usize(0..count + 1)),
+        1 => Action::Copy(rng.usize(0..=count)),
+        2 => Action::Remove(rng.usize(0..=count)),
         3 => Action::Move {
-            from: rng.usize(0..count + 1),
-            to: rng.usize(0..count + 1),
+            from: rng.usize(0..=count),
+            to: rng.usize(0..=count),
         },
-        4 => Action::Go(rng.usize(0..count + 1)),
+        4 => Action::Go(rng.usize(0..=count)),
         5 => Action::TakeScene(Box::new(scene())),
         6 => Action::DropBoard,
         7 => Action::AddAnswer,
@@ -341,7 +341,7 @@ fn random_actions_never_panic_and_what_is_whole_reads_back_the_same() {
         draft = reduce(draft, action);
         assert!(draft.step().is_some());
         let keys: std::collections::BTreeSet<u32> =
-            draft.steps().iter().map(|step| step.key()).collect();
+            draft.steps().iter().map(StepDraft::key).collect();
         assert_eq!(keys.len(), draft.steps().len());
         let looked = draft.look(&glossary);
         let _ = looked.to_try(draft.at());

@@ -182,7 +182,7 @@ fn who_writes_a_lesson_takes_ones_own_board_as_it_is() {
     let lesson = opened(&own, board(1));
     assert_eq!(as_it_is(&lesson), all);
     assert_eq!(say(&lesson, ToPage::Take), lesson);
-    assert_eq!(as_it_is(&State::default()).len(), 2);
+    assert_eq!(as_it_is(&State::new(crate::Draft::default())).len(), 2);
 }
 
 #[test]
