@@ -92,13 +92,18 @@ fn pages(id: &Id, lesson: &Lesson) -> Html {
             <header>
                 <h1>{ lesson.title.clone() }</h1>
                 <p>{ plain(&lesson.about) }</p>
-                <p class="where">{ tr!("Giveway, a lesson of {n} minute" | "Giveway, a lesson of {n} minutes" % lesson.minutes) }{ ": " }{ address(id) }</p>
+                <p class="where">{ tr!("Giveway, a lesson of {n} minute" | "Giveway, a lesson of {n} minutes" % lesson.minutes) }
+                    // One's own lesson is in a file, or in a link that nobody types.
+                    if !id.is_own() { { ": " }{ address(id) } }
+                </p>
             </header>
             { for lesson.steps.iter().enumerate().map(step) }
-            <section class="answers">
-                <h1>{ tr!("Answers") }</h1>
-                { for lesson.steps.iter().enumerate().map(answer) }
-            </section>
+            if !lesson.hides_answers {
+                <section class="answers">
+                    <h1>{ tr!("Answers") }</h1>
+                    { for lesson.steps.iter().enumerate().map(answer) }
+                </section>
+            }
         </>
     }
 }

@@ -51,6 +51,11 @@ impl Id {
         Self("~".to_owned())
     }
 
+    /// Whether it is the name of a lesson that is no part of a course.
+    pub fn is_own(&self) -> bool {
+        self.0.starts_with("own-") || self.0 == "~"
+    }
+
     /// The name.
     pub fn as_str(&self) -> &str {
         &self.0

@@ -42,7 +42,7 @@ pub fn write(lesson: &Lesson, step: Option<usize>) -> String {
     text
 }
 
-/// Reads what [`write`] wrote. Steps are counted from 1 in the text.
+/// Reads what [`write()`] wrote. Steps are counted from 1 in the text.
 ///
 /// # Errors
 /// What is wrong: the text was cut or changed on its way, it holds more than a lesson

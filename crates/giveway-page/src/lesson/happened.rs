@@ -5,12 +5,16 @@ use giveway_course::port::{BoardNumber, FromPage, Happened, Sight};
 use super::Lesson;
 use crate::{State, Tool};
 
-/// A person's own board as it is now, for who writes a lesson: its scene, its plan, the
-/// time shown.
+/// A person's own board as it is now, for who writes a lesson: its scene, its plan (also
+/// one from elsewhere that breaks rules), the time shown.
 pub fn as_it_is(state: &State) -> Vec<FromPage> {
     let own = state.own();
     let scene = own.document.draft.scene().clone();
-    let plan = own.document.plan().cloned();
+    let document = &own.document;
+    let plan = match document.mode.audit() {
+        Some(audit) => Some(audit.plan.file.plan.clone()),
+        None => document.plan().cloned(),
+    };
     let all = [
         Some(Happened::Board(Box::new(scene))),
         plan.map(|plan| Happened::Led(Box::new(plan))),
