@@ -32,6 +32,8 @@ pub enum ToPage {
     Show(Box<Evidence>),
     /// Puts a seal on the cells that solved a task.
     Seal(Vec<Cell>),
+    /// This robot, by its name, is led from where it is by now.
+    Lead(String),
     /// The robot that is led waits for a step.
     Wait,
     /// Does what a person could do, on the board of a tour.
@@ -161,6 +163,8 @@ pub enum Happened {
     Board(Box<Scene>),
     /// A robot was led: the plan so far, of all robots.
     Led(Box<Plan>),
+    /// Another robot is led now, by its name.
+    Leads(String),
     /// A person pointed at something.
     Picked(Pick),
     /// Another time is shown.

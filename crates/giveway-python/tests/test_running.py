@@ -50,6 +50,8 @@ def test_what_a_callback_raises_is_raised() -> None:
 
 
 def test_control_c_is_heard() -> None:
+    # A shell that runs this in the background has it ignored.
+    signal.signal(signal.SIGINT, signal.default_int_handler)
     timer = threading.Timer(0.5, os.kill, (os.getpid(), signal.SIGINT))
     timer.start()
     with pytest.raises(KeyboardInterrupt):

@@ -55,6 +55,8 @@ pub enum Action {
     NoOrder,
     /// A method is picked.
     Went(Method),
+    /// This robot, by its name, is led from now on.
+    Lead(String),
     /// The robot that is led waits for a step.
     Wait,
     /// The next hint.

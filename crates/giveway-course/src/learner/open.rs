@@ -2,7 +2,7 @@
 
 use std::rc::Rc;
 
-use giveway_model::Scene;
+use giveway_model::{Plan, Scene};
 
 use super::Judge;
 use crate::judge::{Did, Situation};
@@ -29,6 +29,8 @@ pub struct Open {
     pub(super) time: u32,
     /// What was done for the task.
     pub(super) did: Did,
+    /// The robot that is led, where it is not the first of the task.
+    pub(super) leads: Option<String>,
     /// What was pointed at, and is no whole mark yet.
     pub(super) pointed: Option<Pick>,
     /// What the judge of the task does or says.
@@ -58,6 +60,7 @@ impl Open {
             scene,
             time,
             did: Did::default(),
+            leads: None,
             pointed: None,
             judge: Judge::Waiting,
             hints: 0,
@@ -108,6 +111,32 @@ impl Open {
     /// What was done for the task.
     pub const fn did(&self) -> &Did {
         &self.did
+    }
+
+    /// Whether anything was done that can be taken back.
+    pub fn has_done(&self) -> bool {
+        // The others go as the plan of the step has it.
+        let led = match self.step().and_then(|step| step.task.as_ref()) {
+            Some(Task::Lead(task)) => task.robots.as_slice(),
+            _ => &[],
+        };
+        let is_led = |plan: &Plan| led.iter().any(|name| plan.path(name).len() > 1);
+        let did = match &self.did {
+            Did::Edits => false,
+            Did::Marked(marks) => !marks.is_empty(),
+            Did::Led(plan) => is_led(plan),
+            _ => true,
+        };
+        did || self.scene != self.start || self.pointed.is_some()
+    }
+
+    /// The robot that is led, by its name; the first of the task at first.
+    pub fn leads(&self) -> Option<&str> {
+        let first = || match self.step()?.task.as_ref()? {
+            Task::Lead(task) => task.robots.first(),
+            _ => None,
+        };
+        self.leads.as_ref().or_else(first).map(String::as_str)
     }
 
     /// What was pointed at, and is no whole mark yet.

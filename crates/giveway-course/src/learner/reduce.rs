@@ -65,6 +65,9 @@ impl Learner {
             Action::Afresh => self.afresh(effects),
             Action::Answered { number, response } => self.answered(number, *response, effects),
             Action::Failed { number, sentence } => self.failed(number, sentence, effects),
+            Action::Lead(name) if self.open.is_some() => {
+                effects.push(Effect::Page(ToPage::Lead(name)));
+            }
             Action::Wait if self.open.is_some() => effects.push(Effect::Page(ToPage::Wait)),
             Action::Light(lit) if self.open.is_some() => {
                 effects.push(Effect::Page(ToPage::Light(lit)));
@@ -72,7 +75,7 @@ impl Learner {
             Action::Time(time) if self.open.is_some() => {
                 effects.push(Effect::Page(ToPage::Go(time)));
             }
-            Action::Wait | Action::Light(_) | Action::Time(_) => {}
+            Action::Lead(_) | Action::Wait | Action::Light(_) | Action::Time(_) => {}
             Action::Kept(progress) => self.progress = progress,
             Action::Reset => {
                 self.progress = Progress::default();
@@ -175,6 +178,7 @@ impl Learner {
                 self.did(Did::Edits, effects);
             }
             Happened::Led(plan) => self.did(Did::Led(*plan), effects),
+            Happened::Leads(name) => open.leads = Some(name),
             Happened::Picked(pick) => {
                 if let Some(did) = task::picked(open, pick) {
                     self.did(did, effects);

@@ -1,5 +1,6 @@
 //! What is done for a task, and what the judges make of it.
 
+use giveway_model::Plan;
 use giveway_solve::Request;
 
 use super::{AskNumber, Effect, Judge, Learner, Looking, Open};
@@ -187,6 +188,27 @@ pub(super) fn picked(open: &mut Open, pick: Pick) -> Option<Did> {
     }
 }
 
+/// Where two robots share the second cell, the one of them is meant that changes places
+/// with the robot of the first.
+fn swapping(plan: &Plan, before: &Pick, mut pick: Pick) -> Pick {
+    let is_there = |name: &String, time: Option<u32>| {
+        let path = plan.path(name);
+        let cell = time
+            .and_then(|time| path.get(time as usize))
+            .or(path.last());
+        cell.copied().flatten() == Some(before.cell)
+    };
+    let time = pick.time;
+    let comes = |name: &&String| {
+        is_there(name, time.checked_add(1)) || (time > 0 && is_there(name, time.checked_sub(1)))
+    };
+    let swaps: Vec<String> = pick.robots.iter().filter(comes).cloned().collect();
+    if before.robots.len() == 1 && before.cell != pick.cell && swaps.len() == 1 {
+        pick.robots = swaps;
+    }
+    pick
+}
+
 /// Two robots at one time make a mark: both at once, or one after the other.
 fn marked(open: &mut Open, pick: Pick) -> Option<Did> {
     let mut marks = match &open.did {
@@ -197,6 +219,11 @@ fn marked(open: &mut Open, pick: Pick) -> Option<Did> {
         .pointed
         .take()
         .filter(|before| before.time == pick.time);
+    let plan = open.step()?.plan.as_ref();
+    let pick = match (&before, plan) {
+        (Some(before), Some(plan)) => swapping(plan, before, pick),
+        _ => pick,
+    };
     let mut mark = Mark {
         time: pick.time,
         robots: Vec::new(),

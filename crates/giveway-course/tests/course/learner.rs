@@ -10,6 +10,7 @@ use giveway_course::learner::{
 use giveway_course::lesson::{Id, Lesson, Value};
 use giveway_course::port::{BoardNumber, BoardPlan, FromPage, Hand, Happened, Lit, Pick, ToPage};
 use giveway_model::Cell;
+use giveway_model::format::native;
 use giveway_solve::{Request, Response, SilentHost, serve};
 
 use super::shipped;
@@ -185,6 +186,31 @@ fn the_course_goes_on_with_what_was_begun_then_with_what_is_new() {
 }
 
 #[test]
+fn one_of_the_robots_of_a_task_is_led() {
+    let (learner, effects) = opened("all-move-on-at-once", 1);
+    let number = board(&effects);
+    let leads = |learner: &Learner| learner.open.as_ref().unwrap().leads().map(str::to_owned);
+    assert_eq!(leads(&learner).as_deref(), Some("A1"));
+    let (learner, effects) = reduce(learner, Action::Lead("A3".to_owned()));
+    assert_eq!(effects, [Effect::Page(ToPage::Lead("A3".to_owned()))]);
+    let (learner, _) = reduce(learner, said(number, Happened::Leads("A3".to_owned())));
+    assert_eq!(leads(&learner).as_deref(), Some("A3"));
+    assert!(!learner.open.as_ref().unwrap().has_done());
+    let led = r#"{ "giveway": 1, "paths": { "A1": [[0, 0]], "A3": [[1, 1], [0, 1]] } }"#;
+    let led = Happened::Led(Box::new(native::read_plan(led).unwrap()));
+    let (learner, _) = reduce(learner, said(number, led));
+    assert!(learner.open.as_ref().unwrap().has_done());
+    let back = r#"{ "giveway": 1, "paths": { "A1": [[0, 0]], "A3": [[1, 1]] } }"#;
+    let back = Happened::Led(Box::new(native::read_plan(back).unwrap()));
+    let (learner, _) = reduce(learner, said(number, back));
+    assert!(!learner.open.as_ref().unwrap().has_done());
+    let (learner, _) = reduce(learner, Action::Afresh);
+    assert_eq!(leads(&learner).as_deref(), Some("A1"));
+    let (learner, _) = reduce(learner, Action::Go(2));
+    assert_eq!(leads(&learner), None, "nobody is led there");
+}
+
+#[test]
 fn two_clicks_make_a_mark() {
     let (learner, effects) = opened("two-robots-one-cell", 2);
     let number = board(&effects);
@@ -209,6 +235,31 @@ fn two_clicks_make_a_mark() {
         "{:?}",
         learner.open.unwrap().did()
     );
+}
+
+#[test]
+fn of_two_robots_in_a_cell_the_one_that_swaps_is_meant() {
+    let (learner, effects) = opened("trust-but-check", 0);
+    let number = board(&effects);
+    let pick = |x, robots: &[&str]| {
+        let robots = robots.iter().map(|name| (*name).to_owned()).collect();
+        let cell = Cell::new(x, 3);
+        let pick = Pick {
+            cell,
+            time: 2,
+            robots,
+        };
+        Happened::Picked(pick)
+    };
+    let (learner, _) = reduce(learner, said(number, pick(2, &["A1", "A3"])));
+    let (learner, _) = reduce(learner, said(number, pick(3, &["A4"])));
+    let (learner, _) = reduce(learner, said(number, pick(2, &["A1", "A3"])));
+    let open = learner.open.unwrap();
+    assert!(open.is_solved(), "{:?}", open.did());
+    let Did::Marked(marks) = open.did() else {
+        panic!("{:?}", open.did());
+    };
+    assert_eq!(marks[1].robots, ["A4", "A1"]);
 }
 
 #[test]
@@ -364,7 +415,7 @@ fn random(rng: &mut Rng, learner: &Learner, world: &World, lessons: &[(Id, Rc<Le
         6 => Action::Back,
         7 => Action::Go(rng.usize(0..9)),
         8..12 => {
-            let what = match (rng.u8(0..6), &learner.open) {
+            let what = match (rng.u8(0..7), &learner.open) {
                 (0, _) => Happened::Time(rng.u32(0..20)),
                 (1, Some(open)) => {
                     let mut scene = open.scene().clone();
@@ -378,6 +429,7 @@ fn random(rng: &mut Rng, learner: &Learner, world: &World, lessons: &[(Id, Rc<Le
                 }
                 (2, _) => Happened::Led(Box::default()),
                 (3, _) => Happened::Changed("revise".parse().unwrap()),
+                (6, _) => Happened::Leads("A2".to_owned()),
                 (4, _) if rng.u8(0..9) == 0 => Happened::Closed,
                 _ => Happened::Picked(Pick {
                     cell,
@@ -395,6 +447,7 @@ fn random(rng: &mut Rng, learner: &Learner, world: &World, lessons: &[(Id, Rc<Le
         13 => Action::Guess(Value::Cell(cell)),
         16 => Action::Order(vec!["A1".into(), "A2".into()]),
         17 => Action::NoOrder,
+        18 if rng.bool() => Action::Lead("A2".to_owned()),
         18 => Action::Hint,
         19 => Action::ShowEvidence,
         20 => Action::TakeBack,

@@ -62,6 +62,16 @@ pub fn happened(before: &State, after: &State) -> Vec<FromPage> {
     {
         all.push(Happened::Led(Box::new(plan)));
     }
+    let leads = |state: &State| {
+        let own = state.document.mode.steering()?;
+        let agent = state.document.agents().get(own.agent)?;
+        Some(agent.name.clone())
+    };
+    if let Some(name) = leads(after)
+        && leads(before).as_ref() != Some(&name)
+    {
+        all.push(Happened::Leads(name));
+    }
     let pick = |lesson: &Lesson| lesson.pick.clone();
     if let Some((_, picked)) = pick(is).filter(|_| pick(is) != pick(was)) {
         all.push(Happened::Picked(picked));

@@ -54,6 +54,7 @@ pub(super) fn select(state: &mut State, selection: Selection) {
         Selection::Cell(cell) => Selection::Cell(state.document.draft.clamp(cell)),
         selection => selection,
     };
+    steer::follow(state);
 }
 
 /// A step of the keyboard; with the tool that selects, a thing can go along. The

@@ -99,6 +99,12 @@ fn says(state: &mut State, message: ToPage) {
         ToPage::Play => play::begin(state),
         ToPage::Show(found) => show(state, &found),
         ToPage::Seal(cells) => change(state, |lesson| lesson.sealed = cells),
+        ToPage::Lead(name) => {
+            let mut agents = state.document.agents().iter();
+            if let Some(agent) = agents.position(|agent| agent.name == name) {
+                super::board::select(state, Selection::Agent(agent));
+            }
+        }
         ToPage::Wait => steer::steer(state, Lead::Step((0, 0))),
         ToPage::Do(deed) => tour(state, deed),
         ToPage::TakeBack => {

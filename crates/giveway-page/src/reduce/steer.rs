@@ -60,6 +60,28 @@ pub(super) fn steer(state: &mut State, lead: Lead) {
     }
 }
 
+/// In a lesson, the agent that is selected is the one that is led, if it is to be led: from
+/// where it is by now. That changes no plan, so it is no step of undo.
+pub(super) fn follow(state: &mut State) {
+    let Selection::Agent(agent) = state.view.selection else {
+        return;
+    };
+    let Some(own) = state.document.mode.steering() else {
+        return;
+    };
+    let who = state.document.agents().get(agent);
+    let led = who.filter(|who| {
+        let lesson = state.lesson();
+        own.agent != agent && lesson.is_some_and(|lesson| lesson.leads(&who.name))
+    });
+    let last = led.map(|who| own.led().0.path(&who.name).len().saturating_sub(1));
+    let last = last.and_then(|last| u32::try_from(last).ok());
+    if let Some(led) = last.and_then(|last| own.lead(agent, last)) {
+        state.document.mode = Mode::Steering(Rc::new(led));
+        settle(state);
+    }
+}
+
 /// The agent that is selected is led from the time shown.
 fn begin(state: &mut State) {
     stroke::release(state);

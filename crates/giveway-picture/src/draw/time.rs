@@ -19,9 +19,12 @@ const OF: f64 = 15.0;
 const LINE: (f64, f64) = (48.0, 16.0);
 
 impl Stage {
-    /// `Step 3 of 9`, and a line up to there.
+    /// `Step 3 of 9`, and a line up to there; nothing where nothing moves.
     pub(super) fn time(&self, when: &mut When<'_>) -> String {
         let mut svg = String::new();
+        if self.steps == 0 {
+            return svg;
+        }
         let px = self.sheet.px;
         let room = self.sheet.map.0 / px;
         let figures = FIGURE * self.steps.to_string().len() as f64;
@@ -38,7 +41,7 @@ impl Stage {
         let of = format!("of {}", self.steps);
         self.word(&of, Anchor::Start, number + BLANK, &mut svg);
         let left = number + after + LINE.1;
-        if self.steps > 0 && room - left >= LINE.0 {
+        if room - left >= LINE.0 {
             self.line((left * px, room * px), when, &mut svg);
         }
         svg

@@ -1,5 +1,7 @@
 //! What a picture says to those who do not see it.
 
+use std::fmt::Write as _;
+
 use giveway_model::Cell;
 use giveway_model::words::count;
 
@@ -20,7 +22,11 @@ impl Stage {
 
     /// What there is to see at a time.
     pub(crate) fn at_words(&self, time: f64) -> String {
-        let mut words = format!("{} Step {} of {}.", self.who(), whole(time), self.steps);
+        let mut words = self.who();
+        if self.steps > 0 {
+            // Writing to a string cannot fail.
+            let _ = write!(words, " Step {} of {}.", whole(time), self.steps);
+        }
         let place = |agent: usize| {
             let pose = self.tracks[agent].pose(time).filter(|pose| !pose.is_gone)?;
             let cell = pose.at.nearest_cell();

@@ -7,8 +7,9 @@ mod order;
 mod solved;
 mod spot;
 
-use giveway_course::judge::{Did, Why};
+use giveway_course::judge::Why;
 use giveway_course::learner::{Action, Judge, Open};
+use giveway_course::lesson::task::Lead;
 use giveway_course::lesson::{Task, Text};
 use giveway_model::tr;
 use yew::prelude::*;
@@ -51,16 +52,32 @@ fn tools(tutor: &Tutor, open: &Open, task: &Task, reader: Reader<'_>) -> Html {
         Task::Spot(_) => spot::show(open, reader),
         Task::Order(_) => order::show(&tutor.order(), reader),
         Task::Change(task) => change::show(open, task, reader.send),
-        Task::Lead(_) => lead(reader.send),
+        Task::Lead(task) => lead(open, task, reader),
         Task::Paint(_) | Task::Predict(_) | Task::Choose(_) => html! {},
     }
 }
 
-/// How a robot is led; all but to wait is done on the board.
-fn lead(send: &Callback<Msg>) -> Html {
-    let wait = send.reform(|_: MouseEvent| Msg::Do(Action::Wait));
+/// How robots are led; all but to wait and to choose one is done on the board.
+fn lead(open: &Open, task: &Lead, reader: Reader<'_>) -> Html {
+    let wait = reader.send.reform(|_: MouseEvent| Msg::Do(Action::Wait));
+    let one = |(place, name): (usize, &String)| {
+        let key = (place + 1).to_string();
+        let is_led = open.leads() == Some(name.as_str());
+        let led = name.clone();
+        let press = reader
+            .send
+            .reform(move |_: MouseEvent| Msg::Do(Action::Lead(led.clone())));
+        html! {
+            <li><button type="button" class="opt" data-key={key.clone()} title={tr!("Key {number}", number = key)}
+                aria-pressed={is_led.to_string()} onclick={press}>{ reader.robot(name) }</button></li>
+        }
+    };
     html! {
         <div class="leads">
+            // Two robots may be in each other's way on the board: here each can be chosen.
+            if task.robots.len() > 1 {
+                <ul class="opts few" aria-label={tr!("The robot that you lead")}>{ for task.robots.iter().enumerate().map(one) }</ul>
+            }
             <p class="quiet">{ tr!("Press the cell that it goes to, or use the arrow keys.") }</p>
             <button type="button" class="btn outline" title={tr!("Wait (w)")} onclick={wait}>{ icon::show("pause") }<span>{ tr!("Wait a step") }</span></button>
         </div>
@@ -81,9 +98,7 @@ fn hints(hints: &[Text], reader: Reader<'_>) -> Html {
 /// What takes back, begins anew, helps.
 fn actions(open: &Open, send: &Callback<Msg>) -> Html {
     let act = |action: Action| send.reform(move |_: MouseEvent| Msg::Do(action.clone()));
-    let has_done = open.scene() != open.start()
-        || !matches!(open.did(), Did::Edits)
-        || open.pointed().is_some();
+    let has_done = open.has_done();
     html! {
         <div class="exa">
             if has_done {

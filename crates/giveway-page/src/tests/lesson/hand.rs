@@ -144,6 +144,37 @@ fn robots_are_led_step_by_step() {
 }
 
 #[test]
+fn the_robot_that_is_chosen_is_led_on_from_where_it_is() {
+    let lead = Board {
+        hand: Hand::Leads(vec!["A1".to_owned(), "A2".to_owned()]),
+        tools: Vec::new(),
+        ..board(4)
+    };
+    let lesson = opened(&sample::solved(), lead);
+    let step = |by| Action::Steer(Lead::Step(by));
+    let own = |state: &State| state.document.mode.steering().unwrap().agent;
+    let lengths = |state: &State| {
+        let plan = state.document.mode.steering().unwrap().led().0.clone();
+        ["A1", "A2"].map(|name| plan.path(name).len())
+    };
+    let one = after(&lesson, [step((1, 0))]);
+    assert_eq!((own(&one), lengths(&one)), (0, [2, 1]));
+    let chosen = Action::Lesson(super::says(ToPage::Lead("A2".to_owned())));
+    let (two, said) = heard(&one, [chosen]);
+    assert!(said.contains(&told(4, Happened::Leads("A2".to_owned()))));
+    assert_eq!((own(&two), lengths(&two)), (1, [2, 1]));
+    assert_eq!(two.view.playback.time, 0, "it has not moved yet");
+    let both = after(&two, [step((-1, 0)), step((-1, 0)), select(0)]);
+    assert_eq!((own(&both), lengths(&both)), (0, [2, 3]));
+    assert_eq!(both.view.playback.time, 1);
+    // To choose a robot is no step that can be taken back.
+    let back = say(&both, ToPage::TakeBack);
+    assert_eq!((own(&back), lengths(&back)), (1, [2, 2]));
+    let nobody = say(&both, ToPage::Lead("A9".to_owned()));
+    assert_eq!(nobody.document, both.document);
+}
+
+#[test]
 fn the_lesson_lights_what_it_names() {
     let lesson = opened(&sample::solved(), board(1));
     let lit = Lit::Robot("A1".to_owned());

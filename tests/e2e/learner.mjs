@@ -1,0 +1,160 @@
+// Somebody who takes a lesson with the keyboard alone, and does what a file of solutions says.
+
+import assert from "node:assert/strict";
+import { readFileSync } from "node:fs";
+import { join } from "node:path";
+
+import { Course } from "./course.mjs";
+import { root } from "./dist.mjs";
+
+/** The key of the tool that paints a cell of a map. */
+const TOOLS = { "#": "o", "+": "c", "~": "s", ".": "e" };
+const MOVES = { "1,0": "ArrowRight", "-1,0": "ArrowLeft", "0,1": "ArrowDown", "0,-1": "ArrowUp", "0,0": "w" };
+
+/** A phrase, wherever it stands. */
+const phrase = (text) => new RegExp(text.replaceAll(/[.*+?^${}()|[\]\\]/g, "\\$&"));
+
+const read = (...path) => JSON.parse(readFileSync(join(root, ...path), "utf8"));
+
+/** The lessons of the course, in their order: what they are, and what solves each of their tasks. */
+export const LESSONS = read("static/course/index.json").chapters.flatMap((chapter) => chapter.lessons).map(({ lesson: id }) => ({
+  id,
+  lesson: read("static/course", `${id}.json`),
+  solutions: read("crates/giveway-course/tests/solutions", `${id}.json`),
+}));
+
+/** Where a robot is: it stays where its path ends. */
+const at = (path, time) => path[Math.min(time, path.length - 1)];
+
+export class Learner extends Course {
+  /** Solves the task of a step; before that, tries what does not, where there is a second try. */
+  async takes(step, { solved, refused }, isCareful) {
+    await this.stands();
+    const [first] = refused;
+    if (isCareful && first.did.guess === undefined) {
+      await this.does(step, first.did);
+      await this.says(phrase(first.says));
+      await this.stands();
+      await this.takesBack();
+    }
+    await this.does(step, solved);
+    await this.solved();
+  }
+
+  /** The task is not solved. */
+  async stands() {
+    assert.doesNotMatch(await this.lesson.innerText(), /\bSolved\b/);
+  }
+
+  /** Takes back all that was done, where something can be taken back. */
+  async takesBack() {
+    const back = this.lesson.getByRole("button", { name: "Take it back" });
+    for (let press = 0; press < 50 && await back.count() > 0; press += 1) {
+      await back.press("Enter");
+    }
+    assert.equal(await back.count(), 0, "what was done cannot be taken back");
+  }
+
+  /** Presses the button of this name, which the Tab key comes to. */
+  async enter(pattern) {
+    // A heading may have the same words.
+    if (!await this.page.evaluate(() => document.activeElement instanceof HTMLButtonElement)) {
+      await this.playground.key("Tab");
+    }
+    await this.tabTo(pattern);
+    await this.playground.key("Enter");
+  }
+
+  /** Does something for the task of a step. */
+  async does(step, did) {
+    if (did.paint) {
+      await this.paints(step, did.paint);
+    } else if (did.lead) {
+      await this.leads(step.task, did.lead);
+    } else if (did.marks) {
+      await this.marks(step.plan, did.marks);
+    } else if (did.order) {
+      await this.orders(did.order);
+    } else if (did["no-order"]) {
+      await this.enter(/^No order works$/);
+    } else if (did.went) {
+      const [first, ...rest] = did.went.replace("=", " ");
+      await this.enter(new RegExp(`^${first.toUpperCase()}${rest.join("")}[A-Z]`));
+    } else if (did.choose !== undefined) {
+      await this.playground.key(String(did.choose + 1));
+    } else {
+      await this.guesses(step.task, did.guess);
+    }
+  }
+
+  async guesses(task, guess) {
+    const place = (task.answers ?? []).findIndex((answer) => JSON.stringify(answer.value) === JSON.stringify(guess));
+    if (place >= 0) {
+      await this.playground.key(String(place + 1));
+    } else {
+      await this.lesson.getByRole("textbox").focus();
+      await this.page.keyboard.type(String(guess));
+      await this.playground.key("Enter");
+    }
+  }
+
+  /** Puts the cursor of the board on a cell, and presses Enter there. */
+  async presses([x, y]) {
+    await this.playground.board.focus();
+    await this.playground.key("Control+Home", ...Array(x).fill("ArrowRight"), ...Array(y).fill("ArrowDown"), "Enter");
+  }
+
+  async paints(step, { set = [], robots = [], gone = [] }) {
+    for (const [x, y, ground] of set) {
+      // Where nothing can be erased, the tool that paints something takes it away, too.
+      const isFree = ground === "." && !step.tools.includes("erase");
+      await this.playground.key(TOOLS[isFree ? step.scene.map[y][x] : ground]);
+      await this.presses([x, y]);
+    }
+    for (const { start, goal } of robots) {
+      await this.playground.key("a");
+      await this.presses(start);
+      await this.presses(goal);
+    }
+    for (const name of gone) {
+      await this.playground.key("e");
+      await this.presses(step.scene.agents.find((agent) => agent.name === name).start);
+    }
+  }
+
+  async leads(task, paths) {
+    for (const name of task.robots) {
+      const path = paths[name];
+      if (task.robots.length > 1) {
+        await this.playground.key(String(task.robots.indexOf(name) + 1));
+        await this.lesson.getByRole("button", { name, exact: true, pressed: true }).waitFor();
+      }
+      await this.playground.board.focus();
+      const moves = path.slice(1).map(([x, y], i) => MOVES[[x - path[i][0], y - path[i][1]]]);
+      await this.playground.key(...moves);
+    }
+  }
+
+  async marks(plan, marks) {
+    for (const { time, robots } of marks) {
+      for (const name of robots) {
+        await this.next.focus();
+        await this.playground.key("Home", ...Array(time).fill("."));
+        await this.presses(at(plan.paths[name], time));
+      }
+    }
+  }
+
+  /** Brings each robot to its place, from the first on. */
+  async orders(order) {
+    const queue = this.lesson.getByRole("list", { name: "Order of planning" });
+    for (const [place, name] of order.entries()) {
+      const now = (await queue.getByRole("listitem").allInnerTexts()).map((text) => /A\d+/.exec(text)[0]);
+      const earlier = Array(now.indexOf(name) - place).fill(0);
+      for (const _ of earlier) {
+        await this.enter(new RegExp(`^${name} earlier$`));
+      }
+    }
+    await this.enter(/^Try this order$/);
+  }
+}
