@@ -1,6 +1,6 @@
 //! What is done for a task, and what the judges make of it.
 
-use giveway_model::Plan;
+use giveway_model::{Cell, Plan};
 use giveway_solve::Request;
 
 use super::{AskNumber, Effect, Judge, Learner, Looking, Open};
@@ -191,20 +191,22 @@ pub(super) fn picked(open: &mut Open, pick: Pick) -> Option<Did> {
 /// Where two robots share the second cell, the one of them is meant that changes places
 /// with the robot of the first.
 fn swapping(plan: &Plan, before: &Pick, mut pick: Pick) -> Pick {
-    let is_there = |name: &String, time: Option<u32>| {
+    let [first] = before.robots.as_slice() else {
+        return pick;
+    };
+    let is_at = |name: &str, time: u32, cell: Cell| {
         let path = plan.path(name);
-        let cell = time
-            .and_then(|time| path.get(time as usize))
-            .or(path.last());
-        cell.copied().flatten() == Some(before.cell)
+        let stands = path.get(time as usize).or(path.last());
+        stands.copied().flatten() == Some(cell)
     };
-    let time = pick.time;
-    let comes = |name: &&String| {
-        is_there(name, time.checked_add(1)) || (time > 0 && is_there(name, time.checked_sub(1)))
+    let swaps = |name: &&String| {
+        let times = [pick.time.checked_add(1), pick.time.checked_sub(1)];
+        let mut times = times.into_iter().flatten();
+        times.any(|time| is_at(name, time, before.cell) && is_at(first, time, pick.cell))
     };
-    let swaps: Vec<String> = pick.robots.iter().filter(comes).cloned().collect();
-    if before.robots.len() == 1 && before.cell != pick.cell && swaps.len() == 1 {
-        pick.robots = swaps;
+    let meant: Vec<String> = pick.robots.iter().filter(swaps).cloned().collect();
+    if before.cell != pick.cell && meant.len() == 1 {
+        pick.robots = meant;
     }
     pick
 }
