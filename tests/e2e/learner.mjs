@@ -1,4 +1,4 @@
-// Somebody who takes a lesson with the keyboard alone, and does what a file of solutions says.
+// Somebody who takes a lesson, with the keyboard alone or with a finger, and does what a file of solutions says.
 
 import assert from "node:assert/strict";
 import { readFileSync } from "node:fs";
@@ -7,9 +7,10 @@ import { join } from "node:path";
 import { Course } from "./course.mjs";
 import { root } from "./dist.mjs";
 
-/** The key of the tool that paints a cell of a map. */
-const TOOLS = { "#": "o", "+": "c", "~": "s", ".": "e" };
-const MOVES = { "1,0": "ArrowRight", "-1,0": "ArrowLeft", "0,1": "ArrowDown", "0,-1": "ArrowUp", "0,0": "w" };
+/** The tool that paints a cell of a map. */
+const TOOLS = { "#": "Obstacle", "+": "Charger", "~": "Slow zone", ".": "Erase" };
+const TOOL_KEYS = { Obstacle: "o", Charger: "c", "Slow zone": "s", Erase: "e", Robot: "a" };
+const MOVE_KEYS = { "1,0": "ArrowRight", "-1,0": "ArrowLeft", "0,1": "ArrowDown", "0,-1": "ArrowUp", "0,0": "w" };
 
 /** A phrase, wherever it stands. */
 const phrase = (text) => new RegExp(text.replaceAll(/[.*+?^${}()|[\]\\]/g, "\\$&"));
@@ -26,7 +27,8 @@ export const LESSONS = read("static/course/index.json").chapters.flatMap((chapte
 /** Where a robot is: it stays where its path ends. */
 const at = (path, time) => path[Math.min(time, path.length - 1)];
 
-export class Learner extends Course {
+/** What a learner does; how is told by who extends it. */
+class Learner extends Course {
   /** Solves the task of a step; before that, tries what does not, where there is a second try. */
   async takes(step, { solved, refused }, isCareful) {
     await this.stands();
@@ -55,16 +57,6 @@ export class Learner extends Course {
     assert.equal(await back.count(), 0, "what was done cannot be taken back");
   }
 
-  /** Presses the button of this name, which the Tab key comes to. */
-  async enter(pattern) {
-    // A heading may have the same words.
-    if (!await this.page.evaluate(() => document.activeElement instanceof HTMLButtonElement)) {
-      await this.playground.key("Tab");
-    }
-    await this.tabTo(pattern);
-    await this.playground.key("Enter");
-  }
-
   /** Does something for the task of a step. */
   async does(step, did) {
     if (did.paint) {
@@ -79,9 +71,9 @@ export class Learner extends Course {
       await this.enter(/^No order works$/);
     } else if (did.went) {
       const [first, ...rest] = did.went.replace("=", " ");
-      await this.enter(new RegExp(`^${first.toUpperCase()}${rest.join("")}[A-Z]`));
+      await this.enter(new RegExp(`^${first.toUpperCase()}${rest.join("")}(?!n)`));
     } else if (did.choose !== undefined) {
-      await this.playground.key(String(did.choose + 1));
+      await this.answers(did.choose);
     } else {
       await this.guesses(step.task, did.guess);
     }
@@ -90,48 +82,38 @@ export class Learner extends Course {
   async guesses(task, guess) {
     const place = (task.answers ?? []).findIndex((answer) => JSON.stringify(answer.value) === JSON.stringify(guess));
     if (place >= 0) {
-      await this.playground.key(String(place + 1));
-    } else {
-      await this.lesson.getByRole("textbox").focus();
-      await this.page.keyboard.type(String(guess));
-      await this.playground.key("Enter");
+      return this.answers(place);
     }
-  }
-
-  /** Puts the cursor of the board on a cell, and presses Enter there. */
-  async presses([x, y]) {
-    await this.playground.board.focus();
-    await this.playground.key("Control+Home", ...Array(x).fill("ArrowRight"), ...Array(y).fill("ArrowDown"), "Enter");
+    await this.lesson.getByRole("textbox").focus();
+    await this.page.keyboard.type(String(guess));
+    return this.playground.key("Enter");
   }
 
   async paints(step, { set = [], robots = [], gone = [] }) {
     for (const [x, y, ground] of set) {
       // Where nothing can be erased, the tool that paints something takes it away, too.
       const isFree = ground === "." && !step.tools.includes("erase");
-      await this.playground.key(TOOLS[isFree ? step.scene.map[y][x] : ground]);
+      await this.picks(TOOLS[isFree ? step.scene.map[y][x] : ground]);
       await this.presses([x, y]);
     }
     for (const { start, goal } of robots) {
-      await this.playground.key("a");
+      await this.picks("Robot");
       await this.presses(start);
       await this.presses(goal);
     }
     for (const name of gone) {
-      await this.playground.key("e");
+      await this.picks("Erase");
       await this.presses(step.scene.agents.find((agent) => agent.name === name).start);
     }
   }
 
   async leads(task, paths) {
     for (const name of task.robots) {
-      const path = paths[name];
       if (task.robots.length > 1) {
-        await this.playground.key(String(task.robots.indexOf(name) + 1));
+        await this.answers(task.robots.indexOf(name));
         await this.lesson.getByRole("button", { name, exact: true, pressed: true }).waitFor();
       }
-      await this.playground.board.focus();
-      const moves = path.slice(1).map(([x, y], i) => MOVES[[x - path[i][0], y - path[i][1]]]);
-      await this.playground.key(...moves);
+      await this.goesAlong(paths[name]);
     }
   }
 
@@ -141,9 +123,8 @@ export class Learner extends Course {
       // A cell with two robots is a mark by itself: it comes second.
       const held = (name) => paths.filter((path) => String(at(path, time)) === String(at(plan.paths[name], time))).length;
       const one = robots.length === 2 && held(robots[0]) === 1 ? 0 : 1;
+      await this.goesTo(time);
       for (const name of [robots[one], robots[1 - one]]) {
-        await this.next.focus();
-        await this.playground.key("Home", ...Array(time).fill("."));
         await this.presses(at(plan.paths[name], time));
       }
     }
@@ -154,11 +135,98 @@ export class Learner extends Course {
     const queue = this.lesson.getByRole("list", { name: "Order of planning" });
     for (const [place, name] of order.entries()) {
       const now = (await queue.getByRole("listitem").allInnerTexts()).map((text) => /A\d+/.exec(text)[0]);
-      const earlier = Array(now.indexOf(name) - place).fill(0);
-      for (const _ of earlier) {
+      for (let left = now.indexOf(name); left > place; left -= 1) {
         await this.enter(new RegExp(`^${name} earlier$`));
       }
     }
     await this.enter(/^Try this order$/);
+  }
+}
+
+/** With the keyboard alone. */
+export class ByKeys extends Learner {
+  /** Opens the contents of the course. */
+  async opens() {
+    await this.tabTo(this.playground.isPhone() ? /^More$/ : /^Course$/);
+    await this.playground.key("Enter");
+    if (this.playground.isPhone()) {
+      await this.enter(/^Course$/);
+    }
+  }
+
+  /** Presses the button of this name, which the Tab key comes to. */
+  async enter(pattern) {
+    // A heading may have the same words.
+    if (!await this.page.evaluate(() => document.activeElement instanceof HTMLButtonElement)) {
+      await this.playground.key("Tab");
+    }
+    await this.tabTo(pattern);
+    await this.playground.key("Enter");
+  }
+
+  /** Picks an answer or a robot, from 0. */
+  answers(place) {
+    return this.playground.key(String(place + 1));
+  }
+
+  picks(tool) {
+    return this.playground.key(TOOL_KEYS[tool]);
+  }
+
+  /** Puts the cursor of the board on a cell, and presses Enter there. */
+  async presses([x, y]) {
+    await this.playground.board.focus();
+    await this.playground.key("Control+Home", ...Array(x).fill("ArrowRight"), ...Array(y).fill("ArrowDown"), "Enter");
+  }
+
+  async goesAlong(path) {
+    await this.playground.board.focus();
+    await this.playground.key(...path.slice(1).map(([x, y], i) => MOVE_KEYS[[x - path[i][0], y - path[i][1]]]));
+  }
+
+  async goesTo(time) {
+    await this.next.focus();
+    await this.playground.key("Home", ...Array(time).fill("."));
+  }
+}
+
+/** With a finger, by the names of what it presses. */
+export class ByTouch extends Learner {
+  async opens() {
+    await this.playground.button("More").tap();
+    await this.playground.button("Course").tap();
+  }
+
+  enter(pattern) {
+    return this.page.getByRole("button", { name: pattern }).last().tap();
+  }
+
+  answers(place) {
+    return this.lesson.getByTitle(`Key ${place + 1}`, { exact: true }).tap();
+  }
+
+  picks(tool) {
+    return this.playground.tools.getByRole("button", { name: tool, exact: true }).tap();
+  }
+
+  async presses([x, y]) {
+    const middle = await this.playground.middleOf(x, y);
+    await this.page.touchscreen.tap(middle.x, middle.y);
+  }
+
+  async goesAlong(path) {
+    for (const [i, cell] of path.slice(1).entries()) {
+      await (String(cell) === String(path[i]) ? this.enter(/^Wait a step$/) : this.presses(cell));
+    }
+  }
+
+  async goesTo(time) {
+    const start = this.playground.button("To start");
+    if (await start.isEnabled()) {
+      await start.tap();
+    }
+    for (let step = 0; step < time; step += 1) {
+      await this.playground.button("Step forward").tap();
+    }
   }
 }

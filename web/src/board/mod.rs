@@ -143,7 +143,7 @@ pub fn Board(props: &BoardProps) -> Html {
                 viewBox={view_box(&frame)}
                 onpointerdown={gestures.down} onpointermove={gestures.moved}
                 onpointerup={gestures.up} onpointercancel={gestures.cancel}
-                onpointerleave={gestures.leave} onwheel={gestures.wheel}
+                onpointerleave={gestures.leave} onwheel={gestures.wheel} onmousedown={gestures.mouse_down}
                 onkeydown={onkeydown.clone()}>
                 { floor::hatch() }
                 { layers(state, Place::Board, &cast, other.as_ref(), &sight, &overlay) }

@@ -39,6 +39,8 @@ pub(super) struct Gestures {
     pub(super) cancel: Callback<PointerEvent>,
     pub(super) leave: Callback<PointerEvent>,
     pub(super) wheel: Callback<WheelEvent>,
+    /// A browser sends it after a tap, too.
+    pub(super) mouse_down: Callback<MouseEvent>,
 }
 
 /// What the pointers are doing.
@@ -63,6 +65,8 @@ enum Act {
 struct Hand {
     fingers: Vec<(i32, Px)>,
     act: Act,
+    /// Whether a finger came down last.
+    is_touch: bool,
 }
 
 /// The gestures on a surface.
@@ -85,7 +89,20 @@ pub(super) fn use_gestures(surface: Surface) -> Gestures {
         let surface = Rc::clone(&surface);
         Callback::from(move |event: WheelEvent| surface.0.wheel(&event))
     };
+    let mouse_down = {
+        let hand = Rc::clone(&hand);
+        Callback::from(move |event: MouseEvent| {
+            let now = hand.take();
+            // The board has had the focus since the finger came down; what the tap did may have
+            // moved it on.
+            if now.is_touch {
+                event.prevent_default();
+            }
+            hand.set(now);
+        })
+    };
     Gestures {
+        mouse_down,
         down: listen(|surface, hand, event, _| surface.down(hand, event)),
         moved: listen(Surface::moved),
         up: listen(Surface::up),

@@ -1,7 +1,7 @@
 //! Pointers come down, move and go up: what they do by then is decided here.
 
 use giveway_page::{Action, BoardAction};
-use web_sys::{Element, PointerEvent};
+use web_sys::{Element, PointerEvent, SvgElement};
 
 use super::place::distance;
 use super::{Act, Hand, Surface};
@@ -16,6 +16,12 @@ impl Surface {
         if let Some(svg) = self.svg.cast::<Element>() {
             // Without capture a drag ends at the edge of the board.
             let _ = svg.set_pointer_capture(event.pointer_id());
+        }
+        hand.is_touch = event.pointer_type() == "touch";
+        if hand.is_touch
+            && let Some(svg) = self.svg.cast::<SvgElement>()
+        {
+            let _ = svg.focus();
         }
         hand.fingers.push((event.pointer_id(), at));
         if hand.fingers.len() > 1 {
