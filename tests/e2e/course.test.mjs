@@ -177,6 +177,27 @@ describe("the course", () => {
     }, { theme, screens, reducedMotion: "reduce" });
   }
 
+  for (const { theme, screens } of LOOKS) {
+    flow(`a proof is checked, and refused with another byte (${theme})`, async (playground) => {
+      const course = new Course(playground);
+      await course.open();
+      await course.contents.getByRole("button", { name: /^No plan is better/ }).click();
+      await course.lesson.getByRole("button", { name: "Step 4: Check it" }).click();
+      await course.at("Check it");
+      const proof = course.lesson.getByRole("region", { name: "The proof" });
+      await proof.getByRole("button", { name: "Check the proof" }).click();
+      await course.says(/Accepted: the proof shows that no plan is better\. \d+ bytes, each as it was written\./);
+      await proof.getByRole("button", { name: "Change one byte" }).click();
+      await course.says(/Refused: this proof shows nothing\. Byte \d+ of [a-z-]+\.drat was \d, and is \d now\./);
+      await audit(playground, "a proof that is refused");
+      await playground.picture(`course-proof-${theme}`);
+      await proof.getByRole("button", { name: "Change it back" }).click();
+      await course.says(/Accepted: /);
+      await playground.key("2");
+      await course.solved();
+    }, { theme, screens, reducedMotion: "reduce" });
+  }
+
   flow("a question that nobody wants to guess, an order, and a way on after a change", async (playground, { page }) => {
     const course = new Course(playground);
     const lessons = async (title, step) => {

@@ -9,6 +9,7 @@ use yew::prelude::*;
 
 use super::contents::Page;
 use super::exercise;
+use super::proof;
 use super::prose::Reader;
 use super::shelf::Shelf;
 use super::third;
@@ -35,6 +36,7 @@ pub(super) fn show(tutor: &Tutor, open: &Open, shelf: &Rc<Shelf>, send: &Callbac
                     <h2 tabindex="-1" ref={tutor.title.clone()}>{ step.title.clone() }</h2>
                 </header>
                 <div class="prose">{ reader.paragraphs(&step.text) }</div>
+                { proof::show(open, send) }
                 if let Some(task) = &step.task {
                     { exercise::show(tutor, open, task, reader) }
                 }

@@ -18,6 +18,7 @@ mod lesson;
 mod line;
 mod place;
 mod print;
+mod proof;
 mod prose;
 mod shelf;
 mod sight;

@@ -77,6 +77,7 @@ pub(super) fn layers() -> Vec<Pick> {
         Pick::new("table", tr!("Table")),
         Pick::new("inside", tr!("How it was proved")),
         Pick::new("freedom", tr!("What must be so")),
+        Pick::new("proof", tr!("The proof, to be checked")),
     ]
 }
 

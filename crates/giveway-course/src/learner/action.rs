@@ -59,6 +59,10 @@ pub enum Action {
     Lead(String),
     /// The robot that is led waits for a step.
     Wait,
+    /// The proof of the plan is to be checked.
+    CheckProof,
+    /// A byte of the proof is changed, or is again what it was.
+    ChangeByte,
     /// The next hint.
     Hint,
     /// What shows the verdict is to be seen.

@@ -9,6 +9,7 @@ mod action;
 mod onward;
 mod open;
 mod progress;
+mod proof;
 mod reduce;
 mod task;
 
@@ -22,6 +23,7 @@ pub use action::{Action, Effect};
 pub use onward::Onward;
 pub use open::Open;
 pub use progress::{Progress, Stage};
+pub use proof::{Changed, Held, Proof};
 pub use reduce::reduce;
 
 /// A learner.

@@ -4,10 +4,10 @@ use std::rc::Rc;
 
 use giveway_model::{Plan, Scene};
 
-use super::Judge;
+use super::{Judge, Proof};
 use crate::judge::{Did, Situation};
 use crate::lesson::quantity::ValueKind;
-use crate::lesson::{Id, Lesson, Step, Task};
+use crate::lesson::{Id, Layer, Lesson, Step, Task};
 use crate::port::{Board, BoardNumber, BoardPlan, Hand, Pick};
 
 /// The lesson that is open.
@@ -35,6 +35,8 @@ pub struct Open {
     pub(super) pointed: Option<Pick>,
     /// What the judge of the task does or says.
     pub(super) judge: Judge,
+    /// The proof of the plan, where the step shows it.
+    pub(super) proof: Proof,
     /// How many hints are shown.
     pub(super) hints: usize,
     /// How often something was judged.
@@ -63,6 +65,7 @@ impl Open {
             leads: None,
             pointed: None,
             judge: Judge::Waiting,
+            proof: Proof::Unasked,
             hints: 0,
             attempts: 0,
         })
@@ -147,6 +150,12 @@ impl Open {
     /// What the judge of the task does or says.
     pub const fn judge(&self) -> &Judge {
         &self.judge
+    }
+
+    /// The proof of the plan, where the step shows it.
+    pub fn proof(&self) -> Option<&Proof> {
+        let shows = |step: &Step| step.show.contains(&Layer::Proof) && step.plan.is_some();
+        self.step().filter(|step| shows(step)).map(|_| &self.proof)
     }
 
     /// The hints that are shown.

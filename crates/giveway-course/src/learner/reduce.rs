@@ -3,7 +3,7 @@
 use giveway_model::{Instance, Scene};
 use giveway_solve::Response;
 
-use super::{Action, AskNumber, Effect, Judge, Learner, Open, Progress, Stage, task};
+use super::{Action, AskNumber, Effect, Judge, Learner, Open, Progress, Proof, Stage, task};
 use crate::judge::Did;
 use crate::lesson::Id;
 use crate::port::{BoardNumber, FromPage, Happened, ToPage};
@@ -60,6 +60,8 @@ impl Learner {
                     open.hints = (open.hints + 1).min(most);
                 }
             }
+            Action::CheckProof => self.check_proof(effects),
+            Action::ChangeByte => self.change_byte(),
             Action::ShowEvidence => self.show(effects),
             Action::TakeBack => self.take_back(effects),
             Action::Afresh => self.afresh(effects),
@@ -200,6 +202,9 @@ impl Learner {
         let Some(open) = &mut self.open else {
             return;
         };
+        if open.proof == Proof::Asked(number) {
+            return self.proved(number, Some(response));
+        }
         let Judge::Looking(looking) = &mut open.judge else {
             return;
         };

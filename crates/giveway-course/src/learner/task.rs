@@ -3,7 +3,7 @@
 use giveway_model::{Cell, Plan};
 use giveway_solve::Request;
 
-use super::{AskNumber, Effect, Judge, Learner, Looking, Open};
+use super::{AskNumber, Effect, Judge, Learner, Looking, Open, Proof};
 use crate::judge::{self, Did, Judging, Mark, Verdict, Why};
 use crate::lesson::quantity::ValueKind;
 use crate::lesson::{Task, Value};
@@ -107,6 +107,7 @@ impl Learner {
         sentence: String,
         effects: &mut Vec<Effect>,
     ) {
+        self.proved(number, None);
         let is_asked = self.open.as_ref().is_some_and(
             |open| matches!(&open.judge, Judge::Looking(looking) if looking.number == number),
         );
@@ -148,10 +149,18 @@ impl Learner {
 
     /// What the solver is at is of no more use.
     pub(super) fn forget(&mut self, effects: &mut Vec<Effect>) {
-        if let Some(open) = &mut self.open
-            && matches!(open.judge, Judge::Looking(_))
-        {
+        let Some(open) = &mut self.open else {
+            return;
+        };
+        let is_looking = matches!(open.judge, Judge::Looking(_));
+        let is_proving = matches!(open.proof, Proof::Asked(_));
+        if is_looking {
             open.judge = Judge::Waiting;
+        }
+        if is_proving {
+            open.proof = Proof::Unasked;
+        }
+        if is_looking || is_proving {
             effects.push(Effect::Forget);
         }
     }

@@ -79,4 +79,6 @@ pub enum Layer {
     Inside,
     /// What must be so in every best plan.
     Freedom,
+    /// The proof that no plan is better, to be checked beside the text.
+    Proof,
 }

@@ -5,7 +5,7 @@ use std::rc::Rc;
 use fastrand::Rng;
 use giveway_course::judge::{Did, Why};
 use giveway_course::learner::{
-    Action, AskNumber, Effect, Judge, Learner, Onward, Progress, Stage, reduce,
+    Action, AskNumber, Effect, Judge, Learner, Onward, Progress, Proof, Stage, reduce,
 };
 use giveway_course::lesson::{Id, Lesson, Value};
 use giveway_course::port::{BoardNumber, BoardPlan, FromPage, Hand, Happened, Lit, Pick, ToPage};
@@ -208,6 +208,45 @@ fn one_of_the_robots_of_a_task_is_led() {
     assert_eq!(leads(&learner).as_deref(), Some("A1"));
     let (learner, _) = reduce(learner, Action::Go(2));
     assert_eq!(leads(&learner), None, "nobody is led there");
+}
+
+#[test]
+fn a_proof_is_accepted_as_it_is_and_refused_with_another_byte() {
+    let (learner, _) = opened("no-plan-is-better", 3);
+    let proof = |learner: &Learner| learner.open.as_ref().unwrap().proof().unwrap().clone();
+    assert_eq!(proof(&learner), Proof::Unasked);
+    let (asking, effects) = reduce(learner, Action::CheckProof);
+    let (number, request) = asked(&effects).unwrap();
+    assert_eq!(proof(&asking), Proof::Asked(number));
+    let response = Box::new(serve(&request, &SilentHost));
+    let answer = Action::Answered { number, response };
+    let (learner, _) = reduce(asking.clone(), answer.clone());
+    let held = |learner: &Learner| match proof(learner) {
+        Proof::Held(held) => *held,
+        other => panic!("{other:?}"),
+    };
+    let first = held(&learner);
+    assert!(first.is_accepted() && first.changed().is_none() && first.bytes() > 1000);
+    let (learner, _) = reduce(learner, Action::ChangeByte);
+    let changed = held(&learner);
+    assert!(!changed.is_accepted());
+    let byte = changed.changed().unwrap();
+    assert!(byte.file.ends_with(".drat") && byte.figures.0 != byte.figures.1);
+    let (learner, _) = reduce(learner, Action::ChangeByte);
+    assert_eq!(held(&learner), first);
+
+    // Who answers the task meanwhile asks again.
+    let (answered, effects) = reduce(asking.clone(), Action::Choose(0));
+    assert_eq!(proof(&answered), Proof::Unasked);
+    assert!(effects.contains(&Effect::Forget));
+    let (late, _) = reduce(answered, answer);
+    assert_eq!(proof(&late), Proof::Unasked);
+    let sentence = "It broke.".to_owned();
+    let (failed, _) = reduce(asking, Action::Failed { number, sentence });
+    assert_eq!(proof(&failed), Proof::Missing);
+    let (none, effects) = reduce(opened("room-to-pass", 0).0, Action::CheckProof);
+    assert!(none.open.unwrap().proof().is_none());
+    assert!(asked(&effects).is_none());
 }
 
 #[test]
@@ -447,6 +486,8 @@ fn random(rng: &mut Rng, learner: &Learner, world: &World, lessons: &[(Id, Rc<Le
         13 => Action::Guess(Value::Cell(cell)),
         16 => Action::Order(vec!["A1".into(), "A2".into()]),
         17 => Action::NoOrder,
+        19 if rng.bool() => Action::CheckProof,
+        20 if rng.bool() => Action::ChangeByte,
         18 if rng.bool() => Action::Lead("A2".to_owned()),
         18 => Action::Hint,
         19 => Action::ShowEvidence,
