@@ -18,7 +18,7 @@ pub(super) fn show(open: &Open, send: &Callback<Msg>) -> Html {
     let check = || button(tr!("Check the proof"), Action::CheckProof);
     // What is said is read aloud: its place is there from the start.
     html! {
-        <section class="ex proof" aria-label={tr!("The proof")}>
+        <section class="ex checks" aria-label={tr!("The proof")}>
             <div role="status">{ said(proof) }</div>
             <div class="exa">
                 { match proof {
