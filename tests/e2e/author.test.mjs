@@ -191,10 +191,10 @@ describe("a lesson of one's own", () => {
     };
     await answer(1, "A1", "A1 has the longer way.");
     const right = await answer(2, "A2", "It does.");
-    await right.getByText("It is right").click();
+    await right.getByRole("checkbox", { name: "It is right" }).check();
     await author.fill("First hint", "Not A1.");
     await author.fill("Said once it is solved: why it is so", "It is so.");
-    await author.desk.getByText("Hide the hints and the answers").click();
+    await author.desk.getByRole("checkbox", { name: "Hide the hints and the answers" }).check();
     await author.press("Try it");
     await course.at("Look");
     assert.equal(await course.lesson.getByRole("button", { name: "Hint" }).count(), 0);
