@@ -30,12 +30,17 @@ export class Playground {
   /** Opens the address and waits until the application has taken the page over. */
   async goto(url) {
     await this.page.goto(url);
-    await this.board.waitFor();
+    await this.#isThere();
   }
 
   async reload() {
     await this.page.reload();
-    await this.board.waitFor();
+    await this.#isThere();
+  }
+
+  /** Waits for the board, whatever its name is in the language of the page. */
+  #isThere() {
+    return this.page.getByRole("grid").first().waitFor();
   }
 
   /** Waits until the page is kept for times without a network. */
