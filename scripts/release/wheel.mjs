@@ -7,7 +7,7 @@
 import { execFileSync } from "node:child_process";
 import { copyFileSync, mkdirSync, mkdtempSync, readdirSync, rmSync } from "node:fs";
 import { tmpdir } from "node:os";
-import { join } from "node:path";
+import { delimiter, dirname, join } from "node:path";
 
 import { releaseWheels, root, settings } from "./settings.mjs";
 
@@ -44,6 +44,8 @@ try {
     run(python, "-m", "maturin", "sdist", "--out", out);
   } else {
     run("rustup", "target", "add", target);
+    // Maturin asks the first Python of the path for zig.
+    process.env.PATH = dirname(python) + delimiter + process.env.PATH;
     run(python, "-m", "maturin", "build", "--release", "--locked", "--target", target, "--out", out,
       ...(isOldLinux ? OLD_LINUX : []));
   }
