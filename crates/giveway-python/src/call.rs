@@ -204,11 +204,7 @@ struct Words {
 fn question(request: &Words) -> Result<String, Failure> {
     match from_words(&request.words) {
         Ok(question) => write(&question),
-        Err(error) => {
-            let found = error.to_string().trim_end_matches('.').to_owned();
-            let expected = "a question in the words of `giveway explain`";
-            Err(Failure::input(Fault::at("question", found, expected)))
-        }
+        Err(error) => Err(Failure::input(error.fault())),
     }
 }
 

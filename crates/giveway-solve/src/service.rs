@@ -106,17 +106,16 @@ impl Refusal {
             let faults = faults.into_iter();
             faults.map(|fault| fault.of_part(part)).collect()
         };
-        let (part, expected) = match self {
-            Self::Scene { faults } => return in_part(faults, "scene"),
-            Self::Changes { faults } => return in_part(faults, "changes"),
-            Self::Request { fault } => return vec![fault],
-            Self::Plan { .. } => ("plan", "a plan that breaks no rule"),
-            Self::Question { .. } => ("question", "what can be asked of the plan"),
-        };
-        let found = self.sentences().into_iter();
-        found
-            .map(|found| Fault::at(part, found, expected))
-            .collect()
+        match self {
+            Self::Scene { faults } => in_part(faults, "scene"),
+            Self::Changes { faults } => in_part(faults, "changes"),
+            Self::Request { fault } => vec![fault],
+            Self::Plan { violations } => violations
+                .into_iter()
+                .map(|v| Fault::at("plan", v.message, "a plan that breaks no rule"))
+                .collect(),
+            Self::Question { misfit } => vec![misfit.fault().of_part("question")],
+        }
     }
 }
 

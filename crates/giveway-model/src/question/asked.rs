@@ -7,7 +7,7 @@ use crate::Cell;
 const ANY: &str = "any";
 
 /// All kinds, in the order in which help lists them.
-const KINDS: [&str; 19] = [
+pub(super) const KINDS: [&str; 19] = [
     "wait",
     "charge",
     "no-charge",
@@ -155,15 +155,7 @@ impl Asked {
             },
             "unsolvable" => Question::Unsolvable,
             "plan" => Question::Plan,
-            kind => {
-                let found = if kind.is_empty() {
-                    "Found no question".to_owned()
-                } else {
-                    format!("Found \"{kind}\"")
-                };
-                let kinds = KINDS.join(", ");
-                return Err(WordsError(format!("{found}, expected one of {kinds}.")));
-            }
+            kind => return Err(WordsError::Kind(kind.to_owned())),
         };
         self.nothing_more(&question)?;
         Ok(question)
@@ -172,11 +164,11 @@ impl Asked {
     fn agent(&self, index: usize) -> Result<String, WordsError> {
         let found = self.agents.get(index).cloned();
         let which = if index == 0 { "a robot" } else { "two robots" };
-        found.ok_or_else(|| WordsError(format!("\"{}\" needs {which}.", self.kind)))
+        found.ok_or_else(|| WordsError::Sentence(format!("\"{}\" needs {which}.", self.kind)))
     }
 
     fn need<T>(&self, option: &str, value: Option<T>) -> Result<T, WordsError> {
-        value.ok_or_else(|| WordsError(format!("\"{}\" needs --{option}.", self.kind)))
+        value.ok_or_else(|| WordsError::Sentence(format!("\"{}\" needs --{option}.", self.kind)))
     }
 
     /// Refuses what the question does not use, rather than to answer another.
@@ -184,13 +176,13 @@ impl Asked {
         let used = Self::of(question);
         if let Some(agent) = self.agents.get(used.agents.len()) {
             let kind = &self.kind;
-            return Err(WordsError(format!("\"{kind}\" does not use \"{agent}\".")));
+            return Err(WordsError::Sentence(format!("\"{kind}\" does not use \"{agent}\".")));
         }
         let options = used.options();
         for (option, _) in self.options() {
             if options.iter().all(|(other, _)| *other != option) {
                 let kind = &self.kind;
-                return Err(WordsError(format!("\"{kind}\" does not use --{option}.")));
+                return Err(WordsError::Sentence(format!("\"{kind}\" does not use --{option}.")));
             }
         }
         Ok(())

@@ -43,6 +43,21 @@ impl fmt::Display for Misfit {
 }
 
 impl Misfit {
+    /// What was found and what was expected, with the place in the question.
+    pub fn fault(self) -> Fault {
+        match self {
+            Self::Fault { fault } => fault,
+            Self::NotSo { is_so, ask } => {
+                let expected = match ask {
+                    Some(ask) => format!("one about what is so, such as \"{}\"", to_words(&ask)),
+                    None => "one about what is so".to_owned(),
+                };
+                let is_so = is_so.trim_end_matches('.');
+                Fault::at("", format!("one about what is not so: {is_so}"), expected)
+            }
+        }
+    }
+
     /// The same, with the question that can be asked as a sentence rather than as
     /// it is typed.
     pub fn in_sentences(&self) -> String {

@@ -4,16 +4,50 @@ use std::fmt::{self, Write as _};
 use std::str::FromStr;
 
 use super::Question;
-use super::asked::Asked;
-use crate::Cell;
+use super::asked::{Asked, KINDS};
+use crate::{Cell, Fault};
 
-/// Why words are no question, as a sentence.
+/// Why words are no question; told as a sentence.
 #[derive(Clone, Debug, PartialEq, Eq)]
-pub struct WordsError(pub(super) String);
+pub enum WordsError {
+    /// The first word, which may be empty, is no kind of question.
+    Kind(String),
+    /// Something else is wrong: a sentence.
+    Sentence(String),
+}
+
+impl WordsError {
+    /// What was found and what was expected.
+    pub fn fault(self) -> Fault {
+        match self {
+            Self::Kind(kind) => {
+                let expected = format!("one of {}", KINDS.join(", "));
+                Fault::at("question", quoted(&kind), expected)
+            }
+            Self::Sentence(sentence) => {
+                let found = format!("words that ask nothing: {}", sentence.trim_end_matches('.'));
+                Fault::at("question", found, "words as `giveway explain` takes them")
+            }
+        }
+    }
+}
+
+fn quoted(kind: &str) -> String {
+    match kind {
+        "" => "no question".to_owned(),
+        kind => format!("\"{kind}\""),
+    }
+}
 
 impl fmt::Display for WordsError {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        f.write_str(&self.0)
+        match self {
+            Self::Kind(kind) => {
+                let (found, kinds) = (quoted(kind), KINDS.join(", "));
+                write!(f, "Found {found}, expected one of {kinds}.")
+            }
+            Self::Sentence(sentence) => f.write_str(sentence),
+        }
     }
 }
 
@@ -45,7 +79,7 @@ pub fn from_words<S: AsRef<str>>(words: &[S]) -> Result<Question, WordsError> {
         };
         let value = words
             .next()
-            .ok_or_else(|| WordsError(format!("Found --{option} without a value.")))?;
+            .ok_or_else(|| WordsError::Sentence(format!("Found --{option} without a value.")))?;
         asked.set(option, value)?;
     }
     asked.question()
@@ -91,7 +125,7 @@ impl Asked {
             "time" => number(&mut self.time),
             "at-least" => number(&mut self.at_least),
             "fewer-than" => number(&mut self.fewer_than),
-            _ => Err(WordsError(format!("There is no option --{option}."))),
+            _ => Err(WordsError::Sentence(format!("There is no option --{option}."))),
         }
     }
 
@@ -118,7 +152,7 @@ impl Asked {
 }
 
 fn unread(option: &str, value: &str, expected: &str) -> WordsError {
-    WordsError(format!(
+    WordsError::Sentence(format!(
         "--{option}: found \"{value}\", expected {expected}."
     ))
 }
@@ -139,7 +173,7 @@ impl FromStr for Cell {
 
     /// Reads `3,1`.
     fn from_str(text: &str) -> Result<Self, WordsError> {
-        let unread = || WordsError(format!("found \"{text}\", expected a cell X,Y"));
+        let unread = || WordsError::Sentence(format!("found \"{text}\", expected a cell X,Y"));
         read_cell(text).ok_or_else(unread)
     }
 }

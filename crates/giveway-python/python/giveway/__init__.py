@@ -9,6 +9,7 @@ from giveway.answers import (
 from giveway.errors import BadInput, BadScene, BadText, Broken, Fault, GivewayError
 from giveway.functions import (
     audit, change, check, convert, explain, export, freedom, pareto, schema, solve, together, verify,
+    verify_archive,
 )
 from giveway.plan import Animation, Plan
 from giveway.scene import Agent, Battery, Cell, Cost, Rules, Scene
@@ -18,5 +19,5 @@ __all__ = [
     "Certificate", "Certificates", "ChangeAnswer", "ChangeStep", "Converted", "Cost", "Costs", "Explanation", "Fault",
     "Freedom", "Front", "GivewayError", "MethodAnswer", "Plan", "PlannerAnswer", "Progress", "Report", "Rules", "Scene",
     "Stats", "Together", "Verdict", "Violation", "__version__", "audit", "change", "check", "convert", "explain", "export",
-    "freedom", "pareto", "schema", "solve", "together", "verify",
+    "freedom", "pareto", "schema", "solve", "together", "verify", "verify_archive",
 ]

@@ -46,11 +46,6 @@ def without_none(**values: Any) -> dict[str, Any]:
     return {name: plain(value) for name, value in values.items() if value is not None}
 
 
-def limits(time_limit: float | None, conflict_limit: int | None, memory_limit: int | None) -> dict[str, Any]:
-    """The budget of a request."""
-    return without_none(seconds=time_limit, conflicts=conflict_limit, memory_bytes=memory_limit)
-
-
 def data(value: Record | Mapping[str, Any]) -> Any:
     """Plain data of a record, or what is plain data already."""
     return plain(value)

@@ -6,7 +6,7 @@ import dataclasses
 import json
 import types
 import typing
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Mapping, Sized
 from typing import TYPE_CHECKING, Any, ClassVar
 
 if TYPE_CHECKING:
@@ -43,7 +43,7 @@ class Record:
         data: dict[str, Any] = {"giveway": 1} if self.document else {}
         for name, at, _, is_optional in _fields(type(self)):
             value = getattr(self, name)
-            if not is_optional or value not in (None, "", (), {}):
+            if not is_optional or not (value is None or isinstance(value, Sized) and len(value) == 0):
                 data[at] = plain(value)
         return data
 
@@ -60,7 +60,8 @@ def plain(value: Any) -> Any:
         return {name: plain(item) for name, item in value.items()}
     if isinstance(value, (list, tuple)):
         return [plain(item) for item in value]
-    return value
+    # Numbers and arrays of NumPy, which need not be there.
+    return value.tolist() if hasattr(value, "tolist") else value
 
 
 Field = tuple[str, str, Reader, bool]

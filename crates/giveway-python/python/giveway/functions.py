@@ -8,11 +8,14 @@ from os import PathLike
 from pathlib import Path
 from typing import Any, Union, overload
 
-from giveway._door import OnProgress, ShouldStop, call, data, limits, without_none
+from giveway import _bundle
+from giveway._door import OnProgress, ShouldStop, call, data, without_none
+from giveway._limits import limits
 from giveway.answers import (
-    Answer, AuditAnswer, Certificates, ChangeAnswer, Converted, Explanation, Freedom, FreedomPart, Front, Planner,
+    Answer, AuditAnswer, Certificate, Certificates, ChangeAnswer, Converted, Explanation, Freedom, FreedomPart, Front, Planner,
     PlannerAnswer, Report, Together, Verdict, on,
 )
+from giveway.errors import BadInput, Fault
 from giveway.plan import Plan
 from giveway.scene import Cost, Scene
 
@@ -28,6 +31,14 @@ def _objective(objective: Objective | None) -> list[str] | None:
 
 def _scene(scene: AnyScene) -> Scene | None:
     return scene if isinstance(scene, Scene) else None
+
+
+def _words(question: str) -> list[str]:
+    try:
+        return shlex.split(question)
+    except ValueError as error:
+        fault = Fault(repr(question), f"words ({error})", place="question")
+        raise BadInput((fault,)) from error
 
 
 @overload
@@ -105,7 +116,7 @@ def explain(
     of the command: ``"wait A1 --at 3,1"``. Without a plan the scene is solved first.
     """
     if isinstance(question, str):
-        question = call("read-question", {"words": shlex.split(question)})
+        question = call("read-question", {"words": _words(question)})
     request = without_none(
         scene=scene, question=question, plan=plan, changes=changes, at=at, objective=_objective(objective), within=within)
     request["limits"] = limits(time_limit, conflict_limit, memory_limit)
@@ -204,35 +215,59 @@ def export(
     return Certificates.from_dict(call("export", request, on_progress, should_stop))
 
 
-def convert(files: Mapping[str, str] | Sequence[str | PathLike[str]], to: str, agents: int | None = None) -> Converted:
+def convert(
+    files: Mapping[str, str] | Sequence[str | PathLike[str]] | Scene, to: str, agents: int | None = None
+) -> Converted:
     """Writes instances and plans in another format: ``giveway``, ``movingai``, ``tracker``,
     ``paths.txt``, ``result.txt``, ``multi-robot``, ``lorr``, ``asprilo`` or ``mapfw``.
 
-    Files are texts by their names, or paths.
+    Files are texts by their names, or paths; a scene stands for its file.
+
+    >>> from giveway import Agent, Scene
+    >>> sorted(convert(Scene(map=("...",), agents=(Agent("A", (0, 0), (2, 0)),)), "movingai").files)
+    ['scene.map', 'scene.scen']
     """
-    if not isinstance(files, Mapping):
-        files = {Path(path).name: Path(path).read_text(encoding="utf-8") for path in files}
+    if isinstance(files, Scene):
+        files = {f"{files.name or 'scene'}.json": files.to_json()}
+    elif not isinstance(files, Mapping):
+        paths = [files] if isinstance(files, (str, PathLike)) else files
+        files = {Path(path).name: Path(path).read_text(encoding="utf-8") for path in paths}
     return Converted.from_dict(call("convert", without_none(files=files, to=to, agents=agents)))
 
 
 def verify(
-    certificate: Mapping[str, str] | str | PathLike[str], *, time_limit: float | None = None,
+    certificate: Mapping[str, str] | Certificate | str | PathLike[str], *, time_limit: float | None = None,
     on_progress: OnProgress | None = None, should_stop: ShouldStop | None = None,
 ) -> Report:
     """Checks a certificate again: its folder, or the texts of its files by their names.
 
     One that does not hold is no error: its report says so.
     """
-    if not isinstance(certificate, Mapping):
-        paths = [path for path in sorted(Path(certificate).iterdir())]
-        # What is no regular file counts as an empty one, and is refused by its fingerprint.
-        certificate = {
-            path.name: path.read_text(encoding="utf-8", errors="replace")
-            if path.is_file() and not path.is_symlink() else ""
-            for path in paths
-        }
-    request = {"files": certificate, "limits": limits(time_limit, None, None)}
+    if isinstance(certificate, Certificate):
+        certificate = certificate.files
+    files = certificate if isinstance(certificate, Mapping) else _bundle.of_folder(certificate)
+    request = {"files": files, "limits": limits(time_limit, None, None)}
     return Report.from_dict(call("verify", request, on_progress, should_stop))
+
+
+def verify_archive(
+    archive: str | PathLike[str] | bytes, *, time_limit: float | None = None,
+    on_progress: OnProgress | None = None, should_stop: ShouldStop | None = None,
+) -> dict[str, Report]:
+    """Checks the certificates of one zip archive, by its path or its bytes: a report for each name.
+
+    The time limit is for each of them.
+
+    >>> from giveway import Agent, Scene
+    >>> scene = Scene(map=("...",), agents=(Agent("A", (0, 0), (2, 0)),))
+    >>> reports = verify_archive(export(scene, solve(scene)).to_zip())
+    >>> {name: report.certified for name, report in reports.items()}
+    {'solved': 'proved'}
+    """
+    return {
+        name: verify(files, time_limit=time_limit, on_progress=on_progress, should_stop=should_stop)
+        for name, files in sorted(_bundle.of_archive(archive).items())
+    }
 
 
 def schema() -> dict[str, Any]:

@@ -9,7 +9,7 @@ from dataclasses import dataclass, field
 from typing import TYPE_CHECKING, Any, ClassVar
 
 from giveway._door import call
-from giveway._record import Record, optional
+from giveway._record import Record, optional, plain
 from giveway.scene import Cell, Scene
 
 if TYPE_CHECKING:
@@ -45,7 +45,7 @@ class Plan(Record):
     @classmethod
     def from_dict(cls, data: Mapping[str, Any]) -> Plan:
         """Reads plain data; it is not judged."""
-        return cls.from_json(json.dumps(data))
+        return cls.from_json(json.dumps(plain(data)))
 
     @classmethod
     def from_json(cls, text: str) -> Plan:
@@ -58,14 +58,17 @@ class Plan(Record):
 
     @classmethod
     def from_numpy(cls, array: Any, agents: Sequence[str], scene: Scene | None = None) -> Plan:
-        """The plan of whole steps ``[agent, time, 2]``; repeats at the end are cut."""
-        paths = {}
-        for name, rows in zip(agents, array):
-            path = [None if x < 0 else (int(x), int(y)) for x, y in rows]
-            while len(path) > 1 and path[-1] == path[-2]:
-                path.pop()
-            paths[name] = tuple(path)
-        return cls(paths, scene=scene)
+        """The plan of an array ``[agent, time, 2]``, as ``to_numpy`` makes it: whole numbers, both -1
+        where an agent is at no cell. Where it is at no cell in the beginning it comes later; what it
+        repeats at the end is cut.
+
+        >>> Plan.from_numpy([[[0, 0], [1, 0], [1, 0]]], ["A"]).paths["A"]
+        ((0, 0), (1, 0))
+        """
+        from giveway import _array
+
+        paths, start_times = _array.read(array, agents)
+        return cls(paths, start_times=start_times, scene=scene)
 
     def to_numpy(self) -> numpy.typing.NDArray[numpy.int32]:
         """The paths as ``[agent, time, 2]``, agents in the order of ``paths``, from time 0 to

@@ -10,7 +10,7 @@ from pathlib import Path
 from typing import Any, ClassVar, Literal
 
 from giveway._door import call
-from giveway._record import Record, optional
+from giveway._record import Record, optional, plain
 
 #: ``(x, y)``, from (0, 0) at the top left, y down.
 Cell = tuple[int, int]
@@ -75,7 +75,7 @@ class Scene(Record):
     @classmethod
     def from_dict(cls, data: Mapping[str, Any]) -> Scene:
         """Reads and checks plain data."""
-        return cls.from_json(json.dumps(data))
+        return cls.from_json(json.dumps(plain(data)))
 
     @classmethod
     def from_json(cls, text: str) -> Scene:

@@ -1,0 +1,44 @@
+"""The budget of a request, judged before it is sent."""
+
+from __future__ import annotations
+
+import math
+import operator
+from typing import Any
+
+from giveway.errors import BadInput, Fault
+
+
+def limits(time_limit: float | None, conflict_limit: int | None, memory_limit: int | None) -> dict[str, Any]:
+    """The limits that are given; an infinite time is none."""
+    given = {
+        "seconds": _seconds(time_limit),
+        "conflicts": _count("conflict_limit", conflict_limit),
+        "memory_bytes": _count("memory_limit", memory_limit),
+    }
+    return {name: value for name, value in given.items() if value is not None}
+
+
+def _seconds(value: Any) -> float | None:
+    if value is None:
+        return None
+    seconds = math.nan if isinstance(value, (str, bytes)) or not hasattr(value, "__float__") else float(value)
+    if not seconds >= 0:
+        raise _bad("time_limit", value, "seconds, 0 or more")
+    return None if math.isinf(seconds) else seconds
+
+
+def _count(name: str, value: Any) -> int | None:
+    if value is None:
+        return None
+    try:
+        count = operator.index(value)
+    except TypeError:
+        count = -1
+    if not 0 <= count < 2**64:
+        raise _bad(name, value, "a whole number, 0 or more")
+    return count
+
+
+def _bad(place: str, value: Any, expected: str) -> BadInput:
+    return BadInput((Fault(repr(value), expected, place=place),))
