@@ -176,13 +176,17 @@ impl Asked {
         let used = Self::of(question);
         if let Some(agent) = self.agents.get(used.agents.len()) {
             let kind = &self.kind;
-            return Err(WordsError::Sentence(format!("\"{kind}\" does not use \"{agent}\".")));
+            return Err(WordsError::Sentence(format!(
+                "\"{kind}\" does not use \"{agent}\"."
+            )));
         }
         let options = used.options();
         for (option, _) in self.options() {
             if options.iter().all(|(other, _)| *other != option) {
                 let kind = &self.kind;
-                return Err(WordsError::Sentence(format!("\"{kind}\" does not use --{option}.")));
+                return Err(WordsError::Sentence(format!(
+                    "\"{kind}\" does not use --{option}."
+                )));
             }
         }
         Ok(())

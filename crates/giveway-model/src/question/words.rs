@@ -125,7 +125,9 @@ impl Asked {
             "time" => number(&mut self.time),
             "at-least" => number(&mut self.at_least),
             "fewer-than" => number(&mut self.fewer_than),
-            _ => Err(WordsError::Sentence(format!("There is no option --{option}."))),
+            _ => Err(WordsError::Sentence(format!(
+                "There is no option --{option}."
+            ))),
         }
     }
 
