@@ -193,8 +193,9 @@ impl Intake {
 
 /// What is to be read when files are opened.
 pub(crate) fn read(state: &State, files: Vec<Opened>) -> Read {
-    let scene = scene_file(state);
-    let has_robots = !state.document.draft.agents().is_empty();
+    let own = state.own();
+    let scene = scene_file(own);
+    let has_robots = !own.document.draft.agents().is_empty();
     Read {
         files,
         waiting: state.intake.waiting.to_vec(),

@@ -41,6 +41,8 @@ pub struct Lesson {
     pub sealed: Vec<Cell>,
     /// A person's own page.
     pub(crate) own: Rc<State>,
+    /// Whether a search ran on it, which goes on when the lesson ends.
+    pub(crate) resumes: bool,
     /// Whether what was hidden is shown.
     pub(crate) is_revealed: bool,
     /// What was pointed at last, with a number that tells it from the one before.
@@ -49,9 +51,10 @@ pub struct Lesson {
 
 impl Lesson {
     /// A lesson that begins on a page.
-    pub(crate) fn new(board: Rc<Board>, own: Rc<State>) -> Self {
+    pub(crate) fn new(board: Rc<Board>, own: Rc<State>, resumes: bool) -> Self {
         Self {
             board,
+            resumes,
             lit: None,
             sealed: Vec::new(),
             own,
@@ -116,7 +119,7 @@ pub(crate) enum Fate {
     Happens,
     /// It is about a person's own page, which is put aside.
     Own,
-    /// The lesson ends first.
+    /// The lesson ends, unless nothing comes of it.
     Leaves,
     /// It does not happen: a sentence says why.
     Closed(&'static str),
@@ -130,7 +133,7 @@ const NOT_NOW: Later = tr_later!("Leave the lesson before you do this.");
 pub(crate) fn fate(state: &State, lesson: &Lesson, action: &Action) -> Fate {
     match action {
         Action::Slot(_) | Action::File(FileAction::Resume(_)) => Fate::Own,
-        Action::Intake(IntakeAction::Read(_) | IntakeAction::Reply { .. }) => Fate::Leaves,
+        Action::Intake(IntakeAction::Reply { .. }) => Fate::Leaves,
         Action::File(action) if !matches!(action, FileAction::Refuse(_)) => Fate::Leaves,
         _ if lesson.is_tour() => Fate::Happens,
         Action::Board(BoardAction::PickTool(tool)) if !lesson.allows(*tool) => {

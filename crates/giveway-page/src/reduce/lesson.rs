@@ -9,13 +9,14 @@ use giveway_model::{Cell, Fault};
 
 use super::document::{amend, undo};
 use super::{play, solve, steer, step, stroke};
+use crate::intake::protocol::Reply;
 use crate::lesson::{Fate, Lesson, LessonAction, document, evidence, fate};
 use crate::present::Presenting;
 use crate::steering::Lead;
 use crate::view::Layers;
 use crate::{
-    Action, AskAction, BoardAction, Edit, Mode, Notice, Paint, Selection, SolveAction, State, Tab,
-    ViewAction, ask,
+    Action, AskAction, BoardAction, Edit, IntakeAction, Mode, Notice, Paint, Selection,
+    SolveAction, State, Tab, ViewAction, ask,
 };
 
 pub(super) fn lesson(state: &mut State, action: LessonAction) {
@@ -47,14 +48,44 @@ pub(super) fn admit(state: &mut State, action: Action) -> Option<Action> {
             None
         }
         Fate::Leaves => {
-            leave(state);
-            Some(action)
+            open_instead(state, &lesson.own, action);
+            None
         }
         Fate::Closed(why) => {
             state.view.notice = Some(Notice::new(why));
             None
         }
         Fate::Dropped => None,
+    }
+}
+
+/// What would take the place of a lesson happens to a person's own page. Where nothing
+/// comes of it, such as of a file that cannot be read, the lesson stays as it is.
+fn open_instead(state: &mut State, own: &State, action: Action) {
+    let opens = match &action {
+        Action::Intake(IntakeAction::Reply { reply, .. }) => matches!(
+            **reply,
+            Reply::Found(_)
+                | Reply::Run(_)
+                | Reply::Missing {
+                    on_board: Some(_),
+                    ..
+                }
+        ),
+        _ => true,
+    };
+    let mut left = state.clone();
+    leave(&mut left);
+    // The answer of the reader is for what asked it.
+    left.intake = state.intake.clone();
+    step(&mut left, action);
+    let is_waiting = left.intake.job().is_some() || left.view.notice.is_some();
+    let is_same = left.document == own.document && left.history == own.history;
+    if is_same && (is_waiting || !opens) {
+        state.intake = left.intake;
+        state.view.notice = left.view.notice;
+    } else {
+        *state = left;
     }
 }
 
@@ -137,15 +168,15 @@ fn open(state: &mut State, board: &Rc<Board>) {
             return;
         }
     };
-    let own = match &state.lesson {
-        Some(lesson) => Rc::clone(&lesson.own),
-        None => Rc::new(aside(state)),
+    let (own, resumes) = match &state.lesson {
+        Some(lesson) => (Rc::clone(&lesson.own), lesson.resumes),
+        None => (Rc::new(aside(state)), is_searching(state)),
     };
     let mut next = State::of(document);
     carry(state, &mut next);
     // On a phone the lesson comes first: it says what is to be done with the rest.
     next.view.tab = Tab::Inspector;
-    let lesson = Lesson::new(Rc::clone(board), own);
+    let lesson = Lesson::new(Rc::clone(board), own, resumes);
     next.view.layers = Layers {
         trails: lesson.shows(Layer::Trails),
         heat: lesson.shows(Layer::Heat),
@@ -172,10 +203,17 @@ fn refusal(faults: &[Fault]) -> Notice {
     }
 }
 
-/// A person's own page as it is put aside: nothing runs on it, and nothing plays.
+/// Whether the best plan is searched for.
+fn is_searching(state: &State) -> bool {
+    let run = state.work.solving();
+    run.is_some_and(|run| run.planner.is_none() && run.then.is_none())
+}
+
+/// A person's own page as it is put aside: nothing runs on it, and nothing plays. What
+/// a search has found stays, and it goes on from there when the lesson ends.
 fn aside(state: &State) -> State {
     let mut own = state.clone();
-    own.work.end();
+    solve::cancel(&mut own);
     own.intake.end();
     own.view.playback.playing = false;
     own.view.notice = None;
@@ -209,6 +247,9 @@ fn leave(state: &mut State) {
         carry(state, &mut own);
         own.view.playback.speed = speed;
         *state = own;
+        if lesson.resumes {
+            solve::start(state, solve::Start::quiet());
+        }
     }
 }
 

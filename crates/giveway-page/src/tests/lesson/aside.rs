@@ -1,18 +1,23 @@
 //! A person's own page while a lesson is on the board.
 
+use std::rc::Rc;
+
 use giveway_course::lesson::Layer;
 use giveway_course::port::{BoardPlan, Happened, ToPage};
-use giveway_solve::Status;
+use giveway_model::Cost;
+use giveway_solve::{Progress, Status};
 
 use super::{board, heard, opened, say, scene, told};
+use crate::files::Opened;
+use crate::intake::protocol::{Found, Reply};
 use crate::keys::{Key, command};
 use crate::lesson::{LessonAction, as_it_is};
 use crate::present::{END, third};
 use crate::reduce::tests::{after, stroke};
 use crate::tests::{answered, seek, select};
 use crate::{
-    Action, AskAction, BoardAction, Edit, FileAction, SolveAction, State, Tool, ViewAction, ask,
-    freedom, link, sample,
+    Action, AskAction, BoardAction, Edit, FileAction, IntakeAction, Phase, SolveAction, State,
+    Tool, ViewAction, ask, freedom, link, reduce, sample,
 };
 
 const LEAVE: Action = Action::Lesson(LessonAction::Leave);
@@ -74,7 +79,76 @@ fn what_ran_for_it_is_over_and_comes_too_late() {
     assert_eq!(answer.solved.status, Status::Optimal);
     assert!(!shown.history.can_undo(), "it is part of the board");
     let back = after(&lesson, [LEAVE, best]);
-    assert!(back.work.is_idle() && back.document.is_stale());
+    assert!(back.document.is_stale() && back.work.solving().is_some());
+}
+
+#[test]
+fn a_search_goes_on_where_it_was_when_the_lesson_ends() {
+    let solving = after(
+        &State::new(sample::draft()),
+        [Action::Solve(SolveAction::Solve)],
+    );
+    let bound = Progress::Bound {
+        cost: Cost::Makespan,
+        at_least: 17,
+    };
+    let job = solving.work.id().unwrap();
+    let told = Action::Solve(SolveAction::Progress { job, event: bound });
+    let lesson = opened(&opened(&after(&solving, [told]), board(1)), board(2));
+    assert_eq!(lesson.own().phase(), Phase::Stopped);
+    let back = after(&lesson, [LEAVE]);
+    let run = back.work.solving().unwrap();
+    assert_eq!(run.bounds.get(&Cost::Makespan), Some(&17));
+    let done = answered(&back);
+    assert_eq!(done.document.answer.unwrap().solved.status, Status::Optimal);
+    // Who had stopped it, or asked for nothing, gets nothing.
+    let stopped = after(&solving, [Action::Solve(SolveAction::Cancel)]);
+    let back = after(&opened(&stopped, board(1)), [LEAVE]);
+    assert!(back.work.is_idle());
+}
+
+#[test]
+fn a_file_that_cannot_be_read_leaves_the_lesson_as_it_is() {
+    let lesson = after(&opened(&own(), board(1)), stroke(Tool::Obstacle, &[(1, 1)]));
+    let read = |name: &str| {
+        let bytes = b"{ no".to_vec();
+        let name = name.to_owned();
+        let files = vec![Opened { name, bytes }];
+        after(&lesson, [Action::Intake(IntakeAction::Read(files))])
+    };
+    let reading = read("bad.json");
+    assert!(reading.lesson().is_some() && reading.intake.job().is_some());
+    let job = reading.intake.job().unwrap().id;
+    // The reply is taken out of it: nobody else may hold it.
+    let answer = |reply| {
+        let reply = Rc::new(reply);
+        reduce(&reading, Action::Intake(IntakeAction::Reply { job, reply }))
+    };
+    let refused = answer(Reply::Refused("It cannot be read.".to_owned(), Vec::new()));
+    assert_eq!(refused.document, lesson.document);
+    assert_eq!(refused.lesson, lesson.lesson);
+    let notice = refused.view.notice.as_ref().unwrap();
+    assert_eq!(notice.sentence, "It cannot be read.");
+    assert!(refused.intake.job().is_none());
+    // A scene that nobody can solve is refused likewise.
+    let found = |scene| {
+        Reply::Found(Box::new(Found {
+            scene,
+            plans: Vec::new(),
+            notes: Vec::new(),
+            files: Vec::new(),
+        }))
+    };
+    let mut bad = scene();
+    bad.map = vec!["..".to_owned(), "...".to_owned()];
+    let refused = answer(found(bad));
+    assert!(refused.lesson().is_some() && refused.view.notice.is_some());
+    // What can be read takes the lesson's place, and is one step on one's own page.
+    let come = answer(found(scene()));
+    assert!(come.lesson().is_none());
+    assert_eq!(come.document.draft.scene(), &scene());
+    let undone = after(&come, [Action::Undo]);
+    assert_eq!(undone.document, own().document);
 }
 
 #[test]
