@@ -163,7 +163,10 @@ fn dialog(panel: &Panel, state: &Shown, send: &Callback<Action>, show: &Callback
             let on_lesson = show.reform(|_| Panel::Course("~write".to_owned()));
             html! { <Share link={link.clone()} name={state.document.draft.scene().name.clone()} {send} {on_lesson} {on_close} /> }
         }
-        Panel::Help => help(on_close),
+        Panel::Help => {
+            let is_free = state.lesson().is_none() && state.view.presenting == Presenting::Off;
+            help(is_free, on_close)
+        }
         Panel::Nothing
         | Panel::Course(_)
         | Panel::Menu

@@ -34,6 +34,10 @@ impl Tutor {
     }
 
     pub(super) fn act(&mut self, ctx: &Context<Self>, action: Action) {
+        if let Action::Open { .. } | Action::Try { .. } = action {
+            // The lesson takes the place of the tour on the board.
+            self.tour = None;
+        }
         let was_tried = self.learner.open.as_ref().is_some_and(Open::is_tried);
         let is_next = action == Action::Next;
         let is_left_there = matches!(action, Action::Page(_));

@@ -37,10 +37,17 @@ pub(super) fn show(open: &Open, step: &Step, reader: Reader<'_>) -> Html {
 
 /// The answers to choose from, by their keys.
 fn answers(open: &Open, task: Option<&Task>, reader: Reader<'_>) -> Html {
+    let texts: Vec<&Text> = match task {
+        Some(Task::Predict(task)) => task.answers.iter().map(|answer| &answer.text).collect(),
+        Some(Task::Choose(task)) => task.answers.iter().map(|answer| &answer.text).collect(),
+        _ => Vec::new(),
+    };
+    let are_short = are_told_apart(&texts);
     let one = |place: usize, text: &Text, is_right: bool| {
         let (title, _) = first_sentence(text);
+        let said = if are_short { &title[..] } else { text.spans() };
         html! {
-            <li class={is_right.then_some("right")}><kbd>{ place + 1 }</kbd><span>{ reader.still(&title) }</span></li>
+            <li class={is_right.then_some("right")}><kbd>{ place + 1 }</kbd><span>{ reader.still(said) }</span></li>
         }
     };
     let list: Vec<Html> = match task {
@@ -67,6 +74,13 @@ fn answers(open: &Open, task: Option<&Task>, reader: Reader<'_>) -> Html {
         return html! {};
     }
     html! { <ol>{ for list }</ol> }
+}
+
+/// Whether answers differ in their first sentences already.
+fn are_told_apart(texts: &[&Text]) -> bool {
+    let titles: Vec<_> = texts.iter().map(|text| first_sentence(text).0).collect();
+    let is_new = |(place, title)| !titles[..place].contains(title);
+    titles.iter().enumerate().all(is_new)
 }
 
 /// What was to be said, once it is on the table.

@@ -273,8 +273,6 @@ impl Tutor {
             };
             self.wanted = None;
             self.page = None;
-            // The lesson takes its place on the board.
-            self.tour = None;
             return self.act(ctx, action);
         }
         self.wanted = Some(place.clone());

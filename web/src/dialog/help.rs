@@ -8,14 +8,17 @@ use yew::prelude::*;
 use super::frame::Frame;
 use crate::{icon, keep};
 
-/// All keys, by what they are for, and the way to the tour; calls back when it was closed.
-pub(crate) fn help(on_close: Callback<()>) -> Html {
+/// All keys, by what they are for, and the way to the tour, which a lesson has no room
+/// for; calls back when it was closed.
+pub(crate) fn help(has_tour: bool, on_close: Callback<()>) -> Html {
     let tour = on_close.reform(|_: MouseEvent| keep::learn(tour::NAME));
     html! {
         <Frame title={tr!("Keys")} reads=true {on_close}>
-            <button type="button" class="btn outline take-tour" onclick={tour}>
-                { icon::show("play") }<span>{ tr!("Take the tour") }</span>
-            </button>
+            if has_tour {
+                <button type="button" class="btn outline take-tour" onclick={tour}>
+                    { icon::show("play") }<span>{ tr!("Take the tour") }</span>
+                </button>
+            }
             { for HELP.iter().map(|(title, rows)| group(title.text(), rows)) }
         </Frame>
     }

@@ -408,6 +408,13 @@ fn a_step_without_a_scene_goes_on_with_the_board_as_it_is() {
     let (learner, _) = reduce(learner, said(board(&effects), edit));
     let (next, _) = reduce(learner.clone(), Action::Next);
     assert_eq!(next.open.unwrap().scene(), &*scene);
+    // A robot that was erased is back: the step may be about it.
+    let mut fewer = (*scene).clone();
+    fewer.agents.remove(0);
+    let erased = Happened::Board(Box::new(fewer));
+    let (fewer, _) = reduce(learner.clone(), said(board(&effects), erased));
+    let (next, _) = reduce(fewer, Action::Next);
+    assert_eq!(next.open.unwrap().scene().agents, scene.agents);
     // Whoever comes from elsewhere gets the lesson's own.
     let (jumped, _) = reduce(learner, Action::Go(3));
     assert_ne!(jumped.open.unwrap().scene(), &*scene);

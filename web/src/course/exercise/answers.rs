@@ -4,7 +4,7 @@ use giveway_course::judge::{Did, Why};
 use giveway_course::learner::{Action, Judge, Open};
 use giveway_course::lesson::quantity::ValueKind;
 use giveway_course::lesson::task::{Choose, Guess, Predict};
-use giveway_course::lesson::{Text, Value};
+use giveway_course::lesson::{Task, Text, Value};
 use giveway_model::tr;
 use web_sys::HtmlInputElement;
 use yew::prelude::*;
@@ -126,10 +126,12 @@ fn outcome(tutor: &Tutor, open: &Open, reader: Reader<'_>) -> Html {
             ..
         }
     );
+    // Listed answers show by themselves which is right.
+    let is_free = matches!(&step.task, Some(Task::Predict(task)) if task.answers.is_empty());
     html! {
         <div class="why">
             if verdict.is_solved() { <p class="exw">{ icon::show(tr!("an answer" => "proved")) }<b>{ tr!("a verdict" => "Solved") }</b></p> }
-            if is_reply || step.reason.is_none() { <p>{ reader.show(&said) }</p> }
+            if is_reply || is_free || step.reason.is_none() { <p>{ reader.show(&said) }</p> }
             if let Some(reason) = &step.reason { <p>{ reader.show(reason) }</p> }
         </div>
     }
@@ -162,6 +164,9 @@ fn said_freely(
                     <input class="field" type="text" inputmode="numeric" autocomplete="off" aria-labelledby="ex-h"
                         disabled={answered} value={tutor.typed.clone()} {oninput} />
                     <button class="btn outline" disabled={answered || number.is_none()}>{ tr!("Say it") }</button>
+                    if number.is_none() && !tutor.typed.trim().is_empty() {
+                        <p class="quiet" role="status">{ tr!("Type a whole number, such as 12.") }</p>
+                    }
                 </form>
             }
         }
