@@ -7,6 +7,7 @@ use giveway_model::{Agent, Cell};
 use giveway_model::sorting::sort_by_key;
 
 use crate::Track;
+use crate::form::short_name;
 
 /// A goal or a waypoint.
 #[derive(Clone, Debug, PartialEq)]
@@ -40,6 +41,8 @@ pub enum MarkKind {
 const APART: f64 = 18.0;
 /// The most names that are written at one place.
 const NAMES: usize = 2;
+/// The letters of a name that is written whole.
+const WIDEST: usize = 6;
 
 /// The marks of some agents, with what they do.
 pub fn marks(agents: &[Agent], tracks: &[Track]) -> Vec<Mark> {
@@ -88,9 +91,9 @@ pub fn marks(agents: &[Agent], tracks: &[Track]) -> Vec<Mark> {
 /// their count.
 fn arrange(marks: &mut [Mark], agents: &[Agent], shift: impl Fn(f64, f64) -> (f64, f64)) {
     let count = marks.len();
-    let names: Vec<&str> = marks
+    let names: Vec<String> = marks
         .iter()
-        .map(|m| agents[m.agent].name.as_str())
+        .map(|mark| label_of(&agents[mark.agent].name))
         .collect();
     let mut label = names[..names.len().min(NAMES)].join(" ");
     if names.len() > NAMES {
@@ -101,6 +104,16 @@ fn arrange(marks: &mut [Mark], agents: &[Agent], shift: impl Fn(f64, f64) -> (f6
         mark.shift = shift(place as f64, count as f64);
         mark.place = place;
         mark.label = (place + 1 == count).then(|| std::mem::take(&mut label));
+    }
+}
+
+/// A name beside a mark: whole where it is about as wide as a cell, else as it stands on
+/// the form.
+fn label_of(name: &str) -> String {
+    if name.chars().count() <= WIDEST {
+        name.to_owned()
+    } else {
+        short_name(name)
     }
 }
 
@@ -148,6 +161,12 @@ mod tests {
         let shifts: Vec<_> = stars.iter().map(|mark| mark.shift).collect();
         assert_eq!(shifts, [(-30.0, 10.0), (-12.0, 10.0), (6.0, 10.0)]);
         assert!(stars.iter().map(|mark| mark.place).eq(0..3));
+    }
+
+    #[test]
+    fn a_long_name_is_as_short_as_on_the_form() {
+        let marks = marks(&[agent("carrier 12", (1, 0), &[])], &[]);
+        assert_eq!(marks[0].label.as_deref(), Some("c12"));
     }
 
     #[test]

@@ -202,7 +202,7 @@ fn answer((index, step): (usize, &Step)) -> Html {
         let _ = write!(words, "{} ", plain(text));
     }
     html! {
-        <p><b>{ format!("{} {}", index + 1, step.title) }{ ": " }</b>{ words }</p>
+        <p><b>{ format!("{} {}", index + 1, step.title) }{ if step.title.ends_with(['?', '!', '.']) { " " } else { ": " } }</b>{ words }</p>
     }
 }
 

@@ -25,7 +25,7 @@ impl Learner {
             return;
         }
         open.did = did;
-        if matches!(open.did, Did::Edits) && open.scene == open.start {
+        if matches!(open.did, Did::Edits | Did::Led(_)) && !open.has_done() {
             open.judge = Judge::Waiting;
             return;
         }
