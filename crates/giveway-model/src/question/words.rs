@@ -5,7 +5,7 @@ use std::str::FromStr;
 
 use super::Question;
 use super::asked::Asked;
-use crate::Cell;
+use crate::{Cell, tr};
 
 /// Why words are no question, as a sentence.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -45,7 +45,7 @@ pub fn from_words<S: AsRef<str>>(words: &[S]) -> Result<Question, WordsError> {
         };
         let value = words
             .next()
-            .ok_or_else(|| WordsError(format!("Found --{option} without a value.")))?;
+            .ok_or_else(|| WordsError(tr!("Found --{option} without a value.", option)))?;
         asked.set(option, value)?;
     }
     asked.question()
@@ -72,12 +72,13 @@ impl Asked {
     /// A sentence: there is no such option, or the value cannot be read.
     pub fn set(&mut self, option: &str, value: &str) -> Result<(), WordsError> {
         let cell = |place: &mut Option<Cell>| {
-            *place = Some(read_cell(value).ok_or_else(|| unread(option, value, "a cell X,Y"))?);
+            *place =
+                Some(read_cell(value).ok_or_else(|| unread(option, value, tr!("a cell X,Y")))?);
             Ok(())
         };
         let number = |place: &mut Option<u32>| {
             let read = u32::from_str(value);
-            *place = Some(read.map_err(|_| unread(option, value, "a whole number"))?);
+            *place = Some(read.map_err(|_| unread(option, value, tr!("a whole number")))?);
             Ok(())
         };
         match option {
@@ -91,7 +92,7 @@ impl Asked {
             "time" => number(&mut self.time),
             "at-least" => number(&mut self.at_least),
             "fewer-than" => number(&mut self.fewer_than),
-            _ => Err(WordsError(format!("There is no option --{option}."))),
+            _ => Err(WordsError(tr!("There is no option --{option}.", option))),
         }
     }
 
@@ -118,8 +119,11 @@ impl Asked {
 }
 
 fn unread(option: &str, value: &str, expected: &str) -> WordsError {
-    WordsError(format!(
-        "--{option}: found \"{value}\", expected {expected}."
+    WordsError(tr!(
+        "--{option}: found \"{value}\", expected {expected}.",
+        option,
+        value,
+        expected
     ))
 }
 
