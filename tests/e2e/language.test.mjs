@@ -63,6 +63,22 @@ describe("languages", () => {
     await playground.says(/^No plan exists, no matter how many steps you allow: \w+ and \w+ cannot both arrive\.$/);
   }, GERMAN);
 
+  const wrong = [
+    ["of a scene, which the reader reads", "szene.json", '{"giveway": 1, "map": [".x"], "agents": []}',
+      'szene.json, Zeile 1, Spalte 26: map[0][1]: gefunden: "x"; erwartet: eines von . # ~ + *'],
+    ["of a map, which the page reads", "karte.map", "type octile\nheight 1\nwidth 3\nmap\n..\n",
+      "karte.map, Zeile 5, Spalte 3: gefunden: eine Zeile mit 2 Zellen; erwartet: 3, die Breite im Kopf"],
+  ];
+  for (const [what, name, bytes, told] of wrong) {
+    flow(`say the faults ${what}`, async (playground) => {
+      await german(playground);
+      await playground.open({ name, bytes });
+      const notice = await playground.warns(/lässt sich nicht öffnen/);
+      assert.ok(notice.includes(told), notice);
+      assert.deepEqual(await english(playground), []);
+    }, GERMAN);
+  }
+
   flow("that cannot be fetched leave the page in English", async (playground, { context }) => {
     await context.route(/languages\/de\.po/, (route) => route.fulfill({ status: 404 }));
     await playground.says(/^Optimal: makespan 18/);

@@ -15,8 +15,13 @@ use std::fs;
 use std::path::Path;
 use std::sync::LazyLock;
 
+use giveway_course::lesson::{Glossary, read_lesson};
+use giveway_model::format::{foreign, native};
 use giveway_model::words::{Catalogue, Message, messages, speak};
+use giveway_model::{Cost, Fault};
 use giveway_planners::budget::Stop;
+use giveway_proof::{Budget, Checked, export, verify};
+use giveway_solve::CertifyRequest;
 use giveway_solve::words::reason;
 use giveway_tests::languages::{Part, Said, is_source, places, unsaid, updated};
 use giveway_tests::source;
@@ -206,6 +211,119 @@ fn message(message: &dyn polib::message::MessageView) -> Message {
     }
 }
 
+/// What the page says in German, and what the course says.
+fn german() -> &'static Catalogue {
+    let texts = [Part::Page, Part::Course].map(|part| {
+        let path = source::root().join(part.folder()).join("de.po");
+        fs::read_to_string(path).unwrap()
+    });
+    let german = Catalogue::read(&texts.join("\n"), Box::new(|n| usize::from(n != 1)));
+    german.unwrap().kept()
+}
+
+/// What is wrong with a file, in German.
+fn wrong<T>(read: Result<T, Vec<Fault>>) -> String {
+    let faults = read.err().unwrap_or_default();
+    let faults: Vec<String> = faults.iter().map(ToString::to_string).collect();
+    faults.join(" / ")
+}
+
+#[test]
+fn a_fault_of_a_file_is_told_in_the_language_that_is_spoken() {
+    let scene = |start: &str| {
+        format!(
+            r#"{{ "giveway": 1, "map": ["..#"], "agents": [{{ "name": "A1", "start": {start}, "goal": [1, 0] }}] }}"#
+        )
+    };
+    let native = |text: &str| wrong(native::read_instance(text));
+    let other = |text: &str| wrong(foreign::read(text));
+    let lesson = |text: &str| wrong(read_lesson(text, &Glossary::default()));
+    let in_english = native(&scene("[2, 0]"));
+    speak(Some(german()));
+    let told = [
+        (
+            native(&scene("[2, 0]")),
+            "Zeile 1, Spalte 69: agents[0].start: gefunden: das Hindernis (2, 0); erwartet: eine freie Zelle",
+        ),
+        (
+            native(&scene("7")),
+            "Zeile 1, Spalte 69: agents[0].start: gefunden: die Zahl 7; erwartet: eine Zelle [x, y]",
+        ),
+        (
+            native("{ \"giveway\": 1,"),
+            "Zeile 1, Spalte 16: gefunden: das Ende der Datei; erwartet: ein Wert",
+        ),
+        (
+            native("{ \"giveway\": 3, \"map\": [] }"),
+            "Zeile 1, Spalte 14: giveway: gefunden: Version 3 des Formats; erwartet: Version 1, die einzige hier bekannte",
+        ),
+        (
+            native(
+                "{ \"giveway\": 1, \"map\": [\"..\"], \"agents\": [], \"objective\": [\"moves\", \"moves\"] }",
+            ),
+            "Zeile 1, Spalte 59: objective: gefunden: zweimal moves; erwartet: jede Art von Kosten nur einmal",
+        ),
+        (
+            native(
+                "{ \"giveway\": 1, \"map\": [\"..\"], \"agents\": [], \"rules\": { \"at_goal\": \"sing\" } }",
+            ),
+            "Zeile 1, Spalte 68: rules.at_goal: gefunden: \"sing\"; erwartet: stay oder vanish",
+        ),
+        (
+            other("type octile\nheight 1\nwidth 3\nmap\n..\n"),
+            "Zeile 5, Spalte 3: gefunden: eine Zeile mit 2 Zellen; erwartet: 3, die Breite im Kopf",
+        ),
+        (
+            other("Agent 0: (0,0)->(0,x)->\n"),
+            "Zeile 1, Spalte 20: gefunden: \"x)->\"; erwartet: eine Zahl",
+        ),
+        (
+            lesson(r#"{ "giveway": 1, "title": "", "minutes": 1, "about": "A.", "steps": [] }"#),
+            "Zeile 1, Spalte 26: title: gefunden: keine Wörter; erwartet: ein Titel / Zeile 1, Spalte 68: steps: gefunden: keine Schritte; erwartet: mindestens 1",
+        ),
+    ];
+    let (told, expected): (Vec<_>, Vec<_>) = told.into_iter().unzip();
+    assert_eq!(told, expected);
+    speak(None);
+    assert_eq!(
+        in_english,
+        "line 1, column 69: agents[0].start: found the obstacle (2, 0), expected a free cell"
+    );
+}
+
+#[test]
+fn a_certificate_is_the_same_whatever_is_spoken() {
+    let text = r#"{ "giveway": 1, "map": ["...."], "agents": [{ "name": "A1", "start": [0, 0], "goal": [2, 0] }] }"#;
+    let instance = native::read_instance(text).unwrap();
+    let request = CertifyRequest {
+        scene: instance.to_scene(),
+        bounds: [(Cost::Makespan, 2), (Cost::SumOfCosts, 2)].into(),
+        complete: true,
+        ..CertifyRequest::default()
+    };
+    let bundle = || export(&request.claims(&instance), &Budget::default());
+    let in_english = bundle();
+    speak(Some(german()));
+    let in_german = bundle();
+    let report = verify(&in_english, &Budget::default());
+    speak(None);
+    assert_eq!(in_english, in_german);
+    assert_eq!(report.reason, None);
+    let claims = report.claims.iter().map(|claim| match claim {
+        Checked::Proof { text, .. } | Checked::Search { text, .. } | Checked::None { text, .. } => {
+            text.as_str()
+        }
+    });
+    let claims: Vec<&str> = claims.collect();
+    assert_eq!(
+        claims,
+        [
+            "Es gibt keinen Plan mit Makespan höchstens 1.",
+            "Es gibt keinen Plan mit Makespan höchstens 2 und Summe der Kosten höchstens 1.",
+        ]
+    );
+}
+
 #[test]
 fn what_the_solver_gave_as_a_reason_is_said_anew() {
     let stops = [
@@ -217,9 +335,7 @@ fn what_the_solver_gave_as_a_reason_is_said_anew() {
         Stop::Contradiction,
     ];
     let stops = stops.map(Stop::sentence);
-    let text = fs::read_to_string(source::root().join(FOLDER).join("de.po")).unwrap();
-    let german = Catalogue::read(&text, Box::new(|n| usize::from(n != 1))).unwrap();
-    speak(Some(german.kept()));
+    speak(Some(german()));
     for stop in stops {
         assert_ne!(reason(stop), stop);
     }

@@ -6,6 +6,8 @@ use borsh::{BorshDeserialize, BorshSerialize};
 use serde::de::{self, IgnoredAny, SeqAccess, Visitor};
 use serde::{Deserialize, Deserializer, Serialize};
 
+use crate::tr;
+
 /// A cell: `x` to the right, `y` down, both from 0 at the top left.
 ///
 /// In JSON it is the pair `[x, y]`; in sentences it is written `(x, y)`. A cell
@@ -80,7 +82,7 @@ impl<'de> Deserialize<'de> for Cell {
             type Value = Cell;
 
             fn expecting(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-                f.write_str("a cell [x, y]")
+                f.write_str(tr!("a cell [x, y]"))
             }
 
             fn visit_seq<A: SeqAccess<'de>>(self, mut list: A) -> Result<Cell, A::Error> {

@@ -5,6 +5,8 @@ use std::fmt;
 use borsh::{BorshDeserialize, BorshSerialize};
 use serde::{Deserialize, Serialize};
 
+use crate::tr;
+
 /// A fault of an input: the place, what was found, what was expected.
 ///
 /// `place` is a path of keys and indices from 0, such as `agents[1].goal`;
@@ -75,14 +77,20 @@ impl Fault {
 impl fmt::Display for Fault {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match (self.line, self.column) {
-            (Some(line), Some(column)) => write!(f, "line {line}, column {column}: ")?,
-            (Some(line), None) => write!(f, "line {line}: ")?,
+            (Some(line), Some(column)) => {
+                f.write_str(&tr!("line {line}, column {column}: ", line, column))?;
+            }
+            (Some(line), None) => f.write_str(&tr!("line {line}: ", line))?,
             _ => {}
         }
         if !self.place.is_empty() {
             write!(f, "{}: ", self.place)?;
         }
-        write!(f, "found {}, expected {}", self.found, self.expected)
+        f.write_str(&tr!(
+            "found {found}, expected {expected}",
+            found = self.found,
+            expected = self.expected
+        ))
     }
 }
 

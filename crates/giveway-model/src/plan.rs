@@ -10,7 +10,7 @@ use serde::{Deserialize, Deserializer, Serialize};
 
 use crate::message::read_map;
 use crate::object_only;
-use crate::{Cell, Instance, Version};
+use crate::{Cell, Instance, Version, tr};
 
 /// Where an agent is at each time, from its first entry on; `None` is *in
 /// transit*, half way along a slow move.
@@ -121,7 +121,7 @@ where
         type Value = BTreeMap<String, T>;
 
         fn expecting(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-            f.write_str("an object by the names of robots")
+            f.write_str(tr!("an object by the names of robots"))
         }
 
         fn visit_map<A: MapAccess<'de>>(self, mut entries: A) -> Result<Self::Value, A::Error> {

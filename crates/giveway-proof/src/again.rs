@@ -1,6 +1,6 @@
 //! Plans judged and claims shown a second time, wherever their proofs lie.
 
-use giveway_model::{Costs, Instance, Plan, check};
+use giveway_model::{Costs, Instance, Plan, check, tr};
 
 use crate::bundle::{Entry, MANIFEST, PLAN, proof_files};
 use crate::drat::{self, Refused};
@@ -91,9 +91,13 @@ fn check_entry(
                     claim,
                     method: *method,
                 }),
-                Some(false) => Err(Fault::Rejected(format!("The search does not show: {text}"))),
-                None => Err(Fault::Stopped(format!(
-                    "The search ended too early to show: {text}"
+                Some(false) => Err(Fault::Rejected(tr!(
+                    "The search does not show: {text}",
+                    text
+                ))),
+                None => Err(Fault::Stopped(tr!(
+                    "The search ended too early to show: {text}",
+                    text
                 ))),
             }
         }
@@ -119,7 +123,7 @@ pub(crate) fn formula(
         NoFormula::NoAgent => Fault::of(MANIFEST, "a claim is about a robot that does not exist"),
         NoFormula::TooLarge => {
             let [cnf, ..] = proof_files(proof.name);
-            Fault::Stopped(format!("{cnf}: it is too large to check."))
+            Fault::Stopped(tr!("{file}: it is too large to check.", file = cnf))
         }
     })?;
     if (proof.variables, proof.clauses) != (formula.variables(), formula.clauses()) {
@@ -137,7 +141,7 @@ pub(crate) fn check_proof(
 ) -> Result<usize, Fault> {
     match drat::check(formula, proof, budget.go_on) {
         Ok(proved) => Ok(proved.steps),
-        Err(Refused::Stopped) => Err(Fault::Stopped(format!("{file}: the check was stopped."))),
+        Err(Refused::Stopped) => Err(Fault::Stopped(tr!("{file}: the check was stopped.", file))),
         Err(refused) => Err(Fault::of(file, &refused.to_string())),
     }
 }

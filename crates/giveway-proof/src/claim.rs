@@ -4,7 +4,7 @@ use std::collections::BTreeMap;
 
 use borsh::{BorshDeserialize, BorshSerialize};
 use giveway_model::message::read_map;
-use giveway_model::{Cost, Instance, sorting, words};
+use giveway_model::{Cost, Instance, sorting, tr, words};
 use serde::{Deserialize, Serialize};
 
 use crate::{condition::Condition, escape, plain};
@@ -57,20 +57,19 @@ impl Claim {
         let limits: Vec<String> = self
             .most
             .iter()
-            .map(|(cost, most)| format!("{} at most {most}", words::name(*cost)))
+            .map(|(cost, most)| tr!("{cost} at most {most}", cost = words::name(*cost), most))
             .collect();
-        let of = self
-            .within
-            .map_or(String::new(), |last| format!(" of makespan at most {last}"));
+        let of = self.within.map_or(String::new(), |last| {
+            tr!(" of makespan at most {last}", last)
+        });
         let with = match limits.as_slice() {
             [] => String::new(),
-            limits => format!(" with {}", words::and(limits)),
+            limits => tr!(" with {limits}", limits = words::and(limits)),
         };
-        let like = self
-            .condition
-            .as_ref()
-            .map_or(String::new(), |condition| format!(" {}", condition.words()));
-        escape::text(&format!("There is no plan{of}{with}{like}."))
+        let like = self.condition.as_ref().map_or(String::new(), |condition| {
+            tr!(" in which {what}", what = condition.words())
+        });
+        escape::text(&tr!("There is no plan{of}{with}{like}.", of, with, like))
     }
 
     /// The makespan beyond which no plan is of the kind, so that a formula up

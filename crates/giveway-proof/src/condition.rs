@@ -2,7 +2,8 @@
 //! the plan that it was asked about.
 
 use borsh::{BorshDeserialize, BorshSerialize};
-use giveway_model::{Cost, Instance, Plan, Question, check, question};
+use giveway_model::words::name;
+use giveway_model::{Cost, Instance, Plan, Question, check, question, tr};
 use serde::{Deserialize, Serialize};
 
 use crate::{Claim, escape};
@@ -141,16 +142,15 @@ impl Condition {
 
     /// The condition as the end of a sentence: `in which a arrives before time 2`.
     pub(crate) fn words(&self) -> String {
-        let what = match self {
+        match self {
             Self::Arrival { agent, before } => {
-                format!("{} arrives before time {before}", escape::name(agent))
+                tr!("a plan in which ..." => "{agent} arrives before time {time}", agent = escape::name(agent), time = before)
             }
             Self::AtMost { agent, cost, most } => {
-                format!("{} has at most {most} {cost}", escape::name(agent))
+                tr!("a plan in which ..." => "{agent} has at most {most} {cost}", agent = escape::name(agent), most, cost = name(*cost))
             }
             Self::Contrast(question) => contrast(question),
-        };
-        format!("in which {what}")
+        }
     }
 }
 
@@ -158,6 +158,8 @@ fn contrast(question: &Question) -> String {
     match question::contrast(question) {
         Some(contrast) => contrast.does,
         // The others are limits of costs, or contrast a plan with nothing.
-        None => format!("the question \"{}\" has another answer", question.kind()),
+        None => {
+            tr!("a plan in which ..." => "the question \"{kind}\" has another answer", kind = question.kind())
+        }
     }
 }

@@ -2,7 +2,8 @@
 
 use borsh::{BorshDeserialize, BorshSerialize};
 use giveway_model::Version;
-use giveway_model::words::{count, grouped};
+use giveway_model::tr;
+use giveway_model::words::grouped;
 use serde::{Deserialize, Serialize};
 
 use crate::{Claim, bundle::Method, conclude::Conclusion};
@@ -132,27 +133,28 @@ impl Report {
         }
         let steps = match steps {
             // Its clauses contradict each other as they are.
-            0 => "no step was needed".to_owned(),
-            1 => "1 step".to_owned(),
-            n => format!("{} steps", grouped(n as u64)),
+            0 => tr!("no step was needed").to_owned(),
+            1 => tr!("1 step").to_owned(),
+            n => tr!("{steps} steps", steps = grouped(n as u64)),
         };
         let mut sentences = Vec::new();
-        match proofs {
-            0 => {}
-            1 => sentences.push(format!("The proof was checked: {steps}.")),
-            n => sentences.push(format!("{n} proofs were checked: {steps}.")),
+        if proofs > 0 {
+            sentences.push(tr!(
+                "The proof was checked: {steps}." | "{n} proofs were checked: {steps}." % proofs,
+                steps
+            ));
         }
         if searches > 0 {
-            let rest = if searches == 1 { "rests" } else { "rest" };
-            let claims = count(searches, "claim");
-            sentences.push(format!("{claims} {rest} on a search, which was repeated."));
+            sentences.push(tr!("{n} claim rests on a search, which was repeated."
+                | "{n} claims rest on a search, which was repeated." % searches));
         }
         if nothing > 0 {
-            let claims = count(nothing, "claim");
-            sentences.push(format!("{claims} could not be checked."));
+            sentences
+                .push(tr!("{n} claim could not be checked."
+                    | "{n} claims could not be checked." % nothing));
         }
         if sentences.is_empty() {
-            sentences.push("Nothing is claimed: no cost can be below 0.".to_owned());
+            sentences.push(tr!("Nothing is claimed: no cost can be below 0.").to_owned());
         }
         sentences.join(" ")
     }

@@ -22,13 +22,14 @@ pub use update::updated;
 
 /// Where people find sentences of the page; the rest is for programs or not said in other
 /// languages yet.
-pub const FOLDERS: [&str; 6] = [
+pub const FOLDERS: [&str; 7] = [
     "web/src",
     "crates/giveway-page/src",
     "crates/giveway-solve/src",
     "crates/giveway-planners/src",
     "crates/giveway-picture/src",
     "crates/giveway-model/src",
+    "crates/giveway-proof/src",
 ];
 
 /// Where people find sentences of the course, beside those of its lessons.

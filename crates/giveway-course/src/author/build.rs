@@ -3,7 +3,8 @@
 use giveway_model::change::Changes;
 use giveway_model::format::native;
 use giveway_model::question::from_words;
-use giveway_model::{Cell, Fault};
+use giveway_model::words::Later;
+use giveway_model::{Cell, Fault, tr, tr_later};
 use serde_json::{Map, Value};
 
 use super::field::Shape;
@@ -11,7 +12,7 @@ use super::{Field, Words};
 use crate::lesson::{Span, Text};
 
 /// What is found in a field in which nothing is.
-const NOTHING: &str = "nothing";
+const NOTHING: Later = tr_later!("nothing");
 
 /// The object of some fields, as far as they can be read, with what is wrong in them.
 pub(super) fn object(fields: &[Field], words: &Words, faults: &mut Vec<Fault>) -> Value {
@@ -33,18 +34,18 @@ pub(super) fn object(fields: &[Field], words: &Words, faults: &mut Vec<Fault>) -
 
 /// Whether a fault only says that nothing is written yet.
 pub(super) fn is_missing(fault: &Fault) -> bool {
-    fault.found == NOTHING
+    fault.found == NOTHING.text() || fault.found == NOTHING.english()
 }
 
-const fn expected(shape: Shape) -> &'static str {
+fn expected(shape: Shape) -> &'static str {
     match shape {
-        Shape::Text | Shape::Paragraphs => "a sentence",
-        Shape::Number => "a number",
-        Shape::Words => "at least one",
-        Shape::Cell | Shape::Cells => "a cell, such as 3,1",
-        Shape::Question => "a question",
-        Shape::Changes => "changes",
-        Shape::Word | Shape::Flag | Shape::None => "a few words",
+        Shape::Text | Shape::Paragraphs => tr!("a sentence"),
+        Shape::Number => tr!("a number"),
+        Shape::Words => tr!("at least one"),
+        Shape::Cell | Shape::Cells => tr!("a cell, such as 3,1"),
+        Shape::Question => tr!("a question"),
+        Shape::Changes => tr!("changes"),
+        Shape::Word | Shape::Flag | Shape::None => tr!("a few words"),
     }
 }
 
@@ -61,7 +62,7 @@ fn value(field: &Field, text: &str, faults: &mut Vec<Fault>) -> Option<Value> {
         Shape::Paragraphs => Some(paragraphs(&field.name, text, faults)),
         Shape::Number => match text.parse::<u32>() {
             Ok(number) => Some(number.into()),
-            Err(_) => wrong(quoted(text), "a whole number"),
+            Err(_) => wrong(quoted(text), tr!("a whole number")),
         },
         Shape::Words => {
             let lines = text.lines().map(str::trim);
@@ -70,17 +71,17 @@ fn value(field: &Field, text: &str, faults: &mut Vec<Fault>) -> Option<Value> {
         }
         Shape::Cell => match cells(text).as_deref() {
             Some([cell]) => Some(pair(*cell)),
-            _ => wrong(quoted(text), "a cell, such as 3,1"),
+            _ => wrong(quoted(text), tr!("a cell, such as 3,1")),
         },
         Shape::Cells => match cells(text) {
             Some(cells) => Some(cells.into_iter().map(pair).collect()),
-            None => wrong(quoted(text), "cells, such as 3,1 4,1"),
+            None => wrong(quoted(text), tr!("cells, such as 3,1 4,1")),
         },
         Shape::Question => {
             let words: Vec<&str> = text.split_whitespace().collect();
             match from_words(&words) {
                 Ok(question) => serde_json::to_value(question).ok(),
-                Err(why) => wrong(quoted(text), &format!("a question: {why}")),
+                Err(why) => wrong(quoted(text), &tr!("a question: {why}", why)),
             }
         }
         Shape::Changes => match native::read_object::<Changes>(text) {
@@ -130,7 +131,11 @@ fn paragraph(name: &str, text: &str, faults: &mut Vec<Fault>) -> Value {
     match text.parse::<Text>() {
         Ok(text) => text.to_string().into(),
         Err(error) => {
-            let found = format!("{} at character {}", error.found, error.at);
+            let found = tr!(
+                "{found} at character {at}",
+                found = error.found,
+                at = error.at
+            );
             faults.push(Fault::at(name, found, error.expected));
             let most = crate::lesson::text::MAX_CHARACTERS / 2;
             let plain = text.chars().filter(|c| !c.is_control()).take(most);

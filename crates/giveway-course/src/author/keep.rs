@@ -1,6 +1,6 @@
 //! A draft as a text that the browser keeps, distrusted when it is read back.
 
-use giveway_model::{Fault, format::native};
+use giveway_model::{Fault, format::native, tr};
 
 use super::{Draft, MAX_FIELD};
 use crate::lesson::read::{MAX_BYTES, MAX_STEPS};
@@ -19,14 +19,18 @@ impl Draft {
     pub fn read(text: &str) -> Result<Self, Fault> {
         let most = MAX_BYTES * 4;
         if text.len() > most {
-            let found = format!("{} bytes", text.len());
-            return Err(Fault::at("", found, format!("at most {most}")));
+            let found = tr!("{n} bytes", n = text.len());
+            return Err(Fault::at("", found, tr!("at most {most}", most)));
         }
         let mut draft: Self = native::read_object(text)?;
         let count = draft.steps.len();
         if count > MAX_STEPS {
-            let found = format!("{count} steps");
-            return Err(Fault::at("steps", found, format!("at most {MAX_STEPS}")));
+            let found = tr!("{count} steps", count);
+            return Err(Fault::at(
+                "steps",
+                found,
+                tr!("at most {most}", most = MAX_STEPS),
+            ));
         }
         let steps = draft.steps.iter_mut().map(|step| &mut step.words);
         for words in steps.chain([&mut draft.words]) {

@@ -1,6 +1,6 @@
 //! What a draft comes to: a lesson, or what is wrong with it.
 
-use giveway_model::{Fault, Version};
+use giveway_model::{Fault, Version, tr};
 use serde_json::Value;
 
 use super::{Draft, PLAN, build, form, head};
@@ -59,7 +59,7 @@ impl Draft {
             Err(error) => {
                 // What is missing in the task was told; the rest is shown without it.
                 if faults.is_empty() {
-                    faults.push(Fault::at("task", "a fault", error.to_string()));
+                    faults.push(Fault::at("task", tr!("a fault"), error.to_string()));
                 }
                 if let Some(object) = written.as_object_mut() {
                     for part in ["task", "hints", "reason"] {

@@ -2,7 +2,7 @@
 
 use std::collections::{BTreeMap, BTreeSet};
 
-use giveway_model::{Fault, Version, format::native};
+use giveway_model::{Fault, Version, format::native, tr};
 use serde::{Deserialize, Serialize};
 
 use crate::lesson::read::{MAX_LESSONS, MAX_STEPS};
@@ -135,11 +135,11 @@ impl Progress {
         let progress: Self = native::read_object(text)?;
         let count = progress.lessons.len();
         if count > MAX_LESSONS {
-            let found = format!("{count} lessons");
+            let found = tr!("{count} lessons", count);
             return Err(Fault::at(
                 "lessons",
                 found,
-                format!("at most {MAX_LESSONS}"),
+                tr!("at most {most}", most = MAX_LESSONS),
             ));
         }
         let counts = |it: &Reached| {
@@ -148,8 +148,12 @@ impl Progress {
         };
         let most = progress.lessons.values().map(counts).max();
         if let Some(step) = most.filter(|most| *most > MAX_STEPS) {
-            let found = format!("step {step}");
-            return Err(Fault::at("lessons", found, format!("at most {MAX_STEPS}")));
+            let found = tr!("step {step}", step);
+            return Err(Fault::at(
+                "lessons",
+                found,
+                tr!("at most {most}", most = MAX_STEPS),
+            ));
         }
         Ok(progress)
     }

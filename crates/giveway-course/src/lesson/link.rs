@@ -5,7 +5,7 @@
 //! place: `#lesson=room-to-pass.2`, `#lesson=~XY3LDo...9.2`.
 
 use data_encoding::BASE64URL_NOPAD;
-use giveway_model::Fault;
+use giveway_model::{Fault, tr};
 use miniz_oxide::deflate::compress_to_vec;
 use miniz_oxide::inflate::decompress_to_vec_with_limit;
 
@@ -56,14 +56,18 @@ pub fn read(text: &str, glossary: &Glossary) -> Result<(Lesson, Option<usize>), 
     let fault = |found: &str, expected: &str| vec![Fault::at("", found, expected)];
     // Base 64 is a third longer, and what is deflated is hardly ever longer than before.
     if letters.len() > MAX_BYTES * 2 {
-        return Err(fault("a link that is too long", "that of a lesson"));
+        return Err(fault(
+            tr!("a link that is too long"),
+            tr!("that of a lesson"),
+        ));
     }
     let packed = BASE64URL_NOPAD.decode(letters.as_bytes());
-    let packed = packed.map_err(|_| fault("a link that was cut or changed", "all of it"))?;
+    let packed =
+        packed.map_err(|_| fault(tr!("a link that was cut or changed"), tr!("all of it")))?;
     let bytes = decompress_to_vec_with_limit(&packed, MAX_BYTES)
-        .map_err(|_| fault("a link that was cut or changed", "all of it"))?;
+        .map_err(|_| fault(tr!("a link that was cut or changed"), tr!("all of it")))?;
     let json = String::from_utf8(bytes);
-    let json = json.map_err(|_| fault("a link that was cut or changed", "all of it"))?;
+    let json = json.map_err(|_| fault(tr!("a link that was cut or changed"), tr!("all of it")))?;
     let lesson = read_lesson(&json, glossary)?;
     Ok((lesson, step.and_then(|step| step.checked_sub(1))))
 }

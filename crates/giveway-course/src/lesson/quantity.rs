@@ -4,7 +4,7 @@ use std::fmt;
 
 use borsh::{BorshDeserialize, BorshSerialize};
 use giveway_model::change::Changes;
-use giveway_model::{Cell, Cost};
+use giveway_model::{Cell, Cost, tr};
 use giveway_solve::change::Method;
 use giveway_solve::plan::Planner;
 use serde::de::{self, SeqAccess, Visitor, value::SeqAccessDeserializer};
@@ -149,7 +149,7 @@ impl<'de> Deserialize<'de> for Value {
             type Value = Value;
 
             fn expecting(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-                f.write_str("a number, a robot's name or a cell [x, y]")
+                f.write_str(tr!("a number, a robot's name or a cell [x, y]"))
             }
 
             fn visit_u64<E: de::Error>(self, number: u64) -> Result<Value, E> {

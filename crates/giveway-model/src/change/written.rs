@@ -9,7 +9,7 @@ use serde::{Deserialize, Deserializer, Serialize};
 
 use super::{Change, What};
 use crate::object_only;
-use crate::{Agent, Cell};
+use crate::{Agent, Cell, tr};
 
 /// All keys that a change may have.
 #[derive(Clone, Debug, Serialize, Deserialize)]
@@ -104,7 +104,7 @@ impl<'de> Deserialize<'de> for Whom {
             type Value = Whom;
 
             fn expecting(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-                f.write_str("the name of a robot, or a robot")
+                f.write_str(tr!("the name of a robot, or a robot"))
             }
 
             fn visit_str<E: de::Error>(self, name: &str) -> Result<Whom, E> {
@@ -127,7 +127,7 @@ impl Keys {
     fn name(&mut self) -> Result<String, String> {
         match self.0.agent.take() {
             Some(Whom::Name(name)) => Ok(name),
-            Some(Whom::Agent(_)) => Err("found a robot, expected the name of one".to_owned()),
+            Some(Whom::Agent(_)) => Err(instead(tr!("a robot"), tr!("the name of one"))),
             None => Err(missing("agent")),
         }
     }
@@ -135,9 +135,10 @@ impl Keys {
     fn agent(&mut self) -> Result<Agent, String> {
         match self.0.agent.take() {
             Some(Whom::Agent(agent)) => Ok(agent),
-            Some(Whom::Name(_)) => {
-                Err("found the name of a robot, expected the robot as an object".to_owned())
-            }
+            Some(Whom::Name(_)) => Err(instead(
+                tr!("the name of a robot"),
+                tr!("the robot as an object"),
+            )),
             None => Err(missing("agent")),
         }
     }
@@ -214,6 +215,10 @@ fn missing(key: &str) -> String {
     format!("missing field `{key}`")
 }
 
+fn instead(found: &str, expected: &str) -> String {
+    format!("found {found}, expected {expected}")
+}
+
 impl TryFrom<Written> for Change {
     type Error = String;
 
@@ -227,9 +232,8 @@ impl TryFrom<Written> for Change {
             Some(key) => {
                 let name = KINDS.iter().find(|(_, other)| *other == kind);
                 let name = name.map_or("", |(name, _)| name);
-                Err(format!(
-                    "unknown field `{key}`, expected the keys of {name}"
-                ))
+                let expected = tr!("the keys of {name}", name);
+                Err(format!("unknown field `{key}`, expected {expected}"))
             }
         }
     }

@@ -6,7 +6,7 @@ use serde::{Deserialize, Serialize};
 
 use super::foreign::{self, Format, Options, Source};
 use super::{movingai, native, stem};
-use crate::{Fault, Grid, Instance, Plan, Scene};
+use crate::{Fault, Grid, Instance, Plan, Scene, tr};
 
 /// Texts by file names, and what they should become.
 #[derive(Clone, Debug, PartialEq, Deserialize)]
@@ -141,7 +141,13 @@ fn contents(request: &ConvertRequest) -> Result<Vec<(String, String, Content)>, 
                 .and_then(|named| maps.get(named))
                 .or_else(|| maps.get(stem))
                 .or_else(|| (maps.len() == 1).then(|| maps.values().next()).flatten())
-                .ok_or_else(|| fault(Fault::at("", "no map of it", "its .map among the files")))?;
+                .ok_or_else(|| {
+                    fault(Fault::at(
+                        "",
+                        tr!("no map of it"),
+                        tr!("its .map among the files"),
+                    ))
+                })?;
             let scene = movingai::to_scene(stem, grid, &scenario, request.agents).map_err(fault)?;
             let instance = Instance::new(scene).map_err(faults)?;
             is_taken = true;

@@ -9,7 +9,7 @@ use serde_path_to_error::{Path, Segment as PathSegment};
 use super::locate::{Locator, Segment};
 use super::phrase::{self, Phrase};
 use super::text::{position, shorten};
-use crate::Fault;
+use crate::{Fault, tr};
 
 /// Reads one JSON object of type `T` and nothing after it.
 ///
@@ -17,7 +17,7 @@ use crate::Fault;
 /// The first fault of the text, with its line and column.
 pub(super) fn read<'a, T: Deserialize<'a>>(text: &'a str) -> Result<T, Fault> {
     if text.trim().is_empty() {
-        return Err(Fault::at("", "an empty file", "a JSON object").in_text(1, 1));
+        return Err(Fault::at("", tr!("an empty file"), tr!("a JSON object")).in_text(1, 1));
     }
     let mut deserializer = serde_json::Deserializer::from_str(text);
     let value = serde_path_to_error::deserialize(&mut deserializer)

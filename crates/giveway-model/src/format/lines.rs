@@ -2,8 +2,8 @@
 
 use std::str::FromStr;
 
-use crate::Fault;
 use crate::format::text::shorten;
+use crate::{Fault, tr};
 
 /// A line without its end, and its number from 1.
 #[derive(Clone, Copy, Debug)]
@@ -27,7 +27,7 @@ impl<'a> Line<'a> {
     /// A fault at a part of this line, which must be a slice of its text.
     pub(in crate::format) fn fault(&self, part: &str, expected: impl Into<String>) -> Fault {
         let found = if part.is_empty() {
-            "the end of the line".to_owned()
+            tr!("the end of the line").to_owned()
         } else {
             format!("\"{}\"", shorten(part))
         };
@@ -63,9 +63,9 @@ impl<'a> Line<'a> {
     pub(in crate::format) fn number<T: FromStr>(
         &self,
         part: &str,
-        expected: &str,
+        expected: impl FnOnce() -> String,
     ) -> Result<T, Fault> {
-        part.parse().map_err(|_| self.fault(part, expected))
+        part.parse().map_err(|_| self.fault(part, expected()))
     }
 }
 

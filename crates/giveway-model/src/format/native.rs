@@ -7,7 +7,7 @@ use super::json;
 use super::locate::{Fields, Locator, segments};
 use super::text::{Positions, without_mark};
 use crate::change::Changes;
-use crate::{Fault, Instance, Plan, Scene, Version};
+use crate::{Fault, Instance, Plan, Scene, Version, tr};
 
 pub use super::layout::{write_changes, write_plan, write_scene};
 
@@ -122,12 +122,12 @@ impl Kind {
         }
     }
 
-    const fn phrase(self) -> &'static str {
+    fn phrase(self) -> &'static str {
         match self {
-            Self::Instance => "an instance, with \"map\" and \"agents\"",
-            Self::Plan => "a plan, with \"paths\"",
-            Self::Changes => "a list of changes, with \"changes\"",
-            Self::Result => "a result, with \"status\"",
+            Self::Instance => tr!("an instance, with \"map\" and \"agents\""),
+            Self::Plan => tr!("a plan, with \"paths\""),
+            Self::Changes => tr!("a list of changes, with \"changes\""),
+            Self::Result => tr!("a result, with \"status\""),
         }
     }
 }
@@ -160,8 +160,11 @@ fn version_fault(text: &str) -> Option<Fault> {
     }
     let fault = Fault::at(
         "giveway",
-        format!("version {number} of the format"),
-        format!("version {}, the only one known here", Version::NUMBER),
+        tr!("version {number} of the format", number),
+        tr!(
+            "version {number}, the only one known here",
+            number = Version::NUMBER
+        ),
     );
     in_text(text, vec![fault]).pop()
 }

@@ -1,9 +1,25 @@
 //! The JSON library's messages as phrases for people.
 //!
 //! The library gives its reasons as text only, so they are told apart by their
-//! words; one that is not known here is passed on as it is.
+//! words; one that is not known here is passed on as it is. Its words are English in
+//! every language, so that they can be told apart; what is made of them is not.
 
 use super::text::shorten;
+use crate::words::{Later, retold};
+use crate::{tr, tr_later};
+
+/// Phrases that come within a message, as values of this project's types say them.
+const KNOWN: [Later; 9] = [
+    tr_later!("{what} twice"),
+    tr_later!("each cost once"),
+    tr_later!("each robot once"),
+    tr_later!("version {number} of the format"),
+    tr_later!("version {number}, the only one known here"),
+    tr_later!("small letters, digits and hyphens, at most {most}"),
+    tr_later!("a boolean"),
+    tr_later!("one of {names}"),
+    tr_later!("{names} or {last}"),
+];
 
 /// What was found and what was expected.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -24,47 +40,57 @@ fn phrase(found: impl Into<String>, expected: impl Into<String>) -> Phrase {
 pub(super) fn of_syntax(message: &str, rest: &str, whole: bool) -> Phrase {
     let found = character(rest);
     match message {
-        "EOF while parsing a list" => phrase("the end of the file inside a list", "a closing ]"),
-        "EOF while parsing an object" => {
-            phrase("the end of the file inside an object", "a closing }")
+        "EOF while parsing a list" => {
+            phrase(tr!("the end of the file inside a list"), tr!("a closing ]"))
         }
-        "EOF while parsing a string" => {
-            phrase("the end of the file inside a text", "a closing quote")
-        }
-        "EOF while parsing a value" => phrase("the end of the file", "a value"),
-        "expected value" | "expected ident" if whole => phrase(found, "a JSON object"),
-        "expected value" | "expected ident" => phrase(found, "a JSON value"),
-        "expected `:`" => phrase(found, "a colon after the key"),
-        "expected `,` or `]`" => phrase(found, "a comma or a closing ]"),
-        "expected `,` or `}`" => phrase(found, "a comma or a closing }"),
-        "key must be a string" => phrase(found, "a key in double quotes"),
-        "trailing comma" => phrase("a comma after the last entry", "no comma there"),
-        "trailing characters" => phrase(found, "the end of the file"),
-        "invalid escape" => phrase(
-            "an unknown escape in a text",
-            "one that JSON has, such as \\n",
+        "EOF while parsing an object" => phrase(
+            tr!("the end of the file inside an object"),
+            tr!("a closing }"),
         ),
-        "invalid number" => phrase("a number written in a wrong way", "one such as 12"),
-        "number out of range" => phrase("a number that is too large", "a smaller one"),
+        "EOF while parsing a string" => phrase(
+            tr!("the end of the file inside a text"),
+            tr!("a closing quote"),
+        ),
+        "EOF while parsing a value" => phrase(tr!("the end of the file"), tr!("a value")),
+        "expected value" | "expected ident" if whole => phrase(found, tr!("a JSON object")),
+        "expected value" | "expected ident" => phrase(found, tr!("a JSON value")),
+        "expected `:`" => phrase(found, tr!("a colon after the key")),
+        "expected `,` or `]`" => phrase(found, tr!("a comma or a closing ]")),
+        "expected `,` or `}`" => phrase(found, tr!("a comma or a closing }")),
+        "key must be a string" => phrase(found, tr!("a key in double quotes")),
+        "trailing comma" => phrase(tr!("a comma after the last entry"), tr!("no comma there")),
+        "trailing characters" => phrase(found, tr!("the end of the file")),
+        "invalid escape" => phrase(
+            tr!("an unknown escape in a text"),
+            tr!("one that JSON has, such as \\n"),
+        ),
+        "invalid number" => phrase(
+            tr!("a number written in a wrong way"),
+            tr!("one such as 12"),
+        ),
+        "number out of range" => phrase(tr!("a number that is too large"), tr!("a smaller one")),
         "recursion limit exceeded" => phrase(
-            "lists or objects nested very deeply",
-            "the few levels of the format",
+            tr!("lists or objects nested very deeply"),
+            tr!("the few levels of the format"),
         ),
         _ if message.starts_with("control character") => phrase(
-            "a line break or another control character inside a text",
-            "a closing quote before it",
+            tr!("a line break or another control character inside a text"),
+            tr!("a closing quote before it"),
         ),
-        other => phrase(shorten(other), "well-formed JSON"),
+        other => phrase(shorten(other), tr!("well-formed JSON")),
     }
 }
 
 /// The first character of a text, as a phrase.
 fn character(rest: &str) -> String {
     match rest.chars().next() {
-        None => "the end of the file".to_owned(),
-        Some('\n' | '\r') => "the end of the line".to_owned(),
-        Some('"') => "a double quote".to_owned(),
-        Some(c) if c.is_control() => format!("the control character U+{:04X}", c as u32),
+        None => tr!("the end of the file").to_owned(),
+        Some('\n' | '\r') => tr!("the end of the line").to_owned(),
+        Some('"') => tr!("a double quote").to_owned(),
+        Some(c) if c.is_control() => tr!(
+            "the control character U+{code}",
+            code = format!("{:04X}", c as u32)
+        ),
         Some(c) => format!("\"{c}\""),
     }
 }
@@ -86,19 +112,19 @@ pub(super) fn key_of(message: &str) -> Option<&str> {
 pub(super) fn of_data(message: &str) -> Phrase {
     if let Some(key) = message.strip_prefix("missing field ") {
         let key = key.trim_matches('`');
-        return phrase(format!("no key \"{key}\""), "one here");
+        return phrase(tr!("no key \"{key}\"", key), tr!("one here"));
     }
     if let Some(key) = message.strip_prefix("duplicate field ") {
         let key = shorten(key.trim_matches('`'));
-        return phrase(format!("the key \"{key}\" again"), "each key once");
+        return phrase(tr!("the key \"{key}\" again", key), tr!("each key once"));
     }
     let Some((found, expected)) = message.rsplit_once(", expected ") else {
-        return phrase(shorten(message), "what the format describes");
+        return phrase(shorten(message), tr!("what the format describes"));
     };
     let expected = expectation(expected);
     if let Some(key) = found.strip_prefix("unknown field ") {
         let key = shorten(key.trim_matches('`'));
-        return phrase(format!("the unknown key \"{key}\""), expected);
+        return phrase(tr!("the unknown key \"{key}\"", key), expected);
     }
     let found = found
         .strip_prefix("invalid type: ")
@@ -112,37 +138,44 @@ pub(super) fn of_data(message: &str) -> Phrase {
 /// A value that the library names, as a phrase.
 fn value(found: &str) -> String {
     match found.split_once(' ') {
-        None if found == "map" => "an object".to_owned(),
-        None if found == "sequence" => "a list".to_owned(),
+        None if found == "map" => tr!("an object").to_owned(),
+        None if found == "sequence" => tr!("a list").to_owned(),
         Some(("boolean", word)) => word.trim_matches('`').to_owned(),
-        Some(("integer", number)) => format!("the number {}", number.trim_matches('`')),
+        Some(("integer", number)) => tr!("the number {number}", number = number.trim_matches('`')),
         Some(("floating", number)) => {
             let number = number.trim_start_matches("point ").trim_matches('`');
-            format!("the number {number}")
+            tr!("the number {number}", number)
         }
-        Some(("string", text)) => format!("the text \"{}\"", shorten(text.trim_matches('"'))),
+        Some(("string", text)) => tr!(
+            "the text \"{text}\"",
+            text = shorten(text.trim_matches('"'))
+        ),
         Some(("invalid", length)) => match length.trim_start_matches("length ") {
-            "0" => "an empty list".to_owned(),
-            "1" => "a list of one".to_owned(),
-            length => format!("a list of {length}"),
+            "0" => tr!("an empty list").to_owned(),
+            "1" => tr!("a list of one").to_owned(),
+            length => tr!("a list of {length}", length),
         },
         _ if found.starts_with('`') => format!("\"{}\"", shorten(found.trim_matches('`'))),
-        _ => shorten(found),
+        _ => shorten(&retold(found, &KNOWN)),
     }
 }
 
 /// What the library expects, as a phrase.
 fn expectation(expected: &str) -> String {
     match expected {
-        "u32" | "u64" => format!("a whole number from 0 to {}", u32::MAX),
-        "i32" => format!("a whole number from {} to {}", i32::MIN, i32::MAX),
-        "a string" => "a text in double quotes".to_owned(),
-        "a sequence" => "a list".to_owned(),
-        "a map" => "an object".to_owned(),
-        "struct Battery" => "an object with capacity and initial".to_owned(),
-        "struct Written" => "an object with at and change".to_owned(),
-        "struct Agent" => "an object with name, start and goal".to_owned(),
-        other if other.starts_with("struct ") => "an object".to_owned(),
-        other => other.replace('`', ""),
+        "u32" | "u64" => tr!("a whole number from 0 to {most}", most = u32::MAX),
+        "i32" => tr!(
+            "a whole number from {least} to {most}",
+            least = i32::MIN,
+            most = i32::MAX
+        ),
+        "a string" => tr!("a text in double quotes").to_owned(),
+        "a sequence" => tr!("a list").to_owned(),
+        "a map" => tr!("an object").to_owned(),
+        "struct Battery" => tr!("an object with capacity and initial").to_owned(),
+        "struct Written" => tr!("an object with at and change").to_owned(),
+        "struct Agent" => tr!("an object with name, start and goal").to_owned(),
+        other if other.starts_with("struct ") => tr!("an object").to_owned(),
+        other => retold(&other.replace('`', ""), &KNOWN),
     }
 }

@@ -1,6 +1,6 @@
 //! Bytes as text, and places in a text.
 
-use crate::Fault;
+use crate::{Fault, tr, tr_later};
 
 /// The bytes of a file as text, without the byte order mark that some editors
 /// put first.
@@ -15,10 +15,12 @@ pub fn read_text(bytes: &[u8]) -> Result<&str, Fault> {
             let good = String::from_utf8_lossy(good);
             let (line, column) = position(&good, good.len());
             let byte = bytes.get(error.valid_up_to()).copied().unwrap_or_default();
-            Err(
-                Fault::at("", format!("the byte 0x{byte:02X}"), "text in UTF-8")
-                    .in_text(line, column),
+            Err(Fault::at(
+                "",
+                tr!("the byte {byte}", byte = format!("0x{byte:02X}")),
+                tr_later!("text in UTF-8"),
             )
+            .in_text(line, column))
         }
     }
 }

@@ -5,7 +5,8 @@ mod variant;
 use std::collections::{BTreeMap, BTreeSet};
 
 use crate::{
-    Agent, AtGoal, Cell, Fault, Grid, GridError, Ground, Objective, Rules, Scene, Version,
+    Agent, AtGoal, Cell, Fault, Grid, GridError, Ground, Objective, Rules, Scene, Version, tr,
+    tr_later,
 };
 
 /// The largest map side that is accepted, in cells.
@@ -54,15 +55,19 @@ impl Instance {
         if grid.width() > MAX_SIDE || grid.height() > MAX_SIDE {
             faults.push(Fault::at(
                 "map",
-                format!("a map of {} x {} cells", grid.width(), grid.height()),
-                format!("at most {MAX_SIDE} x {MAX_SIDE}"),
+                tr!(
+                    "a map of {width} x {height} cells",
+                    width = grid.width(),
+                    height = grid.height()
+                ),
+                tr!("at most {most} x {most}", most = MAX_SIDE),
             ));
         }
         if scene.agents.len() > MAX_AGENTS {
             faults.push(Fault::at(
                 "agents",
-                format!("{} robots", scene.agents.len()),
-                format!("at most {MAX_AGENTS}"),
+                tr!("{n} robot" | "{n} robots" % scene.agents.len()),
+                tr!("at most {most}", most = MAX_AGENTS),
             ));
         }
         if faults.is_empty() {
@@ -135,23 +140,29 @@ impl Instance {
 
 fn map_fault(scene: &Scene, error: &GridError) -> Fault {
     match *error {
-        GridError::Empty if scene.map.is_empty() => {
-            Fault::at("map", "no rows", "at least one row of cells")
-        }
-        GridError::Empty => Fault::at("map[0]", "an empty row", "at least one cell"),
+        GridError::Empty if scene.map.is_empty() => Fault::at(
+            "map",
+            tr_later!("no rows"),
+            tr_later!("at least one row of cells"),
+        ),
+        GridError::Empty => Fault::at(
+            "map[0]",
+            tr_later!("an empty row"),
+            tr_later!("at least one cell"),
+        ),
         GridError::Ragged {
             row,
             found,
             expected,
         } => Fault::at(
             format!("map[{row}]"),
-            format!("a row of {found} cells"),
-            format!("{expected}, as in the first row"),
+            tr!("a row of {n} cells", n = found),
+            tr!("{width}, as in the first row", width = expected),
         ),
         GridError::Unknown { row, column, found } => Fault::at(
             format!("map[{row}][{column}]"),
             format!("\"{}\"", found.escape_debug()),
-            "one of . # ~ + *",
+            tr_later!("one of . # ~ + *"),
         ),
     }
 }
@@ -162,8 +173,8 @@ fn check_agent(agents: &[Agent], i: usize, grid: &Grid, faults: &mut Vec<Fault>)
     if agent.name.is_empty() {
         faults.push(Fault::at(
             format!("{place}.name"),
-            "an empty name",
-            "a name",
+            tr_later!("an empty name"),
+            tr_later!("a name"),
         ));
     }
     let mut cell = |cell: Cell, key: String| match grid.ground(cell) {
@@ -171,13 +182,17 @@ fn check_agent(agents: &[Agent], i: usize, grid: &Grid, faults: &mut Vec<Fault>)
             key,
             // As it is written, however large.
             format!("({}, {})", cell.x, cell.y),
-            format!("a cell of the {} x {} map", grid.width(), grid.height()),
+            tr!(
+                "a cell of the {width} x {height} map",
+                width = grid.width(),
+                height = grid.height()
+            ),
         )),
         Some(Ground::Obstacle) => {
             faults.push(Fault::at(
                 key,
-                format!("the obstacle {cell}"),
-                "a free cell",
+                tr!("the obstacle {cell}", cell),
+                tr_later!("a free cell"),
             ));
         }
         Some(_) => {}
@@ -192,8 +207,8 @@ fn check_agent(agents: &[Agent], i: usize, grid: &Grid, faults: &mut Vec<Fault>)
         if !seen.insert(w) {
             faults.push(Fault::at(
                 format!("{place}.waypoints[{k}]"),
-                format!("{w} again"),
-                "each waypoint once",
+                tr!("{cell} again", cell = w),
+                tr_later!("each waypoint once"),
             ));
         }
     }
@@ -202,14 +217,17 @@ fn check_agent(agents: &[Agent], i: usize, grid: &Grid, faults: &mut Vec<Fault>)
             faults.push(Fault::at(
                 format!("{place}.battery.capacity"),
                 battery.capacity.to_string(),
-                format!("at most {MAX_CAPACITY}"),
+                tr!("at most {most}", most = MAX_CAPACITY),
             ));
         }
         if battery.initial > battery.capacity {
             faults.push(Fault::at(
                 format!("{place}.battery.initial"),
                 battery.initial.to_string(),
-                format!("at most the capacity, {}", battery.capacity),
+                tr!(
+                    "at most the capacity, {capacity}",
+                    capacity = battery.capacity
+                ),
             ));
         }
     }
@@ -226,15 +244,19 @@ fn check_shared(scene: &Scene, faults: &mut Vec<Fault>) {
         {
             faults.push(Fault::at(
                 format!("agents[{i}].name"),
-                format!("\"{}\", the name of agents[{first}]", agent.name),
-                "a name of its own",
+                tr!(
+                    "\"{name}\", the name of agents[{first}]",
+                    name = agent.name,
+                    first
+                ),
+                tr_later!("a name of its own"),
             ));
         }
         if let Some(first) = starts.insert(agent.start, agent.name.as_str()) {
             faults.push(Fault::at(
                 format!("agents[{i}].start"),
-                format!("{}, the start of {first}", agent.start),
-                "a start of its own",
+                tr!("{start}, the start of {first}", start = agent.start, first),
+                tr_later!("a start of its own"),
             ));
         }
         if scene.rules.at_goal == AtGoal::Stay
@@ -242,8 +264,8 @@ fn check_shared(scene: &Scene, faults: &mut Vec<Fault>) {
         {
             faults.push(Fault::at(
                 format!("agents[{i}].goal"),
-                format!("{}, the goal of {first}", agent.goal),
-                "a goal of its own, since robots stay at their goals",
+                tr!("{goal}, the goal of {first}", goal = agent.goal, first),
+                tr_later!("a goal of its own, since robots stay at their goals"),
             ));
         }
     }

@@ -1,7 +1,7 @@
 //! The parts of a question, and the question that they make.
 
 use super::{Question, WordsError};
-use crate::Cell;
+use crate::{Cell, tr};
 
 /// The word that stands for whichever agent, in `no-visit any`.
 const ANY: &str = "any";
@@ -163,12 +163,24 @@ impl Asked {
 
     fn agent(&self, index: usize) -> Result<String, WordsError> {
         let found = self.agents.get(index).cloned();
-        let which = if index == 0 { "a robot" } else { "two robots" };
-        found.ok_or_else(|| WordsError::Sentence(format!("\"{}\" needs {which}.", self.kind)))
+        let kind = &self.kind;
+        found.ok_or_else(|| {
+            WordsError::Sentence(if index == 0 {
+                tr!("\"{kind}\" needs a robot.", kind)
+            } else {
+                tr!("\"{kind}\" needs two robots.", kind)
+            })
+        })
     }
 
     fn need<T>(&self, option: &str, value: Option<T>) -> Result<T, WordsError> {
-        value.ok_or_else(|| WordsError::Sentence(format!("\"{}\" needs --{option}.", self.kind)))
+        value.ok_or_else(|| {
+            WordsError::Sentence(tr!(
+                "\"{kind}\" needs --{option}.",
+                kind = self.kind,
+                option
+            ))
+        })
     }
 
     /// Refuses what the question does not use, rather than to answer another.
@@ -176,16 +188,20 @@ impl Asked {
         let used = Self::of(question);
         if let Some(agent) = self.agents.get(used.agents.len()) {
             let kind = &self.kind;
-            return Err(WordsError::Sentence(format!(
-                "\"{kind}\" does not use \"{agent}\"."
+            return Err(WordsError::Sentence(tr!(
+                "\"{kind}\" does not use \"{agent}\".",
+                kind,
+                agent
             )));
         }
         let options = used.options();
         for (option, _) in self.options() {
             if options.iter().all(|(other, _)| *other != option) {
                 let kind = &self.kind;
-                return Err(WordsError::Sentence(format!(
-                    "\"{kind}\" does not use --{option}."
+                return Err(WordsError::Sentence(tr!(
+                    "\"{kind}\" does not use --{option}.",
+                    kind,
+                    option
                 )));
             }
         }

@@ -6,7 +6,7 @@ use super::least::already_least;
 use super::not_so::not_so;
 use super::{Misfit, Question, so};
 use crate::check::Walk;
-use crate::{Cell, Fault, Ground, Instance, Plan, tr};
+use crate::{Cell, Fault, Ground, Instance, Plan, tr, tr_later};
 
 /// Agents that a fault lists by name.
 const NAMED: usize = 8;
@@ -33,11 +33,11 @@ pub fn names_exist(question: &Question, instance: &Instance) -> Result<(), Misfi
             at.map_or(Ok(()), |at| on_map("at", at))?;
             let from = from.unwrap_or(0);
             if let Some(to) = to.filter(|&to| to <= from) {
-                let expected = format!("a time after {from}, since a wait takes a step");
-                return fault("to", format!("time {to}"), expected);
+                let expected = tr!("a time after {from}, since a wait takes a step", from);
+                return fault("to", tr!("time {time}", time = to), expected);
             }
             if at_least == Some(0) {
-                return fault("at-least", "0", "at least 1 step");
+                return fault("at-least", "0", tr_later!("at least 1 step"));
             }
             Ok(())
         }
@@ -60,7 +60,11 @@ pub fn names_exist(question: &Question, instance: &Instance) -> Result<(), Misfi
             about.vertex("first", first)?;
             about.vertex("second", second)?;
             if first == second {
-                return fault("second", format!("{second} again"), "another cell");
+                return fault(
+                    "second",
+                    tr!("{cell} again", cell = second),
+                    tr_later!("another cell"),
+                );
             }
             Ok(())
         }
@@ -136,7 +140,11 @@ fn precedence(
     at: Cell,
 ) -> Result<(), Misfit> {
     if agent == to {
-        return fault("agents", format!("{agent} twice"), "two different robots");
+        return fault(
+            "agents",
+            tr!("{what} twice", what = agent),
+            tr_later!("two different robots"),
+        );
     }
     let visit = |name: &str| walk(instance, plan, name).and_then(|walk| first_visit(&walk, at));
     let (is_so, ask) = match (visit(agent), visit(to)) {
@@ -206,10 +214,15 @@ impl Names<'_> {
         }
         let names: Vec<&str> = agents.iter().map(|agent| agent.name.as_str()).collect();
         let expected = match names.as_slice() {
-            [] => "a robot, but there is none".to_owned(),
+            [] => tr!("a robot, but there is none").to_owned(),
             [one] => one.to_string(),
-            names if names.len() <= NAMED => format!("one of {}", names.join(", ")),
-            [first, .., last] => format!("one of the {} robots {first} to {last}", names.len()),
+            names if names.len() <= NAMED => tr!("one of {names}", names = names.join(", ")),
+            [first, .., last] => tr!(
+                "one of the {n} robots {first} to {last}",
+                n = names.len(),
+                first,
+                last
+            ),
         };
         fault("agent", format!("\"{name}\""), expected)
     }
@@ -219,14 +232,22 @@ impl Names<'_> {
         if grid.ground(cell).is_some() {
             return Ok(());
         }
-        let expected = format!("a cell of the {} x {} map", grid.width(), grid.height());
+        let expected = tr!(
+            "a cell of the {width} x {height} map",
+            width = grid.width(),
+            height = grid.height()
+        );
         fault(key, cell.to_string(), expected)
     }
 
     fn vertex(&self, key: &str, cell: Cell) -> Result<(), Misfit> {
         self.on_map(key, cell)?;
         if self.instance.grid().ground(cell) == Some(Ground::Obstacle) {
-            return fault(key, format!("the obstacle {cell}"), "a free cell");
+            return fault(
+                key,
+                tr!("the obstacle {cell}", cell),
+                tr_later!("a free cell"),
+            );
         }
         Ok(())
     }
@@ -243,11 +264,14 @@ impl Names<'_> {
             .map(|(cell, _)| cell.to_string())
             .collect();
         let expected = if chargers.is_empty() {
-            "a charger, but the map has none".to_owned()
+            tr!("a charger, but the map has none").to_owned()
         } else {
-            format!("one of the chargers: {}", so::list(&chargers))
+            tr!(
+                "one of the chargers: {chargers}",
+                chargers = so::list(&chargers)
+            )
         };
-        fault("at", format!("{cell}, which is not a charger"), expected)
+        fault("at", tr!("{cell}, which is not a charger", cell), expected)
     }
 
     fn edge(&self, from: Cell, to: Cell) -> Result<(), Misfit> {
@@ -256,7 +280,7 @@ impl Names<'_> {
         if from.touches(to) {
             return Ok(());
         }
-        let expected = format!("a neighbour of {from}");
+        let expected = tr!("a neighbour of {from}", from);
         fault("to-cell", to.to_string(), expected)
     }
 }

@@ -5,7 +5,7 @@ use std::str::FromStr;
 
 use super::Question;
 use super::asked::{Asked, KINDS};
-use crate::{Cell, Fault};
+use crate::{Cell, Fault, tr};
 
 /// Why words are no question; told as a sentence.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -43,8 +43,12 @@ impl fmt::Display for WordsError {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
             Self::Kind(kind) => {
-                let (found, kinds) = (quoted(kind), KINDS.join(", "));
-                write!(f, "Found {found}, expected one of {kinds}.")
+                let kinds = KINDS.join(", ");
+                f.write_str(&if kind.is_empty() {
+                    tr!("Found no question, expected one of {kinds}.", kinds)
+                } else {
+                    tr!("Found \"{kind}\", expected one of {kinds}.", kind, kinds)
+                })
             }
             Self::Sentence(sentence) => f.write_str(sentence),
         }
@@ -77,9 +81,9 @@ pub fn from_words<S: AsRef<str>>(words: &[S]) -> Result<Question, WordsError> {
             asked.agents.push(word.to_owned());
             continue;
         };
-        let value = words
-            .next()
-            .ok_or_else(|| WordsError::Sentence(format!("Found --{option} without a value.")))?;
+        let value = words.next().ok_or_else(|| {
+            WordsError::Sentence(tr!("Found --{option} without a value.", option))
+        })?;
         asked.set(option, value)?;
     }
     asked.question()
@@ -106,12 +110,13 @@ impl Asked {
     /// A sentence: there is no such option, or the value cannot be read.
     pub fn set(&mut self, option: &str, value: &str) -> Result<(), WordsError> {
         let cell = |place: &mut Option<Cell>| {
-            *place = Some(read_cell(value).ok_or_else(|| unread(option, value, "a cell X,Y"))?);
+            *place =
+                Some(read_cell(value).ok_or_else(|| unread(option, value, tr!("a cell X,Y")))?);
             Ok(())
         };
         let number = |place: &mut Option<u32>| {
             let read = u32::from_str(value);
-            *place = Some(read.map_err(|_| unread(option, value, "a whole number"))?);
+            *place = Some(read.map_err(|_| unread(option, value, tr!("a whole number")))?);
             Ok(())
         };
         match option {
@@ -125,8 +130,9 @@ impl Asked {
             "time" => number(&mut self.time),
             "at-least" => number(&mut self.at_least),
             "fewer-than" => number(&mut self.fewer_than),
-            _ => Err(WordsError::Sentence(format!(
-                "There is no option --{option}."
+            _ => Err(WordsError::Sentence(tr!(
+                "There is no option --{option}.",
+                option
             ))),
         }
     }
@@ -154,8 +160,11 @@ impl Asked {
 }
 
 fn unread(option: &str, value: &str, expected: &str) -> WordsError {
-    WordsError::Sentence(format!(
-        "--{option}: found \"{value}\", expected {expected}."
+    WordsError::Sentence(tr!(
+        "--{option}: found \"{value}\", expected {expected}.",
+        option,
+        value,
+        expected
     ))
 }
 

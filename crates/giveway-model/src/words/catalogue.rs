@@ -74,6 +74,24 @@ pub fn speak(catalogue: Option<&'static Catalogue>) {
     SPOKEN.set(catalogue);
 }
 
+/// What is done while this thread speaks English, such as a text that programs compare.
+///
+/// ```
+/// use giveway_model::tr;
+/// use giveway_model::words::{Catalogue, in_english, speak};
+/// let text = "msgid \"Undo\"\nmsgstr \"Rückgängig\"\n";
+/// speak(Some(Catalogue::read(text, Box::new(|_| 0)).unwrap().kept()));
+/// assert_eq!(in_english(|| tr!("Undo")), "Undo");
+/// assert_eq!(tr!("Undo"), "Rückgängig");
+/// speak(None);
+/// ```
+pub fn in_english<T>(done: impl FnOnce() -> T) -> T {
+    let before = SPOKEN.replace(None);
+    let done = done();
+    SPOKEN.set(before);
+    done
+}
+
 /// What this thread speaks, if it is not English.
 pub(super) fn spoken() -> Option<&'static Catalogue> {
     SPOKEN.get()

@@ -10,7 +10,7 @@ use std::fmt::Display;
 
 use crate::{Cost, Costs, tr};
 
-pub use catalogue::{Catalogue, PluralRule, speak};
+pub use catalogue::{Catalogue, PluralRule, in_english, speak};
 pub use po::{Message, NoCatalogue, read as messages};
 pub use tr::{Later, found, retold, translated};
 #[doc(hidden)]

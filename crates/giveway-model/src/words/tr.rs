@@ -116,6 +116,12 @@ impl Later {
     }
 }
 
+impl From<Later> for String {
+    fn from(later: Later) -> Self {
+        later.text().to_owned()
+    }
+}
+
 /// A text without places in the language that is spoken.
 pub fn text(key: &'static str) -> &'static str {
     match spoken().and_then(|catalogue| catalogue.text(key)) {

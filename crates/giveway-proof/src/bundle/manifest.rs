@@ -2,7 +2,8 @@
 
 use std::collections::{BTreeMap, BTreeSet};
 
-use giveway_model::{Cost, Costs, Instance, Objective};
+use giveway_model::words::in_english;
+use giveway_model::{Cost, Costs, Instance, Objective, tr};
 use serde::{Deserialize, Serialize};
 use sha2::{Digest as _, Sha256};
 
@@ -136,10 +137,10 @@ pub enum Method {
 
 impl Method {
     /// What was searched, for a sentence.
-    pub const fn words(self) -> &'static str {
+    pub fn words(self) -> &'static str {
         match self {
-            Self::Alone => "each robot alone",
-            Self::Joint => "all states of all robots",
+            Self::Alone => tr!("a search of ..." => "each robot alone"),
+            Self::Joint => tr!("a search of ..." => "all states of all robots"),
         }
     }
 }
@@ -168,9 +169,10 @@ impl Manifest {
         Some(expected)
     }
 
-    /// The `README.md` of a certificate with this manifest, about this instance.
+    /// The `README.md` of a certificate with this manifest, about this instance. It is in
+    /// English whatever is spoken, since whoever checks it writes it again.
     pub fn readme(&self, instance: &Instance) -> String {
-        readme::text(self, instance)
+        in_english(|| readme::text(self, instance))
     }
 
     /// The one text that this manifest has: any other is not it.

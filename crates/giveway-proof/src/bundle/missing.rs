@@ -1,5 +1,6 @@
 //! Why a claim has nothing to be shown by.
 
+use giveway_model::tr;
 use serde::{Deserialize, Serialize};
 
 /// Why a claim has nothing to be shown by. A choice and no text, so that nothing
@@ -23,19 +24,20 @@ pub enum Missing {
 
 impl Missing {
     /// The same as a sentence.
-    pub const fn sentence(self) -> &'static str {
+    pub fn sentence(self) -> &'static str {
         match self {
-            Self::FormulaTooLarge => "Its formula would be too large.",
+            Self::FormulaTooLarge => tr!("Its formula would be too large."),
             Self::NoHorizon => {
-                "It is about plans of any makespan, and no formula can cover them all."
+                tr!("It is about plans of any makespan, and no formula can cover them all.")
             }
-            Self::NoAgent => "It is about a robot that does not exist.",
+            Self::NoAgent => tr!("It is about a robot that does not exist."),
             Self::Contradicted => {
-                "Its formula can be satisfied, which contradicts the claim: the solver or the \
-                 formula is wrong."
+                tr!(
+                    "Its formula can be satisfied, which contradicts the claim: the solver or the formula is wrong."
+                )
             }
-            Self::ProofTooLarge => "Its proof took too long or became too large.",
-            Self::SearchTooLarge => "The search for it was too large.",
+            Self::ProofTooLarge => tr!("Its proof took too long or became too large."),
+            Self::SearchTooLarge => tr!("The search for it was too large."),
         }
     }
 }

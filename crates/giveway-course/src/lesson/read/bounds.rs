@@ -1,6 +1,6 @@
 //! How large the parts of a file may be, and the faults that are gathered.
 
-use giveway_model::{Fault, format::native};
+use giveway_model::{Fault, format::native, tr};
 
 /// The most bytes of a file.
 pub const MAX_BYTES: usize = 1 << 20;
@@ -58,7 +58,7 @@ impl Faults {
             self.add(
                 place,
                 format!("{count} {things}"),
-                format!("at most {most}"),
+                tr!("at most {most}", most),
             );
         }
     }
@@ -66,19 +66,23 @@ impl Faults {
     /// A name must be there, and short.
     pub(super) fn title(&mut self, place: &str, title: &str) {
         if title.trim().is_empty() {
-            self.add(place, "no words", "a title");
+            self.add(place, tr!("no words"), tr!("a title"));
         }
         let length = title.chars().count();
-        self.few(place, length, MAX_TITLE, "characters");
+        self.few(place, length, MAX_TITLE, tr!("counted" => "characters"));
         if title.chars().any(char::is_control) {
-            self.add(place, "a control character", "one line of text");
+            self.add(place, tr!("a control character"), tr!("one line of text"));
         }
     }
 
     /// A number must be within bounds.
     pub(super) fn range(&mut self, place: &str, number: u32, least: u32, most: u32) {
         if !(least..=most).contains(&number) {
-            self.add(place, number.to_string(), format!("{least} to {most}"));
+            self.add(
+                place,
+                number.to_string(),
+                tr!("{least} to {most}", least, most),
+            );
         }
     }
 

@@ -1,6 +1,6 @@
 //! What a file must keep beside the types of its values.
 
-use giveway_model::{Instance, Plan, Scene};
+use giveway_model::{Instance, Plan, Scene, tr};
 
 use super::bounds::{
     Faults, MAX_CELLS, MAX_EDITS, MAX_HINTS, MAX_LESSONS, MAX_MINUTES, MAX_PARAGRAPHS, MAX_STEPS,
@@ -20,13 +20,22 @@ pub(super) fn lesson(lesson: &Lesson, glossary: &Glossary, faults: &mut Faults) 
     };
     nowhere.check("about", &lesson.about, faults);
     if lesson.steps.is_empty() {
-        faults.add("steps", "no steps", "at least one");
+        faults.add("steps", tr!("no steps"), tr!("at least one"));
     }
-    faults.few("steps", lesson.steps.len(), MAX_STEPS, "steps");
+    faults.few(
+        "steps",
+        lesson.steps.len(),
+        MAX_STEPS,
+        tr!("counted" => "steps"),
+    );
     if let Some(first) = lesson.steps.first()
         && first.scene.is_none()
     {
-        faults.add("steps[0]", "no scene", "a scene in the first step");
+        faults.add(
+            "steps[0]",
+            tr!("no scene"),
+            tr!("a scene in the first step"),
+        );
     }
     for (index, step) in lesson.steps.iter().take(MAX_STEPS).enumerate() {
         let targets = Targets {
@@ -42,11 +51,21 @@ fn step(place: &str, step: &Step, targets: &Targets<'_>, faults: &mut Faults) {
     let at = |part: &str| format!("{place}.{part}");
     faults.title(&at("title"), &step.title);
     if step.text.is_empty() {
-        faults.add(at("text"), "no paragraphs", "at least one");
+        faults.add(at("text"), tr!("no paragraphs"), tr!("at least one"));
     }
-    faults.few(&at("text"), step.text.len(), MAX_PARAGRAPHS, "paragraphs");
-    faults.few(&at("hints"), step.hints.len(), MAX_HINTS, "hints");
-    faults.few(&at("tools"), step.tools.len(), 8, "tools");
+    faults.few(
+        &at("text"),
+        step.text.len(),
+        MAX_PARAGRAPHS,
+        tr!("counted" => "paragraphs"),
+    );
+    faults.few(
+        &at("hints"),
+        step.hints.len(),
+        MAX_HINTS,
+        tr!("counted" => "hints"),
+    );
+    faults.few(&at("tools"), step.tools.len(), 8, tr!("counted" => "tools"));
     for (index, text) in step.text.iter().enumerate() {
         targets.check(&format!("{place}.text[{index}]"), text, faults);
     }
@@ -62,7 +81,11 @@ fn step(place: &str, step: &Step, targets: &Targets<'_>, faults: &mut Faults) {
     if let Some(plan) = &step.plan {
         self::plan(&at("plan"), plan, targets, faults);
         if step.solved {
-            faults.add(at("solved"), "true beside a plan", "one of the two");
+            faults.add(
+                at("solved"),
+                tr!("true beside a plan"),
+                tr!("one of the two"),
+            );
         }
     }
     faults.range(&at("time"), step.time, 0, MAX_TIME);
@@ -70,33 +93,42 @@ fn step(place: &str, step: &Step, targets: &Targets<'_>, faults: &mut Faults) {
         faults.range(&at("edits"), edits, 1, MAX_EDITS);
     }
     let cells = step.cells.iter().flatten();
-    faults.few(&at("cells"), cells.clone().count(), MAX_CELLS, "cells");
+    faults.few(
+        &at("cells"),
+        cells.clone().count(),
+        MAX_CELLS,
+        tr!("counted" => "cells"),
+    );
     for (index, cell) in cells.enumerate().take(MAX_CELLS) {
         if !targets.has_cell(*cell) {
-            let found = format!("the cell {cell}");
+            let found = tr!("the cell {cell}", cell);
             faults.add(
                 format!("{place}.cells[{index}]"),
                 found,
-                "a cell of the map",
+                tr!("a cell of the map"),
             );
         }
     }
     match &step.task {
         Some(task) => {
             if step.hints.is_empty() && !has_replies(task) {
-                faults.add(at("hints"), "no hints", "at least one");
+                faults.add(at("hints"), tr!("no hints"), tr!("at least one"));
             }
             if step.reason.is_none() {
                 faults.add(
                     place,
-                    "a task without \"reason\"",
-                    "why it is so, once solved",
+                    tr!("a task without \"reason\""),
+                    tr!("why it is so, once solved"),
                 );
             }
             tasks::check(place, step, task, targets, faults);
         }
         None if !step.hints.is_empty() || step.reason.is_some() => {
-            faults.add(place, "hints or a reason without a task", "a task");
+            faults.add(
+                place,
+                tr!("hints or a reason without a task"),
+                tr!("a task"),
+            );
         }
         None => {}
     }
@@ -118,17 +150,27 @@ fn scene(place: &str, scene: &Scene, faults: &mut Faults) {
 fn plan(place: &str, plan: &Plan, targets: &Targets<'_>, faults: &mut Faults) {
     for (name, path) in &plan.paths {
         if !targets.has_robot(name) {
-            let found = format!("the robot {name:?}");
-            faults.add(format!("{place}.paths"), found, "a robot of the scene");
+            let found = tr!("the robot {name}", name = format!("{name:?}"));
+            faults.add(format!("{place}.paths"), found, tr!("a robot of the scene"));
         }
         let most = MAX_TIME as usize;
-        faults.few(&format!("{place}.paths"), path.len(), most, "cells");
+        faults.few(
+            &format!("{place}.paths"),
+            path.len(),
+            most,
+            tr!("counted" => "cells"),
+        );
     }
 }
 
 pub(super) fn course(course: &Course, faults: &mut Faults) {
     faults.title("title", &course.title);
-    faults.few("chapters", course.lessons().count(), MAX_LESSONS, "lessons");
+    faults.few(
+        "chapters",
+        course.lessons().count(),
+        MAX_LESSONS,
+        tr!("counted" => "lessons"),
+    );
     let mut seen = Vec::new();
     for (c, chapter) in course.chapters.iter().enumerate() {
         faults.title(&format!("chapters[{c}].title"), &chapter.title);
@@ -139,8 +181,8 @@ pub(super) fn course(course: &Course, faults: &mut Faults) {
             let most = MAX_STEPS as u32;
             faults.range(&format!("{place}.steps"), entry.steps, 1, most);
             if seen.contains(&&entry.lesson) {
-                let found = format!("\"{}\" twice", entry.lesson);
-                faults.add(format!("{place}.lesson"), found, "each lesson once");
+                let found = tr!("\"{name}\" twice", name = entry.lesson);
+                faults.add(format!("{place}.lesson"), found, tr!("each lesson once"));
             }
             seen.push(&entry.lesson);
             picture(&format!("{place}.picture"), &entry.picture, faults);
@@ -149,14 +191,19 @@ pub(super) fn course(course: &Course, faults: &mut Faults) {
 }
 
 pub(super) fn glossary(glossary: &Glossary, faults: &mut Faults) {
-    faults.few("terms", glossary.terms.len(), MAX_TERMS, "terms");
+    faults.few(
+        "terms",
+        glossary.terms.len(),
+        MAX_TERMS,
+        tr!("counted" => "terms"),
+    );
     let mut seen = Vec::new();
     for (index, term) in glossary.terms.iter().take(MAX_TERMS).enumerate() {
         let place = format!("terms[{index}]");
         faults.title(&format!("{place}.name"), &term.name);
         if seen.contains(&&term.term) {
-            let found = format!("\"{}\" twice", term.term);
-            faults.add(format!("{place}.term"), found, "each term once");
+            let found = tr!("\"{name}\" twice", name = term.term);
+            faults.add(format!("{place}.term"), found, tr!("each term once"));
         }
         seen.push(&term.term);
         for (other, words) in term.also.iter().enumerate() {
@@ -178,7 +225,12 @@ pub(super) fn glossary(glossary: &Glossary, faults: &mut Faults) {
                 .chars()
                 .count()
                 .max(source.authors.chars().count());
-            faults.few(&format!("{place}.source"), length, most, "characters");
+            faults.few(
+                &format!("{place}.source"),
+                length,
+                most,
+                tr!("counted" => "characters"),
+            );
         }
     }
 }
@@ -189,8 +241,8 @@ fn picture(place: &str, picture: &Picture, faults: &mut Faults) {
     let cells = picture.plan.iter().flat_map(|plan| plan.paths.values());
     for cell in cells.flatten().flatten() {
         if !is_on(&picture.scene, *cell) {
-            let found = format!("the cell {cell}");
-            faults.add(format!("{place}.plan"), found, "a cell of the map");
+            let found = tr!("the cell {cell}", cell);
+            faults.add(format!("{place}.plan"), found, tr!("a cell of the map"));
         }
     }
 }

@@ -1,6 +1,6 @@
 //! Whether each link of a text has what it names.
 
-use giveway_model::{Cell, Grid, Scene};
+use giveway_model::{Cell, Grid, Scene, tr};
 
 use super::bounds::{Faults, MAX_TIME};
 use crate::lesson::{Glossary, Target, Text};
@@ -30,36 +30,36 @@ impl Targets<'_> {
     /// A paragraph that is not empty, each link with what it names.
     pub(super) fn check(&self, place: &str, text: &Text, faults: &mut Faults) {
         if text.is_empty() {
-            faults.add(place, "no words", "a sentence");
+            faults.add(place, tr!("no words"), tr!("a sentence"));
         }
         for target in text.targets() {
             match target {
                 Target::Robot(name) if !self.has_robot(name) => {
                     faults.add(
                         place,
-                        format!("a link to the robot {name:?}"),
-                        "a robot of the scene",
+                        tr!("a link to the robot {name}", name = format!("{name:?}")),
+                        tr!("a robot of the scene"),
                     );
                 }
                 Target::Cell(cell) if !self.has_cell(*cell) => {
                     faults.add(
                         place,
-                        format!("a link to the cell {cell}"),
-                        "a cell of the map",
+                        tr!("a link to the cell {cell}", cell),
+                        tr!("a cell of the map"),
                     );
                 }
                 Target::Term(term) if self.glossary.get(term).is_none() => {
                     faults.add(
                         place,
-                        format!("a link to the term \"{term}\""),
-                        "a term of the glossary",
+                        tr!("a link to the term \"{term}\"", term),
+                        tr!("a term of the glossary"),
                     );
                 }
                 Target::Time(time) if *time > MAX_TIME => {
                     faults.add(
                         place,
-                        format!("a link to time {time}"),
-                        format!("at most {MAX_TIME}"),
+                        tr!("a link to time {time}", time),
+                        tr!("at most {most}", most = MAX_TIME),
                     );
                 }
                 Target::Robot(_) | Target::Cell(_) | Target::Term(_) | Target::Time(_) => {}

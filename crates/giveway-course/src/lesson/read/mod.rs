@@ -7,7 +7,7 @@ mod links;
 mod tasks;
 mod within;
 
-use giveway_model::{Fault, format::native};
+use giveway_model::{Fault, format::native, tr};
 
 use super::{Course, Glossary, Lesson};
 use bounds::Faults;
@@ -70,8 +70,8 @@ pub fn read_glossary(text: &str) -> Result<Glossary, Vec<Fault>> {
 
 fn read<T: serde::de::DeserializeOwned>(text: &str) -> Result<T, Vec<Fault>> {
     if text.len() > MAX_BYTES {
-        let found = format!("{} bytes", text.len());
-        let fault = Fault::at("", found, format!("at most {MAX_BYTES}"));
+        let found = tr!("{n} bytes", n = text.len());
+        let fault = Fault::at("", found, tr!("at most {most}", most = MAX_BYTES));
         return Err(vec![fault.in_text(1, 1)]);
     }
     native::read_object(text).map_err(|fault| vec![within::task(text, fault)])

@@ -1,7 +1,7 @@
 //! Whether a task fits the step that it stands in.
 
 use giveway_model::change::What;
-use giveway_model::{Cost, Instance, Objective, check};
+use giveway_model::{Cost, Instance, Objective, check, tr};
 
 use super::bounds::{Faults, MAX_ANSWERS, MAX_ORDERED};
 use super::links::Targets;
@@ -40,7 +40,11 @@ pub(super) fn check(
     match task {
         Task::Paint(paint) => {
             if step.tools.is_empty() {
-                faults.add(place, "a \"paint\" task without tools", "at least one tool");
+                faults.add(
+                    place,
+                    tr!("a \"paint\" task without tools"),
+                    tr!("at least one tool"),
+                );
             }
             condition(&at("until"), &paint.until, step, targets, faults);
         }
@@ -51,7 +55,7 @@ pub(super) fn check(
         Task::Order(order) => {
             let robots = targets.scene.map_or(0, |scene| scene.agents.len());
             if order.find == OrderAim::None {
-                faults.few(&at("find"), robots, MAX_ORDERED, "robots");
+                faults.few(&at("find"), robots, MAX_ORDERED, tr!("counted" => "robots"));
             }
         }
         Task::Change(change) => self::change(place, change, step, targets, faults),
@@ -61,13 +65,13 @@ pub(super) fn check(
 fn lead(place: &str, lead: &Lead, targets: &Targets<'_>, faults: &mut Faults) {
     let at = format!("{place}.task.robots");
     if lead.robots.is_empty() {
-        faults.add(&at, "no robots", "at least one");
+        faults.add(&at, tr!("no robots"), tr!("at least one"));
     }
     for (index, name) in lead.robots.iter().enumerate() {
         robot(&format!("{at}[{index}]"), name, targets, faults);
     }
     let robots = targets.scene.map_or(0, |scene| scene.agents.len());
-    faults.few(&at, lead.robots.len(), robots, "robots");
+    faults.few(&at, lead.robots.len(), robots, tr!("counted" => "robots"));
 }
 
 fn predict(
@@ -85,9 +89,14 @@ fn predict(
         faults,
     );
     let at = format!("{place}.task.answers");
-    faults.few(&at, predict.answers.len(), MAX_ANSWERS, "answers");
+    faults.few(
+        &at,
+        predict.answers.len(),
+        MAX_ANSWERS,
+        tr!("counted" => "answers"),
+    );
     if predict.answers.len() == 1 {
-        faults.add(&at, "one answer", "none, or at least two");
+        faults.add(&at, tr!("one answer"), tr!("none, or at least two"));
     }
     for (index, guess) in predict.answers.iter().enumerate() {
         let at = format!("{at}[{index}]");
@@ -96,18 +105,26 @@ fn predict(
         let value = format!("{at}.value");
         if guess.value.kind() != predict.what.kind() {
             let found = format!("{:?}", guess.value.to_string());
-            faults.add(&value, found, "a value of what is asked for");
+            faults.add(&value, found, tr!("a value of what is asked for"));
         }
         match &guess.value {
             Value::Robot(name) => robot(&value, name, targets, faults),
             Value::Cell(cell) if !targets.has_cell(*cell) => {
-                faults.add(&value, format!("the cell {cell}"), "a cell of the map");
+                faults.add(
+                    &value,
+                    tr!("the cell {cell}", cell),
+                    tr!("a cell of the map"),
+                );
             }
             Value::Cell(_) | Value::Number(_) => {}
         }
         let mut before = predict.answers.iter().take(index);
         if before.any(|other| other.value == guess.value) {
-            faults.add(&value, format!("{} twice", guess.value), "each value once");
+            faults.add(
+                &value,
+                tr!("{what} twice", what = guess.value),
+                tr!("each value once"),
+            );
         }
     }
 }
@@ -129,11 +146,11 @@ fn quantity(
         Quantity::Points { costs } => {
             let is_front = (2..=3).contains(&costs.len()) && Objective::new(costs.clone()).is_ok();
             if !is_front {
-                let found = format!("{} costs", costs.len());
+                let found = tr!("{n} costs", n = costs.len());
                 faults.add(
                     format!("{place}.costs"),
                     found,
-                    "two or three different costs",
+                    tr!("two or three different costs"),
                 );
             }
         }
@@ -158,8 +175,8 @@ fn spot(place: &str, step: &Step, targets: &Targets<'_>, faults: &mut Faults) {
     if is_legal {
         faults.add(
             format!("{place}.plan"),
-            "a plan that breaks no rule",
-            "one with conflicts",
+            tr!("a plan that breaks no rule"),
+            tr!("one with conflicts"),
         );
     }
 }
@@ -169,13 +186,22 @@ fn choose(place: &str, choose: &Choose, step: &Step, targets: &Targets<'_>, faul
     if choose.answers.len() < 2 {
         faults.add(
             &at,
-            format!("{} answers", choose.answers.len()),
-            "at least two",
+            tr!("{n} answers", n = choose.answers.len()),
+            tr!("at least two"),
         );
     }
-    faults.few(&at, choose.answers.len(), MAX_ANSWERS, "answers");
+    faults.few(
+        &at,
+        choose.answers.len(),
+        MAX_ANSWERS,
+        tr!("counted" => "answers"),
+    );
     if !choose.answers.iter().any(|choice| choice.right) {
-        faults.add(&at, "no answer with \"right\": true", "at least one");
+        faults.add(
+            &at,
+            tr!("no answer with \"right\": true"),
+            tr!("at least one"),
+        );
     }
     for (index, choice) in choose.answers.iter().enumerate() {
         let at = format!("{at}[{index}]");
@@ -191,15 +217,20 @@ fn change(place: &str, change: &Change, step: &Step, targets: &Targets<'_>, faul
     planned(place, step, faults);
     let methods = format!("{place}.task.methods");
     if change.methods.is_empty() {
-        faults.add(&methods, "no methods", "at least one");
+        faults.add(&methods, tr!("no methods"), tr!("at least one"));
     }
-    faults.few(&methods, change.methods.len(), MAX_ANSWERS, "methods");
+    faults.few(
+        &methods,
+        change.methods.len(),
+        MAX_ANSWERS,
+        tr!("counted" => "methods"),
+    );
     if change.cost.is_none() && change.kept.is_none() {
         let task = format!("{place}.task");
         faults.add(
             task,
-            "neither \"cost\" nor \"kept\"",
-            "what must be reached",
+            tr!("neither \"cost\" nor \"kept\""),
+            tr!("what must be reached"),
         );
     }
     let robots = targets.scene.map_or(0, |scene| scene.agents.len()) as u32;
@@ -232,8 +263,8 @@ fn condition(
         } if one == other => {
             faults.add(
                 format!("{place}.costs"),
-                "a cost twice",
-                "two different costs",
+                tr!("a cost twice"),
+                tr!("two different costs"),
             );
         }
         Condition::Legal {} | Condition::Best {} | Condition::Beaten {} => {
@@ -245,7 +276,11 @@ fn condition(
 
 fn robot(place: &str, name: &str, targets: &Targets<'_>, faults: &mut Faults) {
     if !targets.has_robot(name) {
-        faults.add(place, format!("the robot {name:?}"), "a robot of the scene");
+        faults.add(
+            place,
+            tr!("the robot {name}", name = format!("{name:?}")),
+            tr!("a robot of the scene"),
+        );
     }
 }
 
@@ -254,17 +289,17 @@ fn robot(place: &str, name: &str, targets: &Targets<'_>, faults: &mut Faults) {
 fn optimised(place: &str, cost: Cost, targets: &Targets<'_>, faults: &mut Faults) {
     let costs = targets.scene.map(|scene| scene.objective.costs());
     if costs.is_some_and(|costs| !costs.contains(&cost)) {
-        let found = format!("the cost {cost}");
+        let found = tr!("the cost {cost}", cost);
         faults.add(
             format!("{place}.cost"),
             found,
-            "a cost of the scene's objective",
+            tr!("a cost of the scene's objective"),
         );
     }
 }
 
 fn planned(place: &str, step: &Step, faults: &mut Faults) {
     if step.plan.is_none() {
-        faults.add(place, "no plan", "a plan that the task is about");
+        faults.add(place, tr!("no plan"), tr!("a plan that the task is about"));
     }
 }

@@ -8,7 +8,7 @@ use std::fmt;
 use std::iter::Peekable;
 use std::str::{CharIndices, FromStr};
 
-use giveway_model::Cell;
+use giveway_model::{Cell, tr};
 
 use super::{MAX_CHARACTERS, Span, Target, Text};
 
@@ -30,7 +30,9 @@ impl fmt::Display for MarkupError {
             found,
             expected,
         } = self;
-        write!(f, "found {found} at character {at}, expected {expected}")
+        // In the words that a reader of JSON tells apart.
+        let found = tr!("{found} at character {at}", found, at);
+        write!(f, "found {found}, expected {expected}")
     }
 }
 
@@ -42,8 +44,8 @@ impl FromStr for Text {
     fn from_str(source: &str) -> Result<Self, MarkupError> {
         let length = source.chars().count();
         if length > MAX_CHARACTERS {
-            let found = format!("a paragraph of {length} characters");
-            return Err(error(MAX_CHARACTERS, found, "at most 1200"));
+            let found = tr!("a paragraph of {length} characters", length);
+            return Err(error(MAX_CHARACTERS, found, tr!("at most 1200")));
         }
         let mut reader = Reader {
             source,
@@ -74,23 +76,29 @@ impl Reader<'_> {
             match c {
                 '*' => {
                     push_plain(&mut spans, &mut plain);
-                    let words = self.until('*', byte, "a closing *")?;
+                    let words = self.until('*', byte, tr!("a closing *"))?;
                     spans.push(Span::Emphasis(self.filled(words, byte)?));
                 }
                 '[' => {
                     push_plain(&mut spans, &mut plain);
                     spans.push(self.link(byte)?);
                 }
-                ']' => return Err(error(self.at(byte), "a ] alone", "a [ before it, or \\]")),
+                ']' => {
+                    return Err(error(
+                        self.at(byte),
+                        tr!("a ] alone"),
+                        tr!("a [ before it, or \\]"),
+                    ));
+                }
                 '<' if self.begins_tag() => {
-                    return Err(error(self.at(byte), "HTML", "plain text, or \\<"));
+                    return Err(error(self.at(byte), "HTML", tr!("plain text, or \\<")));
                 }
                 '\\' => plain.push(self.escaped(byte)?),
                 c if c.is_control() => {
                     return Err(error(
                         self.at(byte),
-                        "a control character",
-                        "one line of text",
+                        tr!("a control character"),
+                        tr!("one line of text"),
                     ));
                 }
                 c => plain.push(c),
@@ -101,22 +109,26 @@ impl Reader<'_> {
     }
 
     fn link(&mut self, begin: usize) -> Result<Span, MarkupError> {
-        let label = self.until(']', begin, "a closing ]")?;
+        let label = self.until(']', begin, tr!("a closing ]"))?;
         let label = self.filled(label, begin)?;
         let at = self.at(begin);
         if self.rest.next_if(|(_, c)| *c == '(').is_none() {
-            return Err(error(at, "[words] alone", "what they name, as (robot:A1)"));
+            return Err(error(
+                at,
+                tr!("[words] alone"),
+                tr!("what they name, as (robot:A1)"),
+            ));
         }
-        let source = self.until(')', begin, "a closing )")?;
+        let source = self.until(')', begin, tr!("a closing )"))?;
         match target(&source) {
             Some(target) => Ok(Span::Link { label, target }),
             None => Err(error(
                 at,
-                format!(
-                    "a link to {:?}",
-                    source.chars().take(40).collect::<String>()
+                tr!(
+                    "a link to {what}",
+                    what = format!("{:?}", source.chars().take(40).collect::<String>())
                 ),
-                "robot:NAME, cell:X,Y, term:TERM or time:N",
+                tr!("robot:NAME, cell:X,Y, term:TERM or time:N"),
             )),
         }
     }
@@ -136,29 +148,29 @@ impl Reader<'_> {
                 '*' | '[' => {
                     return Err(error(
                         self.at(byte),
-                        format!("a {c} within words"),
+                        tr!("a {sign} within words", sign = c),
                         expected,
                     ));
                 }
                 '<' if self.begins_tag() => {
-                    return Err(error(self.at(byte), "HTML", "plain text, or \\<"));
+                    return Err(error(self.at(byte), "HTML", tr!("plain text, or \\<")));
                 }
                 c if c.is_control() => {
                     return Err(error(
                         self.at(byte),
-                        "a control character",
-                        "one line of text",
+                        tr!("a control character"),
+                        tr!("one line of text"),
                     ));
                 }
                 c => words.push(c),
             }
         }
-        Err(error(self.at(begin), "the end of the text", expected))
+        Err(error(self.at(begin), tr!("the end of the text"), expected))
     }
 
     fn filled(&self, words: String, begin: usize) -> Result<String, MarkupError> {
         if words.trim().is_empty() {
-            return Err(error(self.at(begin), "no words", "at least one"));
+            return Err(error(self.at(begin), tr!("no words"), tr!("at least one")));
         }
         Ok(words)
     }
@@ -168,8 +180,8 @@ impl Reader<'_> {
             Some((_, c)) if c.is_ascii_punctuation() => Ok(c),
             _ => Err(error(
                 self.at(begin),
-                "a backslash alone",
-                "a sign behind it, such as \\*",
+                tr!("a backslash alone"),
+                tr!("a sign behind it, such as \\*"),
             )),
         }
     }

@@ -2,8 +2,9 @@
 //! looks at no byte twice, and knows at every time where it is.
 
 use super::Pair;
-use crate::Fault;
 use crate::format::text::{position, shorten};
+use crate::words::Later;
+use crate::{Fault, tr, tr_later};
 
 /// A place in a text.
 #[derive(Clone)]
@@ -50,7 +51,7 @@ impl<'a> Cursor<'a> {
     ///
     /// # Errors
     /// When something else comes.
-    pub(super) fn expect(&mut self, word: &str, expected: &str) -> Result<(), Fault> {
+    pub(super) fn expect(&mut self, word: &str, expected: impl Into<String>) -> Result<(), Fault> {
         if self.eat(word) {
             Ok(())
         } else {
@@ -76,7 +77,7 @@ impl<'a> Cursor<'a> {
     ///
     /// # Errors
     /// When something else comes.
-    pub(super) fn end_of_line(&mut self, expected: &str) -> Result<(), Fault> {
+    pub(super) fn end_of_line(&mut self, expected: Later) -> Result<(), Fault> {
         self.blanks();
         if self.eat("\n") || self.eat("\r\n") || self.eat("\r") || self.is_at_end() {
             Ok(())
@@ -97,7 +98,7 @@ impl<'a> Cursor<'a> {
     ///
     /// # Errors
     /// When there is none, or one that 32 bits do not hold.
-    pub(super) fn number(&mut self, expected: &str) -> Result<i32, Fault> {
+    pub(super) fn number(&mut self, expected: Later) -> Result<i32, Fault> {
         let begin = self.at;
         let is_negative = self.eat("-");
         let mut number: Option<i64> = None;
@@ -105,7 +106,7 @@ impl<'a> Cursor<'a> {
             let next = number.unwrap_or(0) * 10 + i64::from(digit - b'0');
             if next > i64::from(i32::MAX) + i64::from(is_negative) {
                 self.at = begin;
-                return Err(self.fault("a number of at most 2147483647"));
+                return Err(self.fault(tr!("a number of at most 2147483647")));
             }
             number = Some(next);
             self.at += 1;
@@ -126,13 +127,13 @@ impl<'a> Cursor<'a> {
     /// When something else comes.
     pub(super) fn pair(&mut self) -> Result<Pair, Fault> {
         self.blanks();
-        self.expect("(", "a cell, such as (3,1)")?;
+        self.expect("(", tr_later!("a cell, such as (3,1)"))?;
         self.blanks();
-        let first = self.number("a number")?;
+        let first = self.number(tr_later!("a number"))?;
         self.blanks();
         self.expect(",", "\",\"")?;
         self.blanks();
-        let second = self.number("a number")?;
+        let second = self.number(tr_later!("a number"))?;
         self.blanks();
         Ok(Pair::new(first, second))
     }
@@ -159,8 +160,8 @@ impl<'a> Cursor<'a> {
 
     fn found(&self) -> String {
         match self.peek() {
-            None => "the end of the file".to_owned(),
-            Some(b'\n' | b'\r') => "the end of the line".to_owned(),
+            None => tr!("the end of the file").to_owned(),
+            Some(b'\n' | b'\r') => tr!("the end of the line").to_owned(),
             Some(_) => {
                 let rest = self.rest();
                 let mut letters = rest.char_indices();

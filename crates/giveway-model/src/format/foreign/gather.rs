@@ -14,7 +14,7 @@ use super::{
     recognise,
 };
 use crate::format::base_name;
-use crate::{Fault, Instance, Plan, words};
+use crate::{Fault, Instance, Plan, tr};
 use scene::Base;
 
 /// What a person chose.
@@ -112,23 +112,23 @@ impl Refused {
             }
             Self::Missing { file, what, .. } => {
                 let found = match &what {
-                    Missing::Map(Some(map)) => format!("a file for the map {map}"),
-                    Missing::Map(None) => "a file for a map".to_owned(),
-                    Missing::Scenario => "a plan without the starts of its robots".to_owned(),
-                    Missing::Problem => "a solution without its problem".to_owned(),
+                    Missing::Map(Some(map)) => tr!("a file for the map {map}", map),
+                    Missing::Map(None) => tr!("a file for a map").to_owned(),
+                    Missing::Scenario => tr!("a plan without the starts of its robots").to_owned(),
+                    Missing::Problem => tr!("a solution without its problem").to_owned(),
                 };
                 let expected = match what {
-                    Missing::Map(_) => "that map among the files",
-                    Missing::Scenario => "its scenario (.scen) among the files",
+                    Missing::Map(_) => tr!("that map among the files"),
+                    Missing::Scenario => tr!("its scenario (.scen) among the files"),
                     Missing::Problem => {
-                        "the file of its problem, with map and robots, among the files"
+                        tr!("the file of its problem, with map and robots, among the files")
                     }
                 };
                 vec![Fault::at(file, found, expected)]
             }
             Self::Apart(sentence) => {
                 let found = sentence.trim_end_matches('.');
-                vec![Fault::at("", found, "files that belong together")]
+                vec![Fault::at("", found, tr!("files that belong together"))]
             }
         }
     }
@@ -228,10 +228,13 @@ fn written(
 ) -> Result<ForeignPlan, Refused> {
     let agents = settled.instance.agents();
     if plan.agents.len() > agents.len() {
-        return Err(Refused::Apart(format!(
-            "{file} has a plan for {}, and the scene has {}.",
-            words::count(plan.agents.len(), "robot"),
-            words::count(agents.len(), "robot")
+        let planned = tr!("{n} robot" | "{n} robots" % plan.agents.len());
+        let there = tr!("{n} robot" | "{n} robots" % agents.len());
+        return Err(Refused::Apart(tr!(
+            "{file} has a plan for {planned}, and the scene has {there}.",
+            file,
+            planned,
+            there
         )));
     }
     let tasks: Vec<Task> = agents

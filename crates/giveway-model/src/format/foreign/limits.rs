@@ -1,7 +1,7 @@
 //! How much is read of a file.
 
-use crate::Fault;
 use crate::instance::MAX_AGENTS;
+use crate::{Fault, tr};
 
 /// The longest text that a reader takes, in bytes.
 pub const MAX_TEXT_BYTES: usize = 100_000_000;
@@ -22,11 +22,11 @@ impl Steps {
     pub(crate) fn add(&mut self, steps: usize) -> Result<(), Fault> {
         self.0 = self.0.saturating_add(steps);
         if self.0 > MAX_STEPS {
-            let found = format!("a plan of over {MAX_STEPS} steps");
+            let found = tr!("a plan of over {most} steps", most = MAX_STEPS);
             return Err(Fault::at(
                 "",
                 found,
-                format!("at most {MAX_STEPS} steps of all robots"),
+                tr!("at most {most} steps of all robots", most = MAX_STEPS),
             ));
         }
         Ok(())
@@ -40,8 +40,12 @@ impl Steps {
 /// When there are more; the fault has no place yet.
 pub(crate) fn robots(agents: usize) -> Result<(), Fault> {
     if agents > MAX_AGENTS {
-        let found = format!("over {MAX_AGENTS} robots");
-        return Err(Fault::at("", found, format!("at most {MAX_AGENTS}")));
+        let found = tr!("over {most} robots", most = MAX_AGENTS);
+        return Err(Fault::at(
+            "",
+            found,
+            tr!("at most {most}", most = MAX_AGENTS),
+        ));
     }
     Ok(())
 }

@@ -23,7 +23,7 @@ use super::cursor::Cursor;
 use super::limits::{Steps, robots};
 use super::{CellOrder, Claimed, Conventions, Held, Origin, Pair, Up, Walk, WrittenAt};
 use super::{WrittenAgent, WrittenPlan};
-use crate::Fault;
+use crate::{Fault, tr, tr_later};
 
 /// Whether a text begins with `Agent`, a number and a colon.
 pub(super) fn sniff(text: &str) -> bool {
@@ -48,15 +48,18 @@ fn plan(text: &str) -> Result<WrittenPlan, Fault> {
     cursor.space();
     while !cursor.is_at_end() {
         let begin = cursor.clone();
-        cursor.expect("Agent", "a line \"Agent 0: (3,1)->\"")?;
+        cursor.expect("Agent", tr_later!("a line \"Agent 0: (3,1)->\""))?;
         cursor.blanks();
         let at = cursor.clone();
-        let number = cursor.number("the number of the robot")?;
+        let number = cursor.number(tr_later!("the number of the robot"))?;
         if agents.is_empty() && number == 1 {
             begins_with = 1;
         }
         if usize::try_from(number) != Ok(agents.len() + begins_with) {
-            let expected = format!("{}, the next robot in order", agents.len() + begins_with);
+            let expected = tr!(
+                "{n}, the next robot in order",
+                n = agents.len() + begins_with
+            );
             return Err(at.fault_saying(number.to_string(), expected));
         }
         cursor.blanks();
@@ -106,9 +109,9 @@ fn cells(cursor: &mut Cursor<'_>) -> Result<Vec<Pair>, Fault> {
         cursor.blanks();
     }
     let expected = if cells.is_empty() {
-        "a cell, such as (3,1)"
+        tr_later!("a cell, such as (3,1)")
     } else {
-        "\"->\" and a cell, or the end of the line"
+        tr_later!("\"->\" and a cell, or the end of the line")
     };
     cursor.end_of_line(expected)?;
     cells.shrink_to_fit();

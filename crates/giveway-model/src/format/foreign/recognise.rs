@@ -6,7 +6,7 @@ use super::{
 };
 use crate::format::text::{shorten, without_mark};
 use crate::format::{movingai, native};
-use crate::{Fault, Grid, Plan, Scene};
+use crate::{Fault, Grid, Plan, Scene, tr};
 
 /// A file: its name, for messages and for what it is matched with, and its text.
 #[derive(Clone, Copy, Debug)]
@@ -61,7 +61,7 @@ fn reader(text: &str) -> Result<(Format, Reader), Fault> {
     found
         .map(|&(format, _, read)| (format, read))
         .ok_or_else(|| {
-            let expected = "a map, a scenario, an instance or a plan of a known format";
+            let expected = tr!("a map, a scenario, an instance or a plan of a known format");
             Fault::at("", format!("\"{}\"", shorten(text.trim_start())), expected).in_text(1, 1)
         })
 }
@@ -87,8 +87,8 @@ pub fn recognise(text: &str) -> Result<Format, Fault> {
 /// fault has a line and a column.
 pub fn read(text: &str) -> Result<(Format, Held), Vec<Fault>> {
     if text.len() > MAX_TEXT_BYTES {
-        let found = format!("{} MB", text.len().div_ceil(1_000_000));
-        let expected = format!("at most {} MB", MAX_TEXT_BYTES / 1_000_000);
+        let found = tr!("{n} MB", n = text.len().div_ceil(1_000_000));
+        let expected = tr!("at most {most} MB", most = MAX_TEXT_BYTES / 1_000_000);
         return Err(vec![Fault::at("", found, expected).in_text(1, 1)]);
     }
     let text = without_mark(text);

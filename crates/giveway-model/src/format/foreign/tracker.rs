@@ -33,8 +33,8 @@ pub(super) use write::write;
 
 use super::limits::{Steps, robots};
 use super::{Claimed, Conventions, Held, Up, Walk, WrittenAgent, WrittenAt, WrittenPlan};
-use crate::Fault;
 use crate::words::count;
+use crate::{Fault, tr};
 
 /// Whether a text is JSON or YAML with a `solution_plan`, or a table with one.
 pub(super) fn sniff(text: &str) -> bool {
@@ -72,8 +72,12 @@ const MAX_SOLUTIONS: usize = 4096;
 /// Whether there is room for so many solutions.
 fn solutions(count: usize) -> Result<(), Fault> {
     if count > MAX_SOLUTIONS {
-        let found = format!("over {MAX_SOLUTIONS} solutions");
-        return Err(Fault::at("", found, format!("at most {MAX_SOLUTIONS}")));
+        let found = tr!("over {most} solutions", most = MAX_SOLUTIONS);
+        return Err(Fault::at(
+            "",
+            found,
+            tr!("at most {most}", most = MAX_SOLUTIONS),
+        ));
     }
     Ok(())
 }
@@ -114,7 +118,11 @@ fn plan<P>(
     // Of equals the first.
     let largest = with_paths.reduce(|best, next| if next.0 > best.0 { next } else { best });
     let Some((count_of_paths, solution, paths)) = largest else {
-        let fault = Fault::at("", "no solution with a plan", "a \"solution_plan\"");
+        let fault = Fault::at(
+            "",
+            tr!("no solution with a plan"),
+            tr!("a \"solution_plan\""),
+        );
         return Err(fault.in_text(1, 1));
     };
     let fault = |spot, fault| at(&solution.place, spot, fault);
@@ -123,8 +131,8 @@ fn plan<P>(
     if let Some(agents) = solution.agents
         && agents != paths.len()
     {
-        let found = count(paths.len(), "path");
-        let expected = format!("{agents}, as \"agents\" says");
+        let found = tr!("{n} path" | "{n} paths" % paths.len());
+        let expected = tr!("{agents}, as \"agents\" says", agents);
         return Err(fault(None, Fault::at("", found, expected)));
     }
     let mut notes = Vec::new();

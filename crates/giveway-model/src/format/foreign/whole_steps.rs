@@ -3,7 +3,7 @@
 
 use crate::format::loss::{Part, losses};
 use crate::format::movingai;
-use crate::{Cell, Fault, Instance, Plan};
+use crate::{Cell, Fault, Instance, Plan, tr};
 
 use super::{Format, Written};
 
@@ -29,9 +29,10 @@ impl WholeSteps {
             let mut cells = Vec::new();
             for (time, at) in (from..).zip(plan.path(name)) {
                 let Some(at) = at else {
-                    let found = format!("{name} between two cells at time {time}");
-                    let expected = format!(
-                        "a cell at each time, since {format} knows no moves that take two steps"
+                    let found = tr!("{name} between two cells at time {time}", name, time);
+                    let expected = tr!(
+                        "a cell at each time, since {format} knows no moves that take two steps",
+                        format
                     );
                     return Err(Fault::at("", found, expected));
                 };
@@ -41,8 +42,8 @@ impl WholeSteps {
                 cells.push(*at);
             }
             if cells.is_empty() {
-                let found = format!("no path of {name}");
-                return Err(Fault::at("", found, "a path of every robot"));
+                let found = tr!("no path of {name}", name);
+                return Err(Fault::at("", found, tr!("a path of every robot")));
             }
             paths.push(cells);
         }
@@ -55,8 +56,11 @@ impl WholeSteps {
     /// When the plan has no robot.
     pub(super) fn some(&self, format: Format) -> Result<(), Fault> {
         if self.paths.is_empty() {
-            let expected = format!("one of a robot at least, since {format} has nothing else");
-            return Err(Fault::at("", "a plan without robots", expected));
+            let expected = tr!(
+                "one of a robot at least, since {format} has nothing else",
+                format
+            );
+            return Err(Fault::at("", tr!("a plan without robots"), expected));
         }
         Ok(())
     }
@@ -91,12 +95,15 @@ pub(super) fn both<'a>(
     match (instance, plan) {
         (Some(instance), Some(plan)) => Ok((instance, plan)),
         (Some(_), None) => {
-            let expected = format!("a plan, too, since {format} holds nothing else");
-            Err(Fault::at("", "an instance", expected))
+            let expected = tr!("a plan, too, since {format} holds nothing else", format);
+            Err(Fault::at("", tr!("an instance"), expected))
         }
         (None, _) => {
-            let expected = format!("its instance, too, since {format} has robots in its order");
-            Err(Fault::at("", "a plan", expected))
+            let expected = tr!(
+                "its instance, too, since {format} has robots in its order",
+                format
+            );
+            Err(Fault::at("", tr!("a plan"), expected))
         }
     }
 }

@@ -2,7 +2,7 @@
 
 use super::{Format, asprilo, league, mapfw, multi_robot, paths, result, tracker};
 use crate::format::{movingai, native};
-use crate::{Fault, Instance, Plan};
+use crate::{Fault, Instance, Plan, tr};
 
 /// Texts to be saved, and what they cannot hold.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
@@ -68,8 +68,8 @@ fn moving_ai(
     let (Some(instance), None) = (instance, plan) else {
         return Err(Fault::at(
             "",
-            "a plan",
-            "an instance, since MovingAI files hold no plans",
+            tr!("a plan"),
+            tr!("an instance, since MovingAI files hold no plans"),
         ));
     };
     let map = format!("{stem}.map");

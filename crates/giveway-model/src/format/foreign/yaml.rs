@@ -11,10 +11,11 @@ use std::str::FromStr;
 
 use saphyr_parser::{Event, Parser, ScalarStyle, ScanError, Span, StrInput};
 
-use crate::Fault;
 use crate::format::json::place;
 use crate::format::locate::Segment;
 use crate::format::text::shorten;
+use crate::words::Later;
+use crate::{Fault, tr, tr_later};
 
 /// The deepest nesting of lists and objects that is read.
 const MAX_DEPTH: usize = 32;
@@ -80,7 +81,7 @@ impl<'a> Yaml<'a> {
     /// Reads an object; `each` is given every key and must read its value.
     pub(super) fn object(
         &mut self,
-        expected: &str,
+        expected: Later,
         mut each: impl FnMut(&mut Self, &str) -> Result<(), Fault>,
     ) -> Result<(), Fault> {
         match self.event()? {
@@ -91,7 +92,7 @@ impl<'a> Yaml<'a> {
             let key = match self.event()? {
                 Event::MappingEnd => return Ok(()),
                 Event::Scalar(key, ..) => key,
-                other => return Err(self.instead(&other, "a key")),
+                other => return Err(self.instead(&other, tr_later!("a key"))),
             };
             self.way.push(Segment::Key(key.clone().into_owned()));
             each(self, &key)?;
@@ -102,7 +103,7 @@ impl<'a> Yaml<'a> {
     /// Reads a list; `each` is given every index from 0 and must read the entry.
     pub(super) fn list(
         &mut self,
-        expected: &str,
+        expected: Later,
         mut each: impl FnMut(&mut Self, usize) -> Result<(), Fault>,
     ) -> Result<(), Fault> {
         match self.event()? {
@@ -122,7 +123,7 @@ impl<'a> Yaml<'a> {
     }
 
     /// Reads a text, or a number as it is written.
-    pub(super) fn text(&mut self, expected: &str) -> Result<Cow<'a, str>, Fault> {
+    pub(super) fn text(&mut self, expected: Later) -> Result<Cow<'a, str>, Fault> {
         match self.event()? {
             Event::Scalar(text, ..) => Ok(text),
             other => Err(self.instead(&other, expected)),
@@ -130,7 +131,7 @@ impl<'a> Yaml<'a> {
     }
 
     /// Reads a text that may be left out: `None` for `null`, `~` and nothing.
-    pub(super) fn optional(&mut self, expected: &str) -> Result<Option<Cow<'a, str>>, Fault> {
+    pub(super) fn optional(&mut self, expected: Later) -> Result<Option<Cow<'a, str>>, Fault> {
         match self.event()? {
             Event::Scalar(text, ScalarStyle::Plain, ..)
                 if matches!(&*text, "" | "~" | "null" | "Null" | "NULL") =>
@@ -143,7 +144,7 @@ impl<'a> Yaml<'a> {
     }
 
     /// Reads a number.
-    pub(super) fn number<T: FromStr>(&mut self, expected: &str) -> Result<T, Fault> {
+    pub(super) fn number<T: FromStr>(&mut self, expected: Later) -> Result<T, Fault> {
         let text = self.text(expected)?;
         text.parse().map_err(|_| self.unlike(&text, expected))
     }
@@ -156,7 +157,7 @@ impl<'a> Yaml<'a> {
                 Event::SequenceStart(..) | Event::MappingStart(..) => depth += 1,
                 Event::SequenceEnd | Event::MappingEnd => depth = depth.saturating_sub(1),
                 Event::Scalar(..) => {}
-                other => return Err(self.instead(&other, "a value")),
+                other => return Err(self.instead(&other, tr_later!("a value"))),
             }
             if depth == 0 {
                 return Ok(());
@@ -174,7 +175,7 @@ impl<'a> Yaml<'a> {
     }
 
     /// A fault at the text that was read last, which is not as it should be.
-    pub(super) fn unlike(&self, text: &str, expected: &str) -> Fault {
+    pub(super) fn unlike(&self, text: &str, expected: Later) -> Fault {
         self.fault(quoted(text), expected)
     }
 
@@ -206,30 +207,38 @@ impl<'a> Yaml<'a> {
     }
 
     fn too_deep(&self) -> Fault {
-        let expected = format!("at most {MAX_DEPTH}");
+        let expected = tr!("at most {most}", most = MAX_DEPTH);
         self.fault(
-            format!("over {MAX_DEPTH} lists and objects in each other"),
+            tr!(
+                "over {most} lists and objects in each other",
+                most = MAX_DEPTH
+            ),
             expected,
         )
     }
 
     fn alias(&self) -> Fault {
-        self.fault("an alias (*)", "the value itself")
+        self.fault(tr!("an alias (*)"), tr!("the value itself"))
     }
 
     fn broken(&mut self, error: &ScanError) -> Fault {
         let mark = error.marker();
         self.at = (mark.line().max(1), mark.col() + 1);
-        self.fault(format!("broken YAML ({})", shorten(error.info())), "YAML")
+        self.fault(
+            tr!("broken YAML ({info})", info = shorten(error.info())),
+            "YAML",
+        )
     }
 
-    fn instead(&self, event: &Event<'_>, expected: &str) -> Fault {
+    fn instead(&self, event: &Event<'_>, expected: Later) -> Fault {
         let found = match event {
-            Event::Scalar(text, ScalarStyle::Plain, ..) if text.is_empty() => "nothing".to_owned(),
+            Event::Scalar(text, ScalarStyle::Plain, ..) if text.is_empty() => {
+                tr!("nothing").to_owned()
+            }
             Event::Scalar(text, ..) => quoted(text),
-            Event::SequenceStart(..) => "a list".to_owned(),
-            Event::MappingStart(..) => "an object".to_owned(),
-            _ => "the end of the value".to_owned(),
+            Event::SequenceStart(..) => tr!("a list").to_owned(),
+            Event::MappingStart(..) => tr!("an object").to_owned(),
+            _ => tr!("the end of the value").to_owned(),
         };
         self.fault(found, expected)
     }

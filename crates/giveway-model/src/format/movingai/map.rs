@@ -1,7 +1,7 @@
 //! Reads a `.map`.
 
 use crate::format::lines::{Line, lines};
-use crate::{Fault, Grid, MAX_SIDE};
+use crate::{Fault, Grid, MAX_SIDE, tr, tr_later};
 
 /// Reads a map: `.` and `G` are free, `@`, `O`, `T` and `W` are obstacles. So are
 /// `S` and `E` free: service points and emitters in maps of the League of Robot
@@ -26,17 +26,21 @@ pub fn read_map(text: &str) -> Result<Grid, Fault> {
             if line.text.is_empty() {
                 continue;
             }
-            let expected = format!("no row after the {} of the header", header.height);
+            let expected = tr!(
+                "no row after the {height} of the header",
+                height = header.height
+            );
             return Err(line.fault(line.text, expected));
         }
         rows.push(read_row(line, header.width)?);
     }
     if rows.len() < header.height {
-        let found = format!("{} rows", rows.len());
-        let expected = format!("{}, the height in the header", header.height);
+        let found = tr!("{n} rows", n = rows.len());
+        let expected = tr!("{height}, the height in the header", height = header.height);
         return Err(Fault::at("", found, expected).in_text(header.last + rows.len(), 1));
     }
-    Grid::from_rows(&rows).map_err(|_| Fault::at("", "no rows", "at least one"))
+    Grid::from_rows(&rows)
+        .map_err(|_| Fault::at("", tr_later!("no rows"), tr_later!("at least one")))
 }
 
 struct Header {
@@ -68,8 +72,8 @@ fn read_header<'a>(lines: &mut impl Iterator<Item = Line<'a>>) -> Result<Header,
             "width" => width = Some(read_side(line, value)?),
             "map" => {
                 let missing = |key| {
-                    let found = format!("no line \"{key}\" in the header");
-                    line.fault_saying(line.text, found, format!("\"{key}\" and a number"))
+                    let found = tr!("no line \"{key}\" in the header", key);
+                    line.fault_saying(line.text, found, tr!("\"{key}\" and a number", key))
                 };
                 return Ok(Header {
                     height: height.ok_or_else(|| missing("height"))?,
@@ -77,24 +81,24 @@ fn read_header<'a>(lines: &mut impl Iterator<Item = Line<'a>>) -> Result<Header,
                     last,
                 });
             }
-            _ => return Err(line.fault(line.text, "type, height, width or map")),
+            _ => return Err(line.fault(line.text, tr_later!("type, height, width or map"))),
         }
     }
     Err(Fault::at(
         "",
-        "the end of the file",
-        "a header of type, height, width and map",
+        tr_later!("the end of the file"),
+        tr_later!("a header of type, height, width and map"),
     )
     .in_text(last, 1))
 }
 
 fn read_side(line: Line<'_>, value: &str) -> Result<usize, Fault> {
-    let expected = format!("a whole number from 1 to {MAX_SIDE}");
-    let side: u32 = line.number(value, &expected)?;
+    let expected = || tr!("a whole number from 1 to {most}", most = MAX_SIDE);
+    let side: u32 = line.number(value, expected)?;
     if (1..=MAX_SIDE).contains(&side) {
         Ok(side as usize)
     } else {
-        Err(line.fault(value, expected))
+        Err(line.fault(value, expected()))
     }
 }
 
@@ -109,18 +113,18 @@ fn read_row(line: Line<'_>, width: usize) -> Result<String, Fault> {
         row.push(match c {
             '.' | 'G' | 'S' | 'E' => '.',
             '@' | 'O' | 'T' | 'W' => '#',
-            _ => return Err(line.fault(part, "one of . G S E @ O T W")),
+            _ => return Err(line.fault(part, tr_later!("one of . G S E @ O T W"))),
         });
     }
     if row.len() < width {
         let end = line.text.get(line.text.len()..).unwrap_or("");
-        let found = format!("a row of {} cells", row.len());
-        return Err(line.fault_saying(end, found, format!("{width}, the width in the header")));
+        let found = tr!("a row of {n} cells", n = row.len());
+        return Err(line.fault_saying(end, found, tr!("{width}, the width in the header", width)));
     }
     Ok(row)
 }
 
 fn too_many(line: Line<'_>, part: &str, width: usize) -> Fault {
-    let found = format!("a row of {} cells", line.text.chars().count());
-    line.fault_saying(part, found, format!("{width}, the width in the header"))
+    let found = tr!("a row of {n} cells", n = line.text.chars().count());
+    line.fault_saying(part, found, tr!("{width}, the width in the header", width))
 }

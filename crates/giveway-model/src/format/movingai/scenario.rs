@@ -1,7 +1,8 @@
 //! Reads a `.scen`.
 
 use crate::format::lines::{Line, decimal, lines};
-use crate::{Cell, Fault};
+use crate::words::Later;
+use crate::{Cell, Fault, tr, tr_later};
 
 /// The agents of a scenario, in the order of its lines.
 #[derive(Clone, Debug, Default, PartialEq)]
@@ -41,8 +42,8 @@ pub struct Route {
     pub octile: f64,
 }
 
-const COLUMNS: &str =
-    "nine columns: bucket, map, width, height, start x, start y, goal x, goal y, length";
+const COLUMNS: Later =
+    tr_later!("nine columns: bucket, map, width, height, start x, start y, goal x, goal y, length");
 
 /// Reads a scenario. Blank lines are skipped.
 ///
@@ -62,8 +63,8 @@ pub fn read_scenario(text: &str) -> Result<Scenario, Fault> {
     let Some(first) = lines.next() else {
         return Err(Fault::at(
             "",
-            "an empty file",
-            "\"version 1\" and a line for each robot",
+            tr_later!("an empty file"),
+            tr_later!("\"version 1\" and a line for each robot"),
         )
         .in_text(1, 1));
     };
@@ -81,7 +82,7 @@ fn read_version(line: Line<'_>) -> Result<(), Fault> {
     if is_one {
         Ok(())
     } else {
-        Err(line.fault(line.text, "\"version 1\""))
+        Err(line.fault(line.text, tr_later!("\"version 1\"")))
     }
 }
 
@@ -90,12 +91,12 @@ fn read_route(line: Line<'_>) -> Result<Route, Fault> {
     let &[bucket, map, width, height, sx, sy, gx, gy, octile] = columns.as_slice() else {
         let found = match columns.len() {
             1 => return Err(line.fault(line.text, COLUMNS)),
-            n => format!("{n} columns"),
+            n => tr!("{n} columns", n),
         };
         return Err(line.fault_saying(line.text, found, COLUMNS));
     };
-    let whole = |part| line.number::<u32>(part, "a whole number from 0");
-    let length = decimal(octile).ok_or_else(|| line.fault(octile, "a length"))?;
+    let whole = |part| line.number::<u32>(part, || tr!("a whole number from 0").to_owned());
+    let length = decimal(octile).ok_or_else(|| line.fault(octile, tr_later!("a length")))?;
     Ok(Route {
         line: line.number,
         bucket: whole(bucket)?,

@@ -4,7 +4,7 @@ use std::collections::BTreeMap;
 
 use super::{Route, Scenario};
 use crate::format::text::shorten;
-use crate::{Agent, Cell, Fault, Grid, Ground, Scene};
+use crate::{Agent, Cell, Fault, Grid, Ground, Scene, tr, tr_later};
 
 /// The scene of a scenario's first lines: agents `A1`, `A2` and so on, as many
 /// as asked for, or all. They stay at their goals, and the objective is the
@@ -33,8 +33,8 @@ pub fn to_scene(
     let lines = scenario.routes.len();
     let wanted = agents.unwrap_or(lines);
     if wanted > lines {
-        let found = format!("a scenario for {lines} robots");
-        return Err(Fault::at("", found, format!("one for {wanted}")));
+        let found = tr!("a scenario for {lines} robots", lines);
+        return Err(Fault::at("", found, tr!("one for {wanted}", wanted)));
     }
     let mut starts = BTreeMap::new();
     let mut goals = BTreeMap::new();
@@ -45,10 +45,10 @@ pub fn to_scene(
     };
     for (i, route) in scenario.routes.iter().take(wanted).enumerate() {
         check_map(scenario, route, grid)?;
-        check_cell(grid, route, "start", route.start)?;
-        check_cell(grid, route, "goal", route.goal)?;
-        check_shared(&mut starts, route, "start", route.start)?;
-        check_shared(&mut goals, route, "goal", route.goal)?;
+        check_cell(grid, route, End::Start)?;
+        check_cell(grid, route, End::Goal)?;
+        check_shared(&mut starts, route, End::Start)?;
+        check_shared(&mut goals, route, End::Goal)?;
         scene.agents.push(Agent {
             name: format!("A{}", i + 1),
             start: route.start,
@@ -63,45 +63,82 @@ pub fn to_scene(
 fn check_map(scenario: &Scenario, route: &Route, grid: &Grid) -> Result<(), Fault> {
     let first = scenario.map_name().unwrap_or_default();
     if route.map != first {
-        let found = format!("the map \"{}\"", shorten(&route.map));
-        let expected = format!("\"{}\", as in the first line", shorten(first));
+        let found = tr!("the map \"{map}\"", map = shorten(&route.map));
+        let expected = tr!("\"{first}\", as in the first line", first = shorten(first));
         return Err(fault(route, found, expected));
     }
     let (width, height) = (grid.width(), grid.height());
     if (route.width, route.height) != (width, height) {
-        let found = format!("a map of {} x {} cells", route.width, route.height);
-        let expected = format!("{width} x {height}, the size of the map given");
+        let found = tr!(
+            "a map of {width} x {height} cells",
+            width = route.width,
+            height = route.height
+        );
+        let expected = tr!(
+            "{width} x {height}, the size of the map given",
+            width,
+            height
+        );
         return Err(fault(route, found, expected));
     }
     Ok(())
 }
 
-fn check_cell(grid: &Grid, route: &Route, what: &str, cell: Cell) -> Result<(), Fault> {
+/// An end of a route.
+#[derive(Clone, Copy)]
+enum End {
+    Start,
+    Goal,
+}
+
+impl End {
+    fn word(self) -> &'static str {
+        match self {
+            Self::Start => tr!("of a robot" => "start"),
+            Self::Goal => tr!("of a robot" => "goal"),
+        }
+    }
+
+    const fn cell(self, route: &Route) -> Cell {
+        match self {
+            Self::Start => route.start,
+            Self::Goal => route.goal,
+        }
+    }
+}
+
+fn check_cell(grid: &Grid, route: &Route, end: End) -> Result<(), Fault> {
+    let (what, cell) = (end.word(), end.cell(route));
     match grid.ground(cell) {
         None => Err(fault(
             route,
-            format!("the {what} {cell}"),
-            format!("a cell of the {} x {} map", grid.width(), grid.height()),
+            tr!("the {what} {cell}", what, cell),
+            tr!(
+                "a cell of the {width} x {height} map",
+                width = grid.width(),
+                height = grid.height()
+            ),
         )),
         Some(Ground::Obstacle) => {
-            let found = format!("the {what} {cell} in an obstacle");
-            Err(fault(route, found, "a free cell"))
+            let found = tr!("the {what} {cell} in an obstacle", what, cell);
+            Err(fault(route, found, tr_later!("a free cell")))
         }
         Some(_) => Ok(()),
     }
 }
 
-fn check_shared(
-    seen: &mut BTreeMap<Cell, usize>,
-    route: &Route,
-    what: &str,
-    cell: Cell,
-) -> Result<(), Fault> {
+fn check_shared(seen: &mut BTreeMap<Cell, usize>, route: &Route, end: End) -> Result<(), Fault> {
+    let (what, cell) = (end.word(), end.cell(route));
     match seen.insert(cell, route.line) {
         None => Ok(()),
         Some(line) => {
-            let found = format!("the {what} {cell}, which is that of line {line} too");
-            Err(fault(route, found, format!("a {what} of its own")))
+            let found = tr!(
+                "the {what} {cell}, which is that of line {line} too",
+                what,
+                cell,
+                line
+            );
+            Err(fault(route, found, tr!("a {what} of its own", what)))
         }
     }
 }

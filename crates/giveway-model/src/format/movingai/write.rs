@@ -4,7 +4,7 @@ use std::fmt::Write as _;
 
 use crate::format::loss::{self, Loss};
 use crate::format::text::shorten;
-use crate::{Fault, Grid, Instance};
+use crate::{Fault, Grid, Instance, tr, tr_later};
 
 /// Writes a map: vertices as `.`, obstacles as `@`.
 ///
@@ -42,8 +42,12 @@ pub fn write_map(grid: &Grid) -> String {
 /// could tell from the end of the column.
 pub fn write_scenario(map_name: &str, instance: &Instance) -> Result<String, Fault> {
     if map_name.trim().is_empty() || map_name.contains(char::is_control) {
-        let found = format!("the map name \"{}\"", shorten(map_name));
-        return Err(Fault::at("", found, "a name without tabs or line breaks"));
+        let found = tr!("the map name \"{map_name}\"", map_name = shorten(map_name));
+        return Err(Fault::at(
+            "",
+            found,
+            tr_later!("a name without tabs or line breaks"),
+        ));
     }
     let grid = instance.grid();
     let mut text = String::from("version 1\n");

@@ -3,7 +3,8 @@
 use std::collections::{BTreeMap, BTreeSet};
 
 use super::term::{Facts, Kind, Term};
-use crate::{Fault, MAX_SIDE};
+use crate::words::Later;
+use crate::{Fault, MAX_SIDE, tr, tr_later};
 
 /// A number of a thing, as in `object(robot,7)`.
 pub(super) type Id = i32;
@@ -50,7 +51,7 @@ pub(super) struct Warehouse {
     pub(super) others: BTreeMap<String, usize>,
 }
 
-const AT: &str = "a node (X,Y) with numbers from 1";
+const AT: Later = tr_later!("a node (X,Y) with numbers from 1");
 
 /// Reads all facts.
 pub(super) fn read(text: &str) -> Result<Warehouse, Fault> {
@@ -94,7 +95,7 @@ impl Warehouse {
         let name = name.parts().map_or("", |(name, _)| name);
         let number = |term: &Term<'_>| {
             term.number()
-                .ok_or_else(|| facts.unexpected(term.offset, "a number"))
+                .ok_or_else(|| facts.unexpected(term.offset, tr!("a number")))
         };
         match (kind, name) {
             ("highway", "at") => self.highways += 1,
@@ -146,8 +147,8 @@ impl Warehouse {
     ) -> Result<(), Fault> {
         match self.robots.insert(id, (at, offset)) {
             Some((before, _)) if before != at => {
-                let found = format!("a second place of robot {id}");
-                Err(facts.fault(offset, found, "one place for each robot"))
+                let found = tr!("a second place of robot {id}", id);
+                Err(facts.fault(offset, found, tr!("one place for each robot")))
             }
             _ => Ok(()),
         }
@@ -168,21 +169,21 @@ impl Warehouse {
             return Err(facts.unexpected(action.offset, "action(name,(..))"));
         };
         let at = time.number().filter(|&time| time >= 1);
-        let at = at.ok_or_else(|| facts.unexpected(time.offset, "a time from 1"))?;
+        let at = at.ok_or_else(|| facts.unexpected(time.offset, tr!("a time from 1")))?;
         let doing = match name.parts() {
             Some(("move", [])) => match what.pair() {
                 Some((x, y)) if x.unsigned_abs().saturating_add(y.unsigned_abs()) == 1 => {
                     Doing::Move(x, y)
                 }
                 _ => {
-                    let expected = "a move (1,0), (-1,0), (0,1) or (0,-1)";
+                    let expected = tr!("a move (1,0), (-1,0), (0,1) or (0,-1)");
                     return Err(facts.unexpected(what.offset, expected));
                 }
             },
             Some(("pickup", [])) => Doing::PickUp,
             Some(("deliver", [])) => deliver(what),
             Some(_) => Doing::Other,
-            None => return Err(facts.unexpected(name.offset, "the name of an action")),
+            None => return Err(facts.unexpected(name.offset, tr!("the name of an action"))),
         };
         let before = self
             .doings
@@ -191,8 +192,8 @@ impl Warehouse {
             .insert(at, (doing, fact.offset));
         match before {
             Some((before, _)) if before != doing => {
-                let found = format!("a second action of robot {robot} at time {at}");
-                Err(facts.fault(fact.offset, found, "one action a step"))
+                let found = tr!("a second action of robot {robot} at time {at}", robot, at);
+                Err(facts.fault(fact.offset, found, tr!("one action a step")))
             }
             _ => Ok(()),
         }
@@ -222,8 +223,8 @@ fn node(facts: &Facts<'_>, term: &Term<'_>) -> Result<Node, Fault> {
     };
     let (x, y) = (side(x)?, side(y)?);
     if x > MAX_SIDE || y > MAX_SIDE {
-        let found = format!("the node ({x},{y})");
-        let expected = format!("a map of at most {MAX_SIDE} x {MAX_SIDE} nodes");
+        let found = tr!("the node ({x},{y})", x, y);
+        let expected = tr!("a map of at most {most} x {most} nodes", most = MAX_SIDE);
         return Err(facts.fault(term.offset, found, expected));
     }
     Ok((x, y))

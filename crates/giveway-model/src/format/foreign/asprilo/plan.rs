@@ -9,7 +9,7 @@ use crate::format::foreign::{
 };
 use crate::format::text::position;
 use crate::words::count;
-use crate::{Fault, MAX_AGENTS};
+use crate::{Fault, MAX_AGENTS, tr};
 
 /// What the language of asprilo says of its numbers.
 const DOCUMENTED: Conventions = Conventions {
@@ -30,26 +30,26 @@ pub(super) fn plan(text: &str, warehouse: &Warehouse) -> Result<WrittenPlan, Fau
     let last = warehouse.doings.last_key_value().map_or(0, |(&id, _)| id);
     if robots.is_empty() {
         if usize::try_from(last).is_ok_and(|last| last > MAX_AGENTS) {
-            let found = format!("robot {last}");
+            let found = tr!("robot {robot}", robot = last);
             return Err(fault(
                 text,
                 warehouse,
                 last,
                 found,
-                format!("at most {MAX_AGENTS} robots"),
+                tr!("at most {most} robots", most = MAX_AGENTS),
             ));
         }
         robots = (1..=last).collect();
     }
     for &robot in warehouse.doings.keys() {
         if robots.binary_search(&robot).is_err() {
-            let found = format!("an action of robot {robot}, which is nowhere");
+            let found = tr!("an action of robot {robot}, which is nowhere", robot);
             return Err(fault(
                 text,
                 warehouse,
                 robot,
                 found,
-                "a robot that has a place",
+                tr!("a robot that has a place"),
             ));
         }
     }

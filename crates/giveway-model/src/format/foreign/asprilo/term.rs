@@ -7,8 +7,8 @@
 //! comment   = "%" ... end of line | "%*" ... "*%"
 //! ```
 
-use crate::Fault;
 use crate::format::text::{position, shorten};
+use crate::{Fault, tr};
 
 /// How deep terms may be nested; facts of asprilo need four levels.
 const MAX_DEPTH: usize = 16;
@@ -92,7 +92,7 @@ impl<'a> Facts<'a> {
         let rest = self.text.get(offset..).unwrap_or("");
         let line = rest.lines().next().unwrap_or("").trim_end();
         let found = if rest.is_empty() {
-            "the end of the file".to_owned()
+            tr!("the end of the file").to_owned()
         } else {
             format!("\"{}\"", shorten(line))
         };
@@ -107,14 +107,14 @@ impl<'a> Facts<'a> {
         }
         let fact = self.term(0)?;
         if fact.parts().is_none_or(|(name, _)| name.is_empty()) {
-            return Err(self.unexpected(fact.offset, "a fact such as init(..)."));
+            return Err(self.unexpected(fact.offset, tr!("a fact such as init(..).")));
         }
         self.blank()?;
         match self.peek() {
             Some(b'.') => self.at += 1,
             None => {}
             Some(byte) if byte.is_ascii_lowercase() => {}
-            Some(_) => return Err(self.unexpected(self.at, "a full stop after the fact")),
+            Some(_) => return Err(self.unexpected(self.at, tr!("a full stop after the fact"))),
         }
         Ok(Some(fact))
     }
@@ -137,7 +137,11 @@ impl<'a> Facts<'a> {
                 match self.rest().find("*%") {
                     Some(length) => self.at += length + 2,
                     None => {
-                        return Err(self.fault(begin, "a comment without end", "*% after it"));
+                        return Err(self.fault(
+                            begin,
+                            tr!("a comment without end"),
+                            tr!("*% after it"),
+                        ));
                     }
                 }
             } else if byte == b'%' {
@@ -156,7 +160,7 @@ impl<'a> Facts<'a> {
         while self.peek() == Some(b'#') {
             match directive(self.rest()) {
                 Some(length) => self.at += length,
-                None => return Err(self.unexpected(self.at, "a full stop after it")),
+                None => return Err(self.unexpected(self.at, tr!("a full stop after it"))),
             }
             self.blank()?;
         }
@@ -169,8 +173,8 @@ impl<'a> Facts<'a> {
         if depth > MAX_DEPTH {
             return Err(self.fault(
                 offset,
-                "terms nested very deeply",
-                "the few levels of the format",
+                tr!("terms nested very deeply"),
+                tr!("the few levels of the format"),
             ));
         }
         let kind = match self.peek() {
@@ -203,7 +207,7 @@ impl<'a> Facts<'a> {
                 };
                 Kind::Compound(name, terms)
             }
-            _ => return Err(self.unexpected(offset, "a fact, since rules are not read")),
+            _ => return Err(self.unexpected(offset, tr!("a fact, since rules are not read"))),
         };
         Ok(Term { offset, kind })
     }
@@ -215,7 +219,11 @@ impl<'a> Facts<'a> {
         let length = sign + digits.count();
         let number = rest.get(..length).and_then(|number| number.parse().ok());
         let number = number.ok_or_else(|| {
-            let expected = format!("a whole number from {} to {}", i32::MIN, i32::MAX);
+            let expected = tr!(
+                "a whole number from {least} to {most}",
+                least = i32::MIN,
+                most = i32::MAX
+            );
             self.unexpected(self.at, expected)
         })?;
         self.at += length;
@@ -237,7 +245,7 @@ impl<'a> Facts<'a> {
                 _ => {}
             }
         }
-        Err(self.unexpected(begin, "a closing quote in its line"))
+        Err(self.unexpected(begin, tr!("a closing quote in its line")))
     }
 
     /// What stands between parentheses.
@@ -254,7 +262,7 @@ impl<'a> Facts<'a> {
             match self.peek() {
                 Some(b',') => self.at += 1,
                 Some(b')') => break,
-                _ => return Err(self.unexpected(self.at, "a comma or a closing )")),
+                _ => return Err(self.unexpected(self.at, tr!("a comma or a closing )"))),
             }
         }
         self.at += 1;

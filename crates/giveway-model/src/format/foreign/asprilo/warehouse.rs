@@ -8,7 +8,7 @@ use super::tasks::{self, Task};
 use crate::format::foreign::Held;
 use crate::format::text::{position, shorten};
 use crate::words::{and, count};
-use crate::{Agent, Cell, Fault, Scene};
+use crate::{Agent, Cell, Fault, Scene, tr};
 
 /// How many kinds of facts that are not known a note names.
 const MAX_NAMED: usize = 4;
@@ -21,8 +21,8 @@ pub(super) fn held(text: &str, warehouse: &Warehouse) -> Result<Held, Fault> {
         if has_plan || !warehouse.robots.is_empty() {
             return plan(text, warehouse).map(Held::Plan);
         }
-        let found = "no node";
-        let expected = "facts init(object(node,1),value(at,(X,Y))), or a plan";
+        let found = tr!("no node");
+        let expected = tr!("facts init(object(node,1),value(at,(X,Y))), or a plan");
         return Err(Fault::at("", found, expected).in_text(1, 1));
     }
     check_robots(text, warehouse)?;
@@ -54,12 +54,18 @@ fn check_robots(text: &str, warehouse: &Warehouse) -> Result<(), Fault> {
             Fault::at("", found, expected).in_text(line, column)
         };
         if !warehouse.nodes.contains(&(x, y)) {
-            let found = format!("robot {id} at ({x},{y}), where there is no node");
-            return Err(fault(found, "a node"));
+            let found = tr!("robot {id} at ({x},{y}), where there is no node", id, x, y);
+            return Err(fault(found, tr!("a node")));
         }
         if let Some(other) = starts.insert((x, y), id) {
-            let found = format!("robot {id} at ({x},{y}), where robot {other} is, too");
-            return Err(fault(found, "a node of its own"));
+            let found = tr!(
+                "robot {id} at ({x},{y}), where robot {other} is, too",
+                id,
+                x,
+                y,
+                other
+            );
+            return Err(fault(found, tr!("a node of its own")));
         }
     }
     Ok(())

@@ -13,7 +13,7 @@ use crate::format::foreign::whole_steps::WholeSteps;
 use crate::format::foreign::{Format, Written};
 use crate::format::loss::{Loss, Part, losses};
 use crate::words::count;
-use crate::{Agent, Cell, Fault, Instance, Plan};
+use crate::{Agent, Cell, Fault, Instance, Plan, tr};
 
 /// Writes `STEM.lp`, `STEM-plan.lp`, or both.
 ///
@@ -26,8 +26,8 @@ pub(in crate::format::foreign) fn write(
     plan: Option<&Plan>,
 ) -> Result<Written, Fault> {
     let Some(instance) = instance else {
-        let expected = "its instance, too, since asprilo numbers the robots of a scene";
-        return Err(Fault::at("", "a plan alone", expected));
+        let expected = tr!("its instance, too, since asprilo numbers the robots of a scene");
+        return Err(Fault::at("", tr!("a plan alone"), expected));
     };
     let (ids, is_renamed) = ids(instance.agents());
     let mut written = Written::default();
@@ -177,8 +177,13 @@ fn moves(instance: &Instance, plan: &Plan, ids: &[u32]) -> Result<String, Fault>
                     );
                 }
                 _ => {
-                    let found = format!("{} going from {last} to {cell}", agent.name);
-                    let expected = "moves between neighbours from the start on";
+                    let found = tr!(
+                        "{name} going from {from} to {to}",
+                        name = agent.name,
+                        from = last,
+                        to = cell
+                    );
+                    let expected = tr!("moves between neighbours from the start on");
                     return Err(Fault::at("", found, expected));
                 }
             }

@@ -8,7 +8,7 @@ use crate::format::foreign::written_at::Places;
 use crate::format::foreign::{Conventions, Format, Walk, WrittenPlan, decide, place};
 use crate::format::movingai::{self, Scenario};
 use crate::format::{base_name, stem};
-use crate::{Agent, Cell, Cost, Fault, Grid, Instance, Objective, Scene};
+use crate::{Agent, Cell, Cost, Fault, Grid, Instance, Objective, Scene, tr};
 
 /// What was found of a scene so far, each part with the name of its file.
 #[derive(Default)]
@@ -37,8 +37,10 @@ pub(super) struct First<'a> {
 }
 
 fn one_at_a_time(one: &str, other: &str) -> Refused {
-    Refused::Apart(format!(
-        "Open one scene at a time: {one} and {other} are of the same kind."
+    Refused::Apart(tr!(
+        "Open one scene at a time: {one} and {other} are of the same kind.",
+        one,
+        other
     ))
 }
 
@@ -98,7 +100,7 @@ impl Base {
                     Some(First {
                         file, format, plan, ..
                     }) => missing(file.to_owned(), format, plan.map.as_deref()),
-                    None => Refused::Apart("There is no scene in these files.".to_owned()),
+                    None => Refused::Apart(tr!("There is no scene in these files.").to_owned()),
                 });
             }
         };
@@ -164,8 +166,10 @@ fn settled(file: &str, scene: Scene, notes: Vec<String>) -> Result<Settled, Refu
 fn missing(file: String, format: Format, map: Option<&str>) -> Refused {
     if let Some(problem) = problem(format) {
         return Refused::Missing {
-            sentence: format!(
-                "{file} is a solution without its problem: open {problem}, which has the map and the robots, together with it."
+            sentence: tr!(
+                "{file} is a solution without its problem: open {problem}, which has the map and the robots, together with it.",
+                file,
+                problem
             ),
             what: Missing::Problem,
             file,
@@ -175,16 +179,18 @@ fn missing(file: String, format: Format, map: Option<&str>) -> Refused {
         .map(|map| base_name(map).to_owned())
         .filter(|map| !map.is_empty());
     let sentence = match &map {
-        Some(map) => format!(
-            "{file} is for the map {}: open {}.map, too.",
-            stem(map),
-            stem(map)
+        Some(map) => tr!(
+            "{file} is for the map {map}: open {map}.map, too.",
+            file,
+            map = stem(map)
         ),
-        None if format == Format::MovingAi => format!(
-            "{file} is a scenario that does not name its map: open the map (.map) that it was made for, too."
+        None if format == Format::MovingAi => tr!(
+            "{file} is a scenario that does not name its map: open the map (.map) that it was made for, too.",
+            file
         ),
-        None => format!(
-            "{file} does not name its map: open the map (.map) that the plan was made for, too."
+        None => tr!(
+            "{file} does not name its map: open the map (.map) that the plan was made for, too.",
+            file
         ),
     };
     Refused::Missing {
@@ -195,11 +201,11 @@ fn missing(file: String, format: Format, map: Option<&str>) -> Refused {
 }
 
 /// The file that holds the problem, where a format has one of its own.
-const fn problem(format: Format) -> Option<&'static str> {
+fn problem(format: Format) -> Option<&'static str> {
     match format {
-        Format::MultiRobot => Some("the input file of libMultiRobotPlanning (.yaml)"),
-        Format::Asprilo => Some("its instance (.lp)"),
-        Format::Mapfw => Some("the benchmark of mapfw.nl (.json)"),
+        Format::MultiRobot => Some(tr!("the input file of libMultiRobotPlanning (.yaml)")),
+        Format::Asprilo => Some(tr!("its instance (.lp)")),
+        Format::Mapfw => Some(tr!("the benchmark of mapfw.nl (.json)")),
         Format::Giveway
         | Format::MovingAi
         | Format::Tracker
@@ -226,8 +232,9 @@ fn of_plan(
         return Err(Refused::Missing {
             file: file.to_owned(),
             what: Missing::Scenario,
-            sentence: format!(
-                "{file} does not say where its robots start: open the scenario (.scen) that the plan was made for, too."
+            sentence: tr!(
+                "{file} does not say where its robots start: open the scenario (.scen) that the plan was made for, too.",
+                file
             ),
         });
     }
@@ -241,7 +248,11 @@ fn of_plan(
         let (path, _) = place::path(written, None, conventions);
         let cells: Vec<Cell> = path.into_iter().flatten().collect();
         let (Some(&first), Some(&last)) = (cells.first(), cells.last()) else {
-            return Err(Refused::Apart(format!("{file} has no path for {name}.")));
+            return Err(Refused::Apart(tr!(
+                "{file} has no path for {name}.",
+                file,
+                name
+            )));
         };
         let told = written.goal.map(|told| of(told.pair));
         // Two that end at one cell cannot both have it as their goal.

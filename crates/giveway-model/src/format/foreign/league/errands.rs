@@ -4,8 +4,8 @@ use std::collections::{BTreeMap, BTreeSet};
 use std::fmt::Display;
 
 use super::fields::{Event, Fields, Part};
-use crate::Fault;
 use crate::format::foreign::{Pair, WrittenAt, WrittenCell};
+use crate::{Fault, tr};
 
 /// A place of the file, and what is wrong there.
 pub(super) type Wrong = (String, String, String);
@@ -43,8 +43,8 @@ pub(super) fn done(fields: &Fields<'_>) -> Result<Vec<Vec<WrittenCell>>, Wrong> 
                     }
                 }
                 Event::Number(_) => {
-                    let found = "an event of other than four numbers".to_owned();
-                    let expected = "[time, robot, task, errands done]".to_owned();
+                    let found = tr!("an event of other than four numbers").to_owned();
+                    let expected = tr!("[time, robot, task, errands done]").to_owned();
                     return Err((format!("events[{i}]"), found, expected));
                 }
             }
@@ -58,8 +58,8 @@ pub(super) fn done(fields: &Fields<'_>) -> Result<Vec<Vec<WrittenCell>>, Wrong> 
 }
 
 fn no_robot(place: String, robot: impl Display, robots: usize) -> Wrong {
-    let expected = format!("one of the {robots} robots, from 0");
-    (place, format!("robot {robot}"), expected)
+    let expected = tr!("one of the {robots} robots, from 0", robots);
+    (place, tr!("robot {robot}", robot), expected)
 }
 
 /// The errands of each task.
@@ -81,10 +81,10 @@ fn tasks(written: &[Vec<Part>]) -> Result<BTreeMap<i64, Vec<WrittenCell>>, Wrong
             _ => (0, None),
         };
         let Some(errands) = errands else {
-            let expected = "[id, row, column] or [id, release, [row, column, ..]]";
+            let expected = tr!("[id, row, column] or [id, release, [row, column, ..]]");
             return Err((
                 format!("tasks[{i}]"),
-                "a task written in another way".to_owned(),
+                tr!("a task written in another way").to_owned(),
                 expected.to_owned(),
             ));
         };

@@ -6,6 +6,8 @@ use std::fmt;
 use serde::de::{self, IgnoredAny, SeqAccess, Visitor};
 use serde::{Deserialize, Deserializer};
 
+use crate::tr;
+
 /// A result. Other keys are passed over.
 #[derive(Deserialize)]
 #[serde(rename_all = "camelCase")]
@@ -50,7 +52,7 @@ impl<'de: 'a, 'a> Deserialize<'de> for Start<'a> {
             type Value = Start<'de>;
 
             fn expecting(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-                f.write_str("a start [row, column, heading]")
+                f.write_str(tr!("a start [row, column, heading]"))
             }
 
             fn visit_seq<A: SeqAccess<'de>>(self, mut list: A) -> Result<Self::Value, A::Error> {
@@ -88,7 +90,9 @@ impl<'de: 'a, 'a> Deserialize<'de> for Event<'a> {
             type Value = Event<'de>;
 
             fn expecting(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-                f.write_str("a whole number, or a list of task, time and what happened")
+                f.write_str(tr!(
+                    "a whole number, or a list of task, time and what happened"
+                ))
             }
 
             fn visit_i64<E: de::Error>(self, number: i64) -> Result<Self::Value, E> {
@@ -132,7 +136,7 @@ impl<'de> Deserialize<'de> for Part {
             type Value = Part;
 
             fn expecting(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-                f.write_str("a whole number, or a list of rows and columns")
+                f.write_str(tr!("a whole number, or a list of rows and columns"))
             }
 
             fn visit_i64<E: de::Error>(self, number: i64) -> Result<Part, E> {

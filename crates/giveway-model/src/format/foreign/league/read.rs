@@ -4,7 +4,6 @@ use super::errands;
 use super::fields::{Fields, Start};
 use super::steps::{Unknown, letters, most, plain, turning};
 use super::ticks;
-use crate::Fault;
 use crate::format::foreign::limits::Steps;
 use crate::format::foreign::{
     CellOrder, Claimed, Conventions, Heading, Held, Origin, Pair, Up, Walk, WrittenAgent,
@@ -14,6 +13,7 @@ use crate::format::json;
 use crate::format::locate::{Locator, segments};
 use crate::format::text::{position, shorten};
 use crate::words::count;
+use crate::{Fault, tr};
 
 /// What the League documents.
 const DOCUMENTED: Conventions = Conventions {
@@ -43,8 +43,8 @@ fn placed(text: &str, fault: Fault) -> Fault {
 fn plan(fields: &Fields<'_>) -> Result<WrittenPlan, Fault> {
     let robots = fields.start.len();
     if fields.actual_paths.len() != robots {
-        let found = count(fields.actual_paths.len(), "path");
-        let expected = format!("{robots}, one for each start");
+        let found = tr!("{n} path" | "{n} paths" % fields.actual_paths.len());
+        let expected = tr!("{robots}, one for each start", robots);
         return Err(Fault::at("actualPaths", found, expected));
     }
     let model = match &*fields.action_model.0 {
@@ -52,7 +52,7 @@ fn plan(fields: &Fields<'_>) -> Result<WrittenPlan, Fault> {
         "MAPF_T" => Model::Turning,
         other => {
             let found = format!("\"{}\"", shorten(other));
-            return Err(Fault::at("actionModel", found, "MAPF or MAPF_T"));
+            return Err(Fault::at("actionModel", found, tr!("MAPF or MAPF_T")));
         }
     };
     let visited = errands::done(fields).map_err(errands::fault)?;
@@ -126,7 +126,7 @@ fn turning_walk(
 fn unexpected(place: &str, path: &str, unknown: &Unknown) -> Fault {
     let rest = path.get(unknown.offset..).unwrap_or("");
     let found = rest.chars().next().map_or_else(
-        || "the end of the path".to_owned(),
+        || tr!("the end of the path").to_owned(),
         |c| format!("\"{}\"", shorten(&c.to_string())),
     );
     let place = format!("{place}[{}]", unknown.offset);
@@ -141,10 +141,10 @@ fn heading(i: usize, start: &Start<'_>) -> Result<Heading, Fault> {
         Some("N") => Ok(Heading::North),
         other => {
             let found = other.map_or_else(
-                || "no heading".to_owned(),
-                |other| format!("the heading \"{}\"", shorten(other)),
+                || tr!("no heading").to_owned(),
+                |other| tr!("the heading \"{heading}\"", heading = shorten(other)),
             );
-            Err(Fault::at(format!("start[{i}]"), found, "E, S, W or N"))
+            Err(Fault::at(format!("start[{i}]"), found, tr!("E, S, W or N")))
         }
     }
 }

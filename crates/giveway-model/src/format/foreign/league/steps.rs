@@ -1,6 +1,7 @@
 //! Letters, a step each: `F,R,F,W`.
 
 use crate::format::foreign::{Action, Move};
+use crate::tr;
 
 /// A character of a text that is none of those that may stand there.
 #[derive(Debug, PartialEq, Eq)]
@@ -49,13 +50,13 @@ pub(super) fn letters<T>(
         if offset % 2 == 0 {
             let step = meaning(byte).ok_or_else(|| Unknown {
                 offset,
-                expected: format!("one of {known}"),
+                expected: tr!("one of {known}", known),
             })?;
             steps.push(step);
         } else if byte != b',' {
             return Err(Unknown {
                 offset,
-                expected: "a comma".to_owned(),
+                expected: tr!("a comma").to_owned(),
             });
         }
     }

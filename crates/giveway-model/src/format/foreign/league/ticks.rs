@@ -6,9 +6,9 @@
 //! once it has begun, only waits interrupt it.
 
 use super::steps::{Unknown, turning};
-use crate::Fault;
 use crate::format::foreign::Action;
 use crate::format::foreign::limits::Steps;
+use crate::{Fault, tr};
 
 /// Why a text is not read.
 pub(super) enum Refused {
@@ -35,7 +35,7 @@ pub(super) fn actions(text: &str, full: u32, steps: &mut Steps) -> Result<Vec<Ac
         reader.expect("[(")?;
         let begin = reader.at;
         if reader.number()? as usize != robot.actions.len() {
-            let expected = format!("{}, the next tick", robot.actions.len());
+            let expected = tr!("{n}, the next tick", n = robot.actions.len());
             return Err(Unknown {
                 offset: begin,
                 expected,
@@ -128,15 +128,15 @@ impl Reader<'_> {
         let digits = self.rest().bytes().take_while(u8::is_ascii_digit).count();
         let number = self.rest().get(..digits).and_then(|it| it.parse().ok());
         let number = number.filter(|&number: &u32| i32::try_from(number).is_ok());
-        let number =
-            number.ok_or_else(|| self.unknown(format!("a whole number from 0 to {}", i32::MAX)))?;
+        let number = number
+            .ok_or_else(|| self.unknown(tr!("a whole number from 0 to {most}", most = i32::MAX)))?;
         self.at += digits;
         Ok(number)
     }
 
     fn action(&mut self) -> Result<Action, Unknown> {
         let letter = self.rest().bytes().next().and_then(turning);
-        let action = letter.ok_or_else(|| self.unknown("one of F R C W T, or )]"))?;
+        let action = letter.ok_or_else(|| self.unknown(tr!("one of F R C W T, or )]")))?;
         self.at += 1;
         Ok(action)
     }

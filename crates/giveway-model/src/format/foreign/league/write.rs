@@ -14,7 +14,7 @@ use crate::format::foreign::{Format, Written};
 use crate::format::loss::{Part, losses};
 use crate::format::movingai;
 use crate::words::count;
-use crate::{Cell, Fault, Instance, Plan};
+use crate::{Cell, Fault, Instance, Plan, tr};
 
 /// A result, its keys in the order of the League's own program.
 #[derive(Serialize)]
@@ -80,7 +80,7 @@ pub(in crate::format::foreign) fn write(
         tasks: tasks(&visits),
     };
     let text = serde_json::to_string(&output)
-        .map_err(|error| Fault::at("", error.to_string(), "a result that can be written"))?;
+        .map_err(|error| Fault::at("", error.to_string(), tr!("a result that can be written")))?;
     let lost = losses(&[Part::Waypoints], Some(instance), Some(plan));
     let mut lost: Vec<String> = lost.iter().map(ToString::to_string).collect();
     lost.extend(unreached(instance, &paths, &visits));
@@ -99,15 +99,24 @@ fn all_letters(instance: &Instance, paths: &WholeSteps) -> Result<Vec<String>, F
     let mut all = Vec::with_capacity(paths.paths.len());
     for (agent, path) in instance.agents().iter().zip(&paths.paths) {
         if path.first() != Some(&agent.start) {
-            let found = format!("a path of {} that begins elsewhere", agent.name);
-            return Err(Fault::at("", found, format!("its start {}", agent.start)));
+            let found = tr!("a path of {name} that begins elsewhere", name = agent.name);
+            return Err(Fault::at(
+                "",
+                found,
+                tr!("its start {start}", start = agent.start),
+            ));
         }
         let mut letters: Vec<&str> = Vec::with_capacity(steps);
         for pair in path.windows(2) {
             if let &[from, to] = pair {
                 letters.push(letter(from, to).ok_or_else(|| {
-                    let found = format!("{} going from {from} to {to}", agent.name);
-                    Fault::at("", found, "moves between neighbours")
+                    let found = tr!(
+                        "{name} going from {from} to {to}",
+                        name = agent.name,
+                        from,
+                        to
+                    );
+                    Fault::at("", found, tr!("moves between neighbours"))
                 })?);
             }
         }

@@ -8,6 +8,7 @@ use serde::de::{self, IgnoredAny, MapAccess, SeqAccess, Visitor};
 use serde::{Deserialize, Deserializer};
 
 use crate::format::foreign::Pair;
+use crate::tr;
 
 /// A problem. Other keys are passed over.
 #[derive(Deserialize)]
@@ -71,7 +72,7 @@ impl<'de> Deserialize<'de> for Side {
             type Value = Side;
 
             fn expecting(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-                f.write_str("a whole number from 1")
+                f.write_str(tr!("a whole number from 1"))
             }
 
             fn visit_u64<E: de::Error>(self, number: u64) -> Result<Side, E> {
@@ -113,7 +114,7 @@ impl<'de> Deserialize<'de> for Place {
             type Value = Place;
 
             fn expecting(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-                f.write_str("a cell [x, y]")
+                f.write_str(tr!("a cell [x, y]"))
             }
 
             fn visit_seq<A: SeqAccess<'de>>(self, mut list: A) -> Result<Place, A::Error> {
@@ -166,7 +167,7 @@ impl<'de> Deserialize<'de> for Paths {
             type Value = Paths;
 
             fn expecting(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-                f.write_str("a list of paths")
+                f.write_str(tr!("a list of paths"))
             }
 
             fn visit_seq<A: SeqAccess<'de>>(self, mut list: A) -> Result<Paths, A::Error> {
@@ -194,7 +195,7 @@ impl<'de> Deserialize<'de> for Route {
             type Value = Route;
 
             fn expecting(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-                f.write_str("a path, a list of cells")
+                f.write_str(tr!("a path, a list of cells"))
             }
 
             fn visit_seq<A: SeqAccess<'de>>(self, mut list: A) -> Result<Route, A::Error> {

@@ -19,7 +19,6 @@ mod fields;
 mod problem;
 mod write;
 
-use crate::Fault;
 use crate::format::foreign::limits::Steps;
 use crate::format::foreign::{
     Claimed, Conventions, Held, Walk, WrittenAgent, WrittenAt, WrittenPlan,
@@ -27,6 +26,7 @@ use crate::format::foreign::{
 use crate::format::json;
 use crate::format::locate::{Fields, Locator, segments};
 use crate::format::text::position;
+use crate::{Fault, tr};
 use fields::{Download, Paths, Problem, Upload};
 
 pub(super) use write::write;
@@ -119,7 +119,11 @@ fn of_problem(text: &str, problem: Problem) -> Result<Held, Fault> {
 /// it is a text in a text.
 fn first(text: &str, download: &Download<'_>) -> Result<Held, Fault> {
     let Some(first) = download.problems.first() else {
-        let fault = Fault::at("problems", "an empty list", "at least one problem");
+        let fault = Fault::at(
+            "problems",
+            tr!("an empty list"),
+            tr!("at least one problem"),
+        );
         return Err(placed(text, fault));
     };
     let inner = &*first.problem.0;
@@ -149,8 +153,8 @@ fn first(text: &str, download: &Download<'_>) -> Result<Held, Fault> {
 fn of_upload(upload: Upload) -> Result<Held, Fault> {
     let all = upload.solutions.len();
     let Some(first) = upload.solutions.into_iter().next() else {
-        let expected = "at least one solution";
-        return Err(Fault::at("solutions", "an empty list", expected));
+        let expected = tr!("at least one solution");
+        return Err(Fault::at("solutions", tr!("an empty list"), expected));
     };
     let list = "solutions[0].solution";
     let mut plan = plan(list, first.solution).map_err(|fault| Fault {
@@ -175,7 +179,11 @@ fn plan(list: &'static str, Paths(paths): Paths) -> Result<WrittenPlan, Fault> {
             ..fault
         })?;
         if route.0.is_empty() {
-            return Err(Fault::at(place(), "an empty path", "a cell at least"));
+            return Err(Fault::at(
+                place(),
+                tr!("an empty path"),
+                tr!("a cell at least"),
+            ));
         }
         agents.push(WrittenAgent::walking(
             Walk::Cells(route.0),

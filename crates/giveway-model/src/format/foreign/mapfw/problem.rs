@@ -4,7 +4,7 @@ use std::collections::BTreeMap;
 
 use super::fields::{Place, Problem};
 use crate::words::count;
-use crate::{Agent, Cell, Fault, MAX_SIDE, Scene};
+use crate::{Agent, Cell, Fault, MAX_SIDE, Scene, tr};
 
 /// The scene; its faults have the place in the problem.
 pub(super) fn scene(problem: &Problem, notes: &mut Vec<String>) -> Result<Scene, Fault> {
@@ -14,8 +14,8 @@ pub(super) fn scene(problem: &Problem, notes: &mut Vec<String>) -> Result<Scene,
         if found == robots {
             return Ok(());
         }
-        let expected = format!("{robots}, one for each start");
-        Err(Fault::at(place, format!("{found} entries"), expected))
+        let expected = tr!("{robots}, one for each start", robots);
+        Err(Fault::at(place, tr!("{found} entries", found), expected))
     };
     same("goals", problem.goals.len())?;
     if !problem.waypoints.is_empty() {
@@ -67,11 +67,11 @@ fn map(problem: &Problem) -> Result<Vec<String>, Fault> {
     let width = grid.first().map_or(0, Vec::len) as u64;
     let most = u64::from(MAX_SIDE);
     if !(1..=most).contains(&width) || !(1..=most).contains(&height) {
-        let found = format!("a grid of {width} x {height} cells");
+        let found = tr!("a grid of {width} x {height} cells", width, height);
         return Err(Fault::at(
             "grid",
             found,
-            format!("1 to {most} rows and columns"),
+            tr!("1 to {most} rows and columns", most),
         ));
     }
     for (place, told, is) in [
@@ -79,15 +79,15 @@ fn map(problem: &Problem) -> Result<Vec<String>, Fault> {
         ("height", problem.height, height),
     ] {
         if let Some(told) = told.filter(|told| told.0 != is) {
-            let expected = format!("{is}, as in the grid");
+            let expected = tr!("{is}, as in the grid", is);
             return Err(Fault::at(place, told.0.to_string(), expected));
         }
     }
     let mut rows = Vec::with_capacity(grid.len());
     for (y, row) in grid.iter().enumerate() {
         if row.len() as u64 != width {
-            let expected = format!("{width}, as in the first row");
-            let found = format!("a row of {}", count(row.len(), "cell"));
+            let expected = tr!("{width}, as in the first row", width);
+            let found = tr!("a row of {n} cell" | "a row of {n} cells" % row.len());
             return Err(Fault::at(format!("grid[{y}]"), found, expected));
         }
         let mut text = String::with_capacity(row.len());
@@ -97,7 +97,7 @@ fn map(problem: &Problem) -> Result<Vec<String>, Fault> {
                 1 => '#',
                 other => {
                     let place = format!("grid[{y}][{x}]");
-                    return Err(Fault::at(place, other.to_string(), "0 or 1"));
+                    return Err(Fault::at(place, other.to_string(), tr!("0 or 1")));
                 }
             });
         }
@@ -114,8 +114,8 @@ fn cells(problem: &Problem, key: &str, places: &[Place]) -> Result<Vec<Cell>, Fa
         let way = format!("{key}[{i}]");
         let cell = cell(problem, &way, *place)?;
         if let Some(other) = seen.insert(cell, i) {
-            let found = format!("{cell}, which {key}[{other}] is, too");
-            return Err(Fault::at(way, found, "a cell of its own"));
+            let found = tr!("{cell}, which {key}[{other}] is, too", cell, key, other);
+            return Err(Fault::at(way, found, tr!("a cell of its own")));
         }
         cells.push(cell);
     }
@@ -132,10 +132,14 @@ fn cell(problem: &Problem, way: &str, place: Place) -> Result<Cell, Fault> {
         Some(0) => Ok(Cell::new(x.cast_unsigned(), y.cast_unsigned())),
         Some(_) => Err(Fault::at(
             way,
-            format!("the wall ({x}, {y})"),
-            "a free cell",
+            tr!("the wall ({x}, {y})", x, y),
+            tr!("a free cell"),
         )),
-        None => Err(Fault::at(way, format!("({x}, {y})"), "a cell of the grid")),
+        None => Err(Fault::at(
+            way,
+            format!("({x}, {y})"),
+            tr!("a cell of the grid"),
+        )),
     }
 }
 
@@ -151,14 +155,14 @@ fn by_colour(problem: &Problem, goals: &[Cell]) -> Result<Vec<Cell>, Fault> {
             .get_mut(&start.color)
             .and_then(std::collections::VecDeque::pop_front);
         goal.ok_or_else(|| {
-            let color = start
-                .color
-                .map_or_else(|| "none".to_owned(), |it| it.to_string());
-            let found = format!("a start of the colour {color}, and no goal for it");
+            let found = match start.color {
+                Some(color) => tr!("a start of the colour {color}, and no goal for it", color),
+                None => tr!("a start of the colour none, and no goal for it").to_owned(),
+            };
             Fault::at(
                 format!("starts[{i}]"),
                 found,
-                "as many goals of each colour as starts",
+                tr!("as many goals of each colour as starts"),
             )
         })
     };

@@ -5,7 +5,7 @@ use serde::Serialize;
 use crate::format::foreign::whole_steps::{WholeSteps, both};
 use crate::format::foreign::{Format, Written};
 use crate::format::loss::{Part, losses};
-use crate::{Cell, Fault, Instance, Plan};
+use crate::{Cell, Fault, Instance, Plan, tr};
 
 #[derive(Serialize)]
 struct Problem<'a> {
@@ -85,5 +85,5 @@ fn problem(instance: &Instance) -> Problem<'_> {
 fn text(value: &impl Serialize) -> Result<String, Fault> {
     serde_json::to_string(value)
         .map(|text| text + "\n")
-        .map_err(|error| Fault::at("", error.to_string(), "a file that can be written"))
+        .map_err(|error| Fault::at("", error.to_string(), tr!("a file that can be written")))
 }

@@ -2,10 +2,10 @@
 
 use super::scenario::{self, Map, WrittenRobot};
 use super::{lines, schedule};
-use crate::Fault;
 use crate::format::foreign::limits::Steps;
 use crate::format::foreign::yaml::Yaml;
 use crate::format::foreign::{Claimed, Conventions, Held, WrittenAgent, WrittenPlan};
+use crate::{Fault, tr, tr_later};
 
 /// What was read of a file.
 #[derive(Default)]
@@ -46,7 +46,7 @@ pub(super) fn parsed(text: &str) -> Result<Held, Fault> {
     let mut steps = Steps::default();
     if yaml.document()? {
         yaml.object(
-            "an object with map and agents, or with schedule",
+            tr_later!("an object with map and agents, or with schedule"),
             |y, key| {
                 match key {
                     "map" => parts.map = Some(scenario::map(y)?),
@@ -64,8 +64,8 @@ pub(super) fn parsed(text: &str) -> Result<Held, Fault> {
         (None, None) => None,
         (map, _) => {
             let missing = if map.is_some() { "agents" } else { "map" };
-            let found = format!("no key \"{missing}\"");
-            return Err(Fault::at("", found, "map and agents").in_text(1, 1));
+            let found = tr!("no key \"{key}\"", key = missing);
+            return Err(Fault::at("", found, tr!("map and agents")).in_text(1, 1));
         }
     };
     let plan = parts.schedule.map(|agents| plan(agents, parts.claimed));
@@ -74,8 +74,8 @@ pub(super) fn parsed(text: &str) -> Result<Held, Fault> {
         (None, Some(plan)) => Ok(Held::Plan(plan)),
         (Some((scene, notes)), Some(plan)) => Ok(Held::Both(scene, WrittenPlan { notes, ..plan })),
         (None, None) => {
-            let expected = "map and agents, or schedule";
-            Err(Fault::at("", "none of these keys", expected).in_text(1, 1))
+            let expected = tr!("map and agents, or schedule");
+            Err(Fault::at("", tr!("none of these keys"), expected).in_text(1, 1))
         }
     }
 }

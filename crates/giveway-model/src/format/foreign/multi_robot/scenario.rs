@@ -5,10 +5,10 @@ use std::collections::BTreeSet;
 use super::goals;
 use crate::format::foreign::yaml::Yaml;
 use crate::format::text::shorten;
-use crate::words::count;
-use crate::{Agent, Cell, Fault, MAX_AGENTS, MAX_SIDE, Scene};
+use crate::words::{Later, count};
+use crate::{Agent, Cell, Fault, MAX_AGENTS, MAX_SIDE, Scene, tr, tr_later};
 
-const CELL: &str = "a cell [x, y]";
+const CELL: Later = tr_later!("a cell [x, y]");
 
 /// A cell, with its place in the file.
 #[derive(Clone, Debug)]
@@ -44,10 +44,10 @@ fn cell(y: &mut Yaml<'_>) -> Result<Placed, Fault> {
     let mut length = 0;
     let mut place = None;
     y.list(CELL, |y, i| {
-        let number = y.number("a whole number")?;
+        let number = y.number(tr_later!("a whole number"))?;
         match numbers.get_mut(i) {
             Some(slot) => *slot = number,
-            None => return Err(y.fault("a third number", CELL)),
+            None => return Err(y.fault(tr!("a third number"), CELL)),
         }
         length += 1;
         place.get_or_insert_with(|| y.fault("", ""));
@@ -60,7 +60,7 @@ fn cell(y: &mut Yaml<'_>) -> Result<Placed, Fault> {
             let [x, y] = numbers;
             Ok(Placed { x, y, place })
         }
-        _ => Err(y.fault(format!("a list of {length}"), CELL)),
+        _ => Err(y.fault(tr!("a list of {length}", length), CELL)),
     }
 }
 
@@ -68,19 +68,27 @@ fn cell(y: &mut Yaml<'_>) -> Result<Placed, Fault> {
 pub(super) fn map(y: &mut Yaml<'_>) -> Result<Map, Fault> {
     let mut obstacles = BTreeSet::new();
     let mut size = None;
-    y.object("an object with dimensions and obstacles", |y, key| {
-        match key {
-            "dimensions" => size = Some(dimensions(&cell(y)?)?),
-            "obstacles" => y.list("a list of cells", |y, _| {
-                let Placed { x, y, .. } = cell(y)?;
-                obstacles.insert((x, y));
-                Ok(())
-            })?,
-            _ => y.skip()?,
-        }
-        Ok(())
+    y.object(
+        tr_later!("an object with dimensions and obstacles"),
+        |y, key| {
+            match key {
+                "dimensions" => size = Some(dimensions(&cell(y)?)?),
+                "obstacles" => y.list(tr_later!("a list of cells"), |y, _| {
+                    let Placed { x, y, .. } = cell(y)?;
+                    obstacles.insert((x, y));
+                    Ok(())
+                })?,
+                _ => y.skip()?,
+            }
+            Ok(())
+        },
+    )?;
+    let (width, height) = size.ok_or_else(|| {
+        y.fault(
+            tr!("no key \"{key}\"", key = "dimensions"),
+            tr!("one in map"),
+        )
     })?;
-    let (width, height) = size.ok_or_else(|| y.fault("no key \"dimensions\"", "one in map"))?;
     Ok(Map {
         width,
         height,
@@ -94,8 +102,12 @@ fn dimensions(cell: &Placed) -> Result<(u32, u32), Fault> {
         side.filter(|side| (1..=MAX_SIDE).contains(side))
     };
     side(cell.x).zip(side(cell.y)).ok_or_else(|| {
-        let found = format!("a map of {} x {} cells", cell.x, cell.y);
-        let expected = format!("1 to {MAX_SIDE} rows and columns");
+        let found = tr!(
+            "a map of {width} x {height} cells",
+            width = cell.x,
+            height = cell.y
+        );
+        let expected = tr!("1 to {most} rows and columns", most = MAX_SIDE);
         at(&cell.place, found, expected)
     })
 }
@@ -111,32 +123,40 @@ fn at(place: &Fault, found: impl Into<String>, expected: impl Into<String>) -> F
 /// Reads `agents`.
 pub(super) fn robots(y: &mut Yaml<'_>) -> Result<Vec<WrittenRobot>, Fault> {
     let mut robots = Vec::new();
-    y.list("a list of agents", |y, i| {
+    y.list(tr_later!("a list of agents"), |y, i| {
         if i >= MAX_AGENTS {
-            let expected = format!("at most {MAX_AGENTS} robots");
-            return Err(y.fault("one more agent", expected));
+            let expected = tr!("at most {most} robots", most = MAX_AGENTS);
+            return Err(y.fault(tr!("one more agent"), expected));
         }
         let (mut name, mut start, mut goals, mut chooses) = (None, None, Vec::new(), false);
-        y.object("an object with name, start and goal", |y, key| {
-            match key {
-                "name" => name = y.optional("a name")?.map(String::from),
-                "start" => start = Some(cell(y)?),
-                "goal" => goals = vec![cell(y)?],
-                "potentialGoals" => {
-                    chooses = true;
-                    goals.clear();
-                    y.list("a list of cells", |y, _| {
-                        goals.push(cell(y)?);
-                        Ok(())
-                    })?;
+        y.object(
+            tr_later!("an object with name, start and goal"),
+            |y, key| {
+                match key {
+                    "name" => name = y.optional(tr_later!("a name"))?.map(String::from),
+                    "start" => start = Some(cell(y)?),
+                    "goal" => goals = vec![cell(y)?],
+                    "potentialGoals" => {
+                        chooses = true;
+                        goals.clear();
+                        y.list(tr_later!("a list of cells"), |y, _| {
+                            goals.push(cell(y)?);
+                            Ok(())
+                        })?;
+                    }
+                    _ => y.skip()?,
                 }
-                _ => y.skip()?,
-            }
-            Ok(())
+                Ok(())
+            },
+        )?;
+        let start = start.ok_or_else(|| {
+            y.fault(
+                tr!("no key \"{key}\"", key = "start"),
+                tr!("one for each agent"),
+            )
         })?;
-        let start = start.ok_or_else(|| y.fault("no key \"start\"", "one for each agent"))?;
         if goals.is_empty() {
-            return Err(y.fault("no goal", "goal or potentialGoals for each agent"));
+            return Err(y.fault(tr!("no goal"), tr!("goal or potentialGoals for each agent")));
         }
         let name = name.filter(|name| !name.is_empty());
         robots.push(WrittenRobot {
@@ -167,13 +187,13 @@ pub(super) fn scene(map: &Map, robots: Vec<WrittenRobot>) -> Result<(Scene, Vec<
     let mut choices = Vec::with_capacity(robots.len());
     for robot in &robots {
         if !names.insert(&*robot.name) {
-            let found = format!("the name \"{}\" again", shorten(&robot.name));
-            return Err(at(&robot.place, found, "a name of its own"));
+            let found = tr!("the name \"{name}\" again", name = shorten(&robot.name));
+            return Err(at(&robot.place, found, tr!("a name of its own")));
         }
         let start = map.free(&robot.start)?;
         if !starts.insert(start) {
-            let found = format!("the start {start} again");
-            return Err(at(&robot.start.place, found, "a start of its own"));
+            let found = tr!("the start {start} again", start);
+            return Err(at(&robot.start.place, found, tr!("a start of its own")));
         }
         let cells: Result<Vec<Cell>, Fault> =
             robot.goals.iter().map(|goal| map.free(goal)).collect();
@@ -190,8 +210,8 @@ pub(super) fn scene(map: &Map, robots: Vec<WrittenRobot>) -> Result<(Scene, Vec<
     for (robot, goal) in robots.into_iter().zip(goals) {
         let Some(goal) = goal else {
             let place = robot.goals.first().map_or(&robot.place, |goal| &goal.place);
-            let found = format!("no goal left for {}", shorten(&robot.name));
-            return Err(at(place, found, "a goal of its own for each robot"));
+            let found = tr!("no goal left for {name}", name = shorten(&robot.name));
+            return Err(at(place, found, tr!("a goal of its own for each robot")));
         };
         agents.push(Agent {
             start: map.free(&robot.start)?,
@@ -218,11 +238,19 @@ impl Map {
     fn free(&self, cell: &Placed) -> Result<Cell, Fault> {
         let Placed { x, y, ref place } = *cell;
         if !self.has(x, y) {
-            let expected = format!("a cell of the {} x {} map", self.width, self.height);
+            let expected = tr!(
+                "a cell of the {width} x {height} map",
+                width = self.width,
+                height = self.height
+            );
             return Err(at(place, format!("({x}, {y})"), expected));
         }
         if self.obstacles.contains(&(x, y)) {
-            return Err(at(place, format!("the obstacle ({x}, {y})"), "a free cell"));
+            return Err(at(
+                place,
+                tr!("the obstacle {cell}", cell = format!("({x}, {y})")),
+                tr!("a free cell"),
+            ));
         }
         Ok(Cell::new(x.cast_unsigned(), y.cast_unsigned()))
     }

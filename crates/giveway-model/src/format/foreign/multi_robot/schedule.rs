@@ -2,18 +2,18 @@
 
 use std::collections::BTreeSet;
 
-use crate::Fault;
 use crate::format::foreign::limits::Steps;
 use crate::format::foreign::yaml::Yaml;
 use crate::format::foreign::{Claimed, Pair, Walk, WrittenAgent, WrittenAt};
 use crate::format::text::shorten;
+use crate::{Fault, tr, tr_later};
 
 /// Reads `statistics`.
 pub(super) fn statistics(y: &mut Yaml<'_>) -> Result<Claimed, Fault> {
     let mut claimed = Claimed::default();
-    y.object("an object with cost and makespan", |y, key| {
+    y.object(tr_later!("an object with cost and makespan"), |y, key| {
         match key {
-            "cost" | "makespan" => claim(&mut claimed, key, &y.text("a number")?),
+            "cost" | "makespan" => claim(&mut claimed, key, &y.text(tr_later!("a number"))?),
             _ => y.skip()?,
         }
         Ok(())
@@ -35,11 +35,11 @@ pub(super) fn agents(y: &mut Yaml<'_>, steps: &mut Steps) -> Result<Vec<WrittenA
     let mut names = BTreeSet::new();
     let mut agents = Vec::new();
     y.object(
-        "an object with a list of states for each agent",
+        tr_later!("an object with a list of states for each agent"),
         |y, name| {
             if !names.insert(name.to_owned()) {
-                let found = format!("the agent \"{}\" again", shorten(name));
-                return Err(y.fault(found, "each agent once"));
+                let found = tr!("the agent \"{name}\" again", name = shorten(name));
+                return Err(y.fault(found, tr!("each agent once")));
             }
             let (line, column) = y.at();
             let track = states(y, steps)?;
@@ -55,19 +55,19 @@ pub(super) fn agents(y: &mut Yaml<'_>, steps: &mut Steps) -> Result<Vec<WrittenA
 
 fn states(y: &mut Yaml<'_>, steps: &mut Steps) -> Result<Track, Fault> {
     let mut track = Track::default();
-    y.list("a list of states", |y, _| {
+    y.list(tr_later!("a list of states"), |y, _| {
         let (mut x, mut row, mut time) = (None, None, None);
-        y.object("a state with x, y and t", |y, key| {
+        y.object(tr_later!("a state with x, y and t"), |y, key| {
             match key {
-                "x" => x = Some(y.number("a whole number")?),
-                "y" => row = Some(y.number("a whole number")?),
-                "t" => time = Some(y.number::<u32>("a time from 0")?),
+                "x" => x = Some(y.number(tr_later!("a whole number"))?),
+                "y" => row = Some(y.number(tr_later!("a whole number"))?),
+                "t" => time = Some(y.number::<u32>(tr_later!("a time from 0"))?),
                 _ => y.skip()?,
             }
             Ok(())
         })?;
         let (Some(x), Some(row), Some(time)) = (x, row, time) else {
-            return Err(y.fault("a state without x, y or t", "all three"));
+            return Err(y.fault(tr!("a state without x, y or t"), tr!("all three")));
         };
         track
             .push(x, row, time, steps)
@@ -96,8 +96,8 @@ impl Track {
     ) -> Result<(), Fault> {
         let (time, length) = (time as usize, self.cells.len());
         if time < length {
-            let expected = format!("a later one: the times up to {} are there", length - 1);
-            return Err(Fault::at("", format!("the time {time}"), expected));
+            let expected = tr!("a later one: the times up to {n} are there", n = length - 1);
+            return Err(Fault::at("", tr!("the time {time}", time), expected));
         }
         steps.add(time + 1 - length)?;
         let cell = Pair::new(x, y);

@@ -1,10 +1,9 @@
 //! The lines before the steps: what the plan is for and what it costs.
 
-use crate::Fault;
 use crate::format::foreign::cursor::Cursor;
 use crate::format::foreign::limits::robots;
 use crate::format::foreign::{Claimed, WrittenAt, WrittenCell};
-use crate::words;
+use crate::{Fault, tr, tr_later};
 
 /// The keys by which such a file is known.
 pub(super) const KEYS: [&str; 12] = [
@@ -49,7 +48,7 @@ impl Header {
             cursor.space();
             let begin = cursor.clone();
             if cursor.is_at_end() {
-                return Err(cursor.fault("\"solution=\" and a line for each time step"));
+                return Err(cursor.fault(tr!("\"solution=\" and a line for each time step")));
             }
             let key = key(cursor);
             if !cursor.eat("=") {
@@ -57,11 +56,11 @@ impl Header {
                     cursor.line();
                     continue;
                 }
-                return Err(begin.fault("a line \"key=value\""));
+                return Err(begin.fault(tr!("a line \"key=value\"")));
             }
             is_in_tasks = key == "task";
             if key == "solution" {
-                cursor.end_of_line("the end of the line, with the steps below")?;
+                cursor.end_of_line(tr_later!("the end of the line, with the steps below"))?;
                 return header.checked(cursor);
             }
             header.take(key, cursor)?;
@@ -92,12 +91,16 @@ impl Header {
 
     /// Whether the counts of robots agree.
     fn checked(self, cursor: &Cursor<'_>) -> Result<Self, Fault> {
-        let lists = [("start", &self.starts), ("goal", &self.goals)];
-        for (name, cells) in lists {
+        for (is_start, cells) in [(true, &self.starts), (false, &self.goals)] {
             let agents = self.agents.unwrap_or(self.starts.len());
             if !cells.is_empty() && cells.len() != agents {
-                let found = format!("{} before the steps", words::count(cells.len(), name));
-                let expected = format!("{agents}, one of each robot");
+                let n = cells.len();
+                let found = if is_start {
+                    tr!("{n} start before the steps" | "{n} starts before the steps" % n)
+                } else {
+                    tr!("{n} goal before the steps" | "{n} goals before the steps" % n)
+                };
+                let expected = tr!("{agents}, one of each robot", agents);
                 return Err(cursor.fault_saying(found, expected));
             }
         }
@@ -122,9 +125,9 @@ fn key<'a>(cursor: &mut Cursor<'a>) -> &'a str {
 fn count(cursor: &mut Cursor<'_>) -> Result<u64, Fault> {
     cursor.blanks();
     let begin = cursor.clone();
-    let number = cursor.number("a number from 0")?;
-    let number = u64::try_from(number).map_err(|_| begin.fault("a number from 0"))?;
-    cursor.end_of_line("the end of the line")?;
+    let number = cursor.number(tr_later!("a number from 0"))?;
+    let number = u64::try_from(number).map_err(|_| begin.fault(tr!("a number from 0")))?;
+    cursor.end_of_line(tr_later!("the end of the line"))?;
     Ok(number)
 }
 
@@ -142,6 +145,6 @@ fn cells(cursor: &mut Cursor<'_>) -> Result<Vec<WrittenCell>, Fault> {
         cursor.eat(",");
         cursor.blanks();
     }
-    cursor.end_of_line("a cell, such as (3,1), or the end of the line")?;
+    cursor.end_of_line(tr_later!("a cell, such as (3,1), or the end of the line"))?;
     Ok(cells)
 }

@@ -1,10 +1,9 @@
 //! The lines of the steps: where every robot is at each time.
 
-use crate::Fault;
 use crate::format::foreign::cursor::Cursor;
 use crate::format::foreign::limits::{Steps, robots};
 use crate::format::foreign::{Pair, WrittenAt};
-use crate::words::count;
+use crate::{Fault, tr, tr_later};
 
 /// What the steps say.
 #[derive(Debug, Default)]
@@ -31,17 +30,20 @@ pub(super) fn read(cursor: &mut Cursor<'_>, agents: Option<usize>) -> Result<Rea
     cursor.space();
     while !cursor.is_at_end() {
         let begin = cursor.clone();
-        let number = cursor.number("a line \"0:(3,1),\" for each time step")?;
+        let number = cursor.number(tr_later!("a line \"0:(3,1),\" for each time step"))?;
         if number != time {
-            let expected = format!("{time}, the next time step");
+            let expected = tr!("{time}, the next time step", time);
             return Err(begin.fault_saying(number.to_string(), expected));
         }
         cursor.expect(":", "\":\"")?;
         let cells = read.step(cursor, time == 0)?;
         let known = agents.filter(|_| time == 0).unwrap_or(read.paths.len());
         if cells != known {
-            let found = format!("{} at time {time}", count(cells, "cell"));
-            return Err(begin.fault_saying(found, format!("{known}, one for each robot")));
+            let found = tr!(
+                "{n} cell at time {time}" | "{n} cells at time {time}" % cells,
+                time
+            );
+            return Err(begin.fault_saying(found, tr!("{known}, one for each robot", known)));
         }
         // A step takes time to read even where it has no cell.
         let counted = counted.add(cells.max(1));
@@ -71,8 +73,8 @@ impl Read {
                     self.places.push(WrittenAt::Byte(begin.offset()));
                 }
                 None => {
-                    let robots = count(self.paths.len(), "robot");
-                    let expected = format!("the end of the line after {robots}");
+                    let expected = tr!("the end of the line after {n} robot"
+                        | "the end of the line after {n} robots" % self.paths.len());
                     return Err(begin.fault(expected));
                 }
             }
@@ -83,9 +85,9 @@ impl Read {
             cursor.blanks();
         }
         let expected = if agent == 0 {
-            "a cell, such as (3,1)"
+            tr_later!("a cell, such as (3,1)")
         } else {
-            "\",\" and a cell, or the end of the line"
+            tr_later!("\",\" and a cell, or the end of the line")
         };
         cursor.end_of_line(expected)?;
         Ok(agent)
@@ -96,8 +98,8 @@ impl Read {
         if cursor.eat("->") {
             self.has_tasks = true;
             self.place(cursor)?;
-            cursor.expect(":", "\":\" and the number of a task")?;
-            cursor.number("the number of a task, or -1")?;
+            cursor.expect(":", tr_later!("\":\" and the number of a task"))?;
+            cursor.number(tr_later!("the number of a task, or -1"))?;
         }
         Ok(cell)
     }
@@ -109,7 +111,7 @@ impl Read {
             self.has_headings = true;
             let known = ["X_PLUS", "X_MINUS", "Y_PLUS", "Y_MINUS", "NONE"];
             if !known.iter().any(|&word| cursor.eat(word)) {
-                return Err(cursor.fault("X_PLUS, X_MINUS, Y_PLUS or Y_MINUS"));
+                return Err(cursor.fault(tr!("X_PLUS, X_MINUS, Y_PLUS or Y_MINUS")));
             }
         }
         cursor.expect(")", "\")\"")?;

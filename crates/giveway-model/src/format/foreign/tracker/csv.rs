@@ -4,10 +4,9 @@
 use std::borrow::Cow;
 
 use super::{Paths, Solution, plan};
-use crate::Fault;
 use crate::format::foreign::{Up, WrittenPlan};
 use crate::format::text::{position, shorten};
-use crate::words::count;
+use crate::{Fault, tr};
 
 /// The most columns of a table.
 const MAX_COLUMNS: usize = 64;
@@ -44,8 +43,8 @@ pub(super) fn read(text: &str) -> Result<WrittenPlan, Fault> {
             continue;
         }
         if fields.len() != columns.len() {
-            let found = count(fields.len(), "value");
-            let expected = format!("{}, as the first line has columns", columns.len());
+            let found = tr!("{n} value" | "{n} values" % fields.len());
+            let expected = tr!("{n}, as the first line has columns", n = columns.len());
             return Err(fault(text, begin, found, expected));
         }
         super::solutions(solutions.len() + 1).map_err(|many| {
@@ -135,7 +134,7 @@ impl Field<'_> {
         let number = self.text.trim().parse::<u32>();
         number
             .map(u64::from)
-            .map_err(|_| self.fault(text, "a number from 0"))
+            .map_err(|_| self.fault(text, tr!("a number from 0")))
     }
 
     fn flag(&self, text: &str) -> Result<bool, Fault> {
@@ -145,7 +144,7 @@ impl Field<'_> {
         } else if word.eq_ignore_ascii_case("false") {
             Ok(false)
         } else {
-            Err(self.fault(text, "TRUE or FALSE"))
+            Err(self.fault(text, tr!("TRUE or FALSE")))
         }
     }
 
@@ -172,8 +171,8 @@ fn record<'a>(text: &'a str, at: &mut usize) -> Result<Vec<Field<'a>>, Fault> {
             field
         };
         if fields.len() == MAX_COLUMNS {
-            let found = format!("over {MAX_COLUMNS} values");
-            let expected = format!("at most {MAX_COLUMNS}");
+            let found = tr!("over {most} values", most = MAX_COLUMNS);
+            let expected = tr!("at most {most}", most = MAX_COLUMNS);
             return Err(fault(text, field.at, found, expected));
         }
         fields.push(field);
@@ -189,8 +188,13 @@ fn record<'a>(text: &'a str, at: &mut usize) -> Result<Vec<Field<'a>>, Fault> {
             None if rest.is_empty() => {}
             None => {
                 let found: String = rest.chars().take(9).collect();
-                let found = format!("\"{}\" after a quote", shorten(&found));
-                return Err(fault(text, *at, found, "a comma or the end of the line"));
+                let found = tr!("\"{found}\" after a quote", found = shorten(&found));
+                return Err(fault(
+                    text,
+                    *at,
+                    found,
+                    tr!("a comma or the end of the line"),
+                ));
             }
         }
         return Ok(fields);
@@ -206,8 +210,8 @@ fn quoted<'a>(text: &'a str, at: &mut usize) -> Result<Field<'a>, Fault> {
     loop {
         let rest = text.get(from..).unwrap_or("");
         let Some(length) = rest.find('"') else {
-            let found = "a quote without its end";
-            return Err(fault(text, open, found, "another quote"));
+            let found = tr!("a quote without its end");
+            return Err(fault(text, open, found, tr!("another quote")));
         };
         let part = rest.get(..length).unwrap_or("");
         from += length + 1;

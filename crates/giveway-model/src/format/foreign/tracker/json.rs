@@ -7,12 +7,12 @@ use serde::de::{Error, SeqAccess, Visitor};
 use serde::{Deserialize, Deserializer};
 
 use super::{Paths, Solution, Spot, plan};
-use crate::Fault;
 use crate::format::foreign::limits::robots;
 use crate::format::foreign::{Up, WrittenPlan};
 use crate::format::json;
 use crate::format::locate::{Locator, segments};
 use crate::format::text::position;
+use crate::{Fault, tr};
 
 /// A solution with what is looked at; other keys pass.
 #[derive(Deserialize)]
@@ -71,7 +71,7 @@ impl<'de: 'a, 'a> Deserialize<'de> for Entries<'a> {
             type Value = Entries<'de>;
 
             fn expecting(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-                f.write_str("a list of solutions")
+                f.write_str(tr!("a list of solutions"))
             }
 
             fn visit_seq<A: SeqAccess<'de>>(self, mut list: A) -> Result<Self::Value, A::Error> {
@@ -148,7 +148,7 @@ impl<'de: 'a, 'a> Deserialize<'de> for Paths<'a> {
             type Value = Paths<'de>;
 
             fn expecting(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-                f.write_str("a text with a line for each robot, or a list of texts")
+                f.write_str(tr!("a text with a line for each robot, or a list of texts"))
             }
 
             fn visit_borrowed_str<E: Error>(self, text: &'de str) -> Result<Self::Value, E> {

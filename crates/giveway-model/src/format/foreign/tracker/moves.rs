@@ -1,8 +1,8 @@
 //! A path as letters with run lengths before them.
 
-use crate::Fault;
 use crate::format::foreign::Move;
 use crate::format::foreign::limits::Steps;
+use crate::{Fault, tr};
 
 /// Reads a path.
 ///
@@ -32,7 +32,7 @@ pub(super) fn read(path: &str, steps: &mut Steps) -> Result<Vec<Move>, (usize, F
                 moves.push(step);
             }
             Some((from, 0)) => {
-                let fault = Fault::at("", "a run of 0 steps", "at least 1");
+                let fault = Fault::at("", tr!("a run of 0 steps"), tr!("at least 1"));
                 return Err((from, fault));
             }
             Some((from, length)) => {
@@ -43,7 +43,7 @@ pub(super) fn read(path: &str, steps: &mut Steps) -> Result<Vec<Move>, (usize, F
         }
     }
     if run.is_some() {
-        let fault = Fault::at("", "the end of the path", "u, d, l, r or w");
+        let fault = Fault::at("", tr!("the end of the path"), tr!("u, d, l, r or w"));
         return Err((path.len(), fault));
     }
     moves.shrink_to_fit();
@@ -56,17 +56,17 @@ fn longer(run: u32, digit: u8) -> Option<u32> {
 }
 
 fn long(from: usize) -> (usize, Fault) {
-    let found = "a run of over 2147483647 steps";
-    (from, Fault::at("", found, "at most 2147483647"))
+    let found = tr!("a run of over 2147483647 steps");
+    (from, Fault::at("", found, tr!("at most 2147483647")))
 }
 
 fn letter(path: &str, at: usize) -> Fault {
     let letter = path.get(at..).and_then(|rest| rest.chars().next());
     let found = match letter {
         Some(letter) if !letter.is_control() => format!("\"{letter}\""),
-        _ => "a control character".to_owned(),
+        _ => tr!("a control character").to_owned(),
     };
-    Fault::at("", found, "u, d, l, r, w or a run length")
+    Fault::at("", found, tr!("u, d, l, r, w or a run length"))
 }
 
 #[cfg(test)]

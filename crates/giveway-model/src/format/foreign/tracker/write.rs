@@ -5,7 +5,7 @@ use std::fmt::Write as _;
 
 use crate::format::foreign::whole_steps::{WholeSteps, both, with_map};
 use crate::format::foreign::{Format, Written};
-use crate::{Cell, Fault, Instance, Plan};
+use crate::{Cell, Fault, Instance, Plan, tr};
 
 /// Writes a plan.
 ///
@@ -24,8 +24,11 @@ pub(in crate::format::foreign) fn write(
     for (agent, cells) in instance.agents().iter().zip(&steps.paths) {
         let first = cells.first().copied().unwrap_or(agent.start);
         if first != agent.start {
-            let found = format!("{} at {first} at time 0", agent.name);
-            let expected = format!("its start {}, which the scenario has", agent.start);
+            let found = tr!("{name} at {first} at time 0", name = agent.name, first);
+            let expected = tr!(
+                "its start {start}, which the scenario has",
+                start = agent.start
+            );
             return Err(Fault::at("", found, expected));
         }
         paths.push(letters(&agent.name, cells)?);
@@ -79,11 +82,17 @@ fn letters(name: &str, cells: &[Cell]) -> Result<String, Fault> {
     for (time, pair) in cells.windows(2).enumerate() {
         let &[from, to] = pair else { continue };
         let Some(letter) = letter(from, to) else {
-            let found = format!("{name} jumping from {from} to {to} at time {}", time + 1);
+            let found = tr!(
+                "{name} jumping from {from} to {to} at time {time}",
+                name,
+                from,
+                to,
+                time = time + 1
+            );
             return Err(Fault::at(
                 "",
                 found,
-                "a move to a cell beside it, or a wait",
+                tr!("a move to a cell beside it, or a wait"),
             ));
         };
         run = match run {

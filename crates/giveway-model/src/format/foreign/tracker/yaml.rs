@@ -4,10 +4,10 @@ use std::borrow::Cow;
 use std::fmt::Write as _;
 
 use super::{Paths, Solution, Spot, plan};
-use crate::Fault;
 use crate::format::foreign::limits::robots;
 use crate::format::foreign::yaml::{Kind, Yaml};
 use crate::format::foreign::{Up, WrittenPlan};
+use crate::{Fault, tr, tr_later};
 
 /// Where the plan of a solution is, as a fault without words, and where each path
 /// of a list begins.
@@ -26,7 +26,7 @@ pub(super) fn read(text: &str) -> Result<WrittenPlan, Fault> {
     while yaml.document()? {
         counted(&yaml, solutions.len() + 1)?;
         match yaml.kind()? {
-            Kind::List => yaml.list("a list of solutions", |yaml, _| {
+            Kind::List => yaml.list(tr_later!("a list of solutions"), |yaml, _| {
                 counted(yaml, solutions.len() + 1)?;
                 solutions.push(solution(yaml)?);
                 Ok(())
@@ -52,11 +52,19 @@ fn at(place: &Place, spot: Option<Spot>, fault: Fault) -> Fault {
         let _ = write!(whole.place, "[{index}]");
         whole = whole.in_text(line, column);
     }
-    let of = match spot.text {
-        Some(_) => "the path",
-        None => "all paths",
+    let letter = spot.byte + 1;
+    let found = match spot.text {
+        Some(_) => tr!(
+            "{found} at letter {letter} of the path",
+            found = fault.found,
+            letter
+        ),
+        None => tr!(
+            "{found} at letter {letter} of all paths",
+            found = fault.found,
+            letter
+        ),
     };
-    let found = format!("{} at letter {} of {of}", fault.found, spot.byte + 1);
     Fault {
         found,
         expected: fault.expected,
@@ -79,19 +87,21 @@ fn solution<'a>(yaml: &mut Yaml<'a>) -> Result<Solution<'a, Place>, Fault> {
     };
     let mut kind = None;
     let mut number = None;
-    yaml.object("a solution", |yaml, key| {
+    yaml.object(tr_later!("a solution"), |yaml, key| {
         match key {
-            "map_name" => solution.map = yaml.optional("a name")?.map(Cow::into_owned),
-            "scen_type" => kind = yaml.optional("a word")?,
-            "type_id" => number = yaml.optional("a number")?,
-            "agents" => solution.agents = Some(yaml.number::<u32>("a number from 0")? as usize),
+            "map_name" => solution.map = yaml.optional(tr_later!("a name"))?.map(Cow::into_owned),
+            "scen_type" => kind = yaml.optional(tr_later!("a word"))?,
+            "type_id" => number = yaml.optional(tr_later!("a number"))?,
+            "agents" => {
+                solution.agents = Some(yaml.number::<u32>(tr_later!("a number from 0"))? as usize);
+            }
             "solution_cost" => solution.cost = optional_number(yaml)?,
             "flip_up_down" => {
-                let word = yaml.text("true or false")?;
+                let word = yaml.text(tr_later!("true or false"))?;
                 if word.eq_ignore_ascii_case("true") {
                     solution.up = Up::Raises;
                 } else if !word.eq_ignore_ascii_case("false") {
-                    return Err(yaml.unlike(&word, "true or false"));
+                    return Err(yaml.unlike(&word, tr_later!("true or false")));
                 }
             }
             "solution_plan" => solution.paths = paths(yaml, &mut solution.place)?,
@@ -106,17 +116,17 @@ fn solution<'a>(yaml: &mut Yaml<'a>) -> Result<Solution<'a, Place>, Fault> {
 }
 
 fn optional_number(yaml: &mut Yaml<'_>) -> Result<Option<u64>, Fault> {
-    let Some(text) = yaml.optional("a number from 0")? else {
+    let Some(text) = yaml.optional(tr_later!("a number from 0"))? else {
         return Ok(None);
     };
     match text.parse::<u32>() {
         Ok(number) => Ok(Some(u64::from(number))),
-        Err(_) => Err(yaml.unlike(&text, "a number from 0")),
+        Err(_) => Err(yaml.unlike(&text, tr_later!("a number from 0"))),
     }
 }
 
 fn paths<'a>(yaml: &mut Yaml<'a>, place: &mut Place) -> Result<Option<Paths<'a>>, Fault> {
-    let expected = "a text with a line for each robot, or a list of texts";
+    let expected = tr_later!("a text with a line for each robot, or a list of texts");
     if yaml.kind()? != Kind::List {
         let text = yaml.optional(expected)?;
         place.whole = yaml.fault("", "");
@@ -126,7 +136,7 @@ fn paths<'a>(yaml: &mut Yaml<'a>, place: &mut Place) -> Result<Option<Paths<'a>>
     let mut texts = Vec::new();
     yaml.list(expected, |yaml, index| {
         robots(index + 1).map_err(|many| yaml.fault(many.found, many.expected))?;
-        texts.push(yaml.text("the path of a robot")?);
+        texts.push(yaml.text(tr_later!("the path of a robot"))?);
         place.paths.push(yaml.at());
         Ok(())
     })?;
