@@ -1,32 +1,11 @@
 //! Whether a task fits the step that it stands in.
 
-use giveway_model::change::What;
 use giveway_model::{Cost, Instance, Objective, check, tr};
 
 use super::bounds::{Faults, MAX_ANSWERS, MAX_ORDERED};
 use super::links::Targets;
 use crate::lesson::task::{Change, Choose, Lead, OrderAim, Predict};
 use crate::lesson::{Condition, Quantity, Step, Task, Value};
-
-/// The robots that join in a step's task.
-pub(super) fn joining(step: &Step) -> Vec<&str> {
-    let changes = match &step.task {
-        Some(Task::Change(task)) => &task.changes,
-        Some(Task::Predict(task)) => match &task.what {
-            Quantity::Changed { changes, .. } => changes,
-            _ => return Vec::new(),
-        },
-        _ => return Vec::new(),
-    };
-    let names = changes
-        .changes
-        .iter()
-        .filter_map(|change| match &change.what {
-            What::AddAgent { agent } => Some(agent.name.as_str()),
-            _ => None,
-        });
-    names.collect()
-}
 
 pub(super) fn check(
     place: &str,
