@@ -64,7 +64,7 @@ export function reach(rows, left) {
     `proved (${share(proved.length, rows.length)}), ${number(made)} of these with a certificate (${share(made, proved.length)}).`,
     `The certificates are ${(bytes / 1e9).toFixed(1)} GB together.`,
     left === 0
-      ? "The sweep is at its end: each scenario ends with its last robots, or with the first number that is not proved."
+      ? "The sweep is at its end: each scenario ends with its last robots, or where `skip-after` ends it."
       : `${number(left)} tasks are left; many of them will be skipped, as those before them are not proved.`,
   ].join("\n")];
   for (const [objective, own] of grouped(rows, (row) => row.objective)) {
