@@ -8,8 +8,7 @@ use yew::prelude::*;
 
 use super::contents::Page;
 use super::sight::focus;
-use super::tutor::{KEPT, Msg, Tutor};
-use crate::keep;
+use super::tutor::{Msg, Tutor};
 
 /// How long the judge may look before that is said, in milliseconds.
 const LATE_MS: u32 = 300;
@@ -74,13 +73,12 @@ impl Tutor {
         }
     }
 
-    pub(super) fn effect(&self, effect: Effect) {
+    pub(super) fn effect(&mut self, effect: Effect) {
         match effect {
             Effect::Ask { number, request } => self.asker.ask(number, *request),
             Effect::Forget => self.asker.forget(),
             Effect::Page(message) => self.say(&message),
-            // A browser may keep nothing: then the course begins anew with the page.
-            Effect::Keep(progress) => drop(keep::store(KEPT, &progress.write())),
+            Effect::Keep(_) => self.keep(),
             Effect::FocusNext => focus(&self.next),
         }
     }

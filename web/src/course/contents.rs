@@ -214,7 +214,7 @@ fn foot(props: &ContentsProps, course: &Course, asks: &UseStateHandle<bool>) -> 
         course.lessons().filter(is_done).count(),
         course.lessons().count(),
     );
-    let is_new = props.progress == Progress::default();
+    let is_new = props.progress.is_empty();
     let (page, word, name) = match props.page {
         Page::Lessons => (Page::Terms, tr!("Glossary"), "course"),
         Page::Terms => (Page::Lessons, tr!("All lessons"), "back"),

@@ -12,6 +12,7 @@ mod card;
 mod contents;
 mod exercise;
 mod glossary;
+mod kept;
 mod keys;
 mod language;
 mod lesson;

@@ -4,7 +4,7 @@ use std::collections::BTreeMap;
 use std::rc::Rc;
 
 use giveway_course::judge::Verdict;
-use giveway_course::learner::{Action, Learner, Progress, reduce};
+use giveway_course::learner::{Action, Learner};
 use giveway_course::lesson::{Id, Lesson};
 use giveway_course::port::{BoardNumber, ToPage};
 use giveway_course::tour::{self, Tour};
@@ -16,6 +16,7 @@ use yew::prelude::*;
 use super::asker::Asker;
 use super::author::{Author, AuthorMsg, is_own};
 use super::contents::{Contents, Page};
+use super::kept::Kept;
 use super::keys;
 use super::language;
 use super::lesson;
@@ -25,10 +26,6 @@ use super::print::Sheet;
 use super::shelf::Shelf;
 use super::sight::{bring_into_view, focus};
 use super::tour::Guide;
-use crate::keep;
-
-/// Under which name progress is kept.
-pub(super) const KEPT: &str = "course";
 
 /// What happens in the course.
 #[derive(Clone)]
@@ -52,6 +49,8 @@ pub(super) enum Msg {
     Fetched(Place, Result<Rc<Lesson>, String>),
     /// Something is done in the editor.
     Author(AuthorMsg),
+    /// Another tab has kept progress.
+    Elsewhere,
     /// Shows a page of the contents, or closes them.
     Show(Option<Page>),
     /// Moves a robot in the order, from one place to another.
@@ -71,6 +70,8 @@ pub(super) enum Msg {
 /// The course.
 pub(super) struct Tutor {
     pub(super) learner: Learner,
+    /// What the browser keeps of it.
+    pub(super) kept: Kept,
     /// The tour of the page, while somebody takes it.
     pub(super) tour: Option<Tour>,
     /// The number that the board of the next tour has.
@@ -118,11 +119,9 @@ impl Component for Tutor {
             let shelf = Shelf::fetch().await;
             link.send_message(Msg::Shelved(shelf.map(Rc::new)));
         });
-        // What was kept may be of another version, or not ours.
-        let kept = keep::load(KEPT).and_then(|text| Progress::read(&text).ok());
-        let (learner, _) = reduce(Learner::default(), Action::Kept(kept.unwrap_or_default()));
-        Self {
-            learner,
+        let mut tutor = Self {
+            learner: Learner::default(),
+            kept: Kept::new(ctx.link().callback(|()| Msg::Elsewhere)),
             tour: None,
             tours: tour::FIRST,
             shelf: None,
@@ -140,12 +139,14 @@ impl Component for Tutor {
             has_said: false,
             title: NodeRef::default(),
             next: NodeRef::default(),
-            author: Author::new(ctx.link().callback(Msg::Author)),
+            author: Author::new(&ctx.link().callback(Msg::Author)),
             asker: Asker::new(ctx.link().callback(Msg::Do)),
             line: None,
             sheet: None,
             _keys: keys::listen(),
-        }
+        };
+        tutor.read_kept();
+        tutor
     }
 
     fn update(&mut self, ctx: &Context<Self>, msg: Msg) -> bool {
@@ -187,6 +188,7 @@ impl Component for Tutor {
                 self.missing = Some(sentence);
                 self.page = Some(Page::Lessons);
             }
+            Msg::Elsewhere => self.read_kept(),
             Msg::Show(page) => self.page = page,
             Msg::Move(from, to) => {
                 let mut order = self.order();

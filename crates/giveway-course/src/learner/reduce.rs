@@ -3,7 +3,7 @@
 use giveway_model::{Instance, Scene};
 use giveway_solve::Response;
 
-use super::{Action, AskNumber, Effect, Judge, Learner, Open, Progress, Proof, Stage, task};
+use super::{Action, AskNumber, Effect, Judge, Learner, Open, Proof, Stage, task};
 use crate::judge::Did;
 use crate::lesson::Id;
 use crate::port::{BoardNumber, FromPage, Happened, ToPage};
@@ -78,9 +78,9 @@ impl Learner {
                 effects.push(Effect::Page(ToPage::Go(time)));
             }
             Action::Lead(_) | Action::Wait | Action::Light(_) | Action::Time(_) => {}
-            Action::Kept(progress) => self.progress = progress,
+            Action::Kept(progress) => self.progress.join(progress),
             Action::Reset => {
-                self.progress = Progress::default();
+                self.progress.forget();
                 effects.push(Effect::Keep(self.progress.clone()));
             }
             Action::Close => self.close(effects),

@@ -388,7 +388,69 @@ fn progress_is_read_back_with_distrust() {
         assert!(Progress::read(bad).is_err(), "{bad}");
     }
     let (learner, _) = reduce(learner, Action::Reset);
-    assert_eq!(learner.progress, Progress::default());
+    assert!(learner.progress.is_empty());
+}
+
+/// Progress of one lesson, as a browser keeps it.
+fn kept(lesson: &str, reached: &str) -> Progress {
+    let text = format!(r#"{{"giveway":1,"lessons":{{"{lesson}":{reached}}}}}"#);
+    Progress::read(&text).unwrap()
+}
+
+#[test]
+fn what_two_tabs_keep_comes_together() {
+    let (one, two) = ("room-to-pass", "two-robots-one-cell");
+    let join = |learner: Learner, progress: &Progress| {
+        let (learner, effects) = reduce(learner, Action::Kept(progress.clone()));
+        assert!(effects.is_empty());
+        learner
+    };
+    let stage = |learner: &Learner, lesson| learner.progress.stage(&id(lesson));
+    let first = opened(one, 1).0;
+    let second = opened(two, 2).0;
+    let both = join(first.clone(), &second.progress);
+    assert_eq!(stage(&both, one), Stage::Begun(1));
+    assert_eq!(stage(&both, two), Stage::Begun(2));
+    // Whoever comes first.
+    assert_eq!(join(second, &first.progress).progress, both.progress);
+
+    // What was solved in either counts, and the furthest step.
+    let begun = kept(one, r#"{"step":3,"solved":[1],"tasks":3}"#);
+    let other = kept(one, r#"{"step":2,"solved":[2],"tasks":3}"#);
+    let joined = join(join(Learner::default(), &begun), &other);
+    let whole = kept(one, r#"{"step":3,"solved":[1,2],"tasks":3}"#);
+    assert_eq!(joined.progress, whole);
+    // What was read to its end tells where to go on.
+    let read = kept(one, r#"{"step":1,"seen":true,"solved":[2],"tasks":3}"#);
+    let (solved, tasks) = (2, 3);
+    let seen = Stage::Seen {
+        step: 1,
+        solved,
+        tasks,
+    };
+    assert_eq!(stage(&join(joined.clone(), &read), one), seen);
+
+    // What is forgotten does not come back from a tab that has not heard of it.
+    let (forgotten, _) = reduce(joined.clone(), Action::Reset);
+    assert!(
+        join(forgotten.clone(), &joined.progress)
+            .progress
+            .is_empty()
+    );
+    assert!(join(joined, &forgotten.progress).progress.is_empty());
+    let again = Progress::read(&forgotten.progress.write()).unwrap();
+    assert_eq!(again, forgotten.progress);
+
+    // There are never more lessons than can be read.
+    let many = |name: &str| -> Progress {
+        let lessons: Vec<String> = (0..200)
+            .map(|at| format!(r#""{name}-{at}":{{"step":0}}"#))
+            .collect();
+        let text = format!(r#"{{"giveway":1,"lessons":{{{}}}}}"#, lessons.join(","));
+        Progress::read(&text).unwrap()
+    };
+    let full = join(join(Learner::default(), &many("a")), &many("b"));
+    assert_eq!(Progress::read(&full.progress.write()), Ok(full.progress));
 }
 
 #[test]

@@ -20,10 +20,9 @@ use giveway_course::lesson::{Glossary, Picture};
 use giveway_course::port::{Happened, ToPage};
 use giveway_model::{Fault, tr};
 use gloo::events::EventListener;
-use wasm_bindgen::JsCast as _;
-use web_sys::StorageEvent;
 use yew::prelude::*;
 
+use super::kept::hear;
 use super::tutor::{Msg, Tutor};
 use crate::board::Film;
 use crate::keep;
@@ -35,8 +34,6 @@ pub(super) use arrive::is_own;
 
 /// Under which name the draft is kept.
 const KEPT: &str = "lesson-draft";
-/// The same, as other tabs are told of it.
-const KEY: &str = "giveway.lesson-draft";
 
 /// What is done in the editor.
 #[derive(Clone)]
@@ -99,15 +96,8 @@ pub(in crate::course) struct Author {
 
 impl Author {
     /// The editor, closed.
-    pub(in crate::course) fn new(send: Callback<AuthorMsg>) -> Self {
-        let window = gloo::utils::window();
-        // Only other tabs are told what one has kept.
-        let listening = EventListener::new(&window, "storage", move |event| {
-            let key = event.dyn_ref::<StorageEvent>().and_then(StorageEvent::key);
-            if key.as_deref() == Some(KEY) {
-                send.emit(AuthorMsg::Elsewhere);
-            }
-        });
+    pub(in crate::course) fn new(send: &Callback<AuthorMsg>) -> Self {
+        let listening = hear(KEPT, send.reform(|()| AuthorMsg::Elsewhere));
         Self {
             draft: Rc::default(),
             looked: None,
