@@ -162,8 +162,11 @@ impl Progress {
             .retain(|step| tasks(lesson).any(|task| task == *step));
     }
 
-    /// The task of a step is solved.
-    pub(super) fn solved(&mut self, id: &Id, step: usize) {
+    /// The task of a step is solved. All may have been forgotten since it was opened.
+    pub(super) fn solved(&mut self, id: &Id, lesson: &Lesson, step: usize) {
+        if !self.lessons.contains_key(id) {
+            self.opened(id, lesson, step);
+        }
         if let Some(reached) = self.lessons.get_mut(id) {
             reached.solved.insert(step);
         }
@@ -172,6 +175,9 @@ impl Progress {
     /// A lesson was read to its end. It begins at the first task that is left when it is
     /// opened again.
     pub(super) fn finished(&mut self, id: &Id, lesson: &Lesson) {
+        if !self.lessons.contains_key(id) {
+            self.opened(id, lesson, 0);
+        }
         if let Some(reached) = self.lessons.get_mut(id) {
             let left = tasks(lesson).find(|step| !reached.solved.contains(step));
             reached.step = left.unwrap_or(0);

@@ -96,8 +96,10 @@ impl Learner {
             return;
         };
         if open.is_last() {
-            self.progress.finished(&open.id, &open.lesson);
-            effects.push(Effect::Keep(self.progress.clone()));
+            if !open.is_tried() {
+                self.progress.finished(&open.id, &open.lesson);
+                effects.push(Effect::Keep(self.progress.clone()));
+            }
             return self.close(effects);
         }
         // A step without a scene goes on with the board as it is, if that can be. A plan

@@ -94,8 +94,10 @@ impl Learner {
             if !verdict.seal.is_empty() {
                 effects.push(Effect::Page(ToPage::Seal(verdict.seal.clone())));
             }
-            self.progress.solved(&open.id, open.at);
-            effects.push(Effect::Keep(self.progress.clone()));
+            if !open.is_tried() {
+                self.progress.solved(&open.id, &open.lesson, open.at);
+                effects.push(Effect::Keep(self.progress.clone()));
+            }
             effects.push(Effect::FocusNext);
         }
         open.judge = Judge::Said(verdict);

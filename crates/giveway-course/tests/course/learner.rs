@@ -454,6 +454,27 @@ fn what_two_tabs_keep_comes_together() {
 }
 
 #[test]
+fn a_lesson_in_which_all_is_forgotten_goes_on_being_kept() {
+    let (learner, effects) = opened("room-to-pass", 3);
+    let (learner, _) = reduce(learner, Action::Reset);
+    assert!(learner.progress.is_empty());
+    let edit = painted(&learner, 3, 1);
+    let (learner, effects) = reduce(learner, said(board(&effects), edit));
+    let (learner, _) = answered(learner, effects);
+    let name = id("room-to-pass");
+    assert_eq!(learner.progress.stage(&name), Stage::Begun(3));
+    let (learner, _) = reduce(learner, Action::Reset);
+    let (learner, effects) = reduce(learner, Action::Next);
+    let seen = Stage::Seen {
+        step: 1,
+        solved: 0,
+        tasks: 3,
+    };
+    assert_eq!(learner.progress.stage(&name), seen);
+    assert!(effects.contains(&Effect::Keep(learner.progress)));
+}
+
+#[test]
 fn a_step_without_a_scene_goes_on_with_the_board_as_it_is() {
     let mut lesson = shipped::lesson("room-to-pass");
     lesson.steps[3].scene = None;
