@@ -80,6 +80,7 @@ impl Learner {
             Action::Lead(_) | Action::Wait | Action::Light(_) | Action::Time(_) => {}
             Action::Kept(progress) => self.progress.join(progress),
             Action::Reset => {
+                self.left = None;
                 self.progress.forget();
                 effects.push(Effect::Keep(self.progress.clone()));
             }
@@ -135,7 +136,7 @@ impl Learner {
         let Some(mut open) = open else {
             return;
         };
-        self.forget(effects);
+        self.leave(effects);
         open.board = self.next_board();
         if let Some(board) = open.as_board() {
             effects.push(Effect::Page(ToPage::Open(Box::new(board))));
@@ -163,7 +164,7 @@ impl Learner {
     }
 
     fn close(&mut self, effects: &mut Vec<Effect>) {
-        self.forget(effects);
+        self.leave(effects);
         if self.open.take().is_some() {
             effects.push(Effect::Page(ToPage::Close));
         }
@@ -191,7 +192,7 @@ impl Learner {
             Happened::Time(time) => open.time = time,
             Happened::Changed(method) => self.did(Did::Went(method), effects),
             Happened::Closed => {
-                self.forget(effects);
+                self.leave(effects);
                 self.open = None;
             }
             // Only a tour is told of it.
@@ -201,6 +202,9 @@ impl Learner {
 
     /// What the solver has answered counts only for the question that is asked now.
     fn answered(&mut self, number: AskNumber, response: Response, effects: &mut Vec<Effect>) {
+        if self.is_of_left(number) {
+            return self.answered_left(response, effects);
+        }
         let Some(open) = &mut self.open else {
             return;
         };
@@ -229,7 +233,14 @@ impl Learner {
         self.board
     }
 
+    /// The number of a question about the step that is open: what is asked of one that
+    /// was left is of no more use then.
     pub(super) fn next_ask(&mut self) -> AskNumber {
+        self.left = None;
+        self.next_number()
+    }
+
+    pub(super) fn next_number(&mut self) -> AskNumber {
         self.asked.0 = self.asked.0.wrapping_add(1);
         self.asked
     }

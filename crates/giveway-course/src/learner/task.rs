@@ -109,6 +109,10 @@ impl Learner {
         sentence: String,
         effects: &mut Vec<Effect>,
     ) {
+        if self.is_of_left(number) {
+            self.left = None;
+            return;
+        }
         self.proved(number, None);
         let is_asked = self.open.as_ref().is_some_and(
             |open| matches!(&open.judge, Judge::Looking(looking) if looking.number == number),

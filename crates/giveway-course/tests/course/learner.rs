@@ -475,6 +475,52 @@ fn a_lesson_in_which_all_is_forgotten_goes_on_being_kept() {
 }
 
 #[test]
+fn an_answer_counts_though_the_step_is_left_before_it_is_judged() {
+    let name = id("room-to-pass");
+    let solved = |learner: &Learner| learner.progress.write().contains(r#""solved":[3]"#);
+    for leave in [
+        Action::Next,
+        Action::Back,
+        Action::Close,
+        Action::Page(FromPage {
+            number: BoardNumber(1),
+            what: Happened::Closed,
+        }),
+    ] {
+        let (learner, effects) = opened("room-to-pass", 3);
+        let number = board(&effects);
+        let edit = painted(&learner, 3, 1);
+        let (learner, asking) = reduce(learner, said(number, edit));
+        let (learner, effects) = reduce(learner, leave.clone());
+        assert!(!effects.contains(&Effect::Forget), "{leave:?}");
+        let judge = learner.open.as_ref().map(|open| open.judge().clone());
+        assert!(matches!(judge, None | Some(Judge::Waiting)), "{leave:?}");
+        // Nothing else happens to the step that is open now.
+        let (later, effects) = answered(learner.clone(), asking.clone());
+        assert_eq!(effects, [Effect::Keep(later.progress.clone())], "{leave:?}");
+        assert_eq!(later.open, learner.open, "{leave:?}");
+        assert!(solved(&later) && !solved(&learner), "{leave:?}");
+
+        // What is forgotten stays so.
+        let (reset, _) = reduce(learner, Action::Reset);
+        let (reset, effects) = answered(reset, asking);
+        assert!(reset.progress.is_empty() && effects.is_empty(), "{leave:?}");
+    }
+
+    // What is asked next takes the solver away from it.
+    let (learner, effects) = opened("room-to-pass", 3);
+    let edit = painted(&learner, 3, 1);
+    let (learner, asking) = reduce(learner, said(board(&effects), edit));
+    let (learner, _) = reduce(learner, Action::Go(1));
+    let (learner, guess) = reduce(learner, Action::Guess(Value::Number(9)));
+    let (learner, effects) = answered(learner, asking);
+    assert!(effects.is_empty() && !solved(&learner));
+    let (learner, _) = answered(learner, guess);
+    assert!(learner.open.as_ref().unwrap().is_solved());
+    assert_ne!(learner.progress.stage(&name), Stage::New);
+}
+
+#[test]
 fn a_step_without_a_scene_goes_on_with_the_board_as_it_is() {
     let mut lesson = shipped::lesson("room-to-pass");
     lesson.steps[3].scene = None;
@@ -654,8 +700,13 @@ fn random_actions_keep_the_invariants() {
                         let latest = world.asked.last().map(|(number, _)| *number);
                         assert!(latest.is_none_or(|latest| latest < *number), "{told}");
                         world.asked.push((*number, (**request).clone()));
-                        let open = learner.open.as_ref().unwrap();
-                        assert!(matches!(open.judge(), Judge::Looking(_)), "{told}");
+                        // About the step that is open, or else one that was left.
+                        let judge = learner.open.as_ref().map(|open| open.judge().clone());
+                        let is_more = told.contains(": Answered");
+                        assert!(
+                            matches!(judge, Some(Judge::Looking(_))) || is_more,
+                            "{told}"
+                        );
                     }
                     Effect::Keep(progress) => assert_eq!(*progress, learner.progress, "{told}"),
                     Effect::Forget | Effect::FocusNext => {}
