@@ -6,6 +6,7 @@ use giveway_course::port::ToPage;
 use gloo::timers::callback::Timeout;
 use yew::prelude::*;
 
+use super::address;
 use super::contents::Page;
 use super::sight::focus;
 use super::tutor::{Msg, Tutor};
@@ -59,12 +60,15 @@ impl Tutor {
             if is.is_none() && was_tried && !is_left_there {
                 self.author.back();
             } else if is.is_none() && is_next {
-                self.page = Some(Page::Lessons);
+                self.show(Some(Page::Lessons));
             }
         }
         self.watch(ctx);
         for effect in effects {
             self.effect(effect);
+        }
+        if is != was {
+            address::show(self.learner.open.as_ref());
         }
         if let Some(line) = &self.line
             && is.is_some() != was.is_some()

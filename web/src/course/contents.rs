@@ -12,6 +12,7 @@ use yew::prelude::*;
 use super::author::AuthorMsg;
 use super::card::{Card, bar};
 use super::glossary::Terms;
+use super::own::{self, Own};
 use super::place::Place;
 use super::shelf::Shelf;
 use super::tutor::Msg;
@@ -34,6 +35,8 @@ pub(super) struct ContentsProps {
     pub(super) shelf: Option<Rc<Shelf>>,
     /// How far each lesson has come.
     pub(super) progress: Progress,
+    /// The lessons that came as a file or in a link.
+    pub(super) own: Own,
     /// Why something is not there.
     pub(super) missing: Option<String>,
     /// Takes what is chosen.
@@ -45,6 +48,7 @@ impl PartialEq for ContentsProps {
         let shelf = |props: &Self| props.shelf.as_ref().map(Rc::as_ptr);
         self.page == other.page
             && self.progress == other.progress
+            && self.own == other.own
             && self.missing == other.missing
             && self.send == other.send
             && shelf(self) == shelf(other)
@@ -158,11 +162,19 @@ fn onward(course: &Course, props: &ContentsProps) -> Html {
 
 fn body(props: &ContentsProps) -> Html {
     let missing = props.missing.as_ref().map(|sentence| {
-        html! { <p class="missing" role="alert">{ tr!("The course did not arrive: {sentence}", sentence) }</p> }
+        html! { <p class="missing" role="alert">{ sentence.clone() }</p> }
     });
     let Some(shelf) = &props.shelf else {
         let loading = || html! { <p class="missing">{ tr!("Loading\u{2026}") }</p> };
-        return missing.unwrap_or_else(loading);
+        let again = props
+            .send
+            .reform(|_: MouseEvent| Msg::Show(Some(Page::Lessons)));
+        return match missing {
+            Some(missing) => html! {
+                <>{ missing }<p><button type="button" class="btn outline" onclick={again}>{ tr!("Try again") }</button></p></>
+            },
+            None => loading(),
+        };
     };
     if props.page == Page::Terms {
         return html! { <Terms shelf={Rc::clone(shelf)} send={props.send.clone()} /> };
@@ -176,7 +188,7 @@ fn body(props: &ContentsProps) -> Html {
         shown
     });
     let chapters: Vec<Html> = chapters.collect();
-    html! { <>{ missing.unwrap_or_default() }{ chapters }</> }
+    html! { <>{ missing.unwrap_or_default() }{ chapters }{ own::show(&props.own, &props.progress, &props.send) }</> }
 }
 
 fn chapter(

@@ -6,10 +6,12 @@
 //! (`line`).
 
 mod act;
+mod address;
 mod asker;
 mod author;
 mod card;
 mod contents;
+mod enter;
 mod exercise;
 mod glossary;
 mod kept;
@@ -17,6 +19,7 @@ mod keys;
 mod language;
 mod lesson;
 mod line;
+mod own;
 mod place;
 mod print;
 mod proof;

@@ -10,9 +10,9 @@ use giveway_course::port::{BoardNumber, ToPage};
 use giveway_course::tour::{self, Tour};
 use gloo::events::EventListener;
 use gloo::timers::callback::Timeout;
-use yew::platform::spawn_local;
 use yew::prelude::*;
 
+use super::address;
 use super::asker::Asker;
 use super::author::{Author, AuthorMsg, is_own};
 use super::contents::{Contents, Page};
@@ -21,6 +21,7 @@ use super::keys;
 use super::language;
 use super::lesson;
 use super::line::Line;
+use super::own::Own;
 use super::place::Place;
 use super::print::Sheet;
 use super::shelf::Shelf;
@@ -43,6 +44,10 @@ pub(super) enum Msg {
     Spoken,
     /// A place is chosen.
     Enter(Place),
+    /// A lesson that came as a file or in a link is kept no longer.
+    Remove(Id),
+    /// The one that was removed last is kept again.
+    BringBack,
     /// Index and glossary are there, or are not.
     Shelved(Result<Rc<Shelf>, String>),
     /// A lesson is there, or is not.
@@ -68,6 +73,10 @@ pub(super) enum Msg {
 }
 
 /// The course.
+#[expect(
+    clippy::struct_excessive_bools,
+    reason = "each is told by itself, in any mixture"
+)]
 pub(super) struct Tutor {
     pub(super) learner: Learner,
     /// What the browser keeps of it.
@@ -82,6 +91,10 @@ pub(super) struct Tutor {
     pub(super) fetched: Option<Rc<Shelf>>,
     /// The lessons as they were fetched, in English.
     pub(super) lessons: BTreeMap<Id, Rc<Lesson>>,
+    /// Whether index and glossary are on their way.
+    pub(super) is_fetching: bool,
+    /// The lessons that came as a file or in a link.
+    pub(super) own: Own,
     /// What is to be opened as soon as it is there.
     pub(super) wanted: Option<Place>,
     pub(super) page: Option<Page>,
@@ -114,11 +127,6 @@ impl Component for Tutor {
     type Properties = ();
 
     fn create(ctx: &Context<Self>) -> Self {
-        let link = ctx.link().clone();
-        spawn_local(async move {
-            let shelf = Shelf::fetch().await;
-            link.send_message(Msg::Shelved(shelf.map(Rc::new)));
-        });
         let mut tutor = Self {
             learner: Learner::default(),
             kept: Kept::new(ctx.link().callback(|()| Msg::Elsewhere)),
@@ -127,6 +135,8 @@ impl Component for Tutor {
             shelf: None,
             fetched: None,
             lessons: BTreeMap::new(),
+            is_fetching: false,
+            own: Own::default(),
             wanted: None,
             page: None,
             missing: None,
@@ -146,10 +156,12 @@ impl Component for Tutor {
             _keys: keys::listen(),
         };
         tutor.read_kept();
+        tutor.fetch(ctx);
         tutor
     }
 
     fn update(&mut self, ctx: &Context<Self>, msg: Msg) -> bool {
+        let is_followed = matches!(msg, Msg::Open(_));
         match msg {
             Msg::Do(Action::Page(message)) if self.tour.is_some() => {
                 self.guide(tour::Action::Page(message));
@@ -164,32 +176,18 @@ impl Component for Tutor {
                     self.enter(ctx, place);
                 } else {
                     self.guide(tour::Action::End);
-                    self.page = Some(Page::Lessons);
+                    self.show(Some(Page::Lessons));
                 }
             }
             Msg::Enter(place) => self.enter(ctx, place),
+            Msg::Remove(id) => self.remove_own(&id),
+            Msg::BringBack => self.bring_back(),
             Msg::Told(told) => Self::turn(ctx, told),
             Msg::Spoken => self.reword(ctx),
-            Msg::Shelved(Ok(shelf)) => {
-                self.fetched = Some(shelf);
-                // Nobody is to read English first.
-                if !language::is_coming() {
-                    self.reword(ctx);
-                }
-                self.arrive_late(ctx);
-            }
-            Msg::Fetched(place, Ok(lesson)) => {
-                self.lessons.insert(place.lesson.clone(), lesson);
-                if self.wanted.as_ref() == Some(&place) {
-                    self.enter(ctx, place);
-                }
-            }
-            Msg::Shelved(Err(sentence)) | Msg::Fetched(_, Err(sentence)) => {
-                self.missing = Some(sentence);
-                self.page = Some(Page::Lessons);
-            }
+            Msg::Shelved(shelf) => self.shelved(ctx, shelf),
+            Msg::Fetched(place, lesson) => self.fetched(ctx, place, lesson),
             Msg::Elsewhere => self.read_kept(),
-            Msg::Show(page) => self.page = page,
+            Msg::Show(page) => self.show(page),
             Msg::Move(from, to) => {
                 let mut order = self.order();
                 if from < order.len() && to < order.len() {
@@ -212,6 +210,14 @@ impl Component for Tutor {
             }
             Msg::Printed => self.sheet = None,
         }
+        // What did not arrive is tried again whenever the contents are opened.
+        if self.page.is_some() && self.missing.is_none() {
+            self.fetch(ctx);
+        }
+        // The page has taken the link out of the address.
+        if is_followed {
+            address::show(self.learner.open.as_ref());
+        }
         true
     }
 
@@ -228,7 +234,7 @@ impl Component for Tutor {
                 }
                 if let Some(page) = &self.page {
                     <Contents key={language::tag()} page={*page} shelf={self.shelf.clone()} progress={self.learner.progress.clone()}
-                        missing={self.missing.clone()} send={send.clone()} />
+                        own={self.own.clone()} missing={self.missing.clone()} send={send.clone()} />
                 }
                 { self.author_view(&send) }
             </>
@@ -250,40 +256,5 @@ impl Component for Tutor {
         if let Some(sheet) = &mut self.sheet {
             sheet.print();
         }
-    }
-}
-
-impl Tutor {
-    /// Opens a place, as soon as what it takes is there.
-    pub(super) fn enter(&mut self, ctx: &Context<Self>, place: Place) {
-        self.asker.warm();
-        self.missing = None;
-        let Some(shelf) = self.shelf.clone() else {
-            self.wanted = Some(place);
-            return;
-        };
-        if shelf.entry(&place.lesson).is_none() {
-            // A link to a lesson that there is not: here are those that there are.
-            self.page = Some(Page::Lessons);
-            return;
-        }
-        if let Some(lesson) = self.lessons.get(&place.lesson) {
-            let action = Action::Open {
-                id: place.lesson,
-                lesson: Rc::new(language::said(&**lesson)),
-                at: place.step,
-            };
-            self.wanted = None;
-            self.page = None;
-            // The lesson takes its place on the board.
-            self.tour = None;
-            return self.act(ctx, action);
-        }
-        self.wanted = Some(place.clone());
-        let link = ctx.link().clone();
-        spawn_local(async move {
-            let lesson = shelf.lesson(&place.lesson).await;
-            link.send_message(Msg::Fetched(place, lesson.map(Rc::new)));
-        });
     }
 }
