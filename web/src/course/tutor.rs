@@ -25,7 +25,7 @@ use super::own::Own;
 use super::place::Place;
 use super::print::Sheet;
 use super::shelf::Shelf;
-use super::sight::{bring_into_view, focus};
+use super::sight::{bring_into_view, focus, has_focus, refocus};
 use super::tour::Guide;
 
 /// What happens in the course.
@@ -110,6 +110,8 @@ pub(super) struct Tutor {
     pub(super) late: Option<Timeout>,
     /// Whether the title of a step that is new takes the focus.
     pub(super) is_new: bool,
+    /// Whether something of the course had the focus before what happened.
+    pub(super) had_focus: bool,
     /// Whether the judge has just said something.
     pub(super) has_said: bool,
     pub(super) title: NodeRef,
@@ -146,6 +148,7 @@ impl Component for Tutor {
             is_late: false,
             late: None,
             is_new: false,
+            had_focus: false,
             has_said: false,
             title: NodeRef::default(),
             next: NodeRef::default(),
@@ -161,6 +164,8 @@ impl Component for Tutor {
     }
 
     fn update(&mut self, ctx: &Context<Self>, msg: Msg) -> bool {
+        // The card of the tour brings the focus back by itself.
+        self.had_focus |= self.tour.is_none() && has_focus();
         let is_followed = matches!(msg, Msg::Open(_));
         match msg {
             Msg::Do(Action::Page(message)) if self.tour.is_some() => {
@@ -249,6 +254,9 @@ impl Component for Tutor {
         }
         if std::mem::take(&mut self.is_new) {
             focus(&self.title);
+        }
+        if std::mem::take(&mut self.had_focus) {
+            refocus();
         }
         if std::mem::take(&mut self.has_said) {
             bring_into_view();
