@@ -34,6 +34,8 @@ impl Tutor {
     }
 
     pub(super) fn act(&mut self, ctx: &Context<Self>, action: Action) {
+        // What another tab has kept comes first: this may come to it.
+        self.read_kept();
         let was_tried = self.learner.open.as_ref().is_some_and(Open::is_tried);
         let is_next = action == Action::Next;
         let is_left_there = matches!(action, Action::Page(_));

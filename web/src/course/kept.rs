@@ -57,10 +57,9 @@ impl Tutor {
         self.kept.text = text;
     }
 
-    /// Keeps progress, with what other tabs have kept. A browser may keep nothing: then
-    /// the course begins anew with the page.
+    /// Keeps progress. A browser may keep nothing: then the course begins anew with the
+    /// page.
     pub(super) fn keep(&mut self) {
-        self.read_kept();
         let text = self.learner.progress.write();
         if keep::store(NAME, &text).is_ok() {
             self.kept.text = text;
