@@ -2,6 +2,14 @@
 
 import { eventually } from "./wait.mjs";
 
+/** Two robots that meet in a corridor with a way around. */
+export const SCENE = {
+  giveway: 1,
+  name: "two ways",
+  map: ["...", ".#.", "..."],
+  agents: [{ name: "A1", start: [0, 0], goal: [2, 0] }, { name: "A2", start: [2, 2], goal: [0, 2] }],
+};
+
 /** What a teacher does in the editor. */
 export class Author {
   constructor(playground) {
@@ -52,5 +60,29 @@ export class Author {
   async copied() {
     await this.says(/^Link copied\./);
     return this.page.evaluate(() => navigator.clipboard.readText());
+  }
+}
+
+/** Drops a file onto what is on top. */
+export function drop(page, name, value) {
+  return page.evaluate(([name, text]) => {
+    const data = new DataTransfer();
+    data.items.add(new File([text], name));
+    const place = document.querySelector("dialog[open]") ?? document.body;
+    for (const kind of ["dragover", "drop"]) {
+      place.dispatchEvent(new DragEvent(kind, { dataTransfer: data, bubbles: true, cancelable: true }));
+    }
+  }, [name, typeof value === "string" ? value : JSON.stringify(value)]);
+}
+
+/** Fills all that the browser has room for. */
+export function fill() {
+  let text = "x".repeat(1 << 20);
+  for (let part = 0; text.length > 0; part += 1) {
+    try {
+      localStorage.setItem(`full-${part}`, text);
+    } catch {
+      text = text.slice(0, text.length >> 1);
+    }
   }
 }

@@ -5,33 +5,14 @@ import { readFileSync } from "node:fs";
 import { describe } from "node:test";
 
 import { audit } from "./audit.mjs";
-import { Author } from "./author.mjs";
+import { Author, SCENE, drop } from "./author.mjs";
 import { Course } from "./course.mjs";
 import { BOTH, flows } from "./flow.mjs";
 import { eventually } from "./wait.mjs";
 
 const MINE = { permissions: ["clipboard-read", "clipboard-write"] };
 
-/** Two robots that meet in a corridor with a way around. */
-const SCENE = {
-  giveway: 1,
-  name: "two ways",
-  map: ["...", ".#.", "..."],
-  agents: [{ name: "A1", start: [0, 0], goal: [2, 0] }, { name: "A2", start: [2, 2], goal: [0, 2] }],
-};
-
 const file = (name, value) => ({ name, bytes: typeof value === "string" ? value : JSON.stringify(value) });
-
-/** Drops a file onto the page. */
-function drop(page, { name, bytes }) {
-  return page.evaluate(([name, text]) => {
-    const data = new DataTransfer();
-    data.items.add(new File([text], name));
-    for (const kind of ["dragover", "drop"]) {
-      document.body.dispatchEvent(new DragEvent(kind, { dataTransfer: data, bubbles: true, cancelable: true }));
-    }
-  }, [name, bytes]);
-}
 
 /** Writes a lesson of two steps on the scene that is on the page. */
 async function write(author, playground) {
@@ -112,7 +93,7 @@ describe("a lesson of one's own", () => {
     await page.goto("about:blank");
     await playground.goto(link);
     await course.at("Look");
-    await page.waitForURL(host.url);
+    await page.waitForURL(`${link}.1`);
     await course.next.click();
     await solve(playground, course);
     await playground.picture("author-solved");
@@ -149,7 +130,7 @@ describe("a lesson of one's own", () => {
     await eventually("the step to be the first", () => author.steps.getByRole("listitem").first().innerText(), (text) => text.includes("Shut it"));
     await page.keyboard.press("Escape");
 
-    await drop(page, file("a-ring.json", text));
+    await drop(page, "a-ring.json", text);
     await course.at("Look");
     await course.lesson.getByRole("button", { name: "Leave the lesson" }).click();
     await playground.shows("two ways");
@@ -213,7 +194,7 @@ describe("a lesson of one's own", () => {
     await playground.open(file("ways.json", SCENE));
     await playground.shows("two ways");
     const lesson = { giveway: 1, title: "T", minutes: 4, about: "A sentence.", steps: [{ title: "One", text: ["See [A9](robot:A9)."], scene: SCENE }] };
-    await drop(page, file("faulty.json", lesson));
+    await drop(page, "faulty.json", lesson);
     await author.refused.getByText(/steps\[0\]\.text\[0\]: found a link to the robot "A9", expected a robot of the scene/).waitFor();
     await page.keyboard.press("Escape");
     await author.refused.waitFor({ state: "detached" });

@@ -8,17 +8,22 @@ import { flows } from "./flow.mjs";
 describe("a link to a lesson", () => {
   const flow = flows();
 
-  flow("opens it, or a step of it, and is gone from the address then", async (playground, { page, host }) => {
+  flow("opens it, or a step of it, and tells in the address which one is open", async (playground, { page, host }) => {
     const course = new Course(playground);
     await page.evaluate(() => { location.hash = "lesson=two-robots-one-cell.2"; });
     await course.at("Two in one cell");
-    await page.waitForURL(host.url);
+    await course.lesson.getByRole("button", { name: "Back" }).click();
+    await course.at("Robots take steps");
+    await page.waitForURL(`${host.url}#lesson=two-robots-one-cell.1`);
     // In a page that is loaded with it, too.
     await page.goto("about:blank");
-    await playground.goto(`${host.url}#lesson=two-robots-one-cell.1`);
-    await course.at("Robots take steps");
+    await playground.goto(`${host.url}#lesson=two-robots-one-cell.3`);
+    await course.at("Through each other");
     // One that there is not opens the contents.
     await page.evaluate(() => { location.hash = "lesson=nobody-wrote-this"; });
     await course.contents.waitFor();
+    await page.keyboard.press("Escape");
+    await course.lesson.getByRole("button", { name: "Leave the lesson" }).click();
+    await page.waitForURL(host.url);
   });
 });

@@ -6,10 +6,10 @@ use giveway_course::port::ToPage;
 use gloo::timers::callback::Timeout;
 use yew::prelude::*;
 
+use super::address;
 use super::contents::Page;
 use super::sight::focus;
-use super::tutor::{KEPT, Msg, Tutor};
-use crate::keep;
+use super::tutor::{Msg, Tutor};
 
 /// How long the judge may look before that is said, in milliseconds.
 const LATE_MS: u32 = 300;
@@ -38,6 +38,8 @@ impl Tutor {
             // The lesson takes the place of the tour on the board.
             self.tour = None;
         }
+        // What another tab has kept comes first: this may come to it.
+        self.read_kept();
         let was_tried = self.learner.open.as_ref().is_some_and(Open::is_tried);
         let is_next = action == Action::Next;
         let is_left_there = matches!(action, Action::Page(_));
@@ -64,12 +66,15 @@ impl Tutor {
             if is.is_none() && was_tried && !is_left_there {
                 self.author.back();
             } else if is.is_none() && is_next {
-                self.page = Some(Page::Lessons);
+                self.show(Some(Page::Lessons));
             }
         }
         self.watch(ctx);
         for effect in effects {
             self.effect(effect);
+        }
+        if is != was {
+            address::show(self.learner.open.as_ref());
         }
         if let Some(line) = &self.line
             && is.is_some() != was.is_some()
@@ -78,13 +83,12 @@ impl Tutor {
         }
     }
 
-    pub(super) fn effect(&self, effect: Effect) {
+    pub(super) fn effect(&mut self, effect: Effect) {
         match effect {
             Effect::Ask { number, request } => self.asker.ask(number, *request),
             Effect::Forget => self.asker.forget(),
             Effect::Page(message) => self.say(&message),
-            // A browser may keep nothing: then the course begins anew with the page.
-            Effect::Keep(progress) => drop(keep::store(KEPT, &progress.write())),
+            Effect::Keep(_) => self.keep(),
             Effect::FocusNext => focus(&self.next),
         }
     }

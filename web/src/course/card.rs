@@ -8,6 +8,7 @@ use giveway_model::tr;
 use yew::prelude::*;
 
 use super::place::Place;
+use super::sight::once;
 use super::tutor::Msg;
 use crate::board::{Film, Thumb};
 use crate::icon;
@@ -57,9 +58,7 @@ pub(super) fn Card(props: &CardProps) -> Html {
         lesson: entry.lesson.clone(),
         step: None,
     };
-    let onclick = props
-        .send
-        .reform(move |_: MouseEvent| Msg::Enter(place.clone()));
+    let onclick = once(&props.send, move || Msg::Enter(place.clone()));
     let is_now = props.is_next && matches!(stage, Stage::Begun(_) | Stage::Seen { .. });
     html! {
         <button type="button" class={classes!("lc", is_now.then_some("now"))} aria-current={is_now.then_some("step")} {onclick}

@@ -12,8 +12,10 @@ use yew::prelude::*;
 use super::author::AuthorMsg;
 use super::card::{Card, bar};
 use super::glossary::Terms;
+use super::own::{self, Own};
 use super::place::Place;
 use super::shelf::Shelf;
+use super::sight::{focus, is_again, once};
 use super::tutor::Msg;
 use crate::icon;
 
@@ -34,6 +36,8 @@ pub(super) struct ContentsProps {
     pub(super) shelf: Option<Rc<Shelf>>,
     /// How far each lesson has come.
     pub(super) progress: Progress,
+    /// The lessons that came as a file or in a link.
+    pub(super) own: Own,
     /// Why something is not there.
     pub(super) missing: Option<String>,
     /// Takes what is chosen.
@@ -45,6 +49,7 @@ impl PartialEq for ContentsProps {
         let shelf = |props: &Self| props.shelf.as_ref().map(Rc::as_ptr);
         self.page == other.page
             && self.progress == other.progress
+            && self.own == other.own
             && self.missing == other.missing
             && self.send == other.send
             && shelf(self) == shelf(other)
@@ -55,6 +60,8 @@ impl PartialEq for ContentsProps {
 #[component]
 pub(super) fn Contents(props: &ContentsProps) -> Html {
     let node = use_node_ref();
+    // The button that goes on.
+    let onward = use_node_ref();
     let close = use_callback(props.send.clone(), |(), send| send.emit(Msg::Show(None)));
     // Whether it is asked if progress is to be forgotten.
     let asks = use_state_eq(|| false);
@@ -63,7 +70,7 @@ pub(super) fn Contents(props: &ContentsProps) -> Html {
     let beside = {
         let (node, close) = (node.clone(), close.clone());
         move |event: MouseEvent| {
-            if event.target() == node.get().map(Into::into) {
+            if !is_again(&event) && event.target() == node.get().map(Into::into) {
                 close.emit(());
             }
         }
@@ -71,9 +78,9 @@ pub(super) fn Contents(props: &ContentsProps) -> Html {
     html! {
         <dialog ref={node} class="sheet" aria-labelledby="course-title" onmousedown={beside}>
             <div class="sheet-in">
-                { head(props, &close) }
+                { head(props, &close, &onward) }
                 <div class="sbody">{ body(props) }</div>
-                if let Some(shelf) = &props.shelf { { foot(props, &shelf.course, &asks) } }
+                if let Some(shelf) = &props.shelf { { foot(props, &shelf.course, &asks, &onward) } }
             </div>
         </dialog>
     }
@@ -99,7 +106,7 @@ pub(super) fn use_modal(node: &NodeRef, close: &Callback<()>) {
     });
 }
 
-fn head(props: &ContentsProps, close: &Callback<()>) -> Html {
+fn head(props: &ContentsProps, close: &Callback<()>, node: &NodeRef) -> Html {
     let close = close.reform(|_: MouseEvent| ());
     let course = props.shelf.as_ref().map(|shelf| &shelf.course);
     let (title, line) = match (props.page, course) {
@@ -114,7 +121,7 @@ fn head(props: &ContentsProps, close: &Callback<()>) -> Html {
         <header class="sh">
             <div><h2 id="course-title">{ title }</h2><p>{ line }</p></div>
             <span class="grow"></span>
-            if let Some(course) = course { { onward(course, props) } }
+            if let Some(course) = course { { onward(course, props, node) } }
             <button type="button" class="btn ghost round" title={tr!("Close (Escape)")} onclick={close}>
                 { icon::show("cancel") }<span class="vh">{ tr!("Close") }</span>
             </button>
@@ -134,7 +141,7 @@ fn sum(course: &Course) -> String {
 }
 
 /// The one button that goes on.
-fn onward(course: &Course, props: &ContentsProps) -> Html {
+fn onward(course: &Course, props: &ContentsProps, node: &NodeRef) -> Html {
     let Some(onward) = Onward::of(course, &props.progress) else {
         return html! {};
     };
@@ -148,21 +155,27 @@ fn onward(course: &Course, props: &ContentsProps) -> Html {
         lesson: entry.lesson.clone(),
         step: None,
     };
-    let onclick = props
-        .send
-        .reform(move |_: MouseEvent| Msg::Enter(place.clone()));
+    let onclick = once(&props.send, move || Msg::Enter(place.clone()));
     html! {
-        <button type="button" {class} {onclick}>{ icon::show("play") }<span>{ text }</span></button>
+        <button type="button" {class} ref={node.clone()} {onclick}>{ icon::show("play") }<span>{ text }</span></button>
     }
 }
 
 fn body(props: &ContentsProps) -> Html {
     let missing = props.missing.as_ref().map(|sentence| {
-        html! { <p class="missing" role="alert">{ tr!("The course did not arrive: {sentence}", sentence) }</p> }
+        html! { <p class="missing" role="alert">{ sentence.clone() }</p> }
     });
     let Some(shelf) = &props.shelf else {
         let loading = || html! { <p class="missing">{ tr!("Loading\u{2026}") }</p> };
-        return missing.unwrap_or_else(loading);
+        let again = props
+            .send
+            .reform(|_: MouseEvent| Msg::Show(Some(Page::Lessons)));
+        return match missing {
+            Some(missing) => html! {
+                <>{ missing }<p><button type="button" class="btn outline" onclick={again}>{ tr!("Try again") }</button></p></>
+            },
+            None => loading(),
+        };
     };
     if props.page == Page::Terms {
         return html! { <Terms shelf={Rc::clone(shelf)} send={props.send.clone()} /> };
@@ -176,7 +189,7 @@ fn body(props: &ContentsProps) -> Html {
         shown
     });
     let chapters: Vec<Html> = chapters.collect();
-    html! { <>{ missing.unwrap_or_default() }{ chapters }</> }
+    html! { <>{ missing.unwrap_or_default() }{ chapters }{ own::show(&props.own, &props.progress, &props.send) }</> }
 }
 
 fn chapter(
@@ -208,28 +221,29 @@ fn chapter(
     }
 }
 
-fn foot(props: &ContentsProps, course: &Course, asks: &UseStateHandle<bool>) -> Html {
+fn foot(
+    props: &ContentsProps,
+    course: &Course,
+    asks: &UseStateHandle<bool>,
+    next: &NodeRef,
+) -> Html {
     let is_done = |entry: &&Entry| props.progress.stage(&entry.lesson) == Stage::Done;
     let (done, all) = (
         course.lessons().filter(is_done).count(),
         course.lessons().count(),
     );
-    let is_new = props.progress == Progress::default();
+    let is_new = props.progress.is_empty();
     let (page, word, name) = match props.page {
         Page::Lessons => (Page::Terms, tr!("Glossary"), "course"),
         Page::Terms => (Page::Lessons, tr!("All lessons"), "back"),
     };
-    let turn = props
-        .send
-        .reform(move |_: MouseEvent| Msg::Show(Some(page)));
-    let write = props
-        .send
-        .reform(|_: MouseEvent| Msg::Author(AuthorMsg::Open));
+    let turn = once(&props.send, move || Msg::Show(Some(page)));
+    let write = once(&props.send, || Msg::Author(AuthorMsg::Open));
     html! {
         <footer class="sf">
             <span class="prog"><b>{ done }</b>{ tr!("behind a number" => " of {n} lesson done" | " of {n} lessons done" % all) }</span>
             <span class="pb-at">{ bar(done as u64, all as u64) }</span>
-            if !is_new { { forget(props, asks) } }
+            if !is_new { { forget(props, asks, next) } }
             <span class="grow"></span>
             <button type="button" class="btn outline" onclick={turn}>{ icon::show(name) }<span>{ word }</span></button>
             <button type="button" class="btn outline" onclick={write}>{ icon::show("edit") }<span>{ tr!("Write your own") }</span></button>
@@ -239,16 +253,18 @@ fn foot(props: &ContentsProps, course: &Course, asks: &UseStateHandle<bool>) -> 
 
 /// Forgets all progress, once that was asked. The button that asks then keeps it: a
 /// second press of the same key does no harm.
-fn forget(props: &ContentsProps, asks: &UseStateHandle<bool>) -> Html {
+fn forget(props: &ContentsProps, asks: &UseStateHandle<bool>, next: &NodeRef) -> Html {
     let is_asked = **asks;
     let turn = {
         let asks = asks.clone();
         move |_: MouseEvent| asks.set(!is_asked)
     };
     let reset = {
-        let (send, asks) = (props.send.clone(), asks.clone());
+        let (send, asks, next) = (props.send.clone(), asks.clone(), next.clone());
         move |_: MouseEvent| {
             asks.set(false);
+            // This button goes.
+            focus(&next);
             send.emit(Msg::Do(Action::Reset));
         }
     };

@@ -12,6 +12,7 @@ use super::exercise;
 use super::proof;
 use super::prose::Reader;
 use super::shelf::Shelf;
+use super::sight::once;
 use super::third;
 use super::tutor::{Msg, Tutor};
 use crate::icon;
@@ -118,7 +119,8 @@ fn progress(open: &Open, send: &Callback<Msg>) -> Html {
 
 fn foot(tutor: &Tutor, open: &Open, send: &Callback<Msg>) -> Html {
     let back = send.reform(|_: MouseEvent| Msg::Do(Action::Back));
-    let next = send.reform(|_: MouseEvent| Msg::Do(Action::Next));
+    // The second press of two is not for the step that has just come.
+    let next = once(send, || Msg::Do(Action::Next));
     let has_task = open.step().is_some_and(|step| step.task.is_some());
     // It goes on in any case; where there is something to do, that comes first.
     let is_next = !has_task || open.is_solved() || exercise::is_answered(open);

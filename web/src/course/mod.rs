@@ -6,16 +6,20 @@
 //! (`line`).
 
 mod act;
+mod address;
 mod asker;
 mod author;
 mod card;
 mod contents;
+mod enter;
 mod exercise;
 mod glossary;
+mod kept;
 mod keys;
 mod language;
 mod lesson;
 mod line;
+mod own;
 mod place;
 mod print;
 mod proof;

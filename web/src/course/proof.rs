@@ -23,7 +23,10 @@ pub(super) fn show(open: &Open, send: &Callback<Msg>) -> Html {
             <div class="exa">
                 { match proof {
                     Proof::Unasked | Proof::Missing => check(),
-                    Proof::Asked(_) => html! {},
+                    // It keeps the focus while nothing can be done.
+                    Proof::Asked(_) => html! {
+                        <button type="button" class="btn outline" aria-disabled="true"><span>{ tr!("Check the proof") }</span></button>
+                    },
                     Proof::Held(held) if held.changed().is_some() => button(tr!("Change it back"), Action::ChangeByte),
                     Proof::Held(_) => button(tr!("Change one byte"), Action::ChangeByte),
                 } }

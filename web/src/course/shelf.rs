@@ -6,7 +6,7 @@ use std::rc::Rc;
 use giveway_course::lesson::{
     Course, Entry, Glossary, Id, Lesson, Term, read_course, read_glossary, read_lesson,
 };
-use giveway_model::Fault;
+use giveway_model::{Fault, tr};
 
 use super::language;
 use crate::board::Film;
@@ -46,10 +46,18 @@ impl Shelf {
     /// # Errors
     /// Why they are not there, as a sentence.
     pub(super) async fn fetch() -> Result<Self, String> {
-        let course = fetch_text(&format!("{FOLDER}/index.json")).await?;
-        let glossary = fetch_text(&format!("{FOLDER}/glossary.json")).await?;
-        let course = read_course(&course).map_err(|faults| first(&faults))?;
-        let glossary = read_glossary(&glossary).map_err(|faults| first(&faults))?;
+        // What the browser says of it helps nobody.
+        let missing = |_| {
+            tr!("The course could not be loaded. Try again when the network is back.").to_owned()
+        };
+        let faulty = |faults: Vec<Fault>| {
+            let sentence = first(&faults);
+            tr!("The course did not arrive: {sentence}", sentence)
+        };
+        let course = fetch_text(&format!("{FOLDER}/index.json")).await;
+        let course = read_course(&course.map_err(missing)?).map_err(faulty)?;
+        let glossary = fetch_text(&format!("{FOLDER}/glossary.json")).await;
+        let glossary = read_glossary(&glossary.map_err(missing)?).map_err(faulty)?;
         Ok(Self::new(course, glossary))
     }
 
@@ -68,8 +76,14 @@ impl Shelf {
     /// # Errors
     /// Why it is not there, as a sentence.
     pub(super) async fn lesson(&self, id: &Id) -> Result<Lesson, String> {
-        let text = fetch_text(&format!("{FOLDER}/{id}.json")).await?;
-        read_lesson(&text, &self.glossary).map_err(|faults| first(&faults))
+        let text = fetch_text(&format!("{FOLDER}/{id}.json")).await;
+        let text = text.map_err(|_| {
+            tr!("The lesson could not be loaded. Try again when the network is back.").to_owned()
+        })?;
+        read_lesson(&text, &self.glossary).map_err(|faults| {
+            let sentence = first(&faults);
+            tr!("This lesson cannot be opened: {sentence}", sentence)
+        })
     }
 
     /// A lesson in the index, with its number from 1.

@@ -4,31 +4,29 @@ use std::collections::BTreeMap;
 use std::rc::Rc;
 
 use giveway_course::judge::Verdict;
-use giveway_course::learner::{Action, Learner, Progress, reduce};
+use giveway_course::learner::{Action, Learner};
 use giveway_course::lesson::{Id, Lesson};
 use giveway_course::port::{BoardNumber, ToPage};
 use giveway_course::tour::{self, Tour};
 use gloo::events::EventListener;
 use gloo::timers::callback::Timeout;
-use yew::platform::spawn_local;
 use yew::prelude::*;
 
+use super::address;
 use super::asker::Asker;
 use super::author::{Author, AuthorMsg, is_own};
 use super::contents::{Contents, Page};
+use super::kept::Kept;
 use super::keys;
 use super::language;
 use super::lesson;
 use super::line::Line;
+use super::own::Own;
 use super::place::Place;
 use super::print::Sheet;
 use super::shelf::Shelf;
-use super::sight::{bring_into_view, focus};
+use super::sight::{bring_into_view, focus, has_focus, refocus};
 use super::tour::Guide;
-use crate::keep;
-
-/// Under which name progress is kept.
-pub(super) const KEPT: &str = "course";
 
 /// What happens in the course.
 #[derive(Clone)]
@@ -46,12 +44,18 @@ pub(super) enum Msg {
     Spoken,
     /// A place is chosen.
     Enter(Place),
+    /// A lesson that came as a file or in a link is kept no longer.
+    Remove(Id),
+    /// The one that was removed last is kept again.
+    BringBack,
     /// Index and glossary are there, or are not.
     Shelved(Result<Rc<Shelf>, String>),
     /// A lesson is there, or is not.
     Fetched(Place, Result<Rc<Lesson>, String>),
     /// Something is done in the editor.
     Author(AuthorMsg),
+    /// Another tab has kept progress.
+    Elsewhere,
     /// Shows a page of the contents, or closes them.
     Show(Option<Page>),
     /// Moves a robot in the order, from one place to another.
@@ -69,8 +73,14 @@ pub(super) enum Msg {
 }
 
 /// The course.
+#[expect(
+    clippy::struct_excessive_bools,
+    reason = "each is told by itself, in any mixture"
+)]
 pub(super) struct Tutor {
     pub(super) learner: Learner,
+    /// What the browser keeps of it.
+    pub(super) kept: Kept,
     /// The tour of the page, while somebody takes it.
     pub(super) tour: Option<Tour>,
     /// The number that the board of the next tour has.
@@ -81,6 +91,10 @@ pub(super) struct Tutor {
     pub(super) fetched: Option<Rc<Shelf>>,
     /// The lessons as they were fetched, in English.
     pub(super) lessons: BTreeMap<Id, Rc<Lesson>>,
+    /// Whether index and glossary are on their way.
+    pub(super) is_fetching: bool,
+    /// The lessons that came as a file or in a link.
+    pub(super) own: Own,
     /// What is to be opened as soon as it is there.
     pub(super) wanted: Option<Place>,
     pub(super) page: Option<Page>,
@@ -96,6 +110,8 @@ pub(super) struct Tutor {
     pub(super) late: Option<Timeout>,
     /// Whether the title of a step that is new takes the focus.
     pub(super) is_new: bool,
+    /// Whether something of the course had the focus before what happened.
+    pub(super) had_focus: bool,
     /// Whether the judge has just said something.
     pub(super) has_said: bool,
     pub(super) title: NodeRef,
@@ -113,21 +129,16 @@ impl Component for Tutor {
     type Properties = ();
 
     fn create(ctx: &Context<Self>) -> Self {
-        let link = ctx.link().clone();
-        spawn_local(async move {
-            let shelf = Shelf::fetch().await;
-            link.send_message(Msg::Shelved(shelf.map(Rc::new)));
-        });
-        // What was kept may be of another version, or not ours.
-        let kept = keep::load(KEPT).and_then(|text| Progress::read(&text).ok());
-        let (learner, _) = reduce(Learner::default(), Action::Kept(kept.unwrap_or_default()));
-        Self {
-            learner,
+        let mut tutor = Self {
+            learner: Learner::default(),
+            kept: Kept::new(ctx.link().callback(|()| Msg::Elsewhere)),
             tour: None,
             tours: tour::FIRST,
             shelf: None,
             fetched: None,
             lessons: BTreeMap::new(),
+            is_fetching: false,
+            own: Own::default(),
             wanted: None,
             page: None,
             missing: None,
@@ -137,18 +148,25 @@ impl Component for Tutor {
             is_late: false,
             late: None,
             is_new: false,
+            had_focus: false,
             has_said: false,
             title: NodeRef::default(),
             next: NodeRef::default(),
-            author: Author::new(ctx.link().callback(Msg::Author)),
+            author: Author::new(&ctx.link().callback(Msg::Author)),
             asker: Asker::new(ctx.link().callback(Msg::Do)),
             line: None,
             sheet: None,
             _keys: keys::listen(),
-        }
+        };
+        tutor.read_kept();
+        tutor.fetch(ctx);
+        tutor
     }
 
     fn update(&mut self, ctx: &Context<Self>, msg: Msg) -> bool {
+        // The card of the tour brings the focus back by itself.
+        self.had_focus |= self.tour.is_none() && has_focus();
+        let is_followed = matches!(msg, Msg::Open(_));
         match msg {
             Msg::Do(Action::Page(message)) if self.tour.is_some() => {
                 self.guide(tour::Action::Page(message));
@@ -163,31 +181,18 @@ impl Component for Tutor {
                     self.enter(ctx, place);
                 } else {
                     self.guide(tour::Action::End);
-                    self.page = Some(Page::Lessons);
+                    self.show(Some(Page::Lessons));
                 }
             }
             Msg::Enter(place) => self.enter(ctx, place),
+            Msg::Remove(id) => self.remove_own(&id),
+            Msg::BringBack => self.bring_back(),
             Msg::Told(told) => Self::turn(ctx, told),
             Msg::Spoken => self.reword(ctx),
-            Msg::Shelved(Ok(shelf)) => {
-                self.fetched = Some(shelf);
-                // Nobody is to read English first.
-                if !language::is_coming() {
-                    self.reword(ctx);
-                }
-                self.arrive_late(ctx);
-            }
-            Msg::Fetched(place, Ok(lesson)) => {
-                self.lessons.insert(place.lesson.clone(), lesson);
-                if self.wanted.as_ref() == Some(&place) {
-                    self.enter(ctx, place);
-                }
-            }
-            Msg::Shelved(Err(sentence)) | Msg::Fetched(_, Err(sentence)) => {
-                self.missing = Some(sentence);
-                self.page = Some(Page::Lessons);
-            }
-            Msg::Show(page) => self.page = page,
+            Msg::Shelved(shelf) => self.shelved(ctx, shelf),
+            Msg::Fetched(place, lesson) => self.fetched(ctx, place, lesson),
+            Msg::Elsewhere => self.read_kept(),
+            Msg::Show(page) => self.show(page),
             Msg::Move(from, to) => {
                 let mut order = self.order();
                 if from < order.len() && to < order.len() {
@@ -210,6 +215,14 @@ impl Component for Tutor {
             }
             Msg::Printed => self.sheet = None,
         }
+        // What did not arrive is tried again whenever the contents are opened.
+        if self.page.is_some() && self.missing.is_none() {
+            self.fetch(ctx);
+        }
+        // The page has taken the link out of the address.
+        if is_followed {
+            address::show(self.learner.open.as_ref());
+        }
         true
     }
 
@@ -226,7 +239,7 @@ impl Component for Tutor {
                 }
                 if let Some(page) = &self.page {
                     <Contents key={language::tag()} page={*page} shelf={self.shelf.clone()} progress={self.learner.progress.clone()}
-                        missing={self.missing.clone()} send={send.clone()} />
+                        own={self.own.clone()} missing={self.missing.clone()} send={send.clone()} />
                 }
                 { self.author_view(&send) }
             </>
@@ -242,44 +255,14 @@ impl Component for Tutor {
         if std::mem::take(&mut self.is_new) {
             focus(&self.title);
         }
+        if std::mem::take(&mut self.had_focus) {
+            refocus();
+        }
         if std::mem::take(&mut self.has_said) {
             bring_into_view();
         }
         if let Some(sheet) = &mut self.sheet {
             sheet.print();
         }
-    }
-}
-
-impl Tutor {
-    /// Opens a place, as soon as what it takes is there.
-    pub(super) fn enter(&mut self, ctx: &Context<Self>, place: Place) {
-        self.asker.warm();
-        self.missing = None;
-        let Some(shelf) = self.shelf.clone() else {
-            self.wanted = Some(place);
-            return;
-        };
-        if shelf.entry(&place.lesson).is_none() {
-            // A link to a lesson that there is not: here are those that there are.
-            self.page = Some(Page::Lessons);
-            return;
-        }
-        if let Some(lesson) = self.lessons.get(&place.lesson) {
-            let action = Action::Open {
-                id: place.lesson,
-                lesson: Rc::new(language::said(&**lesson)),
-                at: place.step,
-            };
-            self.wanted = None;
-            self.page = None;
-            return self.act(ctx, action);
-        }
-        self.wanted = Some(place.clone());
-        let link = ctx.link().clone();
-        spawn_local(async move {
-            let lesson = shelf.lesson(&place.lesson).await;
-            link.send_message(Msg::Fetched(place, lesson.map(Rc::new)));
-        });
     }
 }

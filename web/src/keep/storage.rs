@@ -64,7 +64,7 @@ pub(super) fn welcomed() {
 }
 
 /// Forgets what is kept under a name.
-pub(super) fn forget(name: &str) {
+pub(crate) fn forget(name: &str) {
     if let Some(storage) = lasting() {
         // What is not there need not be forgotten.
         let _ = storage.remove_item(&ours(name));

@@ -59,6 +59,10 @@ pub enum Action {
     Open(Box<Lesson>),
     /// A draft that was kept, by this page or another one.
     Kept(Box<Draft>),
+    /// The draft of another tab takes the place of this one.
+    Take(Box<Draft>),
+    /// The draft that was there before this one, as it was kept: the way back to it.
+    Before(Box<Draft>),
 }
 
 /// Whose field it is.

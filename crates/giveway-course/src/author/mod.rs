@@ -138,6 +138,16 @@ impl Draft {
         let is_blank = self.steps.iter().all(StepDraft::is_empty);
         self.words == Self::default().words && self.steps.len() == 1 && is_blank
     }
+
+    /// Whether the same is written in both.
+    fn is_like(&self, other: &Self) -> bool {
+        let same = |(one, two): (&StepDraft, &StepDraft)| {
+            (&one.words, &one.scene, &one.plan) == (&two.words, &two.scene, &two.plan)
+        };
+        let is_as_long = self.steps.len() == other.steps.len();
+        let mut steps = self.steps.iter().zip(&other.steps);
+        self.words == other.words && is_as_long && steps.all(same)
+    }
 }
 
 impl StepDraft {

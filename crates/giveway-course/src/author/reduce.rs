@@ -52,6 +52,12 @@ impl Draft {
             Action::Undo => self.undo(),
             Action::New => self.put(Self::default()),
             Action::Open(lesson) => self.put(Self::of(&lesson)),
+            Action::Take(other) => {
+                let at = other.at;
+                self.put(*other);
+                self.act(Action::Go(at));
+            }
+            Action::Before(before) => self.remember_before(*before),
             Action::Kept(kept) => {
                 // What can be undone here has keys of its own.
                 let (undo, next) = (std::mem::take(&mut self.undo), self.next);
@@ -167,13 +173,13 @@ impl Draft {
 
     /// Another lesson takes the place of this one.
     fn put(&mut self, other: Self) {
-        let was_empty = self.is_empty();
+        let is_lost = !self.is_empty() && !self.is_like(&other);
         let words = std::mem::take(&mut self.words);
         let before = (words, std::mem::take(&mut self.steps), self.at);
         self.words = other.words;
         self.steps = other.steps;
         self.at = 0;
-        if !was_empty {
+        if is_lost {
             self.remember(Undo::Lesson(Box::new(before)));
         }
         self.mend();

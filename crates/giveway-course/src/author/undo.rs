@@ -78,11 +78,43 @@ impl Draft {
                 }
             }
             Some(Undo::Lesson(before)) => {
+                // What took its place may be worth as much: it can be undone, too.
+                let was_empty = self.is_empty();
                 let (words, steps, at) = *before;
-                self.words = words;
-                self.steps = steps;
-                self.at = at;
+                let words = std::mem::replace(&mut self.words, words);
+                let steps = std::mem::replace(&mut self.steps, steps);
+                let at = std::mem::replace(&mut self.at, at);
+                if !was_empty {
+                    self.remember(Undo::Lesson(Box::new((words, steps, at))));
+                }
             }
+        }
+    }
+
+    /// The lesson that was there before this one, if there is a way back to it.
+    pub fn before(&self) -> Option<Self> {
+        let mut undo = self.undo.iter().rev();
+        let before = undo.find_map(|undo| match undo {
+            Undo::Lesson(before) => Some((**before).clone()),
+            _ => None,
+        });
+        before.map(|(words, steps, at)| Self {
+            words,
+            steps,
+            at,
+            ..Self::default()
+        })
+    }
+
+    /// There is a way back to a lesson that was there before, where there is none yet.
+    pub(super) fn remember_before(&mut self, mut before: Self) {
+        if self.before().is_none() && !before.is_empty() && !self.is_like(&before) {
+            // No key of a step is there twice.
+            before.next = self.next;
+            before.mend();
+            self.next = before.next;
+            let lesson = (before.words, before.steps, before.at);
+            self.undo.insert(0, Undo::Lesson(Box::new(lesson)));
         }
     }
 

@@ -89,7 +89,8 @@ pub enum Action {
     Light(Option<Lit>),
     /// A link to a time is followed.
     Time(u32),
-    /// Progress was read that had been kept.
+    /// Progress was read that had been kept, perhaps by another tab: it comes to what
+    /// there is.
     Kept(Progress),
     /// All progress is forgotten.
     Reset,

@@ -6,6 +6,7 @@
 //! that carry an older one are dropped.
 
 mod action;
+mod left;
 mod onward;
 mod open;
 mod progress;
@@ -33,6 +34,8 @@ pub struct Learner {
     pub progress: Progress,
     /// The lesson that is open.
     pub open: Option<Open>,
+    /// The step that was left while its judge was still looking.
+    left: Option<Box<Open>>,
     /// The number of the last board.
     board: BoardNumber,
     /// The number of the last question to the solver.

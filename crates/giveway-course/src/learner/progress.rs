@@ -1,5 +1,6 @@
 //! How far each lesson has come: what a browser keeps, and is distrusted when read back.
 
+use std::cmp::Ordering;
 use std::collections::{BTreeMap, BTreeSet};
 
 use giveway_model::{Fault, Version, format::native, tr};
@@ -14,7 +15,16 @@ use crate::lesson::{Id, Lesson};
 pub struct Progress {
     /// The version of the format.
     giveway: Version,
+    /// How often all of it was forgotten: what another tab kept before that is of no
+    /// more use.
+    #[serde(default, skip_serializing_if = "is_zero")]
+    forgotten: u32,
     lessons: BTreeMap<Id, Reached>,
+}
+
+#[expect(clippy::trivially_copy_pass_by_ref, reason = "as serde calls it")]
+const fn is_zero(number: &u32) -> bool {
+    *number == 0
 }
 
 /// How far a lesson has come.
@@ -42,6 +52,20 @@ impl Reached {
     fn is_done(&self) -> bool {
         let has_tasks = self.tasks > 0;
         self.done || (self.solved.len() >= self.tasks && (has_tasks || self.seen))
+    }
+
+    /// Whatever was solved or read in either counts, and the furthest step; where one
+    /// was read to its end, that one tells the step to go on with.
+    fn join(&mut self, other: Self) {
+        self.step = match (self.seen, other.seen) {
+            (true, false) => self.step,
+            (false, true) => other.step,
+            _ => self.step.max(other.step),
+        };
+        self.done |= other.done;
+        self.seen |= other.seen;
+        self.solved.extend(other.solved);
+        self.tasks = self.tasks.max(other.tasks);
     }
 }
 
@@ -85,17 +109,51 @@ impl Progress {
         self.lessons.get(lesson).map_or(0, |reached| reached.step)
     }
 
+    /// Whether no lesson was ever opened.
+    pub fn is_empty(&self) -> bool {
+        self.lessons.is_empty()
+    }
+
     /// How many lessons are done.
     pub fn done(&self) -> usize {
         self.lessons.values().filter(|it| it.is_done()).count()
     }
 
+    /// What was kept by another tab, or before the page was opened, comes in. Nothing is
+    /// lost of either, unless all was forgotten since.
+    pub(super) fn join(&mut self, other: Self) {
+        match other.forgotten.cmp(&self.forgotten) {
+            Ordering::Less => {}
+            Ordering::Greater => *self = other,
+            Ordering::Equal => {
+                for (id, theirs) in other.lessons {
+                    if let Some(reached) = self.reached(&id) {
+                        reached.join(theirs);
+                    }
+                }
+            }
+        }
+    }
+
+    /// All is forgotten, in other tabs, too.
+    pub(super) fn forget(&mut self) {
+        *self = Self {
+            forgotten: self.forgotten.saturating_add(1),
+            ..Self::default()
+        };
+    }
+
+    /// How far a lesson has come, to be changed; `None` where there are too many.
+    fn reached(&mut self, id: &Id) -> Option<&mut Reached> {
+        let is_full = self.lessons.len() >= MAX_LESSONS && !self.lessons.contains_key(id);
+        (!is_full).then(|| self.lessons.entry(id.clone()).or_default())
+    }
+
     /// A step of a lesson was opened.
     pub(super) fn opened(&mut self, id: &Id, lesson: &Lesson, step: usize) {
-        if self.lessons.len() >= MAX_LESSONS && !self.lessons.contains_key(id) {
+        let Some(reached) = self.reached(id) else {
             return;
-        }
-        let reached = self.lessons.entry(id.clone()).or_default();
+        };
         reached.step = step.min(MAX_STEPS);
         // The lesson may have other tasks than when it was opened last.
         reached.tasks = tasks(lesson).count();
@@ -104,8 +162,11 @@ impl Progress {
             .retain(|step| tasks(lesson).any(|task| task == *step));
     }
 
-    /// The task of a step is solved.
-    pub(super) fn solved(&mut self, id: &Id, step: usize) {
+    /// The task of a step is solved. All may have been forgotten since it was opened.
+    pub(super) fn solved(&mut self, id: &Id, lesson: &Lesson, step: usize) {
+        if !self.lessons.contains_key(id) {
+            self.opened(id, lesson, step);
+        }
         if let Some(reached) = self.lessons.get_mut(id) {
             reached.solved.insert(step);
         }
@@ -114,6 +175,9 @@ impl Progress {
     /// A lesson was read to its end. It begins at the first task that is left when it is
     /// opened again.
     pub(super) fn finished(&mut self, id: &Id, lesson: &Lesson) {
+        if !self.lessons.contains_key(id) {
+            self.opened(id, lesson, 0);
+        }
         if let Some(reached) = self.lessons.get_mut(id) {
             let left = tasks(lesson).find(|step| !reached.solved.contains(step));
             reached.step = left.unwrap_or(0);

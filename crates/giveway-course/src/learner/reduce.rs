@@ -3,7 +3,7 @@
 use giveway_model::{Instance, Scene};
 use giveway_solve::Response;
 
-use super::{Action, AskNumber, Effect, Judge, Learner, Open, Progress, Proof, Stage, task};
+use super::{Action, AskNumber, Effect, Judge, Learner, Open, Proof, Stage, task};
 use crate::judge::Did;
 use crate::lesson::Id;
 use crate::port::{BoardNumber, FromPage, Happened, ToPage};
@@ -78,9 +78,10 @@ impl Learner {
                 effects.push(Effect::Page(ToPage::Go(time)));
             }
             Action::Lead(_) | Action::Wait | Action::Light(_) | Action::Time(_) => {}
-            Action::Kept(progress) => self.progress = progress,
+            Action::Kept(progress) => self.progress.join(progress),
             Action::Reset => {
-                self.progress = Progress::default();
+                self.left = None;
+                self.progress.forget();
                 effects.push(Effect::Keep(self.progress.clone()));
             }
             Action::Close => self.close(effects),
@@ -96,8 +97,10 @@ impl Learner {
             return;
         };
         if open.is_last() {
-            self.progress.finished(&open.id, &open.lesson);
-            effects.push(Effect::Keep(self.progress.clone()));
+            if !open.is_tried() {
+                self.progress.finished(&open.id, &open.lesson);
+                effects.push(Effect::Keep(self.progress.clone()));
+            }
             return self.close(effects);
         }
         // A step without a scene goes on with the board as it is, if that can be and all
@@ -138,7 +141,7 @@ impl Learner {
         let Some(mut open) = open else {
             return;
         };
-        self.forget(effects);
+        self.leave(effects);
         open.board = self.next_board();
         if let Some(board) = open.as_board() {
             effects.push(Effect::Page(ToPage::Open(Box::new(board))));
@@ -166,7 +169,7 @@ impl Learner {
     }
 
     fn close(&mut self, effects: &mut Vec<Effect>) {
-        self.forget(effects);
+        self.leave(effects);
         if self.open.take().is_some() {
             effects.push(Effect::Page(ToPage::Close));
         }
@@ -194,7 +197,7 @@ impl Learner {
             Happened::Time(time) => open.time = time,
             Happened::Changed(method) => self.did(Did::Went(method), effects),
             Happened::Closed => {
-                self.forget(effects);
+                self.leave(effects);
                 self.open = None;
             }
             // Only a tour is told of it.
@@ -204,6 +207,9 @@ impl Learner {
 
     /// What the solver has answered counts only for the question that is asked now.
     fn answered(&mut self, number: AskNumber, response: Response, effects: &mut Vec<Effect>) {
+        if self.is_of_left(number) {
+            return self.answered_left(response, effects);
+        }
         let Some(open) = &mut self.open else {
             return;
         };
@@ -232,7 +238,14 @@ impl Learner {
         self.board
     }
 
+    /// The number of a question about the step that is open: what is asked of one that
+    /// was left is of no more use then.
     pub(super) fn next_ask(&mut self) -> AskNumber {
+        self.left = None;
+        self.next_number()
+    }
+
+    pub(super) fn next_number(&mut self) -> AskNumber {
         self.asked.0 = self.asked.0.wrapping_add(1);
         self.asked
     }

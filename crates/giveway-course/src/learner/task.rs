@@ -94,8 +94,10 @@ impl Learner {
             if !verdict.seal.is_empty() {
                 effects.push(Effect::Page(ToPage::Seal(verdict.seal.clone())));
             }
-            self.progress.solved(&open.id, open.at);
-            effects.push(Effect::Keep(self.progress.clone()));
+            if !open.is_tried() {
+                self.progress.solved(&open.id, &open.lesson, open.at);
+                effects.push(Effect::Keep(self.progress.clone()));
+            }
             effects.push(Effect::FocusNext);
         }
         open.judge = Judge::Said(verdict);
@@ -107,6 +109,10 @@ impl Learner {
         sentence: String,
         effects: &mut Vec<Effect>,
     ) {
+        if self.is_of_left(number) {
+            self.left = None;
+            return;
+        }
         self.proved(number, None);
         let is_asked = self.open.as_ref().is_some_and(
             |open| matches!(&open.judge, Judge::Looking(looking) if looking.number == number),

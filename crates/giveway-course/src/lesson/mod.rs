@@ -14,6 +14,7 @@ pub mod glossary;
 mod id;
 mod layout;
 pub mod link;
+mod own;
 pub mod quantity;
 pub mod read;
 mod step;
@@ -30,6 +31,7 @@ pub use condition::{Comparison, Condition};
 pub use course::{Chapter, Course, Entry, Picture};
 pub use glossary::{Glossary, Source, Term};
 pub use id::{BadId, Id};
+pub use own::OwnLessons;
 pub use quantity::{Quantity, Value};
 pub use read::{read_course, read_glossary, read_lesson};
 pub use step::Step;
@@ -71,6 +73,22 @@ impl Lesson {
     pub fn scene(&self, step: usize) -> Option<&giveway_model::Scene> {
         let steps = self.steps.get(..=step)?;
         steps.iter().rev().find_map(|step| step.scene.as_ref())
+    }
+
+    /// The lesson as a page of contents shows it, by its first board.
+    pub fn entry(&self, id: Id) -> Option<Entry> {
+        let first = self.steps.first()?;
+        Some(Entry {
+            lesson: id,
+            title: self.title.clone(),
+            minutes: self.minutes,
+            steps: u32::try_from(self.steps.len()).ok()?,
+            picture: Picture {
+                scene: first.scene.clone()?,
+                plan: first.plan.clone(),
+                time: first.time,
+            },
+        })
     }
 
     /// The short name of a lesson that is no part of a course.

@@ -156,6 +156,43 @@ fn what_is_removed_comes_back() {
 }
 
 #[test]
+fn no_lesson_is_lost_when_another_one_takes_its_place() {
+    let title = |draft: &Draft| draft.words().get("title").cloned().unwrap_or_default();
+    let named = |draft: Draft, name| write(draft, Whose::Lesson, "title", name);
+    let first = named(Draft::default(), "First");
+    let second = named(Draft::default(), "Second");
+
+    // That of another tab; what is undone can be undone.
+    let mut draft = reduce(first.clone(), Action::Take(Box::new(second.clone())));
+    for name in ["Second", "First", "Second", "First"] {
+        assert_eq!(title(&draft), name);
+        draft = reduce(draft, Action::Undo);
+    }
+    // The same again is no other lesson.
+    let same = reduce(first.clone(), Action::Take(Box::new(first.clone())));
+    assert_eq!(same.can_undo(), None);
+
+    // The one before is kept, and there is a way back to it after the page was loaded anew.
+    let draft = reduce(first, Action::New);
+    let before = Draft::read(&draft.before().unwrap().write()).unwrap();
+    let draft = Draft::read(&named(draft, "Third").write()).unwrap();
+    assert_eq!((draft.can_undo(), draft.before()), (None, None));
+    let draft = reduce(draft, Action::Before(Box::new(before.clone())));
+    // It is offered once, and never in the place of a later one.
+    let again = reduce(draft.clone(), Action::Before(Box::new(second)));
+    assert_eq!(again, draft);
+    let draft = reduce(draft, Action::Undo);
+    assert_eq!(title(&draft), "First");
+    assert_eq!(title(&draft.before().unwrap()), "Third");
+    // Not to what is there already, or is nothing.
+    let draft = reduce(Draft::default(), Action::Kept(Box::new(before.clone())));
+    for nothing in [before, Draft::default()] {
+        let same = reduce(draft.clone(), Action::Before(Box::new(nothing)));
+        assert_eq!(same.can_undo(), None);
+    }
+}
+
+#[test]
 fn links_hold_a_lesson_or_say_that_they_were_cut() {
     let glossary = shipped::glossary();
     for (name, lesson) in shipped::lessons() {
@@ -306,6 +343,8 @@ fn random(rng: &mut Rng, draft: &Draft, lessons: &[(String, Lesson)]) -> Action 
             Some(plan) => Action::TakePlan(Box::new(plan.clone())),
             None => Action::Undo,
         },
+        17 => Action::Take(Box::new(Draft::of(&rng.choice(lessons).unwrap().1))),
+        18 => Action::Before(Box::new(Draft::of(&rng.choice(lessons).unwrap().1))),
         15 => Action::Kept(Box::new(Draft::read(&draft.write()).unwrap())),
         16 => {
             let (field, text) = ("title".to_owned(), "T".to_owned());

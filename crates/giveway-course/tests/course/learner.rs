@@ -388,7 +388,136 @@ fn progress_is_read_back_with_distrust() {
         assert!(Progress::read(bad).is_err(), "{bad}");
     }
     let (learner, _) = reduce(learner, Action::Reset);
-    assert_eq!(learner.progress, Progress::default());
+    assert!(learner.progress.is_empty());
+}
+
+/// Progress of one lesson, as a browser keeps it.
+fn kept(lesson: &str, reached: &str) -> Progress {
+    let text = format!(r#"{{"giveway":1,"lessons":{{"{lesson}":{reached}}}}}"#);
+    Progress::read(&text).unwrap()
+}
+
+#[test]
+fn what_two_tabs_keep_comes_together() {
+    let (one, two) = ("room-to-pass", "two-robots-one-cell");
+    let join = |learner: Learner, progress: &Progress| {
+        let (learner, effects) = reduce(learner, Action::Kept(progress.clone()));
+        assert!(effects.is_empty());
+        learner
+    };
+    let stage = |learner: &Learner, lesson| learner.progress.stage(&id(lesson));
+    let first = opened(one, 1).0;
+    let second = opened(two, 2).0;
+    let both = join(first.clone(), &second.progress);
+    assert_eq!(stage(&both, one), Stage::Begun(1));
+    assert_eq!(stage(&both, two), Stage::Begun(2));
+    // Whoever comes first.
+    assert_eq!(join(second, &first.progress).progress, both.progress);
+
+    // What was solved in either counts, and the furthest step.
+    let begun = kept(one, r#"{"step":3,"solved":[1],"tasks":3}"#);
+    let other = kept(one, r#"{"step":2,"solved":[2],"tasks":3}"#);
+    let joined = join(join(Learner::default(), &begun), &other);
+    let whole = kept(one, r#"{"step":3,"solved":[1,2],"tasks":3}"#);
+    assert_eq!(joined.progress, whole);
+    // What was read to its end tells where to go on.
+    let read = kept(one, r#"{"step":1,"seen":true,"solved":[2],"tasks":3}"#);
+    let (solved, tasks) = (2, 3);
+    let seen = Stage::Seen {
+        step: 1,
+        solved,
+        tasks,
+    };
+    assert_eq!(stage(&join(joined.clone(), &read), one), seen);
+
+    // What is forgotten does not come back from a tab that has not heard of it.
+    let (forgotten, _) = reduce(joined.clone(), Action::Reset);
+    assert!(
+        join(forgotten.clone(), &joined.progress)
+            .progress
+            .is_empty()
+    );
+    assert!(join(joined, &forgotten.progress).progress.is_empty());
+    let again = Progress::read(&forgotten.progress.write()).unwrap();
+    assert_eq!(again, forgotten.progress);
+
+    // There are never more lessons than can be read.
+    let many = |name: &str| -> Progress {
+        let lessons: Vec<String> = (0..200)
+            .map(|at| format!(r#""{name}-{at}":{{"step":0}}"#))
+            .collect();
+        let text = format!(r#"{{"giveway":1,"lessons":{{{}}}}}"#, lessons.join(","));
+        Progress::read(&text).unwrap()
+    };
+    let full = join(join(Learner::default(), &many("a")), &many("b"));
+    assert_eq!(Progress::read(&full.progress.write()), Ok(full.progress));
+}
+
+#[test]
+fn a_lesson_in_which_all_is_forgotten_goes_on_being_kept() {
+    let (learner, effects) = opened("room-to-pass", 3);
+    let (learner, _) = reduce(learner, Action::Reset);
+    assert!(learner.progress.is_empty());
+    let edit = painted(&learner, 3, 1);
+    let (learner, effects) = reduce(learner, said(board(&effects), edit));
+    let (learner, _) = answered(learner, effects);
+    let name = id("room-to-pass");
+    assert_eq!(learner.progress.stage(&name), Stage::Begun(3));
+    let (learner, _) = reduce(learner, Action::Reset);
+    let (learner, effects) = reduce(learner, Action::Next);
+    let seen = Stage::Seen {
+        step: 1,
+        solved: 0,
+        tasks: 3,
+    };
+    assert_eq!(learner.progress.stage(&name), seen);
+    assert!(effects.contains(&Effect::Keep(learner.progress)));
+}
+
+#[test]
+fn an_answer_counts_though_the_step_is_left_before_it_is_judged() {
+    let name = id("room-to-pass");
+    let solved = |learner: &Learner| learner.progress.write().contains(r#""solved":[3]"#);
+    for leave in [
+        Action::Next,
+        Action::Back,
+        Action::Close,
+        Action::Page(FromPage {
+            number: BoardNumber(1),
+            what: Happened::Closed,
+        }),
+    ] {
+        let (learner, effects) = opened("room-to-pass", 3);
+        let number = board(&effects);
+        let edit = painted(&learner, 3, 1);
+        let (learner, asking) = reduce(learner, said(number, edit));
+        let (learner, effects) = reduce(learner, leave.clone());
+        assert!(!effects.contains(&Effect::Forget), "{leave:?}");
+        let judge = learner.open.as_ref().map(|open| open.judge().clone());
+        assert!(matches!(judge, None | Some(Judge::Waiting)), "{leave:?}");
+        // Nothing else happens to the step that is open now.
+        let (later, effects) = answered(learner.clone(), asking.clone());
+        assert_eq!(effects, [Effect::Keep(later.progress.clone())], "{leave:?}");
+        assert_eq!(later.open, learner.open, "{leave:?}");
+        assert!(solved(&later) && !solved(&learner), "{leave:?}");
+
+        // What is forgotten stays so.
+        let (reset, _) = reduce(learner, Action::Reset);
+        let (reset, effects) = answered(reset, asking);
+        assert!(reset.progress.is_empty() && effects.is_empty(), "{leave:?}");
+    }
+
+    // What is asked next takes the solver away from it.
+    let (learner, effects) = opened("room-to-pass", 3);
+    let edit = painted(&learner, 3, 1);
+    let (learner, asking) = reduce(learner, said(board(&effects), edit));
+    let (learner, _) = reduce(learner, Action::Go(1));
+    let (learner, guess) = reduce(learner, Action::Guess(Value::Number(9)));
+    let (learner, effects) = answered(learner, asking);
+    assert!(effects.is_empty() && !solved(&learner));
+    let (learner, _) = answered(learner, guess);
+    assert!(learner.open.as_ref().unwrap().is_solved());
+    assert_ne!(learner.progress.stage(&name), Stage::New);
 }
 
 #[test]
@@ -578,8 +707,13 @@ fn random_actions_keep_the_invariants() {
                         let latest = world.asked.last().map(|(number, _)| *number);
                         assert!(latest.is_none_or(|latest| latest < *number), "{told}");
                         world.asked.push((*number, (**request).clone()));
-                        let open = learner.open.as_ref().unwrap();
-                        assert!(matches!(open.judge(), Judge::Looking(_)), "{told}");
+                        // About the step that is open, or else one that was left.
+                        let judge = learner.open.as_ref().map(|open| open.judge().clone());
+                        let is_more = told.contains(": Answered");
+                        assert!(
+                            matches!(judge, Some(Judge::Looking(_))) || is_more,
+                            "{told}"
+                        );
                     }
                     Effect::Keep(progress) => assert_eq!(*progress, learner.progress, "{told}"),
                     Effect::Forget | Effect::FocusNext => {}

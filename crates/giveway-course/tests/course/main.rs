@@ -13,6 +13,7 @@ mod files;
 mod judges;
 mod learner;
 mod noise;
+mod own;
 mod reading;
 mod schema;
 mod shipped;

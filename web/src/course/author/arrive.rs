@@ -2,7 +2,6 @@
 
 use std::rc::Rc;
 
-use giveway_course::learner::Action;
 use giveway_course::lesson::{Glossary, Lesson, link, read_lesson};
 use giveway_model::Fault;
 use yew::prelude::*;
@@ -32,6 +31,10 @@ impl Tutor {
             self.author.arriving = Some(address);
             return;
         };
+        if self.author.is_open && !address.starts_with(link::MARK) {
+            // Whoever writes a lesson goes on with that of the file; there is a way back.
+            return self.author(ctx, AuthorMsg::File(address));
+        }
         self.author.is_open = false;
         self.close_contents();
         let read = match address.as_str() {
@@ -41,10 +44,8 @@ impl Tutor {
         };
         match read {
             Ok((lesson, at)) => {
-                self.warm();
-                let id = lesson.own_id();
-                let lesson = Rc::new(lesson);
-                self.act(ctx, Action::Open { id, lesson, at });
+                self.tour = None;
+                self.open_own(ctx, Rc::new(lesson), at);
             }
             Err(faults) => self.author.refused = Some(faults.into()),
         }

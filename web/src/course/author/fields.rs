@@ -96,9 +96,11 @@ impl Form<'_> {
                     input.value()
                 });
                 let mode = (field.input == Input::Number).then_some("numeric");
+                // The editor opens with the focus there, and not on what opens a file.
+                let first = self.whose == Whose::Lesson && field.name == "title";
                 html! {
                     <input {id} class="field" type="text" inputmode={mode} autocomplete="off" {value}
-                        aria-describedby={describes} aria-invalid={wrong} {oninput} />
+                        autofocus={first} aria-describedby={describes} aria-invalid={wrong} {oninput} />
                 }
             }
         }

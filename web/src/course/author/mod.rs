@@ -7,6 +7,7 @@
 mod arrive;
 mod desk;
 mod fields;
+mod kept;
 mod preview;
 mod share;
 mod steps;
@@ -20,23 +21,16 @@ use giveway_course::lesson::{Glossary, Picture};
 use giveway_course::port::{Happened, ToPage};
 use giveway_model::{Fault, tr};
 use gloo::events::EventListener;
-use wasm_bindgen::JsCast as _;
-use web_sys::StorageEvent;
 use yew::prelude::*;
 
+use super::kept::hear;
 use super::tutor::{Msg, Tutor};
 use crate::board::Film;
-use crate::keep;
 
 use desk::Desk;
 use share::Refused;
 
 pub(super) use arrive::is_own;
-
-/// Under which name the draft is kept.
-const KEPT: &str = "lesson-draft";
-/// The same, as other tabs are told of it.
-const KEY: &str = "giveway.lesson-draft";
 
 /// What is done in the editor.
 #[derive(Clone)]
@@ -72,10 +66,6 @@ pub(in crate::course) enum AuthorMsg {
 }
 
 /// The editor.
-#[expect(
-    clippy::struct_excessive_bools,
-    reason = "each is told by itself, in any mixture"
-)]
 pub(in crate::course) struct Author {
     pub(super) draft: Rc<Draft>,
     pub(super) looked: Option<Rc<Looked>>,
@@ -86,8 +76,8 @@ pub(in crate::course) struct Author {
     pub(super) is_strict: bool,
     /// What was done last, as a sentence.
     pub(super) told: String,
-    /// Whether another tab has kept a draft since.
-    pub(super) is_elsewhere: bool,
+    /// What another tab has kept since, and whether that is put aside.
+    theirs: Option<(String, bool)>,
     /// Whether the browser does not keep the draft.
     pub(super) is_unkept: bool,
     /// What is wrong with a lesson that came as a file or in a link.
@@ -99,15 +89,8 @@ pub(in crate::course) struct Author {
 
 impl Author {
     /// The editor, closed.
-    pub(in crate::course) fn new(send: Callback<AuthorMsg>) -> Self {
-        let window = gloo::utils::window();
-        // Only other tabs are told what one has kept.
-        let listening = EventListener::new(&window, "storage", move |event| {
-            let key = event.dyn_ref::<StorageEvent>().and_then(StorageEvent::key);
-            if key.as_deref() == Some(KEY) {
-                send.emit(AuthorMsg::Elsewhere);
-            }
-        });
+    pub(in crate::course) fn new(send: &Callback<AuthorMsg>) -> Self {
+        let listening = hear(kept::NAME, send.reform(|()| AuthorMsg::Elsewhere));
         Self {
             draft: Rc::default(),
             looked: None,
@@ -115,7 +98,7 @@ impl Author {
             is_open: false,
             is_strict: false,
             told: String::new(),
-            is_elsewhere: false,
+            theirs: None,
             is_unkept: false,
             refused: None,
             arriving: None,
@@ -123,21 +106,13 @@ impl Author {
         }
     }
 
-    fn open(&mut self, glossary: &Glossary) {
-        self.is_open = true;
-        self.is_strict = false;
-        self.is_elsewhere = false;
-        self.told.clear();
-        if let Some(kept) = kept() {
-            self.act(Action::Kept(Box::new(kept)), glossary);
-        } else {
-            self.look(glossary);
-        }
-    }
-
     /// Something happens to the draft, which is kept at once.
     fn act(&mut self, action: Action, glossary: &Glossary) {
-        let is_kept = matches!(&action, Action::Kept(_) | Action::Go(_));
+        let is_kept = matches!(&action, Action::Kept(_) | Action::Before(_) | Action::Go(_));
+        let is_other = matches!(
+            &action,
+            Action::New | Action::Open(_) | Action::Take(_) | Action::Undo
+        );
         let same_board = matches!(&action, Action::Write { whose, field, .. }
             if *whose == Whose::Lesson || (field != "time" && field != "plan"));
         self.told.clear();
@@ -148,7 +123,10 @@ impl Author {
             self.look(glossary);
         }
         if !is_kept {
-            self.is_unkept = keep::store(KEPT, &self.draft.write()).is_err();
+            self.keep();
+        }
+        if is_other {
+            self.keep_before();
         }
     }
 
@@ -175,11 +153,6 @@ impl Author {
         }
         whole
     }
-}
-
-fn kept() -> Option<Draft> {
-    // What was kept may be of another version, or not ours.
-    keep::load(KEPT).and_then(|text| Draft::read(&text).ok())
 }
 
 impl Tutor {
@@ -239,8 +212,8 @@ impl Tutor {
                 }
             }
             AuthorMsg::Told(told) => author.told = told,
-            AuthorMsg::Elsewhere => author.is_elsewhere = author.is_open,
-            AuthorMsg::TakeElsewhere => author.open(glossary),
+            AuthorMsg::Elsewhere => author.hear(),
+            AuthorMsg::TakeElsewhere => author.take(glossary),
             AuthorMsg::File(text) => match arrive::from_file(&text, glossary) {
                 Ok(lesson) => author.act(Action::Open(Box::new(lesson)), glossary),
                 Err(faults) => author.refused = Some(faults.into()),
@@ -285,7 +258,7 @@ impl Author {
         Notes {
             is_strict: self.is_strict,
             told: self.told.clone(),
-            is_elsewhere: self.is_elsewhere,
+            is_elsewhere: self.theirs.is_some(),
             is_unkept: self.is_unkept,
         }
     }

@@ -13,6 +13,8 @@ use yew::prelude::*;
 use super::tutor::Msg;
 use follow::Follow;
 
+pub(super) use target::find;
+
 #[derive(Clone, PartialEq, Properties)]
 pub(super) struct GuideProps {
     /// The tour.

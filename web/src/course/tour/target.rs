@@ -26,7 +26,7 @@ fn places(target: Target) -> Vec<String> {
 }
 
 /// The thing on the page, with its box on the screen; `None` where it is not there.
-pub(super) fn find(target: Target) -> Option<(Element, DomRect)> {
+pub(in crate::course) fn find(target: Target) -> Option<(Element, DomRect)> {
     let document = gloo::utils::document();
     let found = places(target).into_iter().filter_map(|place| {
         let element = document.query_selector(&place).ok()??;

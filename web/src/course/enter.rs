@@ -1,0 +1,129 @@
+//! What the course fetches, and what is opened once it is there.
+
+use std::rc::Rc;
+
+use giveway_course::learner::Action;
+use giveway_course::lesson::Lesson;
+use yew::platform::spawn_local;
+use yew::prelude::*;
+
+use super::contents::Page;
+use super::language;
+use super::place::Place;
+use super::shelf::Shelf;
+use super::tutor::{Msg, Tutor};
+
+impl Tutor {
+    /// Fetches index and glossary, where they are neither there nor on their way.
+    pub(super) fn fetch(&mut self, ctx: &Context<Self>) {
+        if self.fetched.is_some() || self.is_fetching {
+            return;
+        }
+        self.is_fetching = true;
+        let link = ctx.link().clone();
+        spawn_local(async move {
+            let shelf = Shelf::fetch().await;
+            link.send_message(Msg::Shelved(shelf.map(Rc::new)));
+        });
+    }
+
+    /// Shows a page of the contents, or closes them.
+    pub(super) fn show(&mut self, page: Option<Page>) {
+        if self.page.is_none() {
+            self.forget_removed();
+        }
+        self.page = page;
+        self.missing = None;
+        if page.is_some() {
+            self.read_own();
+        }
+    }
+
+    /// Index and glossary are there, or are not.
+    pub(super) fn shelved(&mut self, ctx: &Context<Self>, shelf: Result<Rc<Shelf>, String>) {
+        self.is_fetching = false;
+        match shelf {
+            Ok(shelf) => {
+                self.fetched = Some(shelf);
+                // Nobody is to read English first.
+                if !language::is_coming() {
+                    self.reword(ctx);
+                }
+                self.arrive_late(ctx);
+                self.read_own();
+            }
+            Err(sentence) => self.miss(sentence),
+        }
+    }
+
+    /// A lesson is there, or is not.
+    pub(super) fn fetched(
+        &mut self,
+        ctx: &Context<Self>,
+        place: Place,
+        lesson: Result<Rc<Lesson>, String>,
+    ) {
+        match lesson {
+            Ok(lesson) => {
+                self.lessons.insert(place.lesson.clone(), lesson);
+                if self.wanted.as_ref() == Some(&place) {
+                    self.enter(ctx, place);
+                }
+            }
+            Err(sentence) => {
+                self.wanted = None;
+                self.miss(sentence);
+            }
+        }
+    }
+
+    /// Something did not arrive. A tour needs nothing of it.
+    fn miss(&mut self, sentence: String) {
+        if self.tour.is_none() {
+            self.missing = Some(sentence);
+            self.page = Some(Page::Lessons);
+        }
+    }
+
+    /// Opens a place, as soon as what it takes is there.
+    pub(super) fn enter(&mut self, ctx: &Context<Self>, place: Place) {
+        self.warm();
+        self.missing = None;
+        let Some(shelf) = self.shelf.clone() else {
+            self.wanted = Some(place);
+            return self.fetch(ctx);
+        };
+        if place.lesson.is_own()
+            && let Some(lesson) = self.own(&place.lesson)
+        {
+            self.begin_lesson();
+            return self.open_own(ctx, lesson, place.step);
+        }
+        if shelf.entry(&place.lesson).is_none() {
+            // A link to a lesson that there is not: here are those that there are.
+            return self.show(Some(Page::Lessons));
+        }
+        if let Some(lesson) = self.lessons.get(&place.lesson) {
+            let action = Action::Open {
+                id: place.lesson,
+                lesson: Rc::new(language::said(&**lesson)),
+                at: place.step,
+            };
+            self.begin_lesson();
+            return self.act(ctx, action);
+        }
+        self.wanted = Some(place.clone());
+        let link = ctx.link().clone();
+        spawn_local(async move {
+            let lesson = shelf.lesson(&place.lesson).await;
+            link.send_message(Msg::Fetched(place, lesson.map(Rc::new)));
+        });
+    }
+
+    /// A lesson takes its place on the board.
+    fn begin_lesson(&mut self) {
+        self.wanted = None;
+        self.page = None;
+        self.tour = None;
+    }
+}
