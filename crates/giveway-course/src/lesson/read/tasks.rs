@@ -68,12 +68,8 @@ fn predict(
         faults,
     );
     let at = format!("{place}.task.answers");
-    faults.few(
-        &at,
-        predict.answers.len(),
-        MAX_ANSWERS,
-        tr!("counted" => "answers"),
-    );
+    let answers = tr!("counted" => "answers");
+    faults.few(&at, predict.answers.len(), MAX_ANSWERS, answers);
     if predict.answers.len() == 1 {
         faults.add(&at, tr!("one answer"), tr!("none, or at least two"));
     }
@@ -169,12 +165,8 @@ fn choose(place: &str, choose: &Choose, step: &Step, targets: &Targets<'_>, faul
             tr!("at least two"),
         );
     }
-    faults.few(
-        &at,
-        choose.answers.len(),
-        MAX_ANSWERS,
-        tr!("counted" => "answers"),
-    );
+    let answers = tr!("counted" => "answers");
+    faults.few(&at, choose.answers.len(), MAX_ANSWERS, answers);
     if !choose.answers.iter().any(|choice| choice.right) {
         faults.add(
             &at,
@@ -198,12 +190,8 @@ fn change(place: &str, change: &Change, step: &Step, targets: &Targets<'_>, faul
     if change.methods.is_empty() {
         faults.add(&methods, tr!("no methods"), tr!("at least one"));
     }
-    faults.few(
-        &methods,
-        change.methods.len(),
-        MAX_ANSWERS,
-        tr!("counted" => "methods"),
-    );
+    let things = tr!("counted" => "methods");
+    faults.few(&methods, change.methods.len(), MAX_ANSWERS, things);
     if change.cost.is_none() && change.kept.is_none() {
         let task = format!("{place}.task");
         faults.add(
