@@ -12,6 +12,9 @@ const TOOLS = { "#": "Obstacle", "+": "Charger", "~": "Slow zone", ".": "Erase" 
 const TOOL_KEYS = { Obstacle: "o", Charger: "c", "Slow zone": "s", Erase: "e", Robot: "a" };
 const MOVE_KEYS = { "1,0": "ArrowRight", "-1,0": "ArrowLeft", "0,1": "ArrowDown", "0,-1": "ArrowUp", "0,0": "w" };
 
+/** Two taps within this time, in milliseconds, are a double one, the second of which goes to no other step. */
+const DOUBLE_MS = 500;
+
 /** A phrase, wherever it stands. */
 const phrase = (text) => new RegExp(text.replaceAll(/[.*+?^${}()|[\]\\]/g, "\\$&"));
 
@@ -192,13 +195,21 @@ export class ByKeys extends Learner {
 
 /** With a finger, by the names of what it presses. */
 export class ByTouch extends Learner {
+  /** When a button was pressed last. */
+  #entered = 0;
+
   async opens() {
     await this.playground.button("More").tap();
     await this.playground.button("Course").tap();
   }
 
-  enter(pattern) {
-    return this.page.getByRole("button", { name: pattern }).last().tap();
+  async enter(pattern) {
+    const soon = this.#entered + DOUBLE_MS - Date.now();
+    if (soon > 0) {
+      await this.page.waitForTimeout(soon);
+    }
+    await this.page.getByRole("button", { name: pattern }).last().tap();
+    this.#entered = Date.now();
   }
 
   answers(place) {
