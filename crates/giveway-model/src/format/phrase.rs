@@ -163,7 +163,9 @@ fn value(found: &str) -> String {
 /// What the library expects, as a phrase.
 fn expectation(expected: &str) -> String {
     match expected {
-        "u32" | "u64" => tr!("a whole number from 0 to {most}", most = u32::MAX),
+        "u32" => tr!("a whole number from 0 to {most}", most = u32::MAX),
+        "u64" | "usize" => tr!("a whole number from 0").to_owned(),
+        "f64" => tr!("a number").to_owned(),
         "i32" => tr!(
             "a whole number from {least} to {most}",
             least = i32::MIN,

@@ -180,7 +180,7 @@ fn board(
             format!("{name}: {robots}")
         }
         (None, Some(_)) => tr!("As the step before leaves it.").to_owned(),
-        (None, None) => tr!("There is none yet. Take the one on the page.").to_owned(),
+        (None, None) => tr!("There is none yet. Take your own, as it is on the page.").to_owned(),
     };
     let is_strict = props.notes.is_strict || scene.is_some();
     html! {
