@@ -15,10 +15,16 @@ describe("a lesson that is written", () => {
   const isTitled = (author, wanted) => eventually(`the title ${wanted}`, () => title(author), (title) => title === wanted);
   const NOTE = /also changed in another tab/;
 
-  flow("in two tabs is told of, and each can take the other's and go back", async (playground, { context, host }) => {
+  /** Another tab, and in both the course and the editor. */
+  const beside = async (playground, context, host) => {
     const other = await tab(playground, context, host);
-    const [one, two] = [new Course(playground), new Course(other)];
-    const [mine, theirs] = [new Author(playground), new Author(other)];
+    return {
+      other, one: new Course(playground), two: new Course(other), mine: new Author(playground), theirs: new Author(other),
+    };
+  };
+
+  flow("in two tabs is told of, and each can take the other's and go back", async (playground, { context, host }) => {
+    const { other, one, two, mine, theirs } = await beside(playground, context, host);
     await mine.open(one);
     await mine.fill("Title", "First");
     await mine.fill("Title of the step", "One");
@@ -46,9 +52,7 @@ describe("a lesson that is written", () => {
   });
 
   flow("in a tab that is closed since can come back", async (playground, { context, host }) => {
-    const other = await tab(playground, context, host);
-    const [one, two] = [new Course(playground), new Course(other)];
-    const [mine, theirs] = [new Author(playground), new Author(other)];
+    const { other, one, two, mine, theirs } = await beside(playground, context, host);
     await mine.open(one);
     await mine.fill("Title", "Mine");
     await theirs.open(two);

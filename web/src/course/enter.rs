@@ -120,10 +120,9 @@ impl Tutor {
         });
     }
 
-    /// A lesson takes its place on the board.
+    /// A lesson opens: nothing else is wanted, and the contents close.
     fn begin_lesson(&mut self) {
         self.wanted = None;
         self.page = None;
-        self.tour = None;
     }
 }

@@ -21,13 +21,13 @@ const NAME: &str = "lessons";
 pub(super) struct Own {
     /// What the browser keeps, as it was read last.
     text: String,
-    lessons: Rc<[Kept]>,
+    lessons: Rc<[Listed]>,
     /// The one that was removed last.
     removed: Option<Rc<Lesson>>,
 }
 
-/// A lesson that is kept.
-struct Kept {
+/// A lesson that is kept, as the contents list it.
+struct Listed {
     lesson: Rc<Lesson>,
     entry: Entry,
     film: Option<Rc<Film>>,
@@ -49,7 +49,7 @@ impl Tutor {
         };
         let kept = |lesson: Lesson| {
             let entry = lesson.entry(lesson.own_id())?;
-            Some(Kept {
+            Some(Listed {
                 film: Film::of(&entry.picture),
                 lesson: Rc::new(lesson),
                 entry,
@@ -109,7 +109,7 @@ pub(super) fn show(own: &Own, progress: &Progress, send: &Callback<Msg>) -> Html
     if own.lessons.is_empty() && own.removed.is_none() {
         return html! {};
     }
-    let card = |kept: &Kept| {
+    let card = |kept: &Listed| {
         let Entry { lesson, title, .. } = &kept.entry;
         let name = tr!("Remove {name}", name = title);
         let id = lesson.clone();

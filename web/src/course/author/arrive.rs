@@ -44,7 +44,6 @@ impl Tutor {
         };
         match read {
             Ok((lesson, at)) => {
-                self.tour = None;
                 self.open_own(ctx, Rc::new(lesson), at);
             }
             Err(faults) => self.author.refused = Some(faults.into()),

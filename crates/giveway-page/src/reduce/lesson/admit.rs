@@ -32,7 +32,7 @@ pub(in crate::reduce) fn admit(state: &mut State, action: Action) -> Option<Acti
             None
         }
         Fate::Leaves => {
-            open_instead(state, &lesson.own, action);
+            open_instead(state, action);
             None
         }
         Fate::Closed(why) => {
@@ -45,7 +45,7 @@ pub(in crate::reduce) fn admit(state: &mut State, action: Action) -> Option<Acti
 
 /// What would take the place of a lesson happens to a person's own page. Where nothing
 /// comes of it, such as of a file that cannot be read, the lesson stays as it is.
-fn open_instead(state: &mut State, own: &State, action: Action) {
+fn open_instead(state: &mut State, action: Action) {
     let opens = match &action {
         Action::Intake(IntakeAction::Reply { reply, .. }) => matches!(
             **reply,
@@ -62,6 +62,7 @@ fn open_instead(state: &mut State, own: &State, action: Action) {
     leave(&mut left);
     // The answer of the reader is for what asked it.
     left.intake = state.intake.clone();
+    let own = left.clone();
     step(&mut left, action);
     let is_waiting = left.intake.job().is_some() || left.view.notice.is_some();
     let is_same = left.document == own.document && left.history == own.history;
