@@ -35,7 +35,10 @@ fn a_question_that_does_not_fit_and_a_broken_plan_are_told() {
         told(&giveway_wasm::explain(&object(&request), &NONE).unwrap_err())
     };
     let (code, place, sentence) = ask(&plan, json!({ "kind": "wait", "agent": "A9" }));
-    assert_eq!((code.as_str(), place.as_str()), ("bad-input", "question.agent"));
+    assert_eq!(
+        (code.as_str(), place.as_str()),
+        ("bad-input", "question.agent")
+    );
     assert!(sentence.contains("A9"), "{sentence}");
     plan["paths"]["A2"] = json!([[3, 1]]);
     let (code, place, _) = ask(&plan, json!({ "kind": "makespan" }));
