@@ -147,7 +147,9 @@ fn compared(before: Option<&Costs>, methods: &Methods) -> String {
 fn row(label: &str, entries: &mut dyn Iterator<Item = String>) -> String {
     let mut line = plain::pad_right(label, LABEL);
     for entry in entries {
-        line += &plain::pad_left(&entry, COLUMN);
+        // A long one still stands apart from the one before it.
+        line.push(' ');
+        line += &plain::pad_left(&entry, COLUMN - 1);
     }
     line.trim_end().to_owned() + "\n"
 }
