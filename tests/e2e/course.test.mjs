@@ -81,7 +81,7 @@ describe("the course", () => {
     await course.tabTo(/^Start:/);
     await playground.key("Enter");
     await course.at("Robots take steps");
-    assert.equal(await course.focused(), "Robots take steps");
+    await eventually("the focus on the title", () => course.focused(), (name) => name === "Robots take steps");
     await course.tabTo(/^Next$/);
     await playground.key("Enter");
 
