@@ -1,0 +1,16 @@
+"""Answers, in the shapes of the JSON Schema."""
+
+from giveway.answers.certificates import Certificate, Certificates, Report
+from giveway.answers.changed import ChangeAnswer, ChangeStep, MethodAnswer
+from giveway.answers.costs import Costs, Stats, Status
+from giveway.answers.drawn import on
+from giveway.answers.explained import Alone, Explanation, Freedom, FreedomPart, Together
+from giveway.answers.files import Converted
+from giveway.answers.judged import AuditAnswer, Verdict, Violation
+from giveway.answers.solved import Answer, Front, Planner, PlannerAnswer, PlannerStats
+
+__all__ = [
+    "Alone", "Answer", "AuditAnswer", "Certificate", "Certificates", "ChangeAnswer", "ChangeStep", "Converted", "Costs",
+    "Explanation", "Freedom", "FreedomPart", "Front", "MethodAnswer", "Planner", "PlannerAnswer", "PlannerStats", "Report",
+    "Stats", "Status", "Together", "Verdict", "Violation", "on",
+]

@@ -1,0 +1,32 @@
+"""What a plan costs, and how much work it took to find it."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, field
+from typing import Literal
+
+from giveway._record import Record
+
+Status = Literal["optimal", "feasible", "impossible", "unknown"]
+
+
+@dataclass(frozen=True)
+class Costs(Record):
+    """All five costs of a plan."""
+
+    makespan: int
+    sum_of_costs: int = field(metadata={"key": "sum-of-costs"})
+    charges: int
+    moves: int
+    waits: int
+
+
+@dataclass(frozen=True)
+class Stats(Record):
+    """How much work it took."""
+
+    cpu_seconds: float
+    solver_calls: int
+    variables: int
+    clauses: int
+    conflicts: int

@@ -1,0 +1,107 @@
+"""The answers of ``explain``, ``freedom`` and ``together``."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass
+from typing import Any, ClassVar, Literal
+
+from giveway._record import Record, optional
+from giveway.answers.costs import Costs, Stats, Status
+from giveway.answers.judged import Violation
+from giveway.answers.solved import Answer
+from giveway.plan import Plan
+from giveway.scene import Cost, Scene
+
+FreedomPart = Literal["backbone", "slack", "plans", "critical", "farthest"]
+
+
+@dataclass(frozen=True)
+class Explanation(Record):
+    """The answer of ``explain``; ``words`` is the whole of it in sentences."""
+
+    document: ClassVar[bool] = True
+
+    question: dict[str, Any]
+    verdict: Literal["needless", "improvable", "costly", "necessary", "unknown"]
+    costs: Costs | None
+    deltas: Mapping[Cost, int]
+    within: int | None
+    complete: bool
+    alternative: Plan | None
+    closest: bool
+    witness: tuple[Violation, ...]
+    core: dict[str, Any] | None
+    repairs: tuple[dict[str, Any], ...]
+    exhaustive: bool
+    words: str
+    stats: Stats
+    since: int | None = optional()
+    plan: Plan | None = optional()
+    valid: bool | None = optional()
+    violations: tuple[Violation, ...] = optional(default=())
+    optimal: bool | None = optional()
+    excess: tuple[dict[str, Any], ...] = optional(default=())
+    pending: tuple[str, ...] = optional(default=())
+
+
+@dataclass(frozen=True)
+class Freedom(Record):
+    """The answer of ``freedom``: what every best plan has in common, and what is free to choose.
+
+    ``True`` is proved, ``False`` is shown by a best plan, ``None`` is open.
+    """
+
+    document: ClassVar[bool] = True
+
+    #: What is known of the plan; the parts are there only where it is ``optimal``.
+    status: Status
+    objective: tuple[Cost, ...]
+    #: Which plan it is about.
+    about: Literal["given", "found", "better"]
+    costs: Costs | None
+    plan: Plan | None
+    complete: bool
+    within: int | None
+    stats: Stats
+    #: The entries of each agent's path: whether every best plan has them, or only this one.
+    backbone: Mapping[str, tuple[dict[str, Any], ...]] | None = optional()
+    #: How many best plans there are, and the ways that each agent can choose from.
+    plans: dict[str, Any] | None = optional()
+    #: Another best plan, as different as can be.
+    farthest: dict[str, Any] | None = optional()
+    #: How late each agent could be.
+    slack: Mapping[str, dict[str, Any]] | None = optional()
+    #: What closing each free cell would cost.
+    critical: tuple[dict[str, Any], ...] | None = optional()
+    #: The parts that are not finished.
+    pending: tuple[str, ...] = optional(default=())
+    #: Why something is open.
+    reason: str | None = optional()
+
+
+@dataclass(frozen=True)
+class Alone(Record):
+    """The search for some agents by themselves."""
+
+    #: With these agents only, and the cost as its objective.
+    scene: Scene
+    solved: Answer
+    #: Whether they cannot keep their limits even by themselves; ``None`` where that is open.
+    refuted: bool | None
+
+
+@dataclass(frozen=True)
+class Together(Record):
+    """The answer of ``together``."""
+
+    document: ClassVar[bool] = True
+
+    #: Where each can be, and from when to when, while it keeps its limit.
+    regions: tuple[dict[str, Any], ...]
+    #: Where an agent has to be at a time, as far as that explains the meetings.
+    passes: tuple[dict[str, Any], ...]
+    #: Where two of them collide whichever ways they take.
+    meetings: tuple[dict[str, Any], ...]
+    #: The same agents by themselves; ``None`` where they are more than four.
+    alone: Alone | None

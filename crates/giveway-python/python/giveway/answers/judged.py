@@ -1,0 +1,60 @@
+"""The answers of ``check`` and ``audit``."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass
+from typing import ClassVar, Literal
+
+from giveway._record import Record, optional
+from giveway.answers.costs import Costs, Stats, Status
+from giveway.plan import Plan
+from giveway.scene import Cell, Cost
+
+
+@dataclass(frozen=True)
+class Violation(Record):
+    """A rule that is broken."""
+
+    rule: str
+    agents: tuple[str, ...]
+    time: int
+    message: str
+    cell: Cell | None = optional()
+    edge: tuple[Cell, ...] = optional(default=())
+    #: Of what an answer shows to be unsolvable: which rules were soft.
+    kind: str | None = optional("class")
+
+
+@dataclass(frozen=True)
+class Verdict(Record):
+    """The answer of ``check``."""
+
+    document: ClassVar[bool] = True
+
+    valid: bool
+    costs: Costs | None
+    violations: tuple[Violation, ...]
+
+
+@dataclass(frozen=True)
+class AuditAnswer(Record):
+    """The answer of ``audit``."""
+
+    document: ClassVar[bool] = True
+
+    legal: bool
+    violations: tuple[Violation, ...]
+    objective: tuple[Cost, ...]
+    costs: Costs | None
+    bounds: Mapping[Cost, int]
+    within: int | None
+    complete: bool
+    status: Literal["optimal", "feasible", "illegal", "unknown"]
+    #: How far the first cost of a legal plan is above its bound, as a part of the bound.
+    gap: float | None
+    better: Plan | None
+    better_costs: Costs | None
+    search: Status
+    stats: Stats
+    reason: str | None = optional()
