@@ -1,5 +1,5 @@
-// What is wrong with the page as it is laid out now: things that lie over each other,
-// text that is cut off, things outside of their place, controls that are too small,
+// What is wrong with the page as it is laid out now: things that lie over each other or
+// cover what can be pressed, text that is cut off, things outside of their place, controls that are too small,
 // two filled buttons at once. It looks at boxes on the screen, never at names of
 // styles, but for the few places that are listed here.
 
@@ -233,6 +233,20 @@ function look({ places, floats, sideways, slender, least }) {
       found.add(`over each other: ${name(a.element)} and ${name(b.element)}, at ${round(both)}`);
     }
   });
+
+  // Under something else, where no press comes to it.
+  for (const { element, seen, isText } of things) {
+    if (isText || across(seen) < 2 || down(seen) < 2) {
+      continue;
+    }
+    const at = document.elementFromPoint((seen.left + seen.right) / 2, (seen.top + seen.bottom) / 2);
+    const label = element.closest("label");
+    const isReached = at !== null && (element.contains(at) || label?.contains(at));
+    const isMeant = at?.closest(floats)?.contains(element) === false || stuck(at)?.contains(element);
+    if (!isReached && !isMeant) {
+      found.add(`covered: ${name(element)} by ${at && name(at)}`);
+    }
+  }
 
   // Too small to be hit.
   for (const element of root.querySelectorAll(CONTROLS)) {

@@ -28,6 +28,22 @@ describe("solving", () => {
     await isAlive(playground);
   }, { screens: BOTH });
 
+  flow("lets the plan so far be played by hand", async (playground) => {
+    await open(playground, HARD);
+    await playground.press("Solve");
+    await playground.button("Pause").waitFor();
+    // The bounds are where the lanes will be, so only the clock tells the time.
+    const isAt = (time) => playground.page.getByTitle(new RegExp(`^Time ${time} of \\d+$`)).waitFor();
+    await playground.press("To start");
+    await isAt(0);
+    await playground.press("Step forward");
+    await isAt(1);
+    await playground.press("Step forward");
+    await isAt(2);
+    await playground.press("Cancel");
+    await playground.button("Go on").waitFor();
+  }, { screens: BOTH });
+
   flow("is cancelled by Escape, and by an edit", async (playground) => {
     await open(playground, HARD);
     await playground.key("Control+Enter");
