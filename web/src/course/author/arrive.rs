@@ -46,7 +46,7 @@ impl Tutor {
             Ok((lesson, at)) => {
                 self.open_own(ctx, Rc::new(lesson), at);
             }
-            Err(faults) => self.author.refused = Some(faults.into()),
+            Err(faults) => self.author.refuse(faults),
         }
     }
 

@@ -28,7 +28,7 @@ use super::tutor::{Msg, Tutor};
 use crate::board::Film;
 
 use desk::Desk;
-use share::Refused;
+use share::{Refusal, Refused};
 
 pub(super) use arrive::is_own;
 
@@ -61,8 +61,8 @@ pub(in crate::course) enum AuthorMsg {
     TakeElsewhere,
     /// A file was chosen, with this text.
     File(String),
-    /// What is wrong with a lesson that came was read.
-    Dismiss,
+    /// The refusal with this number was read.
+    Dismiss(u32),
 }
 
 /// The editor.
@@ -81,7 +81,9 @@ pub(in crate::course) struct Author {
     /// Whether the browser does not keep the draft.
     pub(super) is_unkept: bool,
     /// What is wrong with a lesson that came as a file or in a link.
-    refused: Option<Rc<[Fault]>>,
+    refusal: Option<Refusal>,
+    /// How many lessons were refused.
+    refusals: u32,
     /// A lesson that came before the glossary was there.
     arriving: Option<String>,
     _listening: EventListener,
@@ -100,7 +102,8 @@ impl Author {
             told: String::new(),
             theirs: None,
             is_unkept: false,
-            refused: None,
+            refusal: None,
+            refusals: 0,
             arriving: None,
             _listening: listening,
         }
@@ -142,6 +145,15 @@ impl Author {
             })
         });
         self.looked = Some(Rc::new(looked));
+    }
+
+    /// Tells what is wrong with a lesson that came, in the place of what was told before.
+    fn refuse(&mut self, faults: Vec<Fault>) {
+        self.refusals += 1;
+        self.refusal = Some(Refusal {
+            number: self.refusals,
+            faults: faults.into(),
+        });
     }
 
     /// A lesson that is whole; else what is missing is told from now on.
@@ -216,9 +228,12 @@ impl Tutor {
             AuthorMsg::TakeElsewhere => author.take(glossary),
             AuthorMsg::File(text) => match arrive::from_file(&text, glossary) {
                 Ok(lesson) => author.act(Action::Open(Box::new(lesson)), glossary),
-                Err(faults) => author.refused = Some(faults.into()),
+                Err(faults) => author.refuse(faults),
             },
-            AuthorMsg::Dismiss => author.refused = None,
+            // The browser tells late that a dialog was closed; another one may be there by then.
+            AuthorMsg::Dismiss(number) => {
+                author.refusal.take_if(|refusal| refusal.number == number);
+            }
         }
     }
 
@@ -232,8 +247,8 @@ impl Tutor {
                     <Desk draft={Rc::clone(&author.draft)} looked={Rc::clone(looked)} film={author.film.clone()}
                         shelf={Rc::clone(shelf)} notes={author.notes()} send={send.clone()} />
                 }
-                if let Some(faults) = &author.refused {
-                    <Refused faults={Rc::clone(faults)} send={write} />
+                if let Some(refusal) = &author.refusal {
+                    <Refused key={refusal.number} refusal={refusal.clone()} send={write} />
                 }
             </>
         }

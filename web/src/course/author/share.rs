@@ -83,10 +83,17 @@ pub(super) fn show_on_page(draft: &Draft) -> bool {
     location.set_hash(&text).is_ok()
 }
 
-#[derive(Clone, PartialEq, Properties)]
-pub(in crate::course) struct RefusedProps {
+/// A lesson that came and cannot be opened. Each has a number, and a dialog of its own.
+#[derive(Clone, PartialEq)]
+pub(in crate::course) struct Refusal {
+    pub(super) number: u32,
     /// What is wrong.
     pub(super) faults: Rc<[Fault]>,
+}
+
+#[derive(Clone, PartialEq, Properties)]
+pub(in crate::course) struct RefusedProps {
+    pub(super) refusal: Refusal,
     /// Takes that it was read.
     pub(super) send: Callback<AuthorMsg>,
 }
@@ -94,13 +101,14 @@ pub(in crate::course) struct RefusedProps {
 /// What is wrong with a lesson that came as a file or in a link.
 #[component]
 pub(in crate::course) fn Refused(props: &RefusedProps) -> Html {
-    let close = props.send.reform(|()| AuthorMsg::Dismiss);
-    let more = props.faults.len().saturating_sub(TOLD);
+    let Refusal { number, faults } = props.refusal.clone();
+    let close = props.send.reform(move |()| AuthorMsg::Dismiss(number));
+    let more = faults.len().saturating_sub(TOLD);
     html! {
         <Frame title={tr!("This lesson cannot be opened")} reads=true on_close={close}>
             <p>{ tr!("Your own scene stays as it is.") }</p>
             <ul class="wrongs" role="alert">
-                { for props.faults.iter().take(TOLD).map(|fault| html! { <li>{ fault.to_string() }</li> }) }
+                { for faults.iter().take(TOLD).map(|fault| html! { <li>{ fault.to_string() }</li> }) }
                 if more > 0 { <li>{ tr!("and {n} more fault" | "and {n} more faults" % more) }</li> }
             </ul>
         </Frame>
