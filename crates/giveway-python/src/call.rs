@@ -94,6 +94,12 @@ fn called(function: &str, text: &str, host: &dyn Host) -> Result<String, Failure
             let read = native::read_plan(text);
             return write(&read.map_err(|fault| Failure::new(Code::BadText, vec![fault]))?);
         }
+        "scene-of-object" => {
+            let read = Instance::new(read(text)?);
+            let instance = read.map_err(|faults| Failure::new(Code::BadScene, faults))?;
+            return write(&instance.to_scene());
+        }
+        "plan-of-object" => return write(&read::<Plan>(text)?),
         "read-question" => return question(&read(text)?),
         "schema" => return Ok(schema().to_owned()),
         "sweep-tasks" => return write(&sweep::tasks(&read(text)?)?),
@@ -153,6 +159,14 @@ fn read<T: DeserializeOwned>(text: &str) -> Result<T, Failure> {
     })
 }
 
+/// The instance of the scene of a request.
+pub(crate) fn instance(scene: Scene) -> Result<Instance, Failure> {
+    Instance::new(scene).map_err(|faults| {
+        let faults = Refusal::Scene { faults }.faults();
+        Failure::new(Code::BadScene, faults)
+    })
+}
+
 fn write<T: Serialize>(data: &T) -> Result<String, Failure> {
     serde_json::to_string(data).map_err(|error| {
         let fault = Fault::at("", error.to_string(), "data that JSON can hold");
@@ -186,10 +200,7 @@ struct CompareRequest {
 }
 
 fn compared(request: CompareRequest) -> Result<String, Failure> {
-    let instance = Instance::new(request.scene).map_err(|faults| {
-        let faults = Refusal::Scene { faults }.faults();
-        Failure::new(Code::BadScene, faults)
-    })?;
+    let instance = instance(request.scene)?;
     let [one, other] = &request.plans;
     write(&compare::compare(&instance, one, other))
 }
@@ -237,6 +248,41 @@ mod tests {
         );
         let (code, _) = refused("read-scene", "{");
         assert_eq!(code, Code::BadText);
+    }
+
+    #[test]
+    fn what_is_no_text_has_no_line() {
+        let cases = [
+            (
+                "scene-of-object",
+                r#"{ "giveway": 1, "map": [3] }"#,
+                Code::BadInput,
+            ),
+            (
+                "scene-of-object",
+                r#"{ "giveway": 1, "map": [""], "agents": [] }"#,
+                Code::BadScene,
+            ),
+            (
+                "plan-of-object",
+                r#"{ "giveway": 1, "paths": { "A": 3 } }"#,
+                Code::BadInput,
+            ),
+        ];
+        for (function, request, code) in cases {
+            let failure = call(function, request, &SilentHost).unwrap_err();
+            assert_eq!(failure.code, code);
+            assert!(failure.faults.iter().all(|fault| fault.line.is_none()));
+            assert!(!failure.faults[0].place.is_empty());
+        }
+        assert!(
+            call(
+                "plan-of-object",
+                r#"{ "giveway": 1, "paths": {} }"#,
+                &SilentHost
+            )
+            .is_ok()
+        );
     }
 
     #[test]

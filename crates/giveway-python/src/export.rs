@@ -1,15 +1,13 @@
 //! Certificates of answers as files: what is claimed is read off the answer.
 
 use giveway_model::format::from_object;
-use giveway_model::{Instance, Objective, Plan, Scene};
+use giveway_model::{Objective, Plan, Scene};
 use giveway_solve::explain::ExplainAnswer;
 use giveway_solve::freedom::FreedomAnswer;
-use giveway_solve::{
-    Certificate, CertifyRequest, ExportRequest, Limits, Refusal, Request, SolveAnswer,
-};
+use giveway_solve::{Certificate, CertifyRequest, ExportRequest, Limits, Request, SolveAnswer};
 use serde::Deserialize;
 
-use crate::call::{Code, Failure};
+use crate::call::{Failure, instance};
 
 /// An answer, and what it is about.
 #[derive(Deserialize)]
@@ -37,10 +35,7 @@ enum Answer {
 /// The request for the certificates of an answer.
 pub(crate) fn request(answered: Answered) -> Result<Request, Failure> {
     let (scene, limits) = (answered.scene, answered.limits);
-    let instance = Instance::new(scene).map_err(|faults| {
-        let faults = Refusal::Scene { faults }.faults();
-        Failure::new(Code::BadScene, faults)
-    })?;
+    let instance = instance(scene)?;
     let instance = match answered.objective {
         Some(objective) => instance.with_objective(objective),
         None => instance,

@@ -8,7 +8,7 @@ import zipfile
 from typing import Any
 
 import pytest
-from conftest import DATA, RECORDED, read, scene
+from conftest import CLONE, DATA, RECORDED, read, scene
 
 import giveway
 
@@ -104,8 +104,11 @@ def test_certificates_are_made_of_every_kind_of_answer_and_hold() -> None:
     solved = giveway.export(pocket, answer, objective="sum-of-costs").certificates["solved"]
     assert solved.report.certified == "proved" and solved.report.concluded is not None
     assert giveway.export(pocket, answer, time_limit=0).missing == 1
-    with pytest.raises(giveway.BadInput):
-        giveway.export(pocket, {"status": "optimal"})
+    audited = giveway.audit(pocket, answer.plan or {})
+    for other in ({"status": "optimal"}, audited, audited.to_dict(), None):
+        with pytest.raises(giveway.BadInput) as raised:
+            giveway.export(pocket, other)  # type: ignore[arg-type]
+        assert raised.value.place == "answer"
 
 
 def test_together_looks_at_a_step_of_a_proof() -> None:
@@ -131,6 +134,26 @@ def test_planners(planner: Any) -> None:
     assert answer.status == ("optimal" if planner == "cbs" else "feasible")
 
 
+def test_plans_of_other_programs_are_read_and_compared() -> None:
+    folder = CLONE / "crates/giveway-model/tests/data/plans"
+    read = giveway.read_files([folder / name for name in ("small.map", "small.scen", "small-paths.txt")])
+    [foreign] = read.plans
+    assert (foreign.format, foreign.fit["misfits"], foreign.plan.scene) == ("paths.txt", 0, read.scene)
+    assert giveway.check(read.scene, foreign.plan).valid and foreign.why
+    assert giveway.Files.from_json(read.to_json()) == read
+    other = dict(foreign.conventions, cells="column, row")
+    texts = {path.name: path.read_text() for path in (folder / "small.map", folder / "small.scen", folder / "small-paths.txt")}
+    assert giveway.read_files(texts, conventions=other).plans[0].plan != foreign.plan
+    best = giveway.solve(read.scene).plan
+    assert best is not None
+    compared = giveway.compare(read.scene, foreign.plan, best.to_dict())
+    assert [agent.agent for agent in compared.agents] == list(foreign.plan.paths) and None not in compared.costs
+    assert giveway.Comparison.from_dict(compared.to_dict()) == compared
+    with pytest.raises(giveway.BadInput) as raised:
+        giveway.compare(read.scene, {"paths": {}}, best)
+    assert raised.value.place == "plans[0]"
+
+
 def test_files() -> None:
     folder = DATA / "movingai"
     map, scen = folder / "empty-8-8.map", folder / "empty-8-8-random-1.scen"
@@ -152,5 +175,5 @@ def test_records_have_the_keys_of_the_schema() -> None:
     from giveway._record import _fields
 
     for name, shape in shapes.items():
-        keys = {key for _, key, _, _ in _fields(shape)} | ({"giveway"} if shape.document else set())
+        keys = {field.key for field in _fields(shape)} | ({"giveway"} if shape.document else set())
         assert keys == set(definitions[name]["properties"]), name

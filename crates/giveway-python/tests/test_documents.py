@@ -28,9 +28,9 @@ def test_the_documentation(monkeypatch: pytest.MonkeyPatch) -> None:
 
 
 def test_the_examples_of_the_functions() -> None:
-    from giveway import functions, plan, scene
+    from giveway import files, functions, plan, scene
 
-    results = [doctest.testmod(module, optionflags=OPTIONS) for module in (functions, plan, scene)]
+    results = [doctest.testmod(module, optionflags=OPTIONS) for module in (files, functions, plan, scene)]
     assert sum(result.attempted for result in results) > 8
     assert sum(result.failed for result in results) == 0
 

@@ -3,21 +3,23 @@
 from giveway._door import Progress
 from giveway._native import VERSION as __version__
 from giveway.answers import (
-    Alone, Answer, AuditAnswer, Certificate, Certificates, ChangeAnswer, ChangeStep, Converted, Costs, Explanation, Freedom,
-    Front, MethodAnswer, PlannerAnswer, Report, Stats, Together, Verdict, Violation,
+    AgentComparison, Alone, Answer, AuditAnswer, Certificate, Certificates, ChangeAnswer, ChangeStep, Comparison, Converted,
+    Costs, Explanation, Files, ForeignPlan, Format, Freedom, FreedomPart, Front, MethodAnswer, Planner, PlannerAnswer,
+    PlannerStats, Report, Stats, Status, Together, Verdict, Violation,
 )
 from giveway.errors import BadInput, BadScene, BadText, Broken, Fault, GivewayError
+from giveway.files import convert, read_files, verify, verify_archive
 from giveway.functions import (
-    audit, change, check, convert, explain, export, freedom, pareto, schema, solve, together, verify,
-    verify_archive,
+    Objective, audit, change, check, compare, explain, export, freedom, pareto, schema, solve, together,
 )
 from giveway.plan import Animation, Plan
 from giveway.scene import Agent, Battery, Cell, Cost, Rules, Scene
 
 __all__ = [
-    "Agent", "Alone", "Animation", "Answer", "AuditAnswer", "BadInput", "BadScene", "BadText", "Battery", "Broken", "Cell",
-    "Certificate", "Certificates", "ChangeAnswer", "ChangeStep", "Converted", "Cost", "Costs", "Explanation", "Fault",
-    "Freedom", "Front", "GivewayError", "MethodAnswer", "Plan", "PlannerAnswer", "Progress", "Report", "Rules", "Scene",
-    "Stats", "Together", "Verdict", "Violation", "__version__", "audit", "change", "check", "convert", "explain", "export",
-    "freedom", "pareto", "schema", "solve", "together", "verify", "verify_archive",
+    "Agent", "AgentComparison", "Alone", "Animation", "Answer", "AuditAnswer", "BadInput", "BadScene", "BadText", "Battery",
+    "Broken", "Cell", "Certificate", "Certificates", "ChangeAnswer", "ChangeStep", "Comparison", "Converted", "Cost",
+    "Costs", "Explanation", "Fault", "Files", "ForeignPlan", "Format", "Freedom", "FreedomPart", "Front", "GivewayError",
+    "MethodAnswer", "Objective", "Plan", "Planner", "PlannerAnswer", "PlannerStats", "Progress", "Report", "Rules", "Scene",
+    "Stats", "Status", "Together", "Verdict", "Violation", "__version__", "audit", "change", "check", "compare", "convert",
+    "explain", "export", "freedom", "pareto", "read_files", "schema", "solve", "together", "verify", "verify_archive",
 ]

@@ -4,12 +4,11 @@ from __future__ import annotations
 
 import io
 import zipfile
-import zlib
 from collections.abc import Mapping
 from os import PathLike
 from pathlib import Path
 
-from giveway.errors import BadText, Fault, GivewayError
+from giveway.errors import BadText, Fault, GivewayError, refusal
 
 #: The most bytes that the files of an archive have unpacked: what is exported is far smaller.
 MOST = 512 << 20
@@ -20,10 +19,13 @@ Files = dict[str, str]
 def of_folder(path: str | PathLike[str]) -> Files:
     """The texts of a folder. What is no regular file counts as an empty one, and is refused
     by its fingerprint."""
+    folder = Path(path)
+    if folder.is_file():
+        raise refusal("certificate", f"the file {folder.name}", "a folder; an archive is for verify_archive")
     return {
-        entry.name: entry.read_text(encoding="utf-8", errors="replace")
+        entry.name: entry.read_bytes().decode("utf-8", errors="replace")
         if entry.is_file() and not entry.is_symlink() else ""
-        for entry in sorted(Path(path).iterdir())
+        for entry in sorted(folder.iterdir())
     }
 
 
@@ -44,8 +46,8 @@ def of_archive(archive: str | PathLike[str] | bytes) -> Mapping[str, Files]:
                 texts[name] = files.read(entry).decode("utf-8", errors="replace")
     except GivewayError:
         raise
-    except (zipfile.BadZipFile, zlib.error, NotImplementedError, RuntimeError, EOFError, ValueError) as error:
-        raise _no_archive(str(error)) from error
+    except Exception as error:  # of what is damaged: zipfile lets through what its decompressors raise
+        raise _no_archive(f"what cannot be unpacked ({error})") from error
     if not certificates:
         raise _no_archive("an archive without files")
     return certificates

@@ -6,7 +6,7 @@ import math
 import operator
 from typing import Any
 
-from giveway.errors import BadInput, Fault
+from giveway.errors import refusal
 
 
 def limits(time_limit: float | None, conflict_limit: int | None, memory_limit: int | None) -> dict[str, Any]:
@@ -22,9 +22,12 @@ def limits(time_limit: float | None, conflict_limit: int | None, memory_limit: i
 def _seconds(value: Any) -> float | None:
     if value is None:
         return None
-    seconds = math.nan if isinstance(value, (str, bytes)) or not hasattr(value, "__float__") else float(value)
+    try:
+        seconds = math.nan if isinstance(value, (str, bytes)) or not hasattr(value, "__float__") else float(value)
+    except OverflowError:
+        seconds = math.inf if value > 0 else math.nan
     if not seconds >= 0:
-        raise _bad("time_limit", value, "seconds, 0 or more")
+        raise refusal("time_limit", repr(value), "seconds, 0 or more")
     return None if math.isinf(seconds) else seconds
 
 
@@ -36,9 +39,5 @@ def _count(name: str, value: Any) -> int | None:
     except TypeError:
         count = -1
     if not 0 <= count < 2**64:
-        raise _bad(name, value, "a whole number, 0 or more")
+        raise refusal(name, repr(value), "a whole number, 0 or more")
     return count
-
-
-def _bad(place: str, value: Any, expected: str) -> BadInput:
-    return BadInput((Fault(repr(value), expected, place=place),))

@@ -4,19 +4,21 @@ from __future__ import annotations
 
 import dataclasses
 import json
-import types
 import typing
-from collections.abc import Callable, Mapping, Sized
-from typing import TYPE_CHECKING, Any, ClassVar
+from collections.abc import Mapping, Sized
+from typing import TYPE_CHECKING, Any, ClassVar, NamedTuple
+
+from giveway._misfit import Misfit, described
+from giveway._plain import plain
+from giveway._reader import Reader, reader
+from giveway._text import decoded, parsed
 
 if TYPE_CHECKING:
     from typing_extensions import Self
 
-Reader = Callable[[Any], Any]
-
 
 def optional(name: str | None = None, **options: Any) -> Any:
-    """A field that is left out of JSON where it has its default."""
+    """A field that is left out of JSON where it is ``None`` or empty."""
     if "default_factory" not in options:
         options.setdefault("default", None)
     return dataclasses.field(metadata={"key": name, "optional": True}, **options)
@@ -30,46 +32,85 @@ class Record:
 
     @classmethod
     def from_dict(cls, data: Mapping[str, Any]) -> Self:
-        """Reads plain data, as ``json.loads`` gives it."""
-        return cls(**{name: read(data[at]) for name, at, read, _ in _fields(cls) if at in data})
+        """Reads plain data, as ``json.loads`` gives it; what is not in its shape has its place."""
+        try:
+            return cls._of(data)
+        except Misfit as misfit:
+            raise misfit.refusal() from None
 
     @classmethod
-    def from_json(cls, text: str) -> Self:
+    def from_json(cls, text: str | bytes) -> Self:
         """Reads JSON."""
-        return cls.from_dict(json.loads(text))
+        return cls.from_dict(parsed(decoded(text)))
+
+    @classmethod
+    def _of(cls, data: Any) -> Self:
+        if not isinstance(data, Mapping):
+            raise Misfit(described(data), "an object")
+        values: dict[str, Any] = {}
+        for field in _fields(cls):
+            if field.key in data:
+                try:
+                    values[field.name] = field.read(data[field.key])
+                except Misfit as misfit:
+                    raise misfit.within(field.key) from None
+            elif field.is_required:
+                raise Misfit(f'no key "{field.key}"', "one here")
+        if len(values) < len(data):
+            _judge_others(cls, data)
+        return cls(**values)
 
     def to_dict(self) -> dict[str, Any]:
         """Plain data in the shape of the JSON Schema."""
-        data: dict[str, Any] = {"giveway": 1} if self.document else {}
-        for name, at, _, is_optional in _fields(type(self)):
-            value = getattr(self, name)
-            if not is_optional or not (value is None or isinstance(value, Sized) and len(value) == 0):
-                data[at] = plain(value)
-        return data
+        try:
+            return self._plain()
+        except Misfit as misfit:
+            raise misfit.refusal() from None
 
     def to_json(self) -> str:
         """JSON on one line."""
         return json.dumps(self.to_dict(), separators=(",", ":"))
 
+    def _plain(self) -> dict[str, Any]:
+        data: dict[str, Any] = {"giveway": 1} if self.document else {}
+        for name, key, _, is_optional, _ in _fields(type(self)):
+            value = getattr(self, name)
+            if not is_optional or not (value is None or isinstance(value, Sized) and len(value) == 0):
+                try:
+                    data[key] = plain(value)
+                except Misfit as misfit:
+                    raise misfit.within(key) from None
+        return data
 
-def plain(value: Any) -> Any:
-    """A value as JSON can hold it."""
-    if isinstance(value, Record):
-        return value.to_dict()
-    if isinstance(value, Mapping):
-        return {name: plain(item) for name, item in value.items()}
-    if isinstance(value, (list, tuple)):
-        return [plain(item) for item in value]
-    # Numbers and arrays of NumPy, which need not be there.
-    return value.tolist() if hasattr(value, "tolist") else value
+
+def _judge_others(cls: type[Record], data: Mapping[Any, Any]) -> None:
+    """Refuses keys that are none of a record's: a misspelt one would be lost in silence."""
+    known = [field.key for field in _fields(cls)]
+    for key, value in data.items():
+        if key == "giveway" and cls.document:
+            if value != 1:
+                raise Misfit(f"version {value} of the format", "version 1, the only one known here").within(key)
+        elif key not in known:
+            raise Misfit(f'the unknown key "{key}"', f"one of {', '.join(known)}")
 
 
-Field = tuple[str, str, Reader, bool]
+class Field(NamedTuple):
+    """A field of a record, and how it is read and written."""
+
+    name: str
+    key: str
+    read: Reader
+    #: Whether it is left out of JSON where it is empty.
+    is_optional: bool
+    #: Whether there is no record without it.
+    is_required: bool
+
+
 _known: dict[type, list[Field]] = {}
 
 
 def _fields(cls: type) -> list[Field]:
-    """Of each field its name, its key, its reader, and whether it may be left out."""
+    """The fields that are in JSON."""
     if cls not in _known:
         _known[cls] = _found(cls)
     return _known[cls]
@@ -78,38 +119,10 @@ def _fields(cls: type) -> list[Field]:
 def _found(cls: type) -> list[Field]:
     hints = typing.get_type_hints(cls)
     return [
-        (field.name, field.metadata.get("key") or field.name, _reader(hints[field.name]),
-         bool(field.metadata.get("optional")))
+        Field(
+            field.name, field.metadata.get("key") or field.name, reader(hints[field.name]),
+            bool(field.metadata.get("optional")),
+            field.default is dataclasses.MISSING and field.default_factory is dataclasses.MISSING)
         for field in dataclasses.fields(cls)
         if not field.metadata.get("hidden")
     ]
-
-
-def _same(value: Any) -> Any:
-    return value
-
-
-def _freeze(value: Any) -> Any:
-    return tuple(value) if isinstance(value, list) else value
-
-
-def _reader(hint: Any) -> Reader:
-    """What makes a value of a type out of plain data."""
-    origin, arguments = typing.get_origin(hint), typing.get_args(hint)
-    if origin in (typing.Union, types.UnionType):
-        inner = _reader(next(part for part in arguments if part is not type(None)))
-        return lambda value: None if value is None else inner(value)
-    if origin is tuple and arguments[-1] is Ellipsis:
-        item = _reader(arguments[0])
-        return lambda value: tuple([item(one) for one in value])
-    if origin is tuple:
-        readers = [_reader(part) for part in arguments]
-        if all(read is _same for read in readers):
-            return _freeze
-        return lambda value: tuple(read(one) for read, one in zip(readers, value))
-    if origin in (dict, Mapping):
-        item = _reader(arguments[1])
-        return lambda value: {name: item(one) for name, one in value.items()}
-    if isinstance(hint, type) and issubclass(hint, Record):
-        return getattr(hint, "_of", hint.from_dict)  # what Rust gave is not checked again
-    return _same

@@ -50,6 +50,11 @@ class BadInput(GivewayError):
     """A request is not of the type that it should be, or asks for what does not exist."""
 
 
+def refusal(place: str, found: str, expected: str) -> BadInput:
+    """Why one thing of a request is refused."""
+    return BadInput((Fault(found, expected, place=place),))
+
+
 class BadScene(GivewayError):
     """A scene is no instance of the problem."""
 

@@ -2,20 +2,20 @@
 
 from __future__ import annotations
 
-import shlex
 from collections.abc import Mapping, Sequence
-from os import PathLike
-from pathlib import Path
-from typing import Any, Union, overload
+from typing import Any, TypeVar, Union, overload
 
-from giveway import _bundle
-from giveway._door import OnProgress, ShouldStop, call, data, without_none
+from giveway._door import OnProgress, ShouldStop, call, without_none
 from giveway._limits import limits
+from giveway._misfit import described
+from giveway._plain import plain
+from giveway._record import Record
+from giveway._request import by_kind, costs, words
 from giveway.answers import (
-    Answer, AuditAnswer, Certificate, Certificates, ChangeAnswer, Converted, Explanation, Freedom, FreedomPart, Front, Planner,
-    PlannerAnswer, Report, Together, Verdict, on,
+    Answer, AuditAnswer, Certificates, ChangeAnswer, Comparison, Explanation, Freedom, FreedomPart, Front, Planner,
+    PlannerAnswer, Together, Verdict, on,
 )
-from giveway.errors import BadInput, Fault
+from giveway.errors import refusal
 from giveway.plan import Plan
 from giveway.scene import Cost, Scene
 
@@ -24,21 +24,16 @@ AnyPlan = Union[Plan, Mapping[str, Any]]
 #: Costs, the most important first; a text may have several, with commas.
 Objective = Union[str, Sequence[Cost]]
 
-
-def _objective(objective: Objective | None) -> list[str] | None:
-    return objective.split(",") if isinstance(objective, str) else None if objective is None else list(objective)
+R = TypeVar("R", bound=Record)
 
 
-def _scene(scene: AnyScene) -> Scene | None:
-    return scene if isinstance(scene, Scene) else None
-
-
-def _words(question: str) -> list[str]:
-    try:
-        return shlex.split(question)
-    except ValueError as error:
-        fault = Fault(repr(question), f"words ({error})", place="question")
-        raise BadInput((fault,)) from error
+def _ask(
+    shape: type[R], function: str, request: dict[str, Any], on_progress: OnProgress | None, should_stop: ShouldStop | None,
+) -> R:
+    """An answer whose plans have the scene of the request, which is a good one if there is an answer."""
+    answer = call(function, request, on_progress, should_stop)
+    scene = request["scene"]
+    return on(scene if isinstance(scene, Scene) else Scene._of(plain(scene)), shape._of(answer))
 
 
 @overload
@@ -71,15 +66,18 @@ def solve(
     >>> answer.status, answer.costs.sum_of_costs, answer.plan.paths["A"]
     ('optimal', 2, ((0, 0), (1, 0), (2, 0)))
     """
-    request = without_none(scene=data(scene), objective=_objective(objective), within=within)
+    request = without_none(scene=scene, objective=costs(objective), within=within, trace=trace)
     request["limits"] = limits(time_limit, conflict_limit, memory_limit)
     if planner is None:
-        request |= without_none(start=start, trace=trace)
-        solved = call("solve", request, on_progress, should_stop)
-        return on(_scene(scene), Answer.from_dict(solved))
-    request |= without_none(planner=planner, order=order, trace=trace)
-    planned = call("plan", request, on_progress, should_stop)
-    return on(_scene(scene), PlannerAnswer.from_dict(planned))
+        if order is not None:
+            raise refusal("order", "an order for a search that has none", "one with planner=\"prioritised\" only")
+        request |= without_none(start=start)
+        return _ask(Answer, "solve", request, on_progress, should_stop)
+    for place, given in {"start": start, "conflict_limit": conflict_limit}.items():
+        if given is not None:
+            raise refusal(place, f"one for the planner {planner!r}", "none, as only the search without a planner has it")
+    request |= without_none(planner=planner, order=order)
+    return _ask(PlannerAnswer, "plan", request, on_progress, should_stop)
 
 
 def pareto(
@@ -88,9 +86,9 @@ def pareto(
     should_stop: ShouldStop | None = None,
 ) -> Front:
     """All non-dominated costs of two or three, a plan each."""
-    request = without_none(scene=scene, objective=_objective(objective), within=within, pareto=True)
+    request = without_none(scene=scene, objective=costs(objective), within=within, pareto=True)
     request["limits"] = limits(time_limit, conflict_limit, memory_limit)
-    return on(_scene(scene), Front.from_dict(call("solve", request, on_progress, should_stop)))
+    return _ask(Front, "solve", request, on_progress, should_stop)
 
 
 def check(scene: AnyScene, plan: AnyPlan, changes: Mapping[str, Any] | None = None) -> Verdict:
@@ -102,6 +100,18 @@ def check(scene: AnyScene, plan: AnyPlan, changes: Mapping[str, Any] | None = No
     ['move']
     """
     return Verdict.from_dict(call("check", without_none(scene=scene, plan=plan, changes=changes)))
+
+
+def compare(scene: AnyScene, one: AnyPlan, other: AnyPlan) -> Comparison:
+    """Compares two plans of a scene: what each costs, and which agents go elsewhere or at other times.
+
+    >>> from giveway import Agent, Plan, Scene
+    >>> scene = Scene(map=("..",), agents=(Agent("A", (0, 0), (1, 0)),))
+    >>> later = Plan({"A": ((0, 0), (0, 0), (1, 0))})
+    >>> compare(scene, Plan({"A": ((0, 0), (1, 0))}), later).agents[0].difference
+    'retimed'
+    """
+    return Comparison._of(call("compare", {"scene": scene, "plans": [one, other]}))
 
 
 def explain(
@@ -116,11 +126,13 @@ def explain(
     of the command: ``"wait A1 --at 3,1"``. Without a plan the scene is solved first.
     """
     if isinstance(question, str):
-        question = call("read-question", {"words": _words(question)})
+        question = call("read-question", {"words": words(question)})
+    elif not isinstance(question, Mapping):
+        raise refusal("question", described(question), "a text, or an object with its kind")
     request = without_none(
-        scene=scene, question=question, plan=plan, changes=changes, at=at, objective=_objective(objective), within=within)
+        scene=scene, question=question, plan=plan, changes=changes, at=at, objective=costs(objective), within=within)
     request["limits"] = limits(time_limit, conflict_limit, memory_limit)
-    return on(_scene(scene), Explanation.from_dict(call("explain", request, on_progress, should_stop)))
+    return _ask(Explanation, "explain", request, on_progress, should_stop)
 
 
 def change(
@@ -132,9 +144,9 @@ def change(
     """Goes on with a plan around which the world changes, by each method, compared."""
     request = without_none(
         scene=scene, plan=plan, changes=changes, since=since, methods=methods,
-        objective=_objective(objective), within=within)
+        objective=costs(objective), within=within)
     request["limits"] = limits(time_limit, conflict_limit, memory_limit)
-    return on(_scene(scene), ChangeAnswer.from_dict(call("change", request, on_progress, should_stop)))
+    return _ask(ChangeAnswer, "change", request, on_progress, should_stop)
 
 
 def audit(
@@ -143,9 +155,9 @@ def audit(
     on_progress: OnProgress | None = None, should_stop: ShouldStop | None = None,
 ) -> AuditAnswer:
     """Judges any plan, and tells how far it is from the best."""
-    request = without_none(scene=scene, plan=plan, objective=_objective(objective), within=within)
+    request = without_none(scene=scene, plan=plan, objective=costs(objective), within=within)
     request["limits"] = limits(time_limit, conflict_limit, memory_limit)
-    return on(_scene(scene), AuditAnswer.from_dict(call("audit", request, on_progress, should_stop)))
+    return _ask(AuditAnswer, "audit", request, on_progress, should_stop)
 
 
 def freedom(
@@ -165,9 +177,9 @@ def freedom(
     2
     """
     request = without_none(
-        scene=scene, plan=plan, parts=parts, count=count, objective=_objective(objective), within=within)
+        scene=scene, plan=plan, parts=parts, count=count, objective=costs(objective), within=within)
     request["limits"] = limits(time_limit, conflict_limit, memory_limit)
-    return on(_scene(scene), Freedom.from_dict(call("freedom", request, on_progress, should_stop)))
+    return _ask(Freedom, "freedom", request, on_progress, should_stop)
 
 
 def together(
@@ -189,7 +201,7 @@ def together(
     """
     request = without_none(scene=scene, cost=cost, agents=agents, more=more, within=within)
     request["limits"] = limits(time_limit, conflict_limit, memory_limit)
-    return on(_scene(scene), Together.from_dict(call("together", request, on_progress, should_stop)))
+    return _ask(Together, "together", request, on_progress, should_stop)
 
 
 def export(
@@ -208,66 +220,9 @@ def export(
     >>> made.certificates["solved"].report.certified, made.to_zip()[:2]
     ('proved', b'PK')
     """
-    told: dict[str, Any] = data(answer)
-    kind = "explain" if "verdict" in told else "freedom" if "about" in told else "solve"
-    request = without_none(scene=scene, objective=_objective(objective), answer={kind: told}, plan=plan)
+    request = without_none(scene=scene, objective=costs(objective), answer=by_kind(answer), plan=plan)
     request["limits"] = limits(time_limit, None, memory_limit)
     return Certificates.from_dict(call("export", request, on_progress, should_stop))
-
-
-def convert(
-    files: Mapping[str, str] | Sequence[str | PathLike[str]] | Scene, to: str, agents: int | None = None
-) -> Converted:
-    """Writes instances and plans in another format: ``giveway``, ``movingai``, ``tracker``,
-    ``paths.txt``, ``result.txt``, ``multi-robot``, ``lorr``, ``asprilo`` or ``mapfw``.
-
-    Files are texts by their names, or paths; a scene stands for its file.
-
-    >>> from giveway import Agent, Scene
-    >>> sorted(convert(Scene(map=("...",), agents=(Agent("A", (0, 0), (2, 0)),)), "movingai").files)
-    ['scene.map', 'scene.scen']
-    """
-    if isinstance(files, Scene):
-        files = {f"{files.name or 'scene'}.json": files.to_json()}
-    elif not isinstance(files, Mapping):
-        paths = [files] if isinstance(files, (str, PathLike)) else files
-        files = {Path(path).name: Path(path).read_text(encoding="utf-8") for path in paths}
-    return Converted.from_dict(call("convert", without_none(files=files, to=to, agents=agents)))
-
-
-def verify(
-    certificate: Mapping[str, str] | Certificate | str | PathLike[str], *, time_limit: float | None = None,
-    on_progress: OnProgress | None = None, should_stop: ShouldStop | None = None,
-) -> Report:
-    """Checks a certificate again: its folder, or the texts of its files by their names.
-
-    One that does not hold is no error: its report says so.
-    """
-    if isinstance(certificate, Certificate):
-        certificate = certificate.files
-    files = certificate if isinstance(certificate, Mapping) else _bundle.of_folder(certificate)
-    request = {"files": files, "limits": limits(time_limit, None, None)}
-    return Report.from_dict(call("verify", request, on_progress, should_stop))
-
-
-def verify_archive(
-    archive: str | PathLike[str] | bytes, *, time_limit: float | None = None,
-    on_progress: OnProgress | None = None, should_stop: ShouldStop | None = None,
-) -> dict[str, Report]:
-    """Checks the certificates of one zip archive, by its path or its bytes: a report for each name.
-
-    The time limit is for each of them.
-
-    >>> from giveway import Agent, Scene
-    >>> scene = Scene(map=("...",), agents=(Agent("A", (0, 0), (2, 0)),))
-    >>> reports = verify_archive(export(scene, solve(scene)).to_zip())
-    >>> {name: report.certified for name, report in reports.items()}
-    {'solved': 'proved'}
-    """
-    return {
-        name: verify(files, time_limit=time_limit, on_progress=on_progress, should_stop=should_stop)
-        for name, files in sorted(_bundle.of_archive(archive).items())
-    }
 
 
 def schema() -> dict[str, Any]:

@@ -3,13 +3,16 @@
 from __future__ import annotations
 
 import dataclasses
-import json
-from collections.abc import Mapping, Sequence
+import math
+from collections.abc import Iterable, Mapping
 from dataclasses import dataclass, field
 from typing import TYPE_CHECKING, Any, ClassVar
 
-from giveway._door import call
-from giveway._record import Record, optional, plain
+from giveway._door import as_json, call
+from giveway._misfit import described
+from giveway._record import Record, optional
+from giveway._text import decoded
+from giveway.errors import refusal
 from giveway.scene import Cell, Scene
 
 if TYPE_CHECKING:
@@ -42,25 +45,25 @@ class Plan(Record):
     #: The scene that it was made for, to be drawn with; plans of answers have it.
     scene: Scene | None = field(default=None, compare=False, repr=False, metadata={"hidden": True})
 
+    def __hash__(self) -> int:
+        """Equal plans have the same, so that they can be counted in sets and be keys."""
+        return hash(tuple(sorted(self.paths.items())))
+
     @classmethod
     def from_dict(cls, data: Mapping[str, Any]) -> Plan:
         """Reads plain data; it is not judged."""
-        return cls.from_json(json.dumps(plain(data)))
+        return cls._of(call("plan-of-object", as_json(data)))
 
     @classmethod
-    def from_json(cls, text: str) -> Plan:
+    def from_json(cls, text: str | bytes) -> Plan:
         """Reads JSON; a fault has its line and column. The plan is not judged."""
-        return cls._of(call("read-plan", text))
+        return cls._of(call("read-plan", decoded(text)))
 
     @classmethod
-    def _of(cls, data: Mapping[str, Any]) -> Plan:
-        return super().from_dict(data)
-
-    @classmethod
-    def from_numpy(cls, array: Any, agents: Sequence[str], scene: Scene | None = None) -> Plan:
+    def from_numpy(cls, array: Any, agents: Iterable[str], scene: Scene | None = None) -> Plan:
         """The plan of an array ``[agent, time, 2]``, as ``to_numpy`` makes it: whole numbers, both -1
         where an agent is at no cell. Where it is at no cell in the beginning it comes later; what it
-        repeats at the end is cut.
+        repeats at the end is cut. An array has no charges.
 
         >>> Plan.from_numpy([[[0, 0], [1, 0], [1, 0]]], ["A"]).paths["A"]
         ((0, 0), (1, 0))
@@ -87,7 +90,7 @@ class Plan(Record):
     @property
     def makespan(self) -> int:
         """When the last path ends."""
-        return max((self.arrival(agent) for agent in self.paths), default=0)
+        return max((self.arrival(agent) for agent, path in self.paths.items() if path), default=0)
 
     def cell(self, agent: str, time: int) -> Cell | None:
         """Where an agent is; ``None`` in transit, before it comes and after it has gone."""
@@ -96,8 +99,7 @@ class Plan(Record):
             return None
         if index < len(path):
             return path[index]
-        vanishes = self.scene is not None and self.scene.rules is not None and self.scene.rules.at_goal == "vanish"
-        return None if vanishes else path[-1]
+        return None if self.scene is not None and self.scene.rules.at_goal == "vanish" else path[-1]
 
     def at(self, time: int) -> dict[str, Cell | None]:
         """Where everyone is."""
@@ -123,6 +125,11 @@ class Animation:
 
     plan: Plan
     seconds_per_step: float = 0.5
+
+    def __post_init__(self) -> None:
+        if not isinstance(self.seconds_per_step, (int, float)) or not 0 < self.seconds_per_step < math.inf:
+            found = described(self.seconds_per_step)
+            raise refusal("seconds_per_step", found, "seconds, more than 0")
 
     def _repr_svg_(self) -> str:
         from giveway import _draw

@@ -2,15 +2,15 @@
 
 from __future__ import annotations
 
-import json
 from collections.abc import Mapping
 from dataclasses import dataclass
 from os import PathLike
 from pathlib import Path
 from typing import Any, ClassVar, Literal
 
-from giveway._door import call
-from giveway._record import Record, optional, plain
+from giveway._door import as_json, call
+from giveway._record import Record, optional
+from giveway._text import decoded, of_file
 
 #: ``(x, y)``, from (0, 0) at the top left, y down.
 Cell = tuple[int, int]
@@ -59,13 +59,14 @@ class Scene(Record):
     map: tuple[str, ...]
     agents: tuple[Agent, ...] = ()
     name: str = optional(default="")
-    rules: Rules | None = optional()
-    objective: tuple[Cost, ...] = optional(default=())
+    rules: Rules = optional(default=Rules())
+    #: The most important cost first.
+    objective: tuple[Cost, ...] = optional(default=("makespan", "sum-of-costs", "charges"))
 
     @property
     def width(self) -> int:
         """Cells in a row."""
-        return len(self.map[0])
+        return len(self.map[0]) if self.map else 0
 
     @property
     def height(self) -> int:
@@ -75,17 +76,17 @@ class Scene(Record):
     @classmethod
     def from_dict(cls, data: Mapping[str, Any]) -> Scene:
         """Reads and checks plain data."""
-        return cls.from_json(json.dumps(plain(data)))
+        return cls._of(call("scene-of-object", as_json(data)))
 
     @classmethod
-    def from_json(cls, text: str) -> Scene:
+    def from_json(cls, text: str | bytes) -> Scene:
         """Reads and checks JSON; a fault has its line and column."""
-        return cls._of(call("read-scene", text))
+        return cls._of(call("read-scene", decoded(text)))
 
     @classmethod
     def from_file(cls, path: str | PathLike[str]) -> Scene:
         """Reads and checks a file of JSON."""
-        return cls.from_json(Path(path).read_text(encoding="utf-8"))
+        return cls.from_json(of_file(path))
 
     @classmethod
     def from_movingai(
@@ -93,16 +94,10 @@ class Scene(Record):
     ) -> Scene:
         """The scene of a MovingAI ``.map`` and the first agents of a ``.scen``, by their paths."""
         request = {
-            "map": Path(map).read_text(encoding="utf-8"),
-            "scenario": Path(scen).read_text(encoding="utf-8"),
+            "map": of_file(map, "map"), "scenario": of_file(scen, "scenario"),
             "name": Path(scen).stem, "agents": agents,
         }
         return cls._of(call("read-movingai", request))
-
-    @classmethod
-    def _of(cls, data: Mapping[str, Any]) -> Scene:
-        # What the part in Rust gave needs no second check.
-        return super().from_dict(data)
 
     def to_networkx(self) -> Any:
         """The map as a ``networkx.Graph``: nodes are cells with ``slow`` and ``charger``,

@@ -5,12 +5,13 @@ from giveway.answers.changed import ChangeAnswer, ChangeStep, MethodAnswer
 from giveway.answers.costs import Costs, Stats, Status
 from giveway.answers.drawn import on
 from giveway.answers.explained import Alone, Explanation, Freedom, FreedomPart, Together
-from giveway.answers.files import Converted
-from giveway.answers.judged import AuditAnswer, Verdict, Violation
+from giveway.answers.files import Converted, Files, ForeignPlan, Format
+from giveway.answers.judged import AgentComparison, AuditAnswer, Comparison, Verdict, Violation
 from giveway.answers.solved import Answer, Front, Planner, PlannerAnswer, PlannerStats
 
 __all__ = [
-    "Alone", "Answer", "AuditAnswer", "Certificate", "Certificates", "ChangeAnswer", "ChangeStep", "Converted", "Costs",
-    "Explanation", "Freedom", "FreedomPart", "Front", "MethodAnswer", "Planner", "PlannerAnswer", "PlannerStats", "Report",
-    "Stats", "Status", "Together", "Verdict", "Violation", "on",
+    "AgentComparison", "Alone", "Answer", "AuditAnswer", "Certificate", "Certificates", "ChangeAnswer", "ChangeStep",
+    "Comparison", "Converted", "Costs", "Explanation", "Files", "ForeignPlan", "Format", "Freedom", "FreedomPart", "Front",
+    "MethodAnswer", "Planner", "PlannerAnswer", "PlannerStats", "Report", "Stats", "Status", "Together", "Verdict",
+    "Violation", "on",
 ]

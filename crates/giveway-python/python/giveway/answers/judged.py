@@ -1,10 +1,10 @@
-"""The answers of ``check`` and ``audit``."""
+"""The answers of ``check``, ``audit`` and ``compare``."""
 
 from __future__ import annotations
 
 from collections.abc import Mapping
 from dataclasses import dataclass
-from typing import ClassVar, Literal
+from typing import Any, ClassVar, Literal
 
 from giveway._record import Record, optional
 from giveway.answers.costs import Costs, Stats, Status
@@ -58,3 +58,29 @@ class AuditAnswer(Record):
     search: Status
     stats: Stats
     reason: str | None = optional()
+
+
+@dataclass(frozen=True)
+class AgentComparison(Record):
+    """What became of one agent from one plan to another."""
+
+    agent: str
+    #: ``retimed``: the same cells at other times; ``rerouted``: other cells.
+    difference: Literal["same", "retimed", "rerouted"]
+    #: In each plan; ``None`` where it has no path.
+    arrivals: tuple[int | None, ...]
+    #: Where the plans part: a time, and a cell of each.
+    first: dict[str, Any] | None
+
+
+@dataclass(frozen=True)
+class Comparison(Record):
+    """The answer of ``compare``."""
+
+    document: ClassVar[bool] = True
+
+    #: Of each plan; ``None`` where an agent has no path.
+    costs: tuple[Costs | None, ...]
+    #: How much more the second one has of each cost.
+    deltas: Mapping[Cost, int]
+    agents: tuple[AgentComparison, ...]
