@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import xml.dom.minidom
+from typing import Any
 
 import pytest
 from conftest import DATA
@@ -28,8 +29,25 @@ def test_pictures_are_svg() -> None:
         times = [float(time) for time in move.getAttribute("keyTimes").split(";")]
         assert times == sorted(times) and (times[0], times[-1]) == (0, 1)
         assert len(times) == len(move.getAttribute("values").split(";"))
-    alone = giveway.Plan({"<&>": ((0, 0), (1, 0))})
-    xml.dom.minidom.parseString(alone._repr_svg_())
+    alone = giveway.Plan({"<&>\x00\ud800": ((0, 0), (1, 0))})
+    for picture in (alone._repr_svg_(), alone.animate()._repr_svg_()):
+        xml.dom.minidom.parseString(picture.encode())
+
+
+def test_what_is_empty_can_be_looked_at() -> None:
+    empty = giveway.Scene(map=())
+    assert (empty.width, empty.height) == (0, 0)
+    for plan in (giveway.Plan({}), giveway.Plan({"A": ()}), giveway.Plan({"A": (None,)})):
+        assert plan.makespan == 0
+        for picture in (empty._repr_svg_(), plan._repr_svg_(), plan.animate()._repr_svg_(), plan.on(empty)._repr_svg_()):
+            xml.dom.minidom.parseString(picture)
+
+
+@pytest.mark.parametrize("seconds", [0, -1, float("nan"), float("inf"), "1", None])
+def test_time_goes_on_in_an_animation(seconds: Any) -> None:
+    with pytest.raises(giveway.BadInput) as raised:
+        giveway.Plan({}).animate(seconds)
+    assert raised.value.place == "seconds_per_step"
 
 
 def test_arrays_and_back() -> None:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from xml.sax.saxutils import escape
 
 from giveway.plan import Plan
@@ -45,11 +46,15 @@ def _around(plan: Plan) -> Scene:
     return Scene(map=("." * width,) * height)
 
 
+def _text(name: str) -> str:
+    """A name in XML, which has no place for control characters and halves of others."""
+    return escape(re.sub("[^\t\n\r\x20-\ud7ff\ue000-\ufffd\U00010000-\U0010ffff]", "\ufffd", name))
+
+
 def _robot(name: str, colour: str, inner: str = "") -> str:
-    label = escape(name)
     return (
-        f'<g><title>{label}</title><circle r="{SIZE * 0.36}" fill="{colour}"/>'
-        f'<text y="3.5" text-anchor="middle" fill="#ffffff">{escape(name[:3])}</text>{inner}</g>')
+        f'<g><title>{_text(name)}</title><circle r="{SIZE * 0.36}" fill="{colour}"/>'
+        f'<text y="3.5" text-anchor="middle" fill="#ffffff">{_text(name[:3])}</text>{inner}</g>')
 
 
 def _goal(cell: Cell, colour: str) -> str:
