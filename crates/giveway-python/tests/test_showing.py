@@ -34,10 +34,29 @@ def test_pictures_are_svg() -> None:
         xml.dom.minidom.parseString(picture.encode())
 
 
+def test_robots_that_come_later_or_go_are_seen_while_they_are_there() -> None:
+    scene = giveway.Scene(map=("....",), rules=giveway.Rules(at_goal="vanish"))
+    never = giveway.Plan({"A": ((0, 0), (1, 0))}, until={"A": 0}).animate()._repr_svg_()
+    assert 'keyTimes="0;0;1;1"' in never
+    short, long = ((0, 0), (1, 0)), ((3, 0), (2, 0), (1, 0), (0, 0))
+    plan = giveway.Plan({"A": short, "B": long, "C": long}, start_times={"C": 2}, until={"C": 5})
+    assert [plan.on(scene).cell("A", time) for time in (1, 2)] == [(1, 0), None]
+    assert [plan.cell("C", time) for time in (1, 2, 4, 5)] == [None, (3, 0), (1, 0), None]
+
+    def seen(one: giveway.Plan) -> list[tuple[str, str]]:
+        animated = xml.dom.minidom.parseString(one.animate()._repr_svg_()).getElementsByTagName("animate")
+        return [(animate.getAttribute("keyTimes"), animate.getAttribute("values")) for animate in animated]
+
+    comes_and_goes = ("0;0.2;0.4;0.8;1;1", "0;0;1;1;0;0")
+    assert seen(plan) == [comes_and_goes], "without a scene they stay at their goals"
+    assert seen(plan.on(scene)) == [("0;0.2;0.4;1", "1;1;0;0"), ("0;0.6;0.8;1", "1;1;0;0"), comes_and_goes]
+
+
 def test_what_is_empty_can_be_looked_at() -> None:
     empty = giveway.Scene(map=())
     assert (empty.width, empty.height) == (0, 0)
-    for plan in (giveway.Plan({}), giveway.Plan({"A": ()}), giveway.Plan({"A": (None,)})):
+    nowhere = giveway.Plan({"A": ((0, 0),)}, until={"A": 0})
+    for plan in (giveway.Plan({}), giveway.Plan({"A": ()}), giveway.Plan({"A": (None,)}), nowhere):
         assert plan.makespan == 0
         for picture in (empty._repr_svg_(), plan._repr_svg_(), plan.animate()._repr_svg_(), plan.on(empty)._repr_svg_()):
             xml.dom.minidom.parseString(picture)

@@ -104,11 +104,28 @@ def animation(of: Plan, seconds_per_step: float) -> str:
         times = [(0, cells[0])] * (begin > 0) + times
         if times[-1][0] < steps:
             times.append((steps, cells[-1]))
-        places = ";".join("{:g} {:g}".format(*_point(cell)) for _, cell in times)
-        key_times = ";".join(f"{time / steps:.6g}" for time, _ in times)
-        move = (
-            f'<animateTransform attributeName="transform" type="translate" values="{places}" '
-            f'keyTimes="{key_times}" dur="{steps * seconds_per_step:g}s" repeatCount="indefinite"/>')
+        places = [(time, "{:g} {:g}".format(*_point(cell))) for time, cell in times]
+        seconds = steps * seconds_per_step
+        move = _over_time('animateTransform attributeName="transform" type="translate"', places, steps, seconds)
+        shown = _presence(begin, of._last(name), steps)
+        if len(shown) > 2:
+            move += _over_time('animate attributeName="opacity"', shown, steps, seconds)
         inner.append(_goal(cells[-1], colour))
         inner.append(_robot(name, colour, move))
     return _sheet(_around(of), inner)
+
+
+def _presence(begin: int, last: int | None, steps: int) -> list[tuple[int, str]]:
+    """How much of a robot is seen: it fades in before it comes, and out where it goes."""
+    shown = [(0, "0"), (begin - 1, "0"), (begin, "1")] if begin > 0 else [(0, "1")]
+    if last is None or last >= steps:
+        return [*shown, (steps, "1")]
+    gone = max(last, begin) + 1
+    return [*shown, (gone - 1, "1"), (gone, "0"), (steps, "0")]
+
+
+def _over_time(element: str, values: list[tuple[int, str]], steps: int, seconds: float) -> str:
+    """Values of an attribute by their times, from 0 to the last step, again and again."""
+    key_times = ";".join(f"{time / steps:.6g}" for time, _ in values)
+    every = ";".join(value for _, value in values)
+    return f'<{element} values="{every}" keyTimes="{key_times}" dur="{seconds:g}s" repeatCount="indefinite"/>'

@@ -95,11 +95,17 @@ class Plan(Record):
     def cell(self, agent: str, time: int) -> Cell | None:
         """Where an agent is; ``None`` in transit, before it comes and after it has gone."""
         path, index = self.paths[agent], time - self.start_times.get(agent, 0)
-        if index < 0 or not path or time >= self.until.get(agent, time + 1):
+        last = self._last(agent)
+        if index < 0 or not path or last is not None and time > last:
             return None
-        if index < len(path):
-            return path[index]
-        return None if self.scene is not None and self.scene.rules.at_goal == "vanish" else path[-1]
+        return path[min(index, len(path) - 1)]
+
+    def _last(self, agent: str) -> int | None:
+        """The last time at which an agent is on the map; ``None`` where it stays for ever."""
+        if agent in self.until:
+            return self.until[agent] - 1
+        vanishes = self.scene is not None and self.scene.rules.at_goal == "vanish"
+        return self.arrival(agent) if vanishes else None
 
     def at(self, time: int) -> dict[str, Cell | None]:
         """Where everyone is."""
