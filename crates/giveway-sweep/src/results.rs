@@ -1,11 +1,11 @@
 //! A folder of rows, a file a shard: read to know what is done, appended to row by row.
 //!
-//! A row is written whole, with the end of its line, in one write. What a process that was
-//! killed left of a row has no end of a line: it is not read, and cut off before the next
-//! row is written.
+//! A row is written whole, with the end of its line, in one write at the end of the file.
+//! What a process that was killed left of a row has no end of a line: it is not read, and
+//! cut off before the next row is written.
 
 use std::collections::BTreeMap;
-use std::fs::{self, File, OpenOptions};
+use std::fs::{self, File, OpenOptions, TryLockError};
 use std::io::{self, Read, Write};
 use std::path::{Path, PathBuf};
 
@@ -14,41 +14,53 @@ use crate::{Row, RowStatus, Shard};
 /// The rows of a sweep.
 #[derive(Debug)]
 pub struct Results {
-    own: File,
     path: PathBuf,
+    lock: File,
+    is_locked: bool,
     done: BTreeMap<String, Row>,
 }
 
 impl Results {
     /// Opens a folder, made if there is none, for one shard to write to. Nobody else may
-    /// write to the same shard's file at the same time, which is locked.
+    /// write to the same shard's file at the same time: a file beside it is locked, since on
+    /// some systems nobody can read what is locked.
     ///
     /// # Errors
     /// When a file cannot be read or written, holds what is no row, or is locked.
     pub fn open(folder: &Path, shard: Shard) -> Result<Self, String> {
-        let at = |path: &Path, error: &io::Error| format!("{}: {error}", path.display());
-        fs::create_dir_all(folder).map_err(|error| at(folder, &error))?;
-        let path = folder.join(shard.file());
-        let mut own = OpenOptions::new()
-            .create(true)
-            .truncate(false)
-            .read(true)
-            .write(true)
-            .open(&path)
-            .map_err(|error| at(&path, &error))?;
-        own.try_lock().map_err(|_| {
-            format!(
-                "{}: found a file that another process writes to, expected this shard to run once",
-                path.display()
-            )
+        fs::create_dir_all(folder).map_err(|error| match error.kind() {
+            io::ErrorKind::AlreadyExists | io::ErrorKind::NotADirectory => format!(
+                "{}: found a file, expected a folder of results",
+                folder.display()
+            ),
+            _ => at(folder, &error),
         })?;
-        cut_off(&mut own).map_err(|error| at(&path, &error))?;
+        let path = folder.join(shard.file());
+        let lock_path = path.with_extension("lock");
+        let mut options = OpenOptions::new();
+        options.create(true).truncate(false).read(true).write(true);
+        let lock = options.open(&lock_path);
+        let lock = lock.map_err(|error| at(&lock_path, &error))?;
+        let is_locked = is_locked(&lock.try_lock(), &path)?;
+        let own = options.open(&path);
+        own.and_then(|mut own| cut_off(&mut own))
+            .map_err(|error| at(&path, &error))?;
         let rows = read(&[folder.to_owned()])?;
         let done = rows
             .into_iter()
             .map(|row| (row.task.clone(), row))
             .collect();
-        Ok(Self { own, path, done })
+        Ok(Self {
+            path,
+            lock,
+            is_locked,
+            done,
+        })
+    }
+
+    /// Whether the shard's file is locked; some file systems of clusters have no locks.
+    pub const fn is_locked(&self) -> bool {
+        self.is_locked
     }
 
     /// The row of a task, if it is done, by whichever shard.
@@ -56,19 +68,55 @@ impl Results {
         self.done.get(task)
     }
 
-    /// Adds a row.
+    /// Adds a row. When it returns, the row has reached the disk.
     ///
     /// # Errors
-    /// When it cannot be written.
+    /// When it cannot be written; then nothing of it is.
     pub fn add(&mut self, row: Row) -> Result<(), String> {
         let line = line(&row)?;
-        self.own
-            .write_all(line.as_bytes())
-            .and_then(|()| self.own.flush())
-            .map_err(|error| format!("{}: {error}", self.path.display()))?;
+        // A skipped task is known again in no time, so that nobody waits for the disk.
+        let wait = row.status != RowStatus::Skipped;
+        append(&self.path, line.as_bytes(), wait).map_err(|error| at(&self.path, &error))?;
         self.done.insert(row.task.clone(), row);
         Ok(())
     }
+}
+
+impl Drop for Results {
+    fn drop(&mut self) {
+        // A process that was just begun may hold the file open for a moment more.
+        let _ = self.lock.unlock();
+    }
+}
+
+fn at(path: &Path, error: &io::Error) -> String {
+    format!("{}: {error}", path.display())
+}
+
+/// Whether there is a lock now; a file system that has none is no fault of anybody.
+fn is_locked(lock: &Result<(), TryLockError>, path: &Path) -> Result<bool, String> {
+    match lock {
+        Ok(()) => Ok(true),
+        Err(TryLockError::Error(_)) => Ok(false),
+        Err(TryLockError::WouldBlock) => Err(format!(
+            "{}: found a file that another process writes to, expected this shard to run once",
+            path.display()
+        )),
+    }
+}
+
+/// Appends a line, and waits until it is on the disk: only then do disks over a network say
+/// that they are full. A file that somebody took away is made again.
+fn append(path: &Path, line: &[u8], wait: bool) -> io::Result<()> {
+    let mut file = OpenOptions::new().create(true).append(true).open(path)?;
+    let length = file.metadata()?.len();
+    let written = file.write_all(line);
+    let written = written.and_then(|()| if wait { file.sync_data() } else { Ok(()) });
+    if written.is_err() {
+        // Half a row in the middle of a file would be no row.
+        let _ = file.set_len(length);
+    }
+    written
 }
 
 /// A row as a line, with its end.
@@ -80,15 +128,21 @@ pub fn line(row: &Row) -> Result<String, String> {
     Ok(text + "\n")
 }
 
-/// Cuts off what follows the last end of a line, and goes to the end.
+/// Cuts off what follows the last end of a line.
 fn cut_off(file: &mut File) -> io::Result<()> {
-    use std::io::{Seek, SeekFrom};
     let mut bytes = Vec::new();
     file.read_to_end(&mut bytes)?;
-    let whole = bytes.iter().rposition(|&byte| byte == b'\n');
-    let length = whole.map_or(0, |last| last + 1) as u64;
-    file.set_len(length)?;
-    file.seek(SeekFrom::Start(length)).map(|_| ())
+    let length = whole(&bytes).len();
+    if length < bytes.len() {
+        file.set_len(length as u64)?;
+    }
+    Ok(())
+}
+
+/// What ends with an end of a line. What follows may end within a letter.
+fn whole(bytes: &[u8]) -> &[u8] {
+    let last = bytes.iter().rposition(|&byte| byte == b'\n');
+    last.map_or(&[], |last| &bytes[..=last])
 }
 
 /// The rows of files and folders, those of one task once, in the order of their tasks'
@@ -97,32 +151,12 @@ fn cut_off(file: &mut File) -> io::Result<()> {
 /// # Errors
 /// When something cannot be read, or a line is no row.
 pub fn read(paths: &[PathBuf]) -> Result<Vec<Row>, String> {
-    let mut rows = BTreeMap::new();
+    let mut rows: BTreeMap<String, Row> = BTreeMap::new();
     for path in paths {
-        for path in lines_of(path)? {
-            let text = fs::read_to_string(&path).map_err(|error| match error.kind() {
-                io::ErrorKind::NotFound => format!(
-                    "{}: found no file of this name, expected a file or a folder of results",
-                    path.display()
-                ),
-                _ => format!("{}: {error}", path.display()),
-            })?;
-            let whole = text.rfind('\n').map_or("", |last| &text[..last]);
-            for (number, line) in whole
-                .lines()
-                .enumerate()
-                .filter(|(_, line)| !line.is_empty())
-            {
-                let row: Row = serde_json::from_str(line).map_err(|error| {
-                    format!(
-                        "{}: line {}: found what is no row ({error}), expected a row of a sweep",
-                        path.display(),
-                        number + 1
-                    )
-                })?;
-                // What was skipped may have been tried since.
-                let known: Option<&Row> = rows.get(&row.task);
-                if known.is_none_or(|known| known.status == RowStatus::Skipped) {
+        for path in files_of(path)? {
+            for row in rows_of(&path)? {
+                let known = rows.get(&row.task);
+                if known.is_none_or(|known| replaces(&row, known)) {
                     rows.insert(row.task.clone(), row);
                 }
             }
@@ -131,18 +165,63 @@ pub fn read(paths: &[PathBuf]) -> Result<Vec<Row>, String> {
     Ok(rows.into_values().collect())
 }
 
-/// The files of a folder that hold rows, or the file itself.
-fn lines_of(path: &Path) -> Result<Vec<PathBuf>, String> {
+/// Whether a row says more than another one of its task: what was skipped may have been
+/// tried since, and what could not be read may have been there later.
+fn replaces(row: &Row, known: &Row) -> bool {
+    let rank = |row: &Row| match row.status {
+        RowStatus::Skipped => 0,
+        RowStatus::Error => 1,
+        _ => 2,
+    };
+    rank(known) < 2 && rank(row) >= rank(known)
+}
+
+/// The rows of a file.
+fn rows_of(path: &Path) -> Result<Vec<Row>, String> {
+    let bytes = fs::read(path).map_err(|error| match error.kind() {
+        io::ErrorKind::NotFound => format!(
+            "{}: found no file of this name, expected a file or a folder of results",
+            path.display()
+        ),
+        _ => at(path, &error),
+    })?;
+    let wrong = |number: usize, found: String| {
+        format!(
+            "{}: line {number}: found what is no row ({found}), expected a row of a sweep; \
+            without this line its task is done again",
+            path.display()
+        )
+    };
+    let mut rows = Vec::new();
+    for (index, line) in whole(&bytes).split(|&byte| byte == b'\n').enumerate() {
+        let line = std::str::from_utf8(line)
+            .map_err(|_| wrong(index + 1, "its letters are not UTF-8".to_owned()))?;
+        let line = line.trim_start_matches('\u{feff}').trim();
+        if line.is_empty() {
+            continue;
+        }
+        let row: Row = serde_json::from_str(line).map_err(|error| {
+            let error = error.to_string();
+            wrong(index + 1, error.replace(" at line 1 column", " at column"))
+        })?;
+        rows.push(row);
+    }
+    Ok(rows)
+}
+
+/// The files of a folder that hold rows, or the file itself. Hidden ones, which editors and
+/// other systems leave, hold none.
+fn files_of(path: &Path) -> Result<Vec<PathBuf>, String> {
     if !path.is_dir() {
         return Ok(vec![path.to_owned()]);
     }
-    let entries = fs::read_dir(path).map_err(|error| format!("{}: {error}", path.display()))?;
+    let entries = fs::read_dir(path).map_err(|error| at(path, &error))?;
     let mut files = Vec::new();
     for entry in entries {
-        let path = entry
-            .map_err(|error| format!("{}: {error}", path.display()))?
-            .path();
-        if path.extension().is_some_and(|ending| ending == "jsonl") {
+        let entry = entry.map_err(|error| at(path, &error))?;
+        let is_hidden = entry.file_name().to_string_lossy().starts_with('.');
+        let path = entry.path();
+        if !is_hidden && path.extension().is_some_and(|ending| ending == "jsonl") {
             files.push(path);
         }
     }
@@ -151,63 +230,4 @@ fn lines_of(path: &Path) -> Result<Vec<PathBuf>, String> {
 }
 
 #[cfg(test)]
-mod tests {
-    use super::*;
-    use crate::{Method, Task};
-
-    fn row(name: &str) -> Row {
-        let task = Task {
-            instance: name.to_owned(),
-            agents: None,
-            objective: None,
-            planner: Method::Search,
-            limits: giveway_solve::Limits::default(),
-            clock: crate::Clock::Wall,
-            certificate: None,
-        };
-        Row::bare(&task, RowStatus::Unknown, None)
-    }
-
-    #[test]
-    fn what_is_done_is_known_and_half_a_row_is_cut_off() {
-        let folder = tempfile::tempdir().unwrap();
-        let shard = Shard::new(1, 2).unwrap();
-        let other = Shard::new(2, 2).unwrap();
-        let mut results = Results::open(folder.path(), shard).unwrap();
-        results.add(row("a")).unwrap();
-        let locked = Results::open(folder.path(), shard).unwrap_err();
-        assert!(locked.contains("another process"), "{locked}");
-        drop(results);
-        let path = folder.path().join(shard.file());
-        let whole = fs::read_to_string(&path).unwrap();
-        fs::write(&path, format!("{whole}{}", &line(&row("b")).unwrap()[..20])).unwrap();
-
-        let mut results = Results::open(folder.path(), shard).unwrap();
-        assert!(results.of(&row("a").task).is_some());
-        assert!(results.of(&row("b").task).is_none());
-        results.add(row("b")).unwrap();
-        let mut others = Results::open(folder.path(), other).unwrap();
-        assert!(
-            others.of(&row("b").task).is_some(),
-            "done by the other shard"
-        );
-        others.add(row("c")).unwrap();
-        let rows = read(&[folder.path().to_owned(), path.clone()]).unwrap();
-        let names: Vec<&str> = rows.iter().map(|row| row.instance.as_str()).collect();
-        assert_eq!(names, ["a", "b", "c"]);
-
-        others
-            .add(Row {
-                status: RowStatus::Skipped,
-                ..row("d")
-            })
-            .unwrap();
-        others.add(row("d")).unwrap();
-        let rows = read(&[folder.path().to_owned()]).unwrap();
-        assert_eq!(rows[3].status, RowStatus::Unknown, "tried since");
-
-        fs::write(&path, "{}\n").unwrap();
-        let wrong = read(&[path]).unwrap_err();
-        assert!(wrong.contains("line 1"), "{wrong}");
-    }
-}
+mod tests;
