@@ -32,7 +32,8 @@ impl Folder {
         Self(spec.parent().map(Path::to_owned).unwrap_or_default())
     }
 
-    /// The files that a pattern stands for, in the order of their names.
+    /// The files that a pattern stands for, in the order of their names. An absolute path
+    /// starts from no folder.
     ///
     /// # Errors
     /// When it is no pattern, or a folder cannot be read.
@@ -40,6 +41,7 @@ impl Folder {
         let base = self.0.to_string_lossy();
         let whole = match base.as_ref() {
             "" => pattern.to_owned(),
+            _ if Path::new(pattern).is_absolute() => pattern.to_owned(),
             base => format!("{}/{pattern}", glob::Pattern::escape(base)),
         };
         let wrong = |found: String| Fault::at("files", found, "a path, or a pattern with *");
@@ -52,6 +54,9 @@ impl Folder {
                 let own = path.strip_prefix(&self.0).unwrap_or(&path);
                 files.push(own.to_string_lossy().replace('\\', "/"));
             }
+        }
+        if files.is_empty() && self.0.join(pattern).is_file() {
+            files.push(pattern.to_owned()); // a name with [ and ] that is meant as it stands
         }
         files.sort();
         Ok(files)
@@ -131,4 +136,31 @@ fn read(path: &Path) -> Result<String, String> {
     let bytes = fs::read(path).map_err(|error| format!("{}: {error}", path.display()))?;
     let text = read_text(&bytes).map_err(|fault| format!("{}: {fault}", path.display()))?;
     Ok(text.to_owned())
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn files_are_found_by_pattern_by_absolute_path_and_by_an_odd_name() {
+        let place = tempfile::tempdir().unwrap();
+        for name in ["b.scen", "a.scen", "c[1].scen"] {
+            fs::write(place.path().join(name), "").unwrap();
+        }
+        let folder = Folder::new(place.path());
+        let files = |pattern: &str| folder.files(pattern).unwrap();
+        assert_eq!(files("?.scen"), ["a.scen", "b.scen"]);
+        assert_eq!(files("./a.scen"), ["a.scen"]);
+        assert_eq!(files("c[1].scen"), ["c[1].scen"]);
+        assert!(files("none.scen").is_empty());
+        let absolute = place.path().join("a.scen").to_string_lossy().into_owned();
+        assert_eq!(
+            Folder::of(Path::new("specs/x.toml"))
+                .files(&absolute)
+                .unwrap(),
+            [absolute]
+        );
+        assert!(folder.files("***").is_err());
+    }
 }

@@ -53,7 +53,10 @@ pub struct Instances {
 
 /// Numbers of agents.
 #[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
-#[serde(untagged)]
+#[serde(
+    untagged,
+    expecting = "found no number of agents, expected 20, [5, 10] or { from = 5, to = 100, step = 5 }"
+)]
 pub enum Agents {
     /// One number.
     One(usize),
@@ -135,9 +138,13 @@ impl Spec {
             ("time-limit", spec.time_limit),
             ("certificates.time-limit", certificates),
         ] {
-            if limit.is_some_and(|limit| !limit.is_finite() || limit < 0.0) {
-                return Err(Fault::at(place, format!("{limit:?}"), "seconds from 0"));
+            if let Some(limit) = limit.filter(|limit| !limit.is_finite() || *limit < 0.0) {
+                return Err(Fault::at(place, limit.to_string(), "seconds from 0"));
             }
+        }
+        if spec.skip_after == Some(0) {
+            let expected = "at least 1 miss; without it nothing is skipped";
+            return Err(Fault::at("skip-after", "0", expected));
         }
         spec.objectives()?;
         Ok(spec)
@@ -171,8 +178,17 @@ impl Spec {
 
 /// What is wrong with a text, and where.
 fn told(text: &str, error: &toml::de::Error) -> Fault {
-    let expected = "a sweep: instances, objectives, planners, limits";
-    let found = error.message().trim_end_matches('.').replace('\n', ", ");
+    let message = error.message().trim_end_matches('.').replace('\n', ", ");
+    let (found, expected) = match message.split_once(", expected ") {
+        Some((found, "usize" | "u64")) => (found, "a whole number from 0"),
+        Some((found, "f64")) => (found, "a number"),
+        Some(parts) => parts,
+        None => (
+            message.as_str(),
+            "a sweep: instances, objectives, planners, limits",
+        ),
+    };
+    let found = found.strip_prefix("found ").unwrap_or(found);
     let fault = Fault::at("", found, expected);
     match error.span() {
         Some(span) => {
@@ -209,6 +225,41 @@ mod tests {
         let limit = "[certificates]\ntime-limit = -1.0\n[[instances]]\nfiles = []";
         assert!(refused(limit).contains("certificates.time-limit"));
         assert!(!refused("é = [").is_empty());
+    }
+
+    #[test]
+    fn sentences_say_what_is_expected_and_no_type_of_the_program() {
+        let instances = "[[instances]]\nfiles = []\n";
+        for (line, expected) in [
+            (
+                "skip-after = 0",
+                "skip-after: found 0, expected at least 1 miss",
+            ),
+            (
+                "skip-after = -1",
+                "found invalid value: integer `-1`, expected a whole number from 0",
+            ),
+            (
+                "time-limit = nan",
+                "time-limit: found NaN, expected seconds from 0",
+            ),
+            ("time-limit = \"1\"", "expected a number"),
+            (
+                "planners = [\"x\"]",
+                "column 12: found the planner \"x\", expected search, ",
+            ),
+        ] {
+            let said = refused(&format!("{line}\n{instances}"));
+            assert!(said.contains(expected), "{said}");
+        }
+        for agents in ["\"5\"", "-3", "{ to = 7 }", "{ from = 5, stop = 7 }"] {
+            let said = refused(&format!("{instances}agents = {agents}"));
+            assert!(said.contains("line 3"), "{said}");
+            assert!(
+                said.contains("found no number of agents, expected 20, "),
+                "{said}"
+            );
+        }
     }
 
     #[test]
