@@ -136,6 +136,29 @@ impl Row {
         }
     }
 
+    /// Whether another row says the same, whatever it took.
+    pub fn says(&self, other: &Self) -> bool {
+        let took = other.took;
+        *other
+            == Self {
+                took,
+                ..self.clone()
+            }
+    }
+
+    /// Its budget, in the words of its task's name.
+    pub(crate) fn budget(&self) -> String {
+        let rest = self.task.strip_prefix(&self.instance).unwrap_or_default();
+        let is_budget = |part: &&str| {
+            let key = part.split('=').next().unwrap_or_default();
+            !["", "planner", "objective", "agents"].contains(&key)
+        };
+        rest.split(' ')
+            .filter(is_budget)
+            .collect::<Vec<_>>()
+            .join(" ")
+    }
+
     /// How far the first cost is above its bound, in the bound: 0.01 is one percent.
     /// `None` without a plan, or without a bound above 0.
     pub fn gap(&self) -> Option<f64> {

@@ -2,10 +2,10 @@
 
 use std::collections::BTreeMap;
 
-use super::{Sheet, objective};
-use crate::Row;
+use super::{Sheet, budget, has_budgets, objective};
+use crate::{Row, RowStatus};
 
-/// One curve: of one planner, and one objective where there are several.
+/// One curve: of one planner, and one objective and one budget where there are several.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Curve {
     /// Its name in the legend.
@@ -15,9 +15,10 @@ pub struct Curve {
 }
 
 /// The success rate: the share of tasks that succeeded, against the number of agents: a curve for
-/// each planner and objective, over all maps.
+/// each planner and objective, over all maps. Tasks without an instance, such as those with
+/// more agents than a scenario has, are not counted: nobody could succeed.
 pub fn success(rows: &[Row]) -> Vec<Curve> {
-    let curve = |rows: Vec<&Row>| {
+    let curve = |rows: &[&Row]| {
         let mut counts: BTreeMap<usize, (u32, u32)> = BTreeMap::new();
         for row in rows {
             if let Some(agents) = row.agents {
@@ -35,7 +36,7 @@ pub fn success(rows: &[Row]) -> Vec<Curve> {
 
 /// The cactus plot: within how many CPU seconds each how many tasks succeeded.
 pub fn cactus(rows: &[Row]) -> Vec<Curve> {
-    let curve = |rows: Vec<&Row>| {
+    let curve = |rows: &[&Row]| {
         let closed = rows.iter().filter(|row| row.is_success());
         let mut seconds: Vec<f64> = closed.map(|row| row.took.cpu_seconds).collect();
         seconds.sort_by(f64::total_cmp);
@@ -45,22 +46,23 @@ pub fn cactus(rows: &[Row]) -> Vec<Curve> {
     curves(rows, curve)
 }
 
-fn curves(rows: &[Row], curve: impl Fn(Vec<&Row>) -> Vec<(f64, f64)>) -> Vec<Curve> {
-    let mut named: BTreeMap<(String, String), Vec<&Row>> = BTreeMap::new();
-    for row in rows {
-        let key = (row.planner.to_string(), objective(row));
+fn curves(rows: &[Row], curve: impl Fn(&[&Row]) -> Vec<(f64, f64)>) -> Vec<Curve> {
+    let mut named: BTreeMap<[String; 3], Vec<&Row>> = BTreeMap::new();
+    for row in rows.iter().filter(|row| row.status != RowStatus::Error) {
+        let key = [row.planner.to_string(), objective(row), budget(row)];
         named.entry(key).or_default().push(row);
     }
-    let first = named.keys().next().map(|(_, objective)| objective.clone());
-    let is_one = named
-        .keys()
-        .all(|(_, objective)| Some(objective) == first.as_ref());
-    let named = named.into_iter().map(|((planner, objective), rows)| Curve {
-        name: if is_one {
-            planner
-        } else {
-            format!("{planner}, {objective}")
-        },
+    let mut objectives = named.keys().map(|[_, objective, _]| objective);
+    let first = objectives.next();
+    let has_objectives = objectives.any(|objective| Some(objective) != first);
+    let is_told = [true, has_objectives, has_budgets(rows)];
+    let name = |key: &[String; 3]| {
+        let parts = key.iter().zip(is_told).filter(|(_, is_told)| *is_told);
+        let parts: Vec<&str> = parts.map(|(part, _)| part.as_str()).collect();
+        parts.join(", ")
+    };
+    let named = named.iter().map(|(key, rows)| Curve {
+        name: name(key),
         points: curve(rows),
     });
     named.collect()

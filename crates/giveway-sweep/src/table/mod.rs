@@ -4,6 +4,7 @@ mod curves;
 mod optima;
 mod plot;
 mod sheet;
+mod together;
 mod written;
 
 use std::collections::BTreeMap;
@@ -12,6 +13,7 @@ pub use curves::{Curve, cactus, success};
 pub use optima::optima;
 pub use plot::{Axes, plot};
 pub use sheet::Sheet;
+use together::{budget, has_budgets};
 pub use written::{Show, Written, write};
 
 use crate::{Row, RowStatus};
@@ -22,15 +24,17 @@ struct Group {
     map: String,
     objective: String,
     planner: String,
-    agents: usize,
+    budget: Option<String>,
+    agents: Option<usize>,
 }
 
-fn group(row: &Row) -> Group {
+fn group(row: &Row, has_budgets: bool) -> Group {
     Group {
         map: row.map.as_ref().unwrap_or(&row.instance).clone(),
         objective: objective(row),
         planner: row.planner.to_string(),
-        agents: row.agents.unwrap_or_default(),
+        budget: has_budgets.then(|| budget(row)),
+        agents: row.agents,
     }
 }
 
@@ -39,12 +43,14 @@ fn objective(row: &Row) -> String {
     objective.map(ToString::to_string).unwrap_or_default()
 }
 
-/// A line for every map, objective, planner and number of agents: how many tasks ended how,
-/// the mean gap of those with a plan and a bound, the median of CPU seconds of the successful.
+/// A line for every map, objective, planner and number of agents, and for every budget where
+/// there are several: how many tasks ended how, the mean gap of those with a plan and a
+/// bound, the median of CPU seconds of the successful.
 pub fn summary(rows: &[Row]) -> Sheet {
+    let has_budgets = has_budgets(rows);
     let mut groups: BTreeMap<Group, Vec<&Row>> = BTreeMap::new();
     for row in rows {
-        groups.entry(group(row)).or_default().push(row);
+        groups.entry(group(row, has_budgets)).or_default().push(row);
     }
     let mut sheet = Sheet::new(&[
         "map",
@@ -62,12 +68,15 @@ pub fn summary(rows: &[Row]) -> Sheet {
         "mean gap %",
         "median CPU s",
     ]);
+    let budgets: Vec<Option<String>> = groups.keys().map(|group| group.budget.clone()).collect();
     for (group, rows) in groups {
         let mut line = vec![
             group.map,
             group.objective,
             group.planner,
-            group.agents.to_string(),
+            group
+                .agents
+                .map_or_else(String::new, |agents| agents.to_string()),
             rows.len().to_string(),
         ];
         for status in [
@@ -96,6 +105,13 @@ pub fn summary(rows: &[Row]) -> Sheet {
         line.push(median(&rows).map_or_else(String::new, |seconds| format!("{seconds:.2}")));
         sheet.push(line);
     }
+    if has_budgets {
+        sheet.insert(
+            3,
+            "budget",
+            budgets.into_iter().map(Option::unwrap_or_default),
+        );
+    }
     sheet
 }
 
@@ -107,7 +123,7 @@ fn median(rows: &[&Row]) -> Option<f64> {
     seconds.get(seconds.len().checked_sub(1)? / 2).copied()
 }
 
-/// A line for every row.
+/// A line for every row, with its budget where there are several.
 pub fn all(rows: &[Row]) -> Sheet {
     let mut sheet = Sheet::new(&[
         "instance",
@@ -154,6 +170,9 @@ pub fn all(rows: &[Row]) -> Sheet {
         );
         line.push(format!("{:.2}", row.took.cpu_seconds));
         sheet.push(line);
+    }
+    if has_budgets(rows) {
+        sheet.insert(5, "budget", rows.iter().map(budget));
     }
     sheet
 }

@@ -2,11 +2,12 @@
 
 use giveway_proof::Certified;
 
-use super::{Sheet, objective};
+use super::{Sheet, budget, has_budgets, objective};
 use crate::{Row, RowStatus};
 
 /// A line for every row that was tried: the bounds of the first cost, whether they meet, and
-/// the certificate. In the order of maps, scenarios, objectives and numbers of agents.
+/// the certificate. In the order of maps, scenarios, objectives and numbers of agents. The
+/// planner and the budget are told where there are several.
 pub fn optima(rows: &[Row]) -> Sheet {
     let mut sheet = Sheet::new(&[
         "map",
@@ -26,8 +27,17 @@ pub fn optima(rows: &[Row]) -> Sheet {
     let tried = rows.iter().filter(|row| row.status != RowStatus::Skipped);
     let mut tried: Vec<(&str, &Row)> = tried.map(|row| (scenario(row), row)).collect();
     tried.sort_by_key(|(scenario, row)| (&row.map, *scenario, objective(row), row.agents));
-    for (scenario, row) in tried {
+    for (scenario, row) in &tried {
         sheet.push(line(scenario, row));
+    }
+    let tried = tried.iter().map(|(_, row)| *row);
+    let mut planners = rows.iter().map(|row| row.planner);
+    let first = planners.next();
+    if has_budgets(rows) {
+        sheet.insert(4, "budget", tried.clone().map(budget));
+    }
+    if planners.any(|planner| Some(planner) != first) {
+        sheet.insert(4, "planner", tried.map(|row| row.planner.to_string()));
     }
     sheet
 }

@@ -19,6 +19,19 @@ impl Sheet {
         self.lines.push(line);
     }
 
+    /// Inserts a column before another one, with a cell a line.
+    pub(super) fn insert(
+        &mut self,
+        index: usize,
+        head: &'static str,
+        cells: impl Iterator<Item = String>,
+    ) {
+        self.head.insert(index, head);
+        for (line, cell) in self.lines.iter_mut().zip(cells) {
+            line.insert(index, cell);
+        }
+    }
+
     /// As comma-separated values (RFC 4180, with `\n` at the end of lines).
     pub fn csv(&self) -> String {
         let head = self

@@ -4,6 +4,7 @@ use std::str::FromStr;
 
 use serde::{Deserialize, Serialize};
 
+use super::together::completed;
 use super::{Axes, Curve, Sheet, all, cactus, optima, plot, success, summary};
 use crate::Row;
 
@@ -74,6 +75,7 @@ impl FromStr for Written {
 /// # Errors
 /// When a table is wanted as a plot, as a sentence.
 pub fn write(rows: &[Row], show: Show, to: Written) -> Result<String, String> {
+    let rows = &completed(rows);
     match show {
         Show::Summary => sheet(&summary(rows), to),
         Show::Rows => sheet(&all(rows), to),
