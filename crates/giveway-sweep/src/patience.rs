@@ -27,14 +27,16 @@ impl Patience {
     }
 
     /// Whether a row says what there is to know of a task: one that was skipped, and is not
-    /// to be skipped now, is to be tried.
+    /// to be skipped now, is to be tried; so is one whose instance could not be read, which
+    /// may be there now.
     pub fn accepts(&self, task: &Task, row: &Row) -> bool {
-        row.status != RowStatus::Skipped || self.skips(task)
+        let is_tried = !matches!(row.status, RowStatus::Skipped | RowStatus::Error);
+        is_tried || self.skips(task)
     }
 
-    /// Notes how a task ended.
+    /// Notes how a task ended. Where there was no instance, no planner missed anything.
     pub fn note(&mut self, task: &Task, row: &Row) {
-        if self.after.is_some() {
+        if self.after.is_some() && row.status != RowStatus::Error {
             let misses = self.misses.entry(task.series()).or_default();
             *misses = if row.is_success() { 0 } else { *misses + 1 };
         }
@@ -65,11 +67,14 @@ mod tests {
         for (task, status) in of("a").into_iter().zip(ends) {
             assert!(!patience.skips(task));
             patience.note(task, &Row::bare(task, status, None));
+            patience.note(task, &Row::error(task, String::new()));
         }
         assert!(patience.skips(of("a")[4]));
         assert!(!patience.skips(of("b")[4]));
         for (task, accepted) in [(of("a")[4], true), (of("b")[4], false)] {
             assert_eq!(patience.accepts(task, &Row::skipped(task)), accepted);
+            let error = Row::error(task, String::new());
+            assert_eq!(patience.accepts(task, &error), accepted);
             assert!(patience.accepts(task, &Row::bare(task, Unknown, None)));
         }
     }

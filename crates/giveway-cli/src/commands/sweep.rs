@@ -5,7 +5,7 @@ use std::path::{Path, PathBuf};
 
 use giveway_solve::{Host, Progress};
 use giveway_sweep::table::write;
-use giveway_sweep::{Folder, Patience, Results, Row, Spec, Task, read, run as do_task};
+use giveway_sweep::{Folder, Patience, Results, Row, RowStatus, Spec, Task, read, run as do_task};
 use serde::Serialize;
 
 use crate::{
@@ -43,33 +43,49 @@ pub(crate) fn run(args: &Sweep, common: &Common) -> Result<Exit, Failure> {
     }
     let place = args.results.clone().unwrap_or_else(|| beside(&args.spec));
     let mut results = Results::open(&place, args.shard).map_err(refused)?;
+    if !results.is_locked() {
+        stream::note(&format!(
+            "{}: this file system has no locks; run each shard only once at a time.",
+            place.display()
+        ));
+    }
     let mut patience = Patience::of(&spec);
-    let mut counts: BTreeMap<_, usize> = BTreeMap::new();
+    let mut counts: BTreeMap<RowStatus, usize> = BTreeMap::new();
     for (index, task) in tasks.iter().enumerate() {
-        let known = results.of(&task.name());
-        let known = known.filter(|row| patience.accepts(task, row)).cloned();
-        let is_new = known.is_none();
-        let row = known.unwrap_or_else(|| done(task, &folder, &patience));
+        let known = results.of(&task.name()).cloned();
+        let row = match known {
+            Some(row) if patience.accepts(task, &row) => row,
+            known => {
+                let row = done(task, &folder, &patience);
+                if !common.quiet {
+                    stream::error_lines(&[told(index + 1, tasks.len(), &row)]);
+                }
+                if known.is_none_or(|known| !known.says(&row)) {
+                    results.add(row.clone()).map_err(refused)?;
+                }
+                row
+            }
+        };
         patience.note(task, &row);
         *counts.entry(row.status).or_default() += 1;
-        if is_new {
-            if !common.quiet {
-                stream::error_lines(&[told(index + 1, tasks.len(), &row)]);
-            }
-            results.add(row).map_err(refused)?;
-        }
     }
-    let counts = counts
-        .iter()
-        .map(|(status, count)| format!("{count} {}", status.word()));
-    let counts = counts.collect::<Vec<_>>().join(", ");
-    let text = format!(
-        "{} tasks: {counts}.\nResults are in {}.\n",
-        tasks.len(),
-        plain::text(&place.to_string_lossy())
-    );
+    let place = plain::text(&place.to_string_lossy());
+    let text = format!("{}\nResults are in {place}.\n", counted(&counts));
     stream::result(&text)?;
     Ok(Exit::Answered)
+}
+
+/// How many tasks ended how, as a sentence.
+fn counted(counts: &BTreeMap<RowStatus, usize>) -> String {
+    let count = match counts.values().sum() {
+        0 => return "There are no tasks to do.".to_owned(),
+        1 => "1 task".to_owned(),
+        count => format!("{count} tasks"),
+    };
+    let ends = counts
+        .iter()
+        .map(|(status, count)| format!("{count} {}", status.word()));
+    format!("{count}: {}.", ends.collect::<Vec<_>>().join(", "))
 }
 
 /// The row of a task, done now if it is to be done at all.
@@ -100,10 +116,14 @@ fn listed(task: &Task) -> Result<String, Failure> {
 
 fn told(number: usize, count: usize, row: &Row) -> String {
     let (task, status) = (plain::text(&row.task), row.status.word());
-    format!(
-        "{number} of {count}: {task}: {status} in {:.2} s",
-        row.took.wall_seconds
-    )
+    let seconds = row.took.wall_seconds;
+    match &row.reason {
+        Some(reason) if row.status == RowStatus::Error => {
+            let reason = plain::text(reason);
+            format!("{number} of {count}: {task}: {status}: {reason}")
+        }
+        _ => format!("{number} of {count}: {task}: {status} in {seconds:.2} s"),
+    }
 }
 
 fn refused(sentence: impl AsRef<str>) -> Failure {

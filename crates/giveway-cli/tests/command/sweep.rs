@@ -241,7 +241,7 @@ fn what_is_wrong_is_told_and_the_other_tasks_go_on() {
     .unwrap();
     folder.refuses("sweep typo.toml", &expect![[r#"
         exit 1
-        typo.toml: line 1, column 1: found unknown field `time-limt`, expected one of `instances`, `objectives`, `planners`, `time-limit`, `clock`, `conflict-limit`, `memory-limit`, `skip-after`, `certificates`, expected a sweep: instances, objectives, planners, limits
+        typo.toml: line 1, column 1: found unknown field `time-limt`, expected one of `instances`, `objectives`, `planners`, `time-limit`, `clock`, `conflict-limit`, `memory-limit`, `skip-after`, `certificates`
     "#]]);
     fs::write(
         folder.path("none.toml"),
@@ -281,4 +281,64 @@ fn what_is_wrong_is_told_and_the_other_tasks_go_on() {
     let wrong = folder.run("table spec-results");
     assert_eq!(wrong.exit, Some(1));
     assert!(wrong.err.contains("other.jsonl: line 1"), "{}", wrong.err);
+}
+
+#[test]
+fn what_could_not_be_read_is_told_and_tried_again() {
+    let folder = folder();
+    let spec = "skip-after = 1\nconflict-limit = 10000\n\
+        [[instances]]\nfiles = [\"*.scen\"]\nagents = [3, 4, 99]";
+    fs::write(folder.path("spec.toml"), spec).unwrap();
+    fs::rename(folder.path("empty-8-8.map"), folder.path("away")).unwrap();
+    let run = folder.run("sweep spec.toml");
+    assert!(run.out.contains("3 tasks: 3 error."), "{}", run.out);
+    assert!(run.err.contains(": error: empty-8-8.map: "), "{}", run.err);
+    let rows = || folder.read("spec-results/results-1-of-1.jsonl");
+    let before = rows();
+    let run = folder.run("sweep spec.toml");
+    assert_eq!(run.err.lines().count(), 3, "told again: {}", run.err);
+    assert_eq!(rows(), before, "what is the same is not written again");
+    fs::rename(folder.path("away"), folder.path("empty-8-8.map")).unwrap();
+    let run = folder.run("sweep spec.toml -q");
+    assert!(
+        run.answer().contains("3 tasks: 2 optimal, 1 error."),
+        "{}",
+        run.out
+    );
+    let table = folder.run("table spec-results --show success --to csv");
+    assert_eq!(
+        table.answer(),
+        "curve,agents,success rate\nsearch,3,1.000\nsearch,4,1.000\n"
+    );
+    fs::write(
+        folder.path("none.toml"),
+        spec.replace("[3, 4, 99]", "{ from = 2000 }"),
+    )
+    .unwrap();
+    let run = folder.run("sweep none.toml");
+    assert!(
+        run.answer().starts_with("There are no tasks to do.\n"),
+        "{}",
+        run.out
+    );
+}
+
+#[test]
+fn results_that_are_a_file_and_a_shard_that_runs_already_are_told() {
+    let folder = folder();
+    folder.refuses(
+        "sweep spec.toml --results impossible.json",
+        &expect![[r#"
+        exit 1
+        impossible.json: found a file, expected a folder of results
+    "#]],
+    );
+    let results = giveway_sweep::Results::open(&folder.path("r"), giveway_sweep::Shard::ALL);
+    let results = results.unwrap();
+    folder.refuses("sweep spec.toml --results r", &expect![[r#"
+        exit 1
+        r/results-1-of-1.jsonl: found a file that another process writes to, expected this shard to run once
+    "#]]);
+    drop(results);
+    folder.run("sweep spec.toml --results r -q").answer();
 }
