@@ -104,6 +104,11 @@ def test_what_would_not_be_heeded_is_refused() -> None:
     assert raised.value.place == "objective"
 
 
+def test_a_class_is_no_record() -> None:
+    with pytest.raises(BadInput, match="a value of the type type"):
+        giveway.solve(Scene)  # type: ignore[call-overload]
+
+
 def test_two_files_of_one_name_are_refused(tmp_path: Path) -> None:
     paths = [tmp_path / name / "a.json" for name in "bc"]
     for path in paths:

@@ -10,15 +10,12 @@ from giveway._misfit import Misfit, described
 
 
 def plain(value: Any) -> Any:
-    """A value as JSON can hold it.
-
-    Raises ``Misfit`` where it cannot.
-    """
+    """A value as JSON can hold it; where it cannot, ``Misfit`` is raised."""
     if value is None or isinstance(value, str):
         return value if value is None else _text(value)
     if isinstance(value, (int, float)):
         return _number(value)
-    if hasattr(value, "_plain"):
+    if hasattr(type(value), "_plain"):
         return value._plain()
     if isinstance(value, Mapping):
         return {_key(name): _within(name, item) for name, item in value.items()}
