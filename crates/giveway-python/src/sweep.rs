@@ -103,15 +103,21 @@ pub(crate) fn skipped(request: &TaskRequest) -> Row {
 
 /// Makes a table or a plot.
 pub(crate) fn table(request: &TableRequest) -> Result<String, Failure> {
-    let wrong = |found: String| {
-        Failure::new(
-            Code::BadText,
-            vec![Fault::at("results", found, "rows of a sweep")],
-        )
-    };
-    let rows = read(&request.results).map_err(wrong)?;
+    let rows = read(&request.results)
+        .map_err(|sentence| Failure::new(Code::BadText, vec![unreadable(&sentence)]))?;
     write(&rows, request.show, request.to).map_err(|sentence| {
         let found = sentence.trim_end_matches('.').to_owned();
         Failure::input(Fault::at("to", found, "markdown, csv or svg"))
     })
+}
+
+/// The fault of a sentence that has a file, and most often what was found in it and expected.
+fn unreadable(sentence: &str) -> Fault {
+    let (place, rest) = sentence
+        .split_once(": found ")
+        .unwrap_or(("results", sentence));
+    let (found, expected) = rest
+        .rsplit_once(", expected ")
+        .unwrap_or((rest, "rows of a sweep"));
+    Fault::at(place, found, expected)
 }

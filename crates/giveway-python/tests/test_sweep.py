@@ -69,6 +69,21 @@ def test_a_row_that_was_cut_off_is_written_again(spec: Path) -> None:
     assert rows(results) == whole
 
 
+def test_what_is_no_row_is_told_with_its_file_and_line(tmp_path: Path) -> None:
+    with pytest.raises(BadText) as raised:
+        sweep.table(tmp_path / "nowhere")
+    assert raised.value.place.endswith("nowhere") and str(raised.value).count("found ") == 1
+    for line in ("rows", "3", "{}"):
+        (tmp_path / "results-a.jsonl").write_text(line + "\n")
+        with pytest.raises(BadText) as raised:
+            sweep.Results(tmp_path, "b")
+        [fault] = raised.value.faults
+        assert (fault.place, fault.line) == (str(tmp_path / "results-a.jsonl"), 1)
+        with pytest.raises(BadText, match="line 1: found what is no row") as raised:
+            sweep.table(tmp_path)
+        assert raised.value.faults[0].expected.startswith("a row of a sweep")
+
+
 def test_a_cluster_of_which_a_worker_is_killed_has_the_table_of_one_process(spec: Path) -> None:
     distributed = pytest.importorskip("distributed")
     from giveway.sweep import dask
