@@ -4,10 +4,11 @@ import assert from "node:assert/strict";
 import { describe } from "node:test";
 
 import { adapt, begin, join, running } from "./change.mjs";
-import { flows } from "./flow.mjs";
+import { flows, sample } from "./flow.mjs";
 import { geometry } from "./geometry.mjs";
 import { eventually } from "./wait.mjs";
 
+const HARD = sample("mmapf/A17_mm_20x20_o15_a30.json");
 const OPENING = /^Optimal: makespan 18/;
 const screens = ["desktop"];
 const reducedMotion = "reduce";
@@ -52,6 +53,23 @@ describe("the layout", () => {
     assert.equal(await playground.tools.getByRole("button", { name: "Slow zone" }).getAttribute("aria-pressed"), "true");
     await playground.picture("lying");
   }, lying);
+
+  for (const [how, options] of [["stands", { screens: ["phone"], reducedMotion }], ["lies", lying]]) {
+    flow(`on a phone that ${how} all is in its place while a first plan is proved`, async (playground, { page }) => {
+      await playground.says(OPENING);
+      await page.getByRole("tab", { name: "Plan" }).click();
+      await playground.open(HARD);
+      await playground.press("Solve");
+      await playground.button("Pause").waitFor();
+      // Whichever tab was chosen: there are none now.
+      await playground.inspector.getByText("So far").waitFor();
+      const last = page.locator(".clock span");
+      assert.ok(await last.evaluate((words) => words.scrollWidth <= words.clientWidth), "the last time is cut off");
+      await areApart(page.locator(".wait > .transport"));
+      await playground.picture(`solving-${how}`);
+      await playground.press("Cancel");
+    }, options);
+  }
 
   for (const height of [664, 740, 844]) {
     flow(`an answer is read at once on a phone of ${height} pixels`, async (playground, { page }) => {

@@ -201,7 +201,8 @@ export class Playground {
 
   /** Whether the page has the form of a phone. */
   isPhone() {
-    return this.page.viewportSize().width <= 720;
+    const { width, height } = this.page.viewportSize();
+    return width <= 720 || height <= 480;
   }
 
   /** Shows one of the places that a phone has in turn. */

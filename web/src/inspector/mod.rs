@@ -55,8 +55,9 @@ pub fn Inspector(props: &InspectorProps) -> Html {
     let elsewhere = elsewhere.filter(|_| state.view.selection == Selection::Nothing);
     let step = giveway_page::inside::column(state);
     let step = step.filter(|_| state.view.selection == Selection::Nothing);
-    // Without a plan a phone has no tabs: this place is all there is.
-    let alone = (state.plan().is_none() && !state.is_inside()).then_some("alone");
+    // Without a plan that has lanes a phone has no tabs: this place is all there is.
+    let has_lanes = state.plan().is_some() && state.awaited().is_none();
+    let alone = (!has_lanes && !state.is_inside()).then_some("alone");
     html! {
         <aside class={classes!("insp", alone)} id="inspector" aria-label={tr!("Inspector")}>
             if let Some(column) = step {

@@ -60,8 +60,7 @@ pub fn Dock(props: &DockProps) -> Html {
     if state.is_inside() {
         return html! { <Inside ..props.clone() /> };
     }
-    let run = state.work.solving();
-    if let Some(run) = run.filter(|_| waits(state)) {
+    if let Some(run) = state.awaited() {
         let plays = state.so_far().is_some();
         return html! {
             <section class={classes!("dock", "wait", "calm", plays.then_some("plays"))} aria-label={tr!("Timeline")}>
@@ -129,13 +128,6 @@ pub fn Dock(props: &DockProps) -> Html {
             </div>
         </section>
     }
-}
-
-/// Whether the bounds of a search stand where the lanes will be: no plan had lanes
-/// before it began.
-fn waits(state: &Shown) -> bool {
-    let is_new = state.so_far().is_some() && state.document.fresh_answer().is_none();
-    is_new || state.playing().is_none()
 }
 
 fn is_low_window() -> bool {

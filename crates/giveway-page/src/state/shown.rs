@@ -7,7 +7,7 @@ use giveway_model::Plan;
 use crate::audit::Beside;
 use crate::planners::Runs;
 use crate::steering::Steering;
-use crate::{Answer, Draft, Mode, State, Task};
+use crate::{Answer, Draft, Mode, Solving, State, Task};
 
 impl State {
     /// Whether more of an answer to the question is being looked for.
@@ -30,6 +30,14 @@ impl State {
         let run = self.work.solving()?;
         let is_shown = self.document.mode == Mode::Editing;
         run.preview.as_ref().filter(|_| is_shown)
+    }
+
+    /// The search whose bounds stand where the lanes will be: no plan had lanes before it
+    /// began. Meanwhile there are no tabs either.
+    pub fn awaited(&self) -> Option<&Solving> {
+        let is_new = self.so_far().is_some() && self.document.fresh_answer().is_none();
+        let waits = (is_new || self.playing().is_none()) && !self.is_inside();
+        self.work.solving().filter(|_| waits)
     }
 
     /// Whether the board shows a plan that is gone when the page is opened again: one of

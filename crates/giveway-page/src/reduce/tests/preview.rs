@@ -94,6 +94,18 @@ fn the_first_plan_plays_at_once() {
 }
 
 #[test]
+fn the_bounds_of_a_first_search_have_the_place_of_the_lanes() {
+    let begun = begun();
+    assert!(begun.awaited().is_some());
+    let planned = tell(&begun, later(2));
+    assert!(planned.awaited().is_some(), "its plan is not the answer");
+    let stopped = after(&planned, [Action::Solve(SolveAction::Cancel)]);
+    assert!(stopped.awaited().is_none());
+    let again = after(&stopped, [Action::Solve(SolveAction::Solve)]);
+    assert!(again.awaited().is_none(), "there are lanes already");
+}
+
+#[test]
 fn a_better_plan_waits_until_no_robot_would_jump() {
     let first = tell(&begun(), later(3));
     let shown = Rc::clone(first.so_far().unwrap());
