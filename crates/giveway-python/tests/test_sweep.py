@@ -84,6 +84,24 @@ def test_what_is_no_row_is_told_with_its_file_and_line(tmp_path: Path) -> None:
         assert raised.value.faults[0].expected.startswith("a row of a sweep")
 
 
+def test_what_could_not_be_read_is_tried_again_and_is_no_miss(spec: Path) -> None:
+    from giveway.sweep._chains import chains
+
+    spec.write_text("skip-after = 1\n" + SPEC.replace("to = 25", "to = 2"))
+    every = sweep.tasks(spec)
+    with sweep.Results(spec.parent / "results", "here") as kept:
+        chain = chains(every, kept, None)[0]
+        first = chain.next()
+        assert first is not None
+        row = sweep.run(first)
+        chain.keep({**row, "status": "error"})
+        second = chain.next()
+        assert second is not None and second.series == first.series, "not skipped"
+        assert chains(every, kept, None)[0].next() == first
+        kept.add(row)
+        assert chains(every, kept, None)[0].next() == second
+
+
 def test_a_cluster_of_which_a_worker_is_killed_has_the_table_of_one_process(spec: Path) -> None:
     distributed = pytest.importorskip("distributed")
     from giveway.sweep import dask

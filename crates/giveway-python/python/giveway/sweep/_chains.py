@@ -36,7 +36,8 @@ class Chain:
             task = self._left.pop()
             skips = self._skip_after is not None and self._misses >= self._skip_after
             known = self._kept.done.get(task.name)
-            if known is not None and (skips or known["status"] != "skipped"):
+            # What was skipped, or could not be read, may be worth trying now.
+            if known is not None and (skips or known["status"] not in ("skipped", "error")):
                 self._note(known)
             elif skips:
                 self.keep(sweep.skipped(task))
@@ -45,7 +46,8 @@ class Chain:
         return None
 
     def _note(self, row: Row) -> None:
-        self._misses = 0 if sweep.is_success(row) else self._misses + 1
+        if row["status"] != "error":  # without an instance no planner missed anything
+            self._misses = 0 if sweep.is_success(row) else self._misses + 1
 
 
 def chains(every: Sweep, kept: Results, on_row: OnRow | None) -> list[Chain]:
