@@ -9,6 +9,7 @@ use std::fs::{self, File, OpenOptions, TryLockError};
 use std::io::{self, Read, Write};
 use std::path::{Path, PathBuf};
 
+use crate::read::{at, read, whole};
 use crate::{Row, RowStatus, Shard};
 
 /// The rows of a sweep.
@@ -89,10 +90,6 @@ impl Drop for Results {
     }
 }
 
-fn at(path: &Path, error: &io::Error) -> String {
-    format!("{}: {error}", path.display())
-}
-
 /// Whether there is a lock now; a file system that has none is no fault of anybody.
 fn is_locked(lock: &Result<(), TryLockError>, path: &Path) -> Result<bool, String> {
     match lock {
@@ -139,95 +136,87 @@ fn cut_off(file: &mut File) -> io::Result<()> {
     Ok(())
 }
 
-/// What ends with an end of a line. What follows may end within a letter.
-fn whole(bytes: &[u8]) -> &[u8] {
-    let last = bytes.iter().rposition(|&byte| byte == b'\n');
-    last.map_or(&[], |last| &bytes[..=last])
-}
-
-/// The rows of files and folders, those of one task once, in the order of their tasks'
-/// names.
-///
-/// # Errors
-/// When something cannot be read, or a line is no row.
-pub fn read(paths: &[PathBuf]) -> Result<Vec<Row>, String> {
-    let mut rows: BTreeMap<String, Row> = BTreeMap::new();
-    for path in paths {
-        for path in files_of(path)? {
-            for row in rows_of(&path)? {
-                let known = rows.get(&row.task);
-                if known.is_none_or(|known| replaces(&row, known)) {
-                    rows.insert(row.task.clone(), row);
-                }
-            }
-        }
-    }
-    Ok(rows.into_values().collect())
-}
-
-/// Whether a row says more than another one of its task: what was skipped may have been
-/// tried since, and what could not be read may have been there later.
-fn replaces(row: &Row, known: &Row) -> bool {
-    let rank = |row: &Row| match row.status {
-        RowStatus::Skipped => 0,
-        RowStatus::Error => 1,
-        _ => 2,
-    };
-    rank(known) < 2 && rank(row) >= rank(known)
-}
-
-/// The rows of a file.
-fn rows_of(path: &Path) -> Result<Vec<Row>, String> {
-    let bytes = fs::read(path).map_err(|error| match error.kind() {
-        io::ErrorKind::NotFound => format!(
-            "{}: found no file of this name, expected a file or a folder of results",
-            path.display()
-        ),
-        _ => at(path, &error),
-    })?;
-    let wrong = |number: usize, found: String| {
-        format!(
-            "{}: line {number}: found what is no row ({found}), expected a row of a sweep; \
-            without this line its task is done again",
-            path.display()
-        )
-    };
-    let mut rows = Vec::new();
-    for (index, line) in whole(&bytes).split(|&byte| byte == b'\n').enumerate() {
-        let line = std::str::from_utf8(line)
-            .map_err(|_| wrong(index + 1, "its letters are not UTF-8".to_owned()))?;
-        let line = line.trim_start_matches('\u{feff}').trim();
-        if line.is_empty() {
-            continue;
-        }
-        let row: Row = serde_json::from_str(line).map_err(|error| {
-            let error = error.to_string();
-            wrong(index + 1, error.replace(" at line 1 column", " at column"))
-        })?;
-        rows.push(row);
-    }
-    Ok(rows)
-}
-
-/// The files of a folder that hold rows, or the file itself. Hidden ones, which editors and
-/// other systems leave, hold none.
-fn files_of(path: &Path) -> Result<Vec<PathBuf>, String> {
-    if !path.is_dir() {
-        return Ok(vec![path.to_owned()]);
-    }
-    let entries = fs::read_dir(path).map_err(|error| at(path, &error))?;
-    let mut files = Vec::new();
-    for entry in entries {
-        let entry = entry.map_err(|error| at(path, &error))?;
-        let is_hidden = entry.file_name().to_string_lossy().starts_with('.');
-        let path = entry.path();
-        if !is_hidden && path.extension().is_some_and(|ending| ending == "jsonl") {
-            files.push(path);
-        }
-    }
-    files.sort();
-    Ok(files)
-}
-
 #[cfg(test)]
-mod tests;
+mod tests {
+    use super::*;
+    use crate::read::tests::row;
+
+    #[test]
+    fn what_is_done_is_known_and_half_a_row_is_cut_off() {
+        let folder = tempfile::tempdir().unwrap();
+        let shard = Shard::new(1, 2).unwrap();
+        let other = Shard::new(2, 2).unwrap();
+        let mut results = Results::open(folder.path(), shard).unwrap();
+        results.add(row("a")).unwrap();
+        let locked = Results::open(folder.path(), shard).unwrap_err();
+        assert!(locked.contains("another process"), "{locked}");
+        drop(results);
+        let path = folder.path().join(shard.file());
+        let whole = fs::read_to_string(&path).unwrap();
+        fs::write(&path, format!("{whole}{}", &line(&row("b")).unwrap()[..20])).unwrap();
+
+        let mut results = Results::open(folder.path(), shard).unwrap();
+        assert!(results.of(&row("a").task).is_some());
+        assert!(results.of(&row("b").task).is_none());
+        results.add(row("b")).unwrap();
+        let mut others = Results::open(folder.path(), other).unwrap();
+        assert!(
+            others.of(&row("b").task).is_some(),
+            "done by the other shard"
+        );
+        others.add(row("c")).unwrap();
+        let rows = read(&[folder.path().to_owned(), path.clone()]).unwrap();
+        let names: Vec<&str> = rows.iter().map(|row| row.instance.as_str()).collect();
+        assert_eq!(names, ["a", "b", "c"]);
+
+        others
+            .add(Row {
+                status: RowStatus::Skipped,
+                ..row("d")
+            })
+            .unwrap();
+        others.add(row("d")).unwrap();
+        let rows = read(&[folder.path().to_owned()]).unwrap();
+        assert_eq!(rows[3].status, RowStatus::Unknown, "tried since");
+
+        fs::write(&path, "{}\n").unwrap();
+        let wrong = read(&[path]).unwrap_err();
+        assert!(wrong.contains("line 1"), "{wrong}");
+    }
+
+    #[test]
+    fn a_file_that_was_taken_away_is_made_again() {
+        let folder = tempfile::tempdir().unwrap();
+        let mut results = Results::open(folder.path(), Shard::ALL).unwrap();
+        assert!(results.is_locked());
+        results.add(row("a")).unwrap();
+        fs::remove_file(folder.path().join(Shard::ALL.file())).unwrap();
+        results.add(row("b")).unwrap();
+        let rows = read(&[folder.path().to_owned()]).unwrap();
+        assert_eq!(rows[0].instance, "b");
+    }
+
+    #[test]
+    fn a_file_system_without_locks_is_told_from_a_second_process() {
+        let path = Path::new("results-1-of-1.jsonl");
+        let none = TryLockError::Error(io::Error::from(io::ErrorKind::Unsupported));
+        assert_eq!(is_locked(&Err(none), path), Ok(false));
+        assert_eq!(is_locked(&Ok(()), path), Ok(true));
+        let second = is_locked(&Err(TryLockError::WouldBlock), path).unwrap_err();
+        assert!(second.contains("another process"), "{second}");
+    }
+
+    /// Every write to this device fails, as on a disk that is full.
+    #[cfg(target_os = "linux")]
+    #[test]
+    fn a_full_disk_is_told_and_leaves_no_half_row() {
+        let folder = tempfile::tempdir().unwrap();
+        let mut results = Results::open(folder.path(), Shard::ALL).unwrap();
+        let path = folder.path().join(Shard::ALL.file());
+        fs::remove_file(&path).unwrap();
+        std::os::unix::fs::symlink("/dev/full", &path).unwrap();
+        let full = results.add(row("a")).unwrap_err();
+        assert!(full.contains("results-1-of-1.jsonl: No space"), "{full}");
+        assert!(results.of(&row("a").task).is_none());
+    }
+}
