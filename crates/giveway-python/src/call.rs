@@ -105,6 +105,7 @@ fn called(function: &str, text: &str, host: &dyn Host) -> Result<String, Failure
         "sweep-tasks" => return write(&sweep::tasks(&read(text)?)?),
         "sweep-run" => return write(&sweep::row(&read(text)?, host)),
         "sweep-skipped" => return write(&sweep::skipped(&read(text)?)),
+        "sweep-rows" => return write(&sweep::rows(&read(text)?)?),
         "sweep-table" => return write(&sweep::table(&read(text)?)?),
         _ => {
             let found = format!("the unknown function \"{function}\"");

@@ -6,7 +6,7 @@ use giveway_model::Fault;
 use giveway_model::format::read_text;
 use giveway_solve::Host;
 use giveway_sweep::table::{Show, Written, write};
-use giveway_sweep::{Folder, Row, Spec, Task, read, run};
+use giveway_sweep::{Folder, Row, Spec, Task, Unreadable, read, run};
 use serde::{Deserialize, Serialize};
 
 use crate::call::{Code, Failure};
@@ -52,6 +52,13 @@ pub(crate) struct TableRequest {
     results: Vec<PathBuf>,
     show: Show,
     to: Written,
+}
+
+/// Files and folders of rows.
+#[derive(Deserialize)]
+#[serde(deny_unknown_fields)]
+pub(crate) struct RowsRequest {
+    results: Vec<PathBuf>,
 }
 
 /// Lists the tasks.
@@ -101,23 +108,23 @@ pub(crate) fn skipped(request: &TaskRequest) -> Row {
     Row::skipped(&request.task)
 }
 
+/// The rows of files and folders, those of one task once.
+pub(crate) fn rows(request: &RowsRequest) -> Result<Vec<Row>, Failure> {
+    known(&request.results)
+}
+
+fn known(results: &[PathBuf]) -> Result<Vec<Row>, Failure> {
+    read(results).map_err(|Unreadable { file, fault }| {
+        let fault = fault.in_file(&file.to_string_lossy());
+        Failure::new(Code::BadText, vec![fault])
+    })
+}
+
 /// Makes a table or a plot.
 pub(crate) fn table(request: &TableRequest) -> Result<String, Failure> {
-    let rows = read(&request.results)
-        .map_err(|sentence| Failure::new(Code::BadText, vec![unreadable(&sentence)]))?;
+    let rows = known(&request.results)?;
     write(&rows, request.show, request.to).map_err(|sentence| {
         let found = sentence.trim_end_matches('.').to_owned();
         Failure::input(Fault::at("to", found, "markdown, csv or svg"))
     })
-}
-
-/// The fault of a sentence that has a file, and most often what was found in it and expected.
-fn unreadable(sentence: &str) -> Fault {
-    let (place, rest) = sentence
-        .split_once(": found ")
-        .unwrap_or(("results", sentence));
-    let (found, expected) = rest
-        .rsplit_once(", expected ")
-        .unwrap_or((rest, "rows of a sweep"));
-    Fault::at(place, found, expected)
 }

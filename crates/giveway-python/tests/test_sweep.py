@@ -75,13 +75,25 @@ def test_what_is_no_row_is_told_with_its_file_and_line(tmp_path: Path) -> None:
     assert raised.value.place.endswith("nowhere") and str(raised.value).count("found ") == 1
     for line in ("rows", "3", "{}"):
         (tmp_path / "results-a.jsonl").write_text(line + "\n")
-        with pytest.raises(BadText) as raised:
-            sweep.Results(tmp_path, "b")
-        [fault] = raised.value.faults
-        assert (fault.place, fault.line) == (str(tmp_path / "results-a.jsonl"), 1)
-        with pytest.raises(BadText, match="line 1: found what is no row") as raised:
-            sweep.table(tmp_path)
-        assert raised.value.faults[0].expected.startswith("a row of a sweep")
+        for read in (lambda: sweep.Results(tmp_path, "b"), lambda: sweep.table(tmp_path)):
+            with pytest.raises(BadText, match="found what is no row") as raised:
+                read()
+            [fault] = raised.value.faults
+            assert (fault.place, fault.line) == (str(tmp_path / "results-a.jsonl"), 1)
+            assert fault.expected.startswith("a row of a sweep")
+
+
+def test_rows_are_known_as_the_command_knows_them(spec: Path) -> None:
+    spec.write_text(SPEC.replace("to = 25", "to = 1"))
+    results = spec.parent / "results"
+    task = sweep.tasks(spec).tasks[0]
+    with sweep.Results(results, "a") as kept:
+        kept.add(sweep.run(task))
+    with sweep.Results(results, "b") as kept:
+        kept.add(sweep.skipped(task))
+    (results / "._results-b.jsonl").write_bytes(b"\0\n")
+    with sweep.Results(results, "c") as kept:
+        assert kept.done[task.name]["status"] == "optimal", "what was tried stays"
 
 
 def test_what_could_not_be_read_is_tried_again_and_is_no_miss(spec: Path) -> None:

@@ -41,7 +41,7 @@ pub use certificate::{Certificates, RowCertificate};
 pub use clock::Clock;
 pub use folder::{Folder, Loaded};
 pub use patience::Patience;
-pub use read::read;
+pub use read::{Unreadable, read};
 pub use results::{Results, line};
 pub use row::{Row, RowStatus, Took};
 pub use run::run;

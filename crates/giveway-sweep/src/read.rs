@@ -1,18 +1,50 @@
 //! Rows read again: those of files and folders, whole lines only.
 
 use std::collections::BTreeMap;
+use std::fmt;
 use std::fs;
 use std::io;
 use std::path::{Path, PathBuf};
 
+use giveway_model::Fault;
+
 use crate::{Row, RowStatus};
+
+/// A file of rows that cannot be read.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Unreadable {
+    /// The file, or the folder.
+    pub file: Box<Path>,
+    /// What is wrong with it, with its line where it is a line.
+    pub fault: Fault,
+}
+
+impl fmt::Display for Unreadable {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(f, "{}: {}", self.file.display(), self.fault)
+    }
+}
+
+impl Unreadable {
+    fn new(file: &Path, error: &io::Error) -> Self {
+        let expected = "a file or a folder of results";
+        let found = match error.kind() {
+            io::ErrorKind::NotFound => "no file of this name".to_owned(),
+            _ => format!("\"{error}\" on reading"),
+        };
+        Self {
+            file: file.into(),
+            fault: Fault::at("", found, expected),
+        }
+    }
+}
 
 /// The rows of files and folders, those of one task once, in the order of their tasks'
 /// names.
 ///
 /// # Errors
 /// When something cannot be read, or a line is no row.
-pub fn read(paths: &[PathBuf]) -> Result<Vec<Row>, String> {
+pub fn read(paths: &[PathBuf]) -> Result<Vec<Row>, Unreadable> {
     let mut rows: BTreeMap<String, Row> = BTreeMap::new();
     for path in paths {
         for path in files_of(path)? {
@@ -39,32 +71,29 @@ fn replaces(row: &Row, known: &Row) -> bool {
 }
 
 /// The rows of a file.
-fn rows_of(path: &Path) -> Result<Vec<Row>, String> {
-    let bytes = fs::read(path).map_err(|error| match error.kind() {
-        io::ErrorKind::NotFound => format!(
-            "{}: found no file of this name, expected a file or a folder of results",
-            path.display()
-        ),
-        _ => at(path, &error),
-    })?;
-    let wrong = |number: usize, found: String| {
-        format!(
-            "{}: line {number}: found what is no row ({found}), expected a row of a sweep; \
-            without this line its task is done again",
-            path.display()
-        )
+fn rows_of(path: &Path) -> Result<Vec<Row>, Unreadable> {
+    let bytes = fs::read(path).map_err(|error| Unreadable::new(path, &error))?;
+    let wrong = |index: usize, why: &str| {
+        let found = format!("what is no row ({why})");
+        let expected = "a row of a sweep; without this line its task is done again";
+        let mut fault = Fault::at("", found, expected);
+        fault.line = Some(index + 1);
+        Unreadable {
+            file: path.into(),
+            fault,
+        }
     };
     let mut rows = Vec::new();
     for (index, line) in whole(&bytes).split(|&byte| byte == b'\n').enumerate() {
-        let line = std::str::from_utf8(line)
-            .map_err(|_| wrong(index + 1, "its letters are not UTF-8".to_owned()))?;
+        let line =
+            std::str::from_utf8(line).map_err(|_| wrong(index, "its letters are not UTF-8"))?;
         let line = line.trim_start_matches('\u{feff}').trim();
         if line.is_empty() {
             continue;
         }
         let row: Row = serde_json::from_str(line).map_err(|error| {
             let error = error.to_string();
-            wrong(index + 1, error.replace(" at line 1 column", " at column"))
+            wrong(index, &error.replace(" at line 1 column", " at column"))
         })?;
         rows.push(row);
     }
@@ -73,14 +102,14 @@ fn rows_of(path: &Path) -> Result<Vec<Row>, String> {
 
 /// The files of a folder that hold rows, or the file itself. Hidden ones, which editors and
 /// other systems leave, hold none.
-fn files_of(path: &Path) -> Result<Vec<PathBuf>, String> {
+fn files_of(path: &Path) -> Result<Vec<PathBuf>, Unreadable> {
     if !path.is_dir() {
         return Ok(vec![path.to_owned()]);
     }
-    let entries = fs::read_dir(path).map_err(|error| at(path, &error))?;
+    let entries = fs::read_dir(path).map_err(|error| Unreadable::new(path, &error))?;
     let mut files = Vec::new();
     for entry in entries {
-        let entry = entry.map_err(|error| at(path, &error))?;
+        let entry = entry.map_err(|error| Unreadable::new(path, &error))?;
         let is_hidden = entry.file_name().to_string_lossy().starts_with('.');
         let path = entry.path();
         if !is_hidden && path.extension().is_some_and(|ending| ending == "jsonl") {
@@ -95,11 +124,6 @@ fn files_of(path: &Path) -> Result<Vec<PathBuf>, String> {
 pub(crate) fn whole(bytes: &[u8]) -> &[u8] {
     let last = bytes.iter().rposition(|&byte| byte == b'\n');
     last.map_or(&[], |last| &bytes[..=last])
-}
-
-/// What is wrong with a file.
-pub(crate) fn at(path: &Path, error: &io::Error) -> String {
-    format!("{}: {error}", path.display())
 }
 
 #[cfg(test)]

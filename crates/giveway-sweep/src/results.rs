@@ -9,7 +9,7 @@ use std::fs::{self, File, OpenOptions, TryLockError};
 use std::io::{self, Read, Write};
 use std::path::{Path, PathBuf};
 
-use crate::read::{at, read, whole};
+use crate::read::{read, whole};
 use crate::{Row, RowStatus, Shard};
 
 /// The rows of a sweep.
@@ -46,7 +46,7 @@ impl Results {
         let own = options.open(&path);
         own.and_then(|mut own| cut_off(&mut own))
             .map_err(|error| at(&path, &error))?;
-        let rows = read(&[folder.to_owned()])?;
+        let rows = read(&[folder.to_owned()]).map_err(|wrong| wrong.to_string())?;
         let done = rows
             .into_iter()
             .map(|row| (row.task.clone(), row))
@@ -116,6 +116,11 @@ fn append(path: &Path, line: &[u8], wait: bool) -> io::Result<()> {
     written
 }
 
+/// What is wrong with a file.
+fn at(path: &Path, error: &io::Error) -> String {
+    format!("{}: {error}", path.display())
+}
+
 /// A row as a line, with its end.
 ///
 /// # Errors
@@ -180,8 +185,8 @@ mod tests {
         assert_eq!(rows[3].status, RowStatus::Unknown, "tried since");
 
         fs::write(&path, "{}\n").unwrap();
-        let wrong = read(&[path]).unwrap_err();
-        assert!(wrong.contains("line 1"), "{wrong}");
+        let wrong = read(std::slice::from_ref(&path)).unwrap_err();
+        assert_eq!((&*wrong.file, wrong.fault.line), (path.as_path(), Some(1)));
     }
 
     #[test]

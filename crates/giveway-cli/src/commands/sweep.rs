@@ -138,7 +138,7 @@ fn beside(spec: &Path) -> PathBuf {
 
 /// Writes tables and plots.
 pub(crate) fn table(args: &Table) -> Result<Exit, Failure> {
-    let rows = read(&args.results).map_err(refused)?;
+    let rows = read(&args.results).map_err(|wrong| refused(wrong.to_string()))?;
     if rows.is_empty() {
         return Err(refused(
             "There are no results in it; giveway sweep writes them into files that end in .jsonl.",

@@ -9,7 +9,7 @@ from __future__ import annotations
 
 import json
 import os
-from collections.abc import Iterable, Iterator
+from collections.abc import Iterable
 from dataclasses import dataclass
 from os import PathLike
 from pathlib import Path
@@ -17,7 +17,6 @@ from types import TracebackType
 from typing import Any, Literal, Union
 
 from giveway._door import call
-from giveway.errors import BadText, Fault
 
 __all__ = ["AnyPath", "Results", "Row", "Show", "Sweep", "Task", "run", "skipped", "table", "tasks"]
 
@@ -95,22 +94,20 @@ class Results:
         """Opens a folder, made if there is none; nobody else may append under the same name."""
         self.folder = Path(folder)
         self.folder.mkdir(parents=True, exist_ok=True)
-        self.done = {row["task"]: row for row in self._rows()}
+        rows: list[Row] = call("sweep-rows", {"results": [str(self.folder)]})
+        #: The rows of the folder by their tasks' names, whoever wrote them.
+        self.done = {row["task"]: row for row in rows}
         path = self.folder / f"results-{name}.jsonl"
         self._file = path.open("ab+")
         self._file.seek(0)
         self._file.truncate(self._file.read().rfind(b"\n") + 1)
 
-    def _rows(self) -> Iterator[Row]:
-        for path in sorted(self.folder.glob("*.jsonl")):
-            # What is behind the last end of a line was not written whole.
-            for number, line in enumerate(path.read_bytes().split(b"\n")[:-1], 1):
-                yield _row(line, path, number)
-
     def add(self, row: Row) -> None:
-        """Appends a row."""
+        """Appends a row. When it returns, the row has reached the disk, but for one that was skipped."""
         self._file.write(json.dumps(row, separators=(",", ":")).encode() + b"\n")
         self._file.flush()
+        if row["status"] != "skipped":
+            os.fsync(self._file.fileno())
         self.done[row["task"]] = row
 
     def __enter__(self) -> Results:
@@ -120,17 +117,6 @@ class Results:
         self, kind: type[BaseException] | None, error: BaseException | None, trace: TracebackType | None,
     ) -> None:
         self._file.close()
-
-
-def _row(line: bytes, path: Path, number: int) -> Row:
-    try:
-        row = json.loads(line)
-    except ValueError:
-        row = None
-    if not isinstance(row, dict) or "task" not in row:
-        expected = "a row of a sweep; without this line its task is done again"
-        raise BadText((Fault("what is no row", expected, place=str(path), line=number),))
-    return row
 
 
 def table(results: AnyPath | Iterable[AnyPath], show: Show = "summary", to: Written = "markdown") -> str:
