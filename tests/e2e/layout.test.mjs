@@ -6,7 +6,7 @@ import { describe } from "node:test";
 import { adapt, begin, join, running } from "./change.mjs";
 import { flows, sample } from "./flow.mjs";
 import { geometry } from "./geometry.mjs";
-import { eventually } from "./wait.mjs";
+import { eventually, still } from "./wait.mjs";
 
 const HARD = sample("mmapf/A17_mm_20x20_o15_a30.json");
 const OPENING = /^Optimal: makespan 18/;
@@ -205,7 +205,8 @@ describe("the layout", () => {
     const fit = page.getByRole("button", { name: "Fit", exact: true });
     assert.equal(await fit.count(), 0);
     const wide = async () => (await playground.cell(4, 0).boundingBox()).width;
-    const before = await wide();
+    await playground.pause();
+    const before = await still("the board", wide);
     const session = await context.newCDPSession(page);
     const touch = (type, ...at) => session.send("Input.dispatchTouchEvent", { type, touchPoints: at.map(({ x, y }, id) => ({ x, y, id })) });
     const { x, y } = await playground.middleOf(4, 0);

@@ -23,3 +23,14 @@ export async function eventually(what, read, accept = Boolean, patience = PATIEN
   } while (Date.now() < end);
   assert.fail(`waited for ${what}, found ${JSON.stringify(last)}`);
 }
+
+/** Reads until the same number comes five times in a row, and gives it. */
+export function still(what, read) {
+  let before;
+  let times = 0;
+  return eventually(`${what} to stand still`, read, (now) => {
+    times = now === before ? times + 1 : 1;
+    before = now;
+    return times === 5;
+  });
+}

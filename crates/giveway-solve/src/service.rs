@@ -112,7 +112,11 @@ impl Refusal {
             Self::Request { fault } => vec![fault],
             Self::Plan { violations } => violations
                 .into_iter()
-                .map(|v| Fault::at("plan", v.message, "a plan that breaks no rule"))
+                .map(|violation| {
+                    // It is a sentence, so it is quoted.
+                    let found = format!("\"{}\"", violation.message);
+                    Fault::at("plan", found, "a plan that breaks no rule")
+                })
                 .collect(),
             Self::Question { misfit } => vec![misfit.fault().of_part("question")],
         }
