@@ -3,7 +3,10 @@
 //! An agent that drives out of its way mostly does so for another one: both are taken out
 //! of the plan, and planned one after the other in each order.
 
-use super::{Driving, EXPANSION_LIMIT, Plan, search::Query};
+use super::{
+    Driving, EXPANSION_LIMIT, Plan,
+    search::{self, Query},
+};
 use crate::{
     AgentId,
     budget::{Budget, Stop},
@@ -52,13 +55,13 @@ impl Plan<'_> {
             calmer_than: None,
             expansion_limit: EXPANSION_LIMIT,
         };
-        let alone = super::search::plan_one(
+        let alone = search::plan_one(
             self.problem,
             &Reservations::new(self.problem),
             query,
             budget,
         )?;
-        let met = alone.map(|walk| self.others.met_by(agent, &walk));
+        let met = alone.walk.map(|walk| self.others.met_by(agent, &walk));
         let mut partners: Vec<AgentId> = met.into_iter().flatten().collect();
         if agents.len() <= FEW {
             let more: Vec<AgentId> = agents
@@ -71,15 +74,18 @@ impl Plan<'_> {
         partners.retain(|other| *other != agent && agents.contains(other));
         let mut groups = Vec::new();
         for &partner in &partners {
-            groups.push(vec![partner, agent]);
-            groups.push(vec![agent, partner]);
+            groups.extend([vec![partner, agent], vec![agent, partner]]);
         }
         if partners.len() > 1 {
             partners.truncate(GROUP - 1);
-            let mut last = partners.clone();
-            last.push(agent);
             partners.insert(0, agent);
-            groups.extend([last, partners]);
+            groups.extend(if agents.len() <= FEW {
+                orders(&partners)
+            } else {
+                let mut reversed = partners.clone();
+                reversed.reverse();
+                vec![reversed, partners]
+            });
         }
         Ok(groups)
     }
@@ -103,7 +109,9 @@ impl Plan<'_> {
         }
         for (&agent, walk) in group.iter().zip(if better { new } else { old }) {
             self.others.add(agent, &walk);
-            self.walks[agent] = walk;
+            if better {
+                self.replace(agent, walk);
+            }
         }
         found
     }
@@ -122,24 +130,46 @@ impl Plan<'_> {
         let least: u32 = group.iter().map(|&agent| optimum(agent)).sum();
         let mut spare = sum.saturating_sub(least);
         let shares = self.objective.costs().contains(&Cost::SumOfCosts);
+        let allowed = group.iter().map(|&agent| self.allowance(agent).waits);
+        let mut waits: Option<u32> = allowed.sum();
         for &agent in group {
             let mut allowance = self.allowance(agent);
             if shares {
                 allowance.latest = self.makespan.min(optimum(agent).saturating_add(spare));
             }
+            allowance.waits = waits;
             let query = Query {
                 agent,
                 allowance,
                 calmer_than: None,
                 expansion_limit: EXPANSION_LIMIT,
             };
-            let Some(walk) = self.search(query, budget)? else {
+            let found = search::plan_one(self.problem, &self.others, query, budget)?;
+            let Some(walk) = found.walk else {
                 return Ok(false);
             };
             spare = spare.saturating_sub(arrival(&walk).saturating_sub(optimum(agent)));
+            let waited = Driving::of(self.problem, &walk).waits;
+            waits = waits.map(|waits| waits.saturating_sub(waited));
             self.others.add(agent, &walk);
             new.push(walk);
         }
         Ok(Driving::of_all(self.problem, new) < before)
     }
+}
+
+/// All orders of some agents.
+fn orders(agents: &[AgentId]) -> Vec<Vec<AgentId>> {
+    let Some((&first, rest)) = agents.split_first() else {
+        return vec![Vec::new()];
+    };
+    let mut all = Vec::new();
+    for order in orders(rest) {
+        for place in 0..=order.len() {
+            let mut order = order.clone();
+            order.insert(place, first);
+            all.push(order);
+        }
+    }
+    all
 }

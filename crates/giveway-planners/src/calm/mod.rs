@@ -14,6 +14,7 @@ mod search;
 mod tests;
 
 use std::cmp::Reverse;
+use std::collections::BTreeSet;
 
 use giveway_model::{Costs, Objective, sorting::sort_by_key};
 
@@ -26,14 +27,14 @@ use crate::{
 };
 use allowance::Allowance;
 pub use driving::Driving;
-use search::Query;
+use search::{Found, Query};
 
 /// States to look at in all: for few agents, for each further one, and at most.
-const STATES: u64 = 150_000;
+const STATES: u64 = 300_000;
 const STATES_PER_AGENT: u64 = 2_000;
-const MOST_STATES: u64 = 600_000;
+const MOST_STATES: u64 = 1_000_000;
 /// States to look at for one agent at once.
-const EXPANSION_LIMIT: u32 = 20_000;
+const EXPANSION_LIMIT: u32 = 100_000;
 
 /// A plan with the same costs in the objective, or lower ones, that is at least as calm.
 /// Only the agents that `may_change` get other walks. A plan for which nothing better is
@@ -75,6 +76,9 @@ struct Plan<'p> {
     others: Reservations<'p>,
     /// No agent arrives later than this.
     makespan: u32,
+    /// Agents for which no calmer walk is known to exist, while those that were in their way
+    /// keep their walks.
+    settled: Vec<Option<BTreeSet<AgentId>>>,
 }
 
 impl<'p> Plan<'p> {
@@ -85,6 +89,7 @@ impl<'p> Plan<'p> {
             walks: walks.to_vec(),
             others: Reservations::of(problem, walks),
             makespan: walks.iter().map(|walk| arrival(walk)).max().unwrap_or(0),
+            settled: vec![None; walks.len()],
         }
     }
 
@@ -109,17 +114,15 @@ impl<'p> Plan<'p> {
     fn improve_each(&mut self, agents: &[AgentId], budget: &dyn Budget) -> Result<(), Stop> {
         let mut order = agents.to_vec();
         sort_by_key(&mut order, |&agent| (Reverse(self.excess(agent)), agent));
-        let mut in_vain = 0;
-        for &agent in order.iter().cycle() {
-            if in_vain == order.len() {
-                break;
+        loop {
+            let mut better = false;
+            for &agent in &order {
+                better |= self.settled[agent].is_none() && self.improve_one(agent, budget)?;
             }
-            in_vain += 1;
-            if self.improve_one(agent, budget)? {
-                in_vain = 0;
+            if !better {
+                return Ok(());
             }
         }
-        Ok(())
     }
 
     /// Plans an agent anew among all others; true where it got calmer.
@@ -128,27 +131,39 @@ impl<'p> Plan<'p> {
         if self.excess(agent) == 0 && (old.waits, old.turns) == (0, 0) {
             return Ok(false);
         }
-        self.others.remove(agent, &self.walks[agent]);
         let query = Query {
             agent,
             allowance: self.allowance(agent),
             calmer_than: Some(old),
             expansion_limit: EXPANSION_LIMIT,
         };
-        let found = self.search(query, budget);
-        let better = match &found {
-            Ok(Some(walk)) => {
-                self.walks[agent].clone_from(walk);
-                true
-            }
-            _ => false,
-        };
+        self.others.remove(agent, &self.walks[agent]);
+        let found = search::plan_one(self.problem, &self.others, query, budget);
         self.others.add(agent, &self.walks[agent]);
-        found.map(|_| better)
+        let Found { walk, blockers } = found?;
+        let better = walk.is_some();
+        if let Some(walk) = walk {
+            self.others.remove(agent, &self.walks[agent]);
+            self.others.add(agent, &walk);
+            self.replace(agent, walk);
+        }
+        self.settled[agent] = Some(blockers);
+        Ok(better)
     }
 
-    fn search(&self, query: Query, budget: &dyn Budget) -> Result<Option<Walk>, Stop> {
-        search::plan_one(self.problem, &self.others, query, budget)
+    /// Gives an agent a walk that is among the others already. Those whose way it was in
+    /// may get calmer now.
+    fn replace(&mut self, agent: AgentId, walk: Walk) {
+        self.walks[agent] = walk;
+        for (other, settled) in self.settled.iter_mut().enumerate() {
+            if other == agent
+                || settled
+                    .as_ref()
+                    .is_some_and(|blockers| blockers.contains(&agent))
+            {
+                *settled = None;
+            }
+        }
     }
 
     /// The costs that an agent may have: no higher than those of its walk, where they

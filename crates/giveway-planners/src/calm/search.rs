@@ -5,8 +5,9 @@
 //! agent came from (a move back there is a turn), the battery, and the costs that are
 //! limited.
 
+use std::cell::RefCell;
 use std::cmp::Reverse;
-use std::collections::BinaryHeap;
+use std::collections::{BTreeSet, BinaryHeap};
 
 use rustc_hash::FxBuildHasher;
 
@@ -32,8 +33,16 @@ pub(super) struct Query {
     pub(super) expansion_limit: u32,
 }
 
-/// The calmest walk without collisions that keeps the allowance; `None` where there is
-/// none, or the limit of expansions was reached first.
+/// What a search found.
+pub(super) struct Found {
+    /// The calmest walk without collisions that keeps the allowance; `None` where there is
+    /// none, or the limit of expansions was reached first.
+    pub(super) walk: Option<Walk>,
+    /// Agents that were in the way. While they keep their walks, nothing calmer is found.
+    pub(super) blockers: BTreeSet<AgentId>,
+}
+
+/// Searches for the calmest walk of an agent.
 ///
 /// # Errors
 /// When the budget is spent.
@@ -42,12 +51,11 @@ pub(super) fn plan_one(
     others: &impl Others,
     query: Query,
     budget: &dyn Budget,
-) -> Result<Option<Walk>, Stop> {
+) -> Result<Found, Stop> {
     let task = &problem.tasks[query.agent];
     // Under `stay` nobody can rest at a goal that others still pass.
-    let passed = others
-        .last_visit(task.goal)
-        .filter(|_| problem.rests(query.agent) && problem.relaxed.ignored.is_empty());
+    let rests = problem.rests(query.agent) && problem.relaxed.ignored.is_empty();
+    let passed = others.last_visit(task.goal).filter(|_| rests);
     let slow = query.allowance.moves.is_some() && has_slow_arcs(problem);
     let mut search = Search {
         problem,
@@ -59,8 +67,16 @@ pub(super) fn plan_one(
         labels: Vec::new(),
         heap: BinaryHeap::new(),
         seen: Seen::default(),
+        blockers: RefCell::default(),
     };
-    search.run(budget)
+    if passed.is_some() {
+        search.blockers.get_mut().extend(others.after(0, task.goal));
+    }
+    let walk = search.run(budget)?;
+    Ok(Found {
+        walk,
+        blockers: search.blockers.into_inner(),
+    })
 }
 
 /// Whether moves and steps in motion differ anywhere.
@@ -106,6 +122,7 @@ struct Search<'a, O> {
     /// The least driving in all by way of a label, late labels first, and its number.
     heap: BinaryHeap<Reverse<(Driving, Reverse<u32>, u32)>>,
     seen: Seen,
+    blockers: RefCell<BTreeSet<AgentId>>,
 }
 
 impl<O: Others> Search<'_, O> {
@@ -144,9 +161,11 @@ impl<O: Others> Search<'_, O> {
         Ok(None)
     }
 
-    /// Whether one of some agents must not be met.
+    /// Whether one of some agents must not be met; such an agent is noted.
     fn is_met(&self, mut met: impl Iterator<Item = AgentId>) -> bool {
-        met.any(|other| self.problem.collide(self.query.agent, other))
+        let blocker = met.find(|&other| self.problem.collide(self.query.agent, other));
+        self.blockers.borrow_mut().extend(blocker);
+        blocker.is_some()
     }
 
     /// Whether an agent may end its walk here: nobody comes by later.
