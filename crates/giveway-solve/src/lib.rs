@@ -8,6 +8,7 @@
 mod answer;
 pub mod audit;
 mod budget;
+mod calmed;
 mod certify;
 pub mod change;
 mod counterfactual;

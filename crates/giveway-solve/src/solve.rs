@@ -10,7 +10,7 @@ use giveway_model::{
 use crate::{
     Host, Limits, Progress, SolveAnswer, Status,
     budget::Budget,
-    calm::calm,
+    calmed::calmed,
     judged::{Judged, told},
     problem::{Problem, ProblemError},
     search::{self, Aim, Bounded, Contact, Horizon, Reach, Verdict},
@@ -158,7 +158,7 @@ pub(crate) fn best(task: &Task, problem: &Problem, bounded: &Bounded) -> Verdict
 }
 
 /// The plan that is known already, where the judge passes it.
-fn start(task: &Task) -> Option<(Plan, Costs)> {
+pub(crate) fn start(task: &Task) -> Option<(Plan, Costs)> {
     let mut plan = task.start.clone()?;
     plan.cut_trailing_goals(&task.instance);
     let report = check(&task.instance, &plan);
@@ -167,7 +167,7 @@ fn start(task: &Task) -> Option<(Plan, Costs)> {
 }
 
 /// The agents' names, in the order of the instance.
-fn names(task: &Task) -> Vec<String> {
+pub(crate) fn names(task: &Task) -> Vec<String> {
     let agents = task.instance.agents().iter();
     agents.map(|agent| agent.name.clone()).collect()
 }
@@ -216,20 +216,8 @@ pub(crate) fn answer(task: &Task, problem: &Problem, verdict: Verdict) -> Solved
         let plan = to_plan(problem, &names, &walks);
         let report = check(&task.instance, &plan);
         let passes = report.violations.is_empty() && report.costs == Some(costs);
-        passes.then(|| {
-            let calmer = calmed(task, problem, &walks, &plan);
-            // A claim is of exactly these costs; without one, lower ones are welcome.
-            let (vector, proved) = (costs.vector(&task.objective), claim.1.is_none());
-            let calmer = calmer.filter(|(_, calmer)| {
-                let calmer = calmer.vector(&task.objective);
-                if proved {
-                    calmer == vector
-                } else {
-                    calmer <= vector
-                }
-            });
-            calmer.unwrap_or((plan, costs))
-        })
+        let is_proved = claim.1.is_none();
+        passes.then(|| calmed(task, problem, &walks, (plan, costs), is_proved))
     });
     let (status, reach) = (judged.status, judged.reach);
     let (complete, within) = told(reach);
@@ -262,19 +250,6 @@ pub(crate) fn answer(task: &Task, problem: &Problem, verdict: Verdict) -> Solved
         reach,
         clash,
     }
-}
-
-/// A calm plan in the place of one that was found, where the judge passes it; none in the
-/// place of a plan that was handed in.
-fn calmed(task: &Task, problem: &Problem, walks: &[Walk], plan: &Plan) -> Option<(Plan, Costs)> {
-    if start(task).is_some_and(|(start, _)| start.paths == plan.paths) {
-        return None;
-    }
-    let walks = calm(problem, walks, &task.objective, |_| true);
-    let plan = to_plan(problem, &names(task), &walks);
-    let report = check(&task.instance, &plan);
-    let costs = report.costs.filter(|_| report.violations.is_empty())?;
-    problem.keeps(&walks).then_some((plan, costs))
 }
 
 /// Whom it concerns; the claim itself says at which horizon it holds.
