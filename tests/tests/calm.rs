@@ -14,7 +14,7 @@
     reason = "a test that cannot go on ends with a panic"
 )]
 
-use giveway_model::{Cell, Cost, Instance, Objective, Plan, check::check};
+use giveway_model::{Agent, Cell, Cost, Instance, Objective, Plan, Scene, check::check};
 use giveway_solve::Status;
 use giveway_tests::oracle::{Every, Where};
 use giveway_tests::{ask, environment, random};
@@ -48,6 +48,66 @@ fn with_few_costs(instance: &Instance, costs: usize) -> Instance {
         .collect();
     scene.objective = Objective::new(first).unwrap();
     Instance::new(scene).unwrap()
+}
+
+/// Scenes in which a robot has to pass time: rows, then start and goal of A and B.
+/// Made here.
+const PASSING_TIME: [(&[&str], [[u32; 4]; 2]); 4] = [
+    // A bay beside the start, a long corridor.
+    (
+        &[
+            "#..###########################",
+            "..............................",
+        ],
+        [[0, 1, 29, 1], [29, 1, 0, 1]],
+    ),
+    // A bay at the other end.
+    (
+        &["##############.#", "................"],
+        [[0, 1, 15, 1], [15, 1, 0, 1]],
+    ),
+    // A siding in the middle.
+    (
+        &["#####...#####", "............."],
+        [[1, 1, 12, 1], [12, 1, 0, 1]],
+    ),
+    // A ring with a slow zone.
+    (
+        &["........", ".######.", ".######.", "...~~..."],
+        [[0, 0, 7, 0], [7, 0, 0, 0]],
+    ),
+];
+
+#[test]
+fn nobody_drives_back_and_forth_to_pass_time() {
+    for (rows, tasks) in PASSING_TIME {
+        for costs in [&[Cost::Makespan][..], &[Cost::Makespan, Cost::SumOfCosts]] {
+            let mut scene = Scene {
+                map: rows.iter().map(|&row| row.to_owned()).collect(),
+                ..Scene::default()
+            };
+            for (name, [x, y, to_x, to_y]) in ["A", "B"].into_iter().zip(tasks) {
+                scene.agents.push(Agent {
+                    name: name.to_owned(),
+                    start: Cell::new(x, y),
+                    goal: Cell::new(to_x, to_y),
+                    waypoints: Vec::new(),
+                    battery: None,
+                });
+            }
+            scene.objective = Objective::new(costs.to_vec()).unwrap();
+            let instance = Instance::new(scene).unwrap();
+            let answer = ask::best(&instance, None);
+            let (plan, best) = (answer.plan.unwrap(), answer.costs.unwrap());
+            let vector = best.vector(instance.objective());
+            let every = Every::of(&instance, &vector, best.makespan, 20 * CAP).unwrap();
+            assert_eq!(
+                Some(motion(&plan)),
+                every.least(price),
+                "{rows:?} {costs:?}"
+            );
+        }
+    }
 }
 
 #[test]
@@ -100,5 +160,6 @@ fn hardly_any_plan_drives_more_than_the_calmest() {
         looked_at >= count / 2,
         "too many are too large for the oracle"
     );
+    // (Of 2,000 there were 20.)
     assert!(restless * 50 <= looked_at, "more than one in 50");
 }
