@@ -9,6 +9,7 @@
 mod allowance;
 mod driving;
 mod group;
+mod label;
 mod search;
 #[cfg(test)]
 mod tests;
@@ -32,7 +33,7 @@ use search::{Found, Query};
 /// States to look at in all: for few agents, for each further one, and at most.
 const STATES: u64 = 300_000;
 const STATES_PER_AGENT: u64 = 2_000;
-const MOST_STATES: u64 = 1_000_000;
+const MOST_STATES: u64 = 600_000;
 /// States to look at for one agent at once.
 const EXPANSION_LIMIT: u32 = 100_000;
 

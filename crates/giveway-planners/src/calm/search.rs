@@ -11,14 +11,17 @@ use std::collections::{BTreeSet, BinaryHeap};
 
 use rustc_hash::FxBuildHasher;
 
-use super::{Driving, allowance::Allowance};
+use super::{
+    Driving,
+    allowance::Allowance,
+    label::{Label, NONE},
+};
 use crate::{
     AgentId,
     budget::{Budget, Stop},
     local::Others,
     problem::Problem,
     single::{Onward, Place, State, Task},
-    terrain::Vertex,
     walk::Walk,
 };
 
@@ -85,23 +88,6 @@ fn has_slow_arcs(problem: &Problem) -> bool {
     let mut arcs = (0..terrain.size() as u32).flat_map(|v| terrain.arcs(v));
     arcs.any(|arc| arc.slow)
 }
-
-#[derive(Clone, Copy)]
-struct Label {
-    state: State,
-    time: u32,
-    driving: Driving,
-    /// Where the last move began.
-    came_from: Option<Vertex>,
-    charges: u32,
-    moves: u32,
-    parent: u32,
-    /// Another label of the same place, time and waypoints.
-    next: u32,
-}
-
-/// No label.
-const NONE: u32 = u32::MAX;
 
 #[expect(
     clippy::disallowed_types,
@@ -277,30 +263,12 @@ impl<O: Others> Search<'_, O> {
         let mut id = self.seen.get(&key).copied().unwrap_or(NONE);
         while id != NONE {
             let known = &self.labels[id as usize];
-            if self.dominates(known, label) {
+            if known.dominates(label, &self.query.allowance) {
                 return true;
             }
             id = known.next;
         }
         false
-    }
-
-    fn dominates(&self, known: &Label, label: &Label) -> bool {
-        let Allowance {
-            charges,
-            moves,
-            waits,
-            ..
-        } = self.query.allowance;
-        let (a, b) = (known.driving, label.driving);
-        // The next move of one may be a turn, and that of the other none.
-        let turn = u32::from(known.came_from != label.came_from);
-        known.state.battery >= label.state.battery
-            && (charges.is_none() || known.charges <= label.charges)
-            && (moves.is_none() || known.moves <= label.moves)
-            && (waits.is_none() || a.waits <= b.waits)
-            && (a.motion, a.waits, a.turns + turn, a.earliness)
-                <= (b.motion, b.waits, b.turns, b.earliness)
     }
 
     fn push(&mut self, mut label: Label) {
