@@ -11,6 +11,7 @@
 )]
 
 mod colours;
+mod corner;
 mod detail;
 mod draw;
 mod floor;
@@ -33,6 +34,7 @@ mod way;
 mod xml;
 
 pub use colours::{COLOURS, Colours};
+pub use corner::of_badge;
 pub use detail::Detail;
 pub use floor::{FloorLook, Layer, lines, starred};
 pub use ink::{Ink, Inks, Theme, robot};

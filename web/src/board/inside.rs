@@ -6,7 +6,7 @@ use giveway_page::inside::{Ban, Meeting, Overlay, Shade};
 use yew::prelude::*;
 
 use super::layers::square;
-use super::reasons::STAR;
+use super::reasons::burst;
 
 /// What is written over the map is at least so high, in pixels.
 const LETTERS: f64 = 11.0;
@@ -50,17 +50,10 @@ pub(super) fn InsideMarks(props: &MarksProps) -> Html {
         right: f64::from(*columns) * CELL,
     };
     let ring = RING.max(RING_PX * CELL / cell_px);
-    let burst = |(x, y): &(f64, f64)| {
-        html! {
-            <g class="burst" transform={format!("translate({x} {y})")}>
-                <path d={STAR} /><path class="ex" d="M0-11V3M0 11v.1" />
-            </g>
-        }
-    };
     html! {
         <g aria-hidden="true">
             { for overlay.bans.iter().map(|each| ban(each, label)) }
-            { for overlay.bursts.iter().map(burst) }
+            { for overlay.bursts.iter().map(|&place| burst(place, *cell_px)) }
             { for overlay.meetings.iter().map(|each| meeting(each, label, ring)) }
             if let Some((cell, text)) = &overlay.stuck {
                 { square("vcell", *cell, 4) }
