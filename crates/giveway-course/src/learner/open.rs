@@ -2,7 +2,7 @@
 
 use std::rc::Rc;
 
-use giveway_model::{Plan, Scene};
+use giveway_model::{Agent, Plan, Scene};
 
 use super::{Judge, Proof};
 use crate::judge::{Did, Situation};
@@ -99,6 +99,14 @@ impl Open {
     /// The scene that the step began with.
     pub const fn start(&self) -> &Scene {
         &self.start
+    }
+
+    /// The robots of the board: those of its scene, then those that join while the plan
+    /// of the step runs.
+    pub fn robots(&self) -> Vec<Agent> {
+        let step = self.step();
+        let joining = step.into_iter().flat_map(Step::joining);
+        self.scene.agents.iter().chain(joining).cloned().collect()
     }
 
     /// The scene on the board.
@@ -204,6 +212,7 @@ impl Open {
             number: self.board,
             scene: self.scene.clone(),
             plan,
+            changes: step.changes().cloned(),
             time: step.time,
             playing: step.playing,
             tools: step.tools.clone(),

@@ -189,7 +189,7 @@ impl State {
     pub fn named_agent(&self) -> Option<usize> {
         match &self.lesson()?.lit {
             Some(Lit::Robot(name)) => {
-                let mut agents = self.document.agents().iter();
+                let mut agents = self.world().agents().iter();
                 agents.position(|agent| agent.name == *name)
             }
             _ => None,

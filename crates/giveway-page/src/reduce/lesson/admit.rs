@@ -98,7 +98,8 @@ fn point(state: &mut State, cell: Cell) {
     let draft = &state.document.draft;
     let cell = draft.clamp(cell);
     let robots = state.agents_at(cell);
-    let names = robots.filter_map(|agent| draft.agents().get(agent));
+    let agents = state.world().agents();
+    let names = robots.filter_map(|agent| agents.get(agent));
     let pick = Pick {
         cell,
         time: state.view.playback.time,

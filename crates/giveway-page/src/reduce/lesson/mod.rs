@@ -207,7 +207,8 @@ fn show(state: &mut State, found: &Evidence) {
     }
     let draft = Rc::clone(&state.document.draft);
     let shown = found.plan.as_ref();
-    if let Some(document) = shown.and_then(|plan| evidence(&draft, plan)) {
+    let changes = found.changes.as_ref();
+    if let Some(document) = shown.and_then(|plan| evidence(&draft, plan, changes)) {
         amend(state, document);
     }
     if let Some(time) = found.time {
