@@ -47,6 +47,8 @@ pub enum ToPage {
     /// Asks for a person's own board as it is now: its scene, its plan and the time are
     /// told under the number 0, which no board of a lesson has.
     Take,
+    /// Says why something that was done on the board does nothing, as a sentence.
+    Say(String),
     /// Shows the page to a room.
     Present,
     /// The lesson ends: a person's own scene comes back.

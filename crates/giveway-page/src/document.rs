@@ -77,11 +77,18 @@ impl Document {
         self.answer.as_ref().filter(|_| !self.is_stale())
     }
 
+    /// The last time at which the world changed around the plan of the draft on the
+    /// board; `None` where it did not.
+    pub(crate) fn changed_last(&self) -> Option<u32> {
+        self.fresh_answer()?.changed_last()
+    }
+
     /// The front of the draft on the board, if one was found; not while the
-    /// world changes, which is about one plan.
+    /// world changes or after it has, which is about one plan.
     pub fn front(&self) -> Option<&Front> {
         let front = self.found_front.as_deref();
-        let front = front.filter(|_| self.mode.changing().is_none());
+        let is_one_world = self.mode.changing().is_none() && self.changed_last().is_none();
+        let front = front.filter(|_| is_one_world);
         front.filter(|front| same(&front.draft, &self.draft))
     }
 

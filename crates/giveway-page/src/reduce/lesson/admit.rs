@@ -105,6 +105,8 @@ fn point(state: &mut State, cell: Cell) {
         time: state.view.playback.time,
         robots: names.map(|agent| agent.name.clone()).collect(),
     };
+    // What was said of the click before is over.
+    state.view.notice = None;
     change(state, |lesson| {
         let number = lesson.pick.as_ref().map_or(0, |(number, _)| number + 1);
         lesson.pick = Some((number, pick));

@@ -72,6 +72,7 @@ fn says(state: &mut State, message: ToPage) {
                 open(state, &Rc::new(board));
             }
         }
+        ToPage::Say(sentence) => state.view.notice = Some(Notice::new(sentence)),
         ToPage::Present => super::view::view(state, &ViewAction::Present(Presenting::Told)),
         ToPage::Close => leave(state),
         // It changes nothing: the page answers by itself.

@@ -2,6 +2,7 @@
 
 mod ask;
 mod edit;
+mod nothing;
 mod play;
 mod preview;
 mod proof;
