@@ -9,7 +9,7 @@ use crate::course::World;
 use crate::freedom::Freedom;
 use crate::front::Front;
 use crate::planners::Runs;
-use crate::{Answer, Colours, Draft, Mode};
+use crate::{Answer, Colours, Draft, Looks, Mode};
 
 /// All that a person made or got and would miss. Undo, what the browser keeps,
 /// and links hold whole documents. Its parts are never changed, only replaced, so
@@ -37,7 +37,9 @@ pub struct Document {
     pub(crate) found_freedom: Option<Rc<Freedom>>,
     /// What is being done with the plan.
     pub mode: Mode,
-    /// The colours of agents.
+    /// Which look each agent has: its form, and the colour that comes with it.
+    pub looks: Looks,
+    /// The colour of each look.
     pub colours: Colours,
 }
 
@@ -53,6 +55,7 @@ impl Document {
             checked: None,
             found_freedom: None,
             mode: Mode::Editing,
+            looks: Looks::default(),
             colours: Colours::default(),
         }
     }

@@ -151,7 +151,7 @@ fn robot(index: usize, pose: &Pose, all: &[(usize, Pose)]) -> Html {
     let y = (pose.at.y + 0.5) * CELL;
     html! {
         <g class={form::class(index)} transform={format!("translate({x:.1} {y:.1}) scale({scale})")}>
-            { crate::form(index) }
+            { crate::glyph::of_look(index) }
         </g>
     }
 }

@@ -101,12 +101,17 @@ impl Open {
         &self.start
     }
 
-    /// The robots of the board: those of its scene, then those that join while the plan
-    /// of the step runs.
+    /// The robots that texts name, each at the place of its look: those that the step began
+    /// with, those that came since, and those that join while the plan of the step runs.
     pub fn robots(&self) -> Vec<Agent> {
-        let step = self.step();
-        let joining = step.into_iter().flat_map(Step::joining);
-        self.scene.agents.iter().chain(joining).cloned().collect()
+        let is_new = |agent: &&Agent| {
+            let mut before = self.start.agents.iter();
+            before.all(|other| other.name != agent.name)
+        };
+        let came = self.scene.agents.iter().filter(is_new);
+        let joining = self.step().into_iter().flat_map(Step::joining);
+        let all = self.start.agents.iter().chain(came).chain(joining);
+        all.cloned().collect()
     }
 
     /// The scene on the board.

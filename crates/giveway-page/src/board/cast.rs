@@ -16,6 +16,8 @@ use giveway_model::sorting::sort;
 pub struct Cast {
     /// The agents, in the order of the scene.
     pub agents: Vec<Agent>,
+    /// The look of each.
+    pub looks: Vec<usize>,
     /// What each does.
     pub tracks: Vec<Track>,
     /// The way of each.
@@ -37,6 +39,7 @@ impl PartialEq for Cast {
     /// A plan is compared by the answer that it came with.
     fn eq(&self, other: &Self) -> bool {
         self.agents == other.agents
+            && self.looks == other.looks
             && self.is_there == other.is_there
             && self.planned == other.planned
             && same(self.answer.as_ref(), other.answer.as_ref())
@@ -99,6 +102,7 @@ impl Cast {
             ways: ways(&tracks, &is_there),
             marks: marks_of(&agents, &tracks, &is_there),
             asides: answer.map_or_else(BTreeMap::new, |answer| asides(state, answer, &agents)),
+            looks: state.looks(),
             tracks,
             agents,
             is_there,
@@ -112,6 +116,7 @@ impl Cast {
         let draft = state.world_of(answer);
         let answer = answer.filter(|answer| is_drawn(answer, draft));
         self.agents == draft.agents()
+            && self.looks == state.looks()
             && self.is_there == there(state)
             && same(self.answer.as_ref(), answer)
             && answer.is_none_or(|answer| answer.agents_of(draft) == self.planned)

@@ -61,7 +61,7 @@ impl Stage {
             Detail::Dots => push(svg, format_args!("<circle r=\"38\" fill=\"{fill}\"/>")),
             Detail::Forms => {
                 svg.push_str("<g transform=\"scale(1.35)\">");
-                shape(agent, fill, on, svg);
+                shape(self.looks[agent], fill, on, svg);
                 svg.push_str("</g>");
             }
             Detail::Plain | Detail::All => {
@@ -137,7 +137,7 @@ impl Stage {
         push(svg, format_args!("<g transform=\"scale({scale})\">"));
         let own = &self.instance.agents()[agent];
         push(svg, format_args!("<title>{}</title>", Escaped(&own.name)));
-        shape(agent, fill, on, svg);
+        shape(self.looks[agent], fill, on, svg);
         let short = form::short_name(&own.name);
         let is_long = form::is_long(&short);
         let (y, size) = if is_long { (6.5, 18.0) } else { (8.6, 24.0) };
@@ -243,8 +243,8 @@ impl Stage {
 }
 
 /// The form, with its rim.
-fn shape(agent: usize, fill: Ink, on: Ink, svg: &mut String) {
-    let form = form::of(agent);
+fn shape(look: usize, fill: Ink, on: Ink, svg: &mut String) {
+    let form = form::of(look);
     let body = form.body;
     if form.is_padded {
         push(

@@ -2,6 +2,7 @@
 
 mod ask;
 mod edit;
+mod looks;
 mod nothing;
 mod play;
 mod preview;
