@@ -23,7 +23,7 @@ use crate::theme::{use_colours, use_theme, wants_less_motion};
 use crate::top_bar::TopBar;
 use crate::wide::use_wide;
 use crate::{
-    Board, Clock, Dock, Inspector, Shown, Tools, compare, embed, notice, opening, present,
+    Board, Clock, Dock, Inspector, Shown, Tools, compare, embed, glyph, notice, opening, present,
 };
 
 impl Reducible for Shown {
@@ -85,6 +85,7 @@ pub fn App() -> Html {
     use_keep(&state, &send);
     use_theme(state.view.theme);
     use_colours(state.document.colours);
+    glyph::set_looks(state.looks());
     let is_embedded = *use_memo((), |()| embed::is_embedded());
     use_keys(&state, &send, &show);
     use_paste(&state, &send, &show, is_embedded);
