@@ -45,5 +45,15 @@ pub(crate) fn fact(group: Group, instance: &Instance, within: Option<u32>) -> St
             let within = within.unwrap_or_default();
             tr!("every robot must arrive by time {within}", within)
         }
+        Group::Breakdown(..) => group
+            .breakdown(instance)
+            .map_or_else(String::new, |breakdown| {
+                tr!(
+                    "{agent} is broken down from time {from} to {to}",
+                    agent = breakdown.agent,
+                    from = breakdown.from,
+                    to = breakdown.to
+                )
+            }),
     }
 }
