@@ -4,7 +4,7 @@ use giveway_model::Cell;
 use giveway_model::check::Violation;
 use giveway_solve::explain::{Fact, FactKind};
 
-use super::CELL;
+use super::{CELL, place::last_cell};
 use crate::ask::numbers_facts;
 use crate::audit::Audit;
 use crate::steering::Steering;
@@ -174,6 +174,10 @@ fn fact_place(fact: &Fact, state: &State, tries: &[Try]) -> Option<(f64, f64)> {
         (_, Some(cell), _) => Some(corner(middle(cell))),
         (FactKind::Collision, None, _) => tries.first().map(|end| corner(end.at)),
         (FactKind::Stay, None, [name]) => Some(corner(middle(agent(name)?.goal))),
+        (FactKind::Breakdown, None, [name]) => {
+            let plan = state.document.mode.asking()?.request.plan.as_ref()?;
+            Some(corner(middle(last_cell(plan, name, fact.time?)?)))
+        }
         (_, None, [name]) => Some(corner(middle(agent(name)?.start))),
         _ => None,
     }
