@@ -4,6 +4,7 @@ use giveway_model::Cell;
 use giveway_model::check::Violation;
 use giveway_solve::explain::{Fact, FactKind};
 
+use super::place::last_cell;
 use super::star::middle;
 use super::{CELL, ConflictPlace};
 use crate::ask::numbers_facts;
@@ -165,6 +166,10 @@ fn fact_place(fact: &Fact, state: &State, tries: &[Try]) -> Option<(f64, f64)> {
         (_, Some(cell), _) => Some(corner(middle(cell))),
         (FactKind::Collision, None, _) => tries.first().map(|end| corner(end.at)),
         (FactKind::Stay, None, [name]) => Some(corner(middle(agent(name)?.goal))),
+        (FactKind::Breakdown, None, [name]) => {
+            let plan = state.document.mode.asking()?.request.plan.as_ref()?;
+            Some(corner(middle(last_cell(plan, name, fact.time?)?)))
+        }
         (_, None, [name]) => Some(corner(middle(agent(name)?.start))),
         _ => None,
     }

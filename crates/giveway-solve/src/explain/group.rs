@@ -2,7 +2,7 @@
 
 use std::collections::BTreeSet;
 
-use giveway_model::{Cell, Grid, Instance, Plan};
+use giveway_model::{Breakdown, Cell, Grid, Instance, Plan};
 
 use super::answer::{Fact, FactKind};
 use super::words;
@@ -29,6 +29,8 @@ pub(crate) enum Group {
     Slow,
     /// A person set the horizon.
     Deadline,
+    /// It has broken down at a time, and is held.
+    Breakdown(usize, u32),
 }
 
 impl Group {
@@ -42,13 +44,18 @@ impl Group {
             Self::Stay(_) => FactKind::Stay,
             Self::Slow => FactKind::Slow,
             Self::Deadline => FactKind::Deadline,
+            Self::Breakdown(..) => FactKind::Breakdown,
         }
     }
 
     /// The agents that it is about.
     pub(crate) fn agents(self) -> Vec<usize> {
         match self {
-            Self::Task(a) | Self::Waypoint(a, _) | Self::Battery(a) | Self::Stay(a) => vec![a],
+            Self::Task(a)
+            | Self::Waypoint(a, _)
+            | Self::Battery(a)
+            | Self::Stay(a)
+            | Self::Breakdown(a, _) => vec![a],
             Self::Collision(a, b) => vec![a, b],
             Self::Obstacle(_) | Self::Slow | Self::Deadline => Vec::new(),
         }
@@ -62,12 +69,25 @@ impl Group {
             Self::Waypoint(_, cell) | Self::Obstacle(cell) => Some(cell),
             _ => None,
         };
+        let breakdown = self.breakdown(instance);
         Fact {
             kind: self.kind(),
             text: words::fact(self, instance, within),
             agents,
             cell,
+            time: breakdown.map(|breakdown| breakdown.from),
+            until: breakdown.map(|breakdown| breakdown.to),
         }
+    }
+
+    /// The breakdown that it is, where it is one.
+    pub(crate) fn breakdown(self, instance: &Instance) -> Option<&Breakdown> {
+        let Self::Breakdown(agent, from) = self else {
+            return None;
+        };
+        let agent = instance.agents().get(agent)?;
+        let mut breakdowns = instance.breakdowns().iter();
+        breakdowns.find(|it| it.agent == agent.name && it.from == from)
     }
 }
 
@@ -84,6 +104,11 @@ pub(crate) fn groups(instance: &Instance, asked: &[usize], deadline: bool) -> Ve
         groups.extend(agent.battery.map(|_| Group::Battery(i)));
         groups.extend(instance.stays().then_some(Group::Stay(i)));
         groups.extend((0..i).map(|other| Group::Collision(other, i)));
+        let own = instance
+            .breakdowns()
+            .iter()
+            .filter(|it| it.agent == agent.name);
+        groups.extend(own.map(|breakdown| Group::Breakdown(i, breakdown.from)));
     }
     let cells = instance.grid().cells();
     groups.extend(
@@ -148,6 +173,10 @@ pub(crate) fn without(
             }
             Group::Slow => variant.make_normal(|_| true),
             Group::Deadline => within = None,
+            Group::Breakdown(a, from) => {
+                let name = instance.agents().get(a).map(|agent| agent.name.as_str());
+                variant.retain_breakdowns(|it| Some(it.agent.as_str()) != name || it.from != from);
+            }
         }
     }
     if !free.is_empty() {

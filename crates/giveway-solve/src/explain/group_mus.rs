@@ -94,6 +94,7 @@ pub(crate) fn group_mus(
         FactKind::Stay,
         FactKind::Slow,
         FactKind::Deadline,
+        FactKind::Breakdown,
     ] {
         let mut class: Vec<Group> = all.iter().copied().filter(|p| p.kind() == kind).collect();
         class.retain(|&group| shrinking.matters(group));

@@ -65,6 +65,7 @@ pub fn card(state: &State) -> Option<Card> {
                 number: numbers_facts(asking).then_some(index + 1),
                 icon: fact_icon(fact),
                 text: fact.text.clone(),
+                time: fact.time,
                 is_lit: asking.lit == Some(Lit::Fact(index)),
             })
             .collect(),

@@ -80,6 +80,8 @@ pub struct FactRow {
     pub icon: &'static str,
     /// What.
     pub text: String,
+    /// When it began, for a breakdown.
+    pub time: Option<u32>,
     /// Whether it is lit up.
     pub is_lit: bool,
 }
