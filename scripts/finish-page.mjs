@@ -4,7 +4,7 @@
 //    paths, as Trunk gives all other files: so no cache can mix two versions.
 // 2. The style sheets become one, in their order, those of the course another, and that of presenting a third: fewer
 //    requests and bytes before the first paint.
-// 3. The page's bindings lose their comments and indentation, and the page is told how
+// 3. The page's scripts lose their comments and indentation, and the page is told how
 //    large its Wasm is.
 // 4. The policy loses the nonce, which only `trunk serve` needs.
 // 5. The page's head gets the address where it is published, if that is set in Cargo.toml.
@@ -92,7 +92,7 @@ function finishPage() {
     ];
   });
   programs.push(...SCRIPTS.map((script) => [`content="./${script}">`, `content="./${rename(script)}">`]));
-  for (const name of readdirSync(built).filter((name) => /^app-.*\.js$/.test(name))) {
+  for (const name of readdirSync(built).filter((name) => /^(app|boot|guard|opening)-.*\.js$/.test(name))) {
     writeFileSync(join(built, name), plain(read(name).toString()));
   }
   // Without the comments, which are for those who read the source, and their lines.
@@ -117,7 +117,7 @@ function finishPage() {
   writeFileSync(join(built, PAGE), withAddress(finished, address));
 }
 
-/** A script of wasm-bindgen, which has no text of several lines, without comments and indentation. */
+/** A script that has no text of several lines, without comments and indentation. */
 function plain(script) {
   return script.replaceAll(/^\s*\/\*\*.*?\*\/\n/gms, "").replaceAll(/^\s*\/\/.*\n/gm, "").replaceAll(/^\s+/gm, "");
 }

@@ -52,6 +52,10 @@ export class Tour {
     const isApart = card.x >= at.x + at.width || at.x >= card.x + card.width || card.y >= at.y + at.height || at.y >= card.y + card.height;
     assert.ok(isApart, "the card covers what it points at");
     const { width, height } = this.page.viewportSize();
+    if (width <= 720 && width < height) {
+      const board = await this.playground.board.boundingBox();
+      assert.ok(card.y >= board.y + board.height, "the card covers the board");
+    }
     assert.ok(card.x >= 0 && card.y >= 0 && card.x + card.width <= width && card.y + card.height <= height, "the card is not on the screen");
   }
 }

@@ -106,7 +106,8 @@ fn surround(ring: &HtmlElement, area: &DomRect, is_cell: bool) {
 }
 
 /// Puts the card below the thing, or above it where there is no room; always within the
-/// window. Without a thing it stays where it is.
+/// window. On a phone it lies as low as it can, so that the board and the answer that is
+/// read stay in sight. Without a thing it stays where it is.
 fn point(card: &HtmlElement, area: Option<&DomRect>) {
     let tip = card.query_selector(".tip").ok().flatten();
     let tip = tip.as_ref().and_then(as_html);
@@ -122,14 +123,17 @@ fn point(card: &HtmlElement, area: Option<&DomRect>) {
     let left = (middle - TIP).min(width - own.width() - MARGIN).max(MARGIN);
     let below = area.bottom() + GAP;
     let is_below = below + own.height() <= height - MARGIN / 2.0;
-    let wanted = if is_below {
+    let beside = if is_below {
         below
     } else {
         area.top() - GAP - own.height()
     };
-    let top = wanted.min(height - own.height() - MARGIN).max(MARGIN / 2.0);
-    // Where it had to move, the tip would point at something else.
-    let is_beside = (top - wanted).abs() < 1.0;
+    let lowest = height - own.height() - MARGIN;
+    let is_phone = width < height && own.width() > width / 2.0;
+    let wanted = if is_below && is_phone { lowest } else { beside };
+    let top = wanted.min(lowest).max(MARGIN / 2.0);
+    // Elsewhere the tip would point at something else.
+    let is_beside = (top - beside).abs() < 1.0;
     if let Some(tip) = tip {
         tip.set_hidden(!is_beside);
     }
