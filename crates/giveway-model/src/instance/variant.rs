@@ -68,6 +68,12 @@ impl Instance {
         }
     }
 
+    /// Lowers the battery floor, the level that no battery may fall below; a
+    /// higher one than today's changes nothing.
+    pub fn lower_battery_floor(&mut self, floor: u32) {
+        self.rules.battery_floor = self.rules.battery_floor.min(floor);
+    }
+
     /// Lets agents vanish at their goals.
     pub const fn let_agents_vanish(&mut self) {
         self.rules.at_goal = AtGoal::Vanish;

@@ -85,6 +85,8 @@ pub enum FactKind {
     Stay,
     /// The horizon that a person set.
     Deadline,
+    /// No battery may fall below the floor that the scene's rules set.
+    Floor,
 }
 
 /// A fact of an instance that can be left out.
@@ -109,6 +111,10 @@ pub struct Fact {
     pub cell: Option<Cell>,
     /// The fact as a clause for people: `A1 must visit (2, 1)`.
     pub text: String,
+    /// Whether the whole scene, with this fact alone left out, has a plan as
+    /// asked for; `null` where that is not known. A fact that is needed in its
+    /// set need not help: other facts of the scene may rule a plan out, too.
+    pub helps: Option<bool>,
 }
 
 /// Facts that together make it impossible.
@@ -116,7 +122,8 @@ pub struct Fact {
 pub struct Core {
     /// With all of these, there is no plan.
     pub facts: Vec<Fact>,
-    /// Whether every fact was tried: without any one of them a plan is at hand.
+    /// Whether every fact is needed for that: with only the others of this set a
+    /// plan is at hand. It says nothing of the whole scene ([`Fact::helps`]).
     pub minimal: bool,
     /// Whether "no plan" holds whatever the horizon.
     pub complete: bool,
@@ -159,6 +166,11 @@ pub enum Edit {
         /// answered where the world changed before.
         initial: u32,
     },
+    /// Lower the level that no battery may fall below.
+    BatteryFloor {
+        /// The new floor.
+        floor: u32,
+    },
     /// Allow a later makespan.
     Deadline {
         /// The new horizon.
@@ -190,6 +202,9 @@ pub enum Edit {
 pub struct Repair {
     /// The edits, all of them needed.
     pub edits: Vec<Edit>,
+    /// Whether its battery, floor or deadline is proved to be the least change of
+    /// its kind that helps; true where the edits have no such number.
+    pub least: bool,
     /// The costs of the plan.
     pub costs: Costs,
     /// A best plan of the edited instance, or one found in time.

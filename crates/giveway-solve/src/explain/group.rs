@@ -19,6 +19,8 @@ pub(crate) enum Group {
     Waypoint(usize, Cell),
     /// Its battery is limited.
     Battery(usize),
+    /// No battery may fall below the floor of the rules.
+    Floor,
     /// The cell is an obstacle.
     Obstacle(Cell),
     /// The two, the lower number first, must not collide.
@@ -42,6 +44,7 @@ impl Group {
             Self::Stay(_) => FactKind::Stay,
             Self::Slow => FactKind::Slow,
             Self::Deadline => FactKind::Deadline,
+            Self::Floor => FactKind::Floor,
         }
     }
 
@@ -50,12 +53,17 @@ impl Group {
         match self {
             Self::Task(a) | Self::Waypoint(a, _) | Self::Battery(a) | Self::Stay(a) => vec![a],
             Self::Collision(a, b) => vec![a, b],
-            Self::Obstacle(_) | Self::Slow | Self::Deadline => Vec::new(),
+            Self::Obstacle(_) | Self::Slow | Self::Deadline | Self::Floor => Vec::new(),
         }
     }
 
-    /// The fact for people.
-    pub(crate) fn fact(self, instance: &Instance, within: Option<u32>) -> Fact {
+    /// The fact for people; `helps` says whether leaving it out alone helps.
+    pub(crate) fn fact(
+        self,
+        instance: &Instance,
+        within: Option<u32>,
+        helps: Option<bool>,
+    ) -> Fact {
         let name = |&a: &usize| instance.agents().get(a).map_or("", |a| a.name.as_str());
         let agents: Vec<String> = self.agents().iter().map(|a| name(a).to_owned()).collect();
         let cell = match self {
@@ -67,6 +75,7 @@ impl Group {
             text: words::fact(self, instance, within),
             agents,
             cell,
+            helps,
         }
     }
 }
@@ -95,6 +104,10 @@ pub(crate) fn groups(instance: &Instance, asked: &[usize], deadline: bool) -> Ve
         groups.push(Group::Slow);
     }
     groups.extend(deadline.then_some(Group::Deadline));
+    let has_battery = instance.agents().iter().any(|a| a.battery.is_some());
+    if has_battery && instance.rules().battery_floor > 0 {
+        groups.push(Group::Floor);
+    }
     sort(&mut groups);
     groups
 }
@@ -132,6 +145,7 @@ pub(crate) fn without(
             Group::Task(_) => {}
             Group::Waypoint(a, cell) => variant.drop_waypoint(a, cell),
             Group::Battery(a) => variant.drop_battery(a),
+            Group::Floor => variant.lower_battery_floor(0),
             Group::Obstacle(cell) => {
                 free.insert(cell);
             }

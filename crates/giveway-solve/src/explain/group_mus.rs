@@ -35,6 +35,8 @@ pub(crate) enum Tried {
 pub(crate) trait Inquiry {
     /// Looks for a plan.
     fn search(&mut self, variant: &Variant) -> Tried;
+    /// Looks for a plan with all of the budget that is left.
+    fn search_longer(&mut self, variant: &Variant) -> Tried;
     /// Whether a plan, known from another variant, is one here.
     fn accepts(&self, variant: &Variant, plan: &Plan) -> bool;
 }
@@ -47,12 +49,16 @@ pub(crate) struct CoreFound {
     pub(crate) minimal: bool,
     /// How far they exclude one.
     pub(crate) reach: Reach,
+    /// For each of them, whether the whole scene has a plan without it; `None`
+    /// where that is not known.
+    pub(crate) helps: Vec<Option<bool>>,
 }
 
 impl CoreFound {
     /// The facts for people.
     pub(crate) fn core(&self, instance: &Instance, within: Option<u32>) -> Core {
-        let facts = self.groups.iter().map(|group| group.fact(instance, within));
+        let marked = self.groups.iter().zip(&self.helps);
+        let facts = marked.map(|(group, &helps)| group.fact(instance, within, helps));
         Core {
             facts: facts.collect(),
             minimal: self.minimal,
@@ -62,12 +68,13 @@ impl CoreFound {
     }
 }
 
-/// Facts that exclude a plan, where the instance as it is has none (up to a
-/// horizon). The agents `asked` about are never left out.
+/// Facts that exclude a plan, where the instance has none without the facts that are
+/// `left_out` (up to a horizon). The agents `asked` about are never left out.
 pub(crate) fn group_mus(
     instance: &Instance,
     asked: &[usize],
     deadline: Option<u32>,
+    left_out: &BTreeSet<Group>,
     refuted: Tried,
     inquiry: &mut dyn Inquiry,
 ) -> Option<CoreFound> {
@@ -78,7 +85,7 @@ pub(crate) fn group_mus(
         instance,
         deadline,
         inquiry,
-        left_out: BTreeSet::new(),
+        left_out: left_out.clone(),
         kept: BTreeSet::new(),
         plans: Vec::new(),
         reach,
@@ -89,6 +96,7 @@ pub(crate) fn group_mus(
         FactKind::Task,
         FactKind::Waypoint,
         FactKind::Battery,
+        FactKind::Floor,
         FactKind::Obstacle,
         FactKind::Collision,
         FactKind::Stay,
@@ -104,6 +112,7 @@ pub(crate) fn group_mus(
     }
     let minimal = shrinking.check_minimality();
     Some(CoreFound {
+        helps: vec![None; shrinking.kept.len()],
         groups: shrinking.kept.iter().copied().collect(),
         minimal,
         reach: shrinking.reach,

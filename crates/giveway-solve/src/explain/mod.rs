@@ -26,6 +26,7 @@ pub(crate) mod contrasted;
 pub(crate) mod edits;
 pub(crate) mod engine;
 mod explanation;
+pub(crate) mod further;
 mod going_on;
 pub(crate) mod group;
 pub(crate) mod group_mus;
@@ -48,4 +49,7 @@ mod world;
 pub use answer::{Class, Core, Edit, Excess, Fact, FactKind, Repair, WitnessEntry};
 pub use edits::edited_instance;
 pub use explanation::{ExplainAnswer, ExplainRequest, Part, Verdict};
-pub use words::{edits_in_words, facts_claim, facts_title, verdict_word, witness_title};
+pub use words::{
+    edits_in_words, fact_sentence, facts_claim, facts_remark, facts_title, further_facts_title,
+    verdict_word, witness_title,
+};

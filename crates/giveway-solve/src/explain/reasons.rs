@@ -1,7 +1,7 @@
 //! The parts of an answer that say why, in their order, each with limits of its
 //! own: what would happen, what together makes it impossible, what would help.
 
-use std::rc::Rc;
+use std::{collections::BTreeSet, rc::Rc};
 
 use giveway_model::{Cost, Costs, Instance, Plan, sorting};
 
@@ -9,12 +9,13 @@ use super::{
     ExplainAnswer, Part, Verdict, WitnessEntry,
     ask::Found,
     contrasted::Contrasted,
+    further::{further_sets, mark_helpful},
     group::Group,
     group_mus::{CoreFound, Tried, group_mus},
     own_plan::{Judged, judge},
     own_way,
     past::Past,
-    repairs::repairs,
+    repairs::{Broken, repairs},
     unsolvable::{self, AnyPlan},
     verdict::Case,
     words,
@@ -63,13 +64,20 @@ pub(crate) fn of_case(case: &Case, answer: &mut ExplainAnswer, budget: &Rc<Budge
 
     let refuted = matches!(answer.verdict, Verdict::Necessary | Verdict::Costly);
     if refuted {
-        let core = core_of_case(case, answer, budget);
-        let facts = core.as_ref().map_or(Vec::new(), |core| core.groups.clone());
-        answer.core =
-            core.map(|core| core.core(case.instance, case.within.map(|time| case.past.time(time))));
+        let deadline = case.within.map(|time| case.past.time(time));
+        let told = |set: &CoreFound| set.core(case.instance, deadline);
+        let mut core = core_of_case(case, answer, budget);
+        answer.core = core.as_ref().map(told);
         word(case, &about, answer);
         tell(answer, Part::Core);
-        help_case(case, &facts, answer, budget);
+        if let Some(core) = &mut core {
+            let further = further_of_case(case, answer, core, budget);
+            answer.core = Some(told(core));
+            answer.further_cores = further.iter().map(told).collect();
+            word(case, &about, answer);
+            tell(answer, Part::Core);
+            help_case(case, core, &further, answer, budget);
+        }
         word(case, &about, answer);
     } else {
         tell(answer, Part::Core);
@@ -90,6 +98,7 @@ pub(crate) fn word(case: &Case, about: &str, answer: &mut ExplainAnswer) {
         past: case.past,
         witness: (about, &answer.witness),
         core: answer.core.as_ref(),
+        further: &answer.further_cores,
         repairs: &case.past.told_repairs(&answer.repairs),
     });
 }
@@ -140,6 +149,7 @@ fn core_of_case(case: &Case, answer: &ExplainAnswer, budget: &Rc<Budget>) -> Opt
         case.instance,
         &asked(case),
         case.within,
+        &BTreeSet::new(),
         refuted,
         &mut contrasted,
     );
@@ -147,19 +157,47 @@ fn core_of_case(case: &Case, answer: &ExplainAnswer, budget: &Rc<Budget>) -> Opt
     core
 }
 
-fn help_case(case: &Case, facts: &[Group], answer: &mut ExplainAnswer, budget: &Rc<Budget>) {
+/// Marks the facts of the minimal set that help, and finds further sets.
+fn further_of_case(
+    case: &Case,
+    answer: &ExplainAnswer,
+    core: &mut CoreFound,
+    budget: &Rc<Budget>,
+) -> Vec<CoreFound> {
     let mut contrasted = contrasted(case, answer, budget);
-    let found = repairs(
-        case.instance,
-        case.within,
-        facts,
-        &asked(case),
-        case.objective(),
-        &mut contrasted,
-    );
+    let (instance, within) = (case.instance, case.within);
+    mark_helpful(instance, within, core, &mut contrasted);
+    let further = further_sets(instance, &asked(case), within, core, &mut contrasted);
     budget.absorb(&contrasted.budget);
-    answer.exhaustive = found.exhaustive && !another_could(case, facts);
-    answer.repairs = found.repairs;
+    further
+}
+
+fn help_case(
+    case: &Case,
+    core: &CoreFound,
+    further: &[CoreFound],
+    answer: &mut ExplainAnswer,
+    budget: &Rc<Budget>,
+) {
+    let asked = asked(case);
+    let mut contrasted = contrasted(case, answer, budget);
+    let broken = Broken {
+        instance: case.instance,
+        within: case.within,
+        objective: case.objective(),
+        asked: &asked,
+        cores: sets_of_facts(core, further),
+    };
+    let found = repairs(&broken, &mut contrasted);
+    budget.absorb(&contrasted.budget);
+    answer.exhaustive = found.exhaustive && !another_could(case, &core.groups);
+    (answer.repairs, answer.further_repairs) = (found.repairs, found.further);
+}
+
+/// The facts of all sets that are known.
+fn sets_of_facts(core: &CoreFound, further: &[CoreFound]) -> Vec<Vec<Group>> {
+    let sets = std::iter::once(core).chain(further);
+    sets.map(|set| set.groups.clone()).collect()
 }
 
 /// Why there is no plan, where `found` says so.
@@ -189,14 +227,32 @@ pub(crate) fn of_no_plan(
     let mut any_plan = searching();
     let core = unsolvable::core(instance, within, found, &mut any_plan);
     budget.absorb(&any_plan.budget);
-    let facts = core.as_ref().map_or(Vec::new(), |core| core.groups.clone());
-    answer.core = core.map(|core| core.core(instance, within.map(|time| past.time(time))));
+    let told = |set: &CoreFound| set.core(instance, within.map(|time| past.time(time)));
+    answer.core = core.as_ref().map(told);
     tell_no_plan(answer, past, Part::Core, tell);
 
-    let mut any_plan = searching();
-    let helps = unsolvable::helps(instance, within, &facts, &mut any_plan);
-    budget.absorb(&any_plan.budget);
-    (answer.repairs, answer.exhaustive) = (helps.repairs, helps.exhaustive);
+    if let Some(mut core) = core {
+        let mut any_plan = searching();
+        mark_helpful(instance, within, &mut core, &mut any_plan);
+        let further = further_sets(instance, &[], within, &core, &mut any_plan);
+        budget.absorb(&any_plan.budget);
+        answer.core = Some(told(&core));
+        answer.further_cores = further.iter().map(told).collect();
+        tell_no_plan(answer, past, Part::Core, tell);
+
+        let mut any_plan = searching();
+        let broken = Broken {
+            instance,
+            within,
+            objective: instance.objective(),
+            asked: &[],
+            cores: sets_of_facts(&core, &further),
+        };
+        let found = repairs(&broken, &mut any_plan);
+        budget.absorb(&any_plan.budget);
+        answer.exhaustive = found.exhaustive;
+        (answer.repairs, answer.further_repairs) = (found.repairs, found.further);
+    }
     tell_no_plan(answer, past, Part::Repairs, tell);
 }
 
@@ -205,6 +261,7 @@ fn tell_no_plan(answer: &mut ExplainAnswer, past: &Past, part: Part, tell: Tell)
         answer.within.map(|time| past.time(time)),
         &answer.witness,
         answer.core.as_ref(),
+        &answer.further_cores,
         &past.told_repairs(&answer.repairs),
     );
     tell(answer, part);

@@ -23,7 +23,7 @@ impl Past {
         answer.since = Some(course.since);
         answer.question = course.question.clone();
         answer.within = answer.within.map(|within| self.time(within));
-        if let Some(core) = &mut answer.core {
+        for core in answer.core.iter_mut().chain(&mut answer.further_cores) {
             core.within = core.within.map(|within| self.time(within));
         }
         answer.repairs = self.told_repairs(&answer.repairs);
@@ -69,8 +69,9 @@ impl Past {
             }
             let costs = self.costs_of_repair(repair);
             Repair {
-                text: words::repair(&edits, &costs),
+                text: words::repair(&edits, repair.least, &costs),
                 edits,
+                least: repair.least,
                 costs,
                 plan: course.whole(&repair.plan),
             }
@@ -91,7 +92,9 @@ fn without_other(mut answer: ExplainAnswer) -> ExplainAnswer {
     answer.deltas.clear();
     answer.witness.clear();
     answer.core = None;
+    answer.further_cores.clear();
     answer.repairs.clear();
+    answer.further_repairs = 0;
     answer.exhaustive = false;
     tr!("The plan that was found does not fit what happened before, so nothing is claimed.")
         .clone_into(&mut answer.words);

@@ -11,7 +11,8 @@ use giveway_model::{
     words::name,
 };
 use giveway_solve::explain::{
-    ExplainAnswer, Verdict, facts_claim, facts_title, verdict_word, witness_title,
+    Core, ExplainAnswer, Verdict, fact_sentence, facts_claim, facts_remark, facts_title,
+    further_facts_title, verdict_word, witness_title,
 };
 use giveway_solve::words::reach;
 
@@ -77,18 +78,36 @@ fn whole(
         .collect();
     parts.push(listed(&title, &witness));
     if let Some(core) = &answer.core {
-        let facts: Vec<&str> = core.facts.iter().map(|fact| fact.text.as_str()).collect();
-        let mut facts = listed(facts_title(answer.verdict), &facts);
-        if !facts.is_empty() {
-            let _ = writeln!(facts, "{}", facts_claim(core));
-        }
-        parts.push(facts);
+        parts.push(facts(facts_title(answer.verdict), core, answer.verdict));
     }
-    let repairs: Vec<&str> = answer.repairs.iter().map(|r| r.text.as_str()).collect();
+    let title = further_facts_title();
+    let further = answer.further_cores.iter();
+    parts.extend(further.map(|core| facts(title, core, answer.verdict)));
+    let mut repairs: Vec<&str> = answer.repairs.iter().map(|r| r.text.as_str()).collect();
+    let further = format!("{} more would help, too.", answer.further_repairs);
+    repairs.extend((answer.further_repairs > 0).then_some(further.as_str()));
     parts.push(listed("What would help", &repairs));
     parts.push(work(&answer.stats));
     parts.retain(|part| !part.is_empty());
     parts.join("\n")
+}
+
+/// A set of facts with what is claimed of it.
+fn facts(title: &str, core: &Core, verdict: Verdict) -> String {
+    let sentences: Vec<String> = core
+        .facts
+        .iter()
+        .map(|f| fact_sentence(f, verdict))
+        .collect();
+    let sentences: Vec<&str> = sentences.iter().map(String::as_str).collect();
+    let mut text = listed(title, &sentences);
+    if !text.is_empty() {
+        let _ = writeln!(text, "{}", facts_claim(core));
+        if let Some(remark) = facts_remark(core) {
+            let _ = writeln!(text, "{remark}");
+        }
+    }
+    text
 }
 
 /// The question and the verdict, with the reach of the claim.

@@ -1,8 +1,9 @@
 //! Words and headings around an answer to a question.
 
+use giveway_model::words::capital;
 use giveway_model::{Question, tr};
 
-use crate::explain::{Core, ExplainAnswer, Verdict};
+use crate::explain::{Core, ExplainAnswer, Fact, Verdict};
 
 /// The verdict in a word.
 pub fn verdict_word(answer: &ExplainAnswer) -> &'static str {
@@ -41,8 +42,48 @@ pub fn facts_title(verdict: Verdict) -> &'static str {
 /// Whether all of these facts are needed.
 pub fn facts_claim(core: &Core) -> &'static str {
     if core.minimal {
-        tr!("Drop any one of them and it becomes possible.")
+        tr!("These facts alone rule it out, and each of them is needed for that.")
     } else {
         tr!("Some of these may not be needed.")
     }
+}
+
+/// A fact as a sentence, with what leaving it out of the whole scene does, where that is
+/// known to help.
+pub fn fact_sentence(fact: &Fact, verdict: Verdict) -> String {
+    let fact_text = capital(&fact.text);
+    match (fact.helps, verdict) {
+        (Some(true), Verdict::Costly) => {
+            tr!(
+                "{fact_text}. Without this one there is a cheaper plan.",
+                fact_text
+            )
+        }
+        (Some(true), _) => tr!("{fact_text}. Without this one there is a plan.", fact_text),
+        _ => fact_text + ".",
+    }
+}
+
+/// What is known of leaving out single facts, where none of them helps or some were not
+/// tried to the end.
+pub fn facts_remark(core: &Core) -> Option<&'static str> {
+    let all = |helps: Option<bool>| core.facts.iter().all(|fact| fact.helps == helps);
+    if core.facts.is_empty() || all(None) {
+        None
+    } else if all(Some(false)) {
+        Some(tr!(
+            "Leaving out only one of them does not help: other facts rule it out, too."
+        ))
+    } else if core.facts.iter().any(|fact| fact.helps.is_none()) {
+        Some(tr!(
+            "For some of them it is not known whether leaving only that one out would help."
+        ))
+    } else {
+        None
+    }
+}
+
+/// What stands above a further set of facts.
+pub fn further_facts_title() -> &'static str {
+    tr!("These facts rule it out as well")
 }

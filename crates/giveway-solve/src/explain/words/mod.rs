@@ -15,7 +15,10 @@ mod verdict;
 mod violations;
 
 pub(crate) use facts::fact;
-pub use heads::{facts_claim, facts_title, verdict_word, witness_title};
+pub use heads::{
+    fact_sentence, facts_claim, facts_remark, facts_title, further_facts_title, verdict_word,
+    witness_title,
+};
 pub(crate) use own_plan::own_plan;
 pub use repairs::edits_in_words;
 pub(crate) use repairs::repair;

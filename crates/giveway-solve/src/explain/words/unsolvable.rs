@@ -3,7 +3,11 @@
 use giveway_model::tr;
 use giveway_model::words::and;
 
-use super::{verdict::help, violations::would};
+use super::{
+    facts::joined,
+    verdict::{as_well, help},
+    violations::would,
+};
 use crate::explain::{
     answer::{Class, Core, Repair, WitnessEntry},
     unsolvable::of_class,
@@ -14,6 +18,7 @@ pub(crate) fn unsolvable(
     within: Option<u32>,
     witness: &[WitnessEntry],
     core: Option<&Core>,
+    further: &[Core],
     repairs: &[Repair],
 ) -> String {
     let within = within.map_or_else(
@@ -22,12 +27,10 @@ pub(crate) fn unsolvable(
     );
     let mut sentences = vec![tr!("There is no plan{within}.", within)];
     if let Some(core) = core.filter(|core| !core.facts.is_empty()) {
-        let texts: Vec<&str> = core.facts.iter().map(|fact| fact.text.as_str()).collect();
-        sentences.push(tr!(
-            "These facts together rule it out: {facts}.",
-            facts = texts.join("; ")
-        ));
+        let facts = joined(core);
+        sentences.push(tr!("These facts together rule it out: {facts}.", facts));
     }
+    sentences.extend(further.iter().map(as_well));
     for class in [
         Class::Collision,
         Class::Obstacle,
