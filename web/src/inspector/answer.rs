@@ -34,7 +34,7 @@ pub(super) fn show(card: &Card, send: &Callback<Action>) -> Html {
             </div>
             // Without a plan to show, what would help is the next step.
             if card.other.is_none() && !card.repairs.is_empty() {
-                { repairs(&card.repairs, true, send) }
+                { repairs(card, true, send) }
             }
             if !card.rows.is_empty() {
                 { costs(&card.rows, tr!("Both plans"), [tr!("This"), tr!("Other")]) }
@@ -42,14 +42,12 @@ pub(super) fn show(card: &Card, send: &Callback<Action>) -> Html {
             if let Some((title, happenings)) = &card.witness && !is_numbered {
                 { witness(title, happenings, send) }
             }
-            if let Some(facts) = &card.core {
-                { core(facts, send) }
-            }
+            { for card.core.iter().chain(&card.further).map(|facts| core(facts, send)) }
             if let Some((title, happenings)) = &card.witness && is_numbered {
                 { witness(title, happenings, send) }
             }
             if card.other.is_some() && !card.repairs.is_empty() {
-                { repairs(&card.repairs, false, send) }
+                { repairs(card, false, send) }
             }
             if !card.pending.is_empty() {
                 <ul class="pending">{ for card.pending.iter().map(|line| html! { <li>{ *line }</li> }) }</ul>
@@ -164,7 +162,8 @@ fn witness(title: &str, happenings: &[Happening], send: &Callback<Action>) -> Ht
 }
 
 fn core(facts: &Facts, send: &Callback<Action>) -> Html {
-    let one = |(index, fact): (usize, &FactRow)| {
+    let one = |fact: &FactRow| {
+        let index = fact.index;
         let is_lit = fact.is_lit;
         let [on, off] = lit(Lit::Fact(index), send);
         html! {
@@ -184,13 +183,14 @@ fn core(facts: &Facts, send: &Callback<Action>) -> Html {
     html! {
         <section>
             <h3>{ facts.title }</h3>
-            <ul class="reasons tight">{ for facts.facts.iter().enumerate().map(one) }</ul>
+            <ul class="reasons tight">{ for facts.facts.iter().map(one) }</ul>
             <p class="remark">{ facts.claim }</p>
+            if let Some(remark) = facts.remark { <p class="remark">{ remark }</p> }
         </section>
     }
 }
 
-fn repairs(offered: &[Offered], leads: bool, send: &Callback<Action>) -> Html {
+fn repairs(card: &Card, leads: bool, send: &Callback<Action>) -> Html {
     let one = |(index, repair): (usize, &Offered)| {
         html! {
             <li><button type="button" class={classes!("repair", (leads && index == 0).then_some("lead"))}
@@ -203,7 +203,8 @@ fn repairs(offered: &[Offered], leads: bool, send: &Callback<Action>) -> Html {
     html! {
         <section>
             <h3>{ tr!("What would help") }</h3>
-            <ul class="repairs">{ for offered.iter().enumerate().map(one) }</ul>
+            <ul class="repairs">{ for card.repairs.iter().enumerate().map(one) }</ul>
+            if let Some(more) = &card.more_repairs { <p class="remark">{ more.clone() }</p> }
         </section>
     }
 }

@@ -120,7 +120,8 @@ pub fn reasons(state: &State) -> Reasons {
             }),
         }
     }
-    let facts = told.core.iter().flat_map(|core| &core.facts);
+    let cores = told.core.iter().chain(&told.further_cores);
+    let facts = cores.flat_map(|core| &core.facts);
     for (index, fact) in facts.enumerate() {
         let is_lit = asking.lit == Some(Lit::Fact(index));
         if let Some(cell) = fact.cell {

@@ -29,8 +29,17 @@ const JOINT_STEPS: u64 = 600_000;
 /// What one part may take of the seconds that are left.
 const SHARE: f64 = 0.4;
 
+/// So many times that work may go into repairs: they are the next step of a person, and
+/// the least battery that helps takes long searches.
+const REPAIRS: u64 = 6;
+
 /// The budget of one part.
 fn part<'h>(budget: &Budget<'h>) -> Rc<Budget<'h>> {
+    part_of(budget, 1)
+}
+
+/// The budget of a part that may take so many times the work of another.
+fn part_of<'h>(budget: &Budget<'h>, times: u64) -> Rc<Budget<'h>> {
     let limits = Limits {
         seconds: budget.seconds_left().map(|seconds| seconds * SHARE),
         ..Limits::default()
@@ -38,8 +47,8 @@ fn part<'h>(budget: &Budget<'h>) -> Rc<Budget<'h>> {
     Rc::new(
         budget
             .part(limits)
-            .with_derived(DERIVED)
-            .with_work(CLAUSES, JOINT_STEPS),
+            .with_derived(DERIVED * times)
+            .with_work(CLAUSES * times, JOINT_STEPS * times),
     )
 }
 
@@ -127,7 +136,7 @@ fn another_could(case: &Case, facts: &[Group]) -> bool {
 fn contrasted<'a, 'h>(
     case: &'a Case<'a>,
     answer: &'a ExplainAnswer,
-    budget: &Rc<Budget<'h>>,
+    budget: Rc<Budget<'h>>,
 ) -> Contrasted<'a, 'h> {
     let costly = answer.verdict == Verdict::Costly;
     Contrasted {
@@ -135,12 +144,12 @@ fn contrasted<'a, 'h>(
         most: costly.then(|| case.costs.vector(case.objective())),
         near: answer.alternative.as_ref().filter(|_| costly),
         horizon: answer.within.unwrap_or(case.costs.makespan),
-        budget: part(budget),
+        budget,
     }
 }
 
 fn core_of_case(case: &Case, answer: &ExplainAnswer, budget: &Rc<Budget>) -> Option<CoreFound> {
-    let mut contrasted = contrasted(case, answer, budget);
+    let mut contrasted = contrasted(case, answer, part(budget));
     let refuted = Tried::None {
         reach: case.shown?,
         clash: Vec::new(),
@@ -164,7 +173,7 @@ fn further_of_case(
     core: &mut CoreFound,
     budget: &Rc<Budget>,
 ) -> Vec<CoreFound> {
-    let mut contrasted = contrasted(case, answer, budget);
+    let mut contrasted = contrasted(case, answer, part(budget));
     let (instance, within) = (case.instance, case.within);
     mark_helpful(instance, within, core, &mut contrasted);
     let further = further_sets(instance, &asked(case), within, core, &mut contrasted);
@@ -180,7 +189,7 @@ fn help_case(
     budget: &Rc<Budget>,
 ) {
     let asked = asked(case);
-    let mut contrasted = contrasted(case, answer, budget);
+    let mut contrasted = contrasted(case, answer, part_of(budget, REPAIRS));
     let broken = Broken {
         instance: case.instance,
         within: case.within,
@@ -213,18 +222,18 @@ pub(crate) fn of_no_plan(
     answer.verdict = Verdict::Necessary;
     (answer.complete, answer.within) = told(found.reach);
     tell_no_plan(answer, past, Part::Verdict, tell);
-    let searching = || AnyPlan {
+    let searching = |times| AnyPlan {
         objective: instance.objective(),
         horizon: found.horizon,
-        budget: part(budget),
+        budget: part_of(budget, times),
         past,
     };
-    let mut any_plan = searching();
+    let mut any_plan = searching(1);
     (answer.witness, _) = unsolvable::witness(instance, within, &mut any_plan);
     budget.absorb(&any_plan.budget);
     tell_no_plan(answer, past, Part::Witness, tell);
 
-    let mut any_plan = searching();
+    let mut any_plan = searching(1);
     let core = unsolvable::core(instance, within, found, &mut any_plan);
     budget.absorb(&any_plan.budget);
     let told = |set: &CoreFound| set.core(instance, within.map(|time| past.time(time)));
@@ -232,7 +241,7 @@ pub(crate) fn of_no_plan(
     tell_no_plan(answer, past, Part::Core, tell);
 
     if let Some(mut core) = core {
-        let mut any_plan = searching();
+        let mut any_plan = searching(1);
         mark_helpful(instance, within, &mut core, &mut any_plan);
         let further = further_sets(instance, &[], within, &core, &mut any_plan);
         budget.absorb(&any_plan.budget);
@@ -240,7 +249,7 @@ pub(crate) fn of_no_plan(
         answer.further_cores = further.iter().map(told).collect();
         tell_no_plan(answer, past, Part::Core, tell);
 
-        let mut any_plan = searching();
+        let mut any_plan = searching(REPAIRS);
         let broken = Broken {
             instance,
             within,

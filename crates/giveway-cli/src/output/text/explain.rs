@@ -97,13 +97,13 @@ fn facts(title: &str, core: &Core, verdict: Verdict) -> String {
     let sentences: Vec<String> = core
         .facts
         .iter()
-        .map(|f| fact_sentence(f, verdict))
+        .map(|f| fact_sentence(f, core, verdict))
         .collect();
     let sentences: Vec<&str> = sentences.iter().map(String::as_str).collect();
     let mut text = listed(title, &sentences);
     if !text.is_empty() {
         let _ = writeln!(text, "{}", facts_claim(core));
-        if let Some(remark) = facts_remark(core) {
+        if let Some(remark) = facts_remark(core, verdict) {
             let _ = writeln!(text, "{remark}");
         }
     }

@@ -4,7 +4,10 @@ mod costs;
 mod parts;
 
 use giveway_model::{Question, tr};
-use giveway_solve::explain::{edits_in_words, facts_claim, facts_title, witness_title};
+use giveway_solve::explain::{
+    Core, ExplainAnswer, edits_in_words, fact_sentence, facts_claim, facts_remark, facts_title,
+    further_facts_title, witness_title,
+};
 use giveway_solve::words::reach;
 
 use super::signs::{badge, edit_icon, fact_icon, pending, verdict_words};
@@ -28,7 +31,9 @@ pub fn card(state: &State) -> Option<Card> {
         other: None,
         witness: None,
         core: None,
+        further: Vec::new(),
         repairs: Vec::new(),
+        more_repairs: None,
         pending: Vec::new(),
         standing: None,
     };
@@ -54,21 +59,20 @@ pub fn card(state: &State) -> Option<Card> {
     });
     let happenings: Vec<Happening> = happenings.collect();
     card.witness = (!happenings.is_empty()).then(|| (witness_title(asking.question()), happenings));
-    card.core = told.core.as_ref().map(|core| Facts {
-        title: facts_title(told.verdict),
-        claim: facts_claim(core),
-        facts: core
-            .facts
-            .iter()
-            .enumerate()
-            .map(|(index, fact)| FactRow {
-                number: numbers_facts(asking).then_some(index + 1),
-                icon: fact_icon(fact),
-                text: fact.text.clone(),
-                is_lit: asking.lit == Some(Lit::Fact(index)),
-            })
-            .collect(),
-    });
+    let mut first = 0;
+    let mut facts = |core: &Core, title| {
+        let facts = facts(asking, told, core, title, first);
+        first += core.facts.len();
+        facts
+    };
+    card.core = told
+        .core
+        .as_ref()
+        .map(|core| facts(core, facts_title(told.verdict)));
+    let further = told.further_cores.iter();
+    card.further = further
+        .map(|core| facts(core, further_facts_title()))
+        .collect();
     let objective = asking.about.draft.scene().objective.clone();
     let objective = asking.request.objective.as_ref().unwrap_or(&objective);
     let repairs = told.repairs.iter();
@@ -77,16 +81,47 @@ pub fn card(state: &State) -> Option<Card> {
         .map(|repair| Offered {
             icon: repair.edits.first().map_or("check", edit_icon),
             // Its costs stand below it.
-            text: edits_in_words(&repair.edits),
+            text: if repair.least {
+                edits_in_words(&repair.edits)
+            } else {
+                let repair = edits_in_words(&repair.edits);
+                tr!("{repair}. Perhaps less would do.", repair)
+            },
             costs: words::values(objective, &repair.costs),
         })
         .collect();
+    card.more_repairs = (told.further_repairs > 0 && !card.repairs.is_empty()).then(|| {
+        tr!("{n} more would help, too." | "{n} more would help, too." % told.further_repairs)
+    });
     if state.is_looking() {
         card.pending = told.pending.iter().map(|&part| pending(part)).collect();
     } else {
         card.standing = reach(told.complete, told.within);
     }
     Some(card)
+}
+
+/// A set of facts, whose first one has this place among the facts of all sets.
+fn facts(
+    asking: &Asking,
+    told: &ExplainAnswer,
+    core: &Core,
+    title: &'static str,
+    first: usize,
+) -> Facts {
+    let rows = core.facts.iter().zip(first..).map(|(fact, index)| FactRow {
+        index,
+        number: numbers_facts(asking).then_some(index + 1),
+        icon: fact_icon(fact),
+        text: fact_sentence(fact, core, told.verdict),
+        is_lit: asking.lit == Some(Lit::Fact(index)),
+    });
+    Facts {
+        title,
+        claim: facts_claim(core),
+        remark: facts_remark(core, told.verdict),
+        facts: rows.collect(),
+    }
 }
 
 /// Whether the answer itself offers the next step: another plan, or a repair.

@@ -17,8 +17,12 @@ pub struct Card {
     pub witness: Option<(String, Vec<Happening>)>,
     /// What together makes it impossible.
     pub core: Option<Facts>,
+    /// Further sets of facts that do so as well.
+    pub further: Vec<Facts>,
     /// What would help.
     pub repairs: Vec<Offered>,
+    /// How many more would help, in words.
+    pub more_repairs: Option<String>,
     /// What is still looked for, as quiet lines.
     pub pending: Vec<&'static str>,
     /// What the claim rests on, once the answer is whole.
@@ -67,6 +71,8 @@ pub struct Facts {
     pub title: &'static str,
     /// What is claimed of it.
     pub claim: &'static str,
+    /// What is known of leaving out only one of its facts.
+    pub remark: Option<&'static str>,
     /// The facts.
     pub facts: Vec<FactRow>,
 }
@@ -74,6 +80,8 @@ pub struct Facts {
 /// A fact of the minimal set.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct FactRow {
+    /// Its place among the facts of all sets, from 0.
+    pub index: usize,
     /// Its number on the map, from 1; `None` where what would happen has the numbers.
     pub number: Option<usize>,
     /// The icon of its kind.

@@ -48,39 +48,44 @@ pub fn facts_claim(core: &Core) -> &'static str {
     }
 }
 
-/// A fact as a sentence, with what leaving it out of the whole scene does, where that is
-/// known to help.
-pub fn fact_sentence(fact: &Fact, verdict: Verdict) -> String {
-    let fact_text = capital(&fact.text);
-    match (fact.helps, verdict) {
-        (Some(true), Verdict::Costly) => {
-            tr!(
-                "{fact_text}. Without this one there is a cheaper plan.",
-                fact_text
-            )
-        }
-        (Some(true), _) => tr!("{fact_text}. Without this one there is a plan.", fact_text),
-        _ => fact_text + ".",
+/// A fact as a sentence, with a remark where leaving only this one out of the whole
+/// scene helps. Where that is so of all facts of its set, [`facts_remark`] says it.
+pub fn fact_sentence(fact: &Fact, core: &Core, verdict: Verdict) -> String {
+    let text = capital(&fact.text);
+    if fact.helps != Some(true) || helps_all(core, Some(true)) {
+        return text + ".";
+    }
+    match verdict {
+        Verdict::Costly => tr!("{text}. Without this one there is a cheaper plan.", text),
+        _ => tr!("{text}. Without this one there is a plan.", text),
     }
 }
 
-/// What is known of leaving out single facts, where none of them helps or some were not
-/// tried to the end.
-pub fn facts_remark(core: &Core) -> Option<&'static str> {
-    let all = |helps: Option<bool>| core.facts.iter().all(|fact| fact.helps == helps);
-    if core.facts.is_empty() || all(None) {
+/// What is known of leaving out single facts of the whole scene, beside the remarks of
+/// [`fact_sentence`].
+pub fn facts_remark(core: &Core, verdict: Verdict) -> Option<&'static str> {
+    if core.facts.is_empty() || helps_all(core, None) {
         None
-    } else if all(Some(false)) {
+    } else if helps_all(core, Some(true)) {
+        Some(match verdict {
+            Verdict::Costly => tr!("Without any single one of them there is a cheaper plan."),
+            _ => tr!("Without any single one of them there is a plan."),
+        })
+    } else if helps_all(core, Some(false)) {
         Some(tr!(
             "Leaving out only one of them does not help: other facts rule it out, too."
         ))
     } else if core.facts.iter().any(|fact| fact.helps.is_none()) {
         Some(tr!(
-            "For some of them it is not known whether leaving only that one out would help."
+            "For some of them it is not known whether leaving out only that one would help."
         ))
     } else {
         None
     }
+}
+
+fn helps_all(core: &Core, helps: Option<bool>) -> bool {
+    core.facts.iter().all(|fact| fact.helps == helps)
 }
 
 /// What stands above a further set of facts.
