@@ -126,7 +126,11 @@ impl RepairSearch<'_> {
                 Group::Task(a) if !asked.contains(&a) => {
                     candidates.push(Candidate::Edit(Edit::LeaveOut { agent: name(a) }));
                 }
-                Group::Task(_) | Group::Collision(..) | Group::Stay(_) | Group::Slow => {}
+                Group::Task(_)
+                | Group::Collision(..)
+                | Group::Stay(_)
+                | Group::Slow
+                | Group::Floor => {}
             }
         }
         if any(|fact| matches!(fact, Group::Battery(_))) {

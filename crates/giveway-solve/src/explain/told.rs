@@ -25,6 +25,9 @@ impl Past {
         answer.within = answer.within.map(|within| self.time(within));
         if let Some(core) = &mut answer.core {
             core.within = core.within.map(|within| self.time(within));
+            for further in &mut core.further {
+                further.within = further.within.map(|within| self.time(within));
+            }
         }
         answer.repairs = self.told_repairs(&answer.repairs);
         if let Some(plan) = answer.alternative.take() {

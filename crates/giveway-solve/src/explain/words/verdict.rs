@@ -6,6 +6,7 @@ use super::{
     contrast::contrast,
     costs::instead as in_costs,
     differences::instead,
+    joined::because,
     repairs::{led_to, phrase},
     violations::would,
 };
@@ -88,7 +89,7 @@ pub(crate) fn verdict(telling: &Telling) -> String {
         }
     });
     if matches!(telling.verdict, Verdict::Necessary | Verdict::Costly) {
-        sentences.extend(telling.core.and_then(|core| because(core, telling.verdict)));
+        sentences.extend(because(telling.core, telling.question, telling.verdict));
     }
     sentences.extend(help(telling.repairs));
     sentences.join(" ")
@@ -133,19 +134,6 @@ fn costly(telling: &Telling, does: &str, now: &Costs, before: &Costs) -> String 
         does,
         instead
     )
-}
-
-/// What a set of facts excludes.
-fn because(core: &Core, verdict: Verdict) -> Option<String> {
-    let texts: Vec<&str> = core.facts.iter().map(|fact| fact.text.as_str()).collect();
-    let facts = texts.join("; ");
-    (!texts.is_empty()).then(|| match verdict {
-        Verdict::Costly => tr!(
-            "These facts together rule a cheaper one out: {facts}.",
-            facts
-        ),
-        _ => tr!("These facts together rule it out: {facts}.", facts),
-    })
 }
 
 /// The first repair.
