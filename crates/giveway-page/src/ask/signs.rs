@@ -60,7 +60,7 @@ pub(super) fn fact_icon(fact: &Fact) -> &'static str {
     match fact.kind {
         FactKind::Task => "agent",
         FactKind::Waypoint => "waypoint",
-        FactKind::Battery => "charger",
+        FactKind::Battery | FactKind::Floor => "charger",
         FactKind::Obstacle => "obstacle",
         FactKind::Slow => "slow",
         FactKind::Collision => "collision",

@@ -160,6 +160,7 @@ pub struct Fact {
     /// The fact as a clause for people: `A1 must visit (2, 1)`.
     pub text: String,
     /// Whether leaving out this fact alone helps.
+    #[serde(default)]
     pub helps: Helps,
 }
 
