@@ -12,7 +12,7 @@ use crate::{glyph, icon};
 pub(super) fn show(card: &Card, send: &Callback<Action>) -> Html {
     // The facts have the numbers: they come first.
     let is_numbered = card
-        .core
+        .cores
         .iter()
         .flat_map(|core| &core.facts)
         .any(|fact| fact.number.is_some());
@@ -42,7 +42,7 @@ pub(super) fn show(card: &Card, send: &Callback<Action>) -> Html {
             if let Some((title, happenings)) = &card.witness && !is_numbered {
                 { witness(title, happenings, send) }
             }
-            { for card.core.iter().chain(&card.further).map(|facts| core(facts, send)) }
+            { for card.cores.iter().map(|facts| core(facts, send)) }
             if let Some((title, happenings)) = &card.witness && is_numbered {
                 { witness(title, happenings, send) }
             }
@@ -163,9 +163,8 @@ fn witness(title: &str, happenings: &[Happening], send: &Callback<Action>) -> Ht
 
 fn core(facts: &Facts, send: &Callback<Action>) -> Html {
     let one = |fact: &FactRow| {
-        let index = fact.index;
         let is_lit = fact.is_lit;
-        let [on, off] = lit(Lit::Fact(index), send);
+        let [on, off] = lit(Lit::Fact(fact.index), send);
         html! {
             <li><button type="button" class={classes!("fact", is_lit.then_some("lit"))} aria-pressed={is_lit.to_string()}
                 onclick={on.reform(|_: MouseEvent| ())}
@@ -176,7 +175,7 @@ fn core(facts: &Facts, send: &Callback<Action>) -> Html {
                 } else {
                     { icon::show(fact.icon) }
                 }
-                <span>{ fact.text.clone() }</span>
+                <span>{ fact.text.clone() }if let Some(mark) = fact.mark { <small>{ mark }</small> }</span>
             </button></li>
         }
     };
@@ -184,8 +183,7 @@ fn core(facts: &Facts, send: &Callback<Action>) -> Html {
         <section>
             <h3>{ facts.title }</h3>
             <ul class="reasons tight">{ for facts.facts.iter().map(one) }</ul>
-            <p class="remark">{ facts.claim }</p>
-            if let Some(remark) = facts.remark { <p class="remark">{ remark }</p> }
+            <p class="remark">{ facts.claim.clone() }</p>
         </section>
     }
 }

@@ -4,7 +4,7 @@ use std::collections::BTreeSet;
 
 use giveway_model::{Cell, Grid, Instance, Plan};
 
-use super::answer::{Fact, FactKind};
+use super::answer::{Fact, FactKind, Helps};
 use super::words;
 use crate::problem::Relaxed;
 use giveway_model::sorting::sort;
@@ -31,6 +31,8 @@ pub(crate) enum Group {
     Slow,
     /// A person set the horizon.
     Deadline,
+    /// No battery may fall below the floor.
+    Floor,
 }
 
 impl Group {
@@ -75,7 +77,7 @@ impl Group {
             text: words::fact(self, instance, within),
             agents,
             cell,
-            helps,
+            helps: Helps::Unknown,
         }
     }
 }
@@ -104,10 +106,12 @@ pub(crate) fn groups(instance: &Instance, asked: &[usize], deadline: bool) -> Ve
         groups.push(Group::Slow);
     }
     groups.extend(deadline.then_some(Group::Deadline));
-    let has_battery = instance.agents().iter().any(|a| a.battery.is_some());
-    if has_battery && instance.rules().battery_floor > 0 {
-        groups.push(Group::Floor);
-    }
+    let has_battery = instance
+        .agents()
+        .iter()
+        .any(|agent| agent.battery.is_some());
+    let has_floor = has_battery && instance.rules().battery_floor > 0;
+    groups.extend(has_floor.then_some(Group::Floor));
     sort(&mut groups);
     groups
 }
@@ -162,6 +166,7 @@ pub(crate) fn without(
             }
             Group::Slow => variant.make_normal(|_| true),
             Group::Deadline => within = None,
+            Group::Floor => variant = variant.with_battery_floor(0),
         }
     }
     if !free.is_empty() {

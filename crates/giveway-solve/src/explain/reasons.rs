@@ -8,6 +8,7 @@ use giveway_model::{Cost, Costs, Instance, Plan, sorting};
 use super::{
     ExplainAnswer, Part, Verdict, WitnessEntry,
     ask::Found,
+    causes::{Refuted, find_causes},
     contrasted::Contrasted,
     further::{further_sets, mark_helpful},
     group::Group,
@@ -149,21 +150,31 @@ fn contrasted<'a, 'h>(
 }
 
 fn core_of_case(case: &Case, answer: &ExplainAnswer, budget: &Rc<Budget>) -> Option<CoreFound> {
-    let mut contrasted = contrasted(case, answer, part(budget));
-    let refuted = Tried::None {
-        reach: case.shown?,
+    let reach = case.shown?;
+    let refuted = Refuted {
+        instance: case.instance,
+        asked: &asked(case),
+        deadline: case.within,
+        reach,
+    };
+    let mut inquiry = contrasted(case, answer, budget);
+    let none = Tried::None {
+        reach,
         clash: Vec::new(),
     };
     let core = group_mus(
         case.instance,
-        &asked(case),
+        refuted.asked,
         case.within,
-        &BTreeSet::new(),
-        refuted,
-        &mut contrasted,
+        none,
+        &mut inquiry,
     );
-    budget.absorb(&contrasted.budget);
-    core
+    budget.absorb(&inquiry.budget);
+    let mut core = core?;
+    let mut inquiry = contrasted(case, answer, budget);
+    find_causes(&refuted, &mut core, &mut inquiry);
+    budget.absorb(&inquiry.budget);
+    Some(core)
 }
 
 /// Marks the facts of the minimal set that help, and finds further sets.
@@ -233,11 +244,22 @@ pub(crate) fn of_no_plan(
     budget.absorb(&any_plan.budget);
     tell_no_plan(answer, past, Part::Witness, tell);
 
-    let mut any_plan = searching(1);
-    let core = unsolvable::core(instance, within, found, &mut any_plan);
+    let mut any_plan = searching();
+    let mut core = unsolvable::core(instance, within, found, &mut any_plan);
     budget.absorb(&any_plan.budget);
-    let told = |set: &CoreFound| set.core(instance, within.map(|time| past.time(time)));
-    answer.core = core.as_ref().map(told);
+    if let Some((core, reach)) = core.as_mut().zip(found.reach) {
+        let refuted = Refuted {
+            instance,
+            asked: &[],
+            deadline: within,
+            reach,
+        };
+        let mut any_plan = searching();
+        find_causes(&refuted, core, &mut any_plan);
+        budget.absorb(&any_plan.budget);
+    }
+    let facts = core.as_ref().map_or(Vec::new(), |core| core.groups.clone());
+    answer.core = core.map(|core| core.core(instance, within.map(|time| past.time(time))));
     tell_no_plan(answer, past, Part::Core, tell);
 
     if let Some(mut core) = core {

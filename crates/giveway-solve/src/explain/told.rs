@@ -25,6 +25,9 @@ impl Past {
         answer.within = answer.within.map(|within| self.time(within));
         for core in answer.core.iter_mut().chain(&mut answer.further_cores) {
             core.within = core.within.map(|within| self.time(within));
+            for further in &mut core.further {
+                further.within = further.within.map(|within| self.time(within));
+            }
         }
         answer.repairs = self.told_repairs(&answer.repairs);
         if let Some(plan) = answer.alternative.take() {

@@ -11,8 +11,8 @@ use giveway_model::{
     words::name,
 };
 use giveway_solve::explain::{
-    Core, ExplainAnswer, Verdict, fact_sentence, facts_claim, facts_remark, facts_title,
-    further_facts_title, verdict_word, witness_title,
+    Core, ExplainAnswer, Verdict, facts_claim, facts_title, further_title, helps_mark,
+    verdict_word, witness_title,
 };
 use giveway_solve::words::reach;
 
@@ -78,7 +78,10 @@ fn whole(
         .collect();
     parts.push(listed(&title, &witness));
     if let Some(core) = &answer.core {
-        parts.push(facts(facts_title(answer.verdict), core, answer.verdict));
+        parts.push(facts(answer, core, facts_title(answer.verdict)));
+        let title = further_title(answer.verdict);
+        let further = core.further.iter();
+        parts.extend(further.map(|core| facts(answer, core, title)));
     }
     let title = further_facts_title();
     let further = answer.further_cores.iter();
@@ -92,20 +95,19 @@ fn whole(
     parts.join("\n")
 }
 
-/// A set of facts with what is claimed of it.
-fn facts(title: &str, core: &Core, verdict: Verdict) -> String {
-    let sentences: Vec<String> = core
-        .facts
-        .iter()
-        .map(|f| fact_sentence(f, core, verdict))
-        .collect();
-    let sentences: Vec<&str> = sentences.iter().map(String::as_str).collect();
-    let mut text = listed(title, &sentences);
+/// A set of facts, those that help with a mark, and what is claimed of it.
+fn facts(answer: &ExplainAnswer, core: &Core, title: &str) -> String {
+    let marked = core.facts.iter().map(|fact| {
+        let mark = helps_mark(&answer.question, answer.verdict, core, fact);
+        let mark = mark.map_or_else(String::new, |mark| format!(" ({mark})"));
+        format!("{}{mark}", fact.text)
+    });
+    let marked: Vec<String> = marked.collect();
+    let marked: Vec<&str> = marked.iter().map(String::as_str).collect();
+    let mut text = listed(title, &marked);
     if !text.is_empty() {
-        let _ = writeln!(text, "{}", facts_claim(core));
-        if let Some(remark) = facts_remark(core, verdict) {
-            let _ = writeln!(text, "{remark}");
-        }
+        let claim = facts_claim(&answer.question, answer.verdict, core);
+        let _ = writeln!(text, "{claim}");
     }
     text
 }

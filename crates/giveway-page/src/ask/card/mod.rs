@@ -5,8 +5,8 @@ mod parts;
 
 use giveway_model::{Question, tr};
 use giveway_solve::explain::{
-    Core, ExplainAnswer, edits_in_words, fact_sentence, facts_claim, facts_remark, facts_title,
-    further_facts_title, witness_title,
+    Core, ExplainAnswer, edits_in_words, facts_claim, facts_title, further_title, helps_mark,
+    witness_title,
 };
 use giveway_solve::words::reach;
 
@@ -30,8 +30,7 @@ pub fn card(state: &State) -> Option<Card> {
         rows: Vec::new(),
         other: None,
         witness: None,
-        core: None,
-        further: Vec::new(),
+        cores: Vec::new(),
         repairs: Vec::new(),
         more_repairs: None,
         pending: Vec::new(),
@@ -59,20 +58,7 @@ pub fn card(state: &State) -> Option<Card> {
     });
     let happenings: Vec<Happening> = happenings.collect();
     card.witness = (!happenings.is_empty()).then(|| (witness_title(asking.question()), happenings));
-    let mut first = 0;
-    let mut facts = |core: &Core, title| {
-        let facts = facts(asking, told, core, title, first);
-        first += core.facts.len();
-        facts
-    };
-    card.core = told
-        .core
-        .as_ref()
-        .map(|core| facts(core, facts_title(told.verdict)));
-    let further = told.further_cores.iter();
-    card.further = further
-        .map(|core| facts(core, further_facts_title()))
-        .collect();
+    card.cores = facts(asking, told);
     let objective = asking.about.draft.scene().objective.clone();
     let objective = asking.request.objective.as_ref().unwrap_or(&objective);
     let repairs = told.repairs.iter();
@@ -101,27 +87,31 @@ pub fn card(state: &State) -> Option<Card> {
     Some(card)
 }
 
-/// A set of facts, whose first one has this place among the facts of all sets.
-fn facts(
-    asking: &Asking,
-    told: &ExplainAnswer,
-    core: &Core,
-    title: &'static str,
-    first: usize,
-) -> Facts {
-    let rows = core.facts.iter().zip(first..).map(|(fact, index)| FactRow {
-        index,
-        number: numbers_facts(asking).then_some(index + 1),
-        icon: fact_icon(fact),
-        text: fact_sentence(fact, core, told.verdict),
-        is_lit: asking.lit == Some(Lit::Fact(index)),
-    });
-    Facts {
-        title,
-        claim: facts_claim(core),
-        remark: facts_remark(core, told.verdict),
-        facts: rows.collect(),
-    }
+/// The sets of facts, the first one first.
+fn facts(asking: &Asking, told: &ExplainAnswer) -> Vec<Facts> {
+    let mut index = 0..;
+    let sets = told.core.iter().flat_map(Core::sets).enumerate();
+    sets.map(|(set, core)| Facts {
+        title: match set {
+            0 => facts_title(told.verdict),
+            _ => further_title(told.verdict),
+        },
+        claim: facts_claim(&told.question, told.verdict, core),
+        facts: core
+            .facts
+            .iter()
+            .zip(index.by_ref())
+            .map(|(fact, index)| FactRow {
+                number: numbers_facts(asking).then_some(index + 1),
+                icon: fact_icon(fact),
+                text: fact.text.clone(),
+                mark: helps_mark(&told.question, told.verdict, core, fact),
+                index,
+                is_lit: asking.lit == Some(Lit::Fact(index)),
+            })
+            .collect(),
+    })
+    .collect()
 }
 
 /// Whether the answer itself offers the next step: another plan, or a repair.

@@ -16,9 +16,7 @@ pub struct Card {
     /// What would happen, with its heading.
     pub witness: Option<(String, Vec<Happening>)>,
     /// What together makes it impossible.
-    pub core: Option<Facts>,
-    /// Further sets of facts that do so as well.
-    pub further: Vec<Facts>,
+    pub cores: Vec<Facts>,
     /// What would help.
     pub repairs: Vec<Offered>,
     /// How many more would help, in words.
@@ -64,20 +62,18 @@ pub struct Happening {
     pub is_lit: bool,
 }
 
-/// The minimal set.
+/// A minimal set.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Facts {
     /// The heading.
     pub title: &'static str,
     /// What is claimed of it.
-    pub claim: &'static str,
-    /// What is known of leaving out only one of its facts.
-    pub remark: Option<&'static str>,
+    pub claim: String,
     /// The facts.
     pub facts: Vec<FactRow>,
 }
 
-/// A fact of the minimal set.
+/// A fact of a minimal set.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct FactRow {
     /// Its place among the facts of all sets, from 0.
@@ -88,6 +84,10 @@ pub struct FactRow {
     pub icon: &'static str,
     /// What.
     pub text: String,
+    /// That leaving it out alone helps, where its set does not say so of all its facts.
+    pub mark: Option<&'static str>,
+    /// Its place among the facts of all sets, by which it lights up.
+    pub index: usize,
     /// Whether it is lit up.
     pub is_lit: bool,
 }

@@ -196,6 +196,7 @@ fn what_a_set_excludes_and_what_helps_is_told_at_the_end() {
         minimal: true,
         complete: true,
         within: None,
+        further: Vec::new(),
     };
     let repair = Repair {
         edits: vec![Edit::RemoveObstacle {

@@ -6,7 +6,7 @@ use super::{
     contrast::contrast,
     costs::instead as in_costs,
     differences::instead,
-    facts::joined,
+    joined::because,
     repairs::{led_to, phrase},
     violations::would,
 };
@@ -91,8 +91,7 @@ pub(crate) fn verdict(telling: &Telling) -> String {
         }
     });
     if matches!(telling.verdict, Verdict::Necessary | Verdict::Costly) {
-        sentences.extend(telling.core.and_then(|core| because(core, telling.verdict)));
-        sentences.extend(telling.further.iter().map(as_well));
+        sentences.extend(because(telling.core, telling.question, telling.verdict));
     }
     sentences.extend(help(telling.repairs));
     sentences.join(" ")
@@ -139,27 +138,7 @@ fn costly(telling: &Telling, does: &str, now: &Costs, before: &Costs) -> String 
     )
 }
 
-/// What a set of facts excludes.
-fn because(core: &Core, verdict: Verdict) -> Option<String> {
-    let facts = joined(core);
-    (!core.facts.is_empty()).then(|| match verdict {
-        Verdict::Costly => tr!(
-            "These facts together rule a cheaper one out: {facts}.",
-            facts
-        ),
-        _ => tr!("These facts together rule it out: {facts}.", facts),
-    })
-}
-
-/// A further set of facts.
-pub(super) fn as_well(core: &Core) -> String {
-    tr!(
-        "These facts rule it out as well: {facts}.",
-        facts = joined(core)
-    )
-}
-
-/// The first repair; where it leaves robots out, with the first that does not.
+/// The first repair.
 pub(crate) fn help(repairs: &[Repair]) -> Option<String> {
     let first = repairs.first()?;
     let leaves_out = |repair: &&Repair| {
