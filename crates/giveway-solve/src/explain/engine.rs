@@ -289,7 +289,6 @@ fn empty(question: &Question) -> ExplainAnswer {
         closest: false,
         witness: Vec::new(),
         core: None,
-        further_cores: Vec::new(),
         repairs: Vec::new(),
         further_repairs: 0,
         exhaustive: false,

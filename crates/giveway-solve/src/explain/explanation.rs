@@ -12,14 +12,6 @@ use serde::{Deserialize, Serialize};
 use super::{Core, Excess, Repair, WitnessEntry};
 use crate::{Limits, Stats};
 
-#[allow(
-    clippy::trivially_copy_pass_by_ref,
-    reason = "serde asks for this shape"
-)]
-const fn is_zero(count: &u32) -> bool {
-    *count == 0
-}
-
 /// Answer a question about a plan, or about there being none.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, BorshSerialize, BorshDeserialize)]
 #[serde(deny_unknown_fields)]
@@ -149,15 +141,9 @@ pub struct ExplainAnswer {
     pub witness: Vec<WitnessEntry>,
     /// What together makes it impossible, or so costly.
     pub core: Option<Core>,
-    /// Further sets that rule it out as well, where leaving out no single fact of
-    /// `core` helps, robots' tasks apart: none shares a fact with the sets before
-    /// it, but for tasks that help.
-    #[serde(default, skip_serializing_if = "Vec::is_empty")]
-    pub further_cores: Vec<Core>,
     /// What would help, the best first.
     pub repairs: Vec<Repair>,
-    /// How many further repairs help that are not told.
-    #[serde(default, skip_serializing_if = "is_zero")]
+    /// How many more repairs help than are told.
     pub further_repairs: u32,
     /// Whether all repairs of one or two edits were tried, each to its end. Pairs
     /// are those of edits of which neither helps alone.

@@ -19,8 +19,6 @@ pub(crate) enum Group {
     Waypoint(usize, Cell),
     /// Its battery is limited.
     Battery(usize),
-    /// No battery may fall below the floor of the rules.
-    Floor,
     /// The cell is an obstacle.
     Obstacle(Cell),
     /// The two, the lower number first, must not collide.
@@ -59,13 +57,8 @@ impl Group {
         }
     }
 
-    /// The fact for people; `helps` says whether leaving it out alone helps.
-    pub(crate) fn fact(
-        self,
-        instance: &Instance,
-        within: Option<u32>,
-        helps: Option<bool>,
-    ) -> Fact {
+    /// The fact for people.
+    pub(crate) fn fact(self, instance: &Instance, within: Option<u32>) -> Fact {
         let name = |&a: &usize| instance.agents().get(a).map_or("", |a| a.name.as_str());
         let agents: Vec<String> = self.agents().iter().map(|a| name(a).to_owned()).collect();
         let cell = match self {
@@ -149,7 +142,6 @@ pub(crate) fn without(
             Group::Task(_) => {}
             Group::Waypoint(a, cell) => variant.drop_waypoint(a, cell),
             Group::Battery(a) => variant.drop_battery(a),
-            Group::Floor => variant.lower_battery_floor(0),
             Group::Obstacle(cell) => {
                 free.insert(cell);
             }

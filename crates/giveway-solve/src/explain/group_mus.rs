@@ -81,8 +81,8 @@ impl CoreFound {
     }
 }
 
-/// Facts that exclude a plan, where the instance has none without the facts that are
-/// `left_out` (up to a horizon). The agents `asked` about are never left out.
+/// Facts that exclude a plan, where the instance has none without the facts that
+/// are `left_out` (up to a horizon). The agents `asked` about are never left out.
 pub(crate) fn group_mus(
     instance: &Instance,
     asked: &[usize],
@@ -101,6 +101,7 @@ pub(crate) fn group_mus(
         reach,
     };
     let mut shrinking = Shrinking::new(&refuted, inquiry);
+    shrinking.left_out.clone_from(left_out);
     shrinking.leave_out_strangers(&groups(instance, asked, deadline.is_some()), &clash);
     Some(shrinking.minimal_set(asked))
 }

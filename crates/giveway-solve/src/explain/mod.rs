@@ -28,7 +28,6 @@ pub(crate) mod contrasted;
 pub(crate) mod edits;
 pub(crate) mod engine;
 mod explanation;
-pub(crate) mod further;
 mod going_on;
 pub(crate) mod group;
 pub(crate) mod group_mus;

@@ -10,7 +10,6 @@ use super::{
     ask::Found,
     causes::{Refuted, find_causes},
     contrasted::Contrasted,
-    further::{further_sets, mark_helpful},
     group::Group,
     group_mus::{CoreFound, Tried, group_mus},
     own_plan::{Judged, judge},
@@ -30,8 +29,8 @@ const JOINT_STEPS: u64 = 600_000;
 /// What one part may take of the seconds that are left.
 const SHARE: f64 = 0.4;
 
-/// So many times that work may go into repairs: they are the next step of a person, and
-/// the least battery that helps takes long searches.
+/// So many times the work of another part may go into repairs: they are a person's next
+/// step, and the least battery that helps takes long searches.
 const REPAIRS: u64 = 6;
 
 /// The budget of one part.
@@ -39,7 +38,7 @@ fn part<'h>(budget: &Budget<'h>) -> Rc<Budget<'h>> {
     part_of(budget, 1)
 }
 
-/// The budget of a part that may take so many times the work of another.
+/// The budget of a part that may do so many times the work of another.
 fn part_of<'h>(budget: &Budget<'h>, times: u64) -> Rc<Budget<'h>> {
     let limits = Limits {
         seconds: budget.seconds_left().map(|seconds| seconds * SHARE),
@@ -74,21 +73,15 @@ pub(crate) fn of_case(case: &Case, answer: &mut ExplainAnswer, budget: &Rc<Budge
 
     let refuted = matches!(answer.verdict, Verdict::Necessary | Verdict::Costly);
     if refuted {
+        let core = core_of_case(case, answer, budget);
         let deadline = case.within.map(|time| case.past.time(time));
-        let told = |set: &CoreFound| set.core(case.instance, deadline);
-        let mut core = core_of_case(case, answer, budget);
-        answer.core = core.as_ref().map(told);
+        answer.core = core.as_ref().map(|core| core.core(case.instance, deadline));
         word(case, &about, answer);
         tell(answer, Part::Core);
-        if let Some(core) = &mut core {
-            let further = further_of_case(case, answer, core, budget);
-            answer.core = Some(told(core));
-            answer.further_cores = further.iter().map(told).collect();
+        if let Some(core) = &core {
+            help_case(case, core, answer, budget);
             word(case, &about, answer);
-            tell(answer, Part::Core);
-            help_case(case, core, &further, answer, budget);
         }
-        word(case, &about, answer);
     } else {
         tell(answer, Part::Core);
     }
@@ -108,7 +101,6 @@ pub(crate) fn word(case: &Case, about: &str, answer: &mut ExplainAnswer) {
         past: case.past,
         witness: (about, &answer.witness),
         core: answer.core.as_ref(),
-        further: &answer.further_cores,
         repairs: &case.past.told_repairs(&answer.repairs),
     });
 }
@@ -137,7 +129,7 @@ fn another_could(case: &Case, facts: &[Group]) -> bool {
 fn contrasted<'a, 'h>(
     case: &'a Case<'a>,
     answer: &'a ExplainAnswer,
-    budget: Rc<Budget<'h>>,
+    budget: &Rc<Budget<'h>>,
 ) -> Contrasted<'a, 'h> {
     let costly = answer.verdict == Verdict::Costly;
     Contrasted {
@@ -145,7 +137,7 @@ fn contrasted<'a, 'h>(
         most: costly.then(|| case.costs.vector(case.objective())),
         near: answer.alternative.as_ref().filter(|_| costly),
         horizon: answer.within.unwrap_or(case.costs.makespan),
-        budget,
+        budget: part(budget),
     }
 }
 
@@ -166,6 +158,7 @@ fn core_of_case(case: &Case, answer: &ExplainAnswer, budget: &Rc<Budget>) -> Opt
         case.instance,
         refuted.asked,
         case.within,
+        &BTreeSet::new(),
         none,
         &mut inquiry,
     );
@@ -177,47 +170,23 @@ fn core_of_case(case: &Case, answer: &ExplainAnswer, budget: &Rc<Budget>) -> Opt
     Some(core)
 }
 
-/// Marks the facts of the minimal set that help, and finds further sets.
-fn further_of_case(
-    case: &Case,
-    answer: &ExplainAnswer,
-    core: &mut CoreFound,
-    budget: &Rc<Budget>,
-) -> Vec<CoreFound> {
-    let mut contrasted = contrasted(case, answer, part(budget));
-    let (instance, within) = (case.instance, case.within);
-    mark_helpful(instance, within, core, &mut contrasted);
-    let further = further_sets(instance, &asked(case), within, core, &mut contrasted);
-    budget.absorb(&contrasted.budget);
-    further
-}
-
-fn help_case(
-    case: &Case,
-    core: &CoreFound,
-    further: &[CoreFound],
-    answer: &mut ExplainAnswer,
-    budget: &Rc<Budget>,
-) {
+fn help_case(case: &Case, core: &CoreFound, answer: &mut ExplainAnswer, budget: &Rc<Budget>) {
     let asked = asked(case);
-    let mut contrasted = contrasted(case, answer, part_of(budget, REPAIRS));
+    let mut inquiry = Contrasted {
+        budget: part_of(budget, REPAIRS),
+        ..contrasted(case, answer, budget)
+    };
     let broken = Broken {
         instance: case.instance,
         within: case.within,
         objective: case.objective(),
         asked: &asked,
-        cores: sets_of_facts(core, further),
+        cores: core.sets().map(<[Group]>::to_vec).collect(),
     };
-    let found = repairs(&broken, &mut contrasted);
-    budget.absorb(&contrasted.budget);
+    let found = repairs(&broken, &mut inquiry);
+    budget.absorb(&inquiry.budget);
     answer.exhaustive = found.exhaustive && !another_could(case, &core.groups);
     (answer.repairs, answer.further_repairs) = (found.repairs, found.further);
-}
-
-/// The facts of all sets that are known.
-fn sets_of_facts(core: &CoreFound, further: &[CoreFound]) -> Vec<Vec<Group>> {
-    let sets = std::iter::once(core).chain(further);
-    sets.map(|set| set.groups.clone()).collect()
 }
 
 /// Why there is no plan, where `found` says so.
@@ -244,7 +213,7 @@ pub(crate) fn of_no_plan(
     budget.absorb(&any_plan.budget);
     tell_no_plan(answer, past, Part::Witness, tell);
 
-    let mut any_plan = searching();
+    let mut any_plan = searching(1);
     let mut core = unsolvable::core(instance, within, found, &mut any_plan);
     budget.absorb(&any_plan.budget);
     if let Some((core, reach)) = core.as_mut().zip(found.reach) {
@@ -254,30 +223,22 @@ pub(crate) fn of_no_plan(
             deadline: within,
             reach,
         };
-        let mut any_plan = searching();
+        let mut any_plan = searching(1);
         find_causes(&refuted, core, &mut any_plan);
         budget.absorb(&any_plan.budget);
     }
-    let facts = core.as_ref().map_or(Vec::new(), |core| core.groups.clone());
-    answer.core = core.map(|core| core.core(instance, within.map(|time| past.time(time))));
+    let deadline = within.map(|time| past.time(time));
+    answer.core = core.as_ref().map(|core| core.core(instance, deadline));
     tell_no_plan(answer, past, Part::Core, tell);
 
-    if let Some(mut core) = core {
-        let mut any_plan = searching(1);
-        mark_helpful(instance, within, &mut core, &mut any_plan);
-        let further = further_sets(instance, &[], within, &core, &mut any_plan);
-        budget.absorb(&any_plan.budget);
-        answer.core = Some(told(&core));
-        answer.further_cores = further.iter().map(told).collect();
-        tell_no_plan(answer, past, Part::Core, tell);
-
+    if let Some(core) = &core {
         let mut any_plan = searching(REPAIRS);
         let broken = Broken {
             instance,
             within,
             objective: instance.objective(),
             asked: &[],
-            cores: sets_of_facts(&core, &further),
+            cores: core.sets().map(<[Group]>::to_vec).collect(),
         };
         let found = repairs(&broken, &mut any_plan);
         budget.absorb(&any_plan.budget);
@@ -292,7 +253,6 @@ fn tell_no_plan(answer: &mut ExplainAnswer, past: &Past, part: Part, tell: Tell)
         answer.within.map(|time| past.time(time)),
         &answer.witness,
         answer.core.as_ref(),
-        &answer.further_cores,
         &past.told_repairs(&answer.repairs),
     );
     tell(answer, part);

@@ -23,7 +23,7 @@ impl Past {
         answer.since = Some(course.since);
         answer.question = course.question.clone();
         answer.within = answer.within.map(|within| self.time(within));
-        for core in answer.core.iter_mut().chain(&mut answer.further_cores) {
+        if let Some(core) = &mut answer.core {
             core.within = core.within.map(|within| self.time(within));
             for further in &mut core.further {
                 further.within = further.within.map(|within| self.time(within));
@@ -95,7 +95,6 @@ fn without_other(mut answer: ExplainAnswer) -> ExplainAnswer {
     answer.deltas.clear();
     answer.witness.clear();
     answer.core = None;
-    answer.further_cores.clear();
     answer.repairs.clear();
     answer.further_repairs = 0;
     answer.exhaustive = false;

@@ -83,9 +83,6 @@ fn whole(
         let further = core.further.iter();
         parts.extend(further.map(|core| facts(answer, core, title)));
     }
-    let title = further_facts_title();
-    let further = answer.further_cores.iter();
-    parts.extend(further.map(|core| facts(title, core, answer.verdict)));
     let mut repairs: Vec<&str> = answer.repairs.iter().map(|r| r.text.as_str()).collect();
     let further = format!("{} more would help, too.", answer.further_repairs);
     repairs.extend((answer.further_repairs > 0).then_some(further.as_str()));

@@ -76,8 +76,6 @@ pub struct Facts {
 /// A fact of a minimal set.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct FactRow {
-    /// Its place among the facts of all sets, from 0.
-    pub index: usize,
     /// Its number on the map, from 1; `None` where what would happen has the numbers.
     pub number: Option<usize>,
     /// The icon of its kind.

@@ -4,16 +4,18 @@ use giveway_model::Cell;
 
 use super::unsolvable::why;
 use crate::{
-    explain::{
-        Core, Edit, ExplainAnswer, Fact, FactKind, edited_instance, facts_remark, verdict_word,
-    },
+    explain::{Core, Edit, ExplainAnswer, Fact, FactKind, Helps, edited_instance, facts_claim},
     tests::instance,
 };
 
 /// Kind, cell and mark of each fact of a set.
-fn marks(core: &Core) -> Vec<(FactKind, Option<Cell>, Option<bool>)> {
+fn marks(core: &Core) -> Vec<(FactKind, Option<Cell>, Helps)> {
     let mark = |fact: &Fact| (fact.kind, fact.cell, fact.helps);
     core.facts.iter().map(mark).collect()
+}
+
+fn further(answer: &ExplainAnswer) -> &[Core] {
+    answer.core.as_ref().map_or(&[], |core| &core.further)
 }
 
 fn edits(answer: &ExplainAnswer) -> Vec<Vec<Edit>> {
@@ -30,12 +32,12 @@ fn remove(x: u32) -> Edit {
 #[test]
 fn two_walls_rule_a_plan_out_each_by_itself_and_go_together() {
     let answer = why(&instance("a . # # . A"), None);
-    let [first, second] = [answer.core.as_ref(), answer.further_cores.first()].map(Option::unwrap);
-    let wall = |x| (FactKind::Obstacle, Some(Cell::new(x, 0)), Some(false));
-    let task = (FactKind::Task, None, Some(true));
+    let [first, second] = [answer.core.as_ref(), further(&answer).first()].map(Option::unwrap);
+    let wall = |x| (FactKind::Obstacle, Some(Cell::new(x, 0)), Helps::No);
+    let task = (FactKind::Task, None, Helps::Yes);
     assert_eq!(marks(first), [task, wall(3)]);
     assert_eq!(marks(second), [task, wall(2)]);
-    assert_eq!(answer.further_cores.len(), 1);
+    assert_eq!(further(&answer).len(), 1);
     let leave_out = Edit::LeaveOut {
         agent: "a".to_owned(),
     };
@@ -56,7 +58,7 @@ fn two_walls_rule_a_plan_out_each_by_itself_and_go_together() {
 #[test]
 fn three_walls_are_three_causes_and_no_pair_of_them_helps() {
     let answer = why(&instance("a # # # A"), None);
-    assert_eq!(answer.further_cores.len(), 2);
+    assert_eq!(further(&answer).len(), 2);
     assert_eq!(edits(&answer).len(), 1, "{:?}", edits(&answer));
     assert!(answer.exhaustive);
 }
@@ -72,14 +74,14 @@ fn where_two_robots_are_blocked_apart_nobody_alone_helps() {
         None,
     );
     let core = answer.core.as_ref().unwrap();
-    assert!(core.facts.iter().all(|fact| fact.helps == Some(false)));
-    assert_eq!(verdict_word(&answer), "Impossible");
-    assert_eq!(
-        facts_remark(core, answer.verdict),
-        Some("Leaving out only one of them does not help: other facts rule it out, too.")
+    assert!(core.facts.iter().all(|fact| fact.helps == Helps::No));
+    let claim = facts_claim(&answer.question, answer.verdict, core);
+    assert!(
+        claim.ends_with("Leaving out only one of them does not help."),
+        "{claim}"
     );
-    let [further] = &answer.further_cores[..] else {
-        panic!("{:?}", answer.further_cores)
+    let [further] = further(&answer) else {
+        panic!("{:?}", answer.core)
     };
     let shared = further.facts.iter().any(|fact| core.facts.contains(fact));
     assert!(!shared, "{further:?}");
@@ -100,7 +102,7 @@ fn a_floor_is_a_fact_and_the_highest_that_helps_a_repair() {
     let core = answer.core.as_ref().unwrap();
     let kinds: Vec<FactKind> = core.facts.iter().map(|fact| fact.kind).collect();
     assert_eq!(kinds, [FactKind::Task, FactKind::Battery, FactKind::Floor]);
-    assert!(core.facts.iter().all(|fact| fact.helps == Some(true)));
+    assert!(core.facts.iter().all(|fact| fact.helps == Helps::Yes));
     let floor = Edit::BatteryFloor { floor: 1 };
     assert!(edits(&answer).contains(&vec![floor.clone()]));
     assert_eq!(edited_instance(&scene, &[floor]).rules().battery_floor, 1);

@@ -35,7 +35,6 @@ fn plain(
         within: None,
         witness: ("", &[]),
         core: None,
-        further: &[],
         repairs: &[],
     })
 }
@@ -62,7 +61,6 @@ fn scenario_1_is_told_as_a_person_would() {
         within: None,
         witness: ("A2", &entries),
         core: None,
-        further: &[],
         repairs: &[],
     });
     assert_eq!(
@@ -187,10 +185,7 @@ fn each_kind_of_question_has_its_contrast() {
 fn what_a_set_excludes_and_what_helps_is_told_at_the_end() {
     let (instance, plan, _) = scenario_1();
     let all = groups(&instance, &[], false);
-    let facts = all
-        .iter()
-        .take(2)
-        .map(|part| part.fact(&instance, None, None));
+    let facts = all.iter().take(2).map(|part| part.fact(&instance, None));
     let core = Core {
         facts: facts.collect(),
         minimal: true,
@@ -222,7 +217,6 @@ fn what_a_set_excludes_and_what_helps_is_told_at_the_end() {
         within: Some(40),
         witness: ("", &[]),
         core: Some(&core),
-        further: &[],
         repairs: &[repair],
     });
     assert_eq!(

@@ -1,12 +1,8 @@
 //! Facts that can be left out, as clauses.
 
-use giveway_model::{Cell, Instance, tr};
+use giveway_model::{Instance, tr};
 
-use crate::explain::{Core, FactKind, group::Group};
-
-/// The most clauses of one sentence, and the most obstacles that are told one by one.
-const MOST_CLAUSES: usize = 7;
-const MOST_OBSTACLES: usize = 2;
+use crate::explain::group::Group;
 
 /// A fact as a clause: `A1 must visit (2, 1)`.
 pub(crate) fn fact(group: Group, instance: &Instance, within: Option<u32>) -> String {
@@ -44,10 +40,6 @@ pub(crate) fn fact(group: Group, instance: &Instance, within: Option<u32>) -> St
                 goal = goal.unwrap_or_default()
             )
         }
-        Group::Floor => {
-            let floor = instance.rules().battery_floor;
-            tr!("no battery may fall below {floor}", floor)
-        }
         Group::Slow => tr!("moves in the slow zone take 2 steps").to_owned(),
         Group::Deadline => {
             let within = within.unwrap_or_default();
@@ -57,56 +49,5 @@ pub(crate) fn fact(group: Group, instance: &Instance, within: Option<u32>) -> St
             let floor = instance.rules().battery_floor;
             tr!("no battery may fall below {floor}", floor)
         }
-    }
-}
-
-/// The facts of a set as one list of clauses, obstacles together.
-pub(super) fn joined(core: &Core) -> String {
-    let of = |fact: &&crate::explain::Fact| fact.kind == FactKind::Obstacle;
-    let obstacles: Vec<Cell> = core
-        .facts
-        .iter()
-        .filter(of)
-        .filter_map(|f| f.cell)
-        .collect();
-    let is_short = obstacles.len() <= MOST_OBSTACLES;
-    let mut clauses: Vec<String> = Vec::new();
-    let others = core.facts.iter().filter(|fact| is_short || !of(fact));
-    clauses.extend(others.map(|fact| fact.text.clone()));
-    if !is_short {
-        clauses.insert(
-            clauses.len().min(MOST_CLAUSES - 1),
-            obstacles_together(&obstacles),
-        );
-    }
-    if clauses.len() > MOST_CLAUSES {
-        let count = clauses.len() - MOST_CLAUSES;
-        clauses.truncate(MOST_CLAUSES);
-        clauses.push(tr!("{n} more fact" | "{n} more facts" % count));
-    }
-    clauses.join("; ")
-}
-
-/// Some obstacles, at least two, as one clause.
-fn obstacles_together(cells: &[Cell]) -> String {
-    let (Some(&first), Some(&last)) = (cells.first(), cells.last()) else {
-        return String::new();
-    };
-    let length = first.x.abs_diff(last.x) + first.y.abs_diff(last.y);
-    let is_straight = first.x == last.x || first.y == last.y;
-    // Cells in their order: a run has no gaps if it is as long as they are many.
-    if is_straight && length as usize + 1 == cells.len() {
-        tr!(
-            "the cells from {first} to {last} are obstacles",
-            first,
-            last
-        )
-    } else {
-        let count = cells.len() - 1;
-        tr!(
-            "{first} and {n} other cell are obstacles"
-                | "{first} and {n} other cells are obstacles" % count,
-            first
-        )
     }
 }

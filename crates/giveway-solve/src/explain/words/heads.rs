@@ -1,6 +1,5 @@
 //! Words and headings around an answer to a question.
 
-use giveway_model::words::capital;
 use giveway_model::{Question, tr};
 
 use crate::explain::{Core, ExplainAnswer, Fact, Helps, Verdict};

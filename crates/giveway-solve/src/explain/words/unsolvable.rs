@@ -15,7 +15,6 @@ pub(crate) fn unsolvable(
     within: Option<u32>,
     witness: &[WitnessEntry],
     core: Option<&Core>,
-    further: &[Core],
     repairs: &[Repair],
 ) -> String {
     let within = within.map_or_else(

@@ -29,8 +29,6 @@ pub(crate) struct Telling<'a> {
     /// Who would run into what: the agent that the witness is about.
     pub(crate) witness: (&'a str, &'a [WitnessEntry]),
     pub(crate) core: Option<&'a Core>,
-    /// Further sets of facts that exclude it as well.
-    pub(crate) further: &'a [Core],
     pub(crate) repairs: &'a [Repair],
 }
 
@@ -138,7 +136,7 @@ fn costly(telling: &Telling, does: &str, now: &Costs, before: &Costs) -> String 
     )
 }
 
-/// The first repair.
+/// The first repair; where it leaves robots out, beside the first that does not.
 pub(crate) fn help(repairs: &[Repair]) -> Option<String> {
     let first = repairs.first()?;
     let leaves_out = |repair: &&Repair| {

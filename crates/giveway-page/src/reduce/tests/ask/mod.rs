@@ -79,7 +79,6 @@ fn told(state: &State) -> ExplainAnswer {
         closest: false,
         witness: Vec::new(),
         core: None,
-        further_cores: Vec::new(),
         repairs: vec![repair],
         further_repairs: 0,
         exhaustive: false,
