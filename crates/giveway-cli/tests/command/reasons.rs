@@ -8,9 +8,9 @@ use crate::run::Folder;
 /// Two walls, each of which is enough.
 pub(crate) const TWO_WALLS: &str = r#"{"giveway": 1, "map": ["..##.."], "agents": [{"name": "A", "start": [0, 0], "goal": [5, 0]}]}"#;
 /// A lane with a closed row beside it, in which nine obstacles exclude a plan.
-const WALLED: &str = r#"{"giveway": 1, "name": "walled", "map": ["###########", "..........."], "agents": [{"name": "A", "start": [0, 1], "goal": [3, 1]}, {"name": "B", "start": [10, 1], "goal": [1, 1]}, {"name": "C", "start": [8, 1], "goal": [2, 1]}]}"#;
+const WALLED: &str = r############"{"giveway": 1, "name": "walled", "map": ["###########", "..........."], "agents": [{"name": "A", "start": [0, 1], "goal": [3, 1]}, {"name": "B", "start": [10, 1], "goal": [1, 1]}, {"name": "C", "start": [8, 1], "goal": [2, 1]}]}"############;
 /// R3 cannot reach the charger; R1 and R2 both need it at the same time.
-const CHARGER_TOO_FAR: &str = r#"{"giveway": 1, "name": "cannot reach the charger", "map": ["###+###", ".......", "......."], "agents": [{"name": "R1", "start": [0, 1], "goal": [6, 1], "battery": {"capacity": 12, "initial": 5}}, {"name": "R2", "start": [6, 1], "goal": [0, 1], "battery": {"capacity": 12, "initial": 5}}, {"name": "R3", "start": [0, 2], "goal": [6, 2], "battery": {"capacity": 12, "initial": 3}}]}"#;
+const CHARGER_TOO_FAR: &str = r####"{"giveway": 1, "name": "cannot reach the charger", "map": ["###+###", ".......", "......."], "agents": [{"name": "R1", "start": [0, 1], "goal": [6, 1], "battery": {"capacity": 12, "initial": 5}}, {"name": "R2", "start": [6, 1], "goal": [0, 1], "battery": {"capacity": 12, "initial": 5}}, {"name": "R3", "start": [0, 2], "goal": [6, 2], "battery": {"capacity": 12, "initial": 3}}]}"####;
 /// A round trip of as many steps as the battery holds, above a floor.
 const RESERVE: &str = r#"{"giveway": 1, "name": "round with a reserve", "map": ["+....", ".###.", "....."], "rules": {"battery_floor": 3}, "agents": [{"name": "R", "start": [0, 0], "goal": [0, 0], "waypoints": [[4, 0], [4, 2]], "battery": {"capacity": 12, "initial": 12}}]}"#;
 
@@ -23,7 +23,10 @@ fn explain(scene: &str, question: &str) -> Value {
 
 fn text(scene: &str, question: &str) -> String {
     let folder = Folder::with(&[("scene.json", scene)]);
-    folder.run(&format!("explain scene.json {question}")).answer().to_owned()
+    folder
+        .run(&format!("explain scene.json {question}"))
+        .answer()
+        .to_owned()
 }
 
 /// The facts of the first set, then of each further one, and whether they help.
@@ -33,7 +36,12 @@ fn sets(answer: &Value) -> Vec<Vec<(String, Value)>> {
     let facts = |set: &Value| {
         let facts = set["facts"].as_array().unwrap().iter();
         facts
-            .map(|fact| (fact["text"].as_str().unwrap().to_owned(), fact["helps"].clone()))
+            .map(|fact| {
+                (
+                    fact["text"].as_str().unwrap().to_owned(),
+                    fact["helps"].clone(),
+                )
+            })
             .collect()
     };
     std::iter::once(core).chain(&further).map(facts).collect()
@@ -62,7 +70,10 @@ fn of_two_walls_both_are_named_and_neither_helps() {
         ]
     );
     let said = text(TWO_WALLS, "unsolvable");
-    assert!(said.contains("A must go from (0, 0) to (5, 0) (without it there is a plan)."), "{said}");
+    assert!(
+        said.contains("A must go from (0, 0) to (5, 0) (without it there is a plan)."),
+        "{said}"
+    );
     let claim = "These facts alone rule it out, and each of them is needed for that. \
                  Leaving out only one of the others does not help.";
     assert_eq!(said.matches(claim).count(), 2, "{said}");
@@ -106,15 +117,18 @@ fn where_no_fact_helps_the_next_cause_is_given() {
 
 #[test]
 fn two_batteries_are_two_causes() {
-    let scene = r#"{ "giveway": 1, "map": ["....", "####", "...."], "agents": [
+    let scene = r#####"{ "giveway": 1, "map": ["....", "####", "...."], "agents": [
         { "name": "A", "start": [0, 0], "goal": [3, 0], "battery": { "capacity": 9, "initial": 2 } },
-        { "name": "B", "start": [0, 2], "goal": [3, 2], "battery": { "capacity": 9, "initial": 2 } }] }"#;
+        { "name": "B", "start": [0, 2], "goal": [3, 2], "battery": { "capacity": 9, "initial": 2 } }] }"#####;
     let mut causes = sets(&explain(scene, "unsolvable"));
     causes.sort();
     let of = |name: &str, y: u32| {
         [
             fact(&format!("{name} must go from (0, {y}) to (3, {y})"), false),
-            fact(&format!("the battery of {name} holds 9 and starts at 2"), false),
+            fact(
+                &format!("the battery of {name} holds 9 and starts at 2"),
+                false,
+            ),
         ]
     };
     assert_eq!(causes, [of("A", 0), of("B", 2)]);
@@ -122,13 +136,18 @@ fn two_batteries_are_two_causes() {
 
 #[test]
 fn two_pairs_that_swap_are_two_causes() {
-    let scene = r#"{ "giveway": 1, "map": ["...", "###", "###", "..."], "agents": [
+    let scene = r####"{ "giveway": 1, "map": ["...", "###", "###", "..."], "agents": [
         { "name": "A", "start": [0, 0], "goal": [2, 0] }, { "name": "B", "start": [2, 0], "goal": [0, 0] },
-        { "name": "C", "start": [0, 3], "goal": [2, 3] }, { "name": "D", "start": [2, 3], "goal": [0, 3] }] }"#;
+        { "name": "C", "start": [0, 3], "goal": [2, 3] }, { "name": "D", "start": [2, 3], "goal": [0, 3] }] }"####;
     let causes = sets(&explain(scene, "unsolvable"));
     assert_eq!(causes.len(), 2);
     assert!(causes[0].iter().all(|fact| !causes[1].contains(fact)));
-    assert!(causes.iter().flatten().all(|(_, helps)| *helps == json!(false)));
+    assert!(
+        causes
+            .iter()
+            .flatten()
+            .all(|(_, helps)| *helps == json!(false))
+    );
 }
 
 #[test]
@@ -151,14 +170,20 @@ fn the_battery_floor_is_a_fact() {
     assert_eq!(kinds(&answer), ["task", "waypoint", "battery", "floor"]);
     assert!(sets(&answer)[0].contains(&fact("no battery may fall below 3", true)));
     let said = text(RESERVE, "unsolvable");
-    assert!(said.contains("Without any one of them there is a plan."), "{said}");
+    assert!(
+        said.contains("Without any one of them there is a plan."),
+        "{said}"
+    );
 }
 
 #[test]
 fn the_battery_floor_is_a_fact_beside_a_charger_too() {
     let scene = r#"{ "giveway": 1, "map": ["..+...."], "rules": { "battery_floor": 2 }, "agents": [
         { "name": "A", "start": [0, 0], "goal": [6, 0], "battery": { "capacity": 4, "initial": 4 } }] }"#;
-    assert_eq!(kinds(&explain(scene, "unsolvable")), ["task", "battery", "floor"]);
+    assert_eq!(
+        kinds(&explain(scene, "unsolvable")),
+        ["task", "battery", "floor"]
+    );
 }
 
 #[test]
