@@ -55,7 +55,11 @@ pub(crate) fn find_causes(refuted: &Refuted, core: &mut CoreFound, inquiry: &mut
         let earlier: Vec<Group> = earlier.into_iter().collect();
         let mut next = group_mus_avoiding(refuted, &earlier, inquiry);
         let is_new = |set: &[Group]| set.iter().any(|group| !next.groups.contains(group));
-        if !core.sets().all(is_new) {
+        let shares = |group: &Group| group.kind() != FactKind::Task && earlier.contains(group);
+        // A first further set may share facts where none can be without them; later ones
+        // would only mix the facts of those before them.
+        let is_mixed = !core.further.is_empty() && next.groups.iter().any(shares);
+        if is_mixed || !core.sets().all(is_new) {
             return;
         }
         trials.mark(&mut next, inquiry);
