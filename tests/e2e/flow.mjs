@@ -1,6 +1,7 @@
 // A flow: what a person does on a fresh page, on the screens named, without one
 // complaint of the page.
 
+import assert from "node:assert/strict";
 import { mkdirSync, readFileSync } from "node:fs";
 import { join } from "node:path";
 import { after, test } from "node:test";
@@ -72,6 +73,7 @@ export function flows() {
           await act(playground, { context, page, host, complaints, screen });
           if (!complains) {
             assertQuiet(complaints);
+            assert.equal(await playground.rebuilt(), 0, "nothing else has changed the page, but it was built anew");
           }
           await playground.fits();
           await added?.dispose();

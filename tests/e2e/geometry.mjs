@@ -102,6 +102,10 @@ function look({ places, floats, sideways, slender, least }) {
         if (!can && !scrolls[axis] && (rect[low] < area[low] - 1 || rect[high] > area[high] + 1)) {
           lost ??= at;
         }
+        // Nobody can scroll to what lies on the left of the beginning.
+        if (can && axis === "x" && !scrolls.x && rect.left + at.scrollLeft < area.left - 1) {
+          lost ??= at;
+        }
         scrolls[axis] ||= can;
         seen = { ...seen, [low]: Math.max(seen[low], area[low]), [high]: Math.min(seen[high], area[high]) };
       }

@@ -49,6 +49,11 @@ export class Playground {
     await this.page.waitForFunction(() => navigator.serviceWorker.controller !== null);
   }
 
+  /** How often the page was built anew since it was opened, because something else had changed its elements. */
+  rebuilt() {
+    return this.page.evaluate(() => performance.getEntriesByName("giveway-foreign").length);
+  }
+
   /** Leaves a picture of the page as it is. */
   picture(title) {
     return this.page.screenshot({ path: this.pathOf(title) });

@@ -10,6 +10,7 @@ use yew::prelude::*;
 
 use crate::dialog::{Agents, Examples, FindRobot, NewScene, Panel, SaveAs, Scenes, Share, help};
 use crate::drop::Drop;
+use crate::foreign::use_foreign_changes;
 use crate::intake::use_intake;
 use crate::keep::{self, use_keep};
 use crate::keys::use_keys;
@@ -23,7 +24,7 @@ use crate::theme::{use_colours, use_theme, wants_less_motion};
 use crate::top_bar::TopBar;
 use crate::wide::use_wide;
 use crate::{
-    Board, Clock, Dock, Inspector, Shown, Tools, compare, embed, notice, opening, present,
+    Board, Clock, Dock, Inspector, Shown, Tools, compare, embed, glyph, notice, opening, present,
 };
 
 impl Reducible for Shown {
@@ -49,6 +50,9 @@ pub(crate) fn example() -> Action {
 #[component]
 pub fn App() -> Html {
     let spoken = use_language();
+    let changes = use_foreign_changes();
+    // All elements are built anew in another language, and after a foreign change.
+    let built = format!("{spoken}{changes}");
     let shown = use_reducer(opening);
     let state: Shown = (*shown).clone();
     let send = use_callback(shown.dispatcher(), |action: Action, shown| {
@@ -85,6 +89,7 @@ pub fn App() -> Html {
     use_keep(&state, &send);
     use_theme(state.view.theme);
     use_colours(state.document.colours);
+    glyph::set_looks(state.looks());
     let is_embedded = *use_memo((), |()| embed::is_embedded());
     use_keys(&state, &send, &show);
     use_paste(&state, &send, &show, is_embedded);
@@ -93,7 +98,7 @@ pub fn App() -> Html {
     use_presenting(is_presented, &send);
     if is_embedded {
         return html! {
-            <ContextProvider<Clock> key={spoken} context={(*clock).clone()}>
+            <ContextProvider<Clock> key={built} context={(*clock).clone()}>
                 <div class="app embed">
                     { embed::show(&state, &send) }
                     { notice::show(state.view.notice.as_ref(), &send) }
@@ -109,7 +114,7 @@ pub fn App() -> Html {
         .is_none_or(|lesson| !lesson.hides_plan() && state.playing().is_some());
     let in_proof = state.is_inside() && state.inside.method == Method::Proof;
     html! {
-        <ContextProvider<Clock> key={spoken} context={(*clock).clone()}>
+        <ContextProvider<Clock> key={built} context={(*clock).clone()}>
             <div class={classes!("app", phase_class(&state), is_answering.then_some("answering"), state.is_inside().then_some("inside"), in_proof.then_some("in-proof"), lesson_class(&state))} data-tab={tab(state.view.tab)} data-presents={presents(&state)}>
                 if is_presented {
                     { present::head(&state, &send) }

@@ -1,12 +1,43 @@
 //! An agent's form with its name, on the board and beside its name elsewhere.
 
+use std::cell::Cell;
+
 use giveway_page::form;
 use yew::prelude::*;
 
+thread_local! {
+    /// The look of each agent on the page, as the language of the page is one for all of
+    /// it. A program without any shows agents in their order.
+    static LOOKS: Cell<Vec<usize>> = const { Cell::new(Vec::new()) };
+}
+
+/// From now on agents have these looks.
+pub(crate) fn set_looks(looks: Vec<usize>) {
+    LOOKS.set(looks);
+}
+
+/// The look of an agent, by its index on the board.
+pub(crate) fn look(agent: usize) -> usize {
+    let looks = LOOKS.take();
+    let look = looks.get(agent).copied().unwrap_or(agent);
+    LOOKS.set(looks);
+    look
+}
+
+/// The class that sets an agent's colours, by its index on the board.
+pub(crate) fn class(agent: usize) -> &'static str {
+    form::class(look(agent))
+}
+
 /// An agent's form around `(0, 0)`, radius 27, for use inside an SVG whose class
-/// sets the agent's colours; `agent` is its index in the scene.
+/// sets the agent's colours; `agent` is its index on the board.
 pub fn form(agent: usize) -> Html {
-    let form = form::of(agent);
+    of_look(look(agent))
+}
+
+/// The form of a look.
+pub(crate) fn of_look(look: usize) -> Html {
+    let form = form::of(look);
     html! {
         <>
             <path class={classes!("form", form.is_padded.then_some("padded"))} d={form.body} />
@@ -36,7 +67,7 @@ pub(crate) fn named(agent: usize, name: &str) -> Html {
 #[inline(never)]
 fn draw(agent: usize, name: Html, class: &'static str) -> Html {
     html! {
-        <svg class={classes!("glyph", form::class(agent), class)} viewBox="-32 -32 64 64" aria-hidden="true">
+        <svg class={classes!("glyph", self::class(agent), class)} viewBox="-32 -32 64 64" aria-hidden="true">
             { form(agent) }
             { name }
         </svg>

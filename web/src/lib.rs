@@ -16,6 +16,7 @@ mod drop;
 mod embed;
 mod field;
 mod files;
+mod foreign;
 mod glyph;
 mod held;
 mod icon;

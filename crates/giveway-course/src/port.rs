@@ -5,6 +5,7 @@
 //! carries: what it said of an earlier one is dropped.
 
 use borsh::{BorshDeserialize, BorshSerialize};
+use giveway_model::change::Changes;
 use giveway_model::check::Violation;
 use giveway_model::{Cell, Plan, Scene};
 use giveway_solve::change::Method;
@@ -46,6 +47,8 @@ pub enum ToPage {
     /// Asks for a person's own board as it is now: its scene, its plan and the time are
     /// told under the number 0, which no board of a lesson has.
     Take,
+    /// Says why something that was done on the board does nothing, as a sentence.
+    Say(String),
     /// Shows the page to a room.
     Present,
     /// The lesson ends: a person's own scene comes back.
@@ -61,6 +64,8 @@ pub struct Board {
     pub scene: Scene,
     /// What is shown of a plan.
     pub plan: BoardPlan,
+    /// What changes while that plan runs: the board shows it from then on.
+    pub changes: Option<Changes>,
     /// The time shown first.
     pub time: u32,
     /// Whether the plan plays at once.
@@ -132,6 +137,8 @@ pub enum Lit {
 pub struct Evidence {
     /// A plan.
     pub plan: Option<Plan>,
+    /// What changes while the plan runs, where it goes on after that.
+    pub changes: Option<Changes>,
     /// Broken rules, of that plan or of the one on the board.
     pub violations: Vec<Violation>,
     /// The time to go to.

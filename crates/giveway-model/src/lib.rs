@@ -30,7 +30,7 @@ pub use cell::Cell;
 pub use cost::{Cost, Costs, Objective, ObjectiveError, UnknownCost};
 pub use fault::Fault;
 pub use grid::{Grid, GridError, Ground};
-pub use instance::{Instance, MAX_AGENTS, MAX_CAPACITY, MAX_SIDE};
+pub use instance::{Breakdown, Instance, MAX_AGENTS, MAX_CAPACITY, MAX_SIDE};
 pub use plan::{Path, Plan};
 pub use question::Question;
 pub use release::release;

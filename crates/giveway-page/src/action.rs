@@ -144,6 +144,8 @@ pub enum BoardAction {
     Drag(Cell),
     /// The pointer was lifted.
     Release,
+    /// Removes what is selected.
+    Delete,
     /// Leaves the stroke, or the agent that is being placed, as if it had never
     /// begun.
     Abandon,

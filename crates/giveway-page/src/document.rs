@@ -9,7 +9,7 @@ use crate::course::World;
 use crate::freedom::Freedom;
 use crate::front::Front;
 use crate::planners::Runs;
-use crate::{Answer, Colours, Draft, Mode};
+use crate::{Answer, Colours, Draft, Looks, Mode};
 
 /// All that a person made or got and would miss. Undo, what the browser keeps,
 /// and links hold whole documents. Its parts are never changed, only replaced, so
@@ -37,7 +37,9 @@ pub struct Document {
     pub(crate) found_freedom: Option<Rc<Freedom>>,
     /// What is being done with the plan.
     pub mode: Mode,
-    /// The colours of agents.
+    /// Which look each agent has: its form, and the colour that comes with it.
+    pub looks: Looks,
+    /// The colour of each look.
     pub colours: Colours,
 }
 
@@ -53,6 +55,7 @@ impl Document {
             checked: None,
             found_freedom: None,
             mode: Mode::Editing,
+            looks: Looks::default(),
             colours: Colours::default(),
         }
     }
@@ -77,11 +80,18 @@ impl Document {
         self.answer.as_ref().filter(|_| !self.is_stale())
     }
 
+    /// The last time at which the world changed around the plan of the draft on the
+    /// board; `None` where it did not.
+    pub(crate) fn changed_last(&self) -> Option<u32> {
+        self.fresh_answer()?.changed_last()
+    }
+
     /// The front of the draft on the board, if one was found; not while the
-    /// world changes, which is about one plan.
+    /// world changes or after it has, which is about one plan.
     pub fn front(&self) -> Option<&Front> {
         let front = self.found_front.as_deref();
-        let front = front.filter(|_| self.mode.changing().is_none());
+        let is_one_world = self.mode.changing().is_none() && self.changed_last().is_none();
+        let front = front.filter(|_| is_one_world);
         front.filter(|front| same(&front.draft, &self.draft))
     }
 

@@ -25,6 +25,7 @@ impl State {
 fn same_document(one: &Document, two: &Document) -> bool {
     one.within == two.within
         && one.colours == two.colours
+        && one.looks == two.looks
         && Rc::ptr_eq(&one.draft, &two.draft)
         && same(one.answer.as_ref(), two.answer.as_ref())
         && same(one.found_front.as_ref(), two.found_front.as_ref())

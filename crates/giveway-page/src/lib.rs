@@ -78,7 +78,7 @@ pub use draft::{Draft, MAX_AGENTS, MAX_SIDE};
 pub use edit::{DENSEST, Edit, Fill, Paint};
 pub use gesture::Placing;
 pub use giveway_picture::gif::Shot;
-pub use giveway_picture::{COLOURS, Colours, Point, Theme as DrawnTheme, form, position};
+pub use giveway_picture::{COLOURS, Colours, Looks, Point, Theme as DrawnTheme, form, position};
 pub use history::{History, Moment};
 pub use intake::Save;
 pub use mode::Mode;

@@ -11,6 +11,7 @@
 )]
 
 mod colours;
+mod corner;
 mod detail;
 mod draw;
 mod floor;
@@ -21,6 +22,7 @@ mod glyphs;
 mod ink;
 mod letters;
 mod look;
+mod looks;
 mod marks;
 mod moving;
 mod occupied;
@@ -33,10 +35,12 @@ mod way;
 mod xml;
 
 pub use colours::{COLOURS, Colours};
+pub use corner::of_badge;
 pub use detail::Detail;
 pub use floor::{FloorLook, Layer, lines, starred};
 pub use ink::{Ink, Inks, Theme, robot};
 pub use look::{CELL_PX, Letters, Look};
+pub use looks::Looks;
 pub use marks::{Mark, MarkKind, marks};
 pub use moving::moving;
 pub use occupied::Occupied;

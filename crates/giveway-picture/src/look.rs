@@ -3,10 +3,10 @@
 use borsh::{BorshDeserialize, BorshSerialize};
 use giveway_model::Grid;
 
-use crate::{Colours, Theme};
+use crate::{Colours, Looks, Theme};
 
 /// How a picture looks.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, BorshSerialize, BorshDeserialize)]
+#[derive(Clone, Debug, PartialEq, Eq, BorshSerialize, BorshDeserialize)]
 pub struct Look {
     /// Light or dark.
     pub theme: Theme,
@@ -14,7 +14,9 @@ pub struct Look {
     pub cell: u32,
     /// How letters are drawn.
     pub letters: Letters,
-    /// The colours of the agents.
+    /// Which look each agent has.
+    pub looks: Looks,
+    /// The colour of each look.
     pub colours: Colours,
 }
 
@@ -52,6 +54,7 @@ impl Look {
             theme: Theme::Light,
             cell: (longest / cells).clamp(CELL_PX.0, USUAL_PX),
             letters: Letters::Text,
+            looks: Looks::default(),
             colours: Colours::default(),
         }
     }

@@ -9,7 +9,7 @@ use std::collections::BTreeMap;
 
 use giveway_model::format::native;
 use giveway_model::{Instance, Plan};
-use giveway_picture::{Letters, Look, Theme, moving, still};
+use giveway_picture::{Letters, Look, Looks, Theme, moving, robot, still};
 use roxmltree::{Document, Node};
 
 const SCENE: &str = r#"{
@@ -90,7 +90,7 @@ fn pictures() -> Vec<String> {
                     theme,
                     cell,
                     letters,
-                    ..look
+                    ..look.clone()
                 };
                 pictures.push(moving(&instance, &plan, &look));
                 for time in [0.0, 2.0, 2.5, 4.0, 9.0] {
@@ -234,7 +234,7 @@ fn two_pictures_of_one_page_do_not_share_names() {
     let (instance, plan, look) = scene();
     let dark = Look {
         theme: Theme::Dark,
-        ..look
+        ..look.clone()
     };
     let names = |look| {
         let all = animations(&moving(&instance, &plan, look)).into_keys();
@@ -261,4 +261,22 @@ fn a_plan_that_breaks_rules_is_drawn_as_it_is() {
             assert_eq!(places(&svg).len(), 2);
         }
     }
+}
+
+#[test]
+fn an_agent_is_drawn_with_its_own_look() {
+    let (instance, plan, look) = scene();
+    let other = Look {
+        looks: Looks::from_numbers(vec![7, 8]),
+        ..look.clone()
+    };
+    let ink = |own| robot(look.theme, look.colours, own).0.to_string();
+    let (usual, own) = (
+        still(&instance, &plan, 0.0, &look),
+        still(&instance, &plan, 0.0, &other),
+    );
+    assert!(usual.contains(&ink(0)) && !usual.contains(&ink(7)));
+    assert!(own.contains(&ink(7)) && !own.contains(&ink(0)));
+    let moves = moving(&instance, &plan, &other);
+    assert!(moves.contains(&ink(7)) && !moves.contains(&ink(0)));
 }

@@ -5,6 +5,7 @@
 //! Nothing here knows SAT, a clock, or a page.
 
 pub mod budget;
+pub mod calm;
 pub mod cbs;
 mod chance;
 pub mod first;

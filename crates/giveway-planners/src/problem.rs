@@ -43,7 +43,8 @@ pub struct Problem {
     pub cost_to_go: Vec<CostToGo>,
     /// The earliest arrival of each agent alone.
     pub optima: Vec<u32>,
-    /// The largest of these, where nothing is demanded beside the tasks.
+    /// The largest of these and of the ends of breakdowns, where nothing is
+    /// demanded beside the tasks.
     longest: u32,
 }
 
@@ -94,11 +95,12 @@ impl Problem {
             if agent.waypoints.len() > MAX_WAYPOINTS {
                 return Err(ProblemError::TooManyWaypoints(i));
             }
-            let task = Task::new(agent, instance.rules(), &problem.terrain)
+            let mut task = Task::new(agent, instance.rules(), &problem.terrain)
                 .map_err(|hopeless| ProblemError::Alone(i, hopeless))?;
+            task.held = instance.held(&agent.name);
             problem.add(i, task, budget)?;
         }
-        problem.longest = problem.optima.iter().copied().max().unwrap_or(0);
+        problem.longest = problem.longest();
         Ok(problem)
     }
 
@@ -124,8 +126,15 @@ impl Problem {
         for (i, task) in tasks.into_iter().enumerate() {
             problem.add(i, task, budget)?;
         }
-        problem.longest = problem.optima.iter().copied().max().unwrap_or(0);
+        problem.longest = problem.longest();
         Ok(problem)
+    }
+
+    /// The largest of the earliest arrivals and of the ends of breakdowns: others
+    /// may have to wait for an agent that has arrived and broken down.
+    fn longest(&self) -> u32 {
+        let held = self.tasks.iter().map(|task| task.held);
+        self.optima.iter().copied().chain(held).max().unwrap_or(0)
     }
 
     /// An agent's least part of the sum of costs, alone.

@@ -8,6 +8,7 @@
 mod answer;
 pub mod audit;
 mod budget;
+mod calmed;
 mod certify;
 pub mod change;
 mod counterfactual;
@@ -33,7 +34,7 @@ pub mod trace;
 mod verify;
 pub mod words;
 
-use giveway_planners::{first, lns, local, single, terrain, walk};
+use giveway_planners::{calm, first, lns, local, single, terrain, walk};
 
 pub use answer::{CheckAnswer, FrontAnswer, SolveAnswer, Stats, Status};
 pub use certify::{Certificate, CertifyRequest, ExportAnswer, ExportRequest};

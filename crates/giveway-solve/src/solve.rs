@@ -10,6 +10,7 @@ use giveway_model::{
 use crate::{
     Host, Limits, Progress, SolveAnswer, Status,
     budget::Budget,
+    calmed::calmed,
     judged::{Judged, told},
     problem::{Problem, ProblemError},
     search::{self, Aim, Bounded, Contact, Horizon, Reach, Verdict},
@@ -157,7 +158,7 @@ pub(crate) fn best(task: &Task, problem: &Problem, bounded: &Bounded) -> Verdict
 }
 
 /// The plan that is known already, where the judge passes it.
-fn start(task: &Task) -> Option<(Plan, Costs)> {
+pub(crate) fn start(task: &Task) -> Option<(Plan, Costs)> {
     let mut plan = task.start.clone()?;
     plan.cut_trailing_goals(&task.instance);
     let report = check(&task.instance, &plan);
@@ -166,7 +167,7 @@ fn start(task: &Task) -> Option<(Plan, Costs)> {
 }
 
 /// The agents' names, in the order of the instance.
-fn names(task: &Task) -> Vec<String> {
+pub(crate) fn names(task: &Task) -> Vec<String> {
     let agents = task.instance.agents().iter();
     agents.map(|agent| agent.name.clone()).collect()
 }
@@ -215,7 +216,8 @@ pub(crate) fn answer(task: &Task, problem: &Problem, verdict: Verdict) -> Solved
         let plan = to_plan(problem, &names, &walks);
         let report = check(&task.instance, &plan);
         let passes = report.violations.is_empty() && report.costs == Some(costs);
-        passes.then_some((plan, costs))
+        let is_proved = claim.1.is_none();
+        passes.then(|| calmed(task, problem, &walks, (plan, costs), is_proved))
     });
     let (status, reach) = (judged.status, judged.reach);
     let (complete, within) = told(reach);

@@ -307,9 +307,12 @@ export type Verdict = "needless" | "improvable" | "costly" | "necessary" | "unkn
 
 /** A fact of the scene that can be left out. */
 export interface Fact {
-  kind: "task" | "waypoint" | "battery" | "obstacle" | "slow" | "collision" | "stay" | "deadline" | "floor";
+  kind: "task" | "waypoint" | "battery" | "obstacle" | "slow" | "collision" | "stay" | "deadline" | "floor" | "breakdown";
   agents: string[];
   cell: Cell | null;
+  /** Of a breakdown: when it began, and the time from which the agent may go on. */
+  time?: number;
+  until?: number;
   text: string;
   /** Whether leaving out this fact alone gives the whole scene a plan; null where it is not known. */
   helps: boolean | null;

@@ -144,6 +144,28 @@ impl Every {
         found
     }
 
+    /// The least sum over the steps of a best plan, where a step costs what the price says
+    /// of the places of all agents before and after it; `None` where there is no plan.
+    pub fn least(&self, price: impl Fn(&[Where], &[Where]) -> u32) -> Option<u32> {
+        let agents = self.joint.agents.len();
+        let places =
+            |code: Code| -> Vec<Where> { (0..agents).map(|a| self.place(a, code)).collect() };
+        let (last, layers) = self.layers.split_last()?;
+        let mut rest: BTreeMap<Moment, u32> = last.keys().map(|&moment| (moment, 0)).collect();
+        for layer in layers.iter().rev() {
+            let mut now = BTreeMap::new();
+            for (&moment, onward) in layer {
+                let here = places(moment.0);
+                let costs = onward
+                    .iter()
+                    .filter_map(|(to, _)| Some(rest.get(to)? + price(&here, &places(to.0))));
+                now.extend(costs.min().map(|least| (moment, least)));
+            }
+            rest = now;
+        }
+        rest.into_values().min()
+    }
+
     fn follow(&self, time: usize, moment: Moment, so_far: &mut Course, found: &mut Vec<Course>) {
         let agents = self.joint.agents.len();
         let places: Vec<Where> = (0..agents).map(|a| self.place(a, moment.0)).collect();

@@ -6,7 +6,7 @@ use giveway_course::lesson::Picture;
 use giveway_model::check::{Rule, check};
 use giveway_model::{Instance, Plan};
 use giveway_page::Draft;
-use giveway_page::board::{CELL, Mark, Track, Way, marks};
+use giveway_page::board::{ConflictPlace, Mark, Track, Way, marks};
 
 /// The most robots whose ways are drawn on a small board.
 const MOST_WAYS: usize = 8;
@@ -22,8 +22,8 @@ pub(crate) struct Film {
     pub(super) time: u32,
     /// The last time of the plan.
     pub(super) last: u32,
-    /// The first conflict of two robots: when, and where in units.
-    pub(super) conflict: Option<(u32, (f64, f64))>,
+    /// The first conflict of two robots: when, and where.
+    pub(super) conflict: Option<(u32, ConflictPlace)>,
 }
 
 impl Film {
@@ -61,17 +61,13 @@ impl Film {
     }
 }
 
-fn conflict(scene: &giveway_model::Scene, plan: &Plan) -> Option<(u32, (f64, f64))> {
+fn conflict(scene: &giveway_model::Scene, plan: &Plan) -> Option<(u32, ConflictPlace)> {
     let instance = Instance::new(scene.clone()).ok()?;
     let violations = check(&instance, plan).violations;
     let mut conflicts = violations.iter();
     let first = conflicts
         .find(|violation| matches!(violation.rule, Rule::Vertex | Rule::Swap | Rule::SlowSwap))?;
-    let cells = match (first.cell, first.edge) {
-        (Some(cell), _) => [cell, cell],
-        (None, edge) => edge?,
-    };
-    let middle = |one: u32, other: u32| (f64::from(one) + f64::from(other) + 1.0) / 2.0 * CELL;
-    let [one, other] = cells;
-    Some((first.time, (middle(one.x, other.x), middle(one.y, other.y))))
+    let cell = first.cell.map(ConflictPlace::Cell);
+    let place = cell.or_else(|| first.edge.map(ConflictPlace::Edge))?;
+    Some((first.time, place))
 }

@@ -2,10 +2,11 @@
 //! and where a press closes one for a look.
 
 use giveway_page::board::Detail;
-use giveway_page::form;
 use giveway_page::freedom::{self, Lines, Number, Weight};
 use giveway_page::{State, Tool};
 use yew::prelude::*;
+
+use crate::glyph;
 
 /// What is drawn, and how fine.
 #[derive(Clone, PartialEq, Properties)]
@@ -43,7 +44,7 @@ fn Overlay(props: &OverlayProps) -> Html {
             let d = path(line);
             (!d.is_empty()).then(|| {
                 html! {
-                    <g key={line.agent} class={classes!(form::class(line.agent), is_pale(line.agent).then_some("pale"))}>
+                    <g key={line.agent} class={classes!(glyph::class(line.agent), is_pale(line.agent).then_some("pale"))}>
                         <path class={class[0]} d={d.to_owned()} /><path class={class[1]} d={d.to_owned()} />
                     </g>
                 }

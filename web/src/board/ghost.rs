@@ -1,10 +1,11 @@
 //! An agent that is being placed: where it will start, and the way to its goal.
 
-use giveway_page::{Placing, State, form};
+use giveway_page::{Placing, State};
 use yew::prelude::*;
 
 use super::marks::{FLAG_CLOTH, FLAG_POLE};
 use super::{agents, units};
+use crate::glyph;
 
 /// What is seen of it, if there is one.
 pub(super) fn show(state: &State) -> Html {
@@ -17,7 +18,7 @@ pub(super) fn show(state: &State) -> Html {
         (units(goal.x.into()), units(goal.y.into())),
     );
     html! {
-        <g class={classes!("placing", form::class(agent))} aria-hidden="true">
+        <g class={classes!("placing", glyph::class(agent))} aria-hidden="true">
             <line x1={from.0.to_string()} y1={from.1.to_string()} x2={to.0.to_string()} y2={to.1.to_string()} />
             <g class="agent no-battery" transform={format!("translate({} {})", from.0, from.1)}>
                 <circle class="halo" r="41" />

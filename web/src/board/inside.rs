@@ -1,12 +1,12 @@
 //! What is drawn over the map of a step of how the plan was found.
 
 use giveway_page::board::CELL;
-use giveway_page::form;
 use giveway_page::inside::{Ban, Meeting, Overlay, Shade};
 use yew::prelude::*;
 
 use super::layers::square;
-use super::reasons::STAR;
+use super::reasons::burst;
+use crate::glyph;
 
 /// What is written over the map is at least so high, in pixels.
 const LETTERS: f64 = 11.0;
@@ -31,7 +31,7 @@ pub(super) struct MarksProps {
 #[component]
 pub(super) fn InsideFloor(props: &InsideProps) -> Html {
     let shade = |shade: &Shade| {
-        html! { <path class={classes!("reach", form::class(shade.agent))} fill-rule="evenodd" d={shade.path.clone()} /> }
+        html! { <path class={classes!("reach", glyph::class(shade.agent))} fill-rule="evenodd" d={shade.path.clone()} /> }
     };
     html! { <g aria-hidden="true">{ for props.overlay.shades.iter().map(shade) }</g> }
 }
@@ -50,17 +50,10 @@ pub(super) fn InsideMarks(props: &MarksProps) -> Html {
         right: f64::from(*columns) * CELL,
     };
     let ring = RING.max(RING_PX * CELL / cell_px);
-    let burst = |(x, y): &(f64, f64)| {
-        html! {
-            <g class="burst" transform={format!("translate({x} {y})")}>
-                <path d={STAR} /><path class="ex" d="M0-11V3M0 11v.1" />
-            </g>
-        }
-    };
     html! {
         <g aria-hidden="true">
             { for overlay.bans.iter().map(|each| ban(each, label)) }
-            { for overlay.bursts.iter().map(burst) }
+            { for overlay.bursts.iter().map(|&place| burst(place, *cell_px)) }
             { for overlay.meetings.iter().map(|each| meeting(each, label, ring)) }
             if let Some((cell, text)) = &overlay.stuck {
                 { square("vcell", *cell, 4) }
@@ -103,7 +96,7 @@ fn ban(ban: &Ban, label: Label) -> Html {
     let width = wide(&ban.text);
     let (x, scale) = (label.on_map(x, width), label.scale);
     html! {
-        <g class={classes!("ban", form::class(ban.agent), ban.is_asked.then_some("asked"))}>
+        <g class={classes!("ban", glyph::class(ban.agent), ban.is_asked.then_some("asked"))}>
             if let Some(cell) = ban.cell {
                 <rect class="at" x={(100 * cell.x + 7).to_string()} y={(100 * cell.y + 7).to_string()} width="86" height="86" rx="14" />
             }

@@ -4,13 +4,12 @@
 use giveway_model::tr;
 use giveway_page::board::Kind;
 use giveway_page::find::FindAction;
-use giveway_page::form;
 use giveway_page::inside::Sign;
 use giveway_page::{Action, State, ViewAction};
 use yew::prelude::*;
 
 use super::viewport::Look;
-use crate::{icon, slot};
+use crate::{glyph, icon, slot};
 
 /// By how much a button or key enlarges.
 pub(super) const ZOOM: f64 = 1.5;
@@ -44,7 +43,7 @@ pub(super) fn under(props: &Under<'_>) -> Html {
         }
     };
     let sign = |sign: &Sign| {
-        let class = classes!(sign.class, sign.agent.map(form::class));
+        let class = classes!(sign.class, sign.agent.map(glyph::class));
         html! { <li><i {class}></i>{ sign.words.clone() }</li> }
     };
     let signs: Html = match &props.signs {

@@ -4,10 +4,10 @@ use std::rc::Rc;
 
 use giveway_model::Cell;
 use giveway_page::board::{Cast, Detail, Mark, MarkKind, Occupied};
-use giveway_page::form;
 use yew::prelude::*;
 
 use super::motion::{Attribute, children, use_motion};
+use crate::glyph;
 use crate::held::Held;
 
 pub(super) const FLAG_POLE: &str = "M66 46V14";
@@ -68,7 +68,7 @@ pub(super) fn Marks(props: &MarksProps) -> Html {
 
 fn flag(mark: &Mark, detail: Detail) -> Html {
     html! {
-        <g class={classes!("flag", form::class(mark.agent))} transform={place(mark, (0.0, 0.0))}>
+        <g class={classes!("flag", glyph::class(mark.agent))} transform={place(mark, (0.0, 0.0))}>
             <g class="in">
                 <path class="halo" d={FLAG} />
                 <path class="pole" d={FLAG_POLE} />
@@ -81,7 +81,7 @@ fn flag(mark: &Mark, detail: Detail) -> Html {
 
 fn star(mark: &Mark, detail: Detail) -> Html {
     html! {
-        <g class={classes!("star", form::class(mark.agent))} transform={cell(mark, (50.0, 42.0))}>
+        <g class={classes!("star", glyph::class(mark.agent))} transform={cell(mark, (50.0, 42.0))}>
             // In the corner of an occupied cell they stand in a row.
             <g class={classes!("by", format!("by-{}", mark.place.min(2)))} transform={shift(mark)}>
                 <g class="in">
@@ -96,7 +96,7 @@ fn star(mark: &Mark, detail: Detail) -> Html {
 
 /// Where nothing else has room: goals as rings; waypoints are left out.
 fn dot(mark: &Mark) -> Html {
-    let class = classes!("goal-dot", form::class(mark.agent));
+    let class = classes!("goal-dot", glyph::class(mark.agent));
     let (x, y) = (50.0 + mark.shift.0, 50.0 + mark.shift.1);
     let (x, y) = (
         f64::from(100 * mark.cell.x) + x,

@@ -147,7 +147,7 @@ pub fn Board(props: &BoardProps) -> Html {
                 onkeydown={onkeydown.clone()}>
                 { floor::hatch() }
                 { layers(state, Place::Board, &cast, other.as_ref(), &sight, &overlay) }
-                <ReasonMarks {reasons} />
+                <ReasonMarks {reasons} cell_px={frame.cell_px} />
                 <InsideMarks overlay={overlay.clone()} cell_px={frame.cell_px} columns={board.0} />
                 { problems(state) }
                 { lesson::marks(state) }

@@ -2,17 +2,30 @@
 //! plan of one's own.
 
 use giveway_model::{Cell, tr};
-use giveway_page::board::{Later, Place, Reasons, Spot, Try};
+use giveway_page::board::{ConflictPlace, Later, Place, Reasons, Spot, Star, Try};
 use yew::prelude::*;
 
 use super::layers::square;
 
 /// A star with twelve points, and an exclamation mark.
-pub(crate) const STAR: &str = "M0-30 6.5-20 17.6-24.3 17-12.3 28.5-9.3 21 0 28.5 9.3 17 12.3 17.6 24.3 6.5 20 0 30-6.5 20-17.6 24.3-17 12.3-28.5 9.3-21 0-28.5-9.3-17-12.3-17.6-24.3-6.5-20Z";
+const STAR: &str = "M0-30 6.5-20 17.6-24.3 17-12.3 28.5-9.3 21 0 28.5 9.3 17 12.3 17.6 24.3 6.5 20 0 30-6.5 20-17.6 24.3-17 12.3-28.5 9.3-21 0-28.5-9.3-17-12.3-17.6-24.3-6.5-20Z";
 
 #[derive(Clone, PartialEq, Properties)]
 pub(super) struct ReasonsProps {
     pub(super) reasons: Reasons,
+    /// The size of a cell on the screen.
+    pub(super) cell_px: f64,
+}
+
+/// The star of a broken rule.
+pub(super) fn burst(place: ConflictPlace, cell_px: f64) -> Html {
+    let Star { at: (x, y), radius } = place.star(cell_px);
+    let scale = radius / 30.0;
+    html! {
+        <g class="burst" transform={format!("translate({x:.1} {y:.1}) scale({scale:.2})")}>
+            <path d={STAR} /><path class="ex" d="M0-11V3M0 11v.1" />
+        </g>
+    }
 }
 
 /// Numbers where something would go wrong, frames around what excludes it.
@@ -27,13 +40,6 @@ pub(super) fn ReasonMarks(props: &ReasonsProps) -> Html {
         html! {
             <g class={classes!("num", spot.is_lit.then_some("lit"))} transform={format!("translate({x} {y})")}>
                 <circle r="19" /><text y="7" text-anchor="middle">{ spot.number }</text>
-            </g>
-        }
-    };
-    let burst = |(x, y): &(f64, f64)| {
-        html! {
-            <g class="burst" transform={format!("translate({x} {y})")}>
-                <path d={STAR} /><path class="ex" d="M0-11V3M0 11v.1" />
             </g>
         }
     };
@@ -71,7 +77,7 @@ pub(super) fn ReasonMarks(props: &ReasonsProps) -> Html {
             { for props.reasons.places.iter().map(place) }
             { for props.reasons.spots.iter().map(spot) }
             { for props.reasons.frames.iter().map(|&cell: &Cell| square("vcell", cell, 4)) }
-            { for props.reasons.bursts.iter().map(burst) }
+            { for props.reasons.bursts.iter().map(|&place| burst(place, props.cell_px)) }
             { for props.reasons.later.iter().map(later) }
         </g>
     }

@@ -26,7 +26,7 @@ pub(crate) fn Small(props: &SmallProps) -> Html {
         let (x, y) = (100 * agent.start.x + 50, 100 * agent.start.y + 50);
         html! {
             <g class={form::class(index)} transform={format!("translate({x} {y}) scale(1.3)")}>
-                { crate::form(index) }
+                { crate::glyph::of_look(index) }
             </g>
         }
     };

@@ -11,7 +11,7 @@ use yew::prelude::*;
 use super::film::Film;
 use super::floor::FloorShapes;
 use super::marks::{FLAG, FLAG_CLOTH, FLAG_POLE, STAR};
-use super::reasons::STAR as BURST;
+use super::reasons::burst;
 use crate::held::{Held, use_held};
 
 /// About how large a cell is, in pixels.
@@ -69,10 +69,8 @@ pub(crate) fn Thumb(props: &ThumbProps) -> Html {
             { for (0..film.ways.len()).map(|index| way(film, index, time)) }
             { for film.marks.iter().map(flag) }
             { for robots.iter().filter(|(_, pose)| !pose.is_gone).map(|(index, pose)| robot(*index, pose, &robots)) }
-            if let Some((_, (x, y))) = conflict {
-                <g class="burst" transform={format!("translate({x} {}) scale(0.9)", y - 30.0)}>
-                    <path d={BURST} /><path class="ex" d="M0-11V3M0 11v.1" />
-                </g>
+            if let Some((_, place)) = conflict {
+                { burst(place, CELL_PX) }
             }
         </svg>
     }
@@ -153,7 +151,7 @@ fn robot(index: usize, pose: &Pose, all: &[(usize, Pose)]) -> Html {
     let y = (pose.at.y + 0.5) * CELL;
     html! {
         <g class={form::class(index)} transform={format!("translate({x:.1} {y:.1}) scale({scale})")}>
-            { crate::form(index) }
+            { crate::glyph::of_look(index) }
         </g>
     }
 }

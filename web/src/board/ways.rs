@@ -8,11 +8,11 @@ use std::cell::Cell;
 use std::rc::Rc;
 
 use giveway_page::board::Cast;
-use giveway_page::form;
 use web_sys::Element;
 use yew::prelude::*;
 
 use super::motion::{Attribute, children, use_motion};
+use crate::glyph;
 
 /// The most agents whose ways are all drawn. Of more, nobody could follow one:
 /// then only that of the selected agent is.
@@ -60,7 +60,7 @@ pub(super) fn Ways(props: &WaysProps) -> Html {
     };
     let lines = |&agent: &usize| {
         html! {
-            <g key={agent} class={classes!(form::class(agent), is_calm(agent).then_some("no-ahead"))}>
+            <g key={agent} class={classes!(glyph::class(agent), is_calm(agent).then_some("no-ahead"))}>
                 <polyline class="trail" />
                 <polyline class="ahead-halo" />
                 <polyline class="ahead" />

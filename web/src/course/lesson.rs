@@ -21,8 +21,9 @@ pub(super) fn show(tutor: &Tutor, open: &Open, shelf: &Rc<Shelf>, send: &Callbac
     let Some(step) = open.step() else {
         return html! {};
     };
+    let robots = open.robots();
     let reader = Reader {
-        agents: &open.scene().agents,
+        agents: &robots,
         shelf,
         send,
     };

@@ -6,7 +6,6 @@ use giveway_course::learner::Action;
 use giveway_course::lesson::{Span, Target, Text};
 use giveway_course::port::Lit;
 use giveway_model::{Agent, tr};
-use giveway_page::form;
 use yew::prelude::*;
 
 use super::shelf::Shelf;
@@ -74,7 +73,7 @@ impl Reader<'_> {
         match target {
             Target::Robot(name) => {
                 let index = self.index(name);
-                let class = classes!("aw", index.map(form::class));
+                let class = classes!("aw", index.map(glyph::class));
                 self.lights(class, label, &Lit::Robot(name.clone()), index)
             }
             Target::Cell(cell) => self.lights(classes!("cw"), label, &Lit::Cell(*cell), None),
@@ -122,7 +121,7 @@ impl Reader<'_> {
     pub(super) fn robot(&self, name: &str) -> Html {
         let index = self.index(name);
         html! {
-            <span class={classes!("aw", index.map(form::class))}>
+            <span class={classes!("aw", index.map(glyph::class))}>
                 if let Some(index) = index { { glyph::show(index, "aw-glyph") } }
                 { name.to_owned() }
             </span>

@@ -27,6 +27,7 @@ use super::print::Sheet;
 use super::shelf::Shelf;
 use super::sight::{bring_into_view, focus, has_focus, refocus};
 use super::tour::Guide;
+use crate::foreign::{self, Anew};
 
 /// What happens in the course.
 #[derive(Clone)]
@@ -64,6 +65,8 @@ pub(super) enum Msg {
     Type(String),
     /// The judge has been looking for a while.
     Late,
+    /// A translator or an extension has changed the elements: they are built anew.
+    Foreign,
     /// The page is to be shown to a room.
     Present,
     /// The lesson is to be printed.
@@ -121,7 +124,9 @@ pub(super) struct Tutor {
     pub(super) line: Option<Line>,
     /// The lesson on its way to a printer.
     pub(super) sheet: Option<Sheet>,
-    _keys: EventListener,
+    /// How often the elements were built anew.
+    built: u32,
+    _listening: [EventListener; 2],
 }
 
 impl Component for Tutor {
@@ -156,7 +161,11 @@ impl Component for Tutor {
             asker: Asker::new(ctx.link().callback(Msg::Do)),
             line: None,
             sheet: None,
-            _keys: keys::listen(),
+            built: 0,
+            _listening: [
+                keys::listen(),
+                foreign::listen(ctx.link().callback(|()| Msg::Foreign)),
+            ],
         };
         tutor.read_kept();
         tutor.fetch(ctx);
@@ -203,6 +212,7 @@ impl Component for Tutor {
             }
             Msg::Type(typed) => self.typed = typed,
             Msg::Late => self.is_late = true,
+            Msg::Foreign => self.built += 1,
             Msg::Present => {
                 if let Some(line) = &self.line {
                     line.say(&ToPage::Present);
@@ -229,7 +239,7 @@ impl Component for Tutor {
     fn view(&self, ctx: &Context<Self>) -> Html {
         let send = ctx.link().callback(|msg: Msg| msg);
         html! {
-            <>
+            <Anew key={self.built}>
                 if let (Some(open), Some(shelf)) = (&self.learner.open, &self.shelf) {
                     { lesson::show(self, open, shelf, &send) }
                     if let Some(sheet) = &self.sheet { { sheet.show(&open.id, &open.lesson) } }
@@ -242,7 +252,7 @@ impl Component for Tutor {
                         own={self.own.clone()} missing={self.missing.clone()} send={send.clone()} />
                 }
                 { self.author_view(&send) }
-            </>
+            </Anew>
         }
     }
 

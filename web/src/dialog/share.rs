@@ -1,7 +1,6 @@
-//! The link that holds the scene with its plan and its question; the way to present it.
+//! The link that holds the scene with its plan and its question.
 
 use giveway_model::tr;
-use giveway_page::present::BEGIN;
 use giveway_page::{Action, FileAction, link::embed};
 use yew::prelude::*;
 
@@ -43,13 +42,6 @@ pub(crate) fn Share(props: &ShareProps) -> Html {
     let html = embed(&props.link, &props.name).into();
     let code = press(tr!("embed code"), html, tr!("Embed code copied."));
     let length = props.link.len();
-    let present = {
-        let (send, on_close) = (props.send.clone(), props.on_close.clone());
-        move |_: MouseEvent| {
-            on_close.emit(());
-            send.emit(BEGIN);
-        }
-    };
     html! {
         <Frame title={tr!("Share")} on_close={props.on_close.clone()}>
             <p>{ tr!("Whoever opens this link sees the scene and its plan at the time shown; a question \
@@ -62,9 +54,6 @@ pub(crate) fn Share(props: &ShareProps) -> Html {
                 <input id="link" class="field" type="text" readonly=true value={props.link.clone()} />
             </div>
             <div class="dialog-foot">
-                <button class="btn outline" title={tr!("The board full screen, before a room (P)")} onclick={present}>
-                    { icon::show("fit") }{ tr!("Present") }
-                </button>
                 <span class="grow" role="status">{ *told }</span>
                 <button class="btn ghost" onclick={props.on_lesson.clone()}>{ tr!("Make a lesson") }</button>
                 <button class="btn outline" title={tr!("HTML that shows the plan inside another page")}

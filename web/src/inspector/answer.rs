@@ -161,13 +161,24 @@ fn witness(title: &str, happenings: &[Happening], send: &Callback<Action>) -> Ht
     }
 }
 
+/// Lights up, and shows the time of what has one.
+fn shown(on: &Callback<()>, time: Option<u32>, send: &Callback<Action>) -> Callback<MouseEvent> {
+    let (on, send) = (on.clone(), send.clone());
+    Callback::from(move |_| {
+        on.emit(());
+        if let Some(time) = time {
+            send.emit(Action::Play(PlayAction::Seek(time)));
+        }
+    })
+}
+
 fn core(facts: &Facts, send: &Callback<Action>) -> Html {
     let one = |fact: &FactRow| {
         let is_lit = fact.is_lit;
         let [on, off] = lit(Lit::Fact(fact.index), send);
         html! {
             <li><button type="button" class={classes!("fact", is_lit.then_some("lit"))} aria-pressed={is_lit.to_string()}
-                onclick={on.reform(|_: MouseEvent| ())}
+                onclick={shown(&on, fact.time, send)}
                 onpointerenter={on.reform(|_| ())} onpointerleave={off.reform(|_| ())}
                 onfocus={on.reform(|_| ())} onblur={off.reform(|_| ())}>
                 if let Some(number) = fact.number {

@@ -9,7 +9,7 @@ use giveway_page::{
 use yew::prelude::*;
 
 use crate::field::{Field, number};
-use crate::{Shown, icon};
+use crate::{Shown, glyph, icon};
 
 /// The largest battery that can be set, in steps.
 const CAPACITY: u32 = 100_000;
@@ -56,7 +56,7 @@ pub(super) fn agent(state: &Shown, index: usize, send: &Callback<Action>) -> Htm
 
 /// The colours to choose from; the form stays, so that no two look the same.
 fn colour(state: &Shown, index: usize, send: &Callback<Action>) -> Html {
-    let chosen = state.document.colours.of(index);
+    let chosen = state.document.colours.of(glyph::look(index));
     let swatch = |(colour, name): (usize, &Later)| {
         let name = name.text();
         let choose = send.reform(move |_: Event| Action::Edit(Edit::Recolour(index, colour)));

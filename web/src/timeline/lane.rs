@@ -3,7 +3,6 @@
 use std::ops::Range;
 
 use giveway_model::tr;
-use giveway_page::form;
 use giveway_page::freedom::LaneMarks;
 use giveway_page::inside::{Note, Stop};
 use giveway_page::timeline::{Axis, Lane, Row, Shapes};
@@ -74,7 +73,7 @@ pub(super) fn LaneRow(props: &LaneRowProps) -> Html {
         None => lane.name.clone(),
     };
     html! {
-        <div class={classes!("row", "lane", form::class(lane.agent), note.is_some_and(|note| !note.is_planned).then_some("later"), props.selected.then_some("sel"))}
+        <div class={classes!("row", "lane", glyph::class(lane.agent), note.is_some_and(|note| !note.is_planned).then_some("later"), props.selected.then_some("sel"))}
             onclick={props.pick.reform(move |_| index)}>
             <button type="button" class="lab" aria-pressed={props.selected.to_string()}
                 tabindex={if props.tab_stop { "0" } else { "-1" }} data-lane={index.to_string()} title={title}>

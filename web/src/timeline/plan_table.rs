@@ -3,12 +3,13 @@
 use std::ops::Range;
 
 use giveway_model::tr;
+use giveway_page::Reserve;
 use giveway_page::table::{Place, level, place};
 use giveway_page::timeline::{Axis, Lane};
-use giveway_page::{Reserve, form};
 use yew::prelude::*;
 
 use super::same::Same;
+use crate::glyph;
 
 #[derive(Clone, PartialEq, Properties)]
 pub(super) struct PlanTableProps {
@@ -73,7 +74,7 @@ pub(super) fn PlanTable(props: &PlanTableProps) -> Html {
             .map(|entry| cell(lane, kind, entry, entry == *time));
         let first = (kind == Kind::Cells).then_some("first");
         Some(html! {
-            <tr key={at} class={classes!(form::class(lane.agent), first, (kind == Kind::Levels).then_some("lv"))}
+            <tr key={at} class={classes!(glyph::class(lane.agent), first, (kind == Kind::Levels).then_some("lv"))}
                 aria-rowindex={(at + 2).to_string()}>
                 if kind == Kind::Cells {
                     <th scope="row" class="lab"><span>{ lane.name.clone() }{ " " }<small>{ tr!("cell") }</small></span></th>

@@ -163,6 +163,9 @@ pub(crate) fn TopBar(props: &TopBarProps) -> Html {
                 <button class="btn ghost wide" title={tr!("Share a link")} onclick={share.clone()}>
                     { icon::show("share") }<span>{ tr!("Share") }</span>
                 </button>
+                <button class="btn ghost" title={tr!("The board full screen, before a room (P)")} onclick={present.clone()}>
+                    { icon::show("fit") }<span class="vh">{ tr!("Present") }</span>
+                </button>
                 <i class="sep"></i>
                 <button class="btn ghost ph" title={tr!("Undo (Ctrl Z)")} onclick={undo}
                     disabled={!state.history.can_undo()}>

@@ -51,6 +51,7 @@ pub(super) fn conclude(
     };
     let evidence = crate::port::Evidence {
         plan: Some(plan.clone()),
+        changes: Some(task.changes.clone()),
         ..Default::default()
     };
     Verdict::if_holds(is_cheap && is_calm, why).with(evidence)

@@ -27,6 +27,7 @@ use crate::lesson::{Step, Task, Value};
 
 pub use condition::Held;
 pub use edits::Outside;
+pub(crate) use spot::is_same_conflict;
 pub use verdict::{Kind, Verdict, Why};
 
 /// Where a learner is: a step, the scene that it began with, and the one on the board.

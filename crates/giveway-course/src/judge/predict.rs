@@ -114,7 +114,11 @@ fn truth(what: &Quantity, scene: &Scene, response: Option<&Response>) -> Truth {
         },
         Quantity::Planner { cost, .. } => planned(*cost, response),
         Quantity::Node { number } => node(*number, response),
-        Quantity::Changed { method, cost, .. } => {
+        Quantity::Changed {
+            changes,
+            method,
+            cost,
+        } => {
             let Some(Response::Changed(answer)) = response else {
                 return Err(proved::unexpected(response));
             };
@@ -128,7 +132,11 @@ fn truth(what: &Quantity, scene: &Scene, response: Option<&Response>) -> Truth {
                 None if found.closest => found.kept.len() as u32,
                 None => return Err(Why::Differs),
             };
-            Ok((number(value), proved::best_plan(plan)))
+            let evidence = Evidence {
+                changes: Some(changes.clone()),
+                ..proved::best_plan(plan)
+            };
+            Ok((number(value), evidence))
         }
     }
 }

@@ -33,6 +33,18 @@ pub(super) fn judge(situation: Situation<'_>, marks: &[Mark]) -> Verdict {
     Verdict::if_holds(of > 0 && found == of, why).with(evidence)
 }
 
+/// Whether two marks are of one conflict of the plan: a swap may be marked before or after
+/// its step, and by either robot first.
+pub(crate) fn is_same_conflict(situation: Situation<'_>, one: &Mark, other: &Mark) -> bool {
+    let instance = Instance::new(situation.scene.clone());
+    let (Ok(instance), Some(plan)) = (instance, &situation.step.plan) else {
+        return false;
+    };
+    let violations = check(&instance, plan).violations;
+    let mut conflicts = violations.iter().filter(|violation| is_conflict(violation));
+    conflicts.any(|conflict| is_of(one, conflict) && is_of(other, conflict))
+}
+
 /// Whether a broken rule is a conflict of two robots.
 const fn is_conflict(violation: &Violation) -> bool {
     matches!(violation.rule, Rule::Vertex | Rule::Swap | Rule::SlowSwap)

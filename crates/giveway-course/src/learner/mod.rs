@@ -9,6 +9,7 @@ mod action;
 mod left;
 mod onward;
 mod open;
+mod pointed;
 mod progress;
 mod proof;
 mod reduce;

@@ -2,7 +2,7 @@
 
 use std::rc::Rc;
 
-use giveway_model::{Plan, Scene};
+use giveway_model::{Agent, Plan, Scene};
 
 use super::{Judge, Proof};
 use crate::judge::{Did, Situation};
@@ -99,6 +99,19 @@ impl Open {
     /// The scene that the step began with.
     pub const fn start(&self) -> &Scene {
         &self.start
+    }
+
+    /// The robots that texts name, each at the place of its look: those that the step began
+    /// with, those that came since, and those that join while the plan of the step runs.
+    pub fn robots(&self) -> Vec<Agent> {
+        let is_new = |agent: &&Agent| {
+            let mut before = self.start.agents.iter();
+            before.all(|other| other.name != agent.name)
+        };
+        let came = self.scene.agents.iter().filter(is_new);
+        let joining = self.step().into_iter().flat_map(Step::joining);
+        let all = self.start.agents.iter().chain(came).chain(joining);
+        all.cloned().collect()
     }
 
     /// The scene on the board.
@@ -204,6 +217,7 @@ impl Open {
             number: self.board,
             scene: self.scene.clone(),
             plan,
+            changes: step.changes().cloned(),
             time: step.time,
             playing: step.playing,
             tools: step.tools.clone(),

@@ -3,7 +3,8 @@
 use giveway_model::{Instance, Scene};
 use giveway_solve::Response;
 
-use super::{Action, AskNumber, Effect, Judge, Learner, Open, Proof, Stage, task};
+use super::pointed::{self, Pointed};
+use super::{Action, AskNumber, Effect, Judge, Learner, Open, Proof, Stage};
 use crate::judge::Did;
 use crate::lesson::Id;
 use crate::port::{BoardNumber, FromPage, Happened, ToPage};
@@ -189,11 +190,11 @@ impl Learner {
             }
             Happened::Led(plan) => self.did(Did::Led(*plan), effects),
             Happened::Leads(name) => open.leads = Some(name),
-            Happened::Picked(pick) => {
-                if let Some(did) = task::picked(open, pick) {
-                    self.did(did, effects);
-                }
-            }
+            Happened::Picked(pick) => match pointed::picked(open, pick) {
+                Pointed::Did(did) => self.did(did, effects),
+                Pointed::Part => {}
+                Pointed::Nothing(why) => effects.push(Effect::Page(ToPage::Say(why))),
+            },
             Happened::Time(time) => open.time = time,
             Happened::Changed(method) => self.did(Did::Went(method), effects),
             Happened::Closed => {

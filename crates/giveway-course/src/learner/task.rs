@@ -1,13 +1,11 @@
 //! What is done for a task, and what the judges make of it.
 
-use giveway_model::{Cell, Plan};
 use giveway_solve::Request;
 
-use super::{AskNumber, Effect, Judge, Learner, Looking, Open, Proof};
-use crate::judge::{self, Did, Judging, Mark, Verdict, Why};
-use crate::lesson::quantity::ValueKind;
-use crate::lesson::{Task, Value};
-use crate::port::{Pick, ToPage};
+use super::{AskNumber, Effect, Judge, Learner, Looking, Proof};
+use crate::judge::{self, Did, Judging, Verdict, Why};
+use crate::lesson::Task;
+use crate::port::ToPage;
 
 impl Learner {
     /// Something was done for the task: it is judged, and what was asked before is of
@@ -184,88 +182,4 @@ const fn is_for(task: &Task, did: &Did) -> bool {
             | (Task::Order(_), Did::Ordered(_) | Did::NoOrder)
             | (Task::Change(_), Did::Went(_))
     )
-}
-
-/// What pointing at something does for the task, if it does something whole.
-pub(super) fn picked(open: &mut Open, pick: Pick) -> Option<Did> {
-    match open.step()?.task.as_ref()? {
-        Task::Predict(task) => {
-            let value = match task.what.kind() {
-                ValueKind::Cell => Value::Cell(pick.cell),
-                ValueKind::Robot => Value::Robot(pick.robots.first()?.clone()),
-                ValueKind::Number => return None,
-            };
-            let listed = task.answers.iter().any(|guess| guess.value == value);
-            (task.answers.is_empty() || listed).then_some(Did::Guessed(value))
-        }
-        Task::Spot(_) => marked(open, pick),
-        _ => None,
-    }
-}
-
-/// Where two robots share the second cell, the one of them is meant that changes places
-/// with the robot of the first.
-fn swapping(plan: &Plan, before: &Pick, mut pick: Pick) -> Pick {
-    let [first] = before.robots.as_slice() else {
-        return pick;
-    };
-    let is_at = |name: &str, time: u32, cell: Cell| {
-        let path = plan.path(name);
-        let stands = path.get(time as usize).or(path.last());
-        stands.copied().flatten() == Some(cell)
-    };
-    let swaps = |name: &&String| {
-        let times = [pick.time.checked_add(1), pick.time.checked_sub(1)];
-        let mut times = times.into_iter().flatten();
-        times.any(|time| is_at(name, time, before.cell) && is_at(first, time, pick.cell))
-    };
-    let meant: Vec<String> = pick.robots.iter().filter(swaps).cloned().collect();
-    if before.cell != pick.cell && meant.len() == 1 {
-        pick.robots = meant;
-    }
-    pick
-}
-
-/// Two robots at one time make a mark: both at once, or one after the other.
-fn marked(open: &mut Open, pick: Pick) -> Option<Did> {
-    let mut marks = match &open.did {
-        Did::Marked(marks) => marks.clone(),
-        _ => Vec::new(),
-    };
-    let before = open
-        .pointed
-        .take()
-        .filter(|before| before.time == pick.time);
-    let plan = open.step()?.plan.as_ref();
-    let pick = match (&before, plan) {
-        (Some(before), Some(plan)) => swapping(plan, before, pick),
-        _ => pick,
-    };
-    let mut mark = Mark {
-        time: pick.time,
-        robots: Vec::new(),
-        cells: Vec::new(),
-    };
-    for part in before.iter().chain([&pick]) {
-        for name in &part.robots {
-            if !mark.robots.contains(name) {
-                mark.robots.push(name.clone());
-            }
-        }
-        if !part.robots.is_empty() && !mark.cells.contains(&part.cell) {
-            mark.cells.push(part.cell);
-        }
-    }
-    if mark.robots.len() < 2 {
-        open.pointed = (!pick.robots.is_empty()).then_some(pick);
-        return None;
-    }
-    // A mark that is of no conflict does not stay beside the next one.
-    if matches!(open.judge.verdict(), Some(verdict) if matches!(verdict.why, Why::NoConflict(_))) {
-        marks.pop();
-    }
-    if !marks.contains(&mark) {
-        marks.push(mark);
-    }
-    Some(Did::Marked(marks))
 }

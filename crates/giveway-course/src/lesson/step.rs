@@ -1,9 +1,10 @@
 //! A step of a lesson: a text, a board, and at most one task.
 
-use giveway_model::{Cell, Plan, Scene, object_only};
+use giveway_model::change::{Changes, What};
+use giveway_model::{Agent, Cell, Plan, Scene, object_only};
 use serde::{Deserialize, Serialize};
 
-use super::{Layer, Task, Text, Tool};
+use super::{Layer, Quantity, Task, Text, Tool};
 
 /// A step.
 #[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
@@ -58,6 +59,30 @@ pub struct Step {
 }
 
 object_only!(Step);
+
+impl Step {
+    /// What changes while the plan of the step runs: its task is about that.
+    pub fn changes(&self) -> Option<&Changes> {
+        match self.task.as_ref()? {
+            Task::Change(task) => Some(&task.changes),
+            Task::Predict(task) => match &task.what {
+                Quantity::Changed { changes, .. } => Some(changes),
+                _ => None,
+            },
+            _ => None,
+        }
+    }
+
+    /// The robots that join then, in their order.
+    pub fn joining(&self) -> impl Iterator<Item = &Agent> {
+        let changes = self.changes().into_iter();
+        let changes = changes.flat_map(|changes| &changes.changes);
+        changes.filter_map(|change| match &change.what {
+            What::AddAgent { agent } => Some(agent),
+            _ => None,
+        })
+    }
+}
 
 #[expect(clippy::trivially_copy_pass_by_ref, reason = "as serde calls it")]
 const fn is_false(value: &bool) -> bool {

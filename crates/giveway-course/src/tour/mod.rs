@@ -179,6 +179,7 @@ impl Tour {
             number: self.number,
             scene: scene(),
             plan: BoardPlan::Best,
+            changes: None,
             time: 0,
             playing: false,
             tools: Vec::new(),

@@ -11,6 +11,7 @@ use giveway_course::lesson::{Id, Lesson, Value};
 use giveway_course::port::{BoardNumber, BoardPlan, FromPage, Hand, Happened, Lit, Pick, ToPage};
 use giveway_model::Cell;
 use giveway_model::format::native;
+use giveway_solve::change::Method;
 use giveway_solve::{Request, Response, SilentHost, serve};
 
 use super::shipped;
@@ -731,4 +732,69 @@ fn random_actions_keep_the_invariants() {
         }
     }
     assert!(solved > 50, "{solved}");
+}
+
+/// What the page is to say.
+fn says(effects: &[Effect]) -> Vec<&str> {
+    let says = effects.iter().filter_map(|effect| match effect {
+        Effect::Page(ToPage::Say(sentence)) => Some(sentence.as_str()),
+        _ => None,
+    });
+    says.collect()
+}
+
+#[test]
+fn a_conflict_is_marked_once_and_a_click_that_does_nothing_says_why() {
+    let (mut learner, effects) = opened("two-robots-one-cell", 2);
+    let number = board(&effects);
+    let mut click = |time, x, robots: &[&str]| {
+        let robots = robots.iter().map(|&name| name.to_owned()).collect();
+        let cell = Cell::new(x, 0);
+        let pick = Happened::Picked(Pick { cell, time, robots });
+        let (next, effects) = reduce(std::mem::take(&mut learner), said(number, pick));
+        learner = next;
+        let open = learner.open.as_ref().unwrap();
+        let marks = match open.did() {
+            Did::Marked(marks) => marks.len(),
+            _ => 0,
+        };
+        let says = says(&effects)
+            .into_iter()
+            .map(str::to_owned)
+            .collect::<Vec<_>>();
+        (marks, says)
+    };
+    assert_eq!(click(0, 2, &[]).1, ["No robot is at (2, 0) at time 0."]);
+    assert_eq!(click(2, 1, &["A2"]), (0, Vec::new()));
+    let again = "Now click the robot that A2 gets into conflict with.";
+    assert_eq!(click(2, 1, &["A2"]), (0, vec![again.to_owned()]));
+    assert_eq!(click(2, 2, &["A1", "A3"]), (1, Vec::new()));
+    // The same swap, before its step and from the other robot.
+    assert_eq!(click(1, 1, &["A1"]), (1, Vec::new()));
+    let known = "You have marked this conflict already.";
+    assert_eq!(click(1, 2, &["A2"]), (1, vec![known.to_owned()]));
+    assert_eq!(click(2, 2, &["A1", "A3"]), (2, Vec::new()));
+    assert!(learner.open.unwrap().is_solved());
+}
+
+#[test]
+fn a_step_about_a_change_has_it_on_its_board() {
+    let (learner, effects) = opened("when-the-world-changes", 3);
+    let opens = effects.iter().find_map(|effect| match effect {
+        Effect::Page(ToPage::Open(board)) => Some(board),
+        _ => None,
+    });
+    let changes = opens.unwrap().changes.clone().unwrap();
+    assert_eq!(changes.changes.len(), 1);
+    let robots = learner.open.as_ref().unwrap().robots();
+    let names: Vec<&str> = robots.iter().map(|robot| robot.name.as_str()).collect();
+    assert_eq!(names, ["A1", "A2", "A3"]);
+    let (learner, effects) = reduce(learner, Action::Went(Method::Tunnel(1)));
+    let (learner, _) = answered(learner, effects);
+    let (_, effects) = reduce(learner, Action::ShowEvidence);
+    let shows = effects.iter().find_map(|effect| match effect {
+        Effect::Page(ToPage::Show(evidence)) => Some(evidence),
+        _ => None,
+    });
+    assert_eq!(shows.unwrap().changes.as_ref(), Some(&changes));
 }

@@ -42,13 +42,18 @@ pub struct History {
 impl History {
     /// The history of an instance in which nothing has changed yet.
     pub fn new(instance: &Instance) -> Self {
-        let agents = instance.agents().iter().cloned();
+        let begun = |agent: &Agent| {
+            let mut timeline = Timeline::new(agent.clone(), 0);
+            let held = instance.held(&agent.name);
+            timeline.held.extend((held > 0).then_some((0, held)));
+            timeline
+        };
         Self {
             rules: instance.rules(),
             stays: instance.stays(),
             first: instance.grid().clone(),
             epochs: Vec::new(),
-            timelines: agents.map(|agent| Timeline::new(agent, 0)).collect(),
+            timelines: instance.agents().iter().map(begun).collect(),
         }
     }
 
@@ -58,6 +63,10 @@ impl History {
         let mut history = Self::new(instance);
         for timeline in &mut history.timelines {
             timeline.from = at;
+            for (from, to) in &mut timeline.held {
+                *from += at;
+                *to += at;
+            }
         }
         history
     }

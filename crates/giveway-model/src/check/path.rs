@@ -68,14 +68,23 @@ fn find_obstacles(instance: &Instance, walk: &Walk<'_>, findings: &mut Findings<
 }
 
 fn find_moves(instance: &Instance, walk: &Walk<'_>, findings: &mut Findings<'_>) {
+    let name = &walk.agent.name;
+    let held = instance.held(name);
     for (time, step) in steps(instance.grid(), walk.path) {
-        if let Step::Broken { from, to, why } = step {
-            let message = sentence::broken_step(&walk.agent.name, from, to, time, why);
-            let place = match why {
-                Broken::TurnBack => Place::Cell(from),
-                _ => Place::Edge(from, to),
-            };
-            findings.push(Rule::Move, time, &[walk.index], place, message);
-        }
+        let (place, message) = match step {
+            Step::Broken { from, to, why } => {
+                let place = match why {
+                    Broken::TurnBack => Place::Cell(from),
+                    _ => Place::Edge(from, to),
+                };
+                (place, sentence::broken_step(name, from, to, time, why))
+            }
+            Step::Move { from, to } | Step::SlowMove { from, to } if time < held as usize => {
+                let message = sentence::held(name, from, time as u32);
+                (Place::Edge(from, to), message)
+            }
+            Step::Move { .. } | Step::SlowMove { .. } | Step::Wait => continue,
+        };
+        findings.push(Rule::Move, time, &[walk.index], place, message);
     }
 }

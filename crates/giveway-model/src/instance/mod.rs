@@ -1,8 +1,11 @@
 //! A checked instance of the problem.
 
+mod breakdown;
 mod variant;
 
 use std::collections::{BTreeMap, BTreeSet};
+
+pub use breakdown::Breakdown;
 
 use crate::{
     Agent, AtGoal, Cell, Fault, Grid, GridError, Ground, Objective, Rules, Scene, Version, tr,
@@ -38,6 +41,7 @@ pub struct Instance {
     rules: Rules,
     objective: Objective,
     agents: Vec<Agent>,
+    breakdowns: Vec<Breakdown>,
 }
 
 impl Instance {
@@ -85,6 +89,7 @@ impl Instance {
             rules: scene.rules,
             objective: scene.objective,
             agents: scene.agents,
+            breakdowns: Vec::new(),
         })
     }
 

@@ -38,6 +38,12 @@ impl Instance {
             rules: self.rules,
             objective: self.objective.clone(),
             agents: vec![agent.clone()],
+            breakdowns: self
+                .breakdowns
+                .iter()
+                .filter(|breakdown| breakdown.agent == name)
+                .cloned()
+                .collect(),
         })
     }
 

@@ -34,6 +34,8 @@ fn moment(answer: &Answer, lane: &Lane, time: u32) -> Vec<Offer> {
     let agent = || lane.name.clone();
     if step.way == Way::Wait {
         let (from, to) = whole_wait(lane, step);
+        // What came before the last change is settled.
+        let from = from.max(answer.changed_last().unwrap_or(0));
         let wait = Question::Wait {
             agent: agent(),
             at: Some(step.from),

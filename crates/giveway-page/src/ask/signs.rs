@@ -66,6 +66,7 @@ pub(super) fn fact_icon(fact: &Fact) -> &'static str {
         FactKind::Collision => "collision",
         FactKind::Stay => "goal",
         FactKind::Deadline => "clock",
+        FactKind::Breakdown => "pause",
     }
 }
 

@@ -31,16 +31,9 @@ impl Dropped {
         let violations = check(instance, &file.plan).violations;
         let plan = shown(instance, &file.plan);
         let solved = SolveAnswer {
-            giveway: Version,
-            status: Status::Feasible,
             costs: check(instance, &plan).costs,
-            bounds: BTreeMap::new(),
-            within: None,
-            complete: false,
-            reason: None,
             plan: Some(plan),
-            stats: Stats::default(),
-            trace: None,
+            ..unproved()
         };
         let request = SolveRequest {
             scene: draft.scene().clone(),
@@ -89,6 +82,22 @@ impl Dropped {
         starts
             .flat_map(|violation| &violation.agents)
             .map(String::as_str)
+    }
+}
+
+/// An answer in which nothing is proved of a plan.
+pub(crate) fn unproved() -> SolveAnswer {
+    SolveAnswer {
+        giveway: Version,
+        status: Status::Feasible,
+        costs: None,
+        bounds: BTreeMap::new(),
+        within: None,
+        complete: false,
+        reason: None,
+        plan: None,
+        stats: Stats::default(),
+        trace: None,
     }
 }
 

@@ -26,6 +26,7 @@ use crate::{Answer, State};
 
 pub use conflicts::{Conflicts, conflicts};
 pub use dropped::Dropped;
+pub(crate) use dropped::unproved;
 pub use facts::{Choice, Compared, Facts, PlanRow, facts};
 pub(crate) use facts::{Told, told};
 pub use own::question;

@@ -3,9 +3,9 @@
 use std::collections::BTreeMap;
 use std::rc::Rc;
 
-use giveway_model::Agent;
 use giveway_model::check::Rule;
 use giveway_model::format::foreign::Heading;
+use giveway_model::{Agent, Cell};
 
 use super::{Mark, Pose, Track, Way, marks};
 use crate::{Answer, Draft, State, inside};
@@ -16,6 +16,8 @@ use giveway_model::sorting::sort;
 pub struct Cast {
     /// The agents, in the order of the scene.
     pub agents: Vec<Agent>,
+    /// The look of each.
+    pub looks: Vec<usize>,
     /// What each does.
     pub tracks: Vec<Track>,
     /// The way of each.
@@ -37,6 +39,7 @@ impl PartialEq for Cast {
     /// A plan is compared by the answer that it came with.
     fn eq(&self, other: &Self) -> bool {
         self.agents == other.agents
+            && self.looks == other.looks
             && self.is_there == other.is_there
             && self.planned == other.planned
             && same(self.answer.as_ref(), other.answer.as_ref())
@@ -99,6 +102,7 @@ impl Cast {
             ways: ways(&tracks, &is_there),
             marks: marks_of(&agents, &tracks, &is_there),
             asides: answer.map_or_else(BTreeMap::new, |answer| asides(state, answer, &agents)),
+            looks: state.looks(),
             tracks,
             agents,
             is_there,
@@ -112,6 +116,7 @@ impl Cast {
         let draft = state.world_of(answer);
         let answer = answer.filter(|answer| is_drawn(answer, draft));
         self.agents == draft.agents()
+            && self.looks == state.looks()
             && self.is_there == there(state)
             && same(self.answer.as_ref(), answer)
             && answer.is_none_or(|answer| answer.agents_of(draft) == self.planned)
@@ -130,44 +135,62 @@ impl Cast {
     }
 }
 
-/// A time at which an agent is on one cell with another, and on which side of it.
+/// A time at which an agent is on one cell with others: its place among them from the
+/// left, and how many they are.
 #[derive(Clone, Copy, Debug, PartialEq)]
 struct Aside {
     time: f64,
-    is_left: bool,
+    place: usize,
+    count: usize,
 }
 
 /// How much smaller two robots on one cell are drawn, and how far apart in cells.
 const TWO: (f64, f64) = (0.74, 0.44);
 
-/// Who is on one cell with another one, by the rules that a plan of elsewhere breaks,
-/// or by the conflict of a node that is looked at.
+/// The broken rules that are looked at.
+const MOST_MEETINGS: usize = 1000;
+
+/// Who is on one cell with others, by the rules that a plan of elsewhere or of one's own
+/// breaks, or by the conflict of a node that is looked at.
 fn asides(state: &State, answer: &Rc<Answer>, agents: &[Agent]) -> BTreeMap<usize, Vec<Aside>> {
     let mut asides: BTreeMap<usize, Vec<Aside>> = BTreeMap::new();
     if let Some((pair, time)) = inside::two_on_a_cell(state, answer) {
-        for (agent, is_left) in pair.into_iter().zip([true, false]) {
-            let time = f64::from(time);
-            asides.insert(agent, vec![Aside { time, is_left }]);
+        for (place, agent) in pair.into_iter().enumerate() {
+            let (time, count) = (f64::from(time), pair.len());
+            asides.insert(agent, vec![Aside { time, place, count }]);
         }
         return asides;
     }
     let plans = state.audit().into_iter().flat_map(|audit| &audit.plans);
     let mut own = plans.filter(|dropped| Rc::ptr_eq(&dropped.answer, answer));
+    let led = state.document.mode.steering();
+    let led = led.filter(|led| Rc::ptr_eq(&led.answer, answer));
+    let of_led = led.into_iter().flat_map(|led| &led.violations);
     let violations = own
         .next()
         .into_iter()
-        .flat_map(|dropped| &dropped.violations);
+        .flat_map(|dropped| &dropped.violations)
+        .chain(of_led);
     let meets = violations
         .filter(|violation| violation.rule == Rule::Vertex)
-        .take(1000);
+        .take(MOST_MEETINGS);
+    let mut groups: BTreeMap<(u32, Option<Cell>), Vec<usize>> = BTreeMap::new();
     for violation in meets {
-        for (index, name) in violation.agents.iter().enumerate() {
-            if let Some(agent) = agents.iter().position(|agent| agent.name == *name) {
-                asides.entry(agent).or_default().push(Aside {
-                    time: f64::from(violation.time),
-                    is_left: index == 0,
-                });
+        let group = groups.entry((violation.time, violation.cell)).or_default();
+        let index = |name: &String| agents.iter().position(|agent| agent.name == *name);
+        for agent in violation.agents.iter().filter_map(index) {
+            if !group.contains(&agent) {
+                group.push(agent);
             }
+        }
+    }
+    for ((time, _), group) in &groups {
+        for (place, &agent) in group.iter().enumerate() {
+            asides.entry(agent).or_default().push(Aside {
+                time: f64::from(*time),
+                place,
+                count: group.len(),
+            });
         }
     }
     asides
@@ -179,8 +202,11 @@ fn aside(times: &[Aside], time: f64) -> Option<(f64, f64)> {
     let share = |aside: &Aside| 1.0 - 2.0 * (time - aside.time).abs();
     let near = times.iter().max_by(|a, b| share(a).total_cmp(&share(b)))?;
     let share = share(near);
-    let side = if near.is_left { -0.5 } else { 0.5 };
-    (share > 0.0).then_some((side * TWO.1 * share, 1.0 - (1.0 - TWO.0) * share))
+    let gaps = near.count.saturating_sub(1).max(1) as f64;
+    let side = near.place as f64 / gaps - 0.5;
+    // More than two share the room of two.
+    let (scale, apart) = (TWO.0 / gaps.sqrt(), TWO.1 * (2.0 - 1.0 / gaps).min(1.3));
+    (share > 0.0).then_some((side * apart * share, 1.0 - (1.0 - scale) * share))
 }
 
 /// Where an agent of a plan of elsewhere looks at each time, where it turns in

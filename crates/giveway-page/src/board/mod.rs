@@ -12,6 +12,7 @@ mod names;
 mod place;
 mod reasons;
 mod shade;
+mod star;
 #[cfg(test)]
 mod tests;
 
@@ -21,7 +22,7 @@ pub use floor::{Band, Floor, TILE};
 use giveway_picture::whole;
 pub use giveway_picture::{
     Badge, CELL, Charge, Detail, FloorLook, Layer, Mark, MarkKind, Occupied, Pose, Track, Way,
-    WayEnds, lines, marks,
+    WayEnds, lines, marks, of_badge,
 };
 pub use heat::{SHADES, heat};
 pub use legend::{Kind, legend};
@@ -30,3 +31,5 @@ pub use names::{CellNames, Window};
 pub(crate) use place::place_of;
 pub use reasons::{Later, Place, Reasons, Spot, Try, reasons};
 pub(crate) use shade::shade;
+pub(crate) use star::middle;
+pub use star::{ConflictPlace, Star};

@@ -1,6 +1,6 @@
 //! Where an agent is at the time shown.
 
-use giveway_model::Cell;
+use giveway_model::{Cell, Plan};
 
 use crate::State;
 
@@ -18,10 +18,15 @@ pub(crate) fn place_of(state: &State, agent: usize) -> Option<Cell> {
     let Some(plan) = shown.and_then(|answer| answer.plan()) else {
         return Some(own.start);
     };
-    let path = plan.path(&own.name);
-    let from = plan.from.get(&own.name).copied().unwrap_or(0);
-    let time = state.view.playback.time.saturating_sub(from) as usize;
-    let until = path.get(..=time).unwrap_or(path);
-    let last = until.iter().rev().find_map(|cell| *cell);
+    let last = last_cell(plan, &own.name, state.view.playback.time);
     Some(last.unwrap_or(own.start))
+}
+
+/// The cell of an agent in a plan at a time; in transit the cell that it leaves.
+pub(super) fn last_cell(plan: &Plan, agent: &str, time: u32) -> Option<Cell> {
+    let path = plan.path(agent);
+    let from = plan.from.get(agent).copied().unwrap_or(0);
+    let time = time.saturating_sub(from) as usize;
+    let until = path.get(..=time).unwrap_or(path);
+    until.iter().rev().find_map(|cell| *cell)
 }

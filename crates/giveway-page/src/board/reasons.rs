@@ -4,7 +4,9 @@ use giveway_model::Cell;
 use giveway_model::check::Violation;
 use giveway_solve::explain::{Core, Fact, FactKind};
 
-use super::CELL;
+use super::place::last_cell;
+use super::star::middle;
+use super::{CELL, ConflictPlace};
 use crate::ask::numbers_facts;
 use crate::audit::Audit;
 use crate::steering::Steering;
@@ -51,9 +53,8 @@ pub struct Reasons {
     pub places: Vec<Place>,
     /// The agents of the fact that is lit up, by their indices.
     pub agents: Vec<usize>,
-    /// What is against the rules of a plan of one's own at the time shown: the
-    /// middles, in units.
-    pub bursts: Vec<(f64, f64)>,
+    /// What is against the rules of the plan at the time shown.
+    pub bursts: Vec<ConflictPlace>,
     /// The cells where that is so in a plan of elsewhere.
     pub frames: Vec<Cell>,
     /// What is against the rules of it at other times.
@@ -73,9 +74,6 @@ pub struct Later {
 
 /// The numbers that are drawn: more would cover the map.
 const SPOTS: usize = 12;
-
-/// From the middle of a cell to the burst at its upper right corner, in units.
-const BURST: (f64, f64) = (42.0, 46.0);
 
 /// The places of the time shown that are drawn.
 const NOW: usize = 200;
@@ -146,12 +144,6 @@ pub fn reasons(state: &State) -> Reasons {
     reasons
 }
 
-/// The middle of a cell, in units.
-fn middle(cell: Cell) -> (f64, f64) {
-    let middle = |n: u32| (f64::from(n.cast_signed()) + 0.5) * CELL;
-    (middle(cell.x), middle(cell.y))
-}
-
 /// A number beside what stands in the middle of a cell: in the upper left corner,
 /// which flags, stars and badges leave free.
 const fn corner((x, y): (f64, f64)) -> (f64, f64) {
@@ -178,6 +170,10 @@ fn fact_place(fact: &Fact, state: &State, tries: &[Try]) -> Option<(f64, f64)> {
         (_, Some(cell), _) => Some(corner(middle(cell))),
         (FactKind::Collision, None, _) => tries.first().map(|end| corner(end.at)),
         (FactKind::Stay, None, [name]) => Some(corner(middle(agent(name)?.goal))),
+        (FactKind::Breakdown, None, [name]) => {
+            let plan = state.document.mode.asking()?.request.plan.as_ref()?;
+            Some(corner(middle(last_cell(plan, name, fact.time?)?)))
+        }
         (_, None, [name]) => Some(corner(middle(agent(name)?.start))),
         _ => None,
     }
@@ -185,23 +181,16 @@ fn fact_place(fact: &Fact, state: &State, tries: &[Try]) -> Option<(f64, f64)> {
 
 /// Where a violation is, in units.
 fn place(violation: &Violation) -> Option<(f64, f64)> {
-    match (violation.cell, violation.edge) {
-        (Some(cell), _) => Some(middle(cell)),
-        (None, Some([from, to])) => {
-            let ((x, y), (u, v)) = (middle(from), middle(to));
-            Some((f64::midpoint(x, u), f64::midpoint(y, v)))
-        }
-        (None, None) => None,
-    }
+    ConflictPlace::of(violation).map(ConflictPlace::middle)
 }
 
 /// What is against the rules at the time shown, each place once.
-fn bursts(state: &State) -> Vec<(f64, f64)> {
-    let mut bursts: Vec<(f64, f64)> = Vec::new();
+fn bursts(state: &State) -> Vec<ConflictPlace> {
+    let mut bursts = Vec::new();
     let own = state.document.mode.steering().into_iter();
     let violations = own.flat_map(|own| &own.violations);
     for violation in violations {
-        if let Some(at) = place(violation)
+        if let Some(at) = ConflictPlace::of(violation)
             && Steering::is_now(violation, state.view.playback.time)
             && !bursts.contains(&at)
         {
@@ -215,11 +204,8 @@ fn bursts(state: &State) -> Vec<(f64, f64)> {
 /// dotted ones at other times, the nearest first.
 fn in_audit(reasons: &mut Reasons, audit: &Audit, time: u32) {
     for violation in audit.plan.now(time) {
-        let Some(at) = place(violation) else { continue };
-        // At the corner of a cell, so that who stands on it can be seen.
-        let burst = match violation.cell {
-            Some(_) => (at.0 + BURST.0, at.1 - BURST.1),
-            None => at,
+        let Some(burst) = ConflictPlace::of(violation) else {
+            continue;
         };
         if reasons.bursts.len() < NOW && !reasons.bursts.contains(&burst) {
             reasons.bursts.push(burst);
@@ -239,7 +225,7 @@ fn in_audit(reasons: &mut Reasons, audit: &Audit, time: u32) {
             .is_some_and(|cell| reasons.frames.contains(&cell));
         let is_new = |at: &(f64, f64)| {
             !is_now
-                && !reasons.bursts.contains(at)
+                && reasons.bursts.iter().all(|burst| burst.middle() != *at)
                 && reasons.later.iter().all(|later| later.at != *at)
         };
         if let Some(at) = place(violation).filter(is_new) {

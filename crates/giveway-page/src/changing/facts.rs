@@ -135,7 +135,7 @@ fn changes_of(course: &Course, at: u32) -> impl Iterator<Item = &What> {
 }
 
 /// The first of some changes in words, and how many more there are.
-fn texts<'a>(mut whats: impl Iterator<Item = &'a What>) -> String {
+pub(crate) fn texts<'a>(mut whats: impl Iterator<Item = &'a What>) -> String {
     let first = whats.next().map(|what| change::sentence(what).0);
     let first = first.unwrap_or_default();
     match whats.count() {

@@ -23,6 +23,7 @@ use crate::{Answer, Draft, Settings};
 
 pub use columns::{Column, CostChange, Fix, Group, columns, fixes};
 pub use compared::{Comparing, Tried};
+pub(crate) use facts::texts;
 pub use facts::{Facts, Listed, Past, facts, fate, history};
 pub use offers::{Offers, offers};
 

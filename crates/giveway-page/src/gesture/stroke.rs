@@ -87,6 +87,14 @@ impl Stroke {
         }
     }
 
+    /// Whether nothing has come of it so far.
+    pub(crate) fn changes_nothing(&self) -> bool {
+        match &self.canvas {
+            Canvas::Scene { before, shown, .. } => before.scene() == shown.scene(),
+            Canvas::World { before, after } => before.list == after.list,
+        }
+    }
+
     /// The cell that it came to last.
     pub(crate) fn at(&self) -> Cell {
         self.at.unwrap_or(self.from)

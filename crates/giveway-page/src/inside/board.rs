@@ -5,7 +5,7 @@ use giveway_solve::plan::{NodeFate, ToldConflict, ToldConstraint};
 
 use super::{Method, TreeRun, index, proof, steps};
 use crate::State;
-use crate::board::CELL;
+use crate::board::{CELL, ConflictPlace, middle};
 
 /// What is drawn over the map, in units.
 #[derive(Clone, Debug, Default, PartialEq)]
@@ -17,7 +17,7 @@ pub struct Overlay {
     /// What a node forbids or asks.
     pub bans: Vec<Ban>,
     /// Where there is a conflict.
-    pub bursts: Vec<(f64, f64)>,
+    pub bursts: Vec<ConflictPlace>,
     /// Where a robot has no way on: the cell, and what is said of it.
     pub stuck: Option<(Cell, String)>,
     /// The robots that the step is about; all are as ever where there is none.
@@ -78,12 +78,6 @@ pub fn overlay(state: &State) -> Overlay {
     overlay
 }
 
-/// The middle of a cell, in units.
-pub(crate) fn middle(cell: Cell) -> (f64, f64) {
-    let middle = |n: u32| (f64::from(n.cast_signed()) + 0.5) * CELL;
-    (middle(cell.x), middle(cell.y))
-}
-
 pub(crate) fn between([a, b]: [Cell; 2]) -> (f64, f64) {
     let ((x, y), (u, v)) = (middle(a), middle(b));
     (f64::midpoint(x, u), f64::midpoint(y, v))
@@ -105,26 +99,21 @@ fn in_tree(overlay: &mut Overlay, state: &State) {
     }
 }
 
-fn place(conflict: &ToldConflict) -> (f64, f64) {
+const fn place(conflict: &ToldConflict) -> ConflictPlace {
     match *conflict {
-        ToldConflict::Vertex { cell, .. } | ToldConflict::Target { cell, .. } => foot(cell),
-        ToldConflict::Swap { edge, .. } => between(edge),
+        ToldConflict::Vertex { cell, .. } | ToldConflict::Target { cell, .. } => {
+            ConflictPlace::Cell(cell)
+        }
+        ToldConflict::Swap { edge, .. } => ConflictPlace::Edge(edge),
     }
 }
 
-/// Below two robots that are on one cell.
-fn foot(cell: Cell) -> (f64, f64) {
-    let (x, y) = middle(cell);
-    (x, y + 38.0)
-}
-
 /// The first conflict of the plan that is shown, where it was not told.
-fn first_conflict(state: &State) -> Option<(f64, f64)> {
+fn first_conflict(state: &State) -> Option<ConflictPlace> {
     let answer = state.inside_plan()?;
     let instance = answer.draft.instance().ok()?;
     let report = check::check(instance, answer.plan()?);
-    let first = report.violations.first()?;
-    first.cell.map(foot).or_else(|| first.edge.map(between))
+    ConflictPlace::of(report.violations.first()?)
 }
 
 /// What the nodes up to the root ask, the newest on a place above the others.

@@ -76,7 +76,8 @@ impl Looking {
 /// What is to be asked next; `None` where nothing is, or the worker is busy.
 pub(crate) fn wanted(state: &State) -> Option<Looking> {
     let document = &state.document;
-    if !state.is_inside() || !state.work.is_idle() || document.draft.instance().is_err() {
+    let is_ready = document.draft.instance().is_ok() && document.changed_last().is_none();
+    if !state.is_inside() || !state.work.is_idle() || !is_ready {
         return None;
     }
     let looked = state.looked();

@@ -134,7 +134,8 @@ impl State {
     /// What was found out about the scene on the board.
     pub(crate) fn looked(&self) -> Option<&Looked> {
         let looked = self.inside.looked.as_deref()?;
-        looked.is_of(&self.document).then_some(looked)
+        let is_of = looked.is_of(&self.document) && self.document.changed_last().is_none();
+        is_of.then_some(looked)
     }
 }
 

@@ -3,8 +3,10 @@
 
 use giveway_model::tr;
 use giveway_solve::Status;
+use giveway_solve::plan::Planner;
 
 use super::{InsideAction, Method, column, proof};
+use crate::planners::{By, Runs};
 use crate::{Action, SolveAction, State, Task};
 
 /// What is said where there is nothing to look into.
@@ -28,6 +30,9 @@ pub fn nothing(state: &State) -> Nothing {
         action,
     };
     let cancel = || Some((tr!("Stop"), Action::Solve(SolveAction::Cancel)));
+    if let Some(at) = state.document.changed_last() {
+        return after_change(state.inside.method, at);
+    }
     match state.inside.method {
         _ if !is_ready => say(
             tr!("Nothing to look into yet"),
@@ -68,6 +73,9 @@ fn without_proof(state: &State) -> Nothing {
         };
     }
     let answer = state.document.fresh_answer();
+    if let Some(planner) = answer.and_then(|answer| answer.by) {
+        return of_planner(state, planner);
+    }
     let is_final = answer
         .is_some_and(|answer| matches!(answer.solved.status, Status::Optimal | Status::Impossible));
     if is_final {
@@ -86,6 +94,53 @@ fn without_proof(state: &State) -> Nothing {
         title: tr!("Nothing is proved yet"),
         text: text.to_owned(),
         action: solve(tr!("Solve")),
+    }
+}
+
+/// The plan on the board went on after a change: no record is of it.
+fn after_change(method: Method, at: u32) -> Nothing {
+    let (title, text) = match method {
+        Method::Proof => (
+            tr!("No record of this plan"),
+            tr!(
+                "It went on after a change at time {at}. How that plan was found was not recorded.",
+                at
+            ),
+        ),
+        Method::Tree | Method::Orders => (
+            tr!("Nothing to look into"),
+            tr!(
+                "This planner plans a scene from time 0. The plan on the board went on after a change at time {at}.",
+                at
+            ),
+        ),
+    };
+    Nothing {
+        title,
+        text,
+        action: None,
+    }
+}
+
+/// A planner of the textbook has no proof of its plan; the search may have one of its own.
+fn of_planner(state: &State, planner: Planner) -> Nothing {
+    let runs = Runs::fresh(&state.document);
+    let is_searched = runs.is_some_and(|runs| runs.plan(By::Search).is_some());
+    let (action, words) = if is_searched {
+        (
+            SolveAction::ShowPlan(By::Search),
+            tr!("Show the plan of the search"),
+        )
+    } else {
+        (SolveAction::Solve, tr!("Solve"))
+    };
+    Nothing {
+        title: tr!("This plan has no proof"),
+        text: tr!(
+            "{planner} found it. Only the search for the best plan keeps a record of its proof.",
+            planner = planner.title()
+        ),
+        action: Some((words, Action::Solve(action))),
     }
 }
 

@@ -99,6 +99,7 @@ fn meant(key: Key<'_>, state: &State) -> Option<Command> {
             let has_agents = !state.world().agents().is_empty();
             has_agents.then_some(Action::Find(FindAction::Open))
         }
+        "Delete" => Some(Action::Board(BoardAction::Delete)),
         "n" | "N" => state.audit().map(|_| Action::Audit(AuditAction::Next)),
         "x" | "X" => state
             .can_change()

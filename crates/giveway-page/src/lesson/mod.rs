@@ -139,6 +139,14 @@ pub(crate) fn fate(state: &State, lesson: &Lesson, action: &Action) -> Fate {
         Action::Board(BoardAction::PickTool(tool)) if !lesson.allows(*tool) => {
             Fate::Closed(tr!("This step does without that tool."))
         }
+        Action::Board(BoardAction::Delete) if !lesson.allows(Tool::Erase) => {
+            Fate::Closed(tr!("Nothing can be removed in this step."))
+        }
+        Action::Board(BoardAction::StepCursor { carries: true, .. })
+            if !lesson.allows_moving() && lesson.board.hand == Hand::Looks =>
+        {
+            Fate::Closed(tr!("Nothing can be moved in this step."))
+        }
         Action::Lesson(_)
         | Action::Board(_)
         | Action::DragOver(_)
@@ -154,10 +162,13 @@ pub(crate) fn fate(state: &State, lesson: &Lesson, action: &Action) -> Fate {
             | SolveAction::Respond { .. }
             | SolveAction::Crash { .. },
         ) => Fate::Happens,
-        Action::Solve(SolveAction::Begin) | Action::Steer(Lead::Discard) => Fate::Dropped,
+        Action::Solve(SolveAction::Begin) => Fate::Dropped,
+        Action::Steer(Lead::Discard) => {
+            Fate::Closed(tr!("Press Start afresh to lead the robots anew."))
+        }
         Action::Steer(_) => match state.selected_agent() {
             Some(agent) if leads(state, lesson, agent) => Fate::Happens,
-            _ => Fate::Dropped,
+            _ => Fate::Closed(tr!("You lead another robot here. Select that one first.")),
         },
         Action::Inside(_) if lesson.shows(Layer::Inside) => Fate::Happens,
         Action::Freedom(_) if lesson.shows(Layer::Freedom) => Fate::Happens,
@@ -189,7 +200,7 @@ impl State {
     pub fn named_agent(&self) -> Option<usize> {
         match &self.lesson()?.lit {
             Some(Lit::Robot(name)) => {
-                let mut agents = self.document.agents().iter();
+                let mut agents = self.world().agents().iter();
                 agents.position(|agent| agent.name == *name)
             }
             _ => None,

@@ -5,7 +5,7 @@ use std::rc::Rc;
 
 use super::text::escape;
 use super::{From, ask, audit, change, claim, knowledge, message, plan, scene, steering};
-use crate::{Answer, Colours, Document};
+use crate::{Answer, Colours, Document, Looks};
 
 /// The document as parts joined by `&`. What is written for anywhere holds no
 /// claims, as nobody there would believe them.
@@ -18,6 +18,11 @@ pub(super) fn write(document: &Document, whom: From) -> String {
     if document.colours != Colours::default() {
         let numbers = document.colours.numbers().map(|n| n.to_string());
         let _ = write!(text, "&colours={}", numbers.join("."));
+    }
+    if document.looks != Looks::default() {
+        let numbers = document.looks.numbers().iter().map(ToString::to_string);
+        let numbers: Vec<String> = numbers.collect();
+        let _ = write!(text, "&looks={}", numbers.join("."));
     }
     if let Some(answer) = document.fresh_answer() {
         text += &answered(answer, whom);

@@ -21,8 +21,9 @@ pub enum Kin {
 
 /// The parts of a document that a person made. Answers are not among them: the
 /// solver gives them again.
-const MADE: [&str; 9] = [
-    "map=", "name=", "rules=", "costs=", "agents=", "within=", "colours=", "listed=", "own=",
+const MADE: [&str; 10] = [
+    "map=", "name=", "rules=", "costs=", "agents=", "within=", "colours=", "looks=", "listed=",
+    "own=",
 ];
 
 /// How `theirs` stands to `ours`; both are what [`keep`](super::keep) wrote.

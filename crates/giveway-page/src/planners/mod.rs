@@ -73,8 +73,12 @@ impl Runs {
         runs
     }
 
-    /// The runs that a document holds, where they are on its scene.
+    /// The runs that a document holds, where they are on its scene; none where the world
+    /// has changed around its plan, which no planner knows.
     pub(crate) fn fresh(document: &Document) -> Option<&Self> {
+        if document.changed_last().is_some() {
+            return None;
+        }
         let runs = document.found_plans.as_deref()?;
         let is_same = Rc::ptr_eq(&runs.draft, &document.draft) || runs.draft == document.draft;
         (is_same && runs.within == document.within).then_some(runs)
@@ -94,11 +98,6 @@ impl Runs {
         runs.planned.push(run);
         runs.planned.sort_by_key(|run| run.planner);
         Rc::new(runs)
-    }
-
-    /// The last answer of the search.
-    pub(crate) const fn searched(&self) -> Option<&Rc<Answer>> {
-        self.search.as_ref()
     }
 
     /// The plan of one of them.

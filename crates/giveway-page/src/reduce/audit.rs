@@ -54,6 +54,7 @@ fn begin(state: &mut State) {
     };
     let document = Document {
         within: state.document.within,
+        looks: state.document.looks.clone(),
         colours: state.document.colours,
         ..Document::audited(audit)
     };
@@ -193,6 +194,7 @@ fn choose(state: &mut State, audit: &Audit, index: usize) {
     };
     let document = Document {
         within: state.document.within,
+        looks: state.document.looks.clone(),
         colours: state.document.colours,
         ..Document::audited(other)
     };

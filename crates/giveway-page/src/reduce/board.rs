@@ -1,8 +1,8 @@
 //! On the board: the keyboard's cursor, the tools, the selection.
 
-use giveway_model::Cell;
+use giveway_model::{Cell, tr};
 
-use super::{ask, press, steer, stroke};
+use super::{ask, delete, press, steer, stroke};
 use crate::gesture::Gesture;
 use crate::steering::Lead;
 use crate::{BoardAction, Selection, State, Tool};
@@ -19,6 +19,7 @@ pub(super) fn board(state: &mut State, action: BoardAction) {
         BoardAction::Press(cell) => press::press(state, cell),
         BoardAction::Drag(cell) => stroke::drag(state, cell),
         BoardAction::Release => stroke::release(state),
+        BoardAction::Delete => delete::delete(state),
         BoardAction::Abandon => stroke::abandon(state),
         BoardAction::Select(selection) => select(state, selection),
     }
@@ -71,7 +72,13 @@ fn step_cursor(state: &mut State, (right, down): (i32, i32), carries: bool) {
         y.saturating_add_signed(down),
     );
     if carries && !is_led && state.view.tool == Tool::Select {
-        press::press(state, state.view.cursor);
+        let from = state.view.cursor;
+        if !state.can_move(from) {
+            move_cursor(state, to);
+            let at = crate::words::at(from);
+            return ask::refuse(state, &tr!("There is nothing to move at {at}.", at));
+        }
+        press::press(state, from);
         stroke::drag(state, to);
         stroke::release(state);
     }

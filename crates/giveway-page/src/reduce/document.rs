@@ -164,7 +164,7 @@ fn edited(document: &Document, edits: &[Edit]) -> Result<Option<Document>, Notic
         sketch.make(edit).map_err(Notice::new)?;
         match edit {
             Edit::Within(within) => after.within = *within,
-            Edit::Recolour(agent, colour) => after.colours.set(*agent, *colour),
+            Edit::Recolour(agent, colour) => after.colours.set(after.looks.of(*agent), *colour),
             edit if edit.is_afresh() => {
                 after.answer = None;
                 after.found_front = None;
@@ -189,6 +189,7 @@ impl Document {
     /// Puts another draft of the scene on the board. A question about the plan
     /// ends where that is no longer the plan of the scene.
     pub(super) fn set_draft(&mut self, draft: Draft) {
+        self.looks = self.looks.after(self.draft.agents(), draft.agents());
         self.draft = Rc::new(draft);
         self.leave_audit();
         if self.is_stale() || self.answer.is_none() {

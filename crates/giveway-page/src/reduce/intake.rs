@@ -109,6 +109,7 @@ fn save(state: &mut State, what: Save) {
             };
             let look = Look {
                 theme,
+                looks: state.document.looks.clone(),
                 colours: state.document.colours,
                 ..Look::fitting(state.document.draft.grid(), longest)
             };

@@ -4,6 +4,7 @@ mod ask;
 mod audit;
 mod board;
 mod change;
+mod delete;
 mod document;
 mod file;
 mod find;

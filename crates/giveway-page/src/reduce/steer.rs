@@ -51,10 +51,16 @@ pub(super) fn steer(state: &mut State, lead: Lead) {
                 return super::board::select(state, Selection::Agent(agent));
             }
             let by = |to: u32, from: u32| to.cast_signed().wrapping_sub(from.cast_signed());
-            if cell != from {
-                let by = (by(cell.x, from.x), by(cell.y, from.y));
-                made(state, &own, own.step(by));
+            if cell == from {
+                let name = own.name();
+                let told = tr!(
+                    "{name} is there already. Press the cell that it goes to next.",
+                    name
+                );
+                return made(state, &own, Err(told));
             }
+            let by = (by(cell.x, from.x), by(cell.y, from.y));
+            made(state, &own, own.step(by));
         }
         Lead::Discard => enter(state, Mode::Editing),
     }

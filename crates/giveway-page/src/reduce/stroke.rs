@@ -8,7 +8,7 @@ use giveway_model::{Agent, Cell, tr};
 use super::board::select;
 use super::document::{edit, enter, put, solve_on_change};
 use crate::edit::Sketch;
-use crate::gesture::{Canvas, Gesture, Placing, Stroke};
+use crate::gesture::{Canvas, Gesture, Hold, Placing, Stroke};
 use crate::{Document, Draft, Edit, Mode, Notice, Selection, State};
 
 /// The pointer went on to a cell.
@@ -52,6 +52,7 @@ fn finish(state: &mut State, stroke: Stroke) {
     if let Some(dropped) = stroke.toggled() {
         return edit(state, dropped);
     }
+    let is_idle = matches!(stroke.hold, Hold::Eraser) && stroke.changes_nothing();
     match stroke.canvas {
         Canvas::Scene { before, sketch, .. } => painted(state, &before, &sketch),
         Canvas::World { before, after } => {
@@ -59,6 +60,9 @@ fn finish(state: &mut State, stroke: Stroke) {
                 enter(state, Mode::Changing(after));
             }
         }
+    }
+    if is_idle {
+        state.view.notice = Some(Notice::new(tr!("There is nothing to erase here.")));
     }
     if let Some(refused) = stroke.refused {
         state.view.notice = Some(Notice::new(refused));

@@ -20,7 +20,8 @@ pub(crate) fn difference(here: &Document, there: &Document) -> String {
                 .then(|| tr!("the latest arrival is different").to_owned()),
         )
         .chain(
-            (here.colours != there.colours).then(|| tr!("the colours are different").to_owned()),
+            (here.colours != there.colours || here.looks != there.looks)
+                .then(|| tr!("the colours are different").to_owned()),
         );
     let found: Vec<String> = found.collect();
     match &*found {

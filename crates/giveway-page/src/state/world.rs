@@ -55,6 +55,17 @@ impl State {
         }
     }
 
+    /// The look of each agent of [`State::world`], and of the next one that comes: one of
+    /// the scene has its own, those that join have the next ones.
+    pub fn looks(&self) -> Vec<usize> {
+        let (own, world) = (self.document.draft.agents(), self.world().agents());
+        let document = &self.document;
+        if own.len() == world.len() {
+            return document.looks.all(world.len() + 1);
+        }
+        document.looks.after(own, world).all(world.len() + 1)
+    }
+
     /// Whether an agent of [`State::world`] is there at the time shown.
     pub fn is_there(&self, agent: usize) -> bool {
         let world = match self.stroke().map(|stroke| &stroke.canvas) {

@@ -6,7 +6,7 @@ use giveway_model::{Cell, tr};
 use giveway_solve::change::Method;
 
 use super::costs::values;
-use crate::changing::{Changing, Comparing, Tried};
+use crate::changing::{Changing, Comparing, Tried, texts};
 use crate::timeline::work_done;
 use crate::words::at;
 use crate::{Adapting, Answer};
@@ -132,6 +132,13 @@ pub(super) fn changing(changing: &Changing) -> String {
             )
         }
     }
+}
+
+/// What happens at the time at which the world changes.
+pub(super) fn happening(changing: &Changing) -> String {
+    let at = changing.at;
+    let what = texts(changing.list.iter());
+    tr!("At time {at}: {what}.", at, what)
 }
 
 /// While ways to go on are looked for.

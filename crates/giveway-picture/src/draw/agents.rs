@@ -7,7 +7,7 @@ use super::motion::When;
 use super::stage::Stage;
 use crate::letters::Anchor;
 use crate::xml::{Escaped, Number};
-use crate::{Badge, CELL, Detail, Ink, Pose, Track, form};
+use crate::{Badge, CELL, Detail, Ink, Pose, Track, corner, form};
 
 /// The circumference of a battery's ring, in units.
 const RING: f64 = 226.2;
@@ -61,7 +61,7 @@ impl Stage {
             Detail::Dots => push(svg, format_args!("<circle r=\"38\" fill=\"{fill}\"/>")),
             Detail::Forms => {
                 svg.push_str("<g transform=\"scale(1.35)\">");
-                shape(agent, fill, on, svg);
+                shape(self.looks[agent], fill, on, svg);
                 svg.push_str("</g>");
             }
             Detail::Plain | Detail::All => {
@@ -95,6 +95,13 @@ impl Stage {
                 || turns(track, self.steps),
                 |[to]| format!("transform:rotate({}deg)", Number(to)),
             );
+            let aims = when.at_once(
+                || each_step(track, self.steps, 0.0, |pose| pose.heading.is_some()),
+                |aims| opacity(*aims),
+            );
+            if !aims.is_empty() {
+                push(svg, format_args!("<g{aims}>"));
+            }
             push(
                 svg,
                 format_args!(
@@ -102,6 +109,9 @@ impl Stage {
                     Number(heading)
                 ),
             );
+            if !aims.is_empty() {
+                svg.push_str("</g>");
+            }
         }
         if let Some(charge) = pose.charge {
             let offset = |share: f64| RING * (1.0 - share);
@@ -127,7 +137,7 @@ impl Stage {
         push(svg, format_args!("<g transform=\"scale({scale})\">"));
         let own = &self.instance.agents()[agent];
         push(svg, format_args!("<title>{}</title>", Escaped(&own.name)));
-        shape(agent, fill, on, svg);
+        shape(self.looks[agent], fill, on, svg);
         let short = form::short_name(&own.name);
         let is_long = form::is_long(&short);
         let (y, size) = if is_long { (6.5, 18.0) } else { (8.6, 24.0) };
@@ -179,8 +189,10 @@ impl Stage {
         push(
             svg,
             format_args!(
-                "<g{blinks}{} transform=\"translate(29 29)\"><circle r=\"17\" fill=\"{circle}\" stroke=\"{floor}\" stroke-width=\"4\"/><path {sign}/></g>",
-                hidden(is_shown)
+                "<g{blinks}{} transform=\"{}\"><circle r=\"17\" fill=\"{circle}\" stroke=\"{floor}\" stroke-width=\"4\"/><path {sign}/></g>",
+                hidden(is_shown),
+                // In a moving picture it may come to a flag.
+                corner::of_badge(true)
             ),
         );
     }
@@ -231,8 +243,8 @@ impl Stage {
 }
 
 /// The form, with its rim.
-fn shape(agent: usize, fill: Ink, on: Ink, svg: &mut String) {
-    let form = form::of(agent);
+fn shape(look: usize, fill: Ink, on: Ink, svg: &mut String) {
+    let form = form::of(look);
     let body = form.body;
     if form.is_padded {
         push(

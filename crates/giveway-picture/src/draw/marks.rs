@@ -7,7 +7,7 @@ use super::motion::When;
 use super::stage::Stage;
 use crate::letters::Anchor;
 use crate::xml::Number;
-use crate::{CELL, Detail, Ink, Mark, MarkKind, Occupied};
+use crate::{CELL, Detail, Ink, Mark, MarkKind, Occupied, corner};
 
 const POLE: &str = "M66 46V14";
 const CLOTH: &str = "M66 14h24l-7 9 7 9H66Z";
@@ -201,11 +201,9 @@ impl Stands<'_> {
 /// Where a mark stands in its cell, and how large: in a corner, where it is occupied.
 fn place(mark: &Mark, is_occupied: bool) -> [f64; 3] {
     let (dx, dy) = mark.shift;
-    let beside = f64::from(u8::try_from(mark.place.min(2)).unwrap_or(2));
     match (mark.kind, is_occupied) {
         (MarkKind::Goal, false) => [dx, dy, 1.0],
-        (MarkKind::Goal, true) => [dx + 31.0, dy + 1.0, 0.66],
+        (kind, true) => corner::of_mark(kind, mark.place, mark.shift),
         (MarkKind::Waypoint, false) => [50.0 + dx, 42.0 + dy, 1.0],
-        (MarkKind::Waypoint, true) => [18.0 + 24.0 * beside, 83.0, 0.5],
     }
 }

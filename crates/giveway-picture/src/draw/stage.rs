@@ -14,6 +14,8 @@ use super::sheet::Sheet;
 pub(crate) struct Stage {
     pub(crate) instance: Instance,
     pub(crate) look: Look,
+    /// The look of each agent.
+    pub(super) looks: Vec<usize>,
     pub(super) inks: Inks,
     pub(super) detail: Detail,
     pub(crate) sheet: Sheet,
@@ -34,7 +36,8 @@ impl Stage {
         let steps = tracks.iter().map(Track::arrival).max().unwrap_or(0);
         Self {
             instance: instance.clone(),
-            look: *look,
+            look: look.clone(),
+            looks: look.looks.all(agents.len()),
             inks: Inks::of(look.theme),
             detail: Detail::of(f64::from(look.cell)),
             sheet: Sheet::new(instance.grid(), look.cell),
@@ -67,7 +70,7 @@ impl Stage {
 
     /// The colour of an agent, and the one of its name on it.
     pub(super) fn robot(&self, agent: usize) -> (Ink, Ink) {
-        robot(self.look.theme, self.look.colours, agent)
+        robot(self.look.theme, self.look.colours, self.looks[agent])
     }
 
     /// A whole SVG around shapes; what moves has a style.

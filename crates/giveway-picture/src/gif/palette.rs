@@ -4,7 +4,6 @@
 use std::collections::{BTreeMap, BTreeSet};
 
 use crate::Look;
-use crate::form::LOOKS;
 use crate::ink::{Ink, Inks, robot};
 
 /// The number that means: as it was.
@@ -22,7 +21,9 @@ impl Palette {
     pub(super) fn new(look: &Look, agents: usize) -> Self {
         let inks = Inks::of(look.theme);
         let mut all: Vec<Ink> = inks.named().into_iter().map(|(_, ink)| ink).collect();
-        let robots = (0..agents.min(LOOKS)).map(|agent| robot(look.theme, look.colours, agent));
+        let looks: BTreeSet<usize> = look.looks.all(agents).into_iter().collect();
+        let robots = looks.into_iter();
+        let robots = robots.map(|own| robot(look.theme, look.colours, own));
         let robots: Vec<(Ink, Ink)> = robots.collect();
         for &(fill, on) in &robots {
             let trail = fill.over(inks.floor, 24);
@@ -99,13 +100,14 @@ impl Palette {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::{Colours, Letters, Theme};
+    use crate::{Colours, Letters, Looks, Theme};
 
     fn palette(theme: Theme) -> Palette {
         let look = Look {
             theme,
             cell: 20,
             letters: Letters::Text,
+            looks: Looks::default(),
             colours: Colours::default(),
         };
         Palette::new(&look, 30)

@@ -10,8 +10,12 @@ use crate::whole;
 const TURN: f64 = 0.3;
 
 impl Track {
-    /// In degrees from the right, clockwise; `None` for one that never moves.
+    /// In degrees from the right, clockwise; `None` for one that has no move to make any
+    /// more.
     pub(super) fn heading(&self, time: f64) -> Option<f64> {
+        if time >= f64::from(self.last_stop()) {
+            return None;
+        }
         let last = self.headings.len().checked_sub(1)?;
         let step = (whole(time) as usize).min(last);
         let (now, then) = (self.headings[step], self.headings[(step + 1).min(last)]);
@@ -20,6 +24,12 @@ impl Track {
         let turn = (then - now + 540.0).rem_euclid(360.0) - 180.0;
         Some(now + turn * share)
     }
+}
+
+/// The time from which on a path stays on its last cell.
+pub(super) fn last_stop(path: &[Option<Cell>]) -> u32 {
+    let resting = path.iter().rev().take_while(|&at| Some(at) == path.last());
+    path.len().saturating_sub(resting.count()) as u32
 }
 
 /// Where it looks at each time: at the next move, after the last at that.
@@ -68,7 +78,19 @@ mod tests {
         );
         let turning = heading(1.85);
         assert!((turning.abs() - 90.0).abs() < 1e-6, "{turning}");
-        assert_eq!(heading(9.0), 180.0);
+    }
+
+    #[test]
+    fn one_that_has_arrived_looks_nowhere() {
+        let heading = |row: &str, time| track(row).pose(time).unwrap().heading;
+        assert_eq!(heading("0121", 2.9), Some(180.0));
+        assert_eq!(heading("0121", 3.0), None);
+        assert_eq!(heading("0121", 9.0), None);
+        // It waits at the end; before, it only stays for a while.
+        assert_eq!(heading("011222", 2.0), Some(0.0));
+        assert_eq!(heading("011222", 3.0), None);
+        let turning = track("012").turning(vec![0.0, 0.0, 90.0]);
+        assert_eq!(turning.pose(2.0).unwrap().heading, None);
     }
 
     #[test]

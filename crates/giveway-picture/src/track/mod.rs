@@ -10,7 +10,7 @@ use giveway_model::{AtGoal, Cell};
 pub use pose::{Badge, Charge, Pose};
 
 use crate::whole;
-use heading::headings;
+use heading::{headings, last_stop};
 
 /// What an agent does from time 0 on.
 #[derive(Clone, Debug, Default, PartialEq)]
@@ -98,6 +98,11 @@ impl Track {
             Some((from, to)) => vec![from, to],
             None => vec![Cell::new(whole(pose.at.x), whole(pose.at.y))],
         }
+    }
+
+    /// The time from which on it stays where it is, in steps.
+    pub fn last_stop(&self) -> u32 {
+        last_stop(&self.path)
     }
 
     /// Whether it waits anywhere before its arrival.

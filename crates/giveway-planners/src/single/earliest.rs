@@ -52,10 +52,20 @@ pub fn earliest(
         return Ok(Err(hopeless));
     };
     let demand = task.demand.as_ref();
-    if matches!(demand, Some(super::TaskConstraint::Wait { .. })) {
-        return Ok(Ok(table)); // alone it has no need to wait
+    if let Some(demand @ &super::TaskConstraint::Wait { steps, .. }) = demand {
+        // Alone it has no need to wait, but for a breakdown before its arrival.
+        let arrives = task.delay() == 0 && task.is_end(task.start, first.mask);
+        let held = (task.delay()..task.held).filter(|_| !arrives);
+        let waits = held
+            .filter(|&now| demand.counts_wait(task.start, now))
+            .count();
+        let hopeless = (waits > 0 && waits >= steps as usize).then_some(hopeless);
+        return Ok(hopeless.map_or(Ok(table), Err));
     }
-    let Some(last) = demand.and_then(super::TaskConstraint::last_time) else {
+    let Some(last) = demand
+        .and_then(super::TaskConstraint::last_time)
+        .and(task.last_time())
+    else {
         return Ok(Ok(table));
     };
     let bound = table.max(

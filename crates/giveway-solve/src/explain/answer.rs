@@ -87,6 +87,8 @@ pub enum FactKind {
     Deadline,
     /// No battery may fall below the floor.
     Floor,
+    /// An agent has broken down, and may not go on before a time.
+    Breakdown,
 }
 
 /// Whether leaving out one fact alone, all others of the instance kept, gives a
@@ -157,6 +159,12 @@ pub struct Fact {
     pub agents: Vec<String>,
     /// Where, for a waypoint or an obstacle.
     pub cell: Option<Cell>,
+    /// When it began, in steps of the whole plan, for a breakdown.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub time: Option<u32>,
+    /// The time from which the agent may go on, for a breakdown.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub until: Option<u32>,
     /// The fact as a clause for people: `A1 must visit (2, 1)`.
     pub text: String,
     /// Whether leaving out this fact alone helps.

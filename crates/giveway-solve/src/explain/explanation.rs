@@ -110,8 +110,7 @@ pub struct ExplainAnswer {
     pub question: Question,
     /// The time from which it is answered, where the world changed before: no
     /// other plan differs before it. It is the time of the last change, or the
-    /// first later one at which no agent is half way along a slow move or held by
-    /// a breakdown. All times, costs and plans are those of the whole.
+    /// first later one at which no agent is half way along a slow move. All times, costs and plans are those of the whole.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub since: Option<u32>,
     /// The plan asked about, where the request had none; `null` where there is

@@ -2,7 +2,7 @@
 
 use std::collections::BTreeSet;
 
-use giveway_model::{Cell, Grid, Instance, Plan};
+use giveway_model::{Breakdown, Cell, Grid, Instance, Plan};
 
 use super::answer::{Fact, FactKind, Helps};
 use super::words;
@@ -31,6 +31,8 @@ pub(crate) enum Group {
     Deadline,
     /// No battery may fall below the floor.
     Floor,
+    /// It has broken down at a time, and is held.
+    Breakdown(usize, u32),
 }
 
 impl Group {
@@ -45,13 +47,18 @@ impl Group {
             Self::Slow => FactKind::Slow,
             Self::Deadline => FactKind::Deadline,
             Self::Floor => FactKind::Floor,
+            Self::Breakdown(..) => FactKind::Breakdown,
         }
     }
 
     /// The agents that it is about.
     pub(crate) fn agents(self) -> Vec<usize> {
         match self {
-            Self::Task(a) | Self::Waypoint(a, _) | Self::Battery(a) | Self::Stay(a) => vec![a],
+            Self::Task(a)
+            | Self::Waypoint(a, _)
+            | Self::Battery(a)
+            | Self::Stay(a)
+            | Self::Breakdown(a, _) => vec![a],
             Self::Collision(a, b) => vec![a, b],
             Self::Obstacle(_) | Self::Slow | Self::Deadline | Self::Floor => Vec::new(),
         }
@@ -65,13 +72,26 @@ impl Group {
             Self::Waypoint(_, cell) | Self::Obstacle(cell) => Some(cell),
             _ => None,
         };
+        let breakdown = self.breakdown(instance);
         Fact {
             kind: self.kind(),
             text: words::fact(self, instance, within),
             agents,
             cell,
             helps: Helps::Unknown,
+            time: breakdown.map(|breakdown| breakdown.from),
+            until: breakdown.map(|breakdown| breakdown.to),
         }
+    }
+
+    /// The breakdown that it is, where it is one.
+    pub(crate) fn breakdown(self, instance: &Instance) -> Option<&Breakdown> {
+        let Self::Breakdown(agent, from) = self else {
+            return None;
+        };
+        let agent = instance.agents().get(agent)?;
+        let mut breakdowns = instance.breakdowns().iter();
+        breakdowns.find(|it| it.agent == agent.name && it.from == from)
     }
 }
 
@@ -88,6 +108,11 @@ pub(crate) fn groups(instance: &Instance, asked: &[usize], deadline: bool) -> Ve
         groups.extend(agent.battery.map(|_| Group::Battery(i)));
         groups.extend(instance.stays().then_some(Group::Stay(i)));
         groups.extend((0..i).map(|other| Group::Collision(other, i)));
+        let own = instance
+            .breakdowns()
+            .iter()
+            .filter(|it| it.agent == agent.name);
+        groups.extend(own.map(|breakdown| Group::Breakdown(i, breakdown.from)));
     }
     let cells = instance.grid().cells();
     groups.extend(
@@ -159,6 +184,10 @@ pub(crate) fn without(
             Group::Slow => variant.make_normal(|_| true),
             Group::Deadline => within = None,
             Group::Floor => variant = variant.with_battery_floor(0),
+            Group::Breakdown(a, from) => {
+                let name = instance.agents().get(a).map(|agent| agent.name.as_str());
+                variant.retain_breakdowns(|it| Some(it.agent.as_str()) != name || it.from != from);
+            }
         }
     }
     if !free.is_empty() {

@@ -155,6 +155,7 @@ impl<'a> Shrinking<'a> {
             FactKind::Stay,
             FactKind::Slow,
             FactKind::Deadline,
+            FactKind::Breakdown,
         ] {
             let mut class: Vec<Group> = all.iter().copied().filter(|p| p.kind() == kind).collect();
             class.retain(|&group| self.matters(group));

@@ -14,7 +14,7 @@ use giveway_model::tr;
 use giveway_model::{
     Costs, Instance, Plan, Question,
     change::History,
-    check::{self, Violation, arrivals, check, check_history},
+    check::{self, Rule, Violation, arrivals, check, check_history},
     question::{Misfit, fits},
     sorting,
 };
@@ -103,7 +103,9 @@ impl Past {
         }
     }
 
-    /// The rules that a plan of the rest breaks, in times of the whole.
+    /// The rules that a plan of the rest breaks, in times of the whole. Of the
+    /// moves of an agent during its breakdown only the first is listed: the others
+    /// follow from it.
     pub(crate) fn check(&self, instance: &Instance, plan: &Plan) -> Vec<Violation> {
         let Some(course) = self.course() else {
             return check(instance, plan).violations;
@@ -119,7 +121,17 @@ impl Past {
             let agents = instance.agents().iter();
             plan.from = sorting::map(agents.map(|agent| (agent.name.clone(), since)));
         }
-        check_history(&History::beginning(instance, since), &plan).violations
+        let mut violations = check_history(&History::beginning(instance, since), &plan).violations;
+        let mut moved = Vec::new();
+        violations.retain(|violation| {
+            let agent = violation.agents.first();
+            let held = agent.map_or(0, |agent| instance.held(agent));
+            let is_held = violation.rule == Rule::Move && violation.time < since + held;
+            let first = !is_held || !moved.contains(&agent.cloned());
+            moved.extend(is_held.then(|| agent.cloned()));
+            first
+        });
+        violations
     }
 
     /// The costs of the whole, where those of the rest are these.

@@ -2,13 +2,14 @@
 //! plan of their own: agents begin where they are, on the map of that time.
 //!
 //! It begins at the last change that counts. An instance has no agent half way
-//! along a slow move and none that a breakdown holds; where there is one, the
-//! rest begins at the first later time without. What an arrived agent adds to
-//! the costs when it is woken, no instance can say either: [`Past`] does.
+//! along a slow move; where there is one, the rest begins at the first later time
+//! without. An agent that has broken down is held in the rest, too
+//! ([`Breakdown`]). What an arrived agent adds to the costs when it is woken, no
+//! instance can say: [`Past`] does.
 
 use giveway_model::tr;
 use giveway_model::{
-    Costs, Instance, Objective, Plan, Question, Scene, Version,
+    Breakdown, Costs, Instance, Objective, Plan, Question, Scene, Version,
     change::{History, MAX_TIME, Trajectory, Whereabouts},
     check::{costs_over_time, costs_until},
     question::Misfit,
@@ -113,57 +114,34 @@ pub(super) fn refused(is_so: String) -> Refusal {
     }
 }
 
-/// The first time from the last change on at which every agent stands on a
-/// cell and none is held. Where there is no plan from the change on, only its
-/// own time will do.
+/// The first time from the last change on at which no agent is in the middle of
+/// a slow move. Where there is no plan from the change on, only its own time will
+/// do.
 fn first_standing(
     history: &History,
     changed: u32,
     plan: &Plan,
     solvable: bool,
 ) -> Result<u32, Refusal> {
-    let mut why = String::new();
     let mut time = changed;
-    let trajectories: Vec<Trajectory<'_>> = history.trajectories(plan, changed);
-    let last = trajectories
-        .iter()
-        .map(Trajectory::end)
-        .max()
-        .unwrap_or(changed);
-    let held = history
-        .timelines()
-        .iter()
-        .flat_map(|timeline| &timeline.held);
-    let last = held
-        .map(|&(_, to)| to)
-        .max()
-        .unwrap_or(0)
-        .max(last)
-        .max(changed);
-    while time <= last.min(MAX_TIME) {
-        let away = history
-            .trajectories(plan, time)
-            .into_iter()
-            .find_map(|trajectory| {
-                let name = trajectory.timeline.name();
-                if !matches!(trajectory.place(time), Whereabouts::At(_)) {
-                    return Some(tr!("{name} is in the middle of a slow move", name));
-                }
-                let held = trajectory.timeline.is_held(time);
-                held.then(|| tr!("{name} has broken down", name))
-            });
-        let Some(away) = away else { return Ok(time) };
-        why = away;
-        if !solvable {
-            break;
+    loop {
+        let trajectories = history.trajectories(plan, time);
+        let moving = trajectories
+            .iter()
+            .find(|trajectory| !matches!(trajectory.place(time), Whereabouts::At(_)));
+        let Some(moving) = moving else {
+            return Ok(time);
+        };
+        if !solvable || time > moving.end().min(MAX_TIME) {
+            return Err(refused(tr!(
+                "At time {time} {name} is in the middle of a slow move. Questions about the time \
+                 after that cannot be answered.",
+                time,
+                name = moving.timeline.name()
+            )));
         }
         time += 1;
     }
-    Err(refused(tr!(
-        "At time {time} {why}. Questions about the time after that cannot be answered.",
-        time,
-        why
-    )))
 }
 
 impl Resting<'_> {
@@ -194,7 +172,32 @@ impl Resting<'_> {
             objective: objective.clone(),
             agents: members.iter().map(|member| member.agent.clone()).collect(),
         };
-        Instance::new(scene).map_err(|faults| Refusal::Changes { faults })
+        let instance = Instance::new(scene).map_err(|faults| Refusal::Changes { faults })?;
+        Ok(instance.with_breakdowns(self.breakdowns(members)))
+    }
+
+    /// The breakdowns that go on; of those of one agent that began at one time,
+    /// the longest.
+    fn breakdowns(&self, members: &[Member<'_>]) -> Vec<Breakdown> {
+        let mut breakdowns = Vec::new();
+        for member in members {
+            let agent = &member.agent.name;
+            let mut timelines = self.history.timelines().iter();
+            let timeline = timelines.find(|timeline| timeline.name() == agent);
+            let held = timeline.map_or(&[][..], |timeline| &timeline.held);
+            let ends = held.iter().filter(|&&(_, to)| to > self.since);
+            let longest = sorting::map(ends.map(|&(from, _)| {
+                let same = held.iter().filter(|&&(begun, _)| begun == from);
+                (from, same.map(|&(_, to)| to).max().unwrap_or(0))
+            }));
+            breakdowns.extend(longest.into_iter().map(|(from, to)| Breakdown {
+                agent: agent.clone(),
+                from,
+                to,
+                held: to - self.since,
+            }));
+        }
+        breakdowns
     }
 
     fn plan(&self, members: &[Member<'_>]) -> Plan {

@@ -12,7 +12,7 @@ use yew::prelude::*;
 
 use super::motion::{children, use_motion};
 use super::viewport::Sight;
-use crate::Clock;
+use crate::{Clock, glyph};
 use parts::Parts;
 use transit::Transit;
 
@@ -77,7 +77,7 @@ pub(super) fn Agents(props: &AgentsProps) -> Html {
         });
     }
     let transit = |agent: usize| {
-        html! { <rect key={agent} class={classes!("transit", form::class(agent))} rx="42" data-off="" /> }
+        html! { <rect key={agent} class={classes!("transit", glyph::class(agent))} rx="42" data-off="" /> }
     };
     let count = props.cast.agents.len();
     html! {
@@ -96,7 +96,7 @@ fn agent_shape(props: &AgentsProps, agent: usize) -> Html {
     let lit = props.lit.as_ref().map(|lit| lit.contains(&agent));
     let class = classes!(
         "agent",
-        form::class(agent),
+        glyph::class(agent),
         (lit == Some(false)).then_some("dim"),
         (!has_battery).then_some("no-battery")
     );

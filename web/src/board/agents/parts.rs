@@ -1,6 +1,6 @@
 //! What moves of an agent: its place, where it looks, its battery, its badges.
 
-use giveway_page::board::{Badge, CELL, Cast, Pose};
+use giveway_page::board::{Badge, CELL, Cast, Pose, of_badge};
 use web_sys::Element;
 
 use crate::board::motion::{Attribute, children_of};
@@ -103,11 +103,7 @@ impl Parts {
             if pose.badge.is_some() {
                 // The flag of a goal has the upper right corner.
                 let has_flag = cast.has_goal_at(pose.at);
-                badge.set(if has_flag {
-                    "translate(29 29)"
-                } else {
-                    "translate(29 -29)"
-                });
+                badge.set(&of_badge(has_flag));
             }
         }
     }

@@ -2,10 +2,11 @@
 
 use giveway_model::tr;
 use giveway_page::Action;
-use giveway_page::form;
 use giveway_page::inside::{Fold, InsideAction, NodeBox, TreeView};
 use web_sys::Element;
 use yew::prelude::*;
+
+use crate::glyph;
 
 #[derive(Clone, PartialEq, Properties)]
 pub(super) struct TreeProps {
@@ -74,7 +75,7 @@ fn node_box(node: &NodeBox, send: &Callback<Action>) -> Html {
             <text class="t t1" x="44" y="16.5">{ first }</text>{ " " }
             <text class="t" x="44" y="30.5">{ second }</text>
             if let Some(agent) = node.agent {
-                <g class={form::class(agent)} transform="translate(0 19)">
+                <g class={glyph::class(agent)} transform="translate(0 19)">
                     <circle class="cirb" r="8.5" /><g transform="scale(.24)">{ crate::form(agent) }</g>
                 </g>
             }

@@ -6,7 +6,7 @@ use super::bounds::{
     Faults, MAX_CELLS, MAX_EDITS, MAX_HINTS, MAX_LESSONS, MAX_MINUTES, MAX_PARAGRAPHS, MAX_STEPS,
     MAX_TERMS, MAX_TIME, MAX_TITLE,
 };
-use super::links::{Targets, is_on, joining};
+use super::links::{Targets, is_on};
 use super::tasks;
 use crate::lesson::{Course, Glossary, Lesson, Picture, Step, Task};
 
@@ -41,7 +41,7 @@ pub(super) fn lesson(lesson: &Lesson, glossary: &Glossary, faults: &mut Faults) 
         let targets = Targets {
             glossary,
             scene: lesson.scene(index),
-            joining: joining(step),
+            joining: step.joining().map(|agent| agent.name.as_str()).collect(),
         };
         self::step(&format!("steps[{index}]"), step, &targets, faults);
     }

@@ -1,10 +1,9 @@
 //! Whether each link of a text has what it names.
 
-use giveway_model::change::What;
 use giveway_model::{Cell, Grid, Scene, tr};
 
 use super::bounds::{Faults, MAX_TIME};
-use crate::lesson::{Glossary, Quantity, Step, Target, Task, Text};
+use crate::lesson::{Glossary, Target, Text};
 
 /// What links can name in a step.
 pub(super) struct Targets<'a> {
@@ -72,24 +71,4 @@ impl Targets<'_> {
 /// Whether a cell is on the map of a scene.
 pub(super) fn is_on(scene: &Scene, cell: Cell) -> bool {
     Grid::from_rows(&scene.map).is_ok_and(|grid| grid.ground(cell).is_some())
-}
-
-/// The robots that join in a step's task.
-pub(super) fn joining(step: &Step) -> Vec<&str> {
-    let changes = match &step.task {
-        Some(Task::Change(task)) => &task.changes,
-        Some(Task::Predict(task)) => match &task.what {
-            Quantity::Changed { changes, .. } => changes,
-            _ => return Vec::new(),
-        },
-        _ => return Vec::new(),
-    };
-    let names = changes
-        .changes
-        .iter()
-        .filter_map(|change| match &change.what {
-            What::AddAgent { agent } => Some(agent.name.as_str()),
-            _ => None,
-        });
-    names.collect()
 }

@@ -105,6 +105,7 @@ fn facts(asking: &Asking, told: &ExplainAnswer) -> Vec<Facts> {
                 number: numbers_facts(asking).then_some(index + 1),
                 icon: fact_icon(fact),
                 text: fact.text.clone(),
+                time: fact.time,
                 mark: helps_mark(&told.question, told.verdict, core, fact),
                 index,
                 is_lit: asking.lit == Some(Lit::Fact(index)),

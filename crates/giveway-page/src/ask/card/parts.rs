@@ -86,6 +86,8 @@ pub struct FactRow {
     pub mark: Option<&'static str>,
     /// Its place among the facts of all sets, by which it lights up.
     pub index: usize,
+    /// When it began, for a breakdown.
+    pub time: Option<u32>,
     /// Whether it is lit up.
     pub is_lit: bool,
 }

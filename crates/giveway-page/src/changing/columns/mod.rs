@@ -22,7 +22,7 @@ use notes::{notes, promise, time};
 pub struct Column {
     /// The method: `Tunnel 1`.
     pub title: String,
-    /// What it promises.
+    /// What became of the old paths; without a plan, what it promises.
     pub promise: String,
     /// Whether no other method has lower costs.
     pub is_least: bool,
@@ -89,7 +89,7 @@ pub fn columns(state: &State) -> Option<Vec<Column>> {
         let has_plan = tried.answer.is_some();
         Column {
             title: change::method(tried.method),
-            promise: promise(tried.method),
+            promise: promise(tried),
             is_least: tried.is_least,
             is_chosen: compared.chosen == Some(index),
             answer: tried.answer.clone(),

@@ -1,14 +1,28 @@
 //! A method in words: what it promises, what else there is to say, how long it took.
 
 use giveway_model::tr;
-use giveway_model::words::decimal;
+use giveway_model::words::{and, decimal};
 use giveway_solve::Status;
 use giveway_solve::change::Method;
 
 use crate::changing::Tried;
 
-pub(super) fn promise(method: Method) -> String {
+/// What became of the old paths: robots that were freed are not held to theirs.
+pub(super) fn promise(tried: &Tried) -> String {
+    let kept = held(
+        tried.method,
+        tried.told.retimed.is_empty() && tried.answer.is_some(),
+    );
+    match tried.told.freed.as_slice() {
+        freed if freed.is_empty() || tried.method == Method::Replan => kept,
+        freed => tr!("{kept}, except {robots}", kept, robots = and(freed)),
+    }
+}
+
+/// What a method holds the old robots to; `is_on_time`: all of them keep their times.
+fn held(method: Method, is_on_time: bool) -> String {
     match method {
+        Method::Revise if is_on_time => tr!("Same paths, same times").to_owned(),
         Method::Revise => tr!("Same paths, new times").to_owned(),
         Method::Tunnel(0) => tr!("On the cells of the old paths").to_owned(),
         Method::Tunnel(width) => {

@@ -17,23 +17,16 @@ pub use rows::{Kind, ProofRow, rows};
 pub(crate) use seen::overlay;
 
 use crate::State;
-use crate::planners::Runs;
 
-/// The trace that is looked at: of the search that runs, of the answer, or of some
-/// robots alone. `None` where there is none.
+/// The trace that is looked at: of the search that runs, of the plan on the board, or of
+/// some of its robots alone. `None` where there is none: that of another plan is none.
 pub(crate) fn trace(state: &State) -> Option<&SearchTrace> {
-    if let Some(alone) = closer::alone_trace(state) {
-        return Some(alone);
-    }
     let run = state.work.solving().filter(|run| run.planner.is_none());
-    if let Some(run) = run {
-        return run.trace.as_deref();
-    }
-    let document = &state.document;
-    let own = document
-        .fresh_answer()
-        .and_then(|answer| answer.solved.trace.as_ref());
-    own.or_else(|| Runs::fresh(document)?.searched()?.solved.trace.as_ref())
+    let whole = match run {
+        Some(run) => run.trace.as_deref(),
+        None => state.document.fresh_answer()?.solved.trace.as_ref(),
+    }?;
+    Some(closer::alone_trace(state).unwrap_or(whole))
 }
 
 /// Whether the search still runs.

@@ -8,8 +8,9 @@ use giveway_solve::trace::SearchEvent;
 use super::chosen_event;
 use super::closer::{alone, limits, told};
 use crate::State;
+use crate::board::middle;
 use crate::board::{CELL, shade};
-use crate::inside::board::{Meeting, Overlay, Shade, between, middle};
+use crate::inside::board::{Meeting, Overlay, Shade, between};
 use crate::inside::index;
 
 /// More regions would hide each other and the map.

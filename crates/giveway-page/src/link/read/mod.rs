@@ -15,7 +15,7 @@ use super::text::{numbers, unescape};
 use super::{From, LONGEST, Linked, Source, ask, change, knowledge, message, plan, scene};
 use crate::audit::Audit;
 use crate::front::Front;
-use crate::{Answer, Colours, Document, Draft, Mode};
+use crate::{Answer, Colours, Document, Draft, Looks, Mode};
 
 pub(crate) use judged::judged;
 pub(super) use parts::is_public;
@@ -48,6 +48,9 @@ impl Reader {
         document.within = parts.read("within", |text| text.parse().ok())?;
         if let Some(colours) = parts.read("colours", colours)? {
             document.colours = colours;
+        }
+        if let Some(looks) = parts.read("looks", looks)? {
+            document.looks = looks;
         }
         self.keep(&mut document, &parts)?;
         let time = parts.read("time", |text| text.parse().ok())?;
@@ -186,6 +189,11 @@ fn plan(
     }
     let plan = plan::read(&agents, text, times);
     plan.ok_or_else(|| tr!("Its plan is broken.").to_owned())
+}
+
+fn looks(text: &str) -> Option<Looks> {
+    let numbers = text.split('.').map(|number| number.parse().ok());
+    numbers.collect::<Option<_>>().map(Looks::from_numbers)
 }
 
 fn colours(text: &str) -> Option<Colours> {

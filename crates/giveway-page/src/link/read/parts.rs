@@ -23,8 +23,8 @@ pub(super) const ANSWER: [&str; 8] = [
 ];
 
 /// What a link may hold beside a scene.
-const PUBLIC: [&str; 9] = [
-    "plan", "knows", "slept", "changes", "audit", "time", "ask", "within", "colours",
+const PUBLIC: [&str; 10] = [
+    "plan", "knows", "slept", "changes", "audit", "time", "ask", "within", "colours", "looks",
 ];
 
 /// What only this browser writes.

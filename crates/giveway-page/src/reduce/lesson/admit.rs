@@ -98,12 +98,15 @@ fn point(state: &mut State, cell: Cell) {
     let draft = &state.document.draft;
     let cell = draft.clamp(cell);
     let robots = state.agents_at(cell);
-    let names = robots.filter_map(|agent| draft.agents().get(agent));
+    let agents = state.world().agents();
+    let names = robots.filter_map(|agent| agents.get(agent));
     let pick = Pick {
         cell,
         time: state.view.playback.time,
         robots: names.map(|agent| agent.name.clone()).collect(),
     };
+    // What was said of the click before is over.
+    state.view.notice = None;
     change(state, |lesson| {
         let number = lesson.pick.as_ref().map_or(0, |(number, _)| number + 1);
         lesson.pick = Some((number, pick));

@@ -72,6 +72,7 @@ fn says(state: &mut State, message: ToPage) {
                 open(state, &Rc::new(board));
             }
         }
+        ToPage::Say(sentence) => state.view.notice = Some(Notice::new(sentence)),
         ToPage::Present => super::view::view(state, &ViewAction::Present(Presenting::Told)),
         ToPage::Close => leave(state),
         // It changes nothing: the page answers by itself.
@@ -207,7 +208,8 @@ fn show(state: &mut State, found: &Evidence) {
     }
     let draft = Rc::clone(&state.document.draft);
     let shown = found.plan.as_ref();
-    if let Some(document) = shown.and_then(|plan| evidence(&draft, plan)) {
+    let changes = found.changes.as_ref();
+    if let Some(document) = shown.and_then(|plan| evidence(&draft, plan, changes)) {
         amend(state, document);
     }
     if let Some(time) = found.time {

@@ -58,7 +58,12 @@ impl Start {
 pub(in crate::reduce) fn start(state: &mut State, how: Start) {
     stroke::release(state);
     if how.planner.is_some() && !state.can_plan() {
-        return;
+        return ask::refuse(
+            state,
+            tr!(
+                "Planners plan a scene from time 0. Finish or discard what you do with this plan first."
+            ),
+        );
     }
     match &state.document.mode {
         Mode::Changing(_) | Mode::Comparing(_) | Mode::Stuck(..) => {
@@ -66,6 +71,16 @@ pub(in crate::reduce) fn start(state: &mut State, how: Start) {
         }
         Mode::Steering(_) | Mode::Judging(..) => return ask::ask(state, &Question::Plan),
         Mode::Editing | Mode::Asking(_) | Mode::Auditing(_) | Mode::Querying(..) => {}
+    }
+    if let Some(at) = state.document.changed_last() {
+        // It would put a plan of the scene before the changes in the place of this one.
+        return ask::refuse(
+            state,
+            &tr!(
+                "This plan went on after a change at time {at}. A new plan from time 0 would drop that change: undo it first.",
+                at
+            ),
+        );
     }
     let draft = &state.document.draft;
     if draft.instance().is_err() {

@@ -2,6 +2,8 @@
 
 mod ask;
 mod edit;
+mod looks;
+mod nothing;
 mod play;
 mod preview;
 mod proof;

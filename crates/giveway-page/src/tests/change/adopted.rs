@@ -2,12 +2,16 @@
 
 use giveway_model::{Agent, Cell};
 
-use super::changing;
+use giveway_solve::plan::Planner;
+
+use super::{changing, running};
 use crate::changing::{columns, history};
+use crate::inside::{self, InsideAction};
+use crate::planners::{self, By};
 use crate::reduce::tests::{after, stroke};
 use crate::table::lanes;
 use crate::tests::{adopted, answered, saying, seek};
-use crate::{Action, AskAction, ChangeAction, Edit, Phase, SolveAction, Tool};
+use crate::{Action, AskAction, ChangeAction, Edit, Phase, SolveAction, State, Tool};
 
 #[test]
 fn the_adopted_plan_has_its_history_and_undo_takes_it_back() {
@@ -71,12 +75,59 @@ fn the_world_changes_again_later_and_not_before() {
         .unwrap();
     assert_eq!(course.times(), [1, 2]);
     assert_eq!(course.changes.changes.len(), 2);
-    let solved = answered(&after(&state, [Action::Solve(SolveAction::Solve)]));
-    assert!(solved.document.fresh_answer().unwrap().course.is_none());
-    assert_eq!(
-        after(&solved, [Action::Undo]).document.answer,
-        state.document.answer
+}
+
+#[test]
+fn no_plan_from_time_0_takes_the_place_of_one_that_went_on() {
+    let state = adopted();
+    let all = [
+        SolveAction::Solve,
+        SolveAction::Plan(Planner::Cbs),
+        SolveAction::Plan(Planner::Lacam),
+        SolveAction::ShowPlan(By::Search),
+        SolveAction::ShowPoint(0),
+    ];
+    for action in all {
+        let after = after(&state, [Action::Solve(action.clone())]);
+        assert!(after.work.is_idle(), "{action:?}");
+        assert_eq!(after.document, state.document, "{action:?}");
+        if matches!(action, SolveAction::Solve | SolveAction::Plan(_)) {
+            let notice = after.view.notice.unwrap().sentence;
+            assert!(notice.contains("change at time 1"), "{notice}");
+        }
+    }
+}
+
+#[test]
+fn nothing_of_the_plan_before_is_told_of_the_adopted_one() {
+    // The search, a planner and what must be so have told of the plan before.
+    let solve = |state: &State, action| answered(&after(state, [Action::Solve(action)]));
+    let solved = solve(&running(), SolveAction::Solve);
+    let known = solve(
+        &solve(&solved, SolveAction::Plan(Planner::Cbs)),
+        SolveAction::Solve,
     );
+    assert!(planners::table(&known).is_some());
+    let open = |state: &State| after(state, [Action::Inside(InsideAction::Show(true))]);
+    assert!(inside::record(&open(&known)).is_some());
+    let changing = after(&known, [seek(1), Action::Change(ChangeAction::Begin)]);
+    let joined = after(&changing, stroke(Tool::Agent, &[(2, 2), (1, 0)]));
+    let compared = answered(&after(&joined, [Action::Change(ChangeAction::Adapt)]));
+    let state = after(&compared, [Action::Change(ChangeAction::Adopt(2))]);
+    assert!(planners::table(&state).is_none());
+    assert!(state.document.front().is_none() && state.document.report().is_none());
+    assert!(state.document.freedom().is_none());
+    let inside = open(&state);
+    assert!(inside.is_inside());
+    assert_eq!(inside::record(&inside), None);
+    assert_eq!(inside::nothing(&inside).title, "No record of this plan");
+    for method in [inside::Method::Tree, inside::Method::Orders] {
+        let other = after(&inside, [Action::Inside(InsideAction::By(method))]);
+        assert!(other.work.is_idle(), "the scene before is not asked about");
+        assert_eq!(inside::nothing(&other).title, "Nothing to look into");
+    }
+    let back = after(&state, [Action::Undo]);
+    assert!(planners::table(&after(&back, [Action::Undo, Action::Undo, Action::Undo])).is_some());
 }
 
 #[test]

@@ -96,6 +96,8 @@ fn an_obstacle_on_a_path_frees_its_agent_and_says_why() {
         .iter()
         .find(|group| group.title == "Freed");
     assert_eq!(freed.unwrap().agents, [(0, "A1".to_owned())]);
+    assert_eq!(columns[0].promise, "Same paths, same times, except A1");
+    assert_eq!(columns[2].promise, "Everyone plans freely");
     assert!(
         columns[0].notes[0].contains("obstacle at (2, 0)"),
         "{:?}",

@@ -2,6 +2,7 @@
 //! put aside and back.
 
 mod aside;
+mod changes;
 mod hand;
 mod tour;
 
@@ -37,6 +38,7 @@ fn board(number: u32) -> Board {
         number: BoardNumber(number),
         scene: scene(),
         plan: BoardPlan::None,
+        changes: None,
         time: 0,
         playing: false,
         tools: vec![LessonTool::Obstacle],

@@ -221,4 +221,6 @@ fn while_the_world_changes_no_planner_is_asked() {
     let changing = after(&sample::solved(), [Action::Change(ChangeAction::Begin)]);
     let state = after(&changing, [plan(Planner::Cbs)]);
     assert!(state.work.is_idle() && !state.can_plan());
+    assert_eq!(state.document, changing.document);
+    assert!(state.view.notice.is_some(), "it says why");
 }

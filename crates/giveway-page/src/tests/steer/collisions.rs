@@ -1,7 +1,9 @@
 //! What goes wrong on the way: collisions, and batteries that run empty.
 
 use super::{BACK, DOWN, RIGHT, UP, WAIT, leading, told, warehouse};
-use crate::board::reasons;
+use giveway_model::Cell;
+
+use crate::board::{ConflictPlace, reasons};
 use crate::reduce::tests::after;
 use crate::steering::Lead;
 use crate::tests::saying;
@@ -23,7 +25,10 @@ fn a_collision_shows_as_it_arises() {
         saying(&state),
         "A1 is at (1, 1) at time 2. A1 and A2 are both at (1, 1) at time 2."
     );
-    assert_eq!(reasons(&state).bursts, [(150.0, 150.0)]);
+    assert_eq!(
+        reasons(&state).bursts,
+        [ConflictPlace::Cell(Cell::new(1, 1))]
+    );
     let earlier = after(&state, [Action::Play(PlayAction::StepBack)]);
     assert_eq!(reasons(&earlier).bursts, [], "only at its time");
     let state = after(&state, [BACK, WAIT, RIGHT]);
@@ -31,7 +36,10 @@ fn a_collision_shows_as_it_arises() {
         panic!("{:?}", told(&state).violations);
     };
     assert!(swap.is_lit, "the step lasts up to the time shown");
-    assert_eq!(reasons(&state).bursts, [(100.0, 150.0)], "between both");
+    let [ConflictPlace::Edge(edge)] = reasons(&state).bursts[..] else {
+        panic!("between both");
+    };
+    assert!(edge.contains(&Cell::new(0, 1)) && edge.contains(&Cell::new(1, 1)));
     let state = after(&state, [BACK, BACK]);
     assert_eq!(told(&state).violations, []);
 }
@@ -64,5 +72,8 @@ fn an_agent_charges_in_the_step_after_that_was_chosen() {
         "{}",
         saying(&empty)
     );
-    assert_eq!(reasons(&empty).bursts, [(650.0, 150.0)]);
+    assert_eq!(
+        reasons(&empty).bursts,
+        [ConflictPlace::Cell(Cell::new(6, 1))]
+    );
 }

@@ -11,7 +11,7 @@ use crate::front::Front;
 use crate::lesson::Lesson;
 use crate::words::change;
 use crate::words::costs::values;
-use crate::{Answer, State, planners};
+use crate::{Answer, Mode, State, planners};
 
 /// Where the page stands with a scene and its plan, if it has one.
 pub(super) fn resting(state: &State) -> Standing {
@@ -95,8 +95,14 @@ pub(super) fn of_lesson(lesson: &Lesson, state: &State) -> Option<Standing> {
     if lesson.hides_conflicts() && state.audit().is_some() {
         return say(tr!("Does this plan keep the rules?").to_owned());
     }
+    if let Mode::Changing(changing) = &state.document.mode {
+        return say(change::happening(changing));
+    }
     let answer = state.document.fresh_answer();
     let answer = answer.filter(|answer| answer.is_shared && state.audit().is_none())?;
+    if answer.course.is_some() {
+        return say(change::adopted(answer));
+    }
     let objective = &answer.draft.scene().objective;
     let costs = values(objective, &answer.solved.costs?);
     say(tr!("A plan: {costs}.", costs))

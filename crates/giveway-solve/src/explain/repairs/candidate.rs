@@ -102,7 +102,11 @@ pub(super) fn candidates(
             Group::Task(a) if !asked.contains(&a) => {
                 Some(Candidate::Edit(Edit::LeaveOut { agent: name(a) }))
             }
-            Group::Task(_) | Group::Collision(..) | Group::Stay(_) | Group::Slow => None,
+            Group::Task(_)
+            | Group::Collision(..)
+            | Group::Stay(_)
+            | Group::Slow
+            | Group::Breakdown(..) => None,
         });
     }
     if any(|fact| matches!(fact, Group::Battery(_))) {

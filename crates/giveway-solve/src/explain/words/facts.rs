@@ -1,6 +1,6 @@
 //! Facts that can be left out, as clauses.
 
-use giveway_model::{Instance, tr};
+use giveway_model::{Breakdown, Instance, tr};
 
 use crate::explain::group::Group;
 
@@ -49,5 +49,18 @@ pub(crate) fn fact(group: Group, instance: &Instance, within: Option<u32>) -> St
             let floor = instance.rules().battery_floor;
             tr!("no battery may fall below {floor}", floor)
         }
+        Group::Breakdown(..) => group
+            .breakdown(instance)
+            .map_or_else(String::new, broken_down),
     }
+}
+
+/// A breakdown as a clause: `A1 is broken down from time 3 to 43`.
+pub(super) fn broken_down(breakdown: &Breakdown) -> String {
+    tr!(
+        "{agent} is broken down from time {from} to {to}",
+        agent = breakdown.agent,
+        from = breakdown.from,
+        to = breakdown.to
+    )
 }

@@ -50,7 +50,7 @@ pub(crate) fn verdict(telling: &Telling) -> String {
         } else {
             agent
         };
-        let what = would(agent, &violations);
+        let what = would(agent, &violations, telling.instance.breakdowns());
         sentences.push(tr!(
             "If {would}, {who} would {what}.",
             would = contrast.would,

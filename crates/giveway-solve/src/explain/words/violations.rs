@@ -3,21 +3,24 @@
 use std::collections::BTreeSet;
 
 use giveway_model::check::{Rule, Violation};
-use giveway_model::tr;
 use giveway_model::words::and;
+use giveway_model::{Breakdown, tr};
+
+use super::facts::broken_down;
 
 /// The most that a sentence tells one by one.
 const MOST: usize = 3;
 
-/// `meet A1 at (2, 1) at time 1 and run out of battery at time 9`.
-pub(crate) fn would(agent: &str, violations: &[&Violation]) -> String {
+/// `meet A1 at (2, 1) at time 1 and run out of battery at time 9`. A meeting with
+/// an agent that has broken down names the breakdown.
+pub(crate) fn would(agent: &str, violations: &[&Violation], breakdowns: &[Breakdown]) -> String {
     let mut phrases: Vec<String> = Vec::new();
     let mut seen = BTreeSet::new();
     for violation in violations {
         // Who has met somebody once need not be told of it again.
         let collides = violation.agents.len() > 1;
         if !collides || seen.insert(&violation.agents) {
-            phrases.push(phrase(agent, violation));
+            phrases.push(phrase(agent, violation, breakdowns));
         }
     }
     let more = phrases.len().saturating_sub(MOST);
@@ -28,7 +31,27 @@ pub(crate) fn would(agent: &str, violations: &[&Violation]) -> String {
     and(&phrases)
 }
 
-fn phrase(agent: &str, violation: &Violation) -> String {
+fn phrase(agent: &str, violation: &Violation, breakdowns: &[Breakdown]) -> String {
+    let now = |it: &&Breakdown| (it.from..it.to).contains(&violation.time);
+    let of = |it: &&Breakdown| violation.agents.contains(&it.agent);
+    let of_now = breakdowns.iter().filter(|it| now(it) && of(it));
+    let longest = of_now.max_by_key(|breakdown| breakdown.to);
+    match longest {
+        Some(breakdown) if breakdown.agent != agent => {
+            let meets = of_rule(agent, violation);
+            format!("{meets} ({})", broken_down(breakdown))
+        }
+        Some(breakdown) if violation.rule == Rule::Move => {
+            tr!("a robot would" => "have to move at time {time}, but it is broken down until time {to}",
+                time = violation.time,
+                to = breakdown.to
+            )
+        }
+        _ => of_rule(agent, violation),
+    }
+}
+
+fn of_rule(agent: &str, violation: &Violation) -> String {
     let others = violation.agents.iter().filter(|name| *name != agent);
     let others: Vec<&String> = others.collect();
     let other = and(&others);
