@@ -90,6 +90,7 @@ fn together(facts: &[&Fact]) -> String {
         FactKind::Stay => tr!("{robots} stay at their goals", robots = list()),
         // Of these there is one at most.
         FactKind::Slow | FactKind::Deadline | FactKind::Floor => facts[0].text.clone(),
+        FactKind::Breakdown => tr!("{robots} are broken down", robots = list()),
     }
 }
 
