@@ -1,4 +1,4 @@
-//! An instance with only some of its facts, made from the text of what leaving a
+//! An instance with only some of its facts, or without some, made from the text of what leaving a
 //! fact out means: to see whether they exclude a plan together.
 
 use std::collections::BTreeSet;
@@ -12,12 +12,29 @@ use crate::oracle::Leniency;
 /// agents that do not count any more. The agent that a question is about is
 /// never left out.
 pub fn only(instance: &Instance, question: &Question, facts: &[Fact]) -> (Scene, Leniency) {
-    let has = |kind: FactKind, agents: &[&str], cell: Option<Cell>| {
-        facts.iter().any(|fact| {
-            let of: BTreeSet<&str> = fact.agents.iter().map(String::as_str).collect();
-            fact.kind == kind && of == agents.iter().copied().collect() && fact.cell == cell
-        })
-    };
+    keeping(instance, question, |kind, agents, cell| {
+        facts.iter().any(|fact| is(fact, kind, agents, cell))
+    })
+}
+
+/// The instance without some facts, all others kept.
+pub fn without(instance: &Instance, question: &Question, facts: &[Fact]) -> (Scene, Leniency) {
+    keeping(instance, question, |kind, agents, cell| {
+        !facts.iter().any(|fact| is(fact, kind, agents, cell))
+    })
+}
+
+/// Whether a fact is the one of this kind, of these agents, at this cell.
+fn is(fact: &Fact, kind: FactKind, agents: &[&str], cell: Option<Cell>) -> bool {
+    let of: BTreeSet<&str> = fact.agents.iter().map(String::as_str).collect();
+    fact.kind == kind && of == agents.iter().copied().collect() && fact.cell == cell
+}
+
+fn keeping(
+    instance: &Instance,
+    question: &Question,
+    has: impl Fn(FactKind, &[&str], Option<Cell>) -> bool,
+) -> (Scene, Leniency) {
     let mut scene = instance.to_scene();
     scene.agents.retain(|agent| {
         let name = agent.name.as_str();
@@ -42,6 +59,9 @@ pub fn only(instance: &Instance, question: &Question, facts: &[Fact]) -> (Scene,
             }
         });
         *row = cells.collect();
+    }
+    if !has(FactKind::Floor, &[], None) {
+        scene.rules.battery_floor = 0;
     }
     let mut leniency = Leniency::default();
     for (i, a) in scene.agents.iter().enumerate() {

@@ -35,7 +35,7 @@ pub struct Asking {
 pub enum Lit {
     /// A thing that would go wrong, by its index.
     Witness(usize),
-    /// A fact of the minimal set, by its index.
+    /// A fact of the minimal sets, by its index among the facts of all of them.
     Fact(usize),
 }
 

@@ -307,22 +307,26 @@ export type Verdict = "needless" | "improvable" | "costly" | "necessary" | "unkn
 
 /** A fact of the scene that can be left out. */
 export interface Fact {
-  kind: "task" | "waypoint" | "battery" | "obstacle" | "slow" | "collision" | "stay" | "deadline" | "breakdown";
+  kind: "task" | "waypoint" | "battery" | "obstacle" | "slow" | "collision" | "stay" | "deadline" | "floor" | "breakdown";
   agents: string[];
   cell: Cell | null;
   /** Of a breakdown: when it began, and the time from which the agent may go on. */
   time?: number;
   until?: number;
   text: string;
+  /** Whether leaving out this fact alone gives the whole scene a plan; null where it is not known. */
+  helps: boolean | null;
 }
 
-/** Facts that together make it impossible, or so costly. */
+/** Facts that alone make it impossible, or so costly; others may make it so, too. */
 export interface Core {
   facts: Fact[];
-  /** Without any one of them a plan is at hand. */
+  /** Each is needed in the set: with only the others of the set there is a plan. */
   minimal: boolean;
   complete: boolean;
   within: number | null;
+  /** Where no fact helps (robots left out apart): sets that make it so, too, sharing as few facts as was found. */
+  further?: Core[];
 }
 
 export type Edit =

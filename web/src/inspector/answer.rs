@@ -12,7 +12,7 @@ use crate::{glyph, icon};
 pub(super) fn show(card: &Card, send: &Callback<Action>) -> Html {
     // The facts have the numbers: they come first.
     let is_numbered = card
-        .core
+        .cores
         .iter()
         .flat_map(|core| &core.facts)
         .any(|fact| fact.number.is_some());
@@ -34,7 +34,7 @@ pub(super) fn show(card: &Card, send: &Callback<Action>) -> Html {
             </div>
             // Without a plan to show, what would help is the next step.
             if card.other.is_none() && !card.repairs.is_empty() {
-                { repairs(&card.repairs, true, send) }
+                { repairs(card, true, send) }
             }
             if !card.rows.is_empty() {
                 { costs(&card.rows, tr!("Both plans"), [tr!("This"), tr!("Other")]) }
@@ -42,14 +42,12 @@ pub(super) fn show(card: &Card, send: &Callback<Action>) -> Html {
             if let Some((title, happenings)) = &card.witness && !is_numbered {
                 { witness(title, happenings, send) }
             }
-            if let Some(facts) = &card.core {
-                { core(facts, send) }
-            }
+            { for card.cores.iter().map(|facts| core(facts, send)) }
             if let Some((title, happenings)) = &card.witness && is_numbered {
                 { witness(title, happenings, send) }
             }
             if card.other.is_some() && !card.repairs.is_empty() {
-                { repairs(&card.repairs, false, send) }
+                { repairs(card, false, send) }
             }
             if !card.pending.is_empty() {
                 <ul class="pending">{ for card.pending.iter().map(|line| html! { <li>{ *line }</li> }) }</ul>
@@ -175,9 +173,9 @@ fn shown(on: &Callback<()>, time: Option<u32>, send: &Callback<Action>) -> Callb
 }
 
 fn core(facts: &Facts, send: &Callback<Action>) -> Html {
-    let one = |(index, fact): (usize, &FactRow)| {
+    let one = |fact: &FactRow| {
         let is_lit = fact.is_lit;
-        let [on, off] = lit(Lit::Fact(index), send);
+        let [on, off] = lit(Lit::Fact(fact.index), send);
         html! {
             <li><button type="button" class={classes!("fact", is_lit.then_some("lit"))} aria-pressed={is_lit.to_string()}
                 onclick={shown(&on, fact.time, send)}
@@ -188,20 +186,20 @@ fn core(facts: &Facts, send: &Callback<Action>) -> Html {
                 } else {
                     { icon::show(fact.icon) }
                 }
-                <span>{ fact.text.clone() }</span>
+                <span>{ fact.text.clone() }if let Some(mark) = fact.mark { <small>{ mark }</small> }</span>
             </button></li>
         }
     };
     html! {
         <section>
             <h3>{ facts.title }</h3>
-            <ul class="reasons tight">{ for facts.facts.iter().enumerate().map(one) }</ul>
-            <p class="remark">{ facts.claim }</p>
+            <ul class="reasons tight">{ for facts.facts.iter().map(one) }</ul>
+            <p class="remark">{ facts.claim.clone() }</p>
         </section>
     }
 }
 
-fn repairs(offered: &[Offered], leads: bool, send: &Callback<Action>) -> Html {
+fn repairs(card: &Card, leads: bool, send: &Callback<Action>) -> Html {
     let one = |(index, repair): (usize, &Offered)| {
         html! {
             <li><button type="button" class={classes!("repair", (leads && index == 0).then_some("lead"))}
@@ -214,7 +212,8 @@ fn repairs(offered: &[Offered], leads: bool, send: &Callback<Action>) -> Html {
     html! {
         <section>
             <h3>{ tr!("What would help") }</h3>
-            <ul class="repairs">{ for offered.iter().enumerate().map(one) }</ul>
+            <ul class="repairs">{ for card.repairs.iter().enumerate().map(one) }</ul>
+            if let Some(more) = &card.more_repairs { <p class="remark">{ more.clone() }</p> }
         </section>
     }
 }

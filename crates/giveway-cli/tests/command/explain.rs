@@ -3,6 +3,7 @@
 use expect_test::expect;
 use serde_json::{Value, json};
 
+use crate::reasons::TWO_WALLS;
 use crate::run::{Folder, SCENARIO_1, SCENARIO_6, WAREHOUSE, WAREHOUSE_PLAN};
 
 /// The first plan of the published scenario 1.
@@ -103,7 +104,7 @@ fn json_has_the_specified_keys() {
     let fact = answer["core"]["facts"][0].as_object().unwrap();
     let mut keys: Vec<&String> = fact.keys().collect();
     keys.sort();
-    assert_eq!(keys, ["agents", "cell", "kind", "text"]);
+    assert_eq!(keys, ["agents", "cell", "helps", "kind", "text"]);
 }
 
 /// What the command writes is what the schema says.
@@ -120,6 +121,7 @@ fn answers_keep_to_the_schema() {
         ("scenario-6.json", SCENARIO_6),
         ("scenario-1.json", SCENARIO_1),
         ("plan.json", PLAN_1),
+        ("two-walls.json", TWO_WALLS),
         ("around.json", ALONE),
         ("around.plan.json", ALONE_PLAN),
         ("around.changes.json", ALONE_CHANGES),
@@ -132,6 +134,7 @@ fn answers_keep_to_the_schema() {
         "scenario-1.json --plan plan.json wait A2 --from 0 --to 1",
         "scenario-1.json --plan plan.json plan",
         "scenario-6.json unsolvable",
+        "two-walls.json unsolvable",
         "around.json --plan around.plan.json --changes around.changes.json plan",
     ] {
         let run = folder.run(&format!("explain {line} --format json"));

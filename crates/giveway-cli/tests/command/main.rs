@@ -22,6 +22,7 @@ mod manual;
 mod picture;
 mod planners;
 mod proof;
+mod reasons;
 mod run;
 mod solve;
 mod sweep;

@@ -74,6 +74,21 @@ impl Instance {
         }
     }
 
+    /// The same instance with another battery floor: the level below which no
+    /// battery may fall.
+    ///
+    /// ```
+    /// use giveway_model::format::native;
+    /// let instance = native::read_instance(r#"{ "giveway": 1, "map": [".."],
+    ///     "rules": { "battery_floor": 2 }, "agents": [] }"#).unwrap();
+    /// assert_eq!(instance.with_battery_floor(0).rules().battery_floor, 0);
+    /// ```
+    #[must_use]
+    pub const fn with_battery_floor(mut self, level: u32) -> Self {
+        self.rules.battery_floor = level;
+        self
+    }
+
     /// Lets agents vanish at their goals.
     pub const fn let_agents_vanish(&mut self) {
         self.rules.at_goal = AtGoal::Vanish;

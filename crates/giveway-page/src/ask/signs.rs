@@ -60,7 +60,7 @@ pub(super) fn fact_icon(fact: &Fact) -> &'static str {
     match fact.kind {
         FactKind::Task => "agent",
         FactKind::Waypoint => "waypoint",
-        FactKind::Battery => "charger",
+        FactKind::Battery | FactKind::Floor => "charger",
         FactKind::Obstacle => "obstacle",
         FactKind::Slow => "slow",
         FactKind::Collision => "collision",
@@ -73,7 +73,7 @@ pub(super) fn fact_icon(fact: &Fact) -> &'static str {
 pub(super) fn edit_icon(edit: &Edit) -> &'static str {
     match edit {
         Edit::RemoveObstacle { .. } => "erase",
-        Edit::AddCharger { .. } | Edit::Battery { .. } => "charger",
+        Edit::AddCharger { .. } | Edit::Battery { .. } | Edit::BatteryFloor { .. } => "charger",
         Edit::Deadline { .. } => "clock",
         Edit::MakeNormal { .. } => "slow",
         Edit::DropWaypoint { .. } => "waypoint",

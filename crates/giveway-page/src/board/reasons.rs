@@ -2,7 +2,7 @@
 
 use giveway_model::Cell;
 use giveway_model::check::Violation;
-use giveway_solve::explain::{Fact, FactKind};
+use giveway_solve::explain::{Core, Fact, FactKind};
 
 use super::place::last_cell;
 use super::star::middle;
@@ -23,7 +23,7 @@ pub struct Spot {
     pub is_lit: bool,
 }
 
-/// A cell of the minimal set.
+/// A cell of a minimal set.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Place {
     /// The cell.
@@ -49,7 +49,7 @@ pub struct Reasons {
     pub spots: Vec<Spot>,
     /// Where the best tries end, where there is no plan.
     pub tries: Vec<Try>,
-    /// The cells of the minimal set.
+    /// The cells of the minimal sets.
     pub places: Vec<Place>,
     /// The agents of the fact that is lit up, by their indices.
     pub agents: Vec<usize>,
@@ -118,7 +118,8 @@ pub fn reasons(state: &State) -> Reasons {
             }),
         }
     }
-    let facts = told.core.iter().flat_map(|core| &core.facts);
+    let sets = told.core.iter().flat_map(Core::sets);
+    let facts = sets.flat_map(|core| &core.facts);
     for (index, fact) in facts.enumerate() {
         let is_lit = asking.lit == Some(Lit::Fact(index));
         if let Some(cell) = fact.cell {
@@ -133,7 +134,10 @@ pub fn reasons(state: &State) -> Reasons {
         }
         if is_lit && fact.kind != FactKind::Obstacle {
             let named = state.document.draft.agents().iter().enumerate();
-            let named = named.filter(|(_, agent)| fact.agents.contains(&agent.name));
+            let named = named.filter(|(_, agent)| match fact.kind {
+                FactKind::Floor => agent.battery.is_some(),
+                _ => fact.agents.contains(&agent.name),
+            });
             reasons.agents = named.map(|(index, _)| index).collect();
         }
     }

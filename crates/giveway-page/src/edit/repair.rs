@@ -25,6 +25,7 @@ pub(crate) fn repair(edits: &[explain::Edit], agents: &[Agent]) -> Vec<Edit> {
                 };
                 Edit::SetBattery(index(agent)?, Some(battery))
             }
+            explain::Edit::BatteryFloor { floor } => Edit::BatteryFloor(*floor),
             explain::Edit::Deadline { within } => Edit::Within(Some(*within)),
             explain::Edit::DropWaypoint { agent, cell } => Edit::DropWaypoint(index(agent)?, *cell),
             explain::Edit::Vanish => Edit::AtGoal(AtGoal::Vanish),

@@ -85,8 +85,58 @@ pub enum FactKind {
     Stay,
     /// The horizon that a person set.
     Deadline,
+    /// No battery may fall below the floor.
+    Floor,
     /// An agent has broken down, and may not go on before a time.
     Breakdown,
+}
+
+/// Whether leaving out one fact alone, all others of the instance kept, gives a
+/// plan. In JSON `true`, `false`, or `null` where it is not known.
+#[derive(
+    Clone,
+    Copy,
+    Debug,
+    Default,
+    PartialEq,
+    Eq,
+    PartialOrd,
+    Ord,
+    Serialize,
+    Deserialize,
+    BorshSerialize,
+    BorshDeserialize,
+)]
+#[serde(from = "Option<bool>", into = "Option<bool>")]
+pub enum Helps {
+    /// There is a plan without it: for a costly question one that costs no more
+    /// than the plan that is asked about.
+    Yes,
+    /// There is still none without it: as far as the claim of its set reaches.
+    No,
+    /// The budget ran out before this was known, or it was not tried yet.
+    #[default]
+    Unknown,
+}
+
+impl From<Option<bool>> for Helps {
+    fn from(known: Option<bool>) -> Self {
+        match known {
+            Some(true) => Self::Yes,
+            Some(false) => Self::No,
+            None => Self::Unknown,
+        }
+    }
+}
+
+impl From<Helps> for Option<bool> {
+    fn from(helps: Helps) -> Self {
+        match helps {
+            Helps::Yes => Some(true),
+            Helps::No => Some(false),
+            Helps::Unknown => None,
+        }
+    }
 }
 
 /// A fact of an instance that can be left out.
@@ -117,19 +167,38 @@ pub struct Fact {
     pub until: Option<u32>,
     /// The fact as a clause for people: `A1 must visit (2, 1)`.
     pub text: String,
+    /// Whether leaving out this fact alone helps.
+    #[serde(default)]
+    pub helps: Helps,
 }
 
-/// Facts that together make it impossible.
+/// Facts that alone make it impossible: with these, and without all other facts
+/// of the instance, there is no plan. The facts that are not in the set may make
+/// it impossible, too: what would help says [`Fact::helps`].
 #[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize, BorshSerialize, BorshDeserialize)]
 pub struct Core {
-    /// With all of these, there is no plan.
+    /// The facts.
     pub facts: Vec<Fact>,
-    /// Whether every fact was tried: without any one of them a plan is at hand.
+    /// Whether each fact was shown to be needed in the set: with only the others
+    /// of the set there is a plan.
     pub minimal: bool,
     /// Whether "no plan" holds whatever the horizon.
     pub complete: bool,
     /// The makespan up to which it holds; `null` where complete.
     pub within: Option<u32>,
+    /// Further sets that make it impossible, too, where leaving out one fact of
+    /// this one does not help (leaving a whole robot out apart). They share no
+    /// fact with this set and with each other, or as few as was found. There may
+    /// be more sets; these have no further ones themselves.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub further: Vec<Self>,
+}
+
+impl Core {
+    /// This set and the further ones.
+    pub fn sets(&self) -> impl Iterator<Item = &Self> {
+        std::iter::once(self).chain(&self.further)
+    }
 }
 
 /// A change of the instance that a person may make.
@@ -167,6 +236,11 @@ pub enum Edit {
         /// answered where the world changed before.
         initial: u32,
     },
+    /// Lower the level that no battery may fall below.
+    BatteryFloor {
+        /// The new floor.
+        floor: u32,
+    },
     /// Allow a later makespan.
     Deadline {
         /// The new horizon.
@@ -198,6 +272,9 @@ pub enum Edit {
 pub struct Repair {
     /// The edits, all of them needed.
     pub edits: Vec<Edit>,
+    /// Whether its battery, floor or deadline is proved to be the least change of
+    /// its kind that helps; true where the edits have no such number.
+    pub least: bool,
     /// The costs of the plan.
     pub costs: Costs,
     /// A best plan of the edited instance, or one found in time.

@@ -12,7 +12,7 @@ use super::{
     group_mus::{Inquiry, Tried},
     own_way::walk_of,
     repairs::{Best, Solver},
-    unsolvable::{one_search, tried},
+    unsolvable::{long_search, one_search, tried},
     verdict::Case,
 };
 use crate::{
@@ -54,9 +54,9 @@ impl Contrasted<'_, '_> {
         &self,
         variant: &Variant,
         condition: &Counterfactual,
+        part: Rc<Budget>,
         run: impl Fn(&Ask, &Rc<Budget>) -> T,
     ) -> T {
-        let part = one_search(&self.budget);
         let ask = Ask {
             instance: &variant.instance,
             relaxed: &variant.relaxed,
@@ -72,12 +72,41 @@ impl Contrasted<'_, '_> {
         result
     }
 
-    fn find(&self, variant: &Variant, condition: &Counterfactual) -> Found {
+    fn find(&self, variant: &Variant, condition: &Counterfactual, part: Rc<Budget>) -> Found {
         match &self.most {
-            Some(most) => self.with(variant, condition, |ask, budget| {
+            Some(most) => self.with(variant, condition, part, |ask, budget| {
                 at_most(ask, most.clone(), budget)
             }),
-            None => self.with(variant, condition, any),
+            None => self.with(variant, condition, part, any),
+        }
+    }
+
+    /// Looks for a plan, under each condition with the budget that `part` makes.
+    fn look<'b>(&self, variant: &Variant, part: impl Fn() -> Rc<Budget<'b>>) -> Tried {
+        let mut reach: Option<Reach> = None;
+        let mut agents: Vec<String> = Vec::new();
+        let mut unknown = false;
+        let mut nearby = self.conditions(variant).filter(|_| self.near.is_some());
+        if let Some(plan) = nearby.find_map(|condition| self.nearby(variant, condition)) {
+            return Tried::Plan(plan);
+        }
+        drop(nearby);
+        for condition in self.conditions(variant) {
+            match tried(self.find(variant, condition, part())) {
+                Tried::Plan(plan) => return Tried::Plan(plan),
+                Tried::Unknown => unknown = true,
+                Tried::None { reach: own, clash } => {
+                    reach = Some(reach.map_or(own, |reach| reach.and(own)));
+                    agents.extend(clash);
+                }
+            }
+        }
+        match reach {
+            Some(reach) if !unknown => Tried::None {
+                reach,
+                clash: agents,
+            },
+            _ => Tried::Unknown,
         }
     }
 
@@ -121,31 +150,11 @@ impl Contrasted<'_, '_> {
 
 impl Inquiry for Contrasted<'_, '_> {
     fn search(&mut self, variant: &Variant) -> Tried {
-        let mut reach: Option<Reach> = None;
-        let mut agents: Vec<String> = Vec::new();
-        let mut unknown = false;
-        let mut nearby = self.conditions(variant).filter(|_| self.near.is_some());
-        if let Some(plan) = nearby.find_map(|condition| self.nearby(variant, condition)) {
-            return Tried::Plan(plan);
-        }
-        drop(nearby);
-        for condition in self.conditions(variant) {
-            match tried(self.find(variant, condition)) {
-                Tried::Plan(plan) => return Tried::Plan(plan),
-                Tried::Unknown => unknown = true,
-                Tried::None { reach: own, clash } => {
-                    reach = Some(reach.map_or(own, |reach| reach.and(own)));
-                    agents.extend(clash);
-                }
-            }
-        }
-        match reach {
-            Some(reach) if !unknown => Tried::None {
-                reach,
-                clash: agents,
-            },
-            _ => Tried::Unknown,
-        }
+        self.look(variant, || one_search(&self.budget))
+    }
+
+    fn search_longer(&mut self, variant: &Variant) -> Tried {
+        self.look(variant, || long_search(&self.budget))
     }
 
     fn accepts(&self, variant: &Variant, plan: &Plan) -> bool {
@@ -166,7 +175,7 @@ impl Solver for Contrasted<'_, '_> {
         let objective = self.case.objective();
         let mut proved = true;
         let plans = self.conditions(variant).filter_map(|condition| {
-            let found = self.with(variant, condition, best);
+            let found = self.with(variant, condition, one_search(&self.budget), best);
             proved &= found.reach.is_some();
             found.plan.zip(found.costs)
         });

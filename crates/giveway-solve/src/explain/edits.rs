@@ -50,6 +50,7 @@ pub(crate) fn edited(instance: &Instance, edits: &[Edit], within: Option<u32>) -
                     after.replace_battery(agent, Battery { capacity, initial });
                 }
             }
+            Edit::BatteryFloor { floor } => after = after.with_battery_floor(*floor),
             Edit::Deadline { within: later } => within = Some(*later),
             Edit::DropWaypoint { agent, cell } => {
                 if let Some(agent) = number(agent) {

@@ -290,6 +290,7 @@ fn empty(question: &Question) -> ExplainAnswer {
         witness: Vec::new(),
         core: None,
         repairs: Vec::new(),
+        further_repairs: 0,
         exhaustive: false,
         valid: None,
         violations: None,

@@ -142,7 +142,10 @@ pub struct ExplainAnswer {
     pub core: Option<Core>,
     /// What would help, the best first.
     pub repairs: Vec<Repair>,
-    /// Whether all repairs were tried.
+    /// How many more repairs help than are told.
+    pub further_repairs: u32,
+    /// Whether all repairs of one or two edits were tried, each to its end. Pairs
+    /// are those of edits of which neither helps alone.
     pub exhaustive: bool,
     /// Of `plan`: whether it breaks no rule.
     #[serde(default, skip_serializing_if = "Option::is_none")]

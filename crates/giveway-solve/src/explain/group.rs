@@ -4,7 +4,7 @@ use std::collections::BTreeSet;
 
 use giveway_model::{Breakdown, Cell, Grid, Instance, Plan};
 
-use super::answer::{Fact, FactKind};
+use super::answer::{Fact, FactKind, Helps};
 use super::words;
 use crate::problem::Relaxed;
 use giveway_model::sorting::sort;
@@ -29,6 +29,8 @@ pub(crate) enum Group {
     Slow,
     /// A person set the horizon.
     Deadline,
+    /// No battery may fall below the floor.
+    Floor,
     /// It has broken down at a time, and is held.
     Breakdown(usize, u32),
 }
@@ -44,6 +46,7 @@ impl Group {
             Self::Stay(_) => FactKind::Stay,
             Self::Slow => FactKind::Slow,
             Self::Deadline => FactKind::Deadline,
+            Self::Floor => FactKind::Floor,
             Self::Breakdown(..) => FactKind::Breakdown,
         }
     }
@@ -57,7 +60,7 @@ impl Group {
             | Self::Stay(a)
             | Self::Breakdown(a, _) => vec![a],
             Self::Collision(a, b) => vec![a, b],
-            Self::Obstacle(_) | Self::Slow | Self::Deadline => Vec::new(),
+            Self::Obstacle(_) | Self::Slow | Self::Deadline | Self::Floor => Vec::new(),
         }
     }
 
@@ -75,6 +78,7 @@ impl Group {
             text: words::fact(self, instance, within),
             agents,
             cell,
+            helps: Helps::Unknown,
             time: breakdown.map(|breakdown| breakdown.from),
             until: breakdown.map(|breakdown| breakdown.to),
         }
@@ -120,6 +124,12 @@ pub(crate) fn groups(instance: &Instance, asked: &[usize], deadline: bool) -> Ve
         groups.push(Group::Slow);
     }
     groups.extend(deadline.then_some(Group::Deadline));
+    let has_battery = instance
+        .agents()
+        .iter()
+        .any(|agent| agent.battery.is_some());
+    let has_floor = has_battery && instance.rules().battery_floor > 0;
+    groups.extend(has_floor.then_some(Group::Floor));
     sort(&mut groups);
     groups
 }
@@ -173,6 +183,7 @@ pub(crate) fn without(
             }
             Group::Slow => variant.make_normal(|_| true),
             Group::Deadline => within = None,
+            Group::Floor => variant = variant.with_battery_floor(0),
             Group::Breakdown(a, from) => {
                 let name = instance.agents().get(a).map(|agent| agent.name.as_str());
                 variant.retain_breakdowns(|it| Some(it.agent.as_str()) != name || it.from != from);

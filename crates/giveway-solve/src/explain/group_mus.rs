@@ -1,17 +1,19 @@
-//! Facts that together make it impossible, minimal by inclusion.
+//! Facts that alone make it impossible, minimal by inclusion.
 //!
 //! Facts are left out class by class, in halves of a class, as long as there is
 //! still no plan (deletion with blocks, after Junker, 2004). In the
-//! end every fact that is left is looked at again: with all but it a plan must
-//! be at hand. That last look matters, since a slow zone that becomes normal is
+//! end every fact that is left is looked at again: with only the other facts of the
+//! set a plan must be at hand. (Facts outside of the set may still exclude one, see
+//! `causes.rs`.) That last look matters, since a slow zone that becomes normal is
 //! no mere relaxation: an agent half way along a slow edge is in nobody's way.
 
-use std::collections::BTreeSet;
+use std::collections::{BTreeMap, BTreeSet};
 
 use giveway_model::{Cell, Instance, Plan};
 
 use super::{
-    answer::{Core, FactKind},
+    answer::{Core, Fact, FactKind, Helps},
+    causes::Refuted,
     group::{Group, Variant, groups, without},
 };
 use crate::search::Reach;
@@ -35,80 +37,84 @@ pub(crate) enum Tried {
 pub(crate) trait Inquiry {
     /// Looks for a plan.
     fn search(&mut self, variant: &Variant) -> Tried;
+    /// Looks for a plan with all of the budget that is left.
+    fn search_longer(&mut self, variant: &Variant) -> Tried;
     /// Whether a plan, known from another variant, is one here.
     fn accepts(&self, variant: &Variant, plan: &Plan) -> bool;
 }
 
-/// Facts without which there is a plan.
+/// Facts that alone exclude a plan.
 pub(crate) struct CoreFound {
-    /// Together they exclude a plan.
+    /// The facts.
     pub(crate) groups: Vec<Group>,
-    /// Whether each of them was shown to be needed.
+    /// Whether each of them was shown to be needed in the set.
     pub(crate) minimal: bool,
     /// How far they exclude one.
     pub(crate) reach: Reach,
+    /// Which of them help when they alone are left out, as far as was tried.
+    pub(crate) helps: BTreeMap<Group, Helps>,
+    /// Further sets.
+    pub(crate) further: Vec<Self>,
 }
 
 impl CoreFound {
     /// The facts for people.
     pub(crate) fn core(&self, instance: &Instance, within: Option<u32>) -> Core {
-        let facts = self.groups.iter().map(|group| group.fact(instance, within));
+        let facts = self.groups.iter().map(|group| Fact {
+            helps: self.helps.get(group).copied().unwrap_or_default(),
+            ..group.fact(instance, within)
+        });
+        let further = self.further.iter();
         Core {
             facts: facts.collect(),
             minimal: self.minimal,
             complete: self.reach.is_complete(),
             within: self.reach.within(),
+            further: further.map(|core| core.core(instance, within)).collect(),
         }
+    }
+
+    /// The facts of this set, then those of the further ones.
+    pub(crate) fn sets(&self) -> impl Iterator<Item = &[Group]> {
+        let further = self.further.iter().map(|core| core.groups.as_slice());
+        std::iter::once(self.groups.as_slice()).chain(further)
     }
 }
 
-/// Facts that exclude a plan, where the instance as it is has none (up to a
-/// horizon). The agents `asked` about are never left out.
+/// Facts that exclude a plan, where the instance has none without the facts that
+/// are `left_out` (up to a horizon). The agents `asked` about are never left out.
 pub(crate) fn group_mus(
     instance: &Instance,
     asked: &[usize],
     deadline: Option<u32>,
+    left_out: &BTreeSet<Group>,
     refuted: Tried,
     inquiry: &mut dyn Inquiry,
 ) -> Option<CoreFound> {
     let Tried::None { reach, clash } = refuted else {
         return None;
     };
-    let mut shrinking = Shrinking {
+    let refuted = Refuted {
         instance,
+        asked,
         deadline,
-        inquiry,
-        left_out: BTreeSet::new(),
-        kept: BTreeSet::new(),
-        plans: Vec::new(),
         reach,
     };
-    let all = groups(instance, asked, deadline.is_some());
-    shrinking.leave_out_strangers(&all, &clash);
-    for kind in [
-        FactKind::Task,
-        FactKind::Waypoint,
-        FactKind::Battery,
-        FactKind::Obstacle,
-        FactKind::Collision,
-        FactKind::Stay,
-        FactKind::Slow,
-        FactKind::Deadline,
-        FactKind::Breakdown,
-    ] {
-        let mut class: Vec<Group> = all.iter().copied().filter(|p| p.kind() == kind).collect();
-        class.retain(|&group| shrinking.matters(group));
-        if kind == FactKind::Obstacle {
-            shrinking.sort_by_distance(&mut class);
-        }
-        shrinking.shrink(&class, false);
-    }
-    let minimal = shrinking.check_minimality();
-    Some(CoreFound {
-        groups: shrinking.kept.iter().copied().collect(),
-        minimal,
-        reach: shrinking.reach,
-    })
+    let mut shrinking = Shrinking::new(&refuted, inquiry);
+    shrinking.left_out.clone_from(left_out);
+    shrinking.leave_out_strangers(&groups(instance, asked, deadline.is_some()), &clash);
+    Some(shrinking.minimal_set(asked))
+}
+
+/// Another set of such facts, with as few of some facts in it as can be.
+pub(crate) fn group_mus_avoiding(
+    refuted: &Refuted,
+    avoided: &[Group],
+    inquiry: &mut dyn Inquiry,
+) -> CoreFound {
+    let mut shrinking = Shrinking::new(refuted, inquiry);
+    shrinking.avoid(avoided);
+    shrinking.minimal_set(refuted.asked)
 }
 
 struct Shrinking<'a> {
@@ -123,7 +129,63 @@ struct Shrinking<'a> {
     reach: Reach,
 }
 
-impl Shrinking<'_> {
+impl<'a> Shrinking<'a> {
+    fn new(refuted: &Refuted<'a>, inquiry: &'a mut dyn Inquiry) -> Self {
+        Self {
+            instance: refuted.instance,
+            deadline: refuted.deadline,
+            inquiry,
+            left_out: BTreeSet::new(),
+            kept: BTreeSet::new(),
+            plans: Vec::new(),
+            reach: refuted.reach,
+        }
+    }
+
+    /// Leaves out all that can be left out, class by class.
+    fn minimal_set(mut self, asked: &[usize]) -> CoreFound {
+        let all = groups(self.instance, asked, self.deadline.is_some());
+        for kind in [
+            FactKind::Task,
+            FactKind::Waypoint,
+            FactKind::Battery,
+            FactKind::Floor,
+            FactKind::Obstacle,
+            FactKind::Collision,
+            FactKind::Stay,
+            FactKind::Slow,
+            FactKind::Deadline,
+            FactKind::Breakdown,
+        ] {
+            let mut class: Vec<Group> = all.iter().copied().filter(|p| p.kind() == kind).collect();
+            class.retain(|&group| self.matters(group));
+            if kind == FactKind::Obstacle {
+                self.sort_by_distance(&mut class);
+            }
+            self.shrink(&class, false);
+        }
+        let minimal = self.check_minimality();
+        CoreFound {
+            groups: self.kept.iter().copied().collect(),
+            minimal,
+            reach: self.reach,
+            helps: BTreeMap::new(),
+            further: Vec::new(),
+        }
+    }
+
+    /// Leaves out as many of some facts as can be; agents only if all of the
+    /// facts can be left out, or once the others were tried.
+    fn avoid(&mut self, facts: &[Group]) {
+        if facts.is_empty() || self.leave_out(facts) {
+            return;
+        }
+        let is_task = |group: &Group| group.kind() == FactKind::Task;
+        let (tasks, others): (Vec<Group>, Vec<Group>) = facts.iter().partition(|g| is_task(g));
+        self.shrink(&others, false);
+        self.shrink(&tasks, false);
+    }
+
     /// Tries to leave out all agents at once but those that clash.
     fn leave_out_strangers(&mut self, all: &[Group], clash: &[String]) {
         if clash.is_empty() {
@@ -143,10 +205,11 @@ impl Shrinking<'_> {
         }
     }
 
-    /// Whether a fact still says anything: it does not where its agent is gone.
+    /// Whether a fact is still to be tried: it says nothing where its agent is gone.
     fn matters(&self, group: Group) -> bool {
         let gone = |&a: &usize| self.left_out.contains(&Group::Task(a));
-        !self.left_out.contains(&group) && !group.agents().iter().any(gone)
+        let tried = self.left_out.contains(&group) || self.kept.contains(&group);
+        !tried && !group.agents().iter().any(gone)
     }
 
     /// Obstacles far from the agents first: they matter least.

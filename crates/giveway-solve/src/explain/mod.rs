@@ -10,7 +10,8 @@
 //! - [`group`], [`edits`]: facts left out, edits made;
 //! - [`reasons`]: the parts that say why, in their order;
 //! - [`contrasted`]: the search for what a question asks for, with facts left out;
-//! - [`group_mus`]: facts that together make it impossible;
+//! - [`group_mus`]: facts that alone make it impossible;
+//! - [`causes`]: which of these help when they are left out, and further sets;
 //! - [`soft`]: plans that break as few rules as can be;
 //! - [`repairs`]: edits that help;
 //! - [`waits`], [`own_way`]: what would happen;
@@ -21,6 +22,7 @@
 
 pub mod answer;
 pub(crate) mod ask;
+pub(crate) mod causes;
 mod closest;
 pub(crate) mod contrasted;
 pub(crate) mod edits;
@@ -45,7 +47,10 @@ pub(crate) mod waits;
 pub(crate) mod words;
 mod world;
 
-pub use answer::{Class, Core, Edit, Excess, Fact, FactKind, Repair, WitnessEntry};
+pub use answer::{Class, Core, Edit, Excess, Fact, FactKind, Helps, Repair, WitnessEntry};
 pub use edits::edited_instance;
 pub use explanation::{ExplainAnswer, ExplainRequest, Part, Verdict};
-pub use words::{edits_in_words, facts_claim, facts_title, verdict_word, witness_title};
+pub use words::{
+    edits_in_words, facts_claim, facts_title, further_title, helps_mark, verdict_word,
+    witness_title,
+};

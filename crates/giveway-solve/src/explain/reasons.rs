@@ -1,20 +1,21 @@
 //! The parts of an answer that say why, in their order, each with limits of its
 //! own: what would happen, what together makes it impossible, what would help.
 
-use std::rc::Rc;
+use std::{collections::BTreeSet, rc::Rc};
 
 use giveway_model::{Cost, Costs, Instance, Plan, sorting};
 
 use super::{
     ExplainAnswer, Part, Verdict, WitnessEntry,
     ask::Found,
+    causes::{Refuted, find_causes},
     contrasted::Contrasted,
     group::Group,
     group_mus::{CoreFound, Tried, group_mus},
     own_plan::{Judged, judge},
     own_way,
     past::Past,
-    repairs::repairs,
+    repairs::{Broken, repairs},
     unsolvable::{self, AnyPlan},
     verdict::Case,
     words,
@@ -28,8 +29,17 @@ const JOINT_STEPS: u64 = 600_000;
 /// What one part may take of the seconds that are left.
 const SHARE: f64 = 0.4;
 
+/// So many times the work of another part may go into repairs: they are a person's next
+/// step, and the least battery that helps takes long searches.
+const REPAIRS: u64 = 6;
+
 /// The budget of one part.
 fn part<'h>(budget: &Budget<'h>) -> Rc<Budget<'h>> {
+    part_of(budget, 1)
+}
+
+/// The budget of a part that may do so many times the work of another.
+fn part_of<'h>(budget: &Budget<'h>, times: u64) -> Rc<Budget<'h>> {
     let limits = Limits {
         seconds: budget.seconds_left().map(|seconds| seconds * SHARE),
         ..Limits::default()
@@ -37,8 +47,8 @@ fn part<'h>(budget: &Budget<'h>) -> Rc<Budget<'h>> {
     Rc::new(
         budget
             .part(limits)
-            .with_derived(DERIVED)
-            .with_work(CLAUSES, JOINT_STEPS),
+            .with_derived(DERIVED * times)
+            .with_work(CLAUSES * times, JOINT_STEPS * times),
     )
 }
 
@@ -64,13 +74,14 @@ pub(crate) fn of_case(case: &Case, answer: &mut ExplainAnswer, budget: &Rc<Budge
     let refuted = matches!(answer.verdict, Verdict::Necessary | Verdict::Costly);
     if refuted {
         let core = core_of_case(case, answer, budget);
-        let facts = core.as_ref().map_or(Vec::new(), |core| core.groups.clone());
-        answer.core =
-            core.map(|core| core.core(case.instance, case.within.map(|time| case.past.time(time))));
+        let deadline = case.within.map(|time| case.past.time(time));
+        answer.core = core.as_ref().map(|core| core.core(case.instance, deadline));
         word(case, &about, answer);
         tell(answer, Part::Core);
-        help_case(case, &facts, answer, budget);
-        word(case, &about, answer);
+        if let Some(core) = &core {
+            help_case(case, core, answer, budget);
+            word(case, &about, answer);
+        }
     } else {
         tell(answer, Part::Core);
     }
@@ -131,35 +142,51 @@ fn contrasted<'a, 'h>(
 }
 
 fn core_of_case(case: &Case, answer: &ExplainAnswer, budget: &Rc<Budget>) -> Option<CoreFound> {
-    let mut contrasted = contrasted(case, answer, budget);
-    let refuted = Tried::None {
-        reach: case.shown?,
+    let reach = case.shown?;
+    let refuted = Refuted {
+        instance: case.instance,
+        asked: &asked(case),
+        deadline: case.within,
+        reach,
+    };
+    let mut inquiry = contrasted(case, answer, budget);
+    let none = Tried::None {
+        reach,
         clash: Vec::new(),
     };
     let core = group_mus(
         case.instance,
-        &asked(case),
+        refuted.asked,
         case.within,
-        refuted,
-        &mut contrasted,
+        &BTreeSet::new(),
+        none,
+        &mut inquiry,
     );
-    budget.absorb(&contrasted.budget);
-    core
+    budget.absorb(&inquiry.budget);
+    let mut core = core?;
+    let mut inquiry = contrasted(case, answer, budget);
+    find_causes(&refuted, &mut core, &mut inquiry);
+    budget.absorb(&inquiry.budget);
+    Some(core)
 }
 
-fn help_case(case: &Case, facts: &[Group], answer: &mut ExplainAnswer, budget: &Rc<Budget>) {
-    let mut contrasted = contrasted(case, answer, budget);
-    let found = repairs(
-        case.instance,
-        case.within,
-        facts,
-        &asked(case),
-        case.objective(),
-        &mut contrasted,
-    );
-    budget.absorb(&contrasted.budget);
-    answer.exhaustive = found.exhaustive && !another_could(case, facts);
-    answer.repairs = found.repairs;
+fn help_case(case: &Case, core: &CoreFound, answer: &mut ExplainAnswer, budget: &Rc<Budget>) {
+    let asked = asked(case);
+    let mut inquiry = Contrasted {
+        budget: part_of(budget, REPAIRS),
+        ..contrasted(case, answer, budget)
+    };
+    let broken = Broken {
+        instance: case.instance,
+        within: case.within,
+        objective: case.objective(),
+        asked: &asked,
+        cores: core.sets().map(<[Group]>::to_vec).collect(),
+    };
+    let found = repairs(&broken, &mut inquiry);
+    budget.absorb(&inquiry.budget);
+    answer.exhaustive = found.exhaustive && !another_could(case, &core.groups);
+    (answer.repairs, answer.further_repairs) = (found.repairs, found.further);
 }
 
 /// Why there is no plan, where `found` says so.
@@ -175,28 +202,49 @@ pub(crate) fn of_no_plan(
     answer.verdict = Verdict::Necessary;
     (answer.complete, answer.within) = told(found.reach);
     tell_no_plan(answer, past, Part::Verdict, tell);
-    let searching = || AnyPlan {
+    let searching = |times| AnyPlan {
         objective: instance.objective(),
         horizon: found.horizon,
-        budget: part(budget),
+        budget: part_of(budget, times),
         past,
     };
-    let mut any_plan = searching();
+    let mut any_plan = searching(1);
     (answer.witness, _) = unsolvable::witness(instance, within, &mut any_plan);
     budget.absorb(&any_plan.budget);
     tell_no_plan(answer, past, Part::Witness, tell);
 
-    let mut any_plan = searching();
-    let core = unsolvable::core(instance, within, found, &mut any_plan);
+    let mut any_plan = searching(1);
+    let mut core = unsolvable::core(instance, within, found, &mut any_plan);
     budget.absorb(&any_plan.budget);
-    let facts = core.as_ref().map_or(Vec::new(), |core| core.groups.clone());
-    answer.core = core.map(|core| core.core(instance, within.map(|time| past.time(time))));
+    if let Some((core, reach)) = core.as_mut().zip(found.reach) {
+        let refuted = Refuted {
+            instance,
+            asked: &[],
+            deadline: within,
+            reach,
+        };
+        let mut any_plan = searching(1);
+        find_causes(&refuted, core, &mut any_plan);
+        budget.absorb(&any_plan.budget);
+    }
+    let deadline = within.map(|time| past.time(time));
+    answer.core = core.as_ref().map(|core| core.core(instance, deadline));
     tell_no_plan(answer, past, Part::Core, tell);
 
-    let mut any_plan = searching();
-    let helps = unsolvable::helps(instance, within, &facts, &mut any_plan);
-    budget.absorb(&any_plan.budget);
-    (answer.repairs, answer.exhaustive) = (helps.repairs, helps.exhaustive);
+    if let Some(core) = &core {
+        let mut any_plan = searching(REPAIRS);
+        let broken = Broken {
+            instance,
+            within,
+            objective: instance.objective(),
+            asked: &[],
+            cores: core.sets().map(<[Group]>::to_vec).collect(),
+        };
+        let found = repairs(&broken, &mut any_plan);
+        budget.absorb(&any_plan.budget);
+        answer.exhaustive = found.exhaustive;
+        (answer.repairs, answer.further_repairs) = (found.repairs, found.further);
+    }
     tell_no_plan(answer, past, Part::Repairs, tell);
 }
 

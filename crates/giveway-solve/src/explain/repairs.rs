@@ -1,14 +1,21 @@
 //! What would help: edits after which there is a plan, each tried.
 //!
-//! A minimal set of facts tells what is worth trying. Where an edit weakens no
-//! fact of the set, the set excludes a plan after the edit as before; so single
-//! edits outside of it cannot help. One fact is an exception: a slow zone that
-//! becomes normal is no mere relaxation (see `group_mus.rs`), so where a set holds
-//! without the slow zones, edits outside of it may still help.
+//! An edit can help only if it weakens a fact of every set of facts that excludes a
+//! plan; so single edits come from the first set. A pair must weaken every set, too: its
+//! first edit comes from the first set, its second from a set that excludes a plan after
+//! the first edit (`pairs`; a tree of hitting sets, Reiter 1987). One fact is an
+//! exception: a slow zone that becomes normal is no mere relaxation (see
+//! `group_mus.rs`), so where a set holds without the slow zones, edits outside of it may
+//! still help.
 
-mod told;
+mod candidate;
+mod least;
+mod order;
+mod pairs;
 
-use giveway_model::{Cell, Costs, Instance, MAX_CAPACITY, Objective, Plan};
+use std::collections::BTreeMap;
+
+use giveway_model::{Costs, Instance, Objective, Plan, sorting::sort_by_key};
 
 use super::{
     answer::{Edit, Repair},
@@ -17,11 +24,8 @@ use super::{
     group_mus::{Inquiry, Tried},
     words,
 };
-use giveway_model::sorting::sort_by_key;
-use told::{at_most, rank};
-
-/// Cells beyond which new chargers and normal cells are not all tried.
-const MOST_CELLS: usize = 64;
+use candidate::{Candidate, candidates};
+use order::{first_of_each_kind, rank};
 
 /// A question that can also be answered by the best plan.
 pub(crate) trait Solver: Inquiry {
@@ -37,71 +41,63 @@ pub(crate) struct Best {
     pub(crate) proved: bool,
 }
 
+/// An instance without a plan, or without one as asked for.
+pub(crate) struct Broken<'a> {
+    pub(crate) instance: &'a Instance,
+    /// The horizon, where a person set one.
+    pub(crate) within: Option<u32>,
+    pub(crate) objective: &'a Objective,
+    /// Agents that are never left out.
+    pub(crate) asked: &'a [usize],
+    /// Sets of facts that exclude a plan, one at least.
+    pub(crate) cores: Vec<Vec<Group>>,
+}
+
 /// What would help.
 pub(crate) struct Repairs {
     pub(crate) repairs: Vec<Repair>,
-    /// Whether every single edit was tried that could help, each with its best
-    /// plan.
+    /// How many more help.
+    pub(crate) further: u32,
+    /// Whether all repairs of one or two edits were tried, each to its end.
     pub(crate) exhaustive: bool,
 }
 
-/// Finds repairs, where these facts exclude a plan. `asked` agents stay.
-pub(crate) fn repairs(
-    instance: &Instance,
-    within: Option<u32>,
-    facts: &[Group],
-    asked: &[usize],
-    objective: &Objective,
-    solver: &mut dyn Solver,
-) -> Repairs {
+/// Finds repairs of one and of two edits.
+pub(crate) fn repairs(broken: &Broken, solver: &mut dyn Solver) -> Repairs {
+    let Some(first) = broken.cores.first() else {
+        return Repairs {
+            repairs: Vec::new(),
+            further: 0,
+            exhaustive: false,
+        };
+    };
     let mut search = RepairSearch {
-        instance,
-        within,
-        objective,
+        broken,
         solver,
-        exhaustive: facts.contains(&Group::Slow) || !has_slow_edge(instance.grid()),
+        exhaustive: first.contains(&Group::Slow) || !has_slow_edge(broken.instance.grid()),
+        tried: BTreeMap::new(),
         found: Vec::new(),
     };
-    let singles = search.candidates(facts, asked);
+    let singles = search.candidates(broken.instance, first);
     for candidate in &singles {
-        search.attempt(&[candidate]);
+        search.try_alone(candidate);
     }
-    if search.found.is_empty() {
-        for (i, first) in singles.iter().enumerate() {
-            for second in &singles[i + 1..] {
-                search.attempt(&[first, second]);
-            }
-        }
-        // The second edit of a pair may be about a fact outside of this set.
-        search.exhaustive = false;
-    }
-    let mut found = search.found;
-    let exhaustive = search.exhaustive;
-    sort_by_key(&mut found, |repair| {
-        let kinds: Vec<u8> = repair.edits.iter().map(rank).collect();
-        let costs = repair.costs.vector(objective);
-        (repair.edits.len(), kinds, costs, repair.edits.clone())
-    });
+    search.try_pairs(&singles);
+    let (exhaustive, found) = (search.exhaustive, search.found);
+    let (repairs, further) = first_of_each_kind(found, broken.objective);
     Repairs {
-        repairs: at_most(found),
+        repairs,
+        further,
         exhaustive,
     }
 }
 
-/// An edit to try; a battery or a deadline as large as is needed.
-#[derive(Clone, Debug)]
-enum Candidate {
-    Edit(Edit),
-    Battery(usize),
-    Deadline,
-}
-
 struct RepairSearch<'a> {
-    instance: &'a Instance,
-    within: Option<u32>,
-    objective: &'a Objective,
+    broken: &'a Broken<'a>,
     solver: &'a mut dyn Solver,
     exhaustive: bool,
+    /// Whether single edits help, where they were tried; `None` is not known.
+    tried: BTreeMap<Candidate, Option<bool>>,
     found: Vec<Repair>,
 }
 
@@ -130,7 +126,7 @@ impl RepairSearch<'_> {
                 | Group::Collision(..)
                 | Group::Stay(_)
                 | Group::Slow
-                | Group::Breakdown(..) => {}
+                | Group::Floor => {}
             }
         }
         if any(|fact| matches!(fact, Group::Battery(_))) {
@@ -154,121 +150,85 @@ impl RepairSearch<'_> {
         candidates
     }
 
-    fn limited(&mut self, mut cells: Vec<Cell>) -> Vec<Cell> {
-        self.exhaustive &= cells.len() <= MOST_CELLS;
-        cells.truncate(MOST_CELLS);
-        cells
+    /// Whether a single edit helps; where it does, it is kept.
+    fn try_alone(&mut self, candidate: &Candidate) -> Option<bool> {
+        if let Some(&outcome) = self.tried.get(candidate) {
+            return outcome;
+        }
+        let outcome = self.attempt(&[candidate]);
+        self.tried.insert(candidate.clone(), outcome);
+        outcome
     }
 
-    /// Tries edits together; keeps them if they help.
-    fn attempt(&mut self, candidates: &[&Candidate]) {
-        let mut edits = Vec::new();
-        for candidate in candidates {
-            match candidate {
-                Candidate::Edit(edit) => edits.push(edit.clone()),
-                // With the largest battery first, and no deadline.
-                Candidate::Battery(agent) => edits.extend(self.battery(*agent, MAX_CAPACITY)),
-                Candidate::Deadline => {}
-            }
+    /// Tries edits together, each as far-reaching as it can be; keeps the least that
+    /// help. `None` where it is not known whether they help.
+    fn attempt(&mut self, candidates: &[&Candidate]) -> Option<bool> {
+        let instance = self.broken.instance;
+        let strongest = |candidate: &&Candidate| candidate.strongest(instance);
+        let mut edits: Vec<Option<Edit>> = candidates.iter().map(strongest).collect();
+        let has_deadline = candidates.iter().any(|c| matches!(c, Candidate::Deadline));
+        let within = self.broken.within.filter(|_| !has_deadline);
+        let outcome = self.helps(&flat(&edits), within);
+        if outcome != Some(true) {
+            return outcome;
         }
-        let no_deadline = candidates.iter().any(|c| matches!(c, Candidate::Deadline));
-        let within = self.within.filter(|_| !no_deadline);
-        if !self.helps(&edits, within) {
-            return;
+        let mut is_least = true;
+        for (index, candidate) in candidates.iter().enumerate() {
+            is_least &= self.lessen(candidate, index, &mut edits, within);
         }
-        if let [Candidate::Battery(agent)] = candidates {
-            edits = self.least_battery(*agent);
-        }
-        let Some(mut best) = self.solver.best(&edited(self.instance, &edits, within)) else {
+        let mut edits = flat(&edits);
+        let Some(mut best) = self.solver.best(&edited(instance, &edits, within)) else {
             self.exhaustive = false;
-            return;
+            return outcome;
         };
-        if no_deadline && let Some(within) = self.within {
-            let within = self.least_deadline(&edits, within, best.costs.makespan);
-            edits.push(Edit::Deadline { within });
-            let variant = edited(self.instance, &edits, self.within);
-            let Some(sooner) = self.solver.best(&variant) else {
+        if has_deadline && let Some(within) = self.broken.within {
+            let (least, shown) = self.least_deadline(&edits, within, best.costs.makespan);
+            is_least &= shown;
+            edits.push(Edit::Deadline { within: least });
+            let Some(sooner) = self.solver.best(&edited(instance, &edits, Some(within))) else {
                 self.exhaustive = false;
-                return;
+                return outcome;
             };
             // The least deadline is told; with a later one it may cost less.
-            let [now, later] = [&sooner, &best].map(|best| best.costs.vector(self.objective));
+            let [now, later] = [&sooner, &best].map(|best| self.vector(&best.costs));
             self.exhaustive &= now <= later;
             best = sooner;
         }
-        let Best {
-            plan,
-            costs,
-            proved,
-        } = best;
-        self.exhaustive &= proved;
+        self.exhaustive &= best.proved && is_least;
         sort_by_key(&mut edits, rank);
         self.found.push(Repair {
-            text: words::repair(&edits, &costs),
+            text: words::repair(&edits, is_least, &best.costs),
             edits,
-            costs,
-            plan,
+            least: is_least,
+            costs: best.costs,
+            plan: best.plan,
         });
+        outcome
     }
 
-    /// The least deadline that helps with some edits, between one that does not
-    /// and one that does.
-    fn least_deadline(&mut self, edits: &[Edit], mut less: u32, mut enough: u32) -> u32 {
-        while enough.saturating_sub(less) > 1 {
-            let middle = less + (enough - less) / 2;
-            if self.helps(edits, Some(middle)) {
-                enough = middle;
-            } else {
-                less = middle;
-            }
+    fn vector(&self, costs: &Costs) -> Vec<u32> {
+        costs.vector(self.broken.objective)
+    }
+
+    /// Whether there is a plan after some edits; `None` where that is not known.
+    fn helps(&mut self, edits: &[Edit], within: Option<u32>) -> Option<bool> {
+        let variant = edited(self.broken.instance, edits, within);
+        let mut tried = self.solver.search(&variant);
+        if matches!(tried, Tried::Unknown) {
+            tried = self.solver.search_longer(&variant);
         }
-        enough
-    }
-
-    fn helps(&mut self, edits: &[Edit], within: Option<u32>) -> bool {
-        match self.solver.search(&edited(self.instance, edits, within)) {
-            Tried::Plan(_) => true,
-            Tried::None { .. } => false,
+        match tried {
+            Tried::Plan(_) => Some(true),
+            Tried::None { .. } => Some(false),
             Tried::Unknown => {
                 self.exhaustive = false;
-                false
+                None
             }
         }
     }
+}
 
-    /// A battery that is larger and fuller by some steps.
-    fn battery(&self, agent: usize, by: u32) -> Option<Edit> {
-        let agent = self.instance.agents().get(agent)?;
-        let battery = agent.battery?;
-        let by = by.min(MAX_CAPACITY - battery.capacity);
-        Some(Edit::Battery {
-            agent: agent.name.clone(),
-            capacity: battery.capacity + by,
-            initial: battery.initial + by,
-        })
-    }
-
-    /// The least larger battery that helps, where the largest does.
-    fn least_battery(&mut self, agent: usize) -> Vec<Edit> {
-        // Twice as much each time, then halving: batteries that help are small.
-        let (mut less, mut enough) = (0, 1);
-        while enough < MAX_CAPACITY {
-            let edits: Vec<Edit> = self.battery(agent, enough).into_iter().collect();
-            if self.helps(&edits, self.within) {
-                break;
-            }
-            less = enough;
-            enough *= 2;
-        }
-        while enough - less > 1 {
-            let middle = less + (enough - less) / 2;
-            let edits: Vec<Edit> = self.battery(agent, middle).into_iter().collect();
-            if self.helps(&edits, self.within) {
-                enough = middle;
-            } else {
-                less = middle;
-            }
-        }
-        self.battery(agent, enough).into_iter().collect()
-    }
+/// The edits that are there: a deadline that is given up is none.
+fn flat(edits: &[Option<Edit>]) -> Vec<Edit> {
+    edits.iter().flatten().cloned().collect()
 }

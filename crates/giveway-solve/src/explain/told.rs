@@ -25,6 +25,9 @@ impl Past {
         answer.within = answer.within.map(|within| self.time(within));
         if let Some(core) = &mut answer.core {
             core.within = core.within.map(|within| self.time(within));
+            for further in &mut core.further {
+                further.within = further.within.map(|within| self.time(within));
+            }
         }
         answer.repairs = self.told_repairs(&answer.repairs);
         if let Some(plan) = answer.alternative.take() {
@@ -69,8 +72,9 @@ impl Past {
             }
             let costs = self.costs_of_repair(repair);
             Repair {
-                text: words::repair(&edits, &costs),
+                text: words::repair(&edits, repair.least, &costs),
                 edits,
+                least: repair.least,
                 costs,
                 plan: course.whole(&repair.plan),
             }
@@ -92,6 +96,7 @@ fn without_other(mut answer: ExplainAnswer) -> ExplainAnswer {
     answer.witness.clear();
     answer.core = None;
     answer.repairs.clear();
+    answer.further_repairs = 0;
     answer.exhaustive = false;
     tr!("The plan that was found does not fit what happened before, so nothing is claimed.")
         .clone_into(&mut answer.words);

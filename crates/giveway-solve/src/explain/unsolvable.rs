@@ -15,7 +15,7 @@ use super::{
     group::{Group, Variant, groups, without},
     group_mus::{CoreFound, Inquiry, Tried, group_mus},
     past::Past,
-    repairs::{Best, Repairs, Solver, repairs},
+    repairs::{Best, Solver},
     soft::{self, Broken},
 };
 use crate::{Limits, budget::Budget};
@@ -41,6 +41,12 @@ pub(crate) fn one_search<'h>(budget: &Budget<'h>) -> Rc<Budget<'h>> {
     )
 }
 
+/// The budget of a search that may take all that is left.
+pub(crate) fn long_search<'h>(budget: &Budget<'h>) -> Rc<Budget<'h>> {
+    let clauses = budget.clauses_left();
+    Rc::new(budget.part(Limits::default()).with_clauses(clauses))
+}
+
 /// The search for any plan at all, of variants of one instance.
 pub(crate) struct AnyPlan<'a, 'h> {
     pub(crate) objective: &'a Objective,
@@ -52,8 +58,12 @@ pub(crate) struct AnyPlan<'a, 'h> {
 }
 
 impl AnyPlan<'_, '_> {
-    fn with<T>(&self, variant: &Variant, run: impl Fn(&Ask, &Rc<Budget>) -> T) -> T {
-        let part = one_search(&self.budget);
+    fn with<T>(
+        &self,
+        variant: &Variant,
+        part: Rc<Budget>,
+        run: impl Fn(&Ask, &Rc<Budget>) -> T,
+    ) -> T {
         let ask = Ask {
             instance: &variant.instance,
             relaxed: &variant.relaxed,
@@ -72,7 +82,11 @@ impl AnyPlan<'_, '_> {
 
 impl Inquiry for AnyPlan<'_, '_> {
     fn search(&mut self, variant: &Variant) -> Tried {
-        tried(self.with(variant, any))
+        tried(self.with(variant, one_search(&self.budget), any))
+    }
+
+    fn search_longer(&mut self, variant: &Variant) -> Tried {
+        tried(self.with(variant, long_search(&self.budget), any))
     }
 
     fn accepts(&self, variant: &Variant, plan: &Plan) -> bool {
@@ -88,7 +102,7 @@ impl Inquiry for AnyPlan<'_, '_> {
 
 impl Solver for AnyPlan<'_, '_> {
     fn best(&mut self, variant: &Variant) -> Option<Best> {
-        let found = self.with(variant, best);
+        let found = self.with(variant, one_search(&self.budget), best);
         let (plan, costs) = found.plan.zip(found.costs)?;
         let proved = found.reach.is_some();
         Some(Best {
@@ -118,18 +132,8 @@ pub(crate) fn core(
     found: &Found,
     any_plan: &mut AnyPlan,
 ) -> Option<CoreFound> {
-    group_mus(instance, &[], within, tried(found.clone()), any_plan)
-}
-
-/// What would help.
-pub(crate) fn helps(
-    instance: &Instance,
-    within: Option<u32>,
-    facts: &[Group],
-    any_plan: &mut AnyPlan,
-) -> Repairs {
-    let objective = any_plan.objective;
-    repairs(instance, within, facts, &[], objective, any_plan)
+    let refuted = tried(found.clone());
+    group_mus(instance, &[], within, &BTreeSet::new(), refuted, any_plan)
 }
 
 /// For each class of rules, the plan that breaks the fewest of it and no other.

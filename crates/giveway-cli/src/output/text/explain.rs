@@ -11,7 +11,8 @@ use giveway_model::{
     words::name,
 };
 use giveway_solve::explain::{
-    ExplainAnswer, Verdict, facts_claim, facts_title, verdict_word, witness_title,
+    Core, ExplainAnswer, Verdict, facts_claim, facts_title, further_title, helps_mark,
+    verdict_word, witness_title,
 };
 use giveway_solve::words::reach;
 
@@ -77,18 +78,35 @@ fn whole(
         .collect();
     parts.push(listed(&title, &witness));
     if let Some(core) = &answer.core {
-        let facts: Vec<&str> = core.facts.iter().map(|fact| fact.text.as_str()).collect();
-        let mut facts = listed(facts_title(answer.verdict), &facts);
-        if !facts.is_empty() {
-            let _ = writeln!(facts, "{}", facts_claim(core));
-        }
-        parts.push(facts);
+        parts.push(facts(answer, core, facts_title(answer.verdict)));
+        let title = further_title(answer.verdict);
+        let further = core.further.iter();
+        parts.extend(further.map(|core| facts(answer, core, title)));
     }
-    let repairs: Vec<&str> = answer.repairs.iter().map(|r| r.text.as_str()).collect();
+    let mut repairs: Vec<&str> = answer.repairs.iter().map(|r| r.text.as_str()).collect();
+    let further = format!("{} more would help, too.", answer.further_repairs);
+    repairs.extend((answer.further_repairs > 0).then_some(further.as_str()));
     parts.push(listed("What would help", &repairs));
     parts.push(work(&answer.stats));
     parts.retain(|part| !part.is_empty());
     parts.join("\n")
+}
+
+/// A set of facts, those that help with a mark, and what is claimed of it.
+fn facts(answer: &ExplainAnswer, core: &Core, title: &str) -> String {
+    let marked = core.facts.iter().map(|fact| {
+        let mark = helps_mark(&answer.question, answer.verdict, core, fact);
+        let mark = mark.map_or_else(String::new, |mark| format!(" ({mark})"));
+        format!("{}{mark}", fact.text)
+    });
+    let marked: Vec<String> = marked.collect();
+    let marked: Vec<&str> = marked.iter().map(String::as_str).collect();
+    let mut text = listed(title, &marked);
+    if !text.is_empty() {
+        let claim = facts_claim(&answer.question, answer.verdict, core);
+        let _ = writeln!(text, "{claim}");
+    }
+    text
 }
 
 /// The question and the verdict, with the reach of the claim.

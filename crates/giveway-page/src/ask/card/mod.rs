@@ -4,7 +4,10 @@ mod costs;
 mod parts;
 
 use giveway_model::{Question, tr};
-use giveway_solve::explain::{edits_in_words, facts_claim, facts_title, witness_title};
+use giveway_solve::explain::{
+    Core, ExplainAnswer, edits_in_words, facts_claim, facts_title, further_title, helps_mark,
+    witness_title,
+};
 use giveway_solve::words::reach;
 
 use super::signs::{badge, edit_icon, fact_icon, pending, verdict_words};
@@ -27,8 +30,9 @@ pub fn card(state: &State) -> Option<Card> {
         rows: Vec::new(),
         other: None,
         witness: None,
-        core: None,
+        cores: Vec::new(),
         repairs: Vec::new(),
+        more_repairs: None,
         pending: Vec::new(),
         standing: None,
     };
@@ -54,22 +58,7 @@ pub fn card(state: &State) -> Option<Card> {
     });
     let happenings: Vec<Happening> = happenings.collect();
     card.witness = (!happenings.is_empty()).then(|| (witness_title(asking.question()), happenings));
-    card.core = told.core.as_ref().map(|core| Facts {
-        title: facts_title(told.verdict),
-        claim: facts_claim(core),
-        facts: core
-            .facts
-            .iter()
-            .enumerate()
-            .map(|(index, fact)| FactRow {
-                number: numbers_facts(asking).then_some(index + 1),
-                icon: fact_icon(fact),
-                text: fact.text.clone(),
-                time: fact.time,
-                is_lit: asking.lit == Some(Lit::Fact(index)),
-            })
-            .collect(),
-    });
+    card.cores = facts(asking, told);
     let objective = asking.about.draft.scene().objective.clone();
     let objective = asking.request.objective.as_ref().unwrap_or(&objective);
     let repairs = told.repairs.iter();
@@ -78,16 +67,52 @@ pub fn card(state: &State) -> Option<Card> {
         .map(|repair| Offered {
             icon: repair.edits.first().map_or("check", edit_icon),
             // Its costs stand below it.
-            text: edits_in_words(&repair.edits),
+            text: if repair.least {
+                edits_in_words(&repair.edits)
+            } else {
+                let repair = edits_in_words(&repair.edits);
+                tr!("{repair}. Perhaps less would do.", repair)
+            },
             costs: words::values(objective, &repair.costs),
         })
         .collect();
+    card.more_repairs = (told.further_repairs > 0 && !card.repairs.is_empty()).then(|| {
+        tr!("{n} more would help, too." | "{n} more would help, too." % told.further_repairs)
+    });
     if state.is_looking() {
         card.pending = told.pending.iter().map(|&part| pending(part)).collect();
     } else {
         card.standing = reach(told.complete, told.within);
     }
     Some(card)
+}
+
+/// The sets of facts, the first one first.
+fn facts(asking: &Asking, told: &ExplainAnswer) -> Vec<Facts> {
+    let mut index = 0..;
+    let sets = told.core.iter().flat_map(Core::sets).enumerate();
+    sets.map(|(set, core)| Facts {
+        title: match set {
+            0 => facts_title(told.verdict),
+            _ => further_title(told.verdict),
+        },
+        claim: facts_claim(&told.question, told.verdict, core),
+        facts: core
+            .facts
+            .iter()
+            .zip(index.by_ref())
+            .map(|(fact, index)| FactRow {
+                number: numbers_facts(asking).then_some(index + 1),
+                icon: fact_icon(fact),
+                text: fact.text.clone(),
+                time: fact.time,
+                mark: helps_mark(&told.question, told.verdict, core, fact),
+                index,
+                is_lit: asking.lit == Some(Lit::Fact(index)),
+            })
+            .collect(),
+    })
+    .collect()
 }
 
 /// Whether the answer itself offers the next step: another plan, or a repair.

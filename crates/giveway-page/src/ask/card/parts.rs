@@ -16,9 +16,11 @@ pub struct Card {
     /// What would happen, with its heading.
     pub witness: Option<(String, Vec<Happening>)>,
     /// What together makes it impossible.
-    pub core: Option<Facts>,
+    pub cores: Vec<Facts>,
     /// What would help.
     pub repairs: Vec<Offered>,
+    /// How many more would help, in words.
+    pub more_repairs: Option<String>,
     /// What is still looked for, as quiet lines.
     pub pending: Vec<&'static str>,
     /// What the claim rests on, once the answer is whole.
@@ -60,18 +62,18 @@ pub struct Happening {
     pub is_lit: bool,
 }
 
-/// The minimal set.
+/// A minimal set.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Facts {
     /// The heading.
     pub title: &'static str,
     /// What is claimed of it.
-    pub claim: &'static str,
+    pub claim: String,
     /// The facts.
     pub facts: Vec<FactRow>,
 }
 
-/// A fact of the minimal set.
+/// A fact of a minimal set.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct FactRow {
     /// Its number on the map, from 1; `None` where what would happen has the numbers.
@@ -80,6 +82,10 @@ pub struct FactRow {
     pub icon: &'static str,
     /// What.
     pub text: String,
+    /// That leaving it out alone helps, where its set does not say so of all its facts.
+    pub mark: Option<&'static str>,
+    /// Its place among the facts of all sets, by which it lights up.
+    pub index: usize,
     /// When it began, for a breakdown.
     pub time: Option<u32>,
     /// Whether it is lit up.

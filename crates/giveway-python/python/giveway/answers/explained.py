@@ -31,6 +31,9 @@ class Explanation(Record):
     alternative: Plan | None
     closest: bool
     witness: tuple[Violation, ...]
+    #: Facts that alone make it impossible; others may make it so, too. A fact's ``helps`` says
+    #: whether leaving out this one alone gives the whole scene a plan, ``None`` where it is not
+    #: known. Where none helps, ``further`` has the next sets, if any were found.
     core: dict[str, Any] | None
     repairs: tuple[dict[str, Any], ...]
     exhaustive: bool

@@ -184,7 +184,15 @@ fn of_what_excludes_a_contrast_no_fact_can_be_left_out() {
                 reach: compared.reach.unwrap(),
                 clash: Vec::new(),
             };
-            let core = group_mus(&instance, &asked, None, refuted, &mut searching()).unwrap();
+            let core = group_mus(
+                &instance,
+                &asked,
+                None,
+                &BTreeSet::new(),
+                refuted,
+                &mut searching(),
+            )
+            .unwrap();
             let mut left_out: BTreeSet<_> = groups(&instance, &asked, false).into_iter().collect();
             for part in &core.groups {
                 left_out.remove(part);

@@ -4,6 +4,7 @@ mod ask;
 mod contrast;
 mod few_states;
 mod fewest;
+mod further;
 mod own_plan;
 mod repairs;
 mod rest;

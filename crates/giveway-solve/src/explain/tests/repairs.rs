@@ -6,7 +6,7 @@ use crate::{
     explain::{
         group::{Group, Variant},
         group_mus::{Inquiry, Tried},
-        repairs::{Best, Solver, repairs},
+        repairs::{Best, Broken, Solver, repairs},
     },
     tests::instance,
 };
@@ -20,6 +20,10 @@ struct Finds {
 impl Inquiry for Finds {
     fn search(&mut self, _: &Variant) -> Tried {
         Tried::Plan(Plan::default())
+    }
+
+    fn search_longer(&mut self, variant: &Variant) -> Tried {
+        self.search(variant)
     }
 
     fn accepts(&self, _: &Variant, _: &Plan) -> bool {
@@ -41,16 +45,14 @@ impl Solver for Finds {
 fn repairs_whose_plans_may_not_be_the_best_are_not_all_that_is_to_say() {
     let instance = instance("a # A");
     for proves in [true, false] {
-        let facts = [Group::Obstacle(Cell::new(1, 0))];
-        let objective = instance.objective();
-        let found = repairs(
-            &instance,
-            None,
-            &facts,
-            &[],
-            objective,
-            &mut Finds { proves },
-        );
+        let broken = Broken {
+            instance: &instance,
+            within: None,
+            objective: instance.objective(),
+            asked: &[],
+            cores: vec![vec![Group::Obstacle(Cell::new(1, 0))]],
+        };
+        let found = repairs(&broken, &mut Finds { proves });
         assert_eq!(found.repairs.len(), 1);
         assert_eq!(found.exhaustive, proves);
     }

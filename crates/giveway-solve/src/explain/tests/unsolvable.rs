@@ -44,7 +44,7 @@ fn find(instance: &Instance, within: Option<u32>) -> Found {
 }
 
 /// The whole answer, as the service gives it.
-fn why(instance: &Instance, within: Option<u32>) -> ExplainAnswer {
+pub(super) fn why(instance: &Instance, within: Option<u32>) -> ExplainAnswer {
     let request = Request::Explain(ExplainRequest {
         scene: instance.to_scene(),
         plan: None,
@@ -105,8 +105,8 @@ fn scenario_6_is_answered_as_published() {
         texts,
         [
             "Remove the obstacle at (1, 0): makespan 6, sum of costs 8.",
-            "Remove the obstacle at (1, 1): makespan 6, sum of costs 10.",
             "Leave a out: makespan 6, sum of costs 6.",
+            "Remove the obstacle at (1, 1): makespan 6, sum of costs 10.",
             "Leave b out: makespan 6, sum of costs 6.",
         ]
     );
@@ -140,7 +140,7 @@ fn every_repair_has_a_plan_that_the_judge_passes() {
     }
     let larger = Edit::Battery {
         agent: "a".to_owned(),
-        capacity: 5,
+        capacity: 4,
         initial: 4,
     };
     assert!(

@@ -191,11 +191,13 @@ fn what_a_set_excludes_and_what_helps_is_told_at_the_end() {
         minimal: true,
         complete: true,
         within: None,
+        further: Vec::new(),
     };
     let repair = Repair {
         edits: vec![Edit::RemoveObstacle {
             cell: giveway_model::Cell::new(2, 0),
         }],
+        least: true,
         costs: giveway_model::Costs {
             makespan: 3,
             sum_of_costs: 6,

@@ -45,6 +45,10 @@ pub(crate) fn fact(group: Group, instance: &Instance, within: Option<u32>) -> St
             let within = within.unwrap_or_default();
             tr!("every robot must arrive by time {within}", within)
         }
+        Group::Floor => {
+            let floor = instance.rules().battery_floor;
+            tr!("no battery may fall below {floor}", floor)
+        }
         Group::Breakdown(..) => group
             .breakdown(instance)
             .map_or_else(String::new, broken_down),

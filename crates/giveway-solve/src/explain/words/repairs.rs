@@ -5,9 +5,14 @@ use giveway_model::{Costs, tr};
 
 use crate::explain::answer::Edit;
 
-/// A repair with what it leads to.
-pub(crate) fn repair(edits: &[Edit], costs: &Costs) -> String {
-    led_to(&edits_in_words(edits), costs) + "."
+/// A repair with what it leads to, and whether less is proved not to help.
+pub(crate) fn repair(edits: &[Edit], is_least: bool, costs: &Costs) -> String {
+    let repair = led_to(&edits_in_words(edits), costs);
+    if is_least {
+        repair + "."
+    } else {
+        tr!("{repair}. Perhaps less would do.", repair)
+    }
 }
 
 /// Edits with what they lead to: `remove the obstacle at (3, 1): makespan 4, sum of costs 7`.
@@ -53,6 +58,7 @@ fn one(edit: &Edit) -> String {
             capacity,
             initial
         ),
+        Edit::BatteryFloor { floor } => tr!("lower the battery floor to {floor}", floor),
         Edit::Deadline { within } => tr!("give all robots until time {within}", within),
         Edit::MakeNormal { cell } => tr!("take {cell} out of the slow zone", cell),
         Edit::DropWaypoint { agent, cell } => tr!("let {agent} skip {cell}", agent, cell),

@@ -1,10 +1,11 @@
 //! Why there is no plan.
 
-use giveway_model::tr;
 use giveway_model::words::and;
+use giveway_model::{Question, tr};
 
-use super::{verdict::help, violations::would};
+use super::{joined::because, verdict::help, violations::would};
 use crate::explain::{
+    Verdict,
     answer::{Class, Core, Repair, WitnessEntry},
     unsolvable::of_class,
 };
@@ -21,13 +22,7 @@ pub(crate) fn unsolvable(
         |n| tr!("a plan" => " with a makespan of at most {n}", n),
     );
     let mut sentences = vec![tr!("There is no plan{within}.", within)];
-    if let Some(core) = core.filter(|core| !core.facts.is_empty()) {
-        let texts: Vec<&str> = core.facts.iter().map(|fact| fact.text.as_str()).collect();
-        sentences.push(tr!(
-            "These facts together rule it out: {facts}.",
-            facts = texts.join("; ")
-        ));
-    }
+    sentences.extend(because(core, &Question::Unsolvable, Verdict::Necessary));
     for class in [
         Class::Collision,
         Class::Obstacle,

@@ -6,10 +6,11 @@ use super::{
     contrast::contrast,
     costs::instead as in_costs,
     differences::instead,
+    joined::because,
     repairs::{led_to, phrase},
     violations::would,
 };
-use crate::explain::{Core, Repair, Verdict, WitnessEntry, past::Past};
+use crate::explain::{Core, Edit, Repair, Verdict, WitnessEntry, past::Past};
 
 /// All that is known, as far as it is known.
 pub(crate) struct Telling<'a> {
@@ -88,7 +89,7 @@ pub(crate) fn verdict(telling: &Telling) -> String {
         }
     });
     if matches!(telling.verdict, Verdict::Necessary | Verdict::Costly) {
-        sentences.extend(telling.core.and_then(|core| because(core, telling.verdict)));
+        sentences.extend(because(telling.core, telling.question, telling.verdict));
     }
     sentences.extend(help(telling.repairs));
     sentences.join(" ")
@@ -135,22 +136,22 @@ fn costly(telling: &Telling, does: &str, now: &Costs, before: &Costs) -> String 
     )
 }
 
-/// What a set of facts excludes.
-fn because(core: &Core, verdict: Verdict) -> Option<String> {
-    let texts: Vec<&str> = core.facts.iter().map(|fact| fact.text.as_str()).collect();
-    let facts = texts.join("; ");
-    (!texts.is_empty()).then(|| match verdict {
-        Verdict::Costly => tr!(
-            "These facts together rule a cheaper one out: {facts}.",
-            facts
-        ),
-        _ => tr!("These facts together rule it out: {facts}.", facts),
-    })
-}
-
-/// The first repair.
+/// The first repair; where it leaves robots out, beside the first that does not.
 pub(crate) fn help(repairs: &[Repair]) -> Option<String> {
     let first = repairs.first()?;
+    let leaves_out = |repair: &&Repair| {
+        let mut edits = repair.edits.iter();
+        edits.any(|edit| matches!(edit, Edit::LeaveOut { .. }))
+    };
+    if leaves_out(&first)
+        && let Some(other) = repairs.iter().find(|repair| !leaves_out(repair))
+    {
+        return Some(tr!(
+            "It would help to {other}, or to {do_so}.",
+            other = phrase(&other.edits),
+            do_so = phrase(&first.edits)
+        ));
+    }
     Some(tr!(
         "It would help to {do_so}.",
         do_so = led_to(&phrase(&first.edits), &first.costs)

@@ -1,0 +1,98 @@
+//! What the facts of a minimal set mean for the whole instance: which of them help
+//! when they alone are left out, and further sets where none does.
+//!
+//! A minimal set says nothing of the facts outside of it: an instance can have two
+//! walls between a robot and its goal, and each wall alone makes a plan impossible.
+//! So each fact of the set is left out of the whole instance, once. Where that never
+//! helps, there is another set without one of these facts. It is looked for with as
+//! many facts of the sets before it left out as can be.
+
+use std::collections::{BTreeMap, BTreeSet};
+
+use giveway_model::Instance;
+
+use super::{
+    answer::{FactKind, Helps},
+    group::{Group, without},
+    group_mus::{CoreFound, Inquiry, Tried, group_mus_avoiding},
+};
+use crate::search::Reach;
+
+/// Further sets that are looked for.
+const MOST_FURTHER: usize = 2;
+
+/// An instance that has no plan as asked for.
+pub(crate) struct Refuted<'a> {
+    pub(crate) instance: &'a Instance,
+    /// The agents that are never left out.
+    pub(crate) asked: &'a [usize],
+    /// The horizon, where a person set one.
+    pub(crate) deadline: Option<u32>,
+    /// How far it is proved that there is no plan.
+    pub(crate) reach: Reach,
+}
+
+/// Marks the facts of a minimal set that help, and adds further sets where none
+/// does. Robots that are left out as a whole do not count: that nearly always
+/// helps, and repairs nothing.
+pub(crate) fn find_causes(refuted: &Refuted, core: &mut CoreFound, inquiry: &mut dyn Inquiry) {
+    let mut trials = Trials {
+        refuted,
+        known: BTreeMap::new(),
+    };
+    trials.mark(core, inquiry);
+    let mut counted: Vec<Group> = core.groups.clone();
+    counted.retain(|group| group.kind() != FactKind::Task);
+    if counted.is_empty() {
+        counted.clone_from(&core.groups);
+    }
+    let helps = |group| core.helps.get(group) == Some(&Helps::Yes);
+    if core.groups.is_empty() || counted.iter().any(helps) {
+        return;
+    }
+    while core.further.len() < MOST_FURTHER {
+        let earlier: BTreeSet<Group> = core.sets().flatten().copied().collect();
+        let earlier: Vec<Group> = earlier.into_iter().collect();
+        let mut next = group_mus_avoiding(refuted, &earlier, inquiry);
+        let is_new = |set: &[Group]| set.iter().any(|group| !next.groups.contains(group));
+        let shares = |group: &Group| group.kind() != FactKind::Task && earlier.contains(group);
+        // A first further set may share facts where none can be without them; later ones
+        // would only mix the facts of those before them.
+        let is_mixed = !core.further.is_empty() && next.groups.iter().any(shares);
+        if is_mixed || !core.sets().all(is_new) {
+            return;
+        }
+        trials.mark(&mut next, inquiry);
+        core.further.push(next);
+    }
+}
+
+/// Facts that were left out of the whole instance, each alone.
+struct Trials<'a> {
+    refuted: &'a Refuted<'a>,
+    known: BTreeMap<Group, Helps>,
+}
+
+impl Trials<'_> {
+    fn mark(&mut self, core: &mut CoreFound, inquiry: &mut dyn Inquiry) {
+        for &group in &core.groups {
+            let trial = || leave_out(self.refuted, group, inquiry);
+            let helps = *self.known.entry(group).or_insert_with(trial);
+            core.helps.insert(group, helps);
+        }
+    }
+}
+
+/// Whether the whole instance without one fact has a plan.
+fn leave_out(refuted: &Refuted, group: Group, inquiry: &mut dyn Inquiry) -> Helps {
+    let left_out = BTreeSet::from([group]);
+    let variant = without(refuted.instance, &left_out, refuted.deadline);
+    match inquiry.search(&variant) {
+        Tried::Plan(_) => Helps::Yes,
+        // A deadline that a person set is a rule of the question itself.
+        Tried::None { reach, .. } if variant.within.is_some() || reach.covers(refuted.reach) => {
+            Helps::No
+        }
+        Tried::None { .. } | Tried::Unknown => Helps::Unknown,
+    }
+}

@@ -1,0 +1,139 @@
+//! The facts of a set in one sentence: many of one kind are joined.
+
+use giveway_model::words::and;
+use giveway_model::{Cell, Question, tr};
+
+use super::heads::{Marks, marks, no_help};
+use crate::explain::{Core, Fact, FactKind, Helps, Verdict};
+
+/// So many facts of a kind are told one by one.
+const ONE_BY_ONE: usize = 3;
+/// So many names or cells of a list are told; of a longer one fewer, and the rest is
+/// counted.
+const IN_LIST: usize = 4;
+
+/// What the sets of facts exclude, a sentence each.
+pub(super) fn because(core: Option<&Core>, question: &Question, verdict: Verdict) -> Vec<String> {
+    let Some(core) = core.filter(|core| !core.facts.is_empty()) else {
+        return Vec::new();
+    };
+    let all_help = core.facts.iter().all(|fact| fact.helps == Helps::Yes);
+    let facts = clauses(core, (!all_help).then(|| marks(question, verdict)));
+    let first = match verdict {
+        Verdict::Costly => tr!(
+            "These facts together rule a cheaper one out: {facts}.",
+            facts
+        ),
+        _ => tr!("These facts together rule it out: {facts}.", facts),
+    };
+    let mut sentences = vec![first];
+    sentences.extend(no_help(core).map(str::to_owned));
+    let further = core.further.iter().map(|core| {
+        let facts = clauses(core, None);
+        match verdict {
+            Verdict::Costly => tr!("These facts rule a cheaper one out, too: {facts}.", facts),
+            _ => tr!("These facts rule it out, too: {facts}.", facts),
+        }
+    });
+    sentences.extend(further);
+    sentences
+}
+
+/// The facts of a set as clauses, with marks at those that help.
+fn clauses(core: &Core, marks: Option<Marks>) -> String {
+    let alike = |a: &Fact, b: &Fact| {
+        let same_agent = a.kind != FactKind::Waypoint || a.agents == b.agents;
+        a.kind == b.kind && same_agent && (marks.is_none() || a.helps == b.helps)
+    };
+    let mut groups: Vec<Vec<&Fact>> = Vec::new();
+    for fact in &core.facts {
+        match groups.iter_mut().find(|group| alike(group[0], fact)) {
+            Some(group) => group.push(fact),
+            None => groups.push(vec![fact]),
+        }
+    }
+    let mut clauses = Vec::new();
+    for group in groups {
+        let mark = |one: bool| {
+            let helps = group[0].helps == Helps::Yes;
+            let marks = marks.as_ref().filter(|_| helps)?;
+            Some(if one { marks.one } else { marks.any_of_these })
+        };
+        if group.len() <= ONE_BY_ONE {
+            let marked = |fact: &&Fact| with_mark(&fact.text, mark(true));
+            clauses.extend(group.iter().map(marked));
+        } else {
+            clauses.push(with_mark(&together(&group), mark(false)));
+        }
+    }
+    clauses.join("; ")
+}
+
+fn with_mark(clause: &str, mark: Option<&str>) -> String {
+    mark.map_or_else(|| clause.to_owned(), |mark| format!("{clause} ({mark})"))
+}
+
+/// Facts of one kind as one clause.
+fn together(facts: &[&Fact]) -> String {
+    let names: Vec<String> = facts.iter().map(|fact| and(&fact.agents)).collect();
+    let list = || few(&names);
+    let cells = || {
+        let cells: Vec<Cell> = facts.iter().filter_map(|fact| fact.cell).collect();
+        in_runs(&cells)
+    };
+    match facts[0].kind {
+        FactKind::Task => tr!("{robots} must reach their goals", robots = list()),
+        FactKind::Waypoint => tr!("{name} must visit {cell}", name = names[0], cell = cells()),
+        FactKind::Battery => tr!("the batteries of {robots} are limited", robots = list()),
+        FactKind::Obstacle => tr!("{cells} are obstacles", cells = cells()),
+        FactKind::Collision => tr!("these pairs must not collide: {pairs}", pairs = list()),
+        FactKind::Stay => tr!("{robots} stay at their goals", robots = list()),
+        // Of these there is one at most.
+        FactKind::Slow | FactKind::Deadline | FactKind::Floor => facts[0].text.clone(),
+        FactKind::Breakdown => tr!("{robots} are broken down", robots = list()),
+    }
+}
+
+/// A list, shortened where it is long.
+fn few(list: &[String]) -> String {
+    if list.len() <= IN_LIST {
+        return and(list);
+    }
+    let (told, rest) = list.split_at(IN_LIST - 1);
+    let (told, more) = (told.join(", "), rest.len());
+    tr!("{told} and {more} more", told, more)
+}
+
+/// Cells, those in a row or a column as `(1, 0) to (9, 0)`.
+fn in_runs(cells: &[Cell]) -> String {
+    let rows = runs(cells, |cell| (cell.y, cell.x));
+    let columns = runs(cells, |cell| (cell.x, cell.y));
+    let runs = if columns.len() < rows.len() {
+        columns
+    } else {
+        rows
+    };
+    if runs.len() <= IN_LIST {
+        let phrase = |run: &Vec<Cell>| match run[..] {
+            [first, .., last] if run.len() > 2 => tr!("cells" => "{first} to {last}", first, last),
+            _ => and(&texts(run)),
+        };
+        return and(&runs.iter().map(phrase).collect::<Vec<_>>());
+    }
+    few(&texts(&runs.concat()))
+}
+
+fn texts(cells: &[Cell]) -> Vec<String> {
+    cells.iter().map(Cell::to_string).collect()
+}
+
+/// Cells in longest runs along a line; `place` is the line and the place on it.
+fn runs(cells: &[Cell], place: impl Fn(&Cell) -> (u32, u32)) -> Vec<Vec<Cell>> {
+    let mut cells = cells.to_vec();
+    giveway_model::sorting::sort_by_key(&mut cells, &place);
+    let follows = |a: &Cell, b: &Cell| {
+        let ((line, at), next) = (place(a), place(b));
+        next == (line, at + 1)
+    };
+    cells.chunk_by(follows).map(<[Cell]>::to_vec).collect()
+}
