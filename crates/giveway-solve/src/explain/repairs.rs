@@ -102,51 +102,9 @@ struct RepairSearch<'a> {
 }
 
 impl RepairSearch<'_> {
-    /// Every edit that weakens one of the facts.
-    fn candidates(&mut self, facts: &[Group], asked: &[usize]) -> Vec<Candidate> {
-        let agents = self.instance.agents();
-        let name = |a: usize| agents.get(a).map_or_else(String::new, |a| a.name.clone());
-        let mut candidates = Vec::new();
-        let any = |test: fn(&Group) -> bool| facts.iter().any(test);
-        for &fact in facts {
-            match fact {
-                Group::Obstacle(cell) => {
-                    candidates.push(Candidate::Edit(Edit::RemoveObstacle { cell }));
-                }
-                Group::Battery(a) => candidates.push(Candidate::Battery(a)),
-                Group::Deadline => candidates.push(Candidate::Deadline),
-                Group::Waypoint(a, cell) => {
-                    let agent = name(a);
-                    candidates.push(Candidate::Edit(Edit::DropWaypoint { agent, cell }));
-                }
-                Group::Task(a) if !asked.contains(&a) => {
-                    candidates.push(Candidate::Edit(Edit::LeaveOut { agent: name(a) }));
-                }
-                Group::Task(_)
-                | Group::Collision(..)
-                | Group::Stay(_)
-                | Group::Slow
-                | Group::Floor => {}
-            }
-        }
-        if any(|fact| matches!(fact, Group::Battery(_))) {
-            let grid = self.instance.grid();
-            let cells = grid.cells();
-            let free = cells.filter(|(_, ground)| ground.is_vertex() && !ground.is_charger());
-            let cells = self.limited(free.map(|(cell, _)| cell).collect());
-            let edits = cells.into_iter().map(|cell| Edit::AddCharger { cell });
-            candidates.extend(edits.map(Candidate::Edit));
-        }
-        if any(|fact| matches!(fact, Group::Slow)) {
-            let cells = self.instance.grid().cells();
-            let slow = cells.filter(|(_, ground)| ground.is_slow());
-            let cells = self.limited(slow.map(|(cell, _)| cell).collect());
-            let edits = cells.into_iter().map(|cell| Edit::MakeNormal { cell });
-            candidates.extend(edits.map(Candidate::Edit));
-        }
-        if any(|fact| matches!(fact, Group::Stay(_))) {
-            candidates.push(Candidate::Edit(Edit::Vanish));
-        }
+    fn candidates(&mut self, instance: &Instance, facts: &[Group]) -> Vec<Candidate> {
+        let (candidates, are_all) = candidates(instance, facts, self.broken.asked);
+        self.exhaustive &= are_all;
         candidates
     }
 
