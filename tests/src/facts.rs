@@ -8,7 +8,7 @@ use giveway_solve::explain::{Fact, FactKind};
 
 use crate::oracle::Leniency;
 
-/// The instance without all facts but these, as a scene and the rules between
+/// The instance without all facts but these, breakdowns apart, as a scene and the rules between
 /// agents that do not count any more. The agent that a question is about is
 /// never left out.
 pub fn only(instance: &Instance, question: &Question, facts: &[Fact]) -> (Scene, Leniency) {

@@ -70,6 +70,29 @@ pub fn changes(instance: &Instance, makespan: u32, seed: u64, number: u64) -> Ve
     whats.into_iter().map(|what| Change { at, what }).collect()
 }
 
+/// One or two breakdowns at one time, short or longer than the plan, some of them
+/// with other changes of that time.
+pub fn breakdowns(instance: &Instance, makespan: u32, seed: u64, number: u64) -> Vec<Change> {
+    let random = &mut numbers(seed ^ 0xb4ea, number);
+    let at = random.random_range(0..=makespan + 1);
+    let mut list = Vec::new();
+    for _ in 0..random.random_range(1..=2) {
+        let Some(agent) = instance.agents().choose(random) else {
+            continue;
+        };
+        let longest = *[3, 6, makespan + 4].choose(random).unwrap_or(&3);
+        let agent = agent.name.clone();
+        let steps = random.random_range(0..=longest);
+        let what = What::DelayAgent { agent, steps };
+        list.push(Change { at, what });
+    }
+    if random.random_bool(0.3) {
+        let others = changes(instance, makespan, seed, number).into_iter();
+        list.extend(others.map(|change| Change { at, ..change }));
+    }
+    list
+}
+
 /// The side of the maps on which agents join.
 pub const SIDE: u32 = 20;
 

@@ -17,10 +17,10 @@ use giveway_model::change::{Change, Changes, What};
 use giveway_model::check::{check, check_changes};
 use giveway_model::{Cost, Costs, Instance, Objective, Plan, Question, Scene, Version};
 use giveway_solve::change::{ChangeRequest, Method};
-use giveway_solve::explain::{ExplainAnswer, ExplainRequest, Verdict};
+use giveway_solve::explain::{ExplainAnswer, ExplainRequest, Fact, FactKind, Verdict};
 use giveway_solve::{Limits, Refusal, Request, Response, SilentHost, SolveRequest, serve};
-use giveway_tests::oracle::{self, Changed, Contrast, Held, Known};
-use giveway_tests::{environment, questions, random, upheaval};
+use giveway_tests::oracle::{self, Changed, Contrast, Held, Known, Leniency};
+use giveway_tests::{environment, facts, questions, random, upheaval};
 
 /// Joint states that the oracle may look at.
 const CAP: usize = 30_000;
@@ -58,9 +58,15 @@ fn course(seed: u64, number: u64) -> Option<Course> {
     };
     let before = solved.plan?;
     let longest = before.paths.values().map(Vec::len).max().unwrap_or(1);
+    // In two of four something breaks down.
+    let changing = if number % 4 < 2 {
+        upheaval::changes
+    } else {
+        upheaval::breakdowns
+    };
     let changes = Changes {
         giveway: Version,
-        changes: upheaval::changes(&instance, longest as u32 - 1, seed, number),
+        changes: changing(&instance, longest as u32 - 1, seed, number),
     };
     // Another order of costs makes a plan that is not the best.
     let objective: Objective = ["makespan,sum-of-costs", "makespan,moves", "makespan,waits"]
@@ -181,12 +187,14 @@ impl Course {
         }
     }
 
-    /// The rest as an instance of its own; `None` where there is an agent that
-    /// no instance can have, or one that was there before and has arrived.
-    fn rest(&self, plan: &Plan) -> Option<(Instance, Plan)> {
+    /// The rest as an instance of its own, and who is broken down for how long;
+    /// `None` where there is an agent that no instance can have, or one that was
+    /// there before and has arrived.
+    fn rest(&self, plan: &Plan) -> Option<(Instance, Plan, Leniency)> {
         let at = self.at as usize;
         let scene = self.instance.to_scene();
         let mut agents = scene.agents.clone();
+        let mut with = Leniency::default();
         for change in &self.changes.changes {
             match &change.what {
                 What::AddAgent { agent } => agents.push(agent.clone()),
@@ -194,9 +202,11 @@ impl Course {
                 What::SetGoal { agent, cell } => {
                     agents.iter_mut().find(|a| a.name == *agent)?.goal = *cell;
                 }
-                What::DelayAgent { .. } | What::AddWaypoint { .. } | What::SetBattery { .. } => {
-                    return None;
+                What::DelayAgent { agent, steps } if *steps > 0 => {
+                    let held = with.held.entry(agent.clone()).or_default();
+                    *held = (*held).max(*steps);
                 }
+                What::AddWaypoint { .. } | What::SetBattery { .. } => return None,
                 _ => {}
             }
         }
@@ -250,7 +260,7 @@ impl Course {
         let instance = Instance::new(scene).ok()?;
         check(&instance, &rest)
             .is_valid()
-            .then_some((instance, rest))
+            .then_some((instance, rest, with))
     }
 }
 
@@ -350,6 +360,7 @@ fn what_a_question_contrasts_the_rest_with() {
     let mut compared = 0;
     let mut kinds: BTreeMap<&str, u64> = BTreeMap::new();
     let mut verdicts: BTreeMap<Verdict, u64> = BTreeMap::new();
+    let mut broken_down: BTreeMap<&str, u64> = BTreeMap::new();
     for number in 0.. {
         if compared >= count {
             break;
@@ -359,7 +370,7 @@ fn what_a_question_contrasts_the_rest_with() {
             continue;
         };
         let Some(plan) = &course.after else { continue };
-        let Some((instance, rest)) = course.rest(plan) else {
+        let Some((instance, rest, with)) = course.rest(plan) else {
             continue;
         };
         let Some(relative) = questions::about(&instance, &rest, seed, number) else {
@@ -385,7 +396,7 @@ fn what_a_question_contrasts_the_rest_with() {
         let objective = instance.objective();
         let costs = giveway_model::check::costs(&instance, &rest).unwrap();
         let before = costs.vector(objective);
-        let (expected, deltas) = match asked.best_with(contrast) {
+        let (expected, deltas) = match asked.best_with_less(contrast, &with) {
             oracle::Verdict::Capped => continue,
             oracle::Verdict::Impossible => (Verdict::Necessary, BTreeMap::new()),
             oracle::Verdict::Best(point) => {
@@ -403,15 +414,112 @@ fn what_a_question_contrasts_the_rest_with() {
         let about = || format!("{question:?} {answer:?} {}", course.told());
         assert_eq!(answer.verdict, expected, "{}", about());
         assert_eq!(answer.deltas, deltas, "{}", about());
+        let most = (expected == Verdict::Costly).then_some(&before);
+        let claim = Claim {
+            course: &course,
+            instance: &instance,
+            contrast,
+            with: &with,
+            most,
+        };
+        claim.check(&answer, &mut broken_down);
+        if !with.held.is_empty() {
+            let asked = question
+                .agent()
+                .is_some_and(|it| with.held.contains_key(it));
+            let key = if asked {
+                "its own breakdown"
+            } else {
+                "a breakdown"
+            };
+            *broken_down.entry(key).or_default() += 1;
+        }
         compared += 1;
         *kinds.entry(question.kind()).or_default() += 1;
         *verdicts.entry(answer.verdict).or_default() += 1;
     }
-    println!("{kinds:?} {verdicts:?}");
+    println!("{kinds:?} {verdicts:?} {broken_down:?}");
     assert!(
         kinds.len() >= 8 && verdicts.len() >= 3,
         "{kinds:?} {verdicts:?}"
     );
+    let seen = |key: &str| broken_down.get(key).copied().unwrap_or(0);
+    for key in ["a breakdown", "its own breakdown", "a breakdown as a fact"] {
+        assert!(seen(key) * 60 >= 2 * count, "{key}: {broken_down:?}");
+    }
+}
+
+/// What a set of facts claims of the rest.
+struct Claim<'a> {
+    course: &'a Course,
+    instance: &'a Instance,
+    contrast: Contrast<'a>,
+    /// Who is broken down.
+    with: &'a Leniency,
+    /// The most that a plan may cost, where only dearer ones exist.
+    most: Option<&'a Vec<u32>>,
+}
+
+impl Claim<'_> {
+    /// Whether there is a plan as asked for with only these facts; `None` where
+    /// the oracle cannot tell.
+    fn has_plan(&self, facts: &[Fact], within: Option<u32>) -> Option<bool> {
+        let question = self.contrast.question;
+        let (scene, mut leniency) = facts::only(self.instance, question, facts);
+        if scene.agents.is_empty() {
+            return None;
+        }
+        let breakdowns = facts.iter().filter(|it| it.kind == FactKind::Breakdown);
+        for name in breakdowns.flat_map(|fact| &fact.agents) {
+            let held = self.with.held.get(name).copied();
+            assert!(held.is_some(), "{name} {}", self.course.told());
+            leniency.held.extend(held.map(|held| (name.clone(), held)));
+        }
+        let asked = oracle::Question {
+            instance: &Instance::new(scene).ok()?,
+            within,
+            cap: CAP,
+        };
+        match asked.best_with_less(self.contrast, &leniency) {
+            oracle::Verdict::Capped => None,
+            oracle::Verdict::Impossible => Some(false),
+            oracle::Verdict::Best(point) => {
+                Some(self.most.is_none_or(|most| point.vector <= *most))
+            }
+        }
+    }
+
+    /// The facts rule a plan out, and where they are minimal, without any one of
+    /// them there is one.
+    fn check(&self, answer: &ExplainAnswer, seen: &mut BTreeMap<&'static str, u64>) {
+        let Some(core) = answer.core.as_ref().filter(|_| !self.with.held.is_empty()) else {
+            return;
+        };
+        let about = || format!("{answer:?} {}", self.course.told());
+        let within = core.within.map(|within| within - self.course.at);
+        let all = self.has_plan(&core.facts, within);
+        assert_ne!(all, Some(true), "{}", about());
+        let needed = core.facts.iter().filter(|_| core.minimal && all.is_some());
+        for fact in needed {
+            let others: Vec<Fact> = core
+                .facts
+                .iter()
+                .filter(|it| *it != fact)
+                .cloned()
+                .collect();
+            assert_ne!(
+                self.has_plan(&others, None),
+                Some(false),
+                "{} {}",
+                fact.text,
+                about()
+            );
+            if fact.kind == FactKind::Breakdown {
+                assert_eq!(fact.time, Some(self.course.at), "{}", about());
+                *seen.entry("a breakdown as a fact").or_default() += 1;
+            }
+        }
+    }
 }
 
 /// A question with all times later.

@@ -42,7 +42,8 @@ impl Joint {
             .map(|agent| {
                 let stays = instance.stays() && !leniency.gone.contains(&agent.name);
                 let asked = contrast.and_then(|c| Asked::of(instance, c, &agent.name, stays));
-                Lone::new(&world, instance, agent, stays, asked)
+                let held = leniency.held.get(&agent.name).copied().unwrap_or(0);
+                Lone::new(&world, instance, agent, stays, asked, held)
             })
             .collect();
         let size = agents

@@ -29,6 +29,8 @@ pub(crate) struct State {
     level: Level,
     /// What it remembers for a question; nothing any more after its arrival.
     pub(crate) memory: Memory,
+    /// The time, as long as the agent is broken down; 0 after its arrival.
+    clock: u32,
 }
 
 /// How full the battery of an agent is.
@@ -60,6 +62,8 @@ pub(super) struct Law<'a> {
     pub(super) stays: bool,
     /// What a question asks of the agent beside its task.
     pub(super) asked: Option<Asked>,
+    /// The time before which the agent begins no move.
+    pub(super) held: u32,
 }
 
 impl Law<'_> {
@@ -70,14 +74,21 @@ impl Law<'_> {
             Some(battery) if battery.initial < self.floor => return Vec::new(),
             Some(battery) => Level::Left(battery.initial),
         };
-        self.on_entering(self.agent.start, 0, level, Memory::default())
+        self.on_entering(self.agent.start, 0, level, Memory::default(), 0)
     }
 
     /// The states possible for an agent that comes to a vertex. When its task is
     /// done there, it may have arrived for good, or may yet go on. There is no
     /// third way, to wait first and to have arrived later: its arrival would be
     /// the beginning of that wait.
-    fn on_entering(&self, cell: Cell, seen: u32, level: Level, memory: Memory) -> Vec<State> {
+    fn on_entering(
+        &self,
+        cell: Cell,
+        seen: u32,
+        level: Level,
+        memory: Memory,
+        clock: u32,
+    ) -> Vec<State> {
         let entered = match &self.asked {
             Some(asked) => asked.enter(memory, cell),
             None => Some(memory),
@@ -96,6 +107,7 @@ impl Law<'_> {
             seen,
             level,
             memory,
+            clock,
         }];
         let all_seen = seen.count_ones() as usize == self.agent.waypoints.len();
         let may = self.asked.as_ref().is_none_or(|a| a.may_arrive(memory));
@@ -105,6 +117,7 @@ impl Law<'_> {
                 seen,
                 level: Level::Unlimited,
                 memory: Memory::default(),
+                clock: 0,
             });
         }
         states
@@ -156,6 +169,7 @@ impl Law<'_> {
     /// case it may charge, where it can.
     fn steps_from_vertex(&self, u: Cell, state: State) -> Vec<Next> {
         let seen = state.seen;
+        let clock = (state.clock + 1).min(self.held);
         let mut found = Vec::new();
         for (level, charged) in self.levels_after(u, state.level) {
             let price = Price {
@@ -168,11 +182,15 @@ impl Law<'_> {
                     state: State {
                         level,
                         memory,
+                        clock,
                         ..state
                     },
                     edge: None,
                     price: Price { waits: 1, ..price },
                 });
+            }
+            if state.clock < self.held {
+                continue;
             }
             for v in self.world.neighbours(u) {
                 let Some(memory) = self.remember(state.memory, u, Some(v), charged) else {
@@ -184,9 +202,10 @@ impl Law<'_> {
                         seen,
                         level,
                         memory,
+                        clock,
                     }]
                 } else {
-                    self.on_entering(v, seen, level, memory)
+                    self.on_entering(v, seen, level, memory, clock)
                 };
                 found.extend(reached.into_iter().map(|state| Next {
                     state,
@@ -221,7 +240,7 @@ impl Law<'_> {
             Some(asked) => asked.later(state.memory),
             None => state.memory,
         };
-        let reached = self.on_entering(v, state.seen, level, memory);
+        let reached = self.on_entering(v, state.seen, level, memory, state.clock);
         let each = reached.into_iter().map(|state| Next {
             state,
             edge: Some((u, v)),

@@ -38,13 +38,15 @@ pub(crate) struct Lone {
 }
 
 impl Lone {
-    /// Explores the states of an agent that stays at its goal, or does not.
+    /// Explores the states of an agent that stays at its goal, or does not, and
+    /// begins no move before a time.
     pub(crate) fn new(
         world: &World,
         instance: &Instance,
         agent: &Agent,
         stays: bool,
         asked: Option<Asked>,
+        held: u32,
     ) -> Self {
         let law = Law {
             world,
@@ -52,6 +54,7 @@ impl Lone {
             floor: instance.rules().battery_floor,
             stays,
             asked,
+            held,
         };
         let (states, steps, first) = explore(&law);
         keep_hopeful(agent, &states, &steps, &first)

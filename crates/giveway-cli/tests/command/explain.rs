@@ -304,3 +304,67 @@ fn changes_need_a_plan_and_have_no_certificate() {
     let run = around().run(&format!("explain scene.json {line}"));
     assert_eq!(run.exit, Some(2), "{}", run.err);
 }
+
+/// A lane of two robots in which R2 breaks down at time 3 for 40 steps.
+fn lane() -> Folder {
+    let folder = Folder::with(&[
+        ("lane.json", include_str!("data/lane.json")),
+        ("lane.plan.json", include_str!("data/lane.plan.json")),
+        ("delay.json", include_str!("data/lane.delay.json")),
+    ]);
+    let line = "change lane.json lane.plan.json delay.json --format json";
+    let adopted = folder.run(line).out;
+    std::fs::write(folder.path("adopted.json"), adopted).unwrap();
+    folder
+}
+
+fn ask_lane(folder: &Folder, question: &str) -> Value {
+    let line = format!(
+        "explain lane.json --plan adopted.json --changes delay.json {question} --format json"
+    );
+    folder.run(&line).json()
+}
+
+#[test]
+fn a_wait_for_a_broken_robot_is_no_past() {
+    let folder = lane();
+    let answer = ask_lane(&folder, "wait R1 --from 4 --to 40");
+    assert_eq!(
+        (&answer["since"], &answer["verdict"]),
+        (&json!(3), &json!("needless"))
+    );
+    let words = answer["words"].as_str().unwrap();
+    assert!(
+        words.contains("R2 is broken down from time 3 to 43"),
+        "{words}"
+    );
+    let path = answer["alternative"]["paths"]["R2"].as_array().unwrap();
+    assert!((3..=43).all(|time| path[time] == json!([8, 1])), "{path:?}");
+}
+
+#[test]
+fn a_breakdown_is_a_fact_with_its_time() {
+    let folder = lane();
+    for question in [
+        "wait R2 --from 3 --to 43",
+        "arrival R1",
+        "makespan",
+        "sum-of-costs",
+    ] {
+        let answer = ask_lane(&folder, question);
+        assert_eq!(
+            (&answer["since"], &answer["verdict"]),
+            (&json!(3), &json!("necessary"))
+        );
+        let facts = answer["core"]["facts"].as_array().unwrap();
+        let fact = facts
+            .iter()
+            .find(|fact| fact["kind"] == "breakdown")
+            .unwrap();
+        assert_eq!(
+            fact,
+            &json!({ "kind": "breakdown", "agents": ["R2"], "cell": null, "time": 3, "until": 43,
+                "text": "R2 is broken down from time 3 to 43" })
+        );
+    }
+}

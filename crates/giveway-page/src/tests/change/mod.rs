@@ -1,6 +1,7 @@
 //! The world changes while the plan of the literature's example runs.
 
 mod adopted;
+mod breakdown;
 mod list;
 mod methods;
 mod stuck;

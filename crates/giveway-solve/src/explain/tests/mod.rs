@@ -1,6 +1,7 @@
 //! Reasons, judged by other means than those that found them.
 
 mod ask;
+mod breakdowns;
 mod contrast;
 mod few_states;
 mod fewest;

@@ -18,13 +18,13 @@ use crate::{
     serve,
 };
 
-struct Course {
-    instance: Instance,
-    plan: Plan,
-    changes: Changes,
+pub(super) struct Course {
+    pub(super) instance: Instance,
+    pub(super) plan: Plan,
+    pub(super) changes: Changes,
 }
 
-fn course(instance: &str, plan: &str, changes: &str) -> Course {
+pub(super) fn course(instance: &str, plan: &str, changes: &str) -> Course {
     let (instance, plan) = read(instance, plan);
     let changes = format!(r#"{{ "giveway": 1, "changes": [{changes}] }}"#);
     let changes = native::read_changes(&changes).unwrap();
@@ -51,7 +51,7 @@ fn around() -> Course {
 }
 
 impl Course {
-    fn request(&self, words: &str) -> ExplainRequest {
+    pub(super) fn request(&self, words: &str) -> ExplainRequest {
         let words: Vec<&str> = words.split_whitespace().collect();
         ExplainRequest {
             scene: self.instance.to_scene(),
@@ -65,23 +65,23 @@ impl Course {
         }
     }
 
-    fn ask(&self, words: &str) -> ExplainAnswer {
+    pub(super) fn ask(&self, words: &str) -> ExplainAnswer {
         explained(self.request(words)).unwrap_or_else(|refused| panic!("{words}: {refused:?}"))
     }
 
-    fn refused(&self, words: &str) -> String {
+    pub(super) fn refused(&self, words: &str) -> String {
         let refusal = explained(self.request(words)).unwrap_err();
         refusal.sentences().join(" ")
     }
 
-    fn costs(&self, plan: &Plan) -> Costs {
+    pub(super) fn costs(&self, plan: &Plan) -> Costs {
         let report = check_changes(&self.instance, &self.changes, plan).unwrap();
         assert_eq!(report.violations, []);
         report.costs.unwrap()
     }
 }
 
-fn explained(request: ExplainRequest) -> Result<ExplainAnswer, Refusal> {
+pub(super) fn explained(request: ExplainRequest) -> Result<ExplainAnswer, Refusal> {
     match serve(&Request::Explain(request), &SilentHost) {
         Response::Explained(answer) => Ok(*answer),
         Response::Refused(refusal) => Err(refusal),
