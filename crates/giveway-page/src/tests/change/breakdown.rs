@@ -32,7 +32,7 @@ fn the_wait_of_a_broken_robot_is_offered_and_answered_by_its_breakdown() {
     assert_eq!((from, to), (Some(1), Some(4)));
     let told = answered(&after(&state, [Action::Ask(AskAction::Ask(question))]));
     let card = crate::ask::card(&told).unwrap();
-    let facts = card.core.unwrap().facts;
+    let facts = &card.cores[0].facts;
     assert_eq!(facts.len(), 1);
     assert_eq!(facts[0].text, "A1 is broken down from time 1 to 4");
     assert_eq!((facts[0].icon, facts[0].time), ("pause", Some(1)));
@@ -55,7 +55,7 @@ fn while_it_is_broken_down_the_plan_can_be_asked_about() {
     }
     let makespan = after(&state, [Action::Ask(AskAction::Ask(Question::Makespan))]);
     let told = answered(&makespan);
-    let core = crate::ask::card(&told).unwrap().core.unwrap();
+    let core = crate::ask::card(&told).unwrap().cores.remove(0);
     let texts: Vec<&str> = core.facts.iter().map(|fact| fact.text.as_str()).collect();
     assert!(
         texts.contains(&"A1 is broken down from time 1 to 4"),
