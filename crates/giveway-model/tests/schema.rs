@@ -306,9 +306,12 @@ fn explain_and_change_results_are_accepted() {
         "verdict": "needless",
         "costs": solved()["costs"], "deltas": { "makespan": 0 }, "within": 40,
         "alternative": null, "witness": [violation], "closest": true, "complete": true,
-        "core": { "facts": [{ "kind": "start", "agents": ["A1"], "cell": [0, 0], "text": ".." }],
+        "core": { "facts": [{ "kind": "obstacle", "agents": [], "cell": [0, 0], "text": "..",
+                               "helps": null }],
                   "minimal": true },
-        "repairs": [], "exhaustive": false, "words": "..",
+        "repairs": [{ "edits": [{ "edit": "vanish" }], "least": true, "costs": solved()["costs"],
+                      "plan": solved()["plan"], "text": ".." }],
+        "further_repairs": 0, "exhaustive": false, "words": "..",
     });
     accepts("explainResult", &explained);
     for (pointer, bad) in [
@@ -319,6 +322,10 @@ fn explain_and_change_results_are_accepted() {
         ("/deltas/makespan", json!("more")),
         ("/closest", Value::Null),
         ("/core/minimal", Value::Null),
+        ("/core/facts/0/helps", json!("yes")),
+        ("/core/facts/0/kind", json!("start")),
+        ("/repairs/0/least", Value::Null),
+        ("/repairs/0/edits/0/edit", json!("fly")),
         ("/extra", json!(1)),
     ] {
         refuses_with("explainResult", &explained, pointer, bad);

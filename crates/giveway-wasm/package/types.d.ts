@@ -332,6 +332,7 @@ export interface Core {
 export type Edit =
   | { edit: "remove-obstacle" | "add-charger" | "make-normal"; cell: Cell }
   | { edit: "battery"; agent: string; capacity: number; initial: number }
+  | { edit: "battery-floor"; floor: number }
   | { edit: "deadline"; within: number }
   | { edit: "drop-waypoint"; agent: string; cell: Cell }
   | { edit: "vanish" }
@@ -340,6 +341,8 @@ export type Edit =
 /** Edits after which there is a plan. */
 export interface Repair {
   edits: Edit[];
+  /** Whether its battery, floor or deadline is proved to be the least change that helps. */
+  least: boolean;
   costs: Record<Cost, number>;
   plan: Plan;
   text: string;
@@ -366,6 +369,8 @@ export interface ExplainAnswer {
   core: Core | null;
   repairs: Repair[];
   /** Whether all repairs were tried. */
+  /** How many more repairs help than are told. */
+  further_repairs: number;
   exhaustive: boolean;
   /** Of `plan` only, as the next three. */
   valid?: boolean;

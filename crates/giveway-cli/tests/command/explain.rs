@@ -91,6 +91,7 @@ fn json_has_the_specified_keys() {
             "costs",
             "deltas",
             "exhaustive",
+            "further_repairs",
             "giveway",
             "question",
             "repairs",
@@ -363,7 +364,7 @@ fn a_breakdown_is_a_fact_with_its_time() {
             .unwrap();
         assert_eq!(
             fact,
-            &json!({ "kind": "breakdown", "agents": ["R2"], "cell": null, "time": 3, "until": 43,
+            &json!({ "kind": "breakdown", "agents": ["R2"], "cell": null, "helps": true, "time": 3, "until": 43,
                 "text": "R2 is broken down from time 3 to 43" })
         );
     }

@@ -89,24 +89,3 @@ impl Gap {
         Self::None
     }
 }
-
-/// `(value - bound) / bound` in percent, one decimal, rounded up: `1.2`.
-pub(crate) fn percent(value: u32, bound: u32) -> String {
-    let (above, bound) = (u64::from(value.saturating_sub(bound)), u64::from(bound));
-    let tenths = (1000 * above).div_ceil(bound.max(1));
-    format!("{}.{}", tenths / 10, tenths % 10)
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn percents_are_rounded_up() {
-        assert_eq!(percent(85, 84), "1.2");
-        assert_eq!(percent(84, 84), "0.0");
-        assert_eq!(percent(10_001, 10_000), "0.1");
-        assert_eq!(percent(200, 100), "100.0");
-        assert_eq!(percent(3, 0), "300.0");
-    }
-}

@@ -2,8 +2,9 @@
 
 use giveway_model::check::{Rule, Violation};
 use giveway_model::{Cost, Costs, tr};
+use giveway_solve::audit::words::percent;
 
-use super::gap::{Gap, Known, percent};
+use super::gap::{Gap, Known};
 use super::{Audit, Dropped};
 use crate::words::name;
 
@@ -146,11 +147,12 @@ fn legal(audit: &Audit, costs: Option<Costs>, known: &Known, is_running: bool) -
             bound,
             is_reached,
         } => {
-            let above = percent(value, bound);
+            let above = percent(value, bound, is_reached)
+                .unwrap_or_else(|| value.saturating_sub(bound).to_string());
             let this = has(cost, value);
             let sentence = if is_reached {
                 tr!(
-                    "{above} % above the best. There is a plan that {best}, and this one {this}.",
+                    "{above} above the best. There is a plan that {best}, and this one {this}.",
                     above,
                     best = has(cost, bound),
                     this
@@ -158,7 +160,7 @@ fn legal(audit: &Audit, costs: Option<Costs>, known: &Known, is_running: bool) -
             } else {
                 let least = has(cost, tr!("at least {bound}", bound));
                 tr!(
-                    "At most {above} % above the best. Every plan {least}, and this one {this}.",
+                    "At most {above} above the best. Every plan {least}, and this one {this}.",
                     above,
                     least,
                     this

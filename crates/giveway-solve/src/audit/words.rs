@@ -7,28 +7,46 @@ use super::{AuditAnswer, AuditStatus};
 use crate::Status;
 use crate::words::Headline;
 
-/// How far a cost is above a bound, in percent with one decimal, rounded up;
-/// `None` where the bound is 0 and the cost is not.
+/// How far a cost is above the best one, in percent with one decimal.
+///
+/// Where a plan reaches the bound, the bound is the best, and the exact value is rounded to
+/// the nearest; it has as many decimals as it takes not to be nothing. Otherwise the best
+/// may be above the bound, and the value is a most: it is rounded up. `None` where the
+/// bound is 0 and the cost is not.
 ///
 /// ```
 /// use giveway_solve::audit::words::percent;
-/// assert_eq!(percent(1001, 1000).as_deref(), Some("0.1 %"));
-/// assert_eq!(percent(1002, 990).as_deref(), Some("1.3 %"));
-/// assert_eq!(percent(5, 5).as_deref(), Some("0.0 %"));
-/// assert_eq!(percent(5, 0), None);
+/// assert_eq!(percent(4, 3, true).as_deref(), Some("33.3 %"));
+/// assert_eq!(percent(4, 3, false).as_deref(), Some("33.4 %"));
+/// assert_eq!(percent(5, 4, false).as_deref(), Some("25.0 %"));
+/// assert_eq!(percent(5, 5, false).as_deref(), Some("0.0 %"));
+/// assert_eq!(percent(10_001, 10_000, true).as_deref(), Some("0.01 %"));
+/// assert_eq!(percent(5, 0, true), None);
 /// ```
-pub fn percent(cost: u32, bound: u32) -> Option<String> {
-    let beyond = u64::from(cost.saturating_sub(bound));
-    let tenths = match (beyond, bound) {
-        (0, _) => 0,
-        (_, 0) => return None,
-        _ => (beyond * 1000).div_ceil(u64::from(bound)),
+pub fn percent(cost: u32, bound: u32, is_reached: bool) -> Option<String> {
+    let (beyond, bound) = (u64::from(cost.saturating_sub(bound)), u64::from(bound));
+    if bound == 0 && beyond > 0 {
+        return None;
+    }
+    let bound = bound.max(1);
+    // (Only what is far below the bound takes more digits, so nothing overflows.)
+    let (mut digits, mut one) = (1, 10);
+    let scaled = loop {
+        let scaled = if is_reached {
+            (200 * one * beyond + bound) / (2 * bound)
+        } else {
+            (100 * one * beyond).div_ceil(bound)
+        };
+        if scaled > 0 || beyond == 0 {
+            break scaled;
+        }
+        (digits, one) = (digits + 1, 10 * one);
     };
     Some(format!(
-        "{}{}{} %",
-        tenths / 10,
+        "{}{}{:0digits$} %",
+        scaled / one,
         tr!("decimal mark" => "."),
-        tenths % 10
+        scaled % one
     ))
 }
 
@@ -66,7 +84,7 @@ fn feasible(answer: &AuditAnswer) -> Headline {
     };
     let (among, called) = (among(answer), name(cost));
     let is_reached = best_known(answer).is_some_and(|best| best.get(cost) == bound);
-    let above = match percent(own, bound) {
+    let above = match percent(own, bound, is_reached) {
         _ if own == bound => {
             let word = tr!("an audit" => "The best {cost}", cost = called);
             return say(

@@ -36,6 +36,8 @@ class Explanation(Record):
     #: known. Where none helps, ``further`` has the next sets, if any were found.
     core: dict[str, Any] | None
     repairs: tuple[dict[str, Any], ...]
+    #: How many more repairs help than are told.
+    further_repairs: int
     exhaustive: bool
     words: str
     stats: Stats
