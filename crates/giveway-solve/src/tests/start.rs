@@ -94,8 +94,9 @@ fn every_plan_told_of_passes_the_judge_and_is_better_than_the_last() {
             .map(|(_, costs)| costs.vector(instance.objective()));
         let vectors: Vec<Vec<u32>> = vectors.collect();
         assert!(vectors.is_sorted_by(|a, b| a > b), "{seed}: {vectors:?}");
-        let last = plans.last().map(|(plan, costs)| (plan, *costs));
-        assert_eq!(last, answer.plan.as_ref().zip(answer.costs), "{seed}");
+        // The answer's plan is a calm one of the same costs.
+        let costs = answer.costs.map(|costs| costs.vector(instance.objective()));
+        assert_eq!(vectors.last(), costs.as_ref(), "{seed}");
         told += plans.len();
     }
     assert!(told > 40, "{told}");
