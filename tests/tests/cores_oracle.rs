@@ -202,7 +202,7 @@ impl Seen {
 
 /// The instance, every other one with a battery floor of 1 to 3.
 fn with_floor(instance: Instance, number: u64) -> Instance {
-    if number % 2 == 0 {
+    if number.is_multiple_of(2) {
         return instance;
     }
     instance.with_battery_floor(1 + (number / 2 % 3) as u32)

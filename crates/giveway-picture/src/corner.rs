@@ -63,8 +63,7 @@ mod tests {
 
     #[test]
     fn the_page_has_the_same_corners() {
-        let path = concat!(env!("CARGO_MANIFEST_DIR"), "/../../static/css/board.css");
-        let css = std::fs::read_to_string(path).unwrap();
+        let css = include_str!("../../../static/css/board.css");
         let [x, y, scale] = FLAG;
         assert!(css.contains(&format!("translate({x}px, {y}px) scale({scale})")));
         let (x, y) = STARS[0];

@@ -11,7 +11,7 @@ use crate::{
 };
 
 /// The calm plan of walks, where the judge passes it; else the plan that was found. A plan
-/// that was handed in stays as it is.
+/// that was handed in stays as it is, and so do all where the request says so.
 ///
 /// Where the costs are proved to be the best, the calm plan has the same ones in the
 /// objective; else they may also be lower.
@@ -22,7 +22,7 @@ pub(crate) fn calmed(
     (plan, costs): (Plan, Costs),
     is_proved: bool,
 ) -> (Plan, Costs) {
-    if start(task).is_some_and(|(start, _)| start.paths == plan.paths) {
+    if task.as_found || start(task).is_some_and(|(start, _)| start.paths == plan.paths) {
         return (plan, costs);
     }
     let walks = calm(problem, walks, &task.objective, |_| true);

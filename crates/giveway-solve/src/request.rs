@@ -96,6 +96,12 @@ pub struct SolveRequest {
     /// Whether to tell how the plan was found and proved; not with `pareto`.
     #[serde(default)]
     pub trace: bool,
+    /// Whether the plan stays as the search found it: among plans of equal cost it is
+    /// otherwise made a calm one. For programs that compare fingerprints of certificates,
+    /// of which the plan is a part; no message and no file has it.
+    #[serde(skip)]
+    #[borsh(skip)]
+    pub as_found: bool,
     /// The budget.
     #[serde(default, deserialize_with = "from_object")]
     pub limits: Limits,

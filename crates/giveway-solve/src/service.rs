@@ -208,6 +208,7 @@ fn task<'a>(request: &SolveRequest, host: &'a dyn Host) -> Result<Task<'a>, Refu
     let objective = request.objective.clone();
     let mut task = Task::new(instance, objective, request.within, request.limits, host);
     task.start.clone_from(&request.start);
+    task.as_found = request.as_found;
     if !request.trace {
         return Ok(task);
     }

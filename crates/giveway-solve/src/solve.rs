@@ -26,6 +26,8 @@ pub(crate) struct Task<'h> {
     pub(crate) within: Option<u32>,
     /// A plan that is known already, as it was handed in.
     pub(crate) start: Option<Plan>,
+    /// Whether the plan stays as the search found it, and is not made calm.
+    pub(crate) as_found: bool,
     pub(crate) budget: Rc<Budget<'h>>,
 }
 
@@ -42,6 +44,7 @@ impl<'h> Task<'h> {
             instance,
             within,
             start: None,
+            as_found: false,
             budget: Rc::new(Budget::new(host, limits)),
         }
     }

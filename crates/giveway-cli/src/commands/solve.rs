@@ -43,6 +43,7 @@ pub(crate) fn run(args: &Solve, common: &Common, clock: Clock) -> Result<Exit, F
         start: None,
         trace: args.trace.is_some(),
         limits: limits(args, clock),
+        as_found: args.proof.is_some(),
     });
     let host = CommandHost::new(clock, common.quiet, objective.clone());
     let response = serve(&request, &host);

@@ -133,7 +133,8 @@ fn marked(open: &mut Open, pick: Pick) -> Pointed {
         *other == mark || situation.is_some_and(|now| is_same_conflict(now, other, &mark))
     };
     if marks.iter().any(is_same) {
-        if is_wrong {
+        // (Where all of them are marked, it is solved, now as before.)
+        if is_wrong || open.is_solved() {
             return Pointed::Did(Did::Marked(marks));
         }
         return Pointed::Nothing(tr!("You have marked this conflict already.").to_owned());

@@ -54,7 +54,7 @@ impl Contrasted<'_, '_> {
         &self,
         variant: &Variant,
         condition: &Counterfactual,
-        part: Rc<Budget>,
+        part: &Rc<Budget>,
         run: impl Fn(&Ask, &Rc<Budget>) -> T,
     ) -> T {
         let ask = Ask {
@@ -67,12 +67,12 @@ impl Contrasted<'_, '_> {
             at_least_within: self.horizon,
             past: self.case.past,
         };
-        let result = run(&ask, &part);
-        self.budget.absorb(&part);
+        let result = run(&ask, part);
+        self.budget.absorb(part);
         result
     }
 
-    fn find(&self, variant: &Variant, condition: &Counterfactual, part: Rc<Budget>) -> Found {
+    fn find(&self, variant: &Variant, condition: &Counterfactual, part: &Rc<Budget>) -> Found {
         match &self.most {
             Some(most) => self.with(variant, condition, part, |ask, budget| {
                 at_most(ask, most.clone(), budget)
@@ -92,7 +92,7 @@ impl Contrasted<'_, '_> {
         }
         drop(nearby);
         for condition in self.conditions(variant) {
-            match tried(self.find(variant, condition, part())) {
+            match tried(self.find(variant, condition, &part())) {
                 Tried::Plan(plan) => return Tried::Plan(plan),
                 Tried::Unknown => unknown = true,
                 Tried::None { reach: own, clash } => {
@@ -175,7 +175,7 @@ impl Solver for Contrasted<'_, '_> {
         let objective = self.case.objective();
         let mut proved = true;
         let plans = self.conditions(variant).filter_map(|condition| {
-            let found = self.with(variant, condition, one_search(&self.budget), best);
+            let found = self.with(variant, condition, &one_search(&self.budget), best);
             proved &= found.reach.is_some();
             found.plan.zip(found.costs)
         });

@@ -260,6 +260,7 @@ fn solved(
         objective: instance.objective().clone(),
         within,
         start: None,
+        as_found: false,
         budget: Rc::clone(budget),
     };
     let solved = solve::solve(&task);

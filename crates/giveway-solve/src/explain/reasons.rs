@@ -186,7 +186,7 @@ fn help_case(case: &Case, core: &CoreFound, answer: &mut ExplainAnswer, budget: 
     let found = repairs(&broken, &mut inquiry);
     budget.absorb(&inquiry.budget);
     answer.exhaustive = found.exhaustive && !another_could(case, &core.groups);
-    (answer.repairs, answer.further_repairs) = (found.repairs, found.further);
+    (answer.repairs, answer.further_repairs) = (found.first, found.further);
 }
 
 /// Why there is no plan, where `found` says so.
@@ -243,7 +243,7 @@ pub(crate) fn of_no_plan(
         let found = repairs(&broken, &mut any_plan);
         budget.absorb(&any_plan.budget);
         answer.exhaustive = found.exhaustive;
-        (answer.repairs, answer.further_repairs) = (found.repairs, found.further);
+        (answer.repairs, answer.further_repairs) = (found.first, found.further);
     }
     tell_no_plan(answer, past, Part::Repairs, tell);
 }

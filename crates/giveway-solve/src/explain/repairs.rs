@@ -55,7 +55,8 @@ pub(crate) struct Broken<'a> {
 
 /// What would help.
 pub(crate) struct Repairs {
-    pub(crate) repairs: Vec<Repair>,
+    /// The first of them, the best of each kind before all others.
+    pub(crate) first: Vec<Repair>,
     /// How many more help.
     pub(crate) further: u32,
     /// Whether all repairs of one or two edits were tried, each to its end.
@@ -66,7 +67,7 @@ pub(crate) struct Repairs {
 pub(crate) fn repairs(broken: &Broken, solver: &mut dyn Solver) -> Repairs {
     let Some(first) = broken.cores.first() else {
         return Repairs {
-            repairs: Vec::new(),
+            first: Vec::new(),
             further: 0,
             exhaustive: false,
         };
@@ -84,9 +85,9 @@ pub(crate) fn repairs(broken: &Broken, solver: &mut dyn Solver) -> Repairs {
     }
     search.try_pairs(&singles);
     let (exhaustive, found) = (search.exhaustive, search.found);
-    let (repairs, further) = first_of_each_kind(found, broken.objective);
+    let (first, further) = first_of_each_kind(found, broken.objective);
     Repairs {
-        repairs,
+        first,
         further,
         exhaustive,
     }

@@ -61,7 +61,7 @@ impl AnyPlan<'_, '_> {
     fn with<T>(
         &self,
         variant: &Variant,
-        part: Rc<Budget>,
+        part: &Rc<Budget>,
         run: impl Fn(&Ask, &Rc<Budget>) -> T,
     ) -> T {
         let ask = Ask {
@@ -74,19 +74,19 @@ impl AnyPlan<'_, '_> {
             at_least_within: self.horizon,
             past: self.past,
         };
-        let result = run(&ask, &part);
-        self.budget.absorb(&part);
+        let result = run(&ask, part);
+        self.budget.absorb(part);
         result
     }
 }
 
 impl Inquiry for AnyPlan<'_, '_> {
     fn search(&mut self, variant: &Variant) -> Tried {
-        tried(self.with(variant, one_search(&self.budget), any))
+        tried(self.with(variant, &one_search(&self.budget), any))
     }
 
     fn search_longer(&mut self, variant: &Variant) -> Tried {
-        tried(self.with(variant, long_search(&self.budget), any))
+        tried(self.with(variant, &long_search(&self.budget), any))
     }
 
     fn accepts(&self, variant: &Variant, plan: &Plan) -> bool {
@@ -102,7 +102,7 @@ impl Inquiry for AnyPlan<'_, '_> {
 
 impl Solver for AnyPlan<'_, '_> {
     fn best(&mut self, variant: &Variant) -> Option<Best> {
-        let found = self.with(variant, one_search(&self.budget), best);
+        let found = self.with(variant, &one_search(&self.budget), best);
         let (plan, costs) = found.plan.zip(found.costs)?;
         let proved = found.reach.is_some();
         Some(Best {

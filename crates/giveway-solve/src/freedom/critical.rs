@@ -170,6 +170,7 @@ impl<'t, 'h> Critical<'t, 'h> {
             objective: self.task.objective.clone(),
             within: self.task.within.or(self.optimum.within()),
             start: None,
+            as_found: false,
             budget: Rc::clone(&budget),
         };
         let solved = solve::solve(&closed);

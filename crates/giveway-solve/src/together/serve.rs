@@ -139,6 +139,7 @@ fn alone(
         objective,
         within: request.within,
         start: None,
+        as_found: false,
         budget: part,
     };
     let task = task.traced(budget.part(Limits::default()));

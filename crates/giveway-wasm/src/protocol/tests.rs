@@ -58,6 +58,7 @@ fn solve_request() -> SolveRequest {
             conflicts: Some(u64::MAX),
             memory_bytes: None,
         },
+        as_found: false,
     }
 }
 

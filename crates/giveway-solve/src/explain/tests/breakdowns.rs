@@ -168,7 +168,7 @@ fn of_two_breakdowns_the_one_that_matters_is_named() {
     request.at = Some(2);
     assert_eq!(explained(request).unwrap().since, Some(1));
     let answer = course.ask("wait b --from 3 --to 5");
-    let [one] = &facts(&answer)[..] else {
+    let [one] = facts(&answer) else {
         panic!("{:?}", answer.core);
     };
     assert_eq!(one.kind, FactKind::Breakdown);

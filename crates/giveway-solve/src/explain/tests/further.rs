@@ -143,7 +143,7 @@ fn the_best_of_each_kind_comes_first_and_the_rest_is_counted() {
     assert!(all.len() == 12 && answer.further_repairs > 0, "{all:?}");
     assert!(matches!(
         all[0][..],
-        [Edit::AddCharger { .. }] | [Edit::Battery { .. }]
+        [Edit::AddCharger { .. } | Edit::Battery { .. }]
     ));
     let single = |test: fn(&Edit) -> bool| {
         all.iter()

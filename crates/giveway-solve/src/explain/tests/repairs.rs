@@ -53,7 +53,7 @@ fn repairs_whose_plans_may_not_be_the_best_are_not_all_that_is_to_say() {
             cores: vec![vec![Group::Obstacle(Cell::new(1, 0))]],
         };
         let found = repairs(&broken, &mut Finds { proves });
-        assert_eq!(found.repairs.len(), 1);
+        assert_eq!(found.first.len(), 1);
         assert_eq!(found.exhaustive, proves);
     }
 }

@@ -18,7 +18,7 @@ pub(super) fn because(core: Option<&Core>, question: &Question, verdict: Verdict
         return Vec::new();
     };
     let all_help = core.facts.iter().all(|fact| fact.helps == Helps::Yes);
-    let facts = clauses(core, (!all_help).then(|| marks(question, verdict)));
+    let facts = clauses(core, (!all_help).then(|| marks(question, verdict)).as_ref());
     let first = match verdict {
         Verdict::Costly => tr!(
             "These facts together rule a cheaper one out: {facts}.",
@@ -40,7 +40,7 @@ pub(super) fn because(core: Option<&Core>, question: &Question, verdict: Verdict
 }
 
 /// The facts of a set as clauses, with marks at those that help.
-fn clauses(core: &Core, marks: Option<Marks>) -> String {
+fn clauses(core: &Core, marks: Option<&Marks>) -> String {
     let alike = |a: &Fact, b: &Fact| {
         let same_agent = a.kind != FactKind::Waypoint || a.agents == b.agents;
         a.kind == b.kind && same_agent && (marks.is_none() || a.helps == b.helps)
@@ -56,7 +56,7 @@ fn clauses(core: &Core, marks: Option<Marks>) -> String {
     for group in groups {
         let mark = |one: bool| {
             let helps = group[0].helps == Helps::Yes;
-            let marks = marks.as_ref().filter(|_| helps)?;
+            let marks = marks.filter(|_| helps)?;
             Some(if one { marks.one } else { marks.any_of_these })
         };
         if group.len() <= ONE_BY_ONE {
