@@ -51,7 +51,7 @@ fn uses(folder: &str, but_for: &[&str], paths: &[&str]) -> Vec<String> {
 const BROWSER: &[&str] = &["web_sys", "js_sys", "wasm_bindgen", "gloo", "yew"];
 
 mod layers {
-    use super::{BROWSER, expect_none, fs, source, uses};
+    use super::{BROWSER, expect_none, fs, source, under, uses};
 
     /// The crates in the order of the workspace, with what each depends on.
     fn crates() -> Vec<(String, Vec<String>)> {
@@ -256,6 +256,34 @@ mod layers {
         // A proof is written into a writer, which is how a solve is stopped.
         let sat = ["crates/giveway-solve/src/sat/"];
         expect_none(&uses("crates/giveway-solve/src", &sat, &["std::io"]));
+    }
+
+    #[test]
+    fn a_clock_only_ends_a_search() {
+        // The budget asks the clock, the checker of proofs has a limit of its own, and
+        // explanations share out the seconds that are left: all of it under a limit of
+        // seconds only.
+        let places = [
+            "crates/giveway-solve/src/budget.rs",
+            "crates/giveway-solve/src/host.rs",
+            "crates/giveway-solve/src/verify.rs",
+            "crates/giveway-solve/src/certify.rs",
+            "crates/giveway-solve/src/certify/export.rs",
+            "crates/giveway-solve/src/explain/reasons.rs",
+        ];
+        let clocks = ["wall_seconds", "seconds_left"];
+        let files = source::rust_files();
+        let mut complaints = Vec::new();
+        for layer in ["crates/giveway-solve/src", "crates/giveway-planners/src"] {
+            for file in under(&files, layer) {
+                let is_place = places.contains(&file.path.as_str());
+                let asks = |clock: &&str| file.text.contains(*clock);
+                if !is_place && !file.path.contains("/tests") && clocks.iter().any(|c| asks(&c)) {
+                    complaints.push(format!("{} asks a clock", file.path));
+                }
+            }
+        }
+        expect_none(&complaints);
     }
 
     #[test]

@@ -130,6 +130,7 @@ impl Asking {
             status,
             costs: Some(costs),
             plan: Some(plan),
+            ended: None,
             reason: None,
             stats: Stats::default(),
             ..solved.clone()

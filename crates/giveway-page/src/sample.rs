@@ -56,6 +56,7 @@ pub(crate) fn proved(objective: &Objective, costs: Costs, plan: Plan) -> SolveAn
         bounds: bounds.map(|&cost| (cost, costs.get(cost))).collect(),
         within: None,
         complete: true,
+        ended: Some(giveway_solve::Ended::Proof),
         reason: None,
         plan: Some(plan),
         stats: Stats::default(),

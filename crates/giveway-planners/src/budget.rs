@@ -18,12 +18,22 @@ pub trait Budget {
     /// Why not.
     fn check(&self) -> Result<(), Stop>;
 
-    /// As [`Budget::check`], but may look at a clock only now and then: for
-    /// inner loops.
+    /// Counts one state. As [`Budget::check`], but may look at a clock only now and
+    /// then: for inner loops.
     ///
     /// # Errors
     /// Why not.
     fn tick(&self) -> Result<(), Stop>;
+
+    /// Counts the work of so many states that no [`Budget::tick`] counted, and asks
+    /// whether to go on.
+    ///
+    /// # Errors
+    /// Why not.
+    fn spend(&self, states: u64) -> Result<(), Stop> {
+        let _ = states;
+        self.check()
+    }
 
     /// The bytes that all parts of the request hold together.
     fn held_bytes(&self) -> &HeldBytes;
@@ -46,6 +56,10 @@ impl<B: Budget + ?Sized> Budget for Rc<B> {
 
     fn tick(&self) -> Result<(), Stop> {
         (**self).tick()
+    }
+
+    fn spend(&self, states: u64) -> Result<(), Stop> {
+        (**self).spend(states)
     }
 
     fn held_bytes(&self) -> &HeldBytes {

@@ -93,7 +93,7 @@ fn run(
     let mut held = budget.hold(0);
     let mut configurations: Vec<Box<[Vertex]>> = vec![plain.starts().into()];
     loop {
-        budget.check()?;
+        budget.spend(plain.agents() as u64)?;
         let now = configurations.last().map_or(&[][..], |last| last);
         let arrived = now.iter().zip(plain.goals()).filter(|(v, goal)| v == goal);
         let arrived = arrived.count();

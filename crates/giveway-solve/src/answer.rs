@@ -6,7 +6,7 @@ use borsh::{BorshDeserialize, BorshSerialize};
 use giveway_model::{Cost, Costs, Plan, Version, check::Violation, message::read_map};
 use serde::{Deserialize, Serialize};
 
-use crate::{judged::told, search::Reach, trace::SearchTrace};
+use crate::{Ended, judged::told, search::Reach, trace::SearchTrace};
 
 /// What is known at the end. Running out is never "no solution".
 #[derive(
@@ -39,6 +39,9 @@ pub struct Stats {
     pub clauses: u64,
     /// Conflicts that it met.
     pub conflicts: u64,
+    /// Units of work, as a limit of work counts them.
+    #[serde(default)]
+    pub work: u64,
 }
 
 /// The answer to a solve request.
@@ -58,6 +61,9 @@ pub struct SolveAnswer {
     pub within: Option<u32>,
     /// Whether the claim holds whatever the horizon.
     pub complete: bool,
+    /// What ended the search; left out where none was made.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub ended: Option<Ended>,
     /// Why there is no plan or no proof, as a sentence; `null` otherwise.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub reason: Option<String>,
@@ -75,7 +81,7 @@ impl SolveAnswer {
     pub(crate) fn without_plan(
         status: Status,
         reach: Option<Reach>,
-        reason: String,
+        (ended, reason): (Ended, String),
         stats: Stats,
     ) -> Self {
         let (complete, within) = told(reach);
@@ -86,6 +92,7 @@ impl SolveAnswer {
             bounds: BTreeMap::new(),
             within,
             complete,
+            ended: Some(ended),
             reason: Some(reason),
             plan: None,
             stats,
@@ -101,6 +108,9 @@ pub struct FrontAnswer {
     pub giveway: Version,
     /// What is known of the front as a whole.
     pub status: Status,
+    /// What ended the search for its points; left out where none was made.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub ended: Option<Ended>,
     /// Whether the claim holds whatever the horizon.
     pub complete: bool,
     /// The makespan up to which it was proved; `null` where complete.

@@ -2,7 +2,9 @@
 //!
 //! One budget goes with a request. Whoever works asks it, often, whether to go
 //! on; it never decides anything else, so that time cannot change an answer but
-//! only cut it short.
+//! only cut it short. A limit of work cuts it short at the same place each time.
+
+mod work;
 
 use std::cell::Cell;
 use std::rc::Rc;
@@ -16,14 +18,11 @@ use crate::{
 };
 
 pub(crate) use planners::{Held, HeldBytes, Stop};
+use work::Work;
 
 /// Bytes that a request may hold where its limits say nothing: a browser tab
 /// stands it, and so does a small machine.
 const DEFAULT_MEMORY: u64 = 1_500_000_000;
-
-/// How many clause insertions or searched states go by between two looks at
-/// the clock.
-const CLOCK_INTERVAL: u32 = 1024;
 
 /// Steps of joint states that a request may look at, and a part of one.
 const JOINT_STEPS: u64 = 12_000_000;
@@ -41,8 +40,8 @@ pub(crate) struct Budget<'h> {
     clauses: Cell<u64>,
     conflicts: Cell<u64>,
     derived: Cell<u64>,
+    work: Work,
     held: HeldBytes,
-    until_clock: Cell<u32>,
     reported_at: Cell<u64>,
     stopped: Cell<Option<Stop>>,
     /// Whether the host hears nothing of what becomes known.
@@ -72,8 +71,8 @@ impl<'h> Budget<'h> {
             clauses: Cell::new(0),
             conflicts: Cell::new(0),
             derived: Cell::new(0),
+            work: Work::new(limits.work),
             held: HeldBytes::default(),
-            until_clock: Cell::new(CLOCK_INTERVAL),
             reported_at: Cell::new(0),
             stopped: Cell::new(None),
             quiet: false,
@@ -92,11 +91,13 @@ impl<'h> Budget<'h> {
         let seconds = self.seconds_left();
         let spent = self.conflicts.get();
         let conflicts = self.limits.conflicts.map(|most| most.saturating_sub(spent));
+        let work = self.work_left();
         let mut part = Self::new(
             self.host,
             Limits {
                 seconds: seconds.into_iter().chain(limits.seconds).reduce(f64::min),
                 conflicts: conflicts.into_iter().chain(limits.conflicts).min(),
+                work: work.into_iter().chain(limits.work).min(),
                 memory_bytes: limits.memory_bytes.or(self.limits.memory_bytes),
             },
         );
@@ -152,6 +153,11 @@ impl<'h> Budget<'h> {
         self.limits.seconds.map(|limit| (limit - used).max(0.0))
     }
 
+    /// Units of work that are left, where they are limited.
+    pub(crate) fn work_left(&self) -> Option<u64> {
+        self.work.left()
+    }
+
     /// Clauses that the SAT solver may still derive.
     pub(crate) fn derived_left(&self) -> u64 {
         self.most_derived.saturating_sub(self.derived.get())
@@ -170,6 +176,7 @@ impl<'h> Budget<'h> {
         add(&self.clauses, &part.clauses);
         add(&self.conflicts, &part.conflicts);
         add(&self.derived, &part.derived);
+        self.work.add(part.work.spent());
         self.count_joint(part.joint_given - part.joint_left.get());
     }
 
@@ -181,8 +188,11 @@ impl<'h> Budget<'h> {
         self.held.get() > most || size > most.max(self.memory_start)
     }
 
-    pub(crate) fn count_call(&self) {
+    /// Counts a call of a SAT solver with so many variables.
+    pub(crate) fn count_call(&self, variables: u32) {
         self.calls.set(self.calls.get() + 1);
+        self.work
+            .add(u64::from(variables) / work::VARIABLES_PER_UNIT);
     }
 
     pub(crate) fn count_variable(&self) {
@@ -191,6 +201,7 @@ impl<'h> Budget<'h> {
 
     pub(crate) fn count_clause(&self) {
         self.clauses.set(self.clauses.get() + 1);
+        self.work.add(work::CLAUSE);
     }
 
     pub(crate) fn count_conflicts(&self, conflicts: u64) {
@@ -202,6 +213,7 @@ impl<'h> Budget<'h> {
 
     pub(crate) fn count_derived(&self, clauses: u64) {
         self.derived.set(self.derived.get() + clauses);
+        self.work.add(work::DERIVED * clauses);
     }
 
     /// Conflicts of the SAT solver.
@@ -305,6 +317,7 @@ impl<'h> Budget<'h> {
             variables: self.variables.get(),
             clauses: self.clauses.get(),
             conflicts: self.conflicts.get(),
+            work: self.work.spent(),
         }
     }
 
@@ -323,6 +336,8 @@ impl<'h> Budget<'h> {
             || self.clauses.get() > self.most_clauses
         {
             Stop::Conflicts
+        } else if self.work.is_over() {
+            Stop::Work
         } else if self
             .limits
             .seconds
@@ -336,16 +351,17 @@ impl<'h> Budget<'h> {
         Err(stop)
     }
 
-    /// As [`Budget::check`], but looks at the clock only now and then: for the
-    /// inner loops.
+    /// Counts a state, and looks at the limits now and then: for the inner loops.
     pub(crate) fn tick(&self) -> Result<(), Stop> {
-        let left = self.until_clock.get();
-        if left > 0 {
-            self.until_clock.set(left - 1);
-            return Ok(());
+        self.spend(1)
+    }
+
+    /// Counts so many states, and looks at the limits now and then.
+    pub(crate) fn spend(&self, states: u64) -> Result<(), Stop> {
+        if self.work.spend(states) {
+            return self.check();
         }
-        self.until_clock.set(CLOCK_INTERVAL);
-        self.check()
+        Ok(())
     }
 
     /// Counts further memory of something, in bytes.
@@ -361,6 +377,10 @@ impl planners::Budget for Budget<'_> {
 
     fn tick(&self) -> Result<(), Stop> {
         Self::tick(self)
+    }
+
+    fn spend(&self, states: u64) -> Result<(), Stop> {
+        Self::spend(self, states)
     }
 
     fn held_bytes(&self) -> &HeldBytes {

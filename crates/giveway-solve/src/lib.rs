@@ -13,6 +13,7 @@ mod certify;
 pub mod change;
 mod counterfactual;
 mod encode;
+mod ended;
 pub mod explain;
 pub mod freedom;
 mod host;
@@ -38,6 +39,7 @@ use giveway_planners::{calm, first, lns, local, single, terrain, walk};
 
 pub use answer::{CheckAnswer, FrontAnswer, SolveAnswer, Stats, Status};
 pub use certify::{Certificate, CertifyRequest, ExportAnswer, ExportRequest};
+pub use ended::Ended;
 pub use host::{Host, SilentHost};
 pub use progress::Progress;
 pub use request::{Basic, CheckRequest, Limits, Request, SolveRequest};

@@ -11,7 +11,7 @@ use std::collections::BTreeMap;
 use giveway_model::{Cost, Version};
 
 use crate::{
-    FrontAnswer, SolveAnswer, Status,
+    Ended, FrontAnswer, SolveAnswer, Status,
     judged::told,
     problem::Problem,
     search::{Bounded, Reach},
@@ -27,7 +27,8 @@ pub(crate) fn front(task: &Task) -> FrontAnswer {
         Ok(problem) => problem,
         Err(error) => {
             let solved = without_search(task, &error);
-            return whole(solved.answer.status, solved.reach, Vec::new());
+            let SolveAnswer { status, ended, .. } = solved.answer;
+            return whole((status, ended), solved.reach, Vec::new());
         }
     };
     let horizon = task.horizon(&problem);
@@ -69,7 +70,8 @@ pub(crate) fn front(task: &Task) -> FrontAnswer {
                 } else {
                     Status::Feasible
                 };
-                return whole(status, None, points.into_values().collect());
+                let end = (status, answer.ended);
+                return whole(end, None, points.into_values().collect());
             }
         }
     }
@@ -78,7 +80,8 @@ pub(crate) fn front(task: &Task) -> FrontAnswer {
     } else {
         Status::Optimal
     };
-    whole(status, reach, points.into_values().collect())
+    let end = (status, Some(Ended::Proof));
+    whole(end, reach, points.into_values().collect())
 }
 
 /// Whether one box lies in another.
@@ -88,11 +91,16 @@ fn contains(outer: &Limits, inner: &Limits) -> bool {
         .all(|(cost, &most)| inner.get(cost).is_some_and(|&less| less <= most))
 }
 
-fn whole(status: Status, reach: Option<Reach>, front: Vec<SolveAnswer>) -> FrontAnswer {
+fn whole(
+    (status, ended): (Status, Option<Ended>),
+    reach: Option<Reach>,
+    front: Vec<SolveAnswer>,
+) -> FrontAnswer {
     let (complete, within) = told(reach);
     FrontAnswer {
         giveway: Version,
         status,
+        ended,
         complete,
         within,
         front,

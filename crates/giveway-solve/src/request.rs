@@ -135,6 +135,11 @@ pub struct Limits {
     /// Conflicts of the SAT solver for the whole request.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub conflicts: Option<u64>,
+    /// Units of work for the whole request: states that planners, tables and local search
+    /// look at, and what the SAT solver does, weighed in states. Where only this limit
+    /// ends a search, the same request has the same answer each time, natively and in Wasm.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub work: Option<u64>,
     /// Bytes that the request may hold, by the solver's own estimate and, where
     /// the host can tell, in fact; 1.5 GB where it is not given.
     #[serde(skip_serializing_if = "Option::is_none")]

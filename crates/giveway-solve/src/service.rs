@@ -123,8 +123,9 @@ impl Refusal {
     }
 }
 
-/// Serves a request; the same request gives the same response, stats and
-/// budgets in seconds apart.
+/// Serves a request. The same request gives the same response, its seconds apart, where a
+/// proof, a limit of work or a limit of conflicts ends it. Where seconds, memory or the host
+/// end it, how far it came decides.
 pub fn serve(request: &Request, host: &dyn Host) -> Response {
     match request {
         Request::Check(request) => serve_check(request),

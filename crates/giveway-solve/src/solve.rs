@@ -8,7 +8,7 @@ use giveway_model::{
 };
 
 use crate::{
-    Host, Limits, Progress, SolveAnswer, Status,
+    Ended, Host, Limits, Progress, SolveAnswer, Status,
     budget::Budget,
     calmed::calmed,
     judged::{Judged, told},
@@ -183,27 +183,32 @@ pub(crate) fn without_search(task: &Task, error: &ProblemError) -> Solved {
             .get(i)
             .map_or("", |a| a.name.as_str())
     };
-    let (status, reach, reason) = match *error {
+    let (status, reach, ended, reason) = match *error {
         ProblemError::Alone(i, reason) => (
             Status::Impossible,
             Some(Reach::ForEver(reason)),
+            Ended::Proof,
             tr!("{name} cannot do its task, even alone.", name = name(i)),
         ),
         ProblemError::TooManyWaypoints(i) => (
             Status::Unknown,
             None,
+            Ended::Size,
             tr!(
                 "{name} has more waypoints than can be planned for.",
                 name = name(i)
             ),
         ),
-        ProblemError::Stopped(stop) => (Status::Unknown, None, stop.sentence().to_owned()),
+        ProblemError::Stopped(stop) => {
+            let reason = stop.sentence().to_owned();
+            (Status::Unknown, None, stop.into(), reason)
+        }
     };
     let clash = match *error {
         ProblemError::Alone(agent, _) => vec![name(agent).to_owned()],
         _ => Vec::new(),
     };
-    let answer = SolveAnswer::without_plan(status, reach, reason, task.budget.stats());
+    let answer = SolveAnswer::without_plan(status, reach, (ended, reason), task.budget.stats());
     Solved {
         answer,
         reach,
@@ -243,6 +248,7 @@ pub(crate) fn answer(task: &Task, problem: &Problem, verdict: Verdict) -> Solved
         bounds: verdict.bounds,
         within,
         complete,
+        ended: Some(Ended::by(judged.stop)),
         reason,
         plan,
         stats: task.budget.stats(),

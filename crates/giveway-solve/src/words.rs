@@ -7,7 +7,7 @@ use std::fmt;
 use giveway_model::words::{name, retold, sentence, value, values};
 use giveway_model::{Cost, Costs, Objective, tr, tr_later};
 
-use crate::{SolveAnswer, Status};
+use crate::{Ended, SolveAnswer, Status};
 
 /// An answer in one sentence. It begins with a word that may be made bold.
 ///
@@ -89,9 +89,10 @@ pub fn headline(objective: &Objective, answer: &SolveAnswer) -> Headline {
 
 /// What the solver gives as a reason, each in its sentence: it speaks English, wherever
 /// it runs, and what it said is said anew where it is shown.
-const REASONS: [Later; 28] = [
+const REASONS: [Later; 29] = [
     tr_later!("The time limit was reached."),
     tr_later!("The conflict limit was reached."),
+    tr_later!("The work limit was reached."),
     tr_later!("The memory limit was reached."),
     tr_later!("There were too many sets of robots to free to compare them all."),
     tr_later!("The search was cancelled."),
@@ -143,9 +144,10 @@ pub fn claim(answer: &SolveAnswer) -> String {
                 n
             )
         }
-        (Status::Feasible, _) => {
-            tr!("The best plan so far: the limits ended the search.").to_owned()
+        (Status::Feasible, _) if may_differ(answer.ended) => {
+            tr!("The best plan so far; another run may end with another plan.").to_owned()
         }
+        (Status::Feasible, _) => tr!("The best plan so far.").to_owned(),
         (Status::Impossible, None) => {
             tr!("There is no plan, no matter how many steps you allow.").to_owned()
         }
@@ -157,6 +159,12 @@ pub fn claim(answer: &SolveAnswer) -> String {
         }
         (Status::Unknown, _) => tr!("No plan yet, and no proof that there is none.").to_owned(),
     }
+}
+
+/// Whether another run of the same search may end elsewhere: time, memory or a person
+/// ended this one.
+pub fn may_differ(ended: Option<Ended>) -> bool {
+    ended.is_some_and(|ended| !ended.is_repeatable())
 }
 
 /// How far bounds reach where the search ended early; nothing where there are
@@ -182,9 +190,13 @@ pub fn reach(complete: bool, within: Option<u32>) -> Option<String> {
 }
 
 /// What is claimed of so many plans of a Pareto front: of all of them where it is
-/// whole, up to a makespan or for plans of any makespan.
-pub fn front(plans: &str, is_whole: bool, within: Option<u32>) -> String {
+/// whole, up to a makespan or for plans of any makespan; otherwise that there may be more.
+pub fn front(plans: &str, is_whole: bool, within: Option<u32>, ended: Option<Ended>) -> String {
     match (is_whole, within) {
+        (false, _) if ended == Some(Ended::Time) => tr!(
+            "{plans} so far: time ended the search. There may be more, and another run may find others.",
+            plans
+        ),
         (false, _) => tr!(
             "{plans} so far: the limits ended the search, there may be more.",
             plans

@@ -144,6 +144,7 @@ impl Spec {
             seconds: self.time_limit,
             conflicts: self.conflict_limit,
             memory_bytes: self.memory_limit,
+            ..Limits::default()
         };
         let certificate = self.certificates.map(Limits::from);
         let mut tasks = Vec::new();

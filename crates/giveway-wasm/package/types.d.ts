@@ -64,6 +64,9 @@ export interface Limits {
   seconds?: number;
   /** Conflicts of the SAT solver: the same wherever it runs. */
   conflicts?: number;
+  /** Units of work: states that planners and local search look at, and the SAT solver's steps, weighed in states.
+   * Where only this ends a search, the same request has the same answer each time, here and natively. */
+  work?: number;
   /** What the memory may grow to, in bytes. */
   memory_bytes?: number;
 }
@@ -106,7 +109,11 @@ export interface Stats {
   variables: number;
   clauses: number;
   conflicts: number;
+  work: number;
 }
+
+/** What ended a search. Only time, memory and a person end the same search elsewhere each time. */
+export type Ended = "proof" | "work" | "conflicts" | "time" | "memory" | "cancelled" | "size" | "fault";
 
 export interface SolveAnswer {
   giveway: 1;
@@ -117,6 +124,7 @@ export interface SolveAnswer {
   /** The makespan up to which the claim was proved; null where it holds for plans of any makespan. */
   within: number | null;
   complete: boolean;
+  ended?: Ended;
   /** Why there is no plan or no proof. */
   reason?: string;
   plan: Plan | null;
@@ -236,6 +244,7 @@ export interface TogetherAnswer {
 export interface FrontAnswer {
   giveway: 1;
   status: Status;
+  ended?: Ended;
   complete: boolean;
   within: number | null;
   front: SolveAnswer[];

@@ -13,15 +13,21 @@ use super::{Source, seconds, whole};
 #[command(after_help = "\
 The answer is one of
   optimal      a plan, and a proof that none is better
-  feasible     a plan, and the bounds proved when the time ran out
+  feasible     a plan, and the bounds proved when a limit ended the search
   impossible   no plan exists
-  unknown      the time ran out with neither (exit status 3)
+  unknown      a limit ended the search with neither (exit status 3)
 A claim holds no matter how many steps you allow, or it names the makespan up to which it holds.
+
+The same question gets the same answer, here and in the browser, where a proof or --work-limit ends
+the search. Where time, memory or Ctrl-C ends it, how far it came decides. JSON says which: \"ended\" is
+proof, work, time, memory or cancelled. A limit of work counts states that planners and local search
+look at, and the SAT solver's steps, weighed in states; \"stats\" has the work of each answer.
 
 Examples
   giveway solve warehouse.json
   giveway solve warehouse.json --objective charges,makespan --format json
   giveway solve empty-16-16-even-1.scen --agents 20 --time-limit 30
+  giveway solve random-32-32-20-random-1.scen --agents 250 --work-limit 3000000
   giveway solve warehouse.json --trace steps.json
   giveway solve warehouse.json --pareto --objective makespan,charges
   giveway solve warehouse.json --planner cbs --objective sum-of-costs --trace tree.json
@@ -52,6 +58,10 @@ pub(crate) struct Solve {
     /// Stop the whole command after so many seconds; 0.5 is allowed
     #[arg(long, value_name = "SECONDS", value_parser = seconds, allow_negative_numbers = true)]
     pub(crate) time_limit: Option<f64>,
+    /// Stop the search after so many units of work (see below). The same question
+    /// with the same limit then has the same answer each time, in the browser too
+    #[arg(long, value_name = "N", value_parser = whole::<u64>, allow_negative_numbers = true)]
+    pub(crate) work_limit: Option<u64>,
     /// Find a plan with a planner of the textbook instead: prioritised, cbs, pibt, lacam, lns
     #[arg(long, value_name = "NAME", conflicts_with_all = ["pareto", "proof"])]
     pub(crate) planner: Option<Planner>,

@@ -85,6 +85,7 @@ fn limits(args: &Solve, clock: Clock) -> Limits {
     let left = |limit: f64| (limit - clock.wall_seconds()).max(0.0);
     Limits {
         seconds: args.time_limit.map(left),
+        work: args.work_limit,
         ..Limits::default()
     }
 }

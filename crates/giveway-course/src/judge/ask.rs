@@ -18,7 +18,7 @@ fn limits() -> Limits {
     Limits {
         seconds: Some(SECONDS),
         conflicts: Some(CONFLICTS),
-        memory_bytes: None,
+        ..Limits::default()
     }
 }
 

@@ -94,6 +94,7 @@ pub(crate) fn unproved() -> SolveAnswer {
         bounds: BTreeMap::new(),
         within: None,
         complete: false,
+        ended: None,
         reason: None,
         plan: None,
         stats: Stats::default(),

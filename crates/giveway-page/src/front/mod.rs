@@ -78,6 +78,7 @@ impl Front {
             bounds: BTreeMap::new(),
             within: self.within,
             complete: self.within.is_none() && self.status == Status::Impossible,
+            ended: None,
             reason: None,
             plan: None,
             stats: Stats::default(),
@@ -116,6 +117,6 @@ impl Front {
     /// What is claimed of it, in a sentence.
     pub fn claim(&self) -> String {
         let plans = tr!("{n} plan" | "{n} plans" % self.points.len());
-        giveway_solve::words::front(&plans, self.is_whole(), self.within)
+        giveway_solve::words::front(&plans, self.is_whole(), self.within, self.told.ended)
     }
 }

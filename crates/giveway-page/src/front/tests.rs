@@ -32,6 +32,7 @@ fn solved(status: Status, costs: &[(u32, u32)]) -> State {
     let front = FrontAnswer {
         giveway: Version,
         status,
+        ended: None,
         complete: status == Status::Optimal || costs.is_empty(),
         within: None,
         front: costs.iter().copied().map(point).collect(),

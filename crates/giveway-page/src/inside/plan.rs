@@ -106,6 +106,7 @@ fn answer(draft: &Rc<Draft>, mut plan: Plan) -> Rc<Answer> {
         bounds: std::collections::BTreeMap::new(),
         within: None,
         complete: false,
+        ended: None,
         reason: None,
         plan: Some(plan),
         stats: Stats::default(),

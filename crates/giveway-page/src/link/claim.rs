@@ -2,7 +2,7 @@
 //! points, 0 for what is not there and 1 more for what is.
 
 use giveway_model::{Cost, sorting};
-use giveway_solve::{SolveAnswer, Status};
+use giveway_solve::{Ended, SolveAnswer, Status};
 
 use super::text::{escape, numbers, unescape};
 
@@ -11,6 +11,17 @@ const STATUSES: [Status; 4] = [
     Status::Feasible,
     Status::Impossible,
     Status::Unknown,
+];
+
+const ENDS: [Ended; 8] = [
+    Ended::Proof,
+    Ended::Work,
+    Ended::Conflicts,
+    Ended::Time,
+    Ended::Memory,
+    Ended::Cancelled,
+    Ended::Size,
+    Ended::Fault,
 ];
 
 pub(super) fn write(solved: &SolveAnswer) -> String {
@@ -28,6 +39,8 @@ pub(super) fn write(solved: &SolveAnswer) -> String {
     parts.extend([stats.variables, stats.clauses, stats.conflicts].map(count));
     let mut parts: Vec<String> = parts.iter().map(ToString::to_string).collect();
     parts.push(format!("{:.0}", stats.cpu_seconds * 1000.0));
+    let ended = ENDS.iter().position(|&ended| solved.ended == Some(ended));
+    parts.extend(ended.map(|place| place.to_string()));
     let reason = escape(solved.reason.as_deref().unwrap_or_default());
     format!("{}!{reason}", parts.join("."))
 }
@@ -39,7 +52,8 @@ pub(super) fn read(solved: &mut SolveAnswer, text: &str) -> Option<()> {
     let [status, complete, within, rest @ ..] = &numbers(parts)?[..] else {
         return None;
     };
-    let (bounds, [variables, clauses, conflicts, milliseconds]) = rest.split_first_chunk::<5>()?
+    let (bounds, [variables, clauses, conflicts, milliseconds, ended @ ..]) =
+        rest.split_first_chunk::<5>()?
     else {
         return None;
     };
@@ -55,6 +69,8 @@ pub(super) fn read(solved: &mut SolveAnswer, text: &str) -> Option<()> {
     let bounds = Cost::ALL.into_iter().zip(bounds);
     let bounds = bounds.filter_map(|(cost, &bound)| Some((cost, bound.checked_sub(1)?)));
     solved.bounds = sorting::map(bounds);
+    let ended = ended.first();
+    solved.ended = ended.and_then(|&place| ENDS.get(place as usize).copied());
     solved.reason = Some(reason).filter(|reason| !reason.is_empty());
     solved.stats.variables = (*variables).into();
     solved.stats.clauses = (*clauses).into();

@@ -136,6 +136,7 @@ pub(crate) fn solved(told: &PlanAnswer) -> Option<SolveAnswer> {
         bounds: told.bounds.clone(),
         within: None,
         complete: is_best,
+        ended: None,
         reason: match &told.ended {
             PlanEnd::Stopped { reason } => Some(reason.clone()),
             PlanEnd::Best { within: Some(_) } => told_words::notes(told).into_iter().next(),

@@ -186,6 +186,7 @@ fn show(state: &mut State, repair: Repair) {
         bounds: BTreeMap::new(),
         within: None,
         complete: false,
+        ended: None,
         reason: None,
         plan: Some(repair.plan),
         stats: Stats::default(),

@@ -73,6 +73,7 @@ fn answer(about: &Answer, instance: &Instance, mut plan: Plan, report: &Report) 
         status: Status::Feasible,
         costs: report.costs,
         plan: Some(plan),
+        ended: None,
         reason: None,
         stats: Stats::default(),
         ..about.solved.clone()

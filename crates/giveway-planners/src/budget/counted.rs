@@ -52,6 +52,11 @@ impl Budget for Counted<'_> {
         self.budget.tick()
     }
 
+    fn spend(&self, states: u64) -> Result<(), Stop> {
+        self.is_spent()?;
+        self.budget.spend(states)
+    }
+
     fn held_bytes(&self) -> &HeldBytes {
         self.budget.held_bytes()
     }

@@ -9,6 +9,8 @@ pub enum Stop {
     Time,
     /// The conflicts ran out.
     Conflicts,
+    /// The work ran out.
+    Work,
     /// The memory ran out.
     Memory,
     /// There were more sets of agents to compare than are looked at.
@@ -26,6 +28,7 @@ impl Stop {
         match self {
             Self::Time => tr!("The time limit was reached."),
             Self::Conflicts => tr!("The conflict limit was reached."),
+            Self::Work => tr!("The work limit was reached."),
             Self::Memory => tr!("The memory limit was reached."),
             Self::Sets => tr!("There were too many sets of robots to free to compare them all."),
             Self::Cancelled => tr!("The search was cancelled."),

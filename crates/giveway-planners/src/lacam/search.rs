@@ -87,7 +87,7 @@ impl<'s> Search<'s> {
 
     /// Looks at the last open configuration once.
     fn once(&mut self, on_plan: &mut dyn FnMut(&Found)) -> Result<Option<Ended>, Stop> {
-        self.tick()?;
+        self.budget.spend(self.plain.agents() as u64)?;
         let Some(&from) = self.open.last() else {
             return Ok(Some(match self.goal {
                 None => Ended::Exhausted(Exhausted::configurations()),
@@ -127,14 +127,6 @@ impl<'s> Search<'s> {
         }
         self.tell(on_plan);
         Ok(None)
-    }
-
-    /// A step with many agents takes longer than to look at a clock.
-    fn tick(&self) -> Result<(), Stop> {
-        match self.plain.agents() {
-            ..64 => self.budget.tick(),
-            _ => self.budget.check(),
-        }
     }
 
     /// Whether no better plan goes by way of this one, as far as is known.

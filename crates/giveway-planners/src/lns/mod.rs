@@ -107,6 +107,7 @@ impl Lns {
                 break;
             };
             counted.count(group.len() as u64);
+            counted.spend(group.len() as u64)?;
             let gain = plan.replan(&group, counted)?;
             self.adaptive.learn(kind, gain);
         }

@@ -46,7 +46,7 @@ impl Guide {
         nearest_first.sort_unstable();
         for _ in 0..ROUNDS {
             for &(_, agent) in &nearest_first {
-                budget.check()?;
+                budget.spend(plain.vertices() as u64)?;
                 traffic.count_out(agent);
                 traffic.ways[agent] = traffic.cheapest_way(agent);
                 traffic.count_in(agent);
@@ -54,7 +54,7 @@ impl Guide {
         }
         let mut costs = Vec::with_capacity(plain.agents() * plain.vertices());
         for agent in 0..plain.agents() {
-            budget.check()?;
+            budget.spend(plain.vertices() as u64)?;
             traffic.count_out(agent);
             costs.extend(traffic.costs_to(plain.goals()[agent]));
             traffic.count_in(agent);

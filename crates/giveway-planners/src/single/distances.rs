@@ -130,8 +130,8 @@ fn measure(
     let mut layers = [vec![goal], Vec::new(), Vec::new()];
     let mut cost = 0;
     while layers.iter().any(|layer| !layer.is_empty()) {
-        budget.tick()?;
         let [now, next, second] = &mut layers;
+        budget.spend(now.len() as u64)?;
         for v in now.drain(..) {
             if !meet(v, cost) {
                 continue;

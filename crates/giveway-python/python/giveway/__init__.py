@@ -4,7 +4,7 @@ from giveway._door import Progress
 from giveway._native import VERSION as __version__
 from giveway.answers import (
     AgentComparison, Alone, Answer, AuditAnswer, Certificate, Certificates, ChangeAnswer, ChangeStep, Comparison, Converted,
-    Costs, Explanation, Files, ForeignPlan, Format, Freedom, FreedomPart, Front, MethodAnswer, Planner, PlannerAnswer,
+    Costs, Ended, Explanation, Files, ForeignPlan, Format, Freedom, FreedomPart, Front, MethodAnswer, Planner, PlannerAnswer,
     PlannerStats, Report, Stats, Status, Together, Verdict, Violation,
 )
 from giveway.errors import BadInput, BadScene, BadText, Broken, Fault, GivewayError
@@ -18,8 +18,8 @@ from giveway.scene import Agent, Battery, Cell, Cost, Rules, Scene
 __all__ = [
     "Agent", "AgentComparison", "Alone", "Animation", "Answer", "AuditAnswer", "BadInput", "BadScene", "BadText", "Battery",
     "Broken", "Cell", "Certificate", "Certificates", "ChangeAnswer", "ChangeStep", "Comparison", "Converted", "Cost",
-    "Costs", "Explanation", "Fault", "Files", "ForeignPlan", "Format", "Freedom", "FreedomPart", "Front", "GivewayError",
-    "MethodAnswer", "Objective", "Plan", "Planner", "PlannerAnswer", "PlannerStats", "Progress", "Report", "Rules", "Scene",
-    "Stats", "Status", "Together", "Verdict", "Violation", "__version__", "audit", "change", "check", "compare", "convert",
-    "explain", "export", "freedom", "pareto", "read_files", "schema", "solve", "together", "verify", "verify_archive",
+    "Costs", "Ended", "Explanation", "Fault", "Files", "ForeignPlan", "Format", "Freedom", "FreedomPart", "Front",
+    "GivewayError", "MethodAnswer", "Objective", "Plan", "Planner", "PlannerAnswer", "PlannerStats", "Progress", "Report",
+    "Rules", "Scene", "Stats", "Status", "Together", "Verdict", "Violation", "__version__", "audit", "change", "check", "compare",
+    "convert", "explain", "export", "freedom", "pareto", "read_files", "schema", "solve", "together", "verify", "verify_archive",
 ]

@@ -9,11 +9,14 @@ from typing import Any
 from giveway.errors import refusal
 
 
-def limits(time_limit: float | None, conflict_limit: int | None, memory_limit: int | None) -> dict[str, Any]:
+def limits(
+    time_limit: float | None, conflict_limit: int | None, memory_limit: int | None, work_limit: int | None = None,
+) -> dict[str, Any]:
     """The limits that are given; an infinite time is none."""
     given = {
         "seconds": _seconds(time_limit),
         "conflicts": _count("conflict_limit", conflict_limit),
+        "work": _count("work_limit", work_limit),
         "memory_bytes": _count("memory_limit", memory_limit),
     }
     return {name: value for name, value in given.items() if value is not None}

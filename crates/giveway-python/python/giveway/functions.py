@@ -40,24 +40,27 @@ def _ask(
 def solve(
     scene: AnyScene, *, objective: Objective | None = None, planner: None = None, within: int | None = None,
     start: AnyPlan | None = None, trace: bool = False, time_limit: float | None = None,
-    conflict_limit: int | None = None, memory_limit: int | None = None, on_progress: OnProgress | None = None,
-    should_stop: ShouldStop | None = None,
+    conflict_limit: int | None = None, work_limit: int | None = None, memory_limit: int | None = None,
+    on_progress: OnProgress | None = None, should_stop: ShouldStop | None = None,
 ) -> Answer: ...
 @overload
 def solve(
     scene: AnyScene, *, objective: Objective | None = None, planner: Planner, within: int | None = None,
     order: Sequence[str] | None = None, trace: bool = False, time_limit: float | None = None,
-    memory_limit: int | None = None, on_progress: OnProgress | None = None, should_stop: ShouldStop | None = None,
+    work_limit: int | None = None, memory_limit: int | None = None, on_progress: OnProgress | None = None,
+    should_stop: ShouldStop | None = None,
 ) -> PlannerAnswer: ...
 def solve(
     scene: AnyScene, *, objective: Objective | None = None, planner: Planner | None = None, within: int | None = None,
     start: AnyPlan | None = None, order: Sequence[str] | None = None, trace: bool = False,
-    time_limit: float | None = None, conflict_limit: int | None = None, memory_limit: int | None = None,
-    on_progress: OnProgress | None = None, should_stop: ShouldStop | None = None,
+    time_limit: float | None = None, conflict_limit: int | None = None, work_limit: int | None = None,
+    memory_limit: int | None = None, on_progress: OnProgress | None = None, should_stop: ShouldStop | None = None,
 ) -> Answer | PlannerAnswer:
     """Finds and proves the best plan, or finds one with a planner of the textbook.
 
-    Limits: wall seconds, conflicts of the SAT solver, bytes. Ctrl-C raises
+    Limits: wall seconds, conflicts of the SAT solver, units of work, bytes.
+    The same question has the same answer, on every machine, where a proof or ``work_limit`` ends the
+    search (``answer.ended``); where time or memory ends it, how far it came decides. Ctrl-C raises
     ``KeyboardInterrupt``; ``should_stop`` ends the search in what is known by then.
 
     >>> from giveway import Agent, Scene
@@ -67,7 +70,7 @@ def solve(
     ('optimal', 2, ((0, 0), (1, 0), (2, 0)))
     """
     request = without_none(scene=scene, objective=costs(objective), within=within, trace=trace)
-    request["limits"] = limits(time_limit, conflict_limit, memory_limit)
+    request["limits"] = limits(time_limit, conflict_limit, memory_limit, work_limit)
     if planner is None:
         if order is not None:
             raise refusal("order", "an order for a search that has none", "one with planner=\"prioritised\" only")
@@ -82,12 +85,12 @@ def solve(
 
 def pareto(
     scene: AnyScene, objective: Objective, *, within: int | None = None, time_limit: float | None = None,
-    conflict_limit: int | None = None, memory_limit: int | None = None, on_progress: OnProgress | None = None,
-    should_stop: ShouldStop | None = None,
+    conflict_limit: int | None = None, work_limit: int | None = None, memory_limit: int | None = None,
+    on_progress: OnProgress | None = None, should_stop: ShouldStop | None = None,
 ) -> Front:
     """All non-dominated costs of two or three, a plan each."""
     request = without_none(scene=scene, objective=costs(objective), within=within, pareto=True)
-    request["limits"] = limits(time_limit, conflict_limit, memory_limit)
+    request["limits"] = limits(time_limit, conflict_limit, memory_limit, work_limit)
     return _ask(Front, "solve", request, on_progress, should_stop)
 
 

@@ -5,14 +5,14 @@ use std::collections::BTreeMap;
 use giveway_model::{Cost, Costs, Objective, Version, check::Report};
 
 use super::{AuditAnswer, AuditStatus, gap};
-use crate::{SolveAnswer, Stats, Status, budget::Stop};
+use crate::{Ended, SolveAnswer, Stats, Status, budget::Stop};
 
 /// What is claimed of a plan. The search is not trusted: where it contradicts the
 /// judge, nothing is claimed at all.
 pub(super) fn conclude(objective: Objective, report: Report, search: SolveAnswer) -> AuditAnswer {
     let legal = report.is_valid();
     let own = report.costs.filter(|_| legal);
-    let is_broken = search.reason.as_deref() == Some(Stop::Contradiction.sentence());
+    let is_broken = search.ended == Some(Ended::Fault);
     let contradicts = is_broken || legal && !agrees(&objective, own.as_ref(), &search);
     let search = if contradicts {
         nothing(search.stats)
@@ -77,5 +77,5 @@ fn keeps(objective: &Objective, own: &Costs, bounds: &BTreeMap<Cost, u32>) -> bo
 /// A search of which nothing is believed.
 fn nothing(stats: Stats) -> SolveAnswer {
     let reason = Stop::Contradiction.sentence().to_owned();
-    SolveAnswer::without_plan(Status::Unknown, None, reason, stats)
+    SolveAnswer::without_plan(Status::Unknown, None, (Ended::Fault, reason), stats)
 }

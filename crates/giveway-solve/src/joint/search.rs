@@ -58,6 +58,7 @@ impl Joint<'_> {
             }
             let successors = self.successors(&states.0);
             *steps += successors.len();
+            budget.spend(successors.len() as u64)?;
             for (next, cost) in successors {
                 let paid = paid.and(cost);
                 if !self.keeps_limits(paid.used) {

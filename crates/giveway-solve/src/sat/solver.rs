@@ -171,7 +171,7 @@ impl<'h> Sat<'h> {
     /// One call: `None` for a model, else the core as varisat states it.
     pub(super) fn call(&mut self, assumptions: &[Lit]) -> Result<Option<Vec<Lit>>, Stop> {
         self.budget.check()?;
-        self.budget.count_call();
+        self.budget.count_call(self.variables);
         self.take_freed();
         self.buffer.clear();
         self.buffer.extend(assumptions.iter().map(|&l| outward(l)));

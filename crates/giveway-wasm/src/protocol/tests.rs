@@ -56,6 +56,7 @@ fn solve_request() -> SolveRequest {
         limits: Limits {
             seconds: Some(0.5),
             conflicts: Some(u64::MAX),
+            work: Some(7),
             memory_bytes: None,
         },
         as_found: false,
@@ -222,6 +223,7 @@ fn responses_come_back() {
     check_response(Response::Front(FrontAnswer {
         giveway: Version,
         status: Status::Feasible,
+        ended: Some(giveway_solve::Ended::Work),
         complete: false,
         within: Some(3),
         front: vec![answer],

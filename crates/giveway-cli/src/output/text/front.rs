@@ -28,7 +28,7 @@ fn status(objective: &Objective, answer: &FrontAnswer) -> String {
     let names: Vec<&str> = objective.costs().iter().map(|&c| name(c)).collect();
     let plans = count(answer.front.len(), "plan");
     let within = answer.within.filter(|_| !answer.complete);
-    let said = |is_whole| format!(": {}", words::front(&plans, is_whole, within));
+    let said = |is_whole| format!(": {}", words::front(&plans, is_whole, within, answer.ended));
     let (word, rest) = match (answer.status, within) {
         (Status::Optimal, _) => ("Pareto front", said(true)),
         (Status::Feasible, _) => ("Part of the Pareto front", said(false)),
@@ -81,6 +81,7 @@ fn total(front: &[SolveAnswer]) -> Stats {
         variables: sum.variables.max(point.stats.variables),
         clauses: sum.clauses.max(point.stats.clauses),
         conflicts: sum.conflicts + point.stats.conflicts,
+        work: sum.work.max(point.stats.work),
     })
 }
 
@@ -107,6 +108,7 @@ mod tests {
             bounds: BTreeMap::new(),
             within,
             complete: within.is_none(),
+            ended: None,
             reason: None,
             plan: None,
             stats: Stats::default(),
@@ -115,6 +117,7 @@ mod tests {
         let answer = FrontAnswer {
             giveway: Version,
             status: status_of_all,
+            ended: None,
             complete: within.is_none(),
             within,
             front: costs.iter().map(point).collect(),

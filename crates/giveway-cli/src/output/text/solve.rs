@@ -4,11 +4,12 @@ use std::fmt::Write as _;
 
 use giveway_model::words::{count, name};
 use giveway_model::{Cost, Costs, Instance, Objective};
+use giveway_solve::audit::words::percent;
 use giveway_solve::words::{self, Headline};
 use giveway_solve::{SolveAnswer, Stats, Status};
 
 use super::{drawings, status_word, title};
-use crate::output::{plain, words::gap};
+use crate::output::plain;
 
 /// The whole answer: what is known, the costs, the map, the plan, the work.
 pub(crate) fn solve(
@@ -26,6 +27,10 @@ pub(crate) fn solve(
     parts.join("\n")
 }
 
+/// Said where the same command may print another plan.
+const ANOTHER_RUN: &str =
+    "Another run may end with another plan; --work-limit ends at the same place each time.\n";
+
 /// What is known, with the reach of the claim.
 fn status(objective: &Objective, answer: &SolveAnswer) -> String {
     let Headline { word, rest } = words::headline(objective, answer);
@@ -34,12 +39,15 @@ fn status(objective: &Objective, answer: &SolveAnswer) -> String {
         Status::Optimal => Some(words::claim(answer)),
         _ => words::reach_of_bounds(answer),
     };
-    let more = more.map_or_else(String::new, |more| more + "\n");
+    let mut more = more.map_or_else(String::new, |more| more + "\n");
+    if answer.status == Status::Feasible && words::may_differ(answer.ended) {
+        more += ANOTHER_RUN;
+    }
     format!("{word}{}\n{more}", plain::text(&rest))
 }
 
 /// All five costs, those of the objective first, each with its proved bound and,
-/// where the search ended early, how far that is away.
+/// where the search ended early, how far the cost may be above the best.
 fn cost_table(objective: &Objective, costs: &Costs, answer: &SolveAnswer) -> String {
     let others = Cost::ALL
         .iter()
@@ -54,7 +62,11 @@ fn cost_table(objective: &Objective, costs: &Costs, answer: &SolveAnswer) -> Str
         let name = plain::pad_right(name(cost), 14);
         let _ = write!(text, "{name}{n:>8}{at_least:>18}");
         if early {
-            let _ = write!(text, "{:>13}", said(bound.map(|&bound| gap(bound, n))));
+            let _ = write!(
+                text,
+                "{:>13}",
+                said(bound.and_then(|&bound| percent(n, bound, false)))
+            );
         }
         text.push('\n');
     }
@@ -64,12 +76,13 @@ fn cost_table(objective: &Objective, costs: &Costs, answer: &SolveAnswer) -> Str
 /// How much work it took.
 pub(super) fn work(stats: &Stats) -> String {
     format!(
-        "{:.2} s CPU, {}, {}, {}, {}\n",
+        "{:.2} s CPU, {}, {}, {}, {}, work {}\n",
         stats.cpu_seconds,
         count(stats.solver_calls, "solver call"),
         count(stats.variables, "variable"),
         count(stats.clauses, "clause"),
         count(stats.conflicts, "conflict"),
+        stats.work,
     )
 }
 
@@ -97,6 +110,7 @@ mod tests {
             bounds: BTreeMap::from([(Cost::Makespan, 22)]),
             within,
             complete: within.is_none(),
+            ended: None,
             reason: reason.map(str::to_owned),
             plan: None,
             stats: Stats::default(),
@@ -179,7 +193,7 @@ mod tests {
         expect![[r#"
             cost             value   proved at least          gap
             charges              3                 -            -
-            makespan            23                22          4 %
+            makespan            23                22        4.6 %
             sum of costs        35                 -            -
             moves               30                 -            -
             waits                1                 -            -

@@ -2,8 +2,8 @@
 
 use giveway_model::tr;
 use giveway_model::words::{and, decimal};
-use giveway_solve::Status;
 use giveway_solve::change::Method;
+use giveway_solve::{Ended, Status};
 
 use crate::changing::Tried;
 
@@ -41,6 +41,9 @@ pub(super) fn notes(tried: &Tried) -> Vec<String> {
         }
         // Where it has none, its column says so first.
         (Status::Optimal, Some(_)) | (_, None) => {}
+        (_, Some(_)) if told.result.ended == Some(Ended::Time) => {
+            notes.push(tr!("The best so far: time ended the search.").to_owned());
+        }
         (_, Some(_)) => notes.push(tr!("The best so far: the limits ended the search.").to_owned()),
     }
     notes.extend(giveway_solve::change::notes(told));

@@ -25,9 +25,9 @@ pub(super) fn claim(answer: &Answer) -> String {
     }
     match answer.by {
         Some(_) if solved.status == Status::Feasible => crate::planners::claim(answer),
-        None if solved.status == Status::Feasible => match solved.reason {
+        None if solved.status == Status::Feasible => match &solved.reason {
             // The reason says why there is no more.
-            Some(_) => tr!("The best plan so far.").to_owned(),
+            Some(_) => giveway_solve::words::claim(solved),
             None => tr!("Nobody has asked here whether it is the best.").to_owned(),
         },
         _ => giveway_solve::words::claim(solved),

@@ -62,6 +62,7 @@ pub(super) fn answer(
         bounds: BTreeMap::new(),
         within: None,
         complete: false,
+        ended: None,
         reason: None,
         plan,
         stats: Stats::default(),

@@ -4,7 +4,7 @@ use std::rc::Rc;
 
 use giveway_model::{Version, check};
 use giveway_solve::trace::SearchTrace;
-use giveway_solve::{Progress, SolveAnswer, Stats, Status};
+use giveway_solve::{Ended, Progress, SolveAnswer, Stats, Status};
 
 use crate::Solving;
 
@@ -45,11 +45,15 @@ impl Solving {
     /// What is known where the search ends before its answer; `None` where that
     /// is nothing.
     pub(super) fn stopped(&self, reason: &str) -> Option<SolveAnswer> {
-        self.so_far(Some(reason.to_owned()))
+        Some(SolveAnswer {
+            ended: Some(Ended::Cancelled),
+            reason: Some(reason.to_owned()),
+            ..self.so_far()?
+        })
     }
 
     /// What is known so far; `None` where that is nothing.
-    pub(super) fn so_far(&self, reason: Option<String>) -> Option<SolveAnswer> {
+    pub(super) fn so_far(&self) -> Option<SolveAnswer> {
         let plan = self.plan.as_deref().filter(|plan| {
             let instance = self.draft.instance();
             instance.is_ok_and(|instance| check::check(instance, plan).violations.is_empty())
@@ -67,7 +71,8 @@ impl Solving {
             bounds: self.bounds.clone(),
             within: self.request.within,
             complete: false,
-            reason,
+            ended: None,
+            reason: None,
             plan: plan.cloned(),
             stats: Stats::default(),
             trace: self.trace.as_deref().cloned(),

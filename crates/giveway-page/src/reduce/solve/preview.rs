@@ -48,7 +48,7 @@ fn next(state: &State) -> Option<Answer> {
     if !is_newer || is_on_its_way(state) {
         return None;
     }
-    let solved = run.so_far(None).filter(|solved| solved.plan.is_some())?;
+    let solved = run.so_far().filter(|solved| solved.plan.is_some())?;
     Some(Answer::new(
         Rc::clone(&run.draft),
         Rc::clone(&run.request),

@@ -56,6 +56,7 @@ fn best() -> SolveAnswer {
         bounds: [(Cost::Makespan, 5), (Cost::SumOfCosts, 5)].into(),
         within: None,
         complete: true,
+        ended: Some(giveway_solve::Ended::Proof),
         reason: None,
         plan: Some(plan),
         stats: Stats::default(),

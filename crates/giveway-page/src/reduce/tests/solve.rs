@@ -33,6 +33,7 @@ pub(super) fn respond(run: u64, status: Status) -> Action {
         bounds: [(Cost::Makespan, 17)].into(),
         within: None,
         complete: false,
+        ended: None,
         reason: None,
         plan: None,
         stats: Stats::default(),

@@ -7,7 +7,7 @@ from dataclasses import dataclass
 from typing import Any, ClassVar
 
 from giveway._record import Record, optional
-from giveway.answers.costs import Costs, Stats, Status
+from giveway.answers.costs import Costs, Ended, Stats, Status
 from giveway.plan import Plan
 from giveway.scene import Cost
 
@@ -33,6 +33,7 @@ class MethodAnswer(Record):
     fewest: bool
     closest: bool
     cause: dict[str, Any] | None
+    ended: Ended | None = optional()
     reason: str | None = optional()
 
 

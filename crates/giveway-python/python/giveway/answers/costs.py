@@ -8,6 +8,8 @@ from typing import Literal
 from giveway._record import Record
 
 Status = Literal["optimal", "feasible", "impossible", "unknown"]
+#: What ended a search. Only time, memory and a person end the same search elsewhere each time.
+Ended = Literal["proof", "work", "conflicts", "time", "memory", "cancelled", "size", "fault"]
 
 
 @dataclass(frozen=True)
@@ -30,3 +32,5 @@ class Stats(Record):
     variables: int
     clauses: int
     conflicts: int
+    #: Units of work, as ``work_limit`` counts them.
+    work: int = 0

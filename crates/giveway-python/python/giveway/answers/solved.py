@@ -7,7 +7,7 @@ from dataclasses import dataclass
 from typing import Any, ClassVar, Literal
 
 from giveway._record import Record, optional
-from giveway.answers.costs import Costs, Stats, Status
+from giveway.answers.costs import Costs, Ended, Stats, Status
 from giveway.plan import Plan
 from giveway.scene import Cost
 
@@ -29,6 +29,8 @@ class Answer(Record):
     complete: bool
     plan: Plan | None
     stats: Stats
+    #: What ended the search.
+    ended: Ended | None = optional()
     #: Why there is no plan or no proof.
     reason: str | None = optional()
     #: How it was found and proved, where that was asked for.
@@ -45,6 +47,8 @@ class Front(Record):
     complete: bool
     within: int | None
     front: tuple[Answer, ...]
+    #: What ended the search for its points.
+    ended: Ended | None = optional()
 
 
 @dataclass(frozen=True)

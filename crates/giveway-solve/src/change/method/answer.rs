@@ -9,7 +9,7 @@ use super::{
     judged::{disturb_few, judged},
 };
 use crate::{
-    SolveAnswer, Status,
+    Ended, SolveAnswer, Status,
     budget::Stop,
     change::{
         Cause, Method, MethodAnswer,
@@ -25,7 +25,7 @@ use crate::{
 /// The answer where there is nothing to search in.
 pub(super) fn without_search(case: &Case<'_, '_>, trouble: Trouble) -> MethodAnswer {
     let name = |agent| case.member(agent).map_or("", |member| member.name.as_str());
-    let (status, reach, reason, cause) = match trouble {
+    let (status, reach, ended, reason, cause) = match trouble {
         Trouble::Alone(agent, fault, reason) => {
             // However it is bound, it cannot.
             let free = Method::Replan;
@@ -39,22 +39,31 @@ pub(super) fn without_search(case: &Case<'_, '_>, trouble: Trouble) -> MethodAns
                 text: text.clone(),
             };
             let reach = Reach::ForEver(reason);
-            (Status::Impossible, Some(reach), text, Some(cause))
+            (
+                Status::Impossible,
+                Some(reach),
+                Ended::Proof,
+                text,
+                Some(cause),
+            )
         }
         // (Whoever cannot be held to the method is freed before.)
         Trouble::Held(..) => {
             let reason = Stop::Contradiction.sentence().to_owned();
-            (Status::Unknown, None, reason, None)
+            (Status::Unknown, None, Ended::Fault, reason, None)
         }
         Trouble::TooManyWaypoints(agent) => {
             let name = name(agent);
             let reason = tr!("{name} has more waypoints than can be planned for.", name);
-            (Status::Unknown, None, reason, None)
+            (Status::Unknown, None, Ended::Size, reason, None)
         }
-        Trouble::Stopped(stop) => (Status::Unknown, None, stop.sentence().to_owned(), None),
+        Trouble::Stopped(stop) => {
+            let reason = stop.sentence().to_owned();
+            (Status::Unknown, None, stop.into(), reason, None)
+        }
     };
     MethodAnswer {
-        result: SolveAnswer::without_plan(status, reach, reason, case.budget.stats()),
+        result: SolveAnswer::without_plan(status, reach, (ended, reason), case.budget.stats()),
         kept: Vec::new(),
         retimed: Vec::new(),
         rerouted: Vec::new(),
@@ -122,6 +131,7 @@ pub(super) fn answer(case: &Case<'_, '_>, found: &MethodFound) -> MethodAnswer {
             bounds,
             within,
             complete,
+            ended: Some(Ended::by(stop)),
             reason,
             plan,
             stats: case.budget.stats(),
