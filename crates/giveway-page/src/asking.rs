@@ -5,7 +5,7 @@ use std::rc::Rc;
 use giveway_model::check::Violation;
 use giveway_model::{Cost, Question};
 use giveway_proof::Report;
-use giveway_solve::explain::{ExplainAnswer, ExplainRequest};
+use giveway_solve::explain::{Class, ExplainAnswer, ExplainRequest};
 use giveway_solve::{Limits, SolveAnswer, Stats, Status};
 
 use crate::Answer;
@@ -94,11 +94,12 @@ impl Asking {
     }
 
     /// What would go wrong, or does so in a person's own plan.
-    pub(crate) fn violations(&self) -> impl Iterator<Item = &Violation> {
+    pub(crate) fn violations(&self) -> impl Iterator<Item = (Option<Class>, &Violation)> {
         let told = self.told.as_deref();
         let would = told.into_iter().flat_map(|told| &told.witness);
-        let does = told.into_iter().flat_map(|told| &told.violations);
-        would.map(|entry| &entry.violation).chain(does.flatten())
+        let does = told.into_iter().flat_map(|told| &told.violations).flatten();
+        let would = would.map(|entry| (entry.class, &entry.violation));
+        would.chain(does.map(|violation| (None, violation)))
     }
 
     /// Takes in what became known.

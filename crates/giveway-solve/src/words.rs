@@ -89,7 +89,7 @@ pub fn headline(objective: &Objective, answer: &SolveAnswer) -> Headline {
 
 /// What the solver gives as a reason, each in its sentence: it speaks English, wherever
 /// it runs, and what it said is said anew where it is shown.
-const REASONS: [Later; 29] = [
+const REASONS: [Later; 30] = [
     tr_later!("The time limit was reached."),
     tr_later!("The conflict limit was reached."),
     tr_later!("The work limit was reached."),
@@ -112,7 +112,10 @@ const REASONS: [Later; 29] = [
     tr_later!("{agent} cannot do its task {bounds}, even alone."),
     tr_later!("{agent} cannot arrive {bounds}, no matter when it waits."),
     tr_later!(
-        "{robots} block each other: no matter when they wait, they cannot all keep to their old paths."
+        "{robots} block each other: as long as they keep to their old paths, no choice of waits lets them all arrive."
+    ),
+    tr_later!(
+        "{robots} block each other: as long as they keep to their old paths, no choice of waits lets them all arrive with what their batteries hold."
     ),
     tr_later!("{robots} block each other: they cannot all stay in their tunnels."),
     tr_later!("on its old path"),

@@ -39,12 +39,12 @@ pub(super) fn show(card: &Card, send: &Callback<Action>) -> Html {
             if !card.rows.is_empty() {
                 { costs(&card.rows, tr!("Both plans"), [tr!("This"), tr!("Other")]) }
             }
-            if let Some((title, happenings)) = &card.witness && !is_numbered {
-                { witness(title, happenings, send) }
+            if !is_numbered {
+                { for card.witness.iter().map(|(title, happenings)| witness(title, happenings, send)) }
             }
             { for card.cores.iter().map(|facts| core(facts, send)) }
-            if let Some((title, happenings)) = &card.witness && is_numbered {
-                { witness(title, happenings, send) }
+            if is_numbered {
+                { for card.witness.iter().map(|(title, happenings)| witness(title, happenings, send)) }
             }
             if card.other.is_some() && !card.repairs.is_empty() {
                 { repairs(card, false, send) }
@@ -136,8 +136,8 @@ fn lit(lit: Lit, send: &Callback<Action>) -> [Callback<()>; 2] {
 }
 
 fn witness(title: &str, happenings: &[Happening], send: &Callback<Action>) -> Html {
-    let one = |(index, happening): (usize, &Happening)| {
-        let [on, off] = lit(Lit::Witness(index), send);
+    let one = |happening: &Happening| {
+        let [on, off] = lit(Lit::Witness(happening.index), send);
         let time = happening.time;
         html! {
             <li><button type="button" class={classes!("reason", happening.is_lit.then_some("lit"))}
@@ -156,7 +156,7 @@ fn witness(title: &str, happenings: &[Happening], send: &Callback<Action>) -> Ht
     html! {
         <section>
             <h3>{ title.to_owned() }</h3>
-            <ul class="reasons">{ for happenings.iter().enumerate().map(one) }</ul>
+            <ul class="reasons">{ for happenings.iter().map(one) }</ul>
         </section>
     }
 }

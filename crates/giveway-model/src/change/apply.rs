@@ -10,6 +10,8 @@ use super::{
 };
 use crate::{Agent, Battery, Cell, Fault, Grid, Ground, MAX_AGENTS, MAX_CAPACITY, Plan};
 
+pub(super) use look_over::Taken;
+
 impl History {
     /// Applies the changes of one time, each with its place in the list of
     /// changes. Nothing may have changed at that time or later yet.

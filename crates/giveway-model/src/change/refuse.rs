@@ -1,6 +1,6 @@
 //! Why a change contradicts the world: what was found, what was expected.
 
-use super::apply::Reason;
+use super::apply::{Reason, Taken};
 use super::{MAX_CHANGES, MAX_DELAY, MAX_TIME};
 use crate::{Cell, Grid, MAX_AGENTS, MAX_CAPACITY, tr, tr_later};
 
@@ -163,29 +163,30 @@ pub(super) fn level(name: &str, level: u32, capacity: u32) -> Reason {
     )
 }
 
-pub(super) fn occupied(name: &str, cell: Cell, other: &str, at: u32) -> Reason {
+pub(super) fn occupied(name: &str, cell: Cell, other: Taken<'_>, at: u32) -> Reason {
+    let (place, other) = (cell, other_at(other, at));
     reason(
-        tr!(
-            "{name} at {cell}, where {other} is at time {at}",
-            name,
-            cell,
-            other,
-            at
-        ),
+        tr!("{name} at {place}, {other}", name, place, other),
         tr_later!("a cell that is free then"),
     )
 }
 
-pub(super) fn obstacle_on(cell: Cell, other: &str, at: u32) -> Reason {
+pub(super) fn obstacle_on(cell: Cell, other: Taken<'_>, at: u32) -> Reason {
+    let (place, other) = (cell, other_at(other, at));
     reason(
-        tr!(
-            "an obstacle at {cell}, where {other} is at time {at}",
-            cell,
-            other,
-            at
-        ),
+        tr!("an obstacle at {place}, {other}", place, other),
         tr_later!("a cell that is free then"),
     )
+}
+
+/// Who is at a cell, or on its way into it.
+fn other_at(other: Taken<'_>, at: u32) -> String {
+    let name = other.name;
+    if other.is_entering {
+        tr!("a cell" => "which {name} is entering at time {at}", name, at)
+    } else {
+        tr!("a cell" => "where {name} is at time {at}", name, at)
+    }
 }
 
 pub(super) fn shared_goal(cell: Cell, a: &str, b: &str) -> Reason {

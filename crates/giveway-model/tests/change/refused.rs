@@ -33,7 +33,7 @@ fn obstacles_where_somebody_is() {
     // The head of a slow move counts, and a sleeper.
     refused(
         "1 add-obstacle 13; 1 move-obstacle 02 01",
-        "changes[0]: found an obstacle at (1, 3), where C is at time 1, expected a cell that is free then; \
+        "changes[0]: found an obstacle at (1, 3), which C is entering at time 1, expected a cell that is free then; \
          changes[1]: found an obstacle at (0, 1), where B is at time 1, expected a cell that is free then",
     );
 }

@@ -102,7 +102,7 @@ pub fn reasons(state: &State) -> Reasons {
         return reasons;
     };
     let is_numbered = numbers_facts(asking);
-    for (index, violation) in asking.violations().enumerate().take(SPOTS) {
+    for (index, (_, violation)) in asking.violations().enumerate().take(SPOTS) {
         match place(violation) {
             None => {}
             // What is in an obstacle is part of a fact, which has its mark there.

@@ -60,6 +60,7 @@ pub fn facts(state: &State) -> Option<Facts> {
     }
     let violations = steering.violations.iter().enumerate();
     let violations = violations.map(|(index, violation)| Happening {
+        index,
         number: Some(index + 1),
         text: violation.message.clone(),
         time: violation.time,

@@ -6,13 +6,15 @@ use super::{CauseKind, Method, MethodAnswer};
 use crate::solve::clash_sentence;
 use crate::words::reason as told;
 
-/// What keeps an agent from what a method asks of it.
+/// What keeps an agent from what a method asks of it; of agents that block each other it
+/// is also told whether one of them has a battery.
 pub(super) fn cause(
     method: Method,
     agent: &str,
     kind: CauseKind,
     cell: Option<Cell>,
     agents: &[String],
+    has_batteries: bool,
 ) -> String {
     let place = cell.map_or_else(
         || tr!("a place" => "there").to_owned(),
@@ -75,8 +77,12 @@ pub(super) fn cause(
                 bounds
             )
         }
+        (CauseKind::Blocked, Method::Revise) if has_batteries => tr!(
+            "{robots} block each other: as long as they keep to their old paths, no choice of waits lets them all arrive with what their batteries hold.",
+            robots = list(agents)
+        ),
         (CauseKind::Blocked, Method::Revise) => tr!(
-            "{robots} block each other: no matter when they wait, they cannot all keep to their old paths.",
+            "{robots} block each other: as long as they keep to their old paths, no choice of waits lets them all arrive.",
             robots = list(agents)
         ),
         (CauseKind::Blocked, Method::Tunnel(_)) => tr!(

@@ -51,6 +51,5 @@ pub use answer::{Class, Core, Edit, Excess, Fact, FactKind, Helps, Repair, Witne
 pub use edits::edited_instance;
 pub use explanation::{ExplainAnswer, ExplainRequest, Part, Verdict};
 pub use words::{
-    edits_in_words, facts_claim, facts_title, further_title, helps_mark, verdict_word,
-    witness_title,
+    edits_in_words, facts_claim, facts_title, helps_mark, verdict_word, witness_title,
 };

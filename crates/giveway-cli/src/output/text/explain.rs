@@ -11,8 +11,7 @@ use giveway_model::{
     words::name,
 };
 use giveway_solve::explain::{
-    Core, ExplainAnswer, Verdict, facts_claim, facts_title, further_title, helps_mark,
-    verdict_word, witness_title,
+    Core, ExplainAnswer, Verdict, facts_claim, facts_title, helps_mark, verdict_word, witness_title,
 };
 use giveway_solve::words::reach;
 
@@ -69,20 +68,20 @@ fn whole(
     parts.extend([map, plans]);
     let violations = answer.violations.iter().flatten();
     let broken: Vec<&str> = violations.map(|v| v.message.as_str()).collect();
-    let title = witness_title(&answer.question);
-    parts.push(listed(&title, &broken));
-    let witness: Vec<&str> = answer
-        .witness
-        .iter()
-        .map(|entry| entry.violation.message.as_str())
-        .collect();
-    parts.push(listed(&title, &witness));
-    if let Some(core) = &answer.core {
-        parts.push(facts(answer, core, facts_title(answer.verdict)));
-        let title = further_title(answer.verdict);
-        let further = core.further.iter();
-        parts.extend(further.map(|core| facts(answer, core, title)));
+    parts.push(listed(&witness_title(&answer.question, None), &broken));
+    for entries in answer.witness.chunk_by(|a, b| a.class == b.class) {
+        let title = witness_title(&answer.question, entries[0].class);
+        let would: Vec<&str> = entries
+            .iter()
+            .map(|entry| entry.violation.message.as_str())
+            .collect();
+        parts.push(listed(&title, &would));
     }
+    let sets = answer.core.iter().flat_map(Core::sets).enumerate();
+    parts.extend(sets.map(|(set, core)| {
+        let title = facts_title(answer.verdict, core, set > 0);
+        facts(answer, core, title)
+    }));
     let mut repairs: Vec<&str> = answer.repairs.iter().map(|r| r.text.as_str()).collect();
     let further = format!("{} more would help, too.", answer.further_repairs);
     repairs.extend((answer.further_repairs > 0).then_some(further.as_str()));

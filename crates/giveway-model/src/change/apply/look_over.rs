@@ -6,10 +6,17 @@ use std::collections::BTreeMap;
 use super::{Reason, Whereabouts, World, refuse};
 use crate::{Cell, sorting};
 
+/// An agent that is at a cell, or half way into it.
+#[derive(Clone, Copy)]
+pub(in super::super) struct Taken<'a> {
+    pub(in super::super) name: &'a str,
+    pub(in super::super) is_entering: bool,
+}
+
 impl World<'_> {
     /// What can only be seen once everything has changed.
     pub(super) fn look_over(&mut self) {
-        let mut taken: BTreeMap<Cell, &str> = BTreeMap::new();
+        let mut taken: BTreeMap<Cell, Taken> = BTreeMap::new();
         let mut reasons: Vec<(usize, Reason)> = Vec::new();
         let (after, at) = (&self.after, self.at);
         let there = |name: &str| {
@@ -19,19 +26,28 @@ impl World<'_> {
         for trajectory in &self.trajectories {
             let name = trajectory.timeline.name();
             match trajectory.place(at) {
-                Whereabouts::At(cell) | Whereabouts::Transit { to: cell, .. } if there(name) => {
-                    taken.insert(cell, name);
+                Whereabouts::At(cell) if there(name) => {
+                    let is_entering = false;
+                    taken.insert(cell, Taken { name, is_entering });
+                }
+                Whereabouts::Transit { to: cell, .. } if there(name) => {
+                    let is_entering = true;
+                    taken.entry(cell).or_insert(Taken { name, is_entering });
                 }
                 _ => {}
             }
         }
         for (index, name, cell) in &self.placed {
-            if let Some(other) = taken.insert(*cell, name.as_str()) {
+            let placed = Taken {
+                name,
+                is_entering: false,
+            };
+            if let Some(other) = taken.insert(*cell, placed) {
                 reasons.push((*index, refuse::occupied(name, *cell, other, at)));
             }
         }
         for (&cell, &index) in &self.obstacles {
-            if let Some(other) = taken.get(&cell) {
+            if let Some(&other) = taken.get(&cell) {
                 reasons.push((index, refuse::obstacle_on(cell, other, at)));
             }
         }

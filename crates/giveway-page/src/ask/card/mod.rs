@@ -5,8 +5,7 @@ mod parts;
 
 use giveway_model::{Question, tr};
 use giveway_solve::explain::{
-    Core, ExplainAnswer, edits_in_words, facts_claim, facts_title, further_title, helps_mark,
-    witness_title,
+    Core, ExplainAnswer, edits_in_words, facts_claim, facts_title, helps_mark, witness_title,
 };
 use giveway_solve::words::reach;
 
@@ -29,7 +28,7 @@ pub fn card(state: &State) -> Option<Card> {
         verdict: None,
         rows: Vec::new(),
         other: None,
-        witness: None,
+        witness: Vec::new(),
         cores: Vec::new(),
         repairs: Vec::new(),
         more_repairs: None,
@@ -49,15 +48,7 @@ pub fn card(state: &State) -> Option<Card> {
             is_closest: told.closest,
         });
     }
-    let happenings = asking.violations().enumerate().take(HAPPENINGS);
-    let happenings = happenings.map(|(index, violation)| Happening {
-        number: (!numbers_facts(asking)).then_some(index + 1),
-        text: violation.message.clone(),
-        time: violation.time,
-        is_lit: asking.lit == Some(Lit::Witness(index)),
-    });
-    let happenings: Vec<Happening> = happenings.collect();
-    card.witness = (!happenings.is_empty()).then(|| (witness_title(asking.question()), happenings));
+    card.witness = witness(asking);
     card.cores = facts(asking, told);
     let objective = asking.about.draft.scene().objective.clone();
     let objective = asking.request.objective.as_ref().unwrap_or(&objective);
@@ -87,15 +78,34 @@ pub fn card(state: &State) -> Option<Card> {
     Some(card)
 }
 
+/// What would go wrong, or does, by the class of rules that may be broken.
+fn witness(asking: &Asking) -> Vec<(String, Vec<Happening>)> {
+    let violations: Vec<_> = asking.violations().enumerate().take(HAPPENINGS).collect();
+    let classes = violations.chunk_by(|(_, (a, _)), (_, (b, _))| a == b);
+    classes
+        .map(|violations| {
+            let happenings = violations.iter().map(|&(index, (_, violation))| Happening {
+                number: (!numbers_facts(asking)).then_some(index + 1),
+                index,
+                text: violation.message.clone(),
+                time: violation.time,
+                is_lit: asking.lit == Some(Lit::Witness(index)),
+            });
+            let (_, (class, _)) = violations[0];
+            (
+                witness_title(asking.question(), class),
+                happenings.collect(),
+            )
+        })
+        .collect()
+}
+
 /// The sets of facts, the first one first.
 fn facts(asking: &Asking, told: &ExplainAnswer) -> Vec<Facts> {
     let mut index = 0..;
     let sets = told.core.iter().flat_map(Core::sets).enumerate();
     sets.map(|(set, core)| Facts {
-        title: match set {
-            0 => facts_title(told.verdict),
-            _ => further_title(told.verdict),
-        },
+        title: facts_title(told.verdict, core, set > 0),
         claim: facts_claim(&told.question, told.verdict, core),
         facts: core
             .facts

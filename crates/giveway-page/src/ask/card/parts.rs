@@ -13,8 +13,8 @@ pub struct Card {
     pub rows: Vec<CostRow>,
     /// Whether the other plan can be shown and taken, and whether it is shown.
     pub other: Option<Other>,
-    /// What would happen, with its heading.
-    pub witness: Option<(String, Vec<Happening>)>,
+    /// What would go wrong, under its headings.
+    pub witness: Vec<(String, Vec<Happening>)>,
     /// What together makes it impossible.
     pub cores: Vec<Facts>,
     /// What would help.
@@ -52,6 +52,8 @@ pub struct Other {
 /// Something that would go wrong.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Happening {
+    /// Its place among all of them, by which it lights up.
+    pub index: usize,
     /// Its number on the map, from 1; `None` where the facts have the numbers.
     pub number: Option<usize>,
     /// What.

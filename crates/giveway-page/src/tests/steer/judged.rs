@@ -21,7 +21,9 @@ fn who_is_not_at_its_goal_yet_is_in_nobodys_way_later() {
     let (badge, text) = card.verdict.unwrap();
     assert_eq!(badge.word, "Against the rules");
     assert!(text.starts_with("The plan breaks a rule: "), "{text}");
-    let (title, broken) = card.witness.unwrap();
+    let [(title, broken)] = &card.witness[..] else {
+        panic!("{:?}", card.witness);
+    };
     assert_eq!(title, "What is against the rules");
     let [goal, meets] = &broken[..] else {
         panic!("{broken:?}");

@@ -29,7 +29,7 @@ pub(super) fn without_search(case: &Case<'_, '_>, trouble: Trouble) -> MethodAns
         Trouble::Alone(agent, fault, reason) => {
             // However it is bound, it cannot.
             let free = Method::Replan;
-            let text = words::cause(free, name(agent), fault.kind, fault.cell, &[]);
+            let text = words::cause(free, name(agent), fault.kind, fault.cell, &[], false);
             let cause = Cause {
                 agent: name(agent).to_owned(),
                 kind: fault.kind,

@@ -1,6 +1,6 @@
 //! Why a method leaves no plan, or why agents had to be freed.
 
-use crate::change::{Cause, CauseKind, freed::Case, keep::Fault, words};
+use crate::change::{Cause, CauseKind, freed::Case, keep::Fault, words, world::Member};
 
 pub(super) fn cause_of(case: &Case<'_, '_>, agent: usize, fault: Fault) -> Cause {
     let name = case.member(agent).map_or("", |member| member.name.as_str());
@@ -10,7 +10,7 @@ pub(super) fn cause_of(case: &Case<'_, '_>, agent: usize, fault: Fault) -> Cause
         cell: fault.cell,
         agents: Vec::new(),
         within: None,
-        text: words::cause(case.method, name, fault.kind, fault.cell, &[]),
+        text: words::cause(case.method, name, fault.kind, fault.cell, &[], false),
     }
 }
 
@@ -27,7 +27,18 @@ pub(super) fn blocked(case: &Case<'_, '_>, agents: &[usize], within: Option<u32>
         cells.find(met).copied()
     });
     let agent = names.first().cloned().unwrap_or_default();
-    let text = words::cause(case.method, &agent, CauseKind::Blocked, cell, &names);
+    let has_batteries = agents
+        .iter()
+        .filter_map(|&agent| case.member(agent))
+        .any(Member::has_battery);
+    let text = words::cause(
+        case.method,
+        &agent,
+        CauseKind::Blocked,
+        cell,
+        &names,
+        has_batteries,
+    );
     Cause {
         agent,
         kind: CauseKind::Blocked,

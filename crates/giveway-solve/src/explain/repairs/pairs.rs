@@ -38,7 +38,7 @@ impl RepairSearch<'_> {
             // A slow zone that becomes normal is no mere relaxation.
             self.exhaustive &= core.contains(&Group::Slow) || !has_slow_edge(after.instance.grid());
             for second in self.candidates(&after.instance, &core) {
-                if second == *first {
+                if second == *first || self.leaves_nobody(first, &second) {
                     continue;
                 }
                 match self.try_alone(&second) {
@@ -57,6 +57,12 @@ impl RepairSearch<'_> {
                 pairs.insert(pair);
             }
         }
+    }
+
+    /// Whether two edits leave out all agents: that repairs nothing.
+    fn leaves_nobody(&self, first: &Candidate, second: &Candidate) -> bool {
+        let leaves = |edit: &Candidate| matches!(edit, Candidate::Edit(Edit::LeaveOut { .. }));
+        leaves(first) && leaves(second) && self.broken.instance.agents().len() <= 2
     }
 
     fn after(&self, edit: &Candidate) -> After {

@@ -2,7 +2,7 @@
 
 use giveway_model::{Question, tr};
 
-use crate::explain::{Core, ExplainAnswer, Fact, Helps, Verdict};
+use crate::explain::{Class, Core, ExplainAnswer, Fact, Helps, Verdict};
 
 /// The verdict in a word.
 pub fn verdict_word(answer: &ExplainAnswer) -> &'static str {
@@ -20,41 +20,70 @@ pub fn verdict_word(answer: &ExplainAnswer) -> &'static str {
     }
 }
 
-/// What stands above the things that would go wrong, or that a plan breaks.
-pub fn witness_title(question: &Question) -> String {
-    match question {
-        Question::Wait { agent, .. } => tr!("If {agent} did not wait", agent),
-        Question::Unsolvable => tr!("At the least, this would go wrong").to_owned(),
-        Question::Plan => tr!("What is against the rules").to_owned(),
-        _ => tr!("What would go wrong if only this changed").to_owned(),
+/// What stands above the things that would go wrong, or that a plan breaks. Where there
+/// is no plan, they are of one class, all rules of which may be broken.
+pub fn witness_title(question: &Question, class: Option<Class>) -> String {
+    match (question, class) {
+        (_, Some(Class::Collision)) => {
+            tr!("If robots could pass through each other, only this would go wrong").to_owned()
+        }
+        (_, Some(Class::Obstacle)) => {
+            tr!("If robots could pass through obstacles, only this would go wrong").to_owned()
+        }
+        (_, Some(Class::Battery)) => {
+            tr!("If batteries did not matter, only this would go wrong").to_owned()
+        }
+        (_, Some(Class::Waypoint)) => {
+            tr!("If waypoints could be skipped, only this would go wrong").to_owned()
+        }
+        (Question::Wait { agent, .. }, None) => tr!("If {agent} did not wait", agent),
+        (Question::Plan, None) => tr!("What is against the rules").to_owned(),
+        (_, None) => tr!("What would go wrong if only this changed").to_owned(),
     }
 }
 
-/// What stands above the facts that together make it so.
-pub fn facts_title(verdict: Verdict) -> &'static str {
-    match verdict {
-        Verdict::Costly => tr!("These facts together rule out a cheaper plan"),
-        _ => tr!("These facts together rule it out"),
+/// What stands above a set of facts: the `further` ones say that they are not the first.
+pub fn facts_title(verdict: Verdict, core: &Core, is_further: bool) -> &'static str {
+    match (verdict, is_single(core), is_further) {
+        (Verdict::Costly, true, false) => tr!("This fact rules out such a plan at no higher cost"),
+        (Verdict::Costly, true, true) => {
+            tr!("This fact rules out such a plan at no higher cost, too")
+        }
+        (Verdict::Costly, false, false) => {
+            tr!("These facts together rule out such a plan at no higher cost")
+        }
+        (Verdict::Costly, false, true) => {
+            tr!("These facts together rule out such a plan at no higher cost, too")
+        }
+        (_, true, false) => tr!("This fact rules it out"),
+        (_, true, true) => tr!("This fact rules it out, too"),
+        (_, false, false) => tr!("These facts together rule it out"),
+        (_, false, true) => tr!("These facts together rule it out, too"),
     }
 }
 
-/// What stands above a further set of such facts.
-pub fn further_title(verdict: Verdict) -> &'static str {
-    match verdict {
-        Verdict::Costly => tr!("These facts alone rule out a cheaper plan, too"),
-        _ => tr!("These facts alone rule it out, too"),
-    }
+const fn is_single(core: &Core) -> bool {
+    core.facts.len() == 1
 }
 
 /// What is claimed of a set: that it suffices, whether each of its facts is needed
-/// for that, and which of them help when they alone are left out.
+/// for that, and which of them help when they alone are left out. The start and the goal
+/// of the agent of the question are never left out: they are named where there is one.
 pub fn facts_claim(question: &Question, verdict: Verdict, core: &Core) -> String {
-    let set = match (core.minimal, verdict) {
-        (false, _) => tr!("Some of these may not be needed."),
-        (true, Verdict::Costly) => {
-            tr!("These facts alone rule out a cheaper plan, and each of them is needed for that.")
+    let set = match (core.minimal, is_single(core), question.agent()) {
+        (false, _, _) => tr!("Some of these may not be needed.").to_owned(),
+        (true, true, None) => tr!("This fact alone rules it out.").to_owned(),
+        (true, true, Some(agent)) => tr!(
+            "Given the start and goal of {agent}, this fact alone rules it out.",
+            agent
+        ),
+        (true, false, None) => {
+            tr!("These facts alone rule it out, and each of them is needed for that.").to_owned()
         }
-        (true, _) => tr!("These facts alone rule it out, and each of them is needed for that."),
+        (true, false, Some(agent)) => tr!(
+            "Given the start and goal of {agent}, these facts alone rule it out, and each of them is needed for that.",
+            agent
+        ),
     };
     let alone = alone(question, verdict, core).map(|sentence| format!(" {sentence}"));
     format!("{set}{}", alone.unwrap_or_default())
@@ -63,14 +92,21 @@ pub fn facts_claim(question: &Question, verdict: Verdict, core: &Core) -> String
 /// What leaving out one fact of a set alone does, as a sentence about all of them.
 fn alone(question: &Question, verdict: Verdict, core: &Core) -> Option<&'static str> {
     let count = |helps| core.facts.iter().filter(|fact| fact.helps == helps).count();
+    let (single, costly) = (is_single(core), verdict == Verdict::Costly);
     match [Helps::Yes, Helps::No, Helps::Unknown].map(count) {
         [0, 0, 0] => None,
-        [_, 0, 0] => Some(match (question, verdict) {
-            (_, Verdict::Costly) => tr!("Without any one of them there is a cheaper plan."),
-            (Question::Unsolvable, _) => tr!("Without any one of them there is a plan."),
-            _ => tr!("Without any one of them there is such a plan."),
+        [_, 0, 0] => Some(match (question, single) {
+            (_, true) if costly => tr!("Without it, such a plan costs no more than this one."),
+            (_, false) if costly => {
+                tr!("Without any one of them, such a plan costs no more than this one.")
+            }
+            (Question::Unsolvable, true) => tr!("Without it there is a plan."),
+            (Question::Unsolvable, false) => tr!("Without any one of them there is a plan."),
+            (_, true) => tr!("Without it there is such a plan."),
+            (_, false) => tr!("Without any one of them there is such a plan."),
         }),
         [_, _, 0] => no_help(core),
+        [0, ..] if single => Some(tr!("It is not known whether leaving it out helps.")),
         [0, ..] => Some(tr!(
             "It is not known for all of them whether leaving out only that one helps."
         )),
@@ -83,39 +119,25 @@ fn alone(question: &Question, verdict: Verdict, core: &Core) -> Option<&'static 
 /// That leaving out one fact of a set, or one of those without a mark, does not help:
 /// where that is so.
 pub(super) fn no_help(core: &Core) -> Option<&'static str> {
-    let has = |helps| core.facts.iter().any(|fact| fact.helps == helps);
-    let sentence = if has(Helps::Yes) {
-        tr!("Leaving out only one of the others does not help.")
-    } else {
-        tr!("Leaving out only one of them does not help.")
-    };
-    (has(Helps::No) && !has(Helps::Unknown)).then_some(sentence)
-}
-
-/// What stands behind facts that help when they alone are left out.
-pub(super) struct Marks {
-    /// Behind one fact.
-    pub(super) one: &'static str,
-    /// Behind several of a kind.
-    pub(super) any_of_these: &'static str,
-}
-
-pub(super) fn marks(question: &Question, verdict: Verdict) -> Marks {
-    let (one, any_of_these) = match (question, verdict) {
-        (_, Verdict::Costly) => (
-            tr!("without it there is a cheaper plan"),
-            tr!("without any one of these there is a cheaper plan"),
-        ),
-        (Question::Unsolvable, _) => (
-            tr!("without it there is a plan"),
-            tr!("without any one of these there is a plan"),
-        ),
-        _ => (
-            tr!("without it there is such a plan"),
-            tr!("without any one of these there is such a plan"),
-        ),
-    };
-    Marks { one, any_of_these }
+    let count = |helps| core.facts.iter().filter(|fact| fact.helps == helps).count();
+    if count(Helps::Unknown) > 0 {
+        return None;
+    }
+    match [Helps::Yes, Helps::No].map(count) {
+        [_, 0] => None,
+        [0, 1] => Some(tr!(
+            "Leaving it out does not help, since other facts rule it out, too."
+        )),
+        [0, ..] => Some(tr!(
+            "Leaving out only one of them does not help, since other facts rule it out, too."
+        )),
+        [_, 1] => Some(tr!(
+            "Leaving out only the other one does not help, since other facts rule it out, too."
+        )),
+        _ => Some(tr!(
+            "Leaving out only one of the others does not help, since other facts rule it out, too."
+        )),
+    }
 }
 
 /// What stands behind a fact that helps when it alone is left out; nothing where that
@@ -127,5 +149,9 @@ pub fn helps_mark(
     fact: &Fact,
 ) -> Option<&'static str> {
     let helps = |fact: &Fact| fact.helps == Helps::Yes;
-    (helps(fact) && !core.facts.iter().all(helps)).then(|| marks(question, verdict).one)
+    (helps(fact) && !core.facts.iter().all(helps)).then(|| match (question, verdict) {
+        (_, Verdict::Costly) => tr!("without it, such a plan costs no more"),
+        (Question::Unsolvable, _) => tr!("without it there is a plan"),
+        _ => tr!("without it there is such a plan"),
+    })
 }

@@ -1,9 +1,9 @@
 //! The facts of a set in one sentence: many of one kind are joined.
 
 use giveway_model::words::and;
-use giveway_model::{Cell, Question, tr};
+use giveway_model::{Cell, tr};
 
-use super::heads::{Marks, marks, no_help};
+use super::heads::{facts_title, no_help};
 use crate::explain::{Core, Fact, FactKind, Helps, Verdict};
 
 /// So many facts of a kind are told one by one.
@@ -12,38 +12,33 @@ const ONE_BY_ONE: usize = 3;
 /// counted.
 const IN_LIST: usize = 4;
 
-/// What the sets of facts exclude, a sentence each.
-pub(super) fn because(core: Option<&Core>, question: &Question, verdict: Verdict) -> Vec<String> {
+/// So many clauses are told; of more than that one fewer, and the rest is counted.
+const CLAUSES: usize = 5;
+
+/// What the sets of facts exclude, a sentence each. Which facts help when they alone are
+/// left out is told where the facts are listed.
+pub(super) fn because(core: Option<&Core>, verdict: Verdict) -> Vec<String> {
     let Some(core) = core.filter(|core| !core.facts.is_empty()) else {
         return Vec::new();
     };
-    let all_help = core.facts.iter().all(|fact| fact.helps == Helps::Yes);
-    let facts = clauses(core, (!all_help).then(|| marks(question, verdict)).as_ref());
-    let first = match verdict {
-        Verdict::Costly => tr!(
-            "These facts together rule a cheaper one out: {facts}.",
-            facts
-        ),
-        _ => tr!("These facts together rule it out: {facts}.", facts),
-    };
-    let mut sentences = vec![first];
-    sentences.extend(no_help(core).map(str::to_owned));
-    let further = core.further.iter().map(|core| {
-        let facts = clauses(core, None);
-        match verdict {
-            Verdict::Costly => tr!("These facts rule a cheaper one out, too: {facts}.", facts),
-            _ => tr!("These facts rule it out, too: {facts}.", facts),
-        }
-    });
-    sentences.extend(further);
+    let sets = core.sets().enumerate();
+    let mut sentences: Vec<String> = sets
+        .map(|(set, core)| {
+            let title = facts_title(verdict, core, set > 0);
+            tr!("{title}: {facts}.", title, facts = clauses(core))
+        })
+        .collect();
+    let helps = |fact: &Fact| fact.helps == Helps::Yes;
+    if !core.facts.iter().any(helps) {
+        sentences.extend(no_help(core).map(str::to_owned));
+    }
     sentences
 }
 
-/// The facts of a set as clauses, with marks at those that help.
-fn clauses(core: &Core, marks: Option<&Marks>) -> String {
+/// The facts of a set as clauses.
+fn clauses(core: &Core) -> String {
     let alike = |a: &Fact, b: &Fact| {
-        let same_agent = a.kind != FactKind::Waypoint || a.agents == b.agents;
-        a.kind == b.kind && same_agent && (marks.is_none() || a.helps == b.helps)
+        a.kind == b.kind && (a.kind != FactKind::Waypoint || a.agents == b.agents)
     };
     let mut groups: Vec<Vec<&Fact>> = Vec::new();
     for fact in &core.facts {
@@ -53,24 +48,27 @@ fn clauses(core: &Core, marks: Option<&Marks>) -> String {
         }
     }
     let mut clauses = Vec::new();
-    for group in groups {
-        let mark = |one: bool| {
-            let helps = group[0].helps == Helps::Yes;
-            let marks = marks.filter(|_| helps)?;
-            Some(if one { marks.one } else { marks.any_of_these })
-        };
+    for group in &groups {
         if group.len() <= ONE_BY_ONE {
-            let marked = |fact: &&Fact| with_mark(&fact.text, mark(true));
-            clauses.extend(group.iter().map(marked));
+            clauses.extend(group.iter().map(|fact| (fact.text.clone(), 1)));
         } else {
-            clauses.push(with_mark(&together(&group), mark(false)));
+            clauses.push((together(group), group.len()));
         }
     }
-    clauses.join("; ")
-}
-
-fn with_mark(clause: &str, mark: Option<&str>) -> String {
-    mark.map_or_else(|| clause.to_owned(), |mark| format!("{clause} ({mark})"))
+    if clauses.len() <= CLAUSES {
+        return clauses
+            .into_iter()
+            .map(|(text, _)| text)
+            .collect::<Vec<_>>()
+            .join("; ");
+    }
+    let rest = clauses.split_off(CLAUSES - 1);
+    let more: usize = rest.iter().map(|(_, facts)| facts).sum();
+    let told: Vec<String> = clauses.into_iter().map(|(text, _)| text).collect();
+    tr!(
+        "{facts}; and {n} more" | "{facts}; and {n} more" % more,
+        facts = told.join("; ")
+    )
 }
 
 /// Facts of one kind as one clause.

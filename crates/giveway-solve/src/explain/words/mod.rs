@@ -16,7 +16,7 @@ mod verdict;
 mod violations;
 
 pub(crate) use facts::fact;
-pub use heads::{facts_claim, facts_title, further_title, helps_mark, verdict_word, witness_title};
+pub use heads::{facts_claim, facts_title, helps_mark, verdict_word, witness_title};
 pub(crate) use own_plan::own_plan;
 pub use repairs::edits_in_words;
 pub(crate) use repairs::repair;

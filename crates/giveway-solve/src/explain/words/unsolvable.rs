@@ -3,7 +3,7 @@
 use giveway_model::words::and;
 use giveway_model::{Question, tr};
 
-use super::{joined::because, verdict::help, violations::would};
+use super::{heads::witness_title, joined::because, verdict::help, violations::would};
 use crate::explain::{
     Verdict,
     answer::{Class, Core, Repair, WitnessEntry},
@@ -22,7 +22,7 @@ pub(crate) fn unsolvable(
         |n| tr!("a plan" => " with a makespan of at most {n}", n),
     );
     let mut sentences = vec![tr!("There is no plan{within}.", within)];
-    sentences.extend(because(core, &Question::Unsolvable, Verdict::Necessary));
+    sentences.extend(because(core, Verdict::Necessary));
     for class in [
         Class::Collision,
         Class::Obstacle,
@@ -32,12 +32,6 @@ pub(crate) fn unsolvable(
         let violations = of_class(witness, class);
         let Some(first) = violations.first().and_then(|v| v.agents.first()) else {
             continue;
-        };
-        let if_not = match class {
-            Class::Collision => tr!("If robots could pass through each other"),
-            Class::Obstacle => tr!("If robots could pass through obstacles"),
-            Class::Battery => tr!("If batteries did not matter"),
-            Class::Waypoint => tr!("If waypoints could be skipped"),
         };
         let phrases: Vec<String> = violations
             .chunk_by(|a, b| a.agents.first() == b.agents.first())
@@ -51,8 +45,8 @@ pub(crate) fn unsolvable(
             })
             .collect();
         sentences.push(tr!(
-            "{if_not}, only this would go wrong: {all}.",
-            if_not,
+            "{title}: {all}.",
+            title = witness_title(&Question::Unsolvable, Some(class)),
             all = and(&phrases)
         ));
     }

@@ -89,7 +89,7 @@ pub(crate) fn verdict(telling: &Telling) -> String {
         }
     });
     if matches!(telling.verdict, Verdict::Necessary | Verdict::Costly) {
-        sentences.extend(because(telling.core, telling.question, telling.verdict));
+        sentences.extend(because(telling.core, telling.verdict));
     }
     sentences.extend(help(telling.repairs));
     sentences.join(" ")

@@ -11,7 +11,7 @@ use super::facts::broken_down;
 /// The most that a sentence tells one by one.
 const MOST: usize = 3;
 
-/// `meet A1 at (2, 1) at time 1 and run out of battery at time 9`. A meeting with
+/// `meet A1 at (2, 1) at time 1 and have too little battery at time 9`. A meeting with
 /// an agent that has broken down names the breakdown.
 pub(crate) fn would(agent: &str, violations: &[&Violation], breakdowns: &[Breakdown]) -> String {
     let mut phrases: Vec<String> = Vec::new();
@@ -75,7 +75,7 @@ fn of_rule(agent: &str, violation: &Violation) -> String {
             edge,
             time
         ),
-        Rule::Battery => tr!("a robot would" => "run out of battery at time {time}", time),
+        Rule::Battery => tr!("a robot would" => "have too little battery at time {time}", time),
         Rule::Waypoint => tr!("a robot would" => "miss its waypoint{cell}", cell),
         Rule::Obstacle => {
             tr!("a robot would" => "pass through the obstacle{cell} at time {time}", cell, time)
