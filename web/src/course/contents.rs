@@ -18,6 +18,7 @@ use super::shelf::Shelf;
 use super::sight::{focus, is_again, once};
 use super::tutor::Msg;
 use crate::icon;
+use crate::language::button;
 
 /// What the contents show.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -32,6 +33,8 @@ pub(super) enum Page {
 pub(super) struct ContentsProps {
     /// What is shown.
     pub(super) page: Page,
+    /// The tag of the language that is spoken; empty for English.
+    pub(super) spoken: String,
     /// The course, once it is there.
     pub(super) shelf: Option<Rc<Shelf>>,
     /// How far each lesson has come.
@@ -48,6 +51,7 @@ impl PartialEq for ContentsProps {
     fn eq(&self, other: &Self) -> bool {
         let shelf = |props: &Self| props.shelf.as_ref().map(Rc::as_ptr);
         self.page == other.page
+            && self.spoken == other.spoken
             && self.progress == other.progress
             && self.own == other.own
             && self.missing == other.missing
@@ -122,6 +126,7 @@ fn head(props: &ContentsProps, close: &Callback<()>, node: &NodeRef) -> Html {
             <div><h2 id="course-title">{ title }</h2><p>{ line }</p></div>
             <span class="grow"></span>
             if let Some(course) = course { { onward(course, props, node) } }
+            { button(&props.spoken, "btn ghost round tongue", NodeRef::default(), props.send.reform(Msg::Speak)) }
             <button type="button" class="btn ghost round" title={tr!("Close (Escape)")} onclick={close}>
                 { icon::show("cancel") }<span class="vh">{ tr!("Close") }</span>
             </button>
