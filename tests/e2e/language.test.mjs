@@ -98,9 +98,13 @@ describe("languages", () => {
     assert.equal(await back.evaluate((button) => document.activeElement === button), true, "the focus is lost");
     assert.equal(Number(await page.getByRole("slider", { name: "Zeit" }).first().getAttribute("aria-valuenow")), time);
     if (screen === "desktop") {
+      // The card of the settings closes by any press outside of it.
+      await page.getByRole("button", { name: /^Einstellungen:/ }).click();
       assert.equal(await page.getByLabel("Zeitlimit, s").inputValue(), "41");
+      await playground.key("Escape");
     }
     await playground.picture("language-pressed");
+    await back.focus();
     await playground.key("Enter");
     await playground.says(/^Optimal: makespan 18/);
     await playground.reload();

@@ -75,25 +75,23 @@ pub(crate) fn Share(props: &ShareProps) -> Html {
             if length > LONG {
                 <p>{ tr!("It has {length} characters, which some programs cut: a file is safer.", length) }</p>
             }
-            <div class="share-as">
-                if has_answer {
-                    <div class="ask-number">
-                        <label for="share-what">{ tr!("What it shows") }</label>
-                        <select id="share-what" class="field" onchange={choose(hide)}>
-                            <option value="" selected={!sharing.hides_answer}>{ tr!("With its plan") }</option>
-                            <option value={SCENE} selected={sharing.hides_answer}>{ tr!("Scene only: the answer stays hidden") }</option>
-                        </select>
-                    </div>
-                }
+            if has_answer {
                 <div class="ask-number">
-                    <label for="share-language">{ tr!("Language") }</label>
-                    <select id="share-language" class="field" onchange={choose(speak)}>
-                        <option value="" selected={sharing.language.is_empty()}>{ tr!("Reader\u{2019}s own language") }</option>
-                        { for language::all().map(|(tag, name)| html! {
-                            <option value={tag} lang={tag} selected={sharing.language == tag}>{ name }</option>
-                        }) }
+                    <label for="share-what">{ tr!("What it shows") }</label>
+                    <select id="share-what" class="field" onchange={choose(hide)}>
+                        <option value="" selected={!sharing.hides_answer}>{ tr!("With its plan") }</option>
+                        <option value={SCENE} selected={sharing.hides_answer}>{ tr!("Scene only: the answer stays hidden") }</option>
                     </select>
                 </div>
+            }
+            <div class="ask-number">
+                <label for="share-language">{ tr!("Language") }</label>
+                <select id="share-language" class="field" onchange={choose(speak)}>
+                    <option value="" selected={sharing.language.is_empty()}>{ tr!("Reader\u{2019}s own language") }</option>
+                    { for language::all().map(|(tag, name)| html! {
+                        <option value={tag} lang={tag} selected={sharing.language == tag}>{ name }</option>
+                    }) }
+                </select>
             </div>
             <div class="ask-number">
                 <label for="link">{ tr!("Link") }</label>
