@@ -175,6 +175,38 @@ describe("the course in German", () => {
     await course.contents.getByRole("button", { name: "Go on: Room to pass" }).waitFor();
   });
 
+  flow("turns by one press, in a lesson and over the contents", async (playground, { page }) => {
+    const course = new Course(playground);
+    const kurs = new Kurs(playground);
+    await playground.says(/^Optimal: makespan 18/);
+    await course.open();
+    await course.contents.getByRole("button", { name: /^Room to pass/ }).click();
+    await course.at("A corridor and a bay");
+    await course.next.click();
+    await course.at("How long will they need?");
+    await playground.key("2");
+    await course.says(/your guess.*proved/);
+    await playground.press("Deutsch");
+    await kurs.at("Wie lange brauchen sie?");
+    await kurs.says(/Der Solver hat bewiesen, dass 8 nicht genügen\./);
+    await playground.picture("course-pressed-german");
+
+    // The contents lie over the top bar, and have a button of their own.
+    await kurs.lesson.getByRole("button", { name: "Kurs", exact: true }).click();
+    await kurs.contents.getByRole("button", { name: "Glossar" }).click();
+    const glossary = page.getByRole("dialog", { name: /^(Glossar|Glossary)$/ });
+    await glossary.getByRole("searchbox").fill("CBS");
+    await glossary.getByRole("button", { name: "English" }).click();
+    await page.getByRole("dialog", { name: "Glossary" }).waitFor();
+    assert.equal(await glossary.getByRole("searchbox").inputValue(), "CBS", "what was typed is lost");
+    const button = glossary.getByRole("button", { name: "Deutsch" });
+    assert.equal(await button.evaluate((button) => document.activeElement === button), true, "the focus is lost");
+    await playground.picture("course-pressed-glossary");
+    await playground.key("Escape");
+    await course.at("How long will they need?");
+    await course.says(/your guess.*proved/);
+  }, { screens: BOTH });
+
   flow("stays in English where its catalogue does not arrive", async (playground, { context }) => {
     await context.route(/languages\/course\/de\.po/, (route) => route.fulfill({ status: 404 }));
     const course = new Course(playground);

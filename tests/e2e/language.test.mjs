@@ -79,6 +79,38 @@ describe("languages", () => {
     }, GERMAN);
   }
 
+  flow("turn by one press, and nothing is lost", async (playground, { page, screen }) => {
+    await playground.says(/^Optimal: makespan 18/);
+    await playground.pause();
+    const time = await playground.now();
+    const german = playground.button("Deutsch");
+    assert.equal(await german.getAttribute("lang"), "de");
+    assert.equal((await german.innerText()).trim(), "DE");
+    if (screen === "desktop") {
+      // What is typed and not yet taken is taken.
+      await playground.openSettings();
+      await playground.settings.getByLabel("Time limit, s").fill("41");
+    }
+    await german.click();
+    await playground.says(SOLVED);
+    const back = playground.button("English");
+    await back.waitFor();
+    assert.equal(await back.evaluate((button) => document.activeElement === button), true, "the focus is lost");
+    assert.equal(Number(await page.getByRole("slider", { name: "Zeit" }).first().getAttribute("aria-valuenow")), time);
+    if (screen === "desktop") {
+      // The card of the settings closes by any press outside of it.
+      await page.getByRole("button", { name: /^Einstellungen:/ }).click();
+      assert.equal(await page.getByLabel("Zeitlimit, s").inputValue(), "41");
+      await playground.key("Escape");
+    }
+    await playground.picture("language-pressed");
+    await back.focus();
+    await playground.key("Enter");
+    await playground.says(/^Optimal: makespan 18/);
+    await playground.reload();
+    await playground.says(/^Optimal: makespan 18/);
+  }, { screens: BOTH });
+
   flow("that cannot be fetched leave the page in English", async (playground, { context }) => {
     await context.route(/languages\/de\.po/, (route) => route.fulfill({ status: 404 }));
     await playground.says(/^Optimal: makespan 18/);

@@ -2,6 +2,7 @@
 //! watched. It edits nothing, keeps nothing, and takes only the keys that play.
 
 use giveway_model::tr;
+use giveway_page::link::Sharing;
 use giveway_page::{Action, PlayAction, State};
 use web_sys::HtmlInputElement;
 use yew::prelude::*;
@@ -9,7 +10,7 @@ use yew::prelude::*;
 use crate::board::Still;
 use crate::status::sentence;
 use crate::timeline::play_keys;
-use crate::{Shown, keep};
+use crate::{Shown, keep, language};
 
 /// Whether the page is shown so; whoever embeds it may add to the address.
 pub(crate) fn is_embedded() -> bool {
@@ -19,13 +20,20 @@ pub(crate) fn is_embedded() -> bool {
 
 /// The sentence, the board, what plays, and the way to the whole page.
 pub(crate) fn show(state: &Shown, send: &Callback<Action>) -> Html {
+    // The whole page opens in the language of the embed, where that has one.
+    let language = language::linked().map_or("", |_| language::spoken());
+    let sharing = Sharing {
+        language,
+        ..Sharing::default()
+    };
+    let link = sharing.link(&keep::address(state));
     html! {
         <>
             <header class="status">{ sentence(state) }</header>
             <Still state={state.clone()} send={send.clone()} />
             <footer class="dock">
                 <h1>{ title(state) }</h1>
-                <a href={keep::address(state)} target="_blank" rel="noopener">{ tr!("Open in Giveway") }</a>
+                <a href={link} target="_blank" rel="noopener">{ tr!("Open in Giveway") }</a>
                 if state.plan().is_some() {
                     { play_keys(state, send) }
                     { slider(state, send) }

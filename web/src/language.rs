@@ -1,5 +1,6 @@
-//! The language of the page: the one that was chosen, else the browser's first one that
-//! the page speaks. English is in the program; each other one is fetched when it is
+//! The language of the page: the one that was chosen here, else that of the link, else the
+//! one that was chosen at an earlier visit, else the browser's first one that the page
+//! speaks. English is in the program; each other one is fetched when it is
 //! asked for, and until it is there the page speaks English.
 
 use std::cell::Cell;
@@ -8,6 +9,7 @@ use giveway_model::tr;
 use giveway_model::words::{Catalogue, speak};
 use giveway_page::{Action, FileAction, Notice};
 use giveway_wasm::language;
+use web_sys::HtmlElement;
 use yew::platform::spawn_local;
 use yew::prelude::*;
 
@@ -34,6 +36,9 @@ thread_local! {
     /// What was chosen while the page is open: a browser may keep nothing.
     static CHOSEN: Held<Option<String>> = Held::default();
     static SPOKEN: Cell<&'static str> = const { Cell::new(ENGLISH) };
+    /// Whether the button was pressed that turns to another language: it is built anew
+    /// then, and takes the focus again.
+    static PRESSED: Cell<bool> = const { Cell::new(false) };
     /// What workers and the course are told; empty where English is spoken.
     static TOLD: Held<String> = Held::default();
     /// Says on the page that another language is spoken.
@@ -43,20 +48,55 @@ thread_local! {
 }
 
 /// The languages: their tags, and their names in themselves.
-pub(crate) fn all() -> impl Iterator<Item = (&'static str, &'static str)> {
+pub(crate) fn all() -> impl Iterator<Item = (&'static str, &'static str)> + Clone {
     let others = LIST.lines().filter_map(|line| line.split_once(' '));
     [(ENGLISH, "English")].into_iter().chain(others)
 }
 
-/// What was chosen; empty, if the browser decides.
+/// What was chosen, by a person or by the link; empty, if the browser decides.
 pub(crate) fn choice() -> String {
-    let chosen = CHOSEN.with(Held::get);
+    let chosen = CHOSEN.with(Held::get).or_else(linked);
     chosen.or_else(keep::language).unwrap_or_default()
+}
+
+/// The language of the link, by its tag. One that the page does not speak is ignored.
+pub(crate) fn linked() -> Option<String> {
+    let tag = keep::linked_language()?;
+    known(&tag).map(str::to_owned)
+}
+
+/// The language that one press turns to, by its tag and its own name: the one after the
+/// language that is spoken. `spoken` is the tag of that; empty for English.
+pub(crate) fn next(spoken: &str) -> (&'static str, &'static str) {
+    let spoken = if spoken.is_empty() { ENGLISH } else { spoken };
+    let mut after = all().cycle().skip_while(|(tag, _)| *tag != spoken);
+    after.nth(1).unwrap_or((ENGLISH, "English"))
+}
+
+/// The button that turns to the next language, which it is named in.
+pub(crate) fn button(
+    spoken: &str,
+    class: &'static str,
+    node: NodeRef,
+    choose: Callback<&'static str>,
+) -> Html {
+    let (tag, name) = next(spoken);
+    let onclick = move |_: MouseEvent| choose.emit(tag);
+    html! {
+        <button type="button" ref={node} {class} lang={tag} title={name} aria-label={name} {onclick}>
+            { tag.to_uppercase() }
+        </button>
+    }
 }
 
 /// What a worker is to be told; empty where English is spoken.
 pub(crate) fn told() -> String {
     TOLD.with(Held::get)
+}
+
+/// The tag of the language that is spoken.
+pub(crate) fn spoken() -> &'static str {
+    SPOKEN.get()
 }
 
 /// Tells all who want to be told.
@@ -85,6 +125,35 @@ pub(crate) fn use_language() -> &'static str {
     *spoken
 }
 
+/// The button of the top bar that turns the page to the next language.
+#[component]
+pub(crate) fn LanguageButton(props: &LanguageButtonProps) -> Html {
+    let node = use_node_ref();
+    {
+        let node = node.clone();
+        use_effect_with((), move |()| {
+            if PRESSED.take()
+                && let Some(button) = node.cast::<HtmlElement>()
+            {
+                // Without the focus a person who uses the keyboard begins at the top.
+                let _ = button.focus();
+            }
+        });
+    }
+    let choose_it = props.send.clone();
+    let choose_it = Callback::from(move |tag| {
+        PRESSED.set(true);
+        choose(tag, &choose_it);
+    });
+    button(SPOKEN.get(), "btn ghost ph", node, choose_it)
+}
+
+#[derive(Clone, PartialEq, Properties)]
+pub(crate) struct LanguageButtonProps {
+    /// Takes the notice that a language did not arrive.
+    pub(crate) send: Callback<Action>,
+}
+
 /// Has somebody told the language that is spoken, whenever that changes.
 pub(crate) fn tell_workers(tell: Callback<String>) {
     WORKERS.with(|workers| {
@@ -98,6 +167,7 @@ pub(crate) fn tell_workers(tell: Callback<String>) {
 /// browser.
 pub(crate) fn choose(tag: &str, send: &Callback<Action>) {
     keep::keep_language(tag);
+    keep::forget_linked_language();
     CHOSEN.with(|chosen| chosen.set(Some(tag.to_owned())));
     let send = send.clone();
     spawn_local(async move {
@@ -110,12 +180,14 @@ pub(crate) fn choose(tag: &str, send: &Callback<Action>) {
     });
 }
 
+/// The tag of a language that the page speaks, of a tag that may name a region, too.
+fn known(tag: &str) -> Option<&'static str> {
+    let own = tag.split('-').next()?.to_lowercase();
+    all().map(|(tag, _)| tag).find(|known| *known == own)
+}
+
 /// The language to speak.
 fn wanted() -> &'static str {
-    let known = |tag: &str| {
-        let own = tag.split('-').next().unwrap_or_default();
-        all().map(|(tag, _)| tag).find(|known| *known == own)
-    };
     if let Some(chosen) = known(&choice()) {
         return chosen;
     }

@@ -51,6 +51,9 @@ pub enum ToPage {
     Say(String),
     /// Shows the page to a room.
     Present,
+    /// Turns the page to a language, by its tag. The course hears of it as of any other
+    /// choice.
+    Speak(String),
     /// The lesson ends: a person's own scene comes back.
     Close,
 }

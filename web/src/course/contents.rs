@@ -12,6 +12,7 @@ use yew::prelude::*;
 use super::author::AuthorMsg;
 use super::card::{Card, bar};
 use super::glossary::Terms;
+use super::language_button::use_language_button;
 use super::own::{self, Own};
 use super::place::Place;
 use super::shelf::Shelf;
@@ -32,6 +33,8 @@ pub(super) enum Page {
 pub(super) struct ContentsProps {
     /// What is shown.
     pub(super) page: Page,
+    /// The tag of the language that is spoken; empty for English.
+    pub(super) spoken: String,
     /// The course, once it is there.
     pub(super) shelf: Option<Rc<Shelf>>,
     /// How far each lesson has come.
@@ -48,6 +51,7 @@ impl PartialEq for ContentsProps {
     fn eq(&self, other: &Self) -> bool {
         let shelf = |props: &Self| props.shelf.as_ref().map(Rc::as_ptr);
         self.page == other.page
+            && self.spoken == other.spoken
             && self.progress == other.progress
             && self.own == other.own
             && self.missing == other.missing
@@ -66,6 +70,7 @@ pub(super) fn Contents(props: &ContentsProps) -> Html {
     // Whether it is asked if progress is to be forgotten.
     let asks = use_state_eq(|| false);
     use_modal(&node, &close);
+    let tongue = use_language_button(&node, &props.spoken, &props.send);
     // A press on the dialog itself, and not in it, is one beside it.
     let beside = {
         let (node, close) = (node.clone(), close.clone());
@@ -78,7 +83,7 @@ pub(super) fn Contents(props: &ContentsProps) -> Html {
     html! {
         <dialog ref={node} class="sheet" aria-labelledby="course-title" onmousedown={beside}>
             <div class="sheet-in">
-                { head(props, &close, &onward) }
+                { head(props, &close, &onward, tongue) }
                 <div class="sbody">{ body(props) }</div>
                 if let Some(shelf) = &props.shelf { { foot(props, &shelf.course, &asks, &onward) } }
             </div>
@@ -106,7 +111,7 @@ pub(super) fn use_modal(node: &NodeRef, close: &Callback<()>) {
     });
 }
 
-fn head(props: &ContentsProps, close: &Callback<()>, node: &NodeRef) -> Html {
+fn head(props: &ContentsProps, close: &Callback<()>, node: &NodeRef, tongue: Html) -> Html {
     let close = close.reform(|_: MouseEvent| ());
     let course = props.shelf.as_ref().map(|shelf| &shelf.course);
     let (title, line) = match (props.page, course) {
@@ -122,6 +127,7 @@ fn head(props: &ContentsProps, close: &Callback<()>, node: &NodeRef) -> Html {
             <div><h2 id="course-title">{ title }</h2><p>{ line }</p></div>
             <span class="grow"></span>
             if let Some(course) = course { { onward(course, props, node) } }
+            { tongue }
             <button type="button" class="btn ghost round" title={tr!("Close (Escape)")} onclick={close}>
                 { icon::show("cancel") }<span class="vh">{ tr!("Close") }</span>
             </button>

@@ -17,6 +17,7 @@ mod glossary;
 mod kept;
 mod keys;
 mod language;
+mod language_button;
 mod lesson;
 mod line;
 mod own;

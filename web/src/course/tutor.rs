@@ -43,6 +43,8 @@ pub(super) enum Msg {
     Told(String),
     /// That language is spoken from now on.
     Spoken,
+    /// A person wants another language, by its tag.
+    Speak(&'static str),
     /// A place is chosen.
     Enter(Place),
     /// A lesson that came as a file or in a link is kept no longer.
@@ -218,6 +220,11 @@ impl Component for Tutor {
                     line.say(&ToPage::Present);
                 }
             }
+            Msg::Speak(tag) => {
+                if let Some(line) = &self.line {
+                    line.say(&ToPage::Speak(tag.to_owned()));
+                }
+            }
             Msg::Print => {
                 // One that no browser told the end of goes first.
                 self.sheet = None;
@@ -248,7 +255,7 @@ impl Component for Tutor {
                     <Guide tour={tour.clone()} spoken={language::tag()} send={send.clone()} />
                 }
                 if let Some(page) = &self.page {
-                    <Contents key={language::tag()} page={*page} shelf={self.shelf.clone()} progress={self.learner.progress.clone()}
+                    <Contents spoken={language::tag()} page={*page} shelf={self.shelf.clone()} progress={self.learner.progress.clone()}
                         own={self.own.clone()} missing={self.missing.clone()} send={send.clone()} />
                 }
                 { self.author_view(&send) }

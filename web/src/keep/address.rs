@@ -57,10 +57,34 @@ fn taken(beginning: &str) -> Option<String> {
     Some(text.to_owned())
 }
 
-/// The address of the page with the state in it.
+/// The address of the page with the state in it, for a reader's own language.
 pub(crate) fn address(state: &State) -> String {
     let location = gloo::utils::window().location();
     let part = |part: Result<String, JsValue>| part.unwrap_or_default();
     let host = part(location.origin()) + &part(location.pathname());
     format!("{host}#{}", link::write(state))
+}
+
+/// The language that the address of the page names.
+pub(crate) fn linked_language() -> Option<String> {
+    let query = gloo::utils::window().location().search().ok()?;
+    link::language(&query).map(str::to_owned)
+}
+
+/// Takes the language out of the address: a person has chosen another one, which holds
+/// after a reload.
+pub(crate) fn forget_linked_language() {
+    let window = gloo::utils::window();
+    let location = window.location();
+    if let (Ok(path), Ok(query), Ok(hash), Ok(history)) = (
+        location.pathname(),
+        location.search(),
+        location.hash(),
+        window.history(),
+    ) && link::language(&query).is_some()
+    {
+        let address = path + &link::without_language(&query) + &hash;
+        // Where it is refused a reload speaks the language of the link again.
+        let _ = history.replace_state_with_url(&JsValue::NULL, "", Some(&address));
+    }
 }

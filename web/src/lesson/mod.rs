@@ -183,6 +183,7 @@ impl Course {
                             course.say(as_it_is(&state));
                         }
                     }
+                    Some(Ok(ToPage::Speak(tag))) => language::choose(&tag, &course.0.send),
                     Some(Ok(message)) => {
                         let says = LessonAction::Says(Box::new(message));
                         course.0.send.emit(Action::Lesson(says));

@@ -11,6 +11,7 @@ use web_sys::{Event, HtmlInputElement};
 use yew::prelude::*;
 
 use crate::dialog::{Panel, use_dismiss};
+use crate::language::LanguageButton;
 use crate::lesson::Course;
 use crate::theme::system_is_dark;
 use crate::{Shown, icon, keep, paste};
@@ -176,6 +177,7 @@ pub(crate) fn TopBar(props: &TopBarProps) -> Html {
                     { icon::show("redo") }<span class="vh">{ tr!("Redo") }</span>
                 </button>
                 <i class="sep"></i>
+                <LanguageButton send={send.clone()} />
                 <button class="btn ghost" title={theme_title.clone()} onclick={theme.clone()}>
                     { icon::show("theme") }<span class="vh">{ tr!("Theme") }</span>
                 </button>

@@ -16,6 +16,7 @@ mod kin;
 mod knowledge;
 mod preferences;
 mod read;
+mod share;
 mod steering;
 #[cfg(test)]
 mod tests;
@@ -31,6 +32,7 @@ pub use book::{keep, keep_moment, kept, kept_elsewhere, kept_moment};
 pub use kin::{Kin, is_newer, is_touched, kin, title};
 pub use preferences::{are_newer, prefer, preferences};
 pub(crate) use read::judged;
+pub use share::{Sharing, embed, language, without_language};
 
 pub use giveway_model::format::link::LONGEST;
 
@@ -85,27 +87,6 @@ pub fn write(state: &State) -> String {
         text += &ask::write(asking.question());
     }
     text
-}
-
-/// HTML that shows the scene of a link inside another page.
-///
-/// ```
-/// use giveway_page::link::embed;
-/// let html = embed("https://example.org/#giveway=1&map=1.f", "5 < 6");
-/// assert!(html.contains("src=\"https://example.org/?embed#giveway=1&amp;map=1.f\""));
-/// assert!(html.contains("title=\"Giveway: 5 &lt; 6\""));
-/// ```
-pub fn embed(link: &str, name: &str) -> String {
-    let text = |text: &str| {
-        let text = text.replace('&', "&amp;").replace('"', "&quot;");
-        text.replace('<', "&lt;").replace('>', "&gt;")
-    };
-    let link = text(&link.replacen('#', "?embed#", 1));
-    let name = text(name);
-    format!(
-        "<iframe src=\"{link}\" title=\"Giveway: {name}\" width=\"640\" height=\"480\" \
-         loading=\"lazy\" style=\"border: 0\"></iframe>"
-    )
 }
 
 /// Reads what [`write()`] wrote.

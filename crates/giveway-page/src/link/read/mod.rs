@@ -18,7 +18,7 @@ use crate::front::Front;
 use crate::{Answer, Colours, Document, Draft, Looks, Mode};
 
 pub(crate) use judged::judged;
-pub(super) use parts::is_public;
+pub(super) use parts::{is_of_scene, is_public};
 
 use judged::answer;
 use mode::mode;

@@ -46,10 +46,24 @@ const HERE: [&str; 15] = [
     "told-report",
 ];
 
+/// What belongs to a scene and is no part of an answer: the version, the horizon that
+/// was set, how robots look.
+const BESIDE_SCENE: [&str; 4] = ["giveway", "within", "colours", "looks"];
+
 /// Whether a part of a document is read from anywhere.
 pub(in crate::link) fn is_public(part: &str) -> bool {
-    let key = part.split_once('=').map_or(part, |(key, _)| key);
+    let key = key(part);
     key == "giveway" || is_known(key, From::Anywhere)
+}
+
+/// Whether a part tells of the scene alone, and nothing of an answer.
+pub(in crate::link) fn is_of_scene(part: &str) -> bool {
+    let key = key(part);
+    SCENE.contains(&key) || BESIDE_SCENE.contains(&key)
+}
+
+fn key(part: &str) -> &str {
+    part.split_once('=').map_or(part, |(key, _)| key)
 }
 
 fn is_known(key: &str, from: From) -> bool {

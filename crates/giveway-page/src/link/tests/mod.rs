@@ -3,6 +3,7 @@
 mod ask;
 mod change;
 mod kept;
+mod share;
 
 use std::rc::Rc;
 

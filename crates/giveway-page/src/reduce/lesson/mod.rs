@@ -75,8 +75,8 @@ fn says(state: &mut State, message: ToPage) {
         ToPage::Say(sentence) => state.view.notice = Some(Notice::new(sentence)),
         ToPage::Present => super::view::view(state, &ViewAction::Present(Presenting::Told)),
         ToPage::Close => leave(state),
-        // It changes nothing: the page answers by itself.
-        ToPage::Take => {}
+        // They change no state: the page acts by itself.
+        ToPage::Take | ToPage::Speak(_) => {}
     }
 }
 
