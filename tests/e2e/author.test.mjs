@@ -198,6 +198,7 @@ describe("a lesson of one's own", () => {
     await author.press("Take the board as it is now");
     await author.says(/^The board is taken\./);
     await author.choose("What there is to do", "Edit the scene");
+    await author.fill("What it asks", "Leave no plan.");
     await author.fill("Text", "See [A9](robot:A9).");
     const wrong = () => author.field("Text").evaluate((field) => document.getElementById(field.getAttribute("aria-describedby"))?.innerText);
     await eventually("the fault at its field", wrong, (said) => said === "The board of this step has no robot A9.");

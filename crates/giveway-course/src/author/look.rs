@@ -56,21 +56,18 @@ impl Draft {
         let draft = self.steps.get(index)?;
         let fields = form(draft, self.scene(index));
         let mut written = build::object(&fields, &draft.words, faults);
-        let mut step = match serde_json::from_value::<Step>(written.clone()) {
-            Ok(step) => step,
-            Err(_) => {
-                // What is missing in the task was told; the rest is shown without it.
-                if faults.is_empty() {
-                    faults.push((no_choice(&fields, &draft.words), Wrong::NotChoice));
-                }
-                if let Some(object) = written.as_object_mut() {
-                    for part in ["task", "hints", "reason"] {
-                        object.remove(part);
-                    }
-                }
-                serde_json::from_value(written).unwrap_or_default()
+        let mut step = serde_json::from_value::<Step>(written.clone()).unwrap_or_else(|_| {
+            // What is missing in the task was told; the rest is shown without it.
+            if faults.is_empty() {
+                faults.push((no_choice(&fields, &draft.words), Wrong::NotChoice));
             }
-        };
+            if let Some(object) = written.as_object_mut() {
+                for part in ["task", "hints", "reason"] {
+                    object.remove(part);
+                }
+            }
+            serde_json::from_value(written).unwrap_or_default()
+        });
         if step.task.is_some() && step.reason.is_none() {
             // That it is missing was told.
             step.reason = Some(Text::default());
