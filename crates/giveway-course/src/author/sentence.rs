@@ -133,7 +133,7 @@ pub struct ToDo {
 }
 
 impl Looked {
-    /// All that is still to do, in the order of the form.
+    /// All that is still to do: of the lesson first, then step by step.
     pub fn to_do(&self, draft: &Draft) -> Vec<ToDo> {
         let mut faults: Vec<&FormFault> = self.faults().iter().collect();
         faults.sort_by_key(|fault| fault.place.step);
