@@ -32,7 +32,7 @@ async function write(author, playground) {
   await author.choose("Done when", "no plan exists");
   await author.press("Obstacle");
   await author.fill("The most edits", "one");
-  await author.tells(/Found "one", expected a whole number\./);
+  await author.tells(/Write a whole number here\./);
   await author.fill("The most edits", "1");
   await author.fill("First hint", "Think of a flag.");
   await author.fill("Said once it is solved: why it is so", "Nobody stands on an obstacle.");
@@ -151,7 +151,7 @@ describe("a lesson of one's own", () => {
     assert.equal(await author.field("Plan").inputValue(), "given");
     await author.choose("What there is to do", "Find the conflicts");
     await author.fill("What it asks", "Find all.");
-    await author.tells(/Found a plan that breaks no rule, expected one with conflicts\./);
+    await author.tells(/This plan breaks no rule\. Take a plan with conflicts\./);
     await page.keyboard.press("Escape");
 
     const paths = { A1: [[0, 0], [1, 0], [2, 0]], A2: [[2, 2], [2, 1], [2, 0], [1, 0], [0, 0], [0, 1], [0, 2]] };
@@ -188,6 +188,37 @@ describe("a lesson of one's own", () => {
     await author.desk.waitFor();
     await page.keyboard.press("Escape");
   });
+
+  flow("that is faulty says so beside the field and in a list, in the words of the form", async (playground, { page }) => {
+    const author = new Author(playground);
+    await playground.open(file("ways.json", SCENE));
+    await playground.shows("two ways");
+    await author.open(new Course(playground));
+    await author.fill("Title of the step", "Look");
+    await author.press("Take the board as it is now");
+    await author.says(/^The board is taken\./);
+    await author.choose("What there is to do", "Edit the scene");
+    await author.fill("What it asks", "Leave no plan.");
+    await author.fill("Text", "See [A9](robot:A9).");
+    const wrong = () => author.field("Text").evaluate((field) => document.getElementById(field.getAttribute("aria-describedby"))?.innerText);
+    await eventually("the fault at its field", wrong, (said) => said === "The board of this step has no robot A9.");
+    const tools = author.desk.getByRole("group", { name: "Tools", exact: true });
+    await tools.getByText("Choose at least one tool: without one, nothing can be edited.").waitFor();
+    assert.doesNotMatch(await author.desk.innerText(), /steps\[|"paint"|task\./);
+
+    // The list names the step and the label, and leads there.
+    await author.press("Add a step");
+    await author.desk.getByText(/^\d+ things are still to do\.$/).click();
+    const line = author.desk.getByRole("button", { name: "Step 1, Text: The board of this step has no robot A9." });
+    await line.waitFor();
+    await playground.picture("author-to-do");
+    await line.click();
+    await eventually("the focus in the text of the first step", () => page.evaluate(() => document.activeElement.id), (id) => id === "step-text");
+    assert.equal(await author.field("Title of the step").inputValue(), "Look");
+    await author.fill("Text", "See [A1](robot:A1).");
+    await line.waitFor({ state: "detached" });
+    await page.keyboard.press("Escape");
+  }, { screens: BOTH });
 
   flow("that is faulty tells its fault, and the page stays as it is", async (playground, { page }) => {
     const author = new Author(playground);

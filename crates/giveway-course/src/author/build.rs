@@ -1,27 +1,26 @@
 //! From words in fields to the values of a file.
 
+use giveway_model::Cell;
 use giveway_model::change::Changes;
 use giveway_model::format::native;
 use giveway_model::question::from_words;
-use giveway_model::words::Later;
-use giveway_model::{Cell, Fault, tr, tr_later};
 use serde_json::{Map, Value};
 
 use super::field::Shape;
-use super::{Field, Words};
+use super::{Field, Words, Wrong};
 use crate::lesson::{Span, Text};
 
-/// What is found in a field in which nothing is.
-const NOTHING: Later = tr_later!("nothing");
+/// Faults, each with the name of its field.
+pub(super) type Faults = Vec<(String, Wrong)>;
 
 /// The object of some fields, as far as they can be read, with what is wrong in them.
-pub(super) fn object(fields: &[Field], words: &Words, faults: &mut Vec<Fault>) -> Value {
+pub(super) fn object(fields: &[Field], words: &Words, faults: &mut Faults) -> Value {
     let mut whole = Value::Object(Map::new());
     for field in fields {
         let text = field.value(words).trim();
         if text.is_empty() {
             if field.must {
-                faults.push(Fault::at(&field.name, NOTHING, expected(field.shape)));
+                faults.push((field.name.clone(), Wrong::Missing));
             }
             continue;
         }
@@ -32,26 +31,9 @@ pub(super) fn object(fields: &[Field], words: &Words, faults: &mut Vec<Fault>) -
     whole
 }
 
-/// Whether a fault only says that nothing is written yet.
-pub(super) fn is_missing(fault: &Fault) -> bool {
-    fault.found == NOTHING.text() || fault.found == NOTHING.english()
-}
-
-fn expected(shape: Shape) -> &'static str {
-    match shape {
-        Shape::Text | Shape::Paragraphs => tr!("a sentence"),
-        Shape::Number => tr!("a number"),
-        Shape::Words => tr!("at least one"),
-        Shape::Cell | Shape::Cells => tr!("a cell, such as 3,1"),
-        Shape::Question => tr!("a question"),
-        Shape::Changes => tr!("changes"),
-        Shape::Word | Shape::Flag | Shape::None => tr!("a few words"),
-    }
-}
-
-fn value(field: &Field, text: &str, faults: &mut Vec<Fault>) -> Option<Value> {
-    let mut wrong = |found: String, expected: &str| {
-        faults.push(Fault::at(&field.name, found, expected));
+fn value(field: &Field, text: &str, faults: &mut Faults) -> Option<Value> {
+    let mut wrong = |wrong: Wrong| {
+        faults.push((field.name.clone(), wrong));
         None
     };
     match field.shape {
@@ -62,7 +44,7 @@ fn value(field: &Field, text: &str, faults: &mut Vec<Fault>) -> Option<Value> {
         Shape::Paragraphs => Some(paragraphs(&field.name, text, faults)),
         Shape::Number => match text.parse::<u32>() {
             Ok(number) => Some(number.into()),
-            Err(_) => wrong(quoted(text), tr!("a whole number")),
+            Err(_) => wrong(Wrong::NotNumber),
         },
         Shape::Words => {
             let lines = text.lines().map(str::trim);
@@ -71,32 +53,24 @@ fn value(field: &Field, text: &str, faults: &mut Vec<Fault>) -> Option<Value> {
         }
         Shape::Cell => match cells(text).as_deref() {
             Some([cell]) => Some(pair(*cell)),
-            _ => wrong(quoted(text), tr!("a cell, such as 3,1")),
+            _ => wrong(Wrong::NotCell),
         },
         Shape::Cells => match cells(text) {
             Some(cells) => Some(cells.into_iter().map(pair).collect()),
-            None => wrong(quoted(text), tr!("cells, such as 3,1 4,1")),
+            None => wrong(Wrong::NotCells),
         },
         Shape::Question => {
             let words: Vec<&str> = text.split_whitespace().collect();
             match from_words(&words) {
                 Ok(question) => serde_json::to_value(question).ok(),
-                Err(why) => wrong(quoted(text), &tr!("a question: {why}", why)),
+                Err(why) => wrong(Wrong::NotQuestion(why.to_string())),
             }
         }
         Shape::Changes => match native::read_object::<Changes>(text) {
             Ok(changes) => serde_json::to_value(changes).ok(),
-            Err(fault) => {
-                faults.push(fault.of_part(&field.name));
-                None
-            }
+            Err(fault) => wrong(Wrong::NotChanges(fault)),
         },
     }
-}
-
-fn quoted(text: &str) -> String {
-    let short: String = text.chars().take(40).collect();
-    format!("{short:?}")
 }
 
 /// Words on one line, as markup has them.
@@ -105,7 +79,7 @@ fn one_line(text: &str) -> String {
     lines.collect::<Vec<_>>().join(" ")
 }
 
-fn paragraphs(name: &str, text: &str, faults: &mut Vec<Fault>) -> Value {
+fn paragraphs(name: &str, text: &str, faults: &mut Faults) -> Value {
     let mut all: Vec<String> = Vec::new();
     let mut is_open = false;
     for line in text.lines().map(str::trim) {
@@ -127,16 +101,11 @@ fn paragraphs(name: &str, text: &str, faults: &mut Vec<Fault>) -> Value {
 }
 
 /// A paragraph; one whose markup is broken has its words as they are.
-fn paragraph(name: &str, text: &str, faults: &mut Vec<Fault>) -> Value {
+fn paragraph(name: &str, text: &str, faults: &mut Faults) -> Value {
     match text.parse::<Text>() {
         Ok(text) => text.to_string().into(),
         Err(error) => {
-            let found = tr!(
-                "{found} at character {at}",
-                found = error.found,
-                at = error.at
-            );
-            faults.push(Fault::at(name, found, error.expected));
+            faults.push((name.to_owned(), Wrong::Markup(error)));
             let most = crate::lesson::text::MAX_CHARACTERS / 2;
             let plain = text.chars().filter(|c| !c.is_control()).take(most);
             Text::of(vec![Span::Plain(plain.collect())])

@@ -1,10 +1,11 @@
 //! What a draft comes to: a lesson, or what is wrong with it.
 
-use giveway_model::{Fault, Version, tr};
+use giveway_model::Version;
 use serde_json::Value;
 
-use super::{Draft, PLAN, build, form, head};
-use crate::lesson::read::check_lesson;
+use super::fault::is_within;
+use super::{Draft, Field, FormFault, Input, KIND, PLAN, Words, Wrong, build, form, head};
+use crate::lesson::read::{Place, check_lesson};
 use crate::lesson::{Glossary, Lesson, Step, Text};
 
 /// A draft that was looked at.
@@ -12,15 +13,16 @@ use crate::lesson::{Glossary, Lesson, Step, Text};
 pub struct Looked {
     /// The lesson, as far as it can be read.
     lesson: Lesson,
-    /// What is wrong, each with its place in the file.
-    faults: Vec<Fault>,
+    /// What is wrong.
+    faults: Vec<FormFault>,
 }
 
 impl Draft {
     /// Looks at what is written, with the terms of a glossary.
     pub fn look(&self, glossary: &Glossary) -> Looked {
-        let mut faults = Vec::new();
-        let written = build::object(&head(), &self.words, &mut faults);
+        let mut own = build::Faults::new();
+        let written = build::object(&head(), &self.words, &mut own);
+        let mut faults = of(None, own);
         let word = |name: &str| written.get(name).and_then(Value::as_str).unwrap_or("");
         let minutes = written.get("minutes").and_then(Value::as_u64);
         let mut lesson = Lesson {
@@ -32,43 +34,40 @@ impl Draft {
             steps: Vec::new(),
         };
         for index in 0..self.steps.len() {
-            let mut own = Vec::new();
+            let mut own = build::Faults::new();
             lesson.steps.extend(self.built(index, &mut own));
-            let place = format!("steps[{index}]");
-            faults.extend(own.into_iter().map(|fault| fault.of_part(&place)));
+            faults.extend(of(Some(index), own));
         }
         for fault in check_lesson(&lesson, glossary) {
-            // What cannot be read is told once.
-            if !faults
-                .iter()
-                .any(|known| covers(&known.place, &fault.place))
-            {
-                faults.push(fault);
+            // A field that cannot be read has one fault.
+            let is_known = faults.iter().any(|known| {
+                let (known, place) = (&known.place, &fault.place);
+                known.step == place.step && is_within(&place.field, &known.field)
+            });
+            if !is_known {
+                faults.push(fault.into());
             }
         }
         Looked { lesson, faults }
     }
 
     /// A step, as far as it can be read.
-    fn built(&self, index: usize, faults: &mut Vec<Fault>) -> Option<Step> {
+    fn built(&self, index: usize, faults: &mut build::Faults) -> Option<Step> {
         let draft = self.steps.get(index)?;
         let fields = form(draft, self.scene(index));
         let mut written = build::object(&fields, &draft.words, faults);
-        let mut step = match serde_json::from_value::<Step>(written.clone()) {
-            Ok(step) => step,
-            Err(error) => {
-                // What is missing in the task was told; the rest is shown without it.
-                if faults.is_empty() {
-                    faults.push(Fault::at("task", tr!("a fault"), error.to_string()));
-                }
-                if let Some(object) = written.as_object_mut() {
-                    for part in ["task", "hints", "reason"] {
-                        object.remove(part);
-                    }
-                }
-                serde_json::from_value(written).unwrap_or_default()
+        let mut step = serde_json::from_value::<Step>(written.clone()).unwrap_or_else(|_| {
+            // What is missing in the task was told; the rest is shown without it.
+            if faults.is_empty() {
+                faults.push((no_choice(&fields, &draft.words), Wrong::NotChoice));
             }
-        };
+            if let Some(object) = written.as_object_mut() {
+                for part in ["task", "hints", "reason"] {
+                    object.remove(part);
+                }
+            }
+            serde_json::from_value(written).unwrap_or_default()
+        });
         if step.task.is_some() && step.reason.is_none() {
             // That it is missing was told.
             step.reason = Some(Text::default());
@@ -83,10 +82,24 @@ impl Draft {
     }
 }
 
-/// Whether a place is one where something is wrong already, or in it.
-fn covers(known: &str, place: &str) -> bool {
-    let rest = place.strip_prefix(known);
-    rest.is_some_and(|rest| rest.is_empty() || rest.starts_with(['.', '[']))
+/// Faults of the lesson, or of a step.
+fn of(step: Option<usize>, faults: build::Faults) -> Vec<FormFault> {
+    let fault = |(field, wrong)| FormFault {
+        place: Place { step, field },
+        wrong,
+    };
+    faults.into_iter().map(fault).collect()
+}
+
+/// The first field with a value that is none of its choices: only a draft that was
+/// changed outside of the editor has one.
+fn no_choice(fields: &[Field], words: &Words) -> String {
+    let is_none = |field: &&Field| match &field.input {
+        Input::One(picks) | Input::Many(picks) => field.picks(words).len() > picks.len(),
+        Input::Line | Input::Area | Input::Number | Input::Switch => false,
+    };
+    let field = fields.iter().find(is_none);
+    field.map_or_else(|| KIND.to_owned(), |field| field.name.clone())
 }
 
 impl Looked {
@@ -94,7 +107,7 @@ impl Looked {
     ///
     /// # Errors
     /// What is wrong with it.
-    pub fn whole(&self) -> Result<&Lesson, &[Fault]> {
+    pub fn whole(&self) -> Result<&Lesson, &[FormFault]> {
         if self.faults.is_empty() {
             Ok(&self.lesson)
         } else {
@@ -102,21 +115,16 @@ impl Looked {
         }
     }
 
-    /// What is wrong, each with its place in the file.
-    pub fn faults(&self) -> &[Fault] {
+    /// What is wrong.
+    pub fn faults(&self) -> &[FormFault] {
         &self.faults
     }
 
-    /// What is wrong with a step, each with its place in the step.
-    pub fn of_step(&self, step: usize) -> Vec<Fault> {
-        let place = format!("steps[{step}]");
-        let own = self.faults.iter().filter_map(|fault| {
-            let rest = fault.place.strip_prefix(&place)?;
-            let mut own = fault.clone();
-            rest.trim_start_matches('.').clone_into(&mut own.place);
-            Some(own)
-        });
-        own.collect()
+    /// What is wrong with a step, or with the lesson as a whole.
+    pub fn of(&self, step: Option<usize>) -> Vec<FormFault> {
+        let own = self.faults.iter();
+        let own = own.filter(|fault| fault.place.step == step);
+        own.cloned().collect()
     }
 
     /// A step, as far as it can be read.
@@ -130,7 +138,7 @@ impl Looked {
         if self.faults.is_empty() {
             return Some((self.lesson.clone(), step));
         }
-        if !self.of_step(step).is_empty() {
+        if !self.of(Some(step)).is_empty() {
             return None;
         }
         let mut alone = self.step(step)?.clone();
@@ -146,10 +154,5 @@ impl Looked {
             };
             (lesson, 0)
         })
-    }
-
-    /// Whether a fault only says that nothing is written yet.
-    pub fn is_missing(fault: &Fault) -> bool {
-        build::is_missing(fault)
     }
 }

@@ -11,12 +11,14 @@
 mod action;
 mod build;
 mod choices;
+mod fault;
 mod field;
 mod form;
 mod keep;
 mod look;
 mod of;
 mod reduce;
+mod sentence;
 mod tasks;
 mod undo;
 
@@ -26,10 +28,12 @@ use giveway_model::{Plan, Scene, Version};
 use serde::{Deserialize, Serialize};
 
 pub use action::{Action, Whose};
+pub use fault::{FormFault, Wrong, field_of};
 pub use field::{Field, Input, Part, Pick};
 pub use form::{form, head};
 pub use look::Looked;
 pub use reduce::reduce;
+pub use sentence::{ToDo, sentence};
 pub use undo::Undo;
 
 /// What is written, by the names of fields. What was written for another kind of task

@@ -1,7 +1,9 @@
 //! Lessons that are written: a draft, what is wrong with it, links.
 
 use fastrand::Rng;
-use giveway_course::author::{Action, Draft, Field, Input, StepDraft, Whose, Words, form, reduce};
+use giveway_course::author::{
+    Action, Draft, Field, Input, StepDraft, Whose, Words, form, reduce, sentence,
+};
 use giveway_course::learner::{self, Effect, Learner, Stage};
 use giveway_course::lesson::{Glossary, Lesson, link, read_lesson, write_lesson};
 use giveway_model::Scene;
@@ -45,7 +47,7 @@ fn places(draft: &Draft, glossary: &Glossary) -> Vec<String> {
     looked
         .faults()
         .iter()
-        .map(|fault| fault.place.clone())
+        .map(|fault| fault.place.path())
         .collect()
 }
 
@@ -59,7 +61,7 @@ fn a_lesson_is_written_from_nothing() {
         "about",
         "steps[0].title",
         "steps[0].text",
-        "steps[0]",
+        "steps[0].scene",
     ] {
         assert!(
             missing.iter().any(|missing| missing == place),
@@ -76,7 +78,7 @@ fn a_lesson_is_written_from_nothing() {
         "{missing:?}"
     );
     assert!(
-        missing.contains(&"steps[0]".to_owned()),
+        missing.contains(&"steps[0].tools".to_owned()),
         "no tools: {missing:?}"
     );
     draft = step(draft, "reason", "So.");
@@ -100,9 +102,10 @@ fn a_lesson_is_written_from_nothing() {
 fn faults_of_markup_have_their_place() {
     let draft = step(written(), "text", "Good.\n\nThis is *not closed.");
     let looked = draft.look(&Glossary::default());
-    let faults = looked.of_step(0);
-    assert_eq!(faults[0].place, "text[1]");
-    assert!(faults[0].found.contains("character 9"), "{}", faults[0]);
+    let faults = looked.of(Some(0));
+    assert_eq!(faults[0].place.field, "text[1]");
+    let said = sentence(&faults[0].wrong, None);
+    assert!(said.starts_with("Character 9: "), "{said}");
     // It is shown as it is.
     let shown = &looked.step(0).unwrap().text;
     assert_eq!(shown[1].plain(), "This is *not closed.");

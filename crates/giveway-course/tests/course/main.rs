@@ -7,6 +7,7 @@
 )]
 
 mod author;
+mod author_faults;
 mod claims;
 mod docs;
 mod files;

@@ -3,8 +3,8 @@
 
 use std::rc::Rc;
 
-use giveway_course::author::{Action, Draft, Field, Looked, Part, Whose, form, head};
-use giveway_model::{Fault, tr};
+use giveway_course::author::{Action, Draft, Field, FormFault, Looked, Part, Whose, form, head};
+use giveway_model::tr;
 use yew::prelude::*;
 
 use super::super::contents::use_modal;
@@ -13,7 +13,7 @@ use super::super::shelf::Shelf;
 use super::super::tutor::Msg;
 use super::fields::{Form, rest};
 use super::preview::{SmallBoard, prose};
-use super::{AuthorMsg, Notes, steps, top};
+use super::{AuthorMsg, Notes, steps, todo, top};
 use crate::board::Film;
 use crate::icon;
 
@@ -66,6 +66,7 @@ pub(in crate::course) fn Desk(props: &DeskProps) -> Html {
                     </div>
                     { preview(props) }
                 </div>
+                { todo::list(&props.draft, &props.looked, &act) }
                 { foot(props, &write) }
             </div>
         </dialog>
@@ -75,11 +76,12 @@ pub(in crate::course) fn Desk(props: &DeskProps) -> Html {
 /// The lesson as a whole.
 fn lesson(props: &DeskProps, act: &Callback<Action>) -> Html {
     let fields = head();
+    let faults = props.looked.of(None);
     let form = Form {
         whose: Whose::Lesson,
         words: props.draft.words(),
         fields: &fields,
-        faults: props.looked.faults(),
+        faults: &faults,
         is_strict: props.notes.is_strict,
         send: act,
     };
@@ -97,7 +99,7 @@ fn step(props: &DeskProps, act: &Callback<Action>, write: &Callback<AuthorMsg>) 
     };
     let at = draft.at();
     let fields = form(step, draft.scene(at));
-    let faults = props.looked.of_step(at);
+    let faults = props.looked.of(Some(at));
     let form = Form {
         whose: Whose::Step,
         words: step.words(),
@@ -162,7 +164,7 @@ fn board(
     props: &DeskProps,
     write: &Callback<AuthorMsg>,
     fields: &[Field],
-    faults: &[Fault],
+    faults: &[FormFault],
 ) -> Html {
     let draft = &props.draft;
     let take = write.reform(|_: MouseEvent| AuthorMsg::Take);
@@ -219,11 +221,9 @@ fn preview(props: &DeskProps) -> Html {
 }
 
 fn foot(props: &DeskProps, write: &Callback<AuthorMsg>) -> Html {
-    let count = props.looked.faults().len();
-    let state = match (count, &*props.notes.told) {
-        (_, told) if !told.is_empty() => told.to_owned(),
-        (0, _) => tr!("Ready to share.").to_owned(),
-        (count, _) => tr!("{n} thing is still to do." | "{n} things are still to do." % count),
+    let state = match &*props.notes.told {
+        "" if props.looked.faults().is_empty() => tr!("Ready to share."),
+        told => told,
     };
     let press = |msg: AuthorMsg| write.reform(move |_: MouseEvent| msg.clone());
     let fields = head();
@@ -239,7 +239,7 @@ fn foot(props: &DeskProps, write: &Callback<AuthorMsg>) -> Html {
     let hides = fields.iter().find(|field| field.name == "hides-answers");
     html! {
         <footer class="sf">
-            <span class="prog" role="status">{ state }</span>
+            <span class="prog" role="status">{ state.to_owned() }</span>
             <span class="grow"></span>
             if let Some(hides) = hides { { form.show(hides) } }
             <button type="button" class="btn outline" onclick={press(AuthorMsg::Save)}>{ icon::show("save") }<span>{ tr!("Save as a file") }</span></button>

@@ -1,7 +1,8 @@
 //! Fields of the form, as their data says, with what is wrong beside each.
 
-use giveway_course::author::{Action, Field, Input, Looked, Pick, Whose, Words};
-use giveway_model::{Fault, tr};
+use giveway_course::author::{
+    Action, Field, FormFault, Input, Pick, Whose, Words, field_of, sentence,
+};
 use web_sys::{HtmlInputElement, HtmlSelectElement, HtmlTextAreaElement};
 use yew::prelude::*;
 
@@ -13,8 +14,8 @@ pub(super) struct Form<'a> {
     pub(super) words: &'a Words,
     /// All fields of the form, whether they are shown here or not.
     pub(super) fields: &'a [Field],
-    /// What is wrong, each with its place from the lesson or from its step on.
-    pub(super) faults: &'a [Fault],
+    /// What is wrong with the lesson as a whole, or with the step.
+    pub(super) faults: &'a [FormFault],
     /// Whether what is missing is told, too.
     pub(super) is_strict: bool,
     /// Takes what is written.
@@ -24,7 +25,7 @@ pub(super) struct Form<'a> {
 impl Form<'_> {
     /// A field with its label, and what is wrong with it.
     pub(super) fn show(&self, field: &Field) -> Html {
-        let id = self.id(field);
+        let id = self::id(self.whose, &field.name);
         let wrong = format!("{id}-wrong");
         let said = self.said(field);
         let describes = (!said.is_empty()).then(|| wrong.clone());
@@ -35,7 +36,7 @@ impl Form<'_> {
         };
         if let Input::Many(_) = field.input {
             return html! {
-                <fieldset class="af many" aria-describedby={describes}>
+                <fieldset {id} class="af many" tabindex="-1" aria-describedby={describes}>
                     <legend>{ field.label }</legend>
                     <div class="chips">{ for field.picks(self.words).into_iter().map(|pick| self.chip(field, pick)) }</div>
                     { said }
@@ -48,7 +49,10 @@ impl Form<'_> {
                 .written(field)
                 .reform(move |_: Event| Field::switched(!on).to_owned());
             return html! {
-                <label class="switch af"><input type="checkbox" checked={on} {onchange} /><i></i><span>{ field.label }</span></label>
+                <>
+                    <label class="switch af"><input {id} type="checkbox" checked={on} aria-describedby={describes} {onchange} /><i></i><span>{ field.label }</span></label>
+                    { said }
+                </>
             };
         }
         html! {
@@ -127,67 +131,42 @@ impl Form<'_> {
         })
     }
 
-    fn id(&self, field: &Field) -> String {
-        let whose = match self.whose {
-            Whose::Lesson => "lesson",
-            Whose::Step => "step",
-        };
-        format!("{whose}-{}", field.name)
-    }
-
     /// What is wrong with a field, in sentences.
     fn said(&self, field: &Field) -> Vec<String> {
         let own = self.faults.iter().filter(|fault| {
-            closest(self.fields, &fault.place).is_some_and(|closest| closest.name == field.name)
+            field_of(self.fields, &fault.place).is_some_and(|closest| closest.name == field.name)
         });
-        let told = own.filter(|fault| self.is_strict || !Looked::is_missing(fault));
-        let mut told: Vec<String> = told.map(|fault| sentence(fault, &field.input)).collect();
+        let told = own.filter(|fault| self.is_strict || !fault.is_missing());
+        let mut told: Vec<String> = told
+            .map(|fault| sentence(&fault.wrong, Some(field)))
+            .collect();
         told.dedup();
         told.truncate(3);
         told
     }
 }
 
-/// The field that a place is in: the one with the longest name.
-pub(super) fn closest<'a>(fields: &'a [Field], place: &str) -> Option<&'a Field> {
-    let holds = |field: &&Field| {
-        let rest = place.strip_prefix(field.name.as_str());
-        rest.is_some_and(|rest| rest.is_empty() || rest.starts_with(['.', '[']))
+/// The id of a field.
+pub(super) fn id(whose: Whose, name: &str) -> String {
+    let whose = match whose {
+        Whose::Lesson => "lesson",
+        Whose::Step => "step",
     };
-    let close = fields.iter().filter(holds);
-    let close = close.max_by_key(|field| field.name.len());
-    // What is wrong with a list is told at its first field.
-    let begins = |field: &&Field| {
-        let rest = field.name.strip_prefix(place);
-        !place.is_empty() && rest.is_some_and(|rest| rest.starts_with('['))
-    };
-    close.or_else(|| fields.iter().find(begins))
+    format!("{whose}-{name}")
 }
 
-/// What is wrong and belongs to no field, of the task or of all else.
-pub(super) fn rest(fields: &[Field], faults: &[Fault], of_task: bool) -> Html {
+/// What is wrong with the task or the board and belongs to no field.
+pub(super) fn rest(fields: &[Field], faults: &[FormFault], of_task: bool) -> Html {
     let rest = faults.iter().filter(|fault| {
-        fault.place.starts_with("task") == of_task && closest(fields, &fault.place).is_none()
+        let place = &fault.place;
+        place.field.starts_with("task") == of_task && field_of(fields, place).is_none()
     });
     let rest: Vec<String> = rest
-        .map(|fault| sentence(fault, &Input::Line))
+        .map(|fault| sentence(&fault.wrong, None))
         .take(4)
         .collect();
     if rest.is_empty() {
         return html! {};
     }
     html! { <span class="wrong">{ for rest.into_iter().map(|said| html! { <span>{ said }</span> }) }</span> }
-}
-
-/// What is wrong, in a sentence.
-pub(super) fn sentence(fault: &Fault, input: &Input) -> String {
-    match input {
-        _ if !Looked::is_missing(fault) => tr!(
-            "Found {found}, expected {expected}.",
-            found = fault.found,
-            expected = fault.expected
-        ),
-        Input::One(_) | Input::Many(_) => tr!("Choose something here.").to_owned(),
-        _ => tr!("Write something here.").to_owned(),
-    }
 }

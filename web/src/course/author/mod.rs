@@ -11,6 +11,7 @@ mod kept;
 mod preview;
 mod share;
 mod steps;
+mod todo;
 mod top;
 
 use std::rc::Rc;

@@ -21,8 +21,8 @@ pub(super) fn list(
             "" => tr!("Untitled"),
             title => title,
         };
-        let mut faults = looked.of_step(index).into_iter();
-        let has_fault = faults.any(|fault| is_strict || !Looked::is_missing(&fault));
+        let mut faults = looked.of(Some(index)).into_iter();
+        let has_fault = faults.any(|fault| is_strict || !fault.is_missing());
         let onclick = send.reform(move |_: MouseEvent| Action::Go(index));
         let onkeydown = {
             let send = send.clone();

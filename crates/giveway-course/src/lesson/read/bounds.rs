@@ -1,6 +1,8 @@
 //! How large the parts of a file may be, and the faults that are gathered.
 
-use giveway_model::{Fault, format::native, tr};
+use giveway_model::{Fault, format::native};
+
+use super::{Flaw, LessonFault, Place, Things};
 
 /// The most bytes of a file.
 pub const MAX_BYTES: usize = 1 << 20;
@@ -34,69 +36,70 @@ const MAX_FAULTS: usize = 100;
 
 /// Faults of a file, gathered.
 #[derive(Default)]
-pub(super) struct Faults(Vec<Fault>);
+pub(super) struct Faults {
+    all: Vec<LessonFault>,
+    /// The step that is looked at; places are those of its fields.
+    pub(super) step: Option<usize>,
+}
 
 impl Faults {
-    pub(super) fn add(
-        &mut self,
-        place: impl Into<String>,
-        found: impl Into<String>,
-        expected: impl Into<String>,
-    ) {
-        self.push(Fault::at(place, found, expected));
-    }
-
-    pub(super) fn push(&mut self, fault: Fault) {
-        if self.0.len() < MAX_FAULTS {
-            self.0.push(fault);
+    pub(super) fn add(&mut self, field: impl Into<String>, flaw: Flaw) {
+        if self.all.len() < MAX_FAULTS {
+            let place = Place {
+                step: self.step,
+                field: field.into(),
+            };
+            self.all.push(LessonFault { place, flaw });
         }
     }
 
     /// A list must have at most so many entries.
-    pub(super) fn few(&mut self, place: &str, count: usize, most: usize, things: &str) {
+    pub(super) fn few(&mut self, field: &str, count: usize, most: usize, things: Things) {
         if count > most {
-            self.add(
-                place,
-                format!("{count} {things}"),
-                tr!("at most {most}", most),
-            );
+            let flaw = Flaw::TooMany {
+                things,
+                count,
+                most,
+            };
+            self.add(field, flaw);
         }
     }
 
     /// A name must be there, and short.
-    pub(super) fn title(&mut self, place: &str, title: &str) {
+    pub(super) fn title(&mut self, field: &str, title: &str) {
         if title.trim().is_empty() {
-            self.add(place, tr!("no words"), tr!("a title"));
+            self.add(field, Flaw::NoTitle);
         }
         let length = title.chars().count();
-        self.few(place, length, MAX_TITLE, tr!("counted" => "characters"));
+        self.few(field, length, MAX_TITLE, Things::Characters);
         if title.chars().any(char::is_control) {
-            self.add(place, tr!("a control character"), tr!("one line of text"));
+            self.add(field, Flaw::ControlCharacter);
         }
     }
 
     /// A number must be within bounds.
-    pub(super) fn range(&mut self, place: &str, number: u32, least: u32, most: u32) {
+    pub(super) fn range(&mut self, field: &str, number: u32, least: u32, most: u32) {
         if !(least..=most).contains(&number) {
-            self.add(
-                place,
-                number.to_string(),
-                tr!("{least} to {most}", least, most),
-            );
+            let flaw = Flaw::OutOfRange {
+                number,
+                least,
+                most,
+            };
+            self.add(field, flaw);
         }
     }
 
     /// All of them.
-    pub(super) fn all(self) -> Vec<Fault> {
-        self.0
+    pub(super) fn all(self) -> Vec<LessonFault> {
+        self.all
     }
 
     /// What was read, where nothing is wrong with it.
     pub(super) fn or<T>(self, value: T, text: &str) -> Result<T, Vec<Fault>> {
-        if self.0.is_empty() {
-            Ok(value)
-        } else {
-            Err(native::in_text(text, self.0))
+        if self.all.is_empty() {
+            return Ok(value);
         }
+        let faults = self.all.into_iter().map(LessonFault::in_file_words);
+        Err(native::in_text(text, faults.collect()))
     }
 }

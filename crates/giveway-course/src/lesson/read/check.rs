@@ -1,13 +1,13 @@
 //! What a file must keep beside the types of its values.
 
-use giveway_model::{Instance, Plan, Scene, tr};
+use giveway_model::{Instance, Plan, Scene};
 
 use super::bounds::{
     Faults, MAX_CELLS, MAX_EDITS, MAX_HINTS, MAX_LESSONS, MAX_MINUTES, MAX_PARAGRAPHS, MAX_STEPS,
     MAX_TERMS, MAX_TIME, MAX_TITLE,
 };
 use super::links::{Targets, is_on};
-use super::tasks;
+use super::{Flaw, Things, tasks};
 use crate::lesson::{Course, Glossary, Lesson, Picture, Step, Task};
 
 pub(super) fn lesson(lesson: &Lesson, glossary: &Glossary, faults: &mut Faults) {
@@ -20,115 +20,73 @@ pub(super) fn lesson(lesson: &Lesson, glossary: &Glossary, faults: &mut Faults) 
     };
     nowhere.check("about", &lesson.about, faults);
     if lesson.steps.is_empty() {
-        faults.add("steps", tr!("no steps"), tr!("at least one"));
+        faults.add("steps", Flaw::NoSteps);
     }
-    faults.few(
-        "steps",
-        lesson.steps.len(),
-        MAX_STEPS,
-        tr!("counted" => "steps"),
-    );
-    if let Some(first) = lesson.steps.first()
-        && first.scene.is_none()
-    {
-        faults.add(
-            "steps[0]",
-            tr!("no scene"),
-            tr!("a scene in the first step"),
-        );
-    }
+    faults.few("steps", lesson.steps.len(), MAX_STEPS, Things::Steps);
     for (index, step) in lesson.steps.iter().take(MAX_STEPS).enumerate() {
         let targets = Targets {
             glossary,
             scene: lesson.scene(index),
             joining: step.joining().map(|agent| agent.name.as_str()).collect(),
         };
-        self::step(&format!("steps[{index}]"), step, &targets, faults);
+        faults.step = Some(index);
+        if index == 0 && step.scene.is_none() {
+            faults.add("scene", Flaw::NoScene);
+        }
+        self::step(step, &targets, faults);
     }
+    faults.step = None;
 }
 
-fn step(place: &str, step: &Step, targets: &Targets<'_>, faults: &mut Faults) {
-    let at = |part: &str| format!("{place}.{part}");
-    faults.title(&at("title"), &step.title);
+fn step(step: &Step, targets: &Targets<'_>, faults: &mut Faults) {
+    faults.title("title", &step.title);
     if step.text.is_empty() {
-        faults.add(at("text"), tr!("no paragraphs"), tr!("at least one"));
+        faults.add("text", Flaw::NoParagraphs);
     }
-    faults.few(
-        &at("text"),
-        step.text.len(),
-        MAX_PARAGRAPHS,
-        tr!("counted" => "paragraphs"),
-    );
-    faults.few(
-        &at("hints"),
-        step.hints.len(),
-        MAX_HINTS,
-        tr!("counted" => "hints"),
-    );
-    faults.few(&at("tools"), step.tools.len(), 8, tr!("counted" => "tools"));
+    faults.few("text", step.text.len(), MAX_PARAGRAPHS, Things::Paragraphs);
+    faults.few("hints", step.hints.len(), MAX_HINTS, Things::Hints);
+    faults.few("tools", step.tools.len(), 8, Things::Tools);
     for (index, text) in step.text.iter().enumerate() {
-        targets.check(&format!("{place}.text[{index}]"), text, faults);
+        targets.check(&format!("text[{index}]"), text, faults);
     }
     for (index, text) in step.hints.iter().enumerate() {
-        targets.check(&format!("{place}.hints[{index}]"), text, faults);
+        targets.check(&format!("hints[{index}]"), text, faults);
     }
     if let Some(reason) = &step.reason {
-        targets.check(&at("reason"), reason, faults);
+        targets.check("reason", reason, faults);
     }
     if let Some(scene) = &step.scene {
-        self::scene(&at("scene"), scene, faults);
+        self::scene("scene", scene, faults);
     }
     if let Some(plan) = &step.plan {
-        self::plan(&at("plan"), plan, targets, faults);
+        self::plan(plan, targets, faults);
         if step.solved {
-            faults.add(
-                at("solved"),
-                tr!("true beside a plan"),
-                tr!("one of the two"),
-            );
+            faults.add("solved", Flaw::TwoPlans);
         }
     }
-    faults.range(&at("time"), step.time, 0, MAX_TIME);
+    faults.range("time", step.time, 0, MAX_TIME);
     if let Some(edits) = step.edits {
-        faults.range(&at("edits"), edits, 1, MAX_EDITS);
+        faults.range("edits", edits, 1, MAX_EDITS);
     }
     let cells = step.cells.iter().flatten();
-    faults.few(
-        &at("cells"),
-        cells.clone().count(),
-        MAX_CELLS,
-        tr!("counted" => "cells"),
-    );
+    faults.few("cells", cells.clone().count(), MAX_CELLS, Things::Cells);
     for (index, cell) in cells.enumerate().take(MAX_CELLS) {
         if !targets.has_cell(*cell) {
-            let found = tr!("the cell {cell}", cell);
-            faults.add(
-                format!("{place}.cells[{index}]"),
-                found,
-                tr!("a cell of the map"),
-            );
+            faults.add(format!("cells[{index}]"), Flaw::UnknownCell(*cell));
         }
     }
     match &step.task {
         Some(task) => {
             if step.hints.is_empty() && !has_replies(task) {
-                faults.add(at("hints"), tr!("no hints"), tr!("at least one"));
+                faults.add("hints", Flaw::NoHints);
             }
             if step.reason.is_none() {
-                faults.add(
-                    place,
-                    tr!("a task without \"reason\""),
-                    tr!("why it is so, once solved"),
-                );
+                faults.add("reason", Flaw::NoReason);
             }
-            tasks::check(place, step, task, targets, faults);
+            tasks::check(step, task, targets, faults);
         }
         None if !step.hints.is_empty() || step.reason.is_some() => {
-            faults.add(
-                place,
-                tr!("hints or a reason without a task"),
-                tr!("a task"),
-            );
+            faults.add("task", Flaw::NoTask);
         }
         None => {}
     }
@@ -142,24 +100,17 @@ const fn has_replies(task: &Task) -> bool {
 fn scene(place: &str, scene: &Scene, faults: &mut Faults) {
     if let Err(found) = Instance::new(scene.clone()) {
         for fault in found {
-            faults.push(fault.of_part(place));
+            faults.add(place, Flaw::BadScene(fault));
         }
     }
 }
 
-fn plan(place: &str, plan: &Plan, targets: &Targets<'_>, faults: &mut Faults) {
+fn plan(plan: &Plan, targets: &Targets<'_>, faults: &mut Faults) {
     for (name, path) in &plan.paths {
         if !targets.has_robot(name) {
-            let found = tr!("the robot {name}", name = format!("{name:?}"));
-            faults.add(format!("{place}.paths"), found, tr!("a robot of the scene"));
+            faults.add("plan.paths", Flaw::UnknownRobot(name.clone()));
         }
-        let most = MAX_TIME as usize;
-        faults.few(
-            &format!("{place}.paths"),
-            path.len(),
-            most,
-            tr!("counted" => "cells"),
-        );
+        faults.few("plan.paths", path.len(), MAX_TIME as usize, Things::Cells);
     }
 }
 
@@ -169,7 +120,7 @@ pub(super) fn course(course: &Course, faults: &mut Faults) {
         "chapters",
         course.lessons().count(),
         MAX_LESSONS,
-        tr!("counted" => "lessons"),
+        Things::Lessons,
     );
     let mut seen = Vec::new();
     for (c, chapter) in course.chapters.iter().enumerate() {
@@ -181,8 +132,8 @@ pub(super) fn course(course: &Course, faults: &mut Faults) {
             let most = MAX_STEPS as u32;
             faults.range(&format!("{place}.steps"), entry.steps, 1, most);
             if seen.contains(&&entry.lesson) {
-                let found = tr!("\"{name}\" twice", name = entry.lesson);
-                faults.add(format!("{place}.lesson"), found, tr!("each lesson once"));
+                let twice = Flaw::Twice(entry.lesson.to_string());
+                faults.add(format!("{place}.lesson"), twice);
             }
             seen.push(&entry.lesson);
             picture(&format!("{place}.picture"), &entry.picture, faults);
@@ -191,19 +142,13 @@ pub(super) fn course(course: &Course, faults: &mut Faults) {
 }
 
 pub(super) fn glossary(glossary: &Glossary, faults: &mut Faults) {
-    faults.few(
-        "terms",
-        glossary.terms.len(),
-        MAX_TERMS,
-        tr!("counted" => "terms"),
-    );
+    faults.few("terms", glossary.terms.len(), MAX_TERMS, Things::Terms);
     let mut seen = Vec::new();
     for (index, term) in glossary.terms.iter().take(MAX_TERMS).enumerate() {
         let place = format!("terms[{index}]");
         faults.title(&format!("{place}.name"), &term.name);
         if seen.contains(&&term.term) {
-            let found = tr!("\"{name}\" twice", name = term.term);
-            faults.add(format!("{place}.term"), found, tr!("each term once"));
+            faults.add(format!("{place}.term"), Flaw::Twice(term.term.to_string()));
         }
         seen.push(&term.term);
         for (other, words) in term.also.iter().enumerate() {
@@ -225,12 +170,7 @@ pub(super) fn glossary(glossary: &Glossary, faults: &mut Faults) {
                 .chars()
                 .count()
                 .max(source.authors.chars().count());
-            faults.few(
-                &format!("{place}.source"),
-                length,
-                most,
-                tr!("counted" => "characters"),
-            );
+            faults.few(&format!("{place}.source"), length, most, Things::Characters);
         }
     }
 }
@@ -241,8 +181,7 @@ fn picture(place: &str, picture: &Picture, faults: &mut Faults) {
     let cells = picture.plan.iter().flat_map(|plan| plan.paths.values());
     for cell in cells.flatten().flatten() {
         if !is_on(&picture.scene, *cell) {
-            let found = tr!("the cell {cell}", cell);
-            faults.add(format!("{place}.plan"), found, tr!("a cell of the map"));
+            faults.add(format!("{place}.plan"), Flaw::UnknownCell(*cell));
         }
     }
 }

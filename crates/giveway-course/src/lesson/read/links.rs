@@ -1,7 +1,8 @@
 //! Whether each link of a text has what it names.
 
-use giveway_model::{Cell, Grid, Scene, tr};
+use giveway_model::{Cell, Grid, Scene};
 
+use super::Flaw;
 use super::bounds::{Faults, MAX_TIME};
 use crate::lesson::{Glossary, Target, Text};
 
@@ -30,37 +31,21 @@ impl Targets<'_> {
     /// A paragraph that is not empty, each link with what it names.
     pub(super) fn check(&self, place: &str, text: &Text, faults: &mut Faults) {
         if text.is_empty() {
-            faults.add(place, tr!("no words"), tr!("a sentence"));
+            faults.add(place, Flaw::NoWords);
         }
         for target in text.targets() {
             match target {
                 Target::Robot(name) if !self.has_robot(name) => {
-                    faults.add(
-                        place,
-                        tr!("a link to the robot {name}", name = format!("{name:?}")),
-                        tr!("a robot of the scene"),
-                    );
+                    faults.add(place, Flaw::LinkedRobot(name.clone()));
                 }
                 Target::Cell(cell) if !self.has_cell(*cell) => {
-                    faults.add(
-                        place,
-                        tr!("a link to the cell {cell}", cell),
-                        tr!("a cell of the map"),
-                    );
+                    faults.add(place, Flaw::LinkedCell(*cell));
                 }
                 Target::Term(term) if self.glossary.get(term).is_none() => {
-                    faults.add(
-                        place,
-                        tr!("a link to the term \"{term}\"", term),
-                        tr!("a term of the glossary"),
-                    );
+                    faults.add(place, Flaw::LinkedTerm(term.clone()));
                 }
                 Target::Time(time) if *time > MAX_TIME => {
-                    faults.add(
-                        place,
-                        tr!("a link to time {time}", time),
-                        tr!("at most {most}", most = MAX_TIME),
-                    );
+                    faults.add(place, Flaw::LinkedTime(*time));
                 }
                 Target::Robot(_) | Target::Cell(_) | Target::Term(_) | Target::Time(_) => {}
             }

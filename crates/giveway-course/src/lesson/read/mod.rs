@@ -3,6 +3,8 @@
 
 mod bounds;
 mod check;
+mod flaw;
+mod flaw_words;
 mod links;
 mod tasks;
 mod within;
@@ -11,6 +13,8 @@ use giveway_model::{Fault, format::native, tr};
 
 use super::{Course, Glossary, Lesson};
 use bounds::Faults;
+
+pub use flaw::{Flaw, LessonFault, Place, Things};
 
 pub use bounds::{
     MAX_ANSWERS, MAX_BYTES, MAX_CELLS, MAX_EDITS, MAX_HINTS, MAX_LESSONS, MAX_MINUTES, MAX_ORDERED,
@@ -40,7 +44,7 @@ pub fn read_lesson(text: &str, glossary: &Glossary) -> Result<Lesson, Vec<Fault>
 }
 
 /// What is wrong with a lesson that no text holds yet, each with its place.
-pub(crate) fn check_lesson(lesson: &Lesson, glossary: &Glossary) -> Vec<Fault> {
+pub(crate) fn check_lesson(lesson: &Lesson, glossary: &Glossary) -> Vec<LessonFault> {
     let mut faults = Faults::default();
     check::lesson(lesson, glossary, &mut faults);
     faults.all()

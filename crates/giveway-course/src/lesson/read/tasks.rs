@@ -1,77 +1,54 @@
 //! Whether a task fits the step that it stands in.
 
-use giveway_model::{Cost, Instance, Objective, check, tr};
+use giveway_model::{Cost, Instance, Objective, check};
 
 use super::bounds::{Faults, MAX_ANSWERS, MAX_ORDERED};
 use super::links::Targets;
+use super::{Flaw, Things};
 use crate::lesson::task::{Change, Choose, Lead, OrderAim, Predict};
 use crate::lesson::{Condition, Quantity, Step, Task, Value};
 
-pub(super) fn check(
-    place: &str,
-    step: &Step,
-    task: &Task,
-    targets: &Targets<'_>,
-    faults: &mut Faults,
-) {
-    let at = |part: &str| format!("{place}.task.{part}");
-    targets.check(&at("say"), task.say(), faults);
+pub(super) fn check(step: &Step, task: &Task, targets: &Targets<'_>, faults: &mut Faults) {
+    targets.check("task.say", task.say(), faults);
     match task {
         Task::Paint(paint) => {
             if step.tools.is_empty() {
-                faults.add(
-                    place,
-                    tr!("a \"paint\" task without tools"),
-                    tr!("at least one tool"),
-                );
+                faults.add("tools", Flaw::NoTools);
             }
-            condition(&at("until"), &paint.until, step, targets, faults);
+            condition("task.until", &paint.until, step, targets, faults);
         }
-        Task::Lead(lead) => self::lead(place, lead, targets, faults),
-        Task::Predict(predict) => self::predict(place, predict, step, targets, faults),
-        Task::Spot(_) => spot(place, step, targets, faults),
-        Task::Choose(choose) => self::choose(place, choose, step, targets, faults),
+        Task::Lead(lead) => self::lead(lead, targets, faults),
+        Task::Predict(predict) => self::predict(predict, step, targets, faults),
+        Task::Spot(_) => spot(step, targets, faults),
+        Task::Choose(choose) => self::choose(choose, step, targets, faults),
         Task::Order(order) => {
             let robots = targets.scene.map_or(0, |scene| scene.agents.len());
             if order.find == OrderAim::None {
-                faults.few(&at("find"), robots, MAX_ORDERED, tr!("counted" => "robots"));
+                faults.few("task.find", robots, MAX_ORDERED, Things::Robots);
             }
         }
-        Task::Change(change) => self::change(place, change, step, targets, faults),
+        Task::Change(change) => self::change(change, step, targets, faults),
     }
 }
 
-fn lead(place: &str, lead: &Lead, targets: &Targets<'_>, faults: &mut Faults) {
-    let at = format!("{place}.task.robots");
+fn lead(lead: &Lead, targets: &Targets<'_>, faults: &mut Faults) {
+    let at = "task.robots";
     if lead.robots.is_empty() {
-        faults.add(&at, tr!("no robots"), tr!("at least one"));
+        faults.add(at, Flaw::NoRobots);
     }
     for (index, name) in lead.robots.iter().enumerate() {
         robot(&format!("{at}[{index}]"), name, targets, faults);
     }
     let robots = targets.scene.map_or(0, |scene| scene.agents.len());
-    faults.few(&at, lead.robots.len(), robots, tr!("counted" => "robots"));
+    faults.few(at, lead.robots.len(), robots, Things::Robots);
 }
 
-fn predict(
-    place: &str,
-    predict: &Predict,
-    step: &Step,
-    targets: &Targets<'_>,
-    faults: &mut Faults,
-) {
-    quantity(
-        &format!("{place}.task.what"),
-        &predict.what,
-        step,
-        targets,
-        faults,
-    );
-    let at = format!("{place}.task.answers");
-    let answers = tr!("counted" => "answers");
-    faults.few(&at, predict.answers.len(), MAX_ANSWERS, answers);
+fn predict(predict: &Predict, step: &Step, targets: &Targets<'_>, faults: &mut Faults) {
+    quantity("task.what", &predict.what, step, targets, faults);
+    let at = "task.answers";
+    faults.few(at, predict.answers.len(), MAX_ANSWERS, Things::Answers);
     if predict.answers.len() == 1 {
-        faults.add(&at, tr!("one answer"), tr!("none, or at least two"));
+        faults.add(at, Flaw::OneAnswer);
     }
     for (index, guess) in predict.answers.iter().enumerate() {
         let at = format!("{at}[{index}]");
@@ -79,27 +56,18 @@ fn predict(
         targets.check(&format!("{at}.reply"), &guess.reply, faults);
         let value = format!("{at}.value");
         if guess.value.kind() != predict.what.kind() {
-            let found = format!("{:?}", guess.value.to_string());
-            faults.add(&value, found, tr!("a value of what is asked for"));
+            faults.add(&value, Flaw::OtherKind(guess.value.to_string()));
         }
         match &guess.value {
             Value::Robot(name) => robot(&value, name, targets, faults),
             Value::Cell(cell) if !targets.has_cell(*cell) => {
-                faults.add(
-                    &value,
-                    tr!("the cell {cell}", cell),
-                    tr!("a cell of the map"),
-                );
+                faults.add(&value, Flaw::UnknownCell(*cell));
             }
             Value::Cell(_) | Value::Number(_) => {}
         }
         let mut before = predict.answers.iter().take(index);
         if before.any(|other| other.value == guess.value) {
-            faults.add(
-                &value,
-                tr!("{what} twice", what = guess.value),
-                tr!("each value once"),
-            );
+            faults.add(&value, Flaw::Twice(guess.value.to_string()));
         }
     }
 }
@@ -121,12 +89,7 @@ fn quantity(
         Quantity::Points { costs } => {
             let is_front = (2..=3).contains(&costs.len()) && Objective::new(costs.clone()).is_ok();
             if !is_front {
-                let found = tr!("{n} costs", n = costs.len());
-                faults.add(
-                    format!("{place}.costs"),
-                    found,
-                    tr!("two or three different costs"),
-                );
+                faults.add(format!("{place}.costs"), Flaw::NoFront(costs.len()));
             }
         }
         Quantity::Planner { order, .. } => {
@@ -134,45 +97,33 @@ fn quantity(
                 robot(&format!("{place}.order[{index}]"), name, targets, faults);
             }
         }
-        Quantity::Changed { .. } => planned(place, step, faults),
+        Quantity::Changed { .. } => planned(step, faults),
         Quantity::Waits {} | Quantity::Plans {} | Quantity::Node { .. } => {}
     }
 }
 
-fn spot(place: &str, step: &Step, targets: &Targets<'_>, faults: &mut Faults) {
+fn spot(step: &Step, targets: &Targets<'_>, faults: &mut Faults) {
     let Some(plan) = &step.plan else {
-        return planned(place, step, faults);
+        return planned(step, faults);
     };
     let instance = targets
         .scene
         .and_then(|scene| Instance::new(scene.clone()).ok());
     let is_legal = instance.is_some_and(|it| check::check(&it, plan).is_valid());
     if is_legal {
-        faults.add(
-            format!("{place}.plan"),
-            tr!("a plan that breaks no rule"),
-            tr!("one with conflicts"),
-        );
+        faults.add("plan", Flaw::LegalPlan);
     }
 }
 
-fn choose(place: &str, choose: &Choose, step: &Step, targets: &Targets<'_>, faults: &mut Faults) {
-    let at = format!("{place}.task.answers");
-    if choose.answers.len() < 2 {
-        faults.add(
-            &at,
-            tr!("{n} answers", n = choose.answers.len()),
-            tr!("at least two"),
-        );
+fn choose(choose: &Choose, step: &Step, targets: &Targets<'_>, faults: &mut Faults) {
+    let at = "task.answers";
+    let count = choose.answers.len();
+    if count < 2 {
+        faults.add(at, Flaw::FewAnswers(count));
     }
-    let answers = tr!("counted" => "answers");
-    faults.few(&at, choose.answers.len(), MAX_ANSWERS, answers);
+    faults.few(at, count, MAX_ANSWERS, Things::Answers);
     if !choose.answers.iter().any(|choice| choice.right) {
-        faults.add(
-            &at,
-            tr!("no answer with \"right\": true"),
-            tr!("at least one"),
-        );
+        faults.add(at, Flaw::NoRightAnswer);
     }
     for (index, choice) in choose.answers.iter().enumerate() {
         let at = format!("{at}[{index}]");
@@ -184,29 +135,18 @@ fn choose(place: &str, choose: &Choose, step: &Step, targets: &Targets<'_>, faul
     }
 }
 
-fn change(place: &str, change: &Change, step: &Step, targets: &Targets<'_>, faults: &mut Faults) {
-    planned(place, step, faults);
-    let methods = format!("{place}.task.methods");
+fn change(change: &Change, step: &Step, targets: &Targets<'_>, faults: &mut Faults) {
+    planned(step, faults);
+    let methods = "task.methods";
     if change.methods.is_empty() {
-        faults.add(&methods, tr!("no methods"), tr!("at least one"));
+        faults.add(methods, Flaw::NoMethods);
     }
-    let things = tr!("counted" => "methods");
-    faults.few(&methods, change.methods.len(), MAX_ANSWERS, things);
+    faults.few(methods, change.methods.len(), MAX_ANSWERS, Things::Methods);
     if change.cost.is_none() && change.kept.is_none() {
-        let task = format!("{place}.task");
-        faults.add(
-            task,
-            tr!("neither \"cost\" nor \"kept\""),
-            tr!("what must be reached"),
-        );
+        faults.add("task.cost", Flaw::NoAim);
     }
     let robots = targets.scene.map_or(0, |scene| scene.agents.len()) as u32;
-    faults.range(
-        &format!("{place}.task.kept"),
-        change.kept.unwrap_or(0),
-        0,
-        robots,
-    );
+    faults.range("task.kept", change.kept.unwrap_or(0), 0, robots);
 }
 
 fn condition(
@@ -228,14 +168,10 @@ fn condition(
         Condition::Apart {
             costs: [one, other],
         } if one == other => {
-            faults.add(
-                format!("{place}.costs"),
-                tr!("a cost twice"),
-                tr!("two different costs"),
-            );
+            faults.add(format!("{place}.costs"), Flaw::SameCosts);
         }
         Condition::Legal {} | Condition::Best {} | Condition::Beaten {} => {
-            planned(place, step, faults);
+            planned(step, faults);
         }
         Condition::Apart { .. } | Condition::Impossible { .. } | Condition::Solvable {} => {}
     }
@@ -243,11 +179,7 @@ fn condition(
 
 fn robot(place: &str, name: &str, targets: &Targets<'_>, faults: &mut Faults) {
     if !targets.has_robot(name) {
-        faults.add(
-            place,
-            tr!("the robot {name}", name = format!("{name:?}")),
-            tr!("a robot of the scene"),
-        );
+        faults.add(place, Flaw::UnknownRobot(name.to_owned()));
     }
 }
 
@@ -256,17 +188,12 @@ fn robot(place: &str, name: &str, targets: &Targets<'_>, faults: &mut Faults) {
 fn optimised(place: &str, cost: Cost, targets: &Targets<'_>, faults: &mut Faults) {
     let costs = targets.scene.map(|scene| scene.objective.costs());
     if costs.is_some_and(|costs| !costs.contains(&cost)) {
-        let found = tr!("the cost {cost}", cost);
-        faults.add(
-            format!("{place}.cost"),
-            found,
-            tr!("a cost of the scene's objective"),
-        );
+        faults.add(format!("{place}.cost"), Flaw::NotOptimised(cost));
     }
 }
 
-fn planned(place: &str, step: &Step, faults: &mut Faults) {
+fn planned(step: &Step, faults: &mut Faults) {
     if step.plan.is_none() {
-        faults.add(place, tr!("no plan"), tr!("a plan that the task is about"));
+        faults.add("plan", Flaw::NoPlan);
     }
 }
