@@ -6,6 +6,7 @@ import { join } from "node:path";
 
 import { Course } from "./course.mjs";
 import { root } from "./dist.mjs";
+import { still } from "./wait.mjs";
 
 /** The tool that paints a cell of a map. */
 const TOOLS = { "#": "Obstacle", "+": "Charger", "~": "Slow zone", ".": "Erase" };
@@ -212,8 +213,11 @@ export class ByTouch extends Learner {
     this.#entered = Date.now();
   }
 
-  answers(place) {
-    return this.lesson.getByTitle(`Key ${place + 1}`, { exact: true }).tap();
+  /** The lesson may still scroll to what was said before: a tap waits until the answer stands still. */
+  async answers(place) {
+    const answer = this.lesson.getByTitle(`Key ${place + 1}`, { exact: true });
+    await still("the answer", async () => (await answer.boundingBox())?.y);
+    await answer.tap();
   }
 
   picks(tool) {

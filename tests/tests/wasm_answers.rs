@@ -22,21 +22,22 @@ const MEDIUM: u64 = 35;
 /// Conflicts for one answer: the same everywhere, so also what is cut short.
 const CONFLICTS: u64 = 3000;
 
-fn kept(instance: &Instance) -> Value {
+/// Work for one answer: most medium instances need more.
+const WORK: u64 = 1000;
+
+fn kept(instance: &Instance, limits: Limits) -> Value {
     let scene = instance.to_scene();
     let request = SolveRequest {
         scene: scene.clone(),
-        limits: Limits {
-            conflicts: Some(CONFLICTS),
-            ..Limits::default()
-        },
+        limits,
         ..SolveRequest::default()
     };
     match serve(&Request::Solve(request), &SilentHost) {
         Response::Solved(answer) => json!({
             "scene": scene,
-            "conflicts": CONFLICTS,
+            "limits": limits,
             "status": answer.status,
+            "ended": answer.ended,
             // As text, since its bytes are compared.
             "plan": serde_json::to_string(&answer.plan).unwrap(),
         }),
@@ -48,9 +49,20 @@ fn kept(instance: &Instance) -> Value {
 fn the_native_answers_to_random_instances_are_those_that_were_kept() {
     let small = (0..SMALL).map(|number| random::small(SEED, number));
     let medium = (0..MEDIUM).map(|number| random::medium(SEED, number));
+    let conflicts = Limits {
+        conflicts: Some(CONFLICTS),
+        ..Limits::default()
+    };
+    let work = Limits {
+        work: Some(WORK),
+        ..Limits::default()
+    };
+    let cut = medium.clone().map(|instance| kept(&instance, work));
     let rows: Vec<String> = small
         .chain(medium)
-        .map(|instance| kept(&instance).to_string())
+        .map(|instance| kept(&instance, conflicts))
+        .chain(cut)
+        .map(|row| row.to_string())
         .collect();
     let text = format!("[\n{}\n]\n", rows.join(",\n"));
     let path = source::root().join("crates/giveway-wasm/tests/data/random.json");
@@ -62,10 +74,12 @@ fn the_native_answers_to_random_instances_are_those_that_were_kept() {
         assert_eq!(row, before);
     }
     assert_eq!(text.len(), before.len());
-    for status in ["optimal", "impossible"] {
-        assert!(
-            text.contains(&format!("\"status\":\"{status}\"")),
-            "no {status}"
-        );
+    for said in [
+        r#""status":"optimal""#,
+        r#""status":"impossible""#,
+        r#""ended":"work""#,
+        r#""ended":"proof""#,
+    ] {
+        assert!(text.contains(said), "no {said}");
     }
 }

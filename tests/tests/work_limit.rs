@@ -129,7 +129,7 @@ fn no_clock_changes_where_joint_states_fronts_and_traces_are_cut_short() {
 fn no_clock_changes_where_other_questions_are_cut_short() {
     let warehouse = known::instance("seed/warehouse.json");
     let plan = serde_json::to_value(known::plan("seed/warehouse.plan.json")).unwrap();
-    let question = json!({ "kind": "wait", "agent": "A1" });
+    let question = json!({ "kind": "charge", "agent": "A2", "at": [6, 2] });
     let works = &WORKS[2..5];
     hold(
         "explain",

@@ -85,11 +85,23 @@ pub(super) fn focus(node: &NodeRef) {
 /// plan that is shown, may have moved it away.
 pub(super) fn bring_into_view() {
     let scroll = || {
-        let said = super::place().and_then(|place| {
-            let said = place.query_selector(".ex.solved, .judge-at:not(:empty)");
-            said.ok().flatten()
-        });
-        if let Some(said) = said {
+        let Some(place) = super::place() else {
+            return;
+        };
+        // What is being pressed stays under the finger until it is let go.
+        if place
+            .query_selector(".lesson :active")
+            .ok()
+            .flatten()
+            .is_some()
+        {
+            return bring_into_view();
+        }
+        if let Some(said) = place
+            .query_selector(".ex.solved, .judge-at:not(:empty)")
+            .ok()
+            .flatten()
+        {
             let options = ScrollIntoViewOptions::new();
             options.set_block(ScrollLogicalPosition::Nearest);
             said.scroll_into_view_with_scroll_into_view_options(&options);

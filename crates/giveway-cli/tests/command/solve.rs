@@ -42,7 +42,7 @@ fn json_has_the_specified_keys() {
     assert_eq!(
         keys(&answer),
         [
-            "bounds", "complete", "costs", "giveway", "plan", "stats", "status", "within"
+            "bounds", "complete", "costs", "ended", "giveway", "plan", "stats", "status", "within"
         ]
     );
     assert_eq!(
@@ -60,9 +60,30 @@ fn json_has_the_specified_keys() {
             "conflicts",
             "cpu_seconds",
             "solver_calls",
-            "variables"
+            "variables",
+            "work"
         ]
     );
+}
+
+#[test]
+fn a_limit_of_work_ends_at_the_same_place_and_says_so() {
+    let folder = Folder::scene(WAREHOUSE);
+    let run = || {
+        folder
+            .run("solve scene.json --format json --work-limit 3000")
+            .json()
+    };
+    let (one, two) = (run(), run());
+    assert_eq!(one["ended"], "work", "{one}");
+    assert_eq!(one["reason"], "The work limit was reached.");
+    assert_eq!(
+        [&one["plan"], &one["stats"]["work"]],
+        [&two["plan"], &two["stats"]["work"]]
+    );
+    let whole = folder.run("solve scene.json --format json --work-limit 100000000");
+    let whole = whole.json();
+    assert_eq!([&whole["ended"], &whole["status"]], ["proof", "optimal"]);
 }
 
 #[test]

@@ -71,7 +71,7 @@ pub(super) fn battery(
 }
 
 /// Every edit that weakens one of the facts, each once, and whether no cell was passed
-/// over. Agents that are `asked` about are never left out, nor is the only one.
+/// over. Agents that are `asked` about are never left out.
 pub(super) fn candidates(
     instance: &Instance,
     facts: &[Group],
@@ -99,7 +99,7 @@ pub(super) fn candidates(
                 let agent = name(a);
                 Some(Candidate::Edit(Edit::DropWaypoint { agent, cell }))
             }
-            Group::Task(a) if !asked.contains(&a) && agents.len() > 1 => {
+            Group::Task(a) if !asked.contains(&a) => {
                 Some(Candidate::Edit(Edit::LeaveOut { agent: name(a) }))
             }
             Group::Task(_)

@@ -13,7 +13,7 @@ const ONE_BY_ONE: usize = 3;
 const IN_LIST: usize = 4;
 
 /// So many clauses are told; of more than that one fewer, and the rest is counted.
-const CLAUSES: usize = 5;
+const CLAUSES: usize = 6;
 
 /// What the sets of facts exclude, a sentence each. Which facts help when they alone are
 /// left out is told where the facts are listed.
@@ -41,7 +41,10 @@ fn clauses(core: &Core) -> String {
         a.kind == b.kind && (a.kind != FactKind::Waypoint || a.agents == b.agents)
     };
     let mut groups: Vec<Vec<&Fact>> = Vec::new();
-    for fact in &core.facts {
+    // A breakdown comes first: it is what a person wants to hear of.
+    let is_breakdown = |fact: &&Fact| fact.kind == FactKind::Breakdown;
+    let (first, then): (Vec<&Fact>, Vec<&Fact>) = core.facts.iter().partition(is_breakdown);
+    for fact in first.into_iter().chain(then) {
         match groups.iter_mut().find(|group| alike(group[0], fact)) {
             Some(group) => group.push(fact),
             None => groups.push(vec![fact]),
