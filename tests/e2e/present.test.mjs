@@ -18,6 +18,7 @@ class Presentation {
     this.page = page;
     this.end = page.getByRole("button", { name: "End the presentation" });
     this.said = page.locator(".third:visible");
+    this.headline = page.locator(".present-head .say");
     this.tools = page.getByRole("toolbar", { name: "Tools" });
   }
 
@@ -79,8 +80,10 @@ describe("a presentation", () => {
     await eventually("another question", async () => (await presentation.said.innerText()).split("\n")[0], (text) => text !== first);
     await playground.key("PageUp", "h");
     await presentation.said.waitFor({ state: "detached" });
+    await presentation.headline.waitFor({ state: "detached" });
     await playground.key("h");
     await presentation.says(/^Why does it take this long\?/);
+    await presentation.headline.waitFor();
     await playground.key("ArrowUp");
     await presentation.says(/^$/);
     await playground.picture("present");

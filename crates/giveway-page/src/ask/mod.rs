@@ -10,11 +10,13 @@ mod later;
 mod plan;
 mod signs;
 
-pub(crate) use card::numbers_facts;
+pub(crate) use signs::other_causes;
+
 pub use card::{
     Badge, Card, CostRow, FactRow, Facts, Happening, Offered, Other, card, closeness,
     offers_next_step,
 };
+pub(crate) use card::{numbers_facts, set_title};
 use giveway_model::{Question, question::fits, tr};
 
 use crate::{Answer, Selection, State, words};

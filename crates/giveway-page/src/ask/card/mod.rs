@@ -5,8 +5,8 @@ mod parts;
 
 use giveway_model::{Question, tr};
 use giveway_solve::explain::{
-    Core, ExplainAnswer, edits_in_words, facts_claim, facts_title, further_title, helps_mark,
-    witness_title,
+    Core, ExplainAnswer, Verdict, edits_in_words, facts_claim, facts_title, further_title,
+    helps_mark, witness_title,
 };
 use giveway_solve::words::reach;
 
@@ -92,10 +92,7 @@ fn facts(asking: &Asking, told: &ExplainAnswer) -> Vec<Facts> {
     let mut index = 0..;
     let sets = told.core.iter().flat_map(Core::sets).enumerate();
     sets.map(|(set, core)| Facts {
-        title: match set {
-            0 => facts_title(told.verdict),
-            _ => further_title(told.verdict),
-        },
+        title: set_title(set, told.verdict),
         claim: facts_claim(&told.question, told.verdict, core),
         facts: core
             .facts
@@ -113,6 +110,14 @@ fn facts(asking: &Asking, told: &ExplainAnswer) -> Vec<Facts> {
             .collect(),
     })
     .collect()
+}
+
+/// What stands above a set of facts, by its place among the sets.
+pub(crate) fn set_title(set: usize, verdict: Verdict) -> &'static str {
+    match set {
+        0 => facts_title(verdict),
+        _ => further_title(verdict),
+    }
 }
 
 /// Whether the answer itself offers the next step: another plan, or a repair.
