@@ -10,6 +10,7 @@ mod author;
 mod claims;
 mod docs;
 mod files;
+mod guesses;
 mod judges;
 mod learner;
 mod noise;

@@ -7,7 +7,6 @@ mod order;
 mod solved;
 mod spot;
 
-use giveway_course::judge::Why;
 use giveway_course::learner::{Action, Judge, Open};
 use giveway_course::lesson::task::Lead;
 use giveway_course::lesson::{Task, Text};
@@ -21,7 +20,7 @@ use crate::icon;
 /// Whether the answer to a question is on the table, right or not.
 pub(super) fn is_answered(open: &Open) -> bool {
     let verdict = open.judge().verdict();
-    verdict.is_some_and(|verdict| matches!(verdict.why, Why::Guessed { .. } | Why::Revealed(_)))
+    verdict.is_some_and(|verdict| verdict.truth().is_some())
 }
 
 /// The exercise.
