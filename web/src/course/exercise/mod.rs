@@ -27,6 +27,9 @@ pub(super) fn is_answered(open: &Open) -> bool {
 pub(super) fn show(tutor: &Tutor, open: &Open, task: &Task, reader: Reader<'_>) -> Html {
     let is_solved = open.is_solved();
     match task {
+        task if open.was_solved() => html! {
+            <section class="ex solved" aria-labelledby="ex-h">{ solved::before(open, task, reader) }</section>
+        },
         Task::Predict(task) => answers::predict(tutor, open, task, reader),
         Task::Choose(task) => answers::choose(tutor, open, task, reader),
         _ if is_solved => html! {
