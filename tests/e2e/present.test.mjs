@@ -78,6 +78,15 @@ describe("a presentation", () => {
     const first = (await presentation.said.innerText()).split("\n")[0];
     await playground.key("PageDown");
     await eventually("another question", async () => (await presentation.said.innerText()).split("\n")[0], (text) => text !== first);
+    // The list of keys closes by its key, or by Escape, which ends nothing else then.
+    for (const close of ["?", "Escape"]) {
+      await playground.key("?");
+      const keys = page.locator("dialog[open] .keylist").first();
+      await keys.waitFor();
+      await playground.key(close);
+      await keys.waitFor({ state: "detached" });
+      await presentation.end.waitFor();
+    }
     await playground.key("PageUp", "h");
     await presentation.said.waitFor({ state: "detached" });
     await presentation.headline.waitFor({ state: "detached" });
