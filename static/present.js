@@ -2,11 +2,14 @@
 // screen, buttons that fade. Whether the page is presented is an attribute of its root.
 
 const IDLE_MS = 3000;
+/** A browser leaves the full screen so long after the key at most. */
+const SAME_KEY_MS = 700;
 const FADED = "data-idle";
 const root = document.documentElement;
 const page = document.getElementById("page");
 let isOn = false;
 let wasFull = false;
+let closed = -SAME_KEY_MS;
 let idle;
 
 /** Fetches the style sheet; while one works on the page, it is there already. */
@@ -48,11 +51,19 @@ function stir() {
   }
 }
 
-/** A browser takes Escape for itself to leave the full screen: that ends the presentation, too. */
+/**
+ * A browser takes Escape for itself to leave the full screen: that ends the presentation, too. Where a dialog is open, or
+ * was closed by the same key, it closes the dialog alone.
+ */
 function leave() {
   const isFull = Boolean(document.fullscreenElement);
   if (wasFull && !isFull && isOn) {
-    document.getElementById("present-end")?.click();
+    const dialog = document.querySelector("dialog[open]");
+    if (dialog) {
+      dialog.close();
+    } else if (performance.now() - closed > SAME_KEY_MS) {
+      document.getElementById("present-end")?.click();
+    }
   }
   wasFull = isFull;
 }
@@ -70,5 +81,7 @@ for (const kind of ["pointermove", "pointerdown"]) {
   addEventListener(kind, stir, { passive: true });
 }
 addEventListener("click", release);
+// The event of a dialog does not bubble.
+addEventListener("close", () => (closed = performance.now()), true);
 document.addEventListener("fullscreenchange", leave);
 follow();

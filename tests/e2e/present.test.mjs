@@ -18,6 +18,7 @@ class Presentation {
     this.page = page;
     this.end = page.getByRole("button", { name: "End the presentation" });
     this.said = page.locator(".third:visible");
+    this.headline = page.locator(".present-head .say");
     this.tools = page.getByRole("toolbar", { name: "Tools" });
   }
 
@@ -77,10 +78,21 @@ describe("a presentation", () => {
     const first = (await presentation.said.innerText()).split("\n")[0];
     await playground.key("PageDown");
     await eventually("another question", async () => (await presentation.said.innerText()).split("\n")[0], (text) => text !== first);
+    // The list of keys closes by its key, or by Escape, which ends nothing else then.
+    for (const close of ["?", "Escape"]) {
+      await playground.key("?");
+      const keys = page.locator("dialog[open] .keylist").first();
+      await keys.waitFor();
+      await playground.key(close);
+      await keys.waitFor({ state: "detached" });
+      await presentation.end.waitFor();
+    }
     await playground.key("PageUp", "h");
     await presentation.said.waitFor({ state: "detached" });
+    await presentation.headline.waitFor({ state: "detached" });
     await playground.key("h");
     await presentation.says(/^Why does it take this long\?/);
+    await presentation.headline.waitFor();
     await playground.key("ArrowUp");
     await presentation.says(/^$/);
     await playground.picture("present");

@@ -183,10 +183,13 @@ fn dialog(panel: &Panel, state: &Shown, send: &Callback<Action>, show: &Callback
 }
 
 /// The phase in the style sheets. While ways to go on are compared their columns have
-/// the place of the board; a tool that is picked needs the board.
+/// the place of the board; a tool that is picked needs the board, and so does a room from
+/// which answers are hidden.
 fn phase_class(state: &Shown) -> &'static str {
     match state.phase() {
-        Phase::Comparing if state.view.tool != Tool::Select => "st-changing",
+        Phase::Comparing if state.view.tool != Tool::Select || state.hides_answers() => {
+            "st-changing"
+        }
         Phase::Editing => "st-editing",
         Phase::Solving => "st-solving",
         Phase::Asking | Phase::Checking | Phase::Counting => "st-asking",

@@ -1,5 +1,6 @@
 //! Fields for names and whole numbers.
 
+use giveway_page::number;
 use web_sys::HtmlInputElement;
 use yew::prelude::*;
 
@@ -12,23 +13,26 @@ pub(crate) struct FieldProps {
     /// What an empty field means.
     #[prop_or_default]
     pub(crate) empty: Option<AttrValue>,
-    /// Whether a phone shows figures only.
+    /// Which whole numbers are possible, where it holds one.
     #[prop_or_default]
-    pub(crate) is_number: bool,
+    pub(crate) range: Option<(u32, u32)>,
     /// Takes what was typed.
     pub(crate) on_change: Callback<String>,
 }
 
-/// A field with its label. What the state does not take is taken back.
+/// A field with its label. What the state does not take is taken back; then it says which
+/// numbers are possible, until something else is typed.
 #[component]
 pub(crate) fn Field(props: &FieldProps) -> Html {
     // The page may be rendered anew while somebody types: that must not take it back.
     let typing = use_state_eq(|| None::<String>);
+    let refused = use_state_eq(|| false);
     let input = {
-        let typing = typing.clone();
+        let (typing, refused) = (typing.clone(), refused.clone());
         Callback::from(move |event: InputEvent| {
             let input: HtmlInputElement = event.target_unchecked_into();
             typing.set(Some(input.value()));
+            refused.set(false);
         })
     };
     let shown = match &*typing {
@@ -37,20 +41,32 @@ pub(crate) fn Field(props: &FieldProps) -> Html {
     };
     let change = {
         let on_change = props.on_change.clone();
+        let (range, can_be_empty) = (props.range, props.empty.is_some());
+        let refused = refused.clone();
         Callback::from(move |event: Event| {
             let input: HtmlInputElement = event.target_unchecked_into();
-            on_change.emit(input.value());
+            let typed = input.value();
+            let is_empty = can_be_empty && typed.trim().is_empty();
+            let is_possible = |range| is_empty || number::read(&typed, range).is_some();
+            refused.set(!range.is_none_or(is_possible));
+            on_change.emit(typed);
             typing.set(None);
         })
     };
     html! {
         <label>
             { &props.label }
-            <input class="field" type="text" inputmode={props.is_number.then_some("numeric")}
+            <input class="field" type="text" inputmode={props.range.and(Some("numeric"))}
                 autocomplete="off" value={shown} placeholder={props.empty.clone()}
                 oninput={input} onchange={change} />
+            if let Some(range) = props.range.filter(|_| *refused) { { possible(range) } }
         </label>
     }
+}
+
+/// Which numbers are possible, below a field that does not take another one.
+pub(crate) fn possible(range: (u32, u32)) -> Html {
+    html! { <small class="possible" role="status">{ number::possible(range) }</small> }
 }
 
 /// A field for a whole number between two, both included; what is none is taken
@@ -58,7 +74,7 @@ pub(crate) fn Field(props: &FieldProps) -> Html {
 pub(crate) fn number(
     label: &'static str,
     value: Option<u32>,
-    (least, most): (u32, u32),
+    range: (u32, u32),
     empty: Option<&'static str>,
     on_change: &Callback<Option<u32>>,
 ) -> Html {
@@ -66,10 +82,7 @@ pub(crate) fn number(
     let change = Callback::from(move |typed: String| {
         let new = match typed.trim() {
             "" if empty.is_some() => None,
-            typed => match typed.parse::<u32>() {
-                Ok(n) => Some(n.clamp(least, most)),
-                Err(_) => value,
-            },
+            typed => number::taken(typed, value, range),
         };
         if new != value {
             on_change.emit(new);
@@ -77,6 +90,6 @@ pub(crate) fn number(
     });
     let text = value.map(|n| n.to_string()).unwrap_or_default();
     html! {
-        <Field {label} value={text} empty={empty.map(AttrValue::from)} is_number=true on_change={change} />
+        <Field {label} value={text} empty={empty.map(AttrValue::from)} {range} on_change={change} />
     }
 }

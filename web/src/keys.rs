@@ -38,6 +38,8 @@ pub(crate) fn use_keys(state: &Shown, send: &Callback<Action>, show: &Callback<P
                 event.prevent_default();
                 match command {
                     Command::Act(action) => send.emit(action),
+                    // The key that opens the list of keys closes it, too.
+                    Command::Help if help_is_open() => show.emit(Panel::Nothing),
                     Command::Help => show.emit(Panel::Help),
                 }
             });
@@ -46,10 +48,11 @@ pub(crate) fn use_keys(state: &Shown, send: &Callback<Action>, show: &Callback<P
 }
 
 fn wanted(event: &KeyboardEvent, state: &Shown) -> Option<Command> {
-    if event.default_prevented() || event.is_composing() || dialog_is_open() {
+    let name = event.key();
+    let is_for_dialog = dialog_is_open() && !(name == "?" && help_is_open());
+    if event.default_prevented() || event.is_composing() || is_for_dialog {
         return None;
     }
-    let name = event.key();
     let key = Key {
         name: &name,
         ctrl: event.ctrl_key() || event.meta_key(),
@@ -71,6 +74,15 @@ pub(crate) fn is_in(event: &Event, places: &str) -> bool {
 }
 
 pub(crate) fn dialog_is_open() -> bool {
-    let dialog = gloo::utils::document().query_selector("dialog[open]");
-    dialog.is_ok_and(|dialog| dialog.is_some())
+    is_on_page("dialog[open]")
+}
+
+/// Whether the list of keys is open.
+fn help_is_open() -> bool {
+    is_on_page("dialog[open] .keylist")
+}
+
+fn is_on_page(place: &str) -> bool {
+    let found = gloo::utils::document().query_selector(place);
+    found.is_ok_and(|found| found.is_some())
 }

@@ -59,7 +59,7 @@ pub(crate) fn head(state: &State, send: &Callback<Action>) -> Html {
         <header class="present-head">
             <h1>{ name }</h1>
             // A plan that is to be guessed is not told.
-            if !lesson.is_some_and(Lesson::hides_plan) { { sentence(state) } }
+            if !state.hides_answers() && !lesson.is_some_and(Lesson::hides_plan) { { sentence(state) } }
             <button type="button" class="btn ghost round" id="present-end" title={tr!("End the presentation (Escape)")}
                 onclick={send.reform(|_| END)}>
                 { icon::show("cancel") }<span class="vh">{ tr!("End the presentation") }</span>
@@ -81,6 +81,9 @@ pub(crate) fn foot(state: &State, has_plan: bool, send: &Callback<Action>) -> Ht
                 if let Some(third) = third {
                     <h2>{ third.question }</h2>
                     <p>if let Some(verdict) = third.verdict { <b>{ verdict }</b>{ " " } }{ third.text }</p>
+                    if !third.causes.is_empty() {
+                        <ol>{ for third.causes.iter().map(|cause| html! { <li><b>{ cause.numbers.clone() }</b><span>{ cause.text.clone() }</span></li> }) }</ol>
+                    }
                 }
             </div>
         </section>

@@ -42,6 +42,7 @@ pub mod lesson;
 mod line;
 pub mod link;
 mod mode;
+pub mod number;
 pub mod objective;
 pub mod opening;
 mod phase;

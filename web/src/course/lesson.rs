@@ -124,7 +124,7 @@ fn foot(tutor: &Tutor, open: &Open, send: &Callback<Msg>) -> Html {
     let next = once(send, || Msg::Do(Action::Next));
     let has_task = open.step().is_some_and(|step| step.task.is_some());
     // It goes on in any case; where there is something to do, that comes first.
-    let is_next = !has_task || open.is_solved() || exercise::is_answered(open);
+    let is_next = !has_task || open.is_solved() || open.was_solved() || exercise::is_answered(open);
     let class = classes!("btn", if is_next { "primary" } else { "outline" });
     let word = if open.is_last() {
         tr!("a lesson" => "Finish")

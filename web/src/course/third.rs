@@ -2,9 +2,9 @@
 //! page. Elsewhere it is not shown.
 
 use giveway_course::judge::words::said;
-use giveway_course::judge::{Did, Why};
+use giveway_course::judge::{Did, Verdict};
 use giveway_course::learner::Open;
-use giveway_course::lesson::{Step, Task, Text, Value};
+use giveway_course::lesson::{Step, Task, Text};
 use yew::prelude::*;
 
 use super::prose::{Reader, first_sentence};
@@ -52,7 +52,7 @@ fn answers(open: &Open, task: Option<&Task>, reader: Reader<'_>) -> Html {
     };
     let list: Vec<Html> = match task {
         Some(Task::Predict(task)) => {
-            let truth = truth(open);
+            let truth = open.judge().verdict().and_then(Verdict::truth);
             let answers = task.answers.iter().enumerate();
             answers
                 .map(|(place, answer)| one(place, &answer.text, truth == Some(&answer.value)))
@@ -81,12 +81,4 @@ fn are_told_apart(texts: &[&Text]) -> bool {
     let titles: Vec<_> = texts.iter().map(|text| first_sentence(text).0).collect();
     let is_new = |(place, title)| !titles[..place].contains(title);
     titles.iter().enumerate().all(is_new)
-}
-
-/// What was to be said, once it is on the table.
-fn truth(open: &Open) -> Option<&Value> {
-    match &open.judge().verdict()?.why {
-        Why::Guessed { truth, .. } | Why::Revealed(truth) => Some(truth),
-        _ => None,
-    }
 }

@@ -3,11 +3,12 @@
 use std::rc::Rc;
 
 use giveway_model::tr;
-use giveway_page::{Action, FileAction, files::Choice};
+use giveway_page::{Action, FileAction, files::Choice, number};
 use web_sys::HtmlInputElement;
 use yew::prelude::*;
 
 use super::frame::Frame;
+use crate::field::possible;
 
 #[derive(Clone, PartialEq, Properties)]
 pub(crate) struct AgentsProps {
@@ -36,14 +37,14 @@ pub(crate) fn Agents(props: &AgentsProps) -> Html {
             typed.set(input.value());
         })
     };
+    let range = (1, u32::try_from(choice.most()).unwrap_or(u32::MAX));
+    let agents = number::read(&typed, range);
     let open = {
         let (choice, send, on_close) = (Rc::clone(choice), send.clone(), on_close.clone());
-        let typed = typed.clone();
         Callback::from(move |()| {
-            let agents = typed.trim().parse::<usize>().unwrap_or(choice.proposed());
-            let agents = agents.clamp(1, choice.most());
+            let Some(agents) = agents else { return };
             on_close.emit(());
-            send.emit(match choice.scene(agents) {
+            send.emit(match choice.scene(agents as usize) {
                 Ok(scene) => Action::File(FileAction::Open(Box::new(scene))),
                 Err(notice) => Action::File(FileAction::Refuse(notice)),
             });
@@ -67,10 +68,11 @@ pub(crate) fn Agents(props: &AgentsProps) -> Html {
                 <input id="agents" class="field" type="number" inputmode="numeric"
                     min="1" max={choice.most().to_string()} value={(*typed).clone()}
                     oninput={input} onkeydown={enter} autofocus=true />
+                if agents.is_none() { { possible(range) } }
             </div>
             <div class="dialog-foot">
                 <button class="btn outline" onclick={on_close.reform(|_| ())}>{ tr!("Back") }</button>
-                <button class="btn primary" onclick={open.reform(|_| ())}>{ tr!("Open scene") }</button>
+                <button class="btn primary" disabled={agents.is_none()} onclick={open.reform(|_| ())}>{ tr!("Open scene") }</button>
             </div>
         </Frame>
     }

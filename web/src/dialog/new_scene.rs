@@ -2,14 +2,17 @@
 
 use giveway_model::tr;
 use giveway_page::files::blank;
-use giveway_page::{Action, FileAction, MAX_SIDE};
+use giveway_page::{Action, FileAction, MAX_SIDE, number};
 use web_sys::HtmlInputElement;
 use yew::prelude::*;
 
 use super::frame::Frame;
+use crate::field::possible;
 
 /// The size that is proposed: the board shows it whole on a phone, too.
 const SIZE: (u32, u32) = (8, 6);
+/// The least and the most cells of a side.
+const SIDES: (u32, u32) = (1, MAX_SIDE);
 
 #[derive(Clone, PartialEq, Properties)]
 pub(crate) struct NewSceneProps {
@@ -27,12 +30,14 @@ pub(crate) fn NewScene(props: &NewSceneProps) -> Html {
     let name = use_state_eq(String::new);
     let columns = use_state_eq(|| SIZE.0.to_string());
     let rows = use_state_eq(|| SIZE.1.to_string());
+    let side = |typed: &str| number::read(typed, SIDES);
+    let size = side(&columns).zip(side(&rows));
     let create = {
         let (send, on_close) = (send.clone(), on_close.clone());
-        let (name, columns, rows) = (name.clone(), columns.clone(), rows.clone());
+        let name = name.clone();
         Callback::from(move |()| {
-            let side = |typed: &str, otherwise| typed.trim().parse().unwrap_or(otherwise);
-            let scene = blank(&name, side(&columns, SIZE.0), side(&rows, SIZE.1));
+            let Some((columns, rows)) = size else { return };
+            let scene = blank(&name, columns, rows);
             on_close.emit(());
             send.emit(Action::File(FileAction::Open(Box::new(scene))));
         })
@@ -46,13 +51,14 @@ pub(crate) fn NewScene(props: &NewSceneProps) -> Html {
             }
         })
     };
-    let number = |id: &'static str, label: &'static str, of: &UseStateHandle<String>| {
+    let field = |id: &'static str, label: &'static str, of: &UseStateHandle<String>| {
         html! {
             <div>
                 <label for={id}>{ label }</label>
                 <input {id} class="field" type="number" inputmode="numeric" min="1"
-                    max={MAX_SIDE.to_string()} value={(**of).clone()}
+                    max={SIDES.1.to_string()} value={(**of).clone()}
                     oninput={typing(of)} onkeydown={enter.clone()} />
+                if side(of).is_none() { { possible(SIDES) } }
             </div>
         }
     };
@@ -65,12 +71,12 @@ pub(crate) fn NewScene(props: &NewSceneProps) -> Html {
                     <input id="new-name" class="field" type="text" maxlength="60" placeholder={tr!("Untitled")}
                         value={(*name).clone()} oninput={typing(&name)} onkeydown={enter.clone()} autofocus=true />
                 </div>
-                { number("new-columns", tr!("Columns"), &columns) }
-                { number("new-rows", tr!("Rows"), &rows) }
+                { field("new-columns", tr!("Columns"), &columns) }
+                { field("new-rows", tr!("Rows"), &rows) }
             </div>
             <div class="dialog-foot">
                 <button type="button" class="btn outline" onclick={on_close.reform(|_| ())}>{ tr!("Back") }</button>
-                <button type="button" class="btn primary" onclick={create.reform(|_| ())}>{ tr!("Create") }</button>
+                <button type="button" class="btn primary" disabled={size.is_none()} onclick={create.reform(|_| ())}>{ tr!("Create") }</button>
             </div>
         </Frame>
     }

@@ -248,6 +248,14 @@ impl Verdict {
         }
     }
 
+    /// The value that was asked for, once it is on the table.
+    pub const fn truth(&self) -> Option<&Value> {
+        match &self.why {
+            Why::Guessed { truth, .. } | Why::Revealed(truth) => Some(truth),
+            _ => None,
+        }
+    }
+
     /// Whether the task is done.
     pub fn is_solved(&self) -> bool {
         self.kind == Kind::Solved

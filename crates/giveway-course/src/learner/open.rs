@@ -41,6 +41,8 @@ pub struct Open {
     pub(super) hints: usize,
     /// How often something was judged.
     pub(super) attempts: u32,
+    /// Whether the task had been solved before the step was opened.
+    pub(super) was_solved: bool,
 }
 
 impl Open {
@@ -68,6 +70,7 @@ impl Open {
             proof: Proof::Unasked,
             hints: 0,
             attempts: 0,
+            was_solved: false,
         })
     }
 
@@ -187,6 +190,12 @@ impl Open {
         self.judge
             .verdict()
             .is_some_and(crate::judge::Verdict::is_solved)
+    }
+
+    /// Whether the task had been solved before the step was opened, and nothing was done
+    /// in it since.
+    pub fn was_solved(&self) -> bool {
+        self.was_solved && self.judge == Judge::Waiting && !self.has_done()
     }
 
     /// Where the learner is, for the judges.

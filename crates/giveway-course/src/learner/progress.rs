@@ -7,7 +7,10 @@ use giveway_model::{Fault, Version, format::native, tr};
 use serde::{Deserialize, Serialize};
 
 use crate::lesson::read::{MAX_LESSONS, MAX_STEPS};
-use crate::lesson::{Id, Lesson};
+use crate::lesson::{Id, Lesson, Step};
+
+/// The most steps of a lesson whose texts are kept as solved.
+const MAX_TEXTS: usize = 4 * MAX_STEPS;
 
 /// How far each lesson has come.
 #[derive(Clone, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
@@ -42,6 +45,10 @@ struct Reached {
     /// The steps whose tasks are solved, from 0.
     #[serde(default)]
     solved: BTreeSet<usize>,
+    /// The hashes of the steps that are solved: a step that was edited since, or is told in
+    /// another language, is a new one.
+    #[serde(default, skip_serializing_if = "BTreeSet::is_empty")]
+    texts: BTreeSet<u64>,
     /// How many tasks it has.
     #[serde(default)]
     tasks: usize,
@@ -52,6 +59,13 @@ impl Reached {
     fn is_done(&self) -> bool {
         let has_tasks = self.tasks > 0;
         self.done || (self.solved.len() >= self.tasks && (has_tasks || self.seen))
+    }
+
+    /// Forgets steps where there are more than languages and editions of a lesson need.
+    fn limit_texts(&mut self) {
+        while self.texts.len() > MAX_TEXTS {
+            self.texts.pop_first();
+        }
     }
 
     /// Whatever was solved or read in either counts, and the furthest step; where one
@@ -65,6 +79,8 @@ impl Reached {
         self.done |= other.done;
         self.seen |= other.seen;
         self.solved.extend(other.solved);
+        self.texts.extend(other.texts);
+        self.limit_texts();
         self.tasks = self.tasks.max(other.tasks);
     }
 }
@@ -107,6 +123,12 @@ impl Progress {
     /// The step of a lesson that was opened last, from 0.
     pub fn step(&self, lesson: &Id) -> usize {
         self.lessons.get(lesson).map_or(0, |reached| reached.step)
+    }
+
+    /// Whether the task of a step is solved, and the step is still the same.
+    pub(super) fn is_solved(&self, lesson: &Id, step: &Step) -> bool {
+        let texts = self.lessons.get(lesson).map(|reached| &reached.texts);
+        texts.is_some_and(|texts| !texts.is_empty() && texts.contains(&step.hash()))
     }
 
     /// Whether no lesson was ever opened.
@@ -169,6 +191,8 @@ impl Progress {
         }
         if let Some(reached) = self.lessons.get_mut(id) {
             reached.solved.insert(step);
+            reached.texts.extend(lesson.steps.get(step).map(Step::hash));
+            reached.limit_texts();
         }
     }
 

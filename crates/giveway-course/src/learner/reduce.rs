@@ -83,6 +83,9 @@ impl Learner {
             Action::Reset => {
                 self.left = None;
                 self.progress.forget();
+                if let Some(open) = &mut self.open {
+                    open.was_solved = false;
+                }
                 effects.push(Effect::Keep(self.progress.clone()));
             }
             Action::Close => self.close(effects),
@@ -149,6 +152,8 @@ impl Learner {
         }
         if !open.is_tried() {
             self.progress.opened(&open.id, &open.lesson, open.at);
+            let step = open.step();
+            open.was_solved = step.is_some_and(|step| self.progress.is_solved(&open.id, step));
             effects.push(Effect::Keep(self.progress.clone()));
         }
         self.open = Some(open);

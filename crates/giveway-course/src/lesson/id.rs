@@ -35,14 +35,17 @@ impl fmt::Display for BadId {
 
 impl std::error::Error for BadId {}
 
+/// The FNV-1a hash of a text, with 64 bits. Nothing is at stake but what a learner has done.
+pub(super) fn hash(text: &str) -> u64 {
+    let mix = |hash: u64, byte: u8| (hash ^ u64::from(byte)).wrapping_mul(0x0100_0000_01b3);
+    text.bytes().fold(0xcbf2_9ce4_8422_2325, mix)
+}
+
 impl Id {
     /// The name of a lesson that is no part of a course: by what is in it, so that the
     /// same lesson is found again wherever it comes from.
     pub(super) fn of_content(content: &str) -> Self {
-        // FNV-1a with 64 bits. Nothing is at stake but where one was in a lesson.
-        let mix = |hash: u64, byte: u8| (hash ^ u64::from(byte)).wrapping_mul(0x0100_0000_01b3);
-        let hash = content.bytes().fold(0xcbf2_9ce4_8422_2325, mix);
-        Self(format!("own-{hash:016x}"))
+        Self(format!("own-{:016x}", hash(content)))
     }
 
     /// The name of a lesson that is tried while it is written. Nothing that is read can

@@ -4,7 +4,7 @@ use giveway_model::change::{Changes, What};
 use giveway_model::{Agent, Cell, Plan, Scene, object_only};
 use serde::{Deserialize, Serialize};
 
-use super::{Layer, Quantity, Task, Text, Tool};
+use super::{Layer, Quantity, Task, Text, Tool, id};
 
 /// A step.
 #[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
@@ -61,6 +61,12 @@ pub struct Step {
 object_only!(Step);
 
 impl Step {
+    /// The hash of all that the step says and shows.
+    pub(crate) fn hash(&self) -> u64 {
+        // Texts, numbers and lists of them always have a JSON form.
+        id::hash(&serde_json::to_string(self).unwrap_or_default())
+    }
+
     /// What changes while the plan of the step runs: its task is about that.
     pub fn changes(&self) -> Option<&Changes> {
         match self.task.as_ref()? {

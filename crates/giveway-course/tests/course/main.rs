@@ -11,6 +11,7 @@ mod author_faults;
 mod claims;
 mod docs;
 mod files;
+mod guesses;
 mod judges;
 mod learner;
 mod noise;

@@ -10,6 +10,8 @@ mod later;
 mod plan;
 mod signs;
 
+pub(crate) use signs::other_causes;
+
 pub(crate) use card::numbers_facts;
 pub use card::{
     Badge, Card, CostRow, FactRow, Facts, Happening, Offered, Other, card, closeness,

@@ -25,7 +25,18 @@ pub(super) fn verdict_words<'a>(
     let found = tried.find_map(|tried| tried.told.result.reason.as_deref());
     let given = found.or(asking.about.solved.reason.as_deref());
     given.map_or(Cow::Borrowed(&told.words), |given| {
-        Cow::Owned(reason(given))
+        // A reason names one cause alone.
+        Cow::Owned(reason(given) + &other_causes(asking).unwrap_or_default())
+    })
+}
+
+/// ` There is another cause, too.`, where there is no plan for several reasons.
+pub(crate) fn other_causes(asking: &Asking) -> Option<String> {
+    let core = asking.told.as_deref()?.core.as_ref()?;
+    let further = core.further.len();
+    (further > 0 && numbers_facts(asking)).then(|| {
+        tr!("behind a sentence" => " There is another cause, too."
+            | " There are {n} other causes, too." % further)
     })
 }
 

@@ -87,10 +87,13 @@ const LATER: usize = 8;
 /// From the middle of a cell to a number in its corner, across and down, in units.
 const CORNER: f64 = 34.0;
 
-/// What to draw; nothing where nothing was asked, or while the other plan is
-/// shown in the place of this one: in it nothing goes wrong.
+/// What to draw; nothing where nothing was asked, where answers are hidden from a room, or
+/// while the other plan is shown in the place of this one: in it nothing goes wrong.
 pub fn reasons(state: &State) -> Reasons {
     let mut reasons = Reasons::default();
+    if state.hides_answers() {
+        return reasons;
+    }
     let Some(asking) = state.document.mode.asking() else {
         reasons.bursts = bursts(state);
         if let Some(audit) = state.audited() {

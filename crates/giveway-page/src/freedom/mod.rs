@@ -233,7 +233,8 @@ impl State {
     pub(crate) fn freedom(&self) -> Option<&Rc<Freedom>> {
         // Asked of every lane: nothing is compared where nothing is laid over the plan.
         let is_editing = matches!(self.document.mode, Mode::Editing);
-        let is_on = self.view.overlay.is_on && is_editing && !self.is_inside();
+        let is_hidden = self.is_inside() || self.hides_answers();
+        let is_on = self.view.overlay.is_on && is_editing && !is_hidden;
         if is_on { self.document.freedom() } else { None }
     }
 

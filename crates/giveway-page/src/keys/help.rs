@@ -91,7 +91,7 @@ pub const HELP: [(Later, &[Row]); 6] = [
                 &["PageUp", "PageDown"],
                 tr_later!("Back, on: a step of the lesson, a question, a time"),
             ),
-            row(&["H"], tr_later!("Hide what is said, show it again")),
+            row(&["H"], tr_later!("Hide all answers, show them again")),
             row(&["Escape"], tr_later!("End the presentation")),
         ],
     ),

@@ -7,7 +7,7 @@ mod third;
 use crate::{Action, State, Tool, ViewAction};
 
 pub(crate) use keys::pressed;
-pub use third::{Third, third};
+pub use third::{Cause, Third, third};
 
 /// Whether the page is shown to a room.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -15,9 +15,9 @@ pub enum Presenting {
     /// It is not: all places are there.
     #[default]
     Off,
-    /// The board, and below it what is said of it.
+    /// The board with its headline, and below it the question with its answer.
     Told,
-    /// The board alone.
+    /// The board with the plan that plays; nothing of any answer.
     Bare,
 }
 
@@ -31,12 +31,20 @@ impl State {
     pub fn is_presented(&self) -> bool {
         self.view.presenting != Presenting::Off
     }
+
+    /// Whether all answers are hidden from the room: the headline with its costs, claims,
+    /// marks of reasons, and other plans.
+    pub fn hides_answers(&self) -> bool {
+        self.view.presenting == Presenting::Bare
+    }
 }
 
-/// Begins, ends, or hides what is said. A hand on the board only points then.
+/// Begins, ends, or hides the answers. A hand on the board only points then.
 pub(crate) fn present(state: &mut State, to: Presenting) {
     state.view.presenting = to;
     state.view.tool = Tool::Select;
     state.view.find = None;
     state.inside.is_open = false;
+    // The other plan of an answer may take longer than the one that is left.
+    state.view.playback.time = state.view.playback.time.min(state.last_time());
 }

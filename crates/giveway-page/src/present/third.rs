@@ -1,10 +1,11 @@
 //! The lower third: the question that was asked, and its answer with the verdict first.
 
+use giveway_model::words::and;
 use giveway_model::{Question, tr};
-use giveway_solve::explain::{ExplainAnswer, Verdict};
+use giveway_solve::explain::{Core, ExplainAnswer, Verdict, facts_title};
 
 use super::Presenting;
-use crate::{State, ask};
+use crate::{Asking, State, ask};
 
 /// The most sentences that are read from the last row.
 const SENTENCES: usize = 2;
@@ -18,6 +19,17 @@ pub struct Third {
     pub verdict: Option<&'static str>,
     /// Two sentences of the answer at most; else what is looked for.
     pub text: String,
+    /// Why there is no plan: each set of facts that rules it out.
+    pub causes: Vec<Cause>,
+}
+
+/// A set of facts that rules out every plan.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Cause {
+    /// The numbers of its facts on the board: `3\u{2013}10`.
+    pub numbers: String,
+    /// Its heading, and the robots that it is about.
+    pub text: String,
 }
 
 /// The question that was asked, with its answer; nothing where there is none, where the
@@ -27,7 +39,8 @@ pub fn third(state: &State) -> Option<Third> {
         return None;
     }
     let card = ask::card(state)?;
-    let told = state.document.mode.asking()?.told.as_deref();
+    let asking = state.document.mode.asking()?;
+    let told = asking.told.as_deref();
     let text = match &card.verdict {
         Some((_, words)) => opening(words, SENTENCES),
         None => card.pending.first().copied().unwrap_or_default(),
@@ -35,8 +48,43 @@ pub fn third(state: &State) -> Option<Third> {
     Some(Third {
         verdict: told.map(verdict),
         text: text.to_owned(),
+        causes: causes(asking),
         question: card.question,
     })
+}
+
+/// The causes; none where the numbers on the board are not those of facts.
+fn causes(asking: &Asking) -> Vec<Cause> {
+    let told = asking.told.as_deref();
+    let Some(told) = told.filter(|_| ask::numbers_facts(asking)) else {
+        return Vec::new();
+    };
+    let mut before = 0;
+    let sets = told.core.iter().flat_map(Core::sets).enumerate();
+    sets.map(|(set, core)| {
+        let (first, last) = (before + 1, before + core.facts.len());
+        before = last;
+        let mut agents: Vec<&String> = Vec::new();
+        for agent in core.facts.iter().flat_map(|fact| &fact.agents) {
+            if !agents.contains(&agent) {
+                agents.push(agent);
+            }
+        }
+        let title = facts_title(told.verdict, core, set > 0);
+        Cause {
+            numbers: if first == last {
+                first.to_string()
+            } else {
+                format!("{first}\u{2013}{last}")
+            },
+            text: if agents.is_empty() {
+                title.to_owned()
+            } else {
+                format!("{title}: {}", and(&agents))
+            },
+        }
+    })
+    .collect()
 }
 
 /// The verdict as one says it, whatever was asked.

@@ -19,7 +19,7 @@ impl State {
     /// goes on; a plan of one's own; the other plan of a question where that takes
     /// its place; the one that is previewed where the world changes.
     pub fn shown(&self) -> Option<&Rc<Answer>> {
-        let is_alone = !self.view.is_wide;
+        let is_alone = !self.view.is_wide && !self.hides_answers();
         let other = self.farthest().filter(|_| is_alone);
         let known = self.inside_plan().or_else(|| self.so_far()).or(other);
         known.or_else(|| self.document.shown(is_alone))
@@ -55,7 +55,7 @@ impl State {
     /// The answer that is shown beside that one: the other plan of a question,
     /// where there is room for it; or that of another planner.
     pub fn beside(&self) -> Option<&Rc<Answer>> {
-        if self.is_inside() {
+        if self.is_inside() || self.hides_answers() {
             return None;
         }
         let other = match &self.document.mode {

@@ -3,11 +3,15 @@
 
 use giveway_model::{Cell, Question};
 
+use crate::board::{Reasons, reasons};
 use crate::keys::{Command, Key, command};
 use crate::present::{BEGIN, END, Presenting, third};
 use crate::reduce::tests::{after, asked_and_answered};
 use crate::sample::solved;
-use crate::{Action, AskAction, BoardAction, Draft, PlayAction, State, Tool, ask};
+use crate::tests::answered;
+use crate::{
+    Action, AskAction, BoardAction, Draft, PlayAction, SolveAction, State, Tool, ViewAction, ask,
+};
 
 fn key(name: &str, state: &State) -> Option<Action> {
     let key = Key {
@@ -160,4 +164,77 @@ fn a_hand_only_points() {
     assert_eq!(question(&asked).unwrap().agent(), Some("A1"));
     let closed = after(&asked, [Action::Ask(AskAction::Close)]);
     assert!(closed.is_presented());
+}
+
+/// A scene without a plan for two reasons: two robots that cannot pass each other, and one
+/// whose battery is too small.
+fn impossible() -> State {
+    let scene = r####"{"giveway":1,"map":["...","###","..."],"agents":[
+        {"name":"A1","start":[0,0],"goal":[2,0]},{"name":"A2","start":[2,0],"goal":[0,0]},
+        {"name":"A3","start":[0,2],"goal":[2,2],"battery":{"capacity":2,"initial":1}}]}"####;
+    let scene = giveway_model::format::native::read_scene(scene).unwrap();
+    let state = State::new(Draft::new(scene).unwrap());
+    answered(&after(&state, [Action::Solve(SolveAction::Begin), BEGIN]))
+}
+
+#[test]
+fn all_causes_are_named_by_the_numbers_of_their_marks() {
+    let asked = after(
+        &impossible(),
+        [Action::Ask(AskAction::Ask(Question::Unsolvable))],
+    );
+    assert_eq!(third(&asked).unwrap().causes, []);
+    let told = answered(&asked);
+    let said = third(&told).unwrap();
+    assert_eq!(said.verdict, Some("There is none."));
+    assert_eq!(
+        said.text,
+        "A3 cannot do its task, even alone. There is another cause, too."
+    );
+    let causes: Vec<_> = said
+        .causes
+        .iter()
+        .map(|it| (&*it.numbers, &*it.text))
+        .collect();
+    assert_eq!(
+        causes,
+        [
+            ("1\u{2013}2", "These facts together rule it out: A3"),
+            (
+                "3\u{2013}8",
+                "These facts alone rule it out, too: A1 and A2"
+            ),
+        ]
+    );
+    let spots = reasons(&told).spots;
+    assert!(!spots.is_empty() && spots.iter().all(|spot| spot.number <= 8));
+    let (_, words) = ask::card(&told).unwrap().verdict.unwrap();
+    assert_eq!(words, said.text);
+    let standing = crate::words::standing(&told).sentence;
+    assert!(standing.ends_with(&said.text), "{standing}");
+}
+
+#[test]
+fn nothing_of_an_answer_is_left_when_answers_are_hidden() {
+    // Before the first question already: the page leaves out the headline.
+    let bare = pressed(&presented(), &["h"]);
+    assert!(bare.hides_answers() && bare.plan().is_some());
+    assert!(!pressed(&bare, &["h"]).hides_answers());
+    let asked = after(
+        &impossible(),
+        [Action::Ask(AskAction::Ask(Question::Unsolvable))],
+    );
+    // Also while the solver is at work on the question.
+    let told = answered(&pressed(&asked, &["h"]));
+    assert_eq!((third(&told), reasons(&told)), (None, Reasons::default()));
+    assert_ne!(reasons(&pressed(&told, &["h"])), Reasons::default());
+    // The other plan of an answer is part of it, beside this one or in its place.
+    let told = after(&asked_and_answered(), [BEGIN]);
+    let wide = after(&told, [Action::View(ViewAction::SetWide(true))]);
+    let hidden = pressed(&wide, &["h"]);
+    assert!(wide.beside().is_some() && hidden.beside().is_none());
+    let other = after(&told, [Action::Ask(AskAction::ShowOther(true))]);
+    let hidden = pressed(&other, &["h"]);
+    assert_ne!(other.shown(), other.document.answer.as_ref());
+    assert_eq!(hidden.shown(), hidden.document.answer.as_ref());
 }

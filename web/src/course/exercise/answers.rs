@@ -1,6 +1,6 @@
 //! Questions with answers: one is picked, or a value is said.
 
-use giveway_course::judge::{Did, Why};
+use giveway_course::judge::{Did, Verdict, Why};
 use giveway_course::learner::{Action, Judge, Open};
 use giveway_course::lesson::quantity::ValueKind;
 use giveway_course::lesson::task::{Choose, Guess, Predict};
@@ -57,14 +57,11 @@ fn option(
 /// Something is said before it is shown.
 pub(super) fn predict(tutor: &Tutor, open: &Open, task: &Predict, reader: Reader<'_>) -> Html {
     let answered = is_answered(open);
-    let why = open.judge().verdict().map(|verdict| &verdict.why);
-    let (guess, truth) = match why {
-        Some(Why::Guessed { guess, truth, .. }) => (Some(guess), Some(truth)),
-        Some(Why::Revealed(truth)) => (None, Some(truth)),
-        _ => match open.did() {
-            Did::Guessed(guess) if is_looking(open) => (Some(guess), None),
-            _ => (None, None),
-        },
+    let verdict = open.judge().verdict();
+    let truth = verdict.and_then(Verdict::truth);
+    let guess = match open.did() {
+        Did::Guessed(guess) if truth.is_some() || is_looking(open) => Some(guess),
+        _ => None,
     };
     let one = |(place, answer): (usize, &Guess)| {
         let is_mine = guess == Some(&answer.value);
@@ -126,12 +123,17 @@ fn outcome(tutor: &Tutor, open: &Open, reader: Reader<'_>) -> Html {
             ..
         }
     );
-    // Listed answers show by themselves which is right.
-    let is_free = matches!(&step.task, Some(Task::Predict(task)) if task.answers.is_empty());
+    // Listed answers show by themselves which is right, where one is.
+    let is_listed = match (&step.task, verdict.truth()) {
+        (Some(Task::Predict(task)), Some(truth)) => {
+            task.answers.iter().any(|answer| answer.value == *truth)
+        }
+        _ => false,
+    };
     html! {
         <div class="why">
             if verdict.is_solved() { <p class="exw">{ icon::show(tr!("an answer" => "proved")) }<b>{ tr!("a verdict" => "Solved") }</b></p> }
-            if is_reply || is_free || step.reason.is_none() { <p>{ reader.show(&said) }</p> }
+            if is_reply || !is_listed || step.reason.is_none() { <p>{ reader.show(&said) }</p> }
             if let Some(reason) = &step.reason { <p>{ reader.show(reason) }</p> }
         </div>
     }

@@ -7,7 +7,6 @@ mod order;
 mod solved;
 mod spot;
 
-use giveway_course::judge::Why;
 use giveway_course::learner::{Action, Judge, Open};
 use giveway_course::lesson::task::Lead;
 use giveway_course::lesson::{Task, Text};
@@ -21,13 +20,16 @@ use crate::icon;
 /// Whether the answer to a question is on the table, right or not.
 pub(super) fn is_answered(open: &Open) -> bool {
     let verdict = open.judge().verdict();
-    verdict.is_some_and(|verdict| matches!(verdict.why, Why::Guessed { .. } | Why::Revealed(_)))
+    verdict.is_some_and(|verdict| verdict.truth().is_some())
 }
 
 /// The exercise.
 pub(super) fn show(tutor: &Tutor, open: &Open, task: &Task, reader: Reader<'_>) -> Html {
     let is_solved = open.is_solved();
     match task {
+        task if open.was_solved() => html! {
+            <section class="ex solved" aria-labelledby="ex-h">{ solved::before(open, task, reader) }</section>
+        },
         Task::Predict(task) => answers::predict(tutor, open, task, reader),
         Task::Choose(task) => answers::choose(tutor, open, task, reader),
         _ if is_solved => html! {

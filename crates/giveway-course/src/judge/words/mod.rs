@@ -34,9 +34,18 @@ pub fn head(kind: Kind) -> &'static str {
 
 /// A verdict on a task of a step.
 pub fn said(verdict: &Verdict, step: &Step) -> Said {
+    let text = match (reply(verdict, step), &verdict.why) {
+        // The reply of the lesson need not say that the guess is wrong.
+        (Some(reply), Why::Guessed { truth, .. }) if !verdict.is_solved() => {
+            let wrong = tr!("Not this: it is {value}.", value = shown(truth));
+            text(format!("{wrong} {reply}").trim_end())
+        }
+        (Some(reply), _) => reply,
+        (None, _) => text(&why(verdict)),
+    };
     Said {
         head: head(verdict.kind),
-        text: reply(verdict, step).unwrap_or_else(|| text(&why(verdict))),
+        text,
     }
 }
 

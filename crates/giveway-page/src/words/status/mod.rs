@@ -9,7 +9,7 @@ use giveway_model::words::capital;
 
 use crate::certificate;
 use crate::words::{change, question, steering};
-use crate::{Asking, Mode, State, Task, audit, freedom, proof};
+use crate::{Asking, Mode, State, Task, ask, audit, freedom, proof};
 
 pub use badge::Badge;
 
@@ -102,6 +102,12 @@ pub fn standing(state: &State) -> Standing {
             let number = state.freedom().and_then(|freedom| freedom.count());
             let such = number.map(freedom::such_plans);
             standing.sentence += such.as_deref().unwrap_or_default();
+            let causes = state
+                .document
+                .mode
+                .asking()
+                .and_then(|asking| ask::other_causes(asking));
+            standing.sentence += causes.as_deref().unwrap_or_default();
             standing
         }
     }
