@@ -9,7 +9,7 @@ const root = document.documentElement;
 const page = document.getElementById("page");
 let isOn = false;
 let wasFull = false;
-let closed = -SAME_KEY_MS;
+let closedAt = -SAME_KEY_MS;
 let idle;
 
 /** Fetches the style sheet; while one works on the page, it is there already. */
@@ -61,7 +61,7 @@ function leave() {
     const dialog = document.querySelector("dialog[open]");
     if (dialog) {
       dialog.close();
-    } else if (performance.now() - closed > SAME_KEY_MS) {
+    } else if (performance.now() - closedAt > SAME_KEY_MS) {
       document.getElementById("present-end")?.click();
     }
   }
@@ -82,6 +82,6 @@ for (const kind of ["pointermove", "pointerdown"]) {
 }
 addEventListener("click", release);
 // The event of a dialog does not bubble.
-addEventListener("close", () => (closed = performance.now()), true);
+addEventListener("close", () => (closedAt = performance.now()), true);
 document.addEventListener("fullscreenchange", leave);
 follow();
