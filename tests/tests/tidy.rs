@@ -278,7 +278,7 @@ mod layers {
             for file in under(&files, layer) {
                 let is_place = places.contains(&file.path.as_str());
                 let asks = |clock: &&str| file.text.contains(*clock);
-                if !is_place && !file.path.contains("/tests") && clocks.iter().any(|c| asks(&c)) {
+                if !is_place && !file.path.contains("/tests") && clocks.iter().any(asks) {
                     complaints.push(format!("{} asks a clock", file.path));
                 }
             }

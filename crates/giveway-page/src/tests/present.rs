@@ -202,7 +202,7 @@ fn all_causes_are_named_by_the_numbers_of_their_marks() {
             ("1\u{2013}2", "These facts together rule it out: A3"),
             (
                 "3\u{2013}8",
-                "These facts alone rule it out, too: A1 and A2"
+                "These facts together rule it out, too: A1 and A2"
             ),
         ]
     );

@@ -26,7 +26,7 @@ use crate::{Limits, Status, budget::Budget, judged::told};
 const DERIVED: u64 = 15_000;
 const CLAUSES: u64 = 1_200_000;
 const JOINT_STEPS: u64 = 600_000;
-/// What one part may take of the seconds that are left, and of the work.
+/// What one part may take of the seconds that are left; it is the same of the work.
 const SHARE: f64 = 0.4;
 
 /// So many times the work of another part may go into repairs: they are a person's next
@@ -42,7 +42,7 @@ fn part<'h>(budget: &Budget<'h>) -> Rc<Budget<'h>> {
 fn part_of<'h>(budget: &Budget<'h>, times: u64) -> Rc<Budget<'h>> {
     let limits = Limits {
         seconds: budget.seconds_left().map(|seconds| seconds * SHARE),
-        work: budget.work_left().map(|work| (work as f64 * SHARE) as u64),
+        work: budget.work_left().map(|work| work / 5 * 2),
         ..Limits::default()
     };
     Rc::new(
