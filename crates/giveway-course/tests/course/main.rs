@@ -23,4 +23,5 @@ mod terms;
 mod tour;
 mod translate;
 mod unknown;
+mod verify;
 mod words;
