@@ -5,6 +5,7 @@
 //! Each request has a number, and a lesson that is edited ends the run, so no late answer
 //! counts for another text.
 
+mod edit;
 mod examine;
 mod finding;
 mod paint;
