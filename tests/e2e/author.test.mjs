@@ -220,6 +220,52 @@ describe("a lesson of one's own", () => {
     await page.keyboard.press("Escape");
   }, { screens: BOTH });
 
+  flow("is not shared before the solver agrees with it", async (playground, { page }) => {
+    const author = new Author(playground);
+    await playground.open(file("ways.json", SCENE));
+    await playground.shows("two ways");
+    await author.open(new Course(playground));
+    await author.fill("Title", "A ring");
+    await author.fill("What it is about, in one sentence", "Two robots go around.");
+    await author.fill("Title of the step", "Look");
+    await author.fill("Text", "Two robots go around.");
+    await author.press("Take the board as it is now");
+    await author.says(/^The board is taken\./);
+    await author.choose("What there is to do", "Predict something");
+    await author.fill("What it asks", "How long do they take?");
+    const answer = (number) => author.desk.getByRole("group", { name: `Answer ${number}`, exact: true });
+    for (const [number, value] of [[1, "3"], [2, "4"]]) {
+      await author.press("Add an answer");
+      await answer(number).getByLabel("Number", { exact: true }).fill(value);
+      await answer(number).getByLabel("In words", { exact: true }).fill(`So many: ${value}`);
+      await answer(number).getByLabel("Reply", { exact: true }).fill("Look again.");
+    }
+    await author.fill("First hint", "Count.");
+    await author.fill("Said once it is solved: why it is so", "It is so.");
+    await author.says(/^Ready to share\./);
+
+    // No answer that is offered is the right one.
+    await author.press("Copy link");
+    await author.says(/^Not shared yet\. Step 1: None of these answers is right/);
+    const wrong = "None of these answers is right: the solver has proved 2.";
+    await author.desk.getByRole("region", { name: "Task" }).getByText(wrong).waitFor();
+    await author.desk.getByText(/^1 thing is still to do\.$/).click();
+    await author.desk.getByRole("button", { name: `Step 1: ${wrong}` }).click();
+    await eventually("the focus on the task", () => page.evaluate(() => document.activeElement.id), (id) => id === "step-task.kind");
+    await playground.picture("author-checked");
+    assert.equal(await page.evaluate(() => navigator.clipboard.readText().catch(() => "")), "");
+    const saving = page.waitForEvent("download");
+    await author.press("Save as a file");
+    await saving;
+    await author.says(/The solver has not checked all of its tasks\.$/);
+
+    await answer(1).getByLabel("Number", { exact: true }).fill("2");
+    await author.desk.getByText(wrong).first().waitFor({ state: "detached" });
+    await author.press("Copy link");
+    assert.match(await author.copied(), /#lesson=~[\w-]+$/);
+    await page.keyboard.press("Escape");
+  }, { screens: BOTH, ...MINE });
+
   flow("that is faulty tells its fault, and the page stays as it is", async (playground, { page }) => {
     const author = new Author(playground);
     await playground.open(file("ways.json", SCENE));

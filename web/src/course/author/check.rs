@@ -11,6 +11,9 @@ use yew::prelude::*;
 use super::{Author, AuthorMsg, share};
 use crate::icon;
 
+/// The most findings that are told at once; the list has all of them.
+const TOLD: usize = 3;
+
 /// Hears what the solver answers.
 pub(super) fn hear(send: &Callback<AuthorMsg>) -> Callback<learner::Action> {
     let send = send.clone();
@@ -47,17 +50,15 @@ impl Author {
             return;
         }
         self.checker.end();
-        let told = match (is_shared, is_cancelled, self.standing()) {
-            (true, ..) => "",
-            (_, true, _) => tr!("The check was cancelled. Nothing was shared."),
-            (.., Standing::Unknown) => {
-                tr!("Not shared yet: the solver does not know about some tasks.")
-            }
-            (.., Standing::Passed | Standing::Unchecked | Standing::Failed) => {
-                tr!("Not shared: the check found something to change.")
-            }
+        self.told = if is_shared {
+            String::new()
+        } else if is_cancelled {
+            tr!("The check was cancelled. Nothing was shared.").to_owned()
+        } else {
+            let why = self.checked().to_do().into_iter().take(TOLD);
+            let why: Vec<String> = why.map(|line| line.text).collect();
+            tr!("Not shared yet. {why}", why = why.join(" "))
         };
-        told.clone_into(&mut self.told);
     }
 
     /// What is known of the tasks, where the lesson is whole.
