@@ -135,7 +135,7 @@ impl Author {
         );
         let same_board = matches!(&action, Action::Write { whose, field, .. }
             if *whose == Whose::Lesson || (field != "time" && field != "plan"));
-        if !is_kept {
+        if !matches!(action, Action::Go(_)) {
             self.check(verify::Action::Cancel);
         }
         self.told.clear();

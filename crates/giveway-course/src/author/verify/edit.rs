@@ -105,12 +105,11 @@ pub(super) fn applied(scene: &Scene, edit: &Edit) -> Option<Scene> {
         Edit::Waypoint(robot, cell) => agents.get_mut(robot)?.waypoints.push(cell),
         Edit::Gone(robot) => drop(agents.remove(robot)),
         Edit::New(start, goal) => {
-            let number = (1..).find(|number| {
-                let name = format!("A{number}");
-                agents.iter().all(|agent| agent.name != name)
-            })?;
+            let mut names = (0..=agents.len()).map(|index| format!("A{}", index + 1));
+            let is_new = |name: &String| agents.iter().all(|agent| agent.name != *name);
+            let name = names.find(is_new)?;
             agents.push(Agent {
-                name: format!("A{number}"),
+                name,
                 start,
                 goal,
                 waypoints: Vec::new(),
