@@ -268,6 +268,35 @@ describe("a lesson of one's own", () => {
     await page.keyboard.press("Escape");
   }, { screens: BOTH, ...MINE });
 
+  flow("is shared when its author has solved what the solver could not", async (playground, { page }) => {
+    const course = new Course(playground);
+    const author = new Author(playground);
+    await playground.open(file("ways.json", SCENE));
+    await playground.shows("two ways");
+    await author.open(course);
+    // A2 goes as the plan has it, which is not how the solver would have it go.
+    const paths = { A1: [[0, 0]], A2: [[2, 2], [2, 2], [1, 2], [0, 2]] };
+    const task = { kind: "lead", say: "Bring A1 home.", robots: ["A1"], aim: { is: "legal" } };
+    const step = { title: "Lead", text: ["It is your turn."], scene: SCENE, plan: { giveway: 1, paths }, task, hints: ["Go right."], reason: "It is so." };
+    await drop(page, "lead.json", { giveway: 1, title: "T", minutes: 4, about: "A sentence.", steps: [step] });
+    await author.says(/^Ready to share\./);
+    await author.press("Copy link");
+    await author.says(/^Not shared yet\. Step 1: The solver could not solve this task by itself\./);
+    await author.press("Try it");
+    await course.at("Lead");
+    await playground.board.focus();
+    await playground.key("ArrowRight", "ArrowRight");
+    await course.solved();
+    await course.lesson.getByRole("button", { name: "Go on writing" }).click();
+    await author.desk.waitFor();
+    await author.says(/^Ready to share\./);
+    // Words are no part of the check.
+    await author.fill("Title of the step", "Lead it");
+    await author.press("Copy link");
+    assert.match(await author.copied(), /#lesson=~[\w-]+$/);
+    await page.keyboard.press("Escape");
+  }, MINE);
+
   flow("that is faulty tells its fault, and the page stays as it is", async (playground, { page }) => {
     const author = new Author(playground);
     await playground.open(file("ways.json", SCENE));

@@ -279,6 +279,7 @@ impl Author {
     fn leave(&mut self) {
         self.is_open = false;
         self.check(verify::Action::Cancel);
+        self.told.clear();
     }
 
     /// The lesson that was tried was left.
