@@ -3,8 +3,8 @@
 use giveway_model::Version;
 use serde_json::Value;
 
+use super::check::Subject;
 use super::fault::is_within;
-use super::verify::Subject;
 use super::{Draft, Field, FormFault, Input, KIND, PLAN, Words, Wrong, build, form, head};
 use crate::lesson::read::{Place, check_lesson};
 use crate::lesson::{Glossary, Lesson, Step, Text};

@@ -5,12 +5,13 @@
 //! of a lesson, so that a fault of the reader belongs to a field. Which fields there
 //! are, [`form()`] says as data. A draft becomes a [`Lesson`] only when nothing is wrong
 //! with it ([`Draft::look`]), and a lesson becomes a draft again ([`Draft::of`]). Before it
-//! is shared, the solver tries its tasks ([`verify`]).
+//! is shared, the solver tries its tasks ([`check`]).
 //!
 //! [`Lesson`]: crate::lesson::Lesson
 
 mod action;
 mod build;
+pub mod check;
 mod choices;
 mod fault;
 mod field;
@@ -22,7 +23,6 @@ mod reduce;
 mod sentence;
 mod tasks;
 mod undo;
-pub mod verify;
 
 use std::collections::BTreeMap;
 

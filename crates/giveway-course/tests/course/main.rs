@@ -8,6 +8,8 @@
 
 mod author;
 mod author_faults;
+mod checked;
+mod checked_tasks;
 mod claims;
 mod docs;
 mod files;
@@ -23,5 +25,4 @@ mod terms;
 mod tour;
 mod translate;
 mod unknown;
-mod verify;
 mod words;

@@ -1,7 +1,7 @@
 //! The check before a lesson is shared: the solver tries each task, in a worker of its own.
 
 use giveway_course::author::ToDo;
-use giveway_course::author::verify::{
+use giveway_course::author::check::{
     Action, Effect, Finding, Standing, Subject, reduce, sentence, to_do,
 };
 use giveway_course::learner::{self, Open};

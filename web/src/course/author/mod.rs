@@ -18,7 +18,7 @@ mod top;
 
 use std::rc::Rc;
 
-use giveway_course::author::verify::{self, Standing, Verification};
+use giveway_course::author::check::{Action as CheckAction, LessonCheck, Standing};
 use giveway_course::author::{Action, Draft, Looked, Whose, reduce};
 use giveway_course::learner;
 use giveway_course::lesson::{Glossary, Picture};
@@ -58,7 +58,7 @@ pub(in crate::course) enum AuthorMsg {
     /// The lesson is saved as a file.
     Save,
     /// Something happens to the check before the lesson is shared.
-    Check(verify::Action),
+    Check(CheckAction),
     /// The lesson is copied as a link, once it is checked; or although it is not known
     /// whether all of its tasks are right.
     Copy { anyway: bool },
@@ -96,7 +96,7 @@ pub(in crate::course) struct Author {
     /// A lesson that came before the glossary was there.
     arriving: Option<String>,
     /// The check before the lesson is shared.
-    check: Verification,
+    check: LessonCheck,
     /// Asks the solver for it.
     checker: Asker,
     send: Callback<AuthorMsg>,
@@ -119,7 +119,7 @@ impl Author {
             refusal: None,
             refusals: 0,
             arriving: None,
-            check: Verification::default(),
+            check: LessonCheck::default(),
             checker: asker.beside(check::hear(&send)),
             send,
             _listening: listening,
@@ -136,7 +136,7 @@ impl Author {
         let same_board = matches!(&action, Action::Write { whose, field, .. }
             if *whose == Whose::Lesson || (field != "time" && field != "plan"));
         if !matches!(action, Action::Go(_)) {
-            self.check(verify::Action::Cancel);
+            self.check(CheckAction::Cancel);
         }
         self.told.clear();
         self.draft = Rc::new(reduce((*self.draft).clone(), action));
@@ -239,7 +239,7 @@ impl Tutor {
             AuthorMsg::Check(action) => author.check(action),
             AuthorMsg::Copy { anyway } => {
                 if let Some(lesson) = author.whole().map(Rc::new) {
-                    author.check(verify::Action::Share { lesson, anyway });
+                    author.check(CheckAction::Share { lesson, anyway });
                 }
             }
             AuthorMsg::Told(told) => author.told = told,
@@ -278,7 +278,7 @@ impl Author {
     /// The editor is closed; what it is at is of no more use.
     fn leave(&mut self) {
         self.is_open = false;
-        self.check(verify::Action::Cancel);
+        self.check(CheckAction::Cancel);
         self.told.clear();
     }
 

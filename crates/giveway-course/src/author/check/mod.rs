@@ -27,7 +27,7 @@ pub use subject::Subject;
 
 /// What is known of the tasks of the lessons that were written.
 #[derive(Clone, Debug, Default, PartialEq)]
-pub struct Verification {
+pub struct LessonCheck {
     /// What was found, the latest last.
     known: Vec<(Subject, Finding)>,
     /// The tasks that the author has solved by hand, the latest last.
@@ -110,7 +110,7 @@ pub enum Standing {
     Failed,
 }
 
-impl Verification {
+impl LessonCheck {
     /// What was found for a task.
     pub fn of(&self, subject: &Subject) -> Option<&Finding> {
         let mut known = self.known.iter().rev();

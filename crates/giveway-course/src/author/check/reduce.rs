@@ -5,7 +5,7 @@ use std::rc::Rc;
 use giveway_solve::Response;
 
 use super::examine::examine;
-use super::{Action, Effect, Finding, Problem, Run, Standing, Subject, Verification};
+use super::{Action, Effect, Finding, LessonCheck, Problem, Run, Standing, Subject};
 use crate::learner::AskNumber;
 use crate::lesson::Lesson;
 
@@ -14,7 +14,7 @@ const MOST: usize = 100;
 
 /// What becomes of a check, and what must be done outside, in this order.
 #[must_use]
-pub fn reduce(mut check: Verification, action: Action) -> (Verification, Vec<Effect>) {
+pub fn reduce(mut check: LessonCheck, action: Action) -> (LessonCheck, Vec<Effect>) {
     let mut effects = Vec::new();
     match action {
         Action::Share { lesson, anyway } => check.share(lesson, anyway, &mut effects),
@@ -31,7 +31,7 @@ pub fn reduce(mut check: Verification, action: Action) -> (Verification, Vec<Eff
     (check, effects)
 }
 
-impl Verification {
+impl LessonCheck {
     /// What is wrong stays so; what is not known is checked again.
     fn share(&mut self, lesson: Rc<Lesson>, anyway: bool, effects: &mut Vec<Effect>) {
         self.cancel(effects);
