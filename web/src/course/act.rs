@@ -51,7 +51,13 @@ impl Tutor {
             self.before = Some(verdict.clone());
         }
         let now = self.learner.open.as_ref().map(|open| open.judge().clone());
-        self.has_said |= now != said && matches!(now, Some(Judge::Said(_)));
+        let has_said = now != said && matches!(now, Some(Judge::Said(_)));
+        self.has_said |= has_said;
+        if let Some(open) = &self.learner.open
+            && has_said
+        {
+            self.author.tried(open);
+        }
         let is = self.step();
         if is != was {
             self.order.clear();

@@ -33,9 +33,13 @@ struct Inner {
 impl Asker {
     /// A link without a worker.
     pub(super) fn new(send: Callback<Action>) -> Self {
+        Self::with(Rc::new(Program::new(Name::Analyst)), send)
+    }
+
+    fn with(program: Rc<Program>, send: Callback<Action>) -> Self {
         let asker = Self(Rc::new(Inner {
             send,
-            program: Rc::new(Program::new(Name::Analyst)),
+            program,
             worker: Held::default(),
             asked: Cell::default(),
             waiting: Held::default(),
@@ -47,6 +51,11 @@ impl Asker {
             }
         }));
         asker
+    }
+
+    /// Another link with a worker of its own; neither ends what the other asks.
+    pub(super) fn beside(&self, send: Callback<Action>) -> Self {
+        Self::with(Rc::clone(&self.0.program), send)
     }
 
     /// Sees to it that a worker is there, or on its way.
@@ -75,6 +84,13 @@ impl Asker {
         if self.0.asked.take().is_some() && !was_waiting {
             self.hire();
         }
+    }
+
+    /// What was asked is of no more use, and nothing else is asked soon.
+    pub(super) fn end(&self) {
+        drop(self.0.waiting.take());
+        self.0.asked.take();
+        drop(self.0.worker.take());
     }
 
     /// Starts a worker; the one before it is ended, whatever it was at.

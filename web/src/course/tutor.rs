@@ -136,6 +136,7 @@ impl Component for Tutor {
     type Properties = ();
 
     fn create(ctx: &Context<Self>) -> Self {
+        let asker = Asker::new(ctx.link().callback(Msg::Do));
         let mut tutor = Self {
             learner: Learner::default(),
             kept: Kept::new(ctx.link().callback(|()| Msg::Elsewhere)),
@@ -159,8 +160,8 @@ impl Component for Tutor {
             has_said: false,
             title: NodeRef::default(),
             next: NodeRef::default(),
-            author: Author::new(&ctx.link().callback(Msg::Author)),
-            asker: Asker::new(ctx.link().callback(Msg::Do)),
+            author: Author::new(&asker, ctx.link().callback(Msg::Author)),
+            asker,
             line: None,
             sheet: None,
             built: 0,

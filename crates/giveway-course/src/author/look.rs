@@ -3,6 +3,7 @@
 use giveway_model::Version;
 use serde_json::Value;
 
+use super::check::Subject;
 use super::fault::is_within;
 use super::{Draft, Field, FormFault, Input, KIND, PLAN, Words, Wrong, build, form, head};
 use crate::lesson::read::{Place, check_lesson};
@@ -130,6 +131,11 @@ impl Looked {
     /// A step, as far as it can be read.
     pub fn step(&self, step: usize) -> Option<&Step> {
         self.lesson.steps.get(step)
+    }
+
+    /// What a check of a step's task depends on; none where the step has no task.
+    pub fn subject(&self, step: usize) -> Option<Subject> {
+        Subject::of(self.step(step)?, self.lesson.scene(step)?)
     }
 
     /// What can be tried of a step: the whole lesson, and where in it; or the step

@@ -4,12 +4,14 @@
 //! in it are words under the names of fields; a field's name is its place in the file
 //! of a lesson, so that a fault of the reader belongs to a field. Which fields there
 //! are, [`form()`] says as data. A draft becomes a [`Lesson`] only when nothing is wrong
-//! with it ([`Draft::look`]), and a lesson becomes a draft again ([`Draft::of`]).
+//! with it ([`Draft::look`]), and a lesson becomes a draft again ([`Draft::of`]). Before it
+//! is shared, the solver tries its tasks ([`check`]).
 //!
 //! [`Lesson`]: crate::lesson::Lesson
 
 mod action;
 mod build;
+pub mod check;
 mod choices;
 mod fault;
 mod field;

@@ -23,7 +23,7 @@ fn limits() -> Limits {
 }
 
 /// The best plan of a scene, by other costs where some are given.
-pub(super) fn solve(scene: &Scene, objective: Option<&Objective>) -> Request {
+pub(crate) fn solve(scene: &Scene, objective: Option<&Objective>) -> Request {
     Request::Solve(SolveRequest {
         scene: scene.clone(),
         objective: objective.cloned(),

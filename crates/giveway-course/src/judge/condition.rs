@@ -21,9 +21,9 @@ pub enum Held {
 }
 
 /// Whether it holds, why, and what shows it.
-pub(super) struct Outcome {
-    pub(super) held: Held,
-    pub(super) why: Why,
+pub(crate) struct Outcome {
+    pub(crate) held: Held,
+    pub(crate) why: Why,
     pub(super) evidence: Evidence,
 }
 
@@ -42,7 +42,7 @@ impl Outcome {
 ///
 /// # Errors
 /// Where there is nothing to ask about.
-pub(super) fn requests(
+pub(crate) fn requests(
     condition: &Condition,
     situation: Situation<'_>,
 ) -> Result<Vec<Request>, Why> {
@@ -75,7 +75,7 @@ pub(super) fn requests(
 }
 
 /// What the answers say.
-pub(super) fn decide(
+pub(crate) fn decide(
     condition: &Condition,
     situation: Situation<'_>,
     responses: &[Response],

@@ -4,16 +4,16 @@
 //! solver's service first; [`conclude`] makes a verdict of the responses. Both are pure.
 //! There is a file for each kind of task; [`words`] makes sentences of verdicts.
 
-mod ask;
+pub(crate) mod ask;
 mod change;
 mod choose;
-mod condition;
+pub(crate) mod condition;
 mod edits;
 mod lead;
-mod order;
+pub(crate) mod order;
 mod paint;
 mod predict;
-mod proved;
+pub(crate) mod proved;
 mod spot;
 mod verdict;
 pub mod words;
@@ -27,7 +27,7 @@ use crate::lesson::{Step, Task, Value};
 
 pub use condition::Held;
 pub use edits::Outside;
-pub(crate) use spot::is_same_conflict;
+pub(crate) use spot::{conflicts, is_same_conflict};
 pub use verdict::{Kind, Verdict, Why};
 
 /// Where a learner is: a step, the scene that it began with, and the one on the board.

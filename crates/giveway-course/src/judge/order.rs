@@ -53,7 +53,7 @@ fn is_whole(scene: &Scene, order: &[String]) -> bool {
 }
 
 /// All orders of a few robots, the scene's own first.
-fn all_orders(scene: &Scene) -> Vec<Vec<String>> {
+pub(crate) fn all_orders(scene: &Scene) -> Vec<Vec<String>> {
     let mut orders: Vec<Vec<String>> = vec![Vec::new()];
     for agent in &scene.agents {
         let longer = orders.iter().flat_map(|order| {

@@ -7,7 +7,7 @@ use super::Why;
 use crate::port::Evidence;
 
 /// What is proved of a scene, whatever the horizon.
-pub(super) enum Proved<'a> {
+pub(crate) enum Proved<'a> {
     /// The best plan.
     Best(Costs, &'a Plan),
     /// There is none.
@@ -26,7 +26,7 @@ pub(super) fn answer(answer: &SolveAnswer) -> Result<Proved<'_>, Why> {
 }
 
 /// What the response to a solve request proves.
-pub(super) fn solved(response: Option<&Response>) -> Result<Proved<'_>, Why> {
+pub(crate) fn solved(response: Option<&Response>) -> Result<Proved<'_>, Why> {
     match response {
         Some(Response::Solved(solved)) => answer(solved),
         other => Err(unexpected(other)),

@@ -7,12 +7,7 @@ use super::{Mark, Situation, Verdict, Why};
 use crate::port::Evidence;
 
 pub(super) fn judge(situation: Situation<'_>, marks: &[Mark]) -> Verdict {
-    let instance = Instance::new(situation.scene.clone());
-    let (Ok(instance), Some(plan)) = (instance, &situation.step.plan) else {
-        return Verdict::not_yet(Why::Untouched);
-    };
-    let mut conflicts = check(&instance, plan).violations;
-    conflicts.retain(is_conflict);
+    let mut conflicts = conflicts(situation);
     if let Some(mark) = marks.iter().find(|mark| !is_of_any(mark, &conflicts)) {
         return Verdict::not_like_this(Why::NoConflict(mark.clone()));
     }
@@ -36,13 +31,20 @@ pub(super) fn judge(situation: Situation<'_>, marks: &[Mark]) -> Verdict {
 /// Whether two marks are of one conflict of the plan: a swap may be marked before or after
 /// its step, and by either robot first.
 pub(crate) fn is_same_conflict(situation: Situation<'_>, one: &Mark, other: &Mark) -> bool {
+    let conflicts = conflicts(situation);
+    let mut conflicts = conflicts.iter();
+    conflicts.any(|conflict| is_of(one, conflict) && is_of(other, conflict))
+}
+
+/// The conflicts of two robots in the plan of the step.
+pub(crate) fn conflicts(situation: Situation<'_>) -> Vec<Violation> {
     let instance = Instance::new(situation.scene.clone());
     let (Ok(instance), Some(plan)) = (instance, &situation.step.plan) else {
-        return false;
+        return Vec::new();
     };
-    let violations = check(&instance, plan).violations;
-    let mut conflicts = violations.iter().filter(|violation| is_conflict(violation));
-    conflicts.any(|conflict| is_of(one, conflict) && is_of(other, conflict))
+    let mut conflicts = check(&instance, plan).violations;
+    conflicts.retain(is_conflict);
+    conflicts
 }
 
 /// Whether a broken rule is a conflict of two robots.

@@ -8,6 +8,8 @@
 
 mod author;
 mod author_faults;
+mod checked;
+mod checked_tasks;
 mod claims;
 mod docs;
 mod files;

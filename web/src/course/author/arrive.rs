@@ -35,7 +35,7 @@ impl Tutor {
             // Whoever writes a lesson goes on with that of the file; there is a way back.
             return self.author(ctx, AuthorMsg::File(address));
         }
-        self.author.is_open = false;
+        self.author.leave();
         self.close_contents();
         let read = match address.as_str() {
             WRITE => return self.author(ctx, AuthorMsg::Open),

@@ -59,14 +59,14 @@ pub(in crate::course) fn Desk(props: &DeskProps) -> Html {
             <div class="sheet-in">
                 { top::show(props, &write) }
                 <div class="abody">
-                    { steps::list(&props.draft, &props.looked, props.notes.is_strict, &act) }
+                    { steps::list(&props.draft, &props.looked, &props.notes, &act) }
                     <div class="aform">
                         { lesson(props, &act) }
                         { step(props, &act, &write) }
                     </div>
                     { preview(props) }
                 </div>
-                { todo::list(&props.draft, &props.looked, &act) }
+                { todo::list(&props.draft, &props.looked, &props.notes.check, &act) }
                 { foot(props, &write) }
             </div>
         </dialog>
@@ -132,6 +132,7 @@ fn step(props: &DeskProps, act: &Callback<Action>, write: &Callback<AuthorMsg>) 
                 <h4>{ tr!("Task") }</h4>
                 { part(Part::Task) }
                 { rest(&fields, &faults, true) }
+                { props.notes.check.beside(at) }
                 { for answers.map(|index| answer(index, part(Part::Answer(index)), act)) }
                 if has_answers {
                     <button type="button" class="btn outline" onclick={act.reform(|_: MouseEvent| Action::AddAnswer)}>
@@ -221,10 +222,14 @@ fn preview(props: &DeskProps) -> Html {
 }
 
 fn foot(props: &DeskProps, write: &Callback<AuthorMsg>) -> Html {
+    let check = &props.notes.check;
     let state = match &*props.notes.told {
-        "" if props.looked.faults().is_empty() => tr!("Ready to share."),
+        "" if props.looked.faults().is_empty() && !check.has_wrong() => {
+            tr!("Ready to share.")
+        }
         told => told,
     };
+    let state = check.progress().unwrap_or_else(|| state.to_owned());
     let press = |msg: AuthorMsg| write.reform(move |_: MouseEvent| msg.clone());
     let fields = head();
     let act = write.reform(AuthorMsg::Act);
@@ -239,11 +244,11 @@ fn foot(props: &DeskProps, write: &Callback<AuthorMsg>) -> Html {
     let hides = fields.iter().find(|field| field.name == "hides-answers");
     html! {
         <footer class="sf">
-            <span class="prog" role="status">{ state.to_owned() }</span>
+            <span class="prog" role="status">{ state }</span>
             <span class="grow"></span>
             if let Some(hides) = hides { { form.show(hides) } }
             <button type="button" class="btn outline" onclick={press(AuthorMsg::Save)}>{ icon::show("save") }<span>{ tr!("Save as a file") }</span></button>
-            <button type="button" class="btn outline" onclick={press(AuthorMsg::Copy)}>{ icon::show("share") }<span>{ tr!("Copy link") }</span></button>
+            { check.buttons(write) }
             <button type="button" class="btn primary" onclick={press(AuthorMsg::Try)}>{ icon::show("play") }<span>{ tr!("Try it") }</span></button>
         </footer>
     }

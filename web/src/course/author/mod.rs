@@ -5,9 +5,11 @@
 //! here it becomes a dialog, and a text that the browser keeps.
 
 mod arrive;
+mod check;
 mod desk;
 mod fields;
 mod kept;
+mod notes;
 mod preview;
 mod share;
 mod steps;
@@ -16,6 +18,7 @@ mod top;
 
 use std::rc::Rc;
 
+use giveway_course::author::check::{Action as CheckAction, LessonCheck, Standing};
 use giveway_course::author::{Action, Draft, Looked, Whose, reduce};
 use giveway_course::learner;
 use giveway_course::lesson::{Glossary, Picture};
@@ -24,11 +27,13 @@ use giveway_model::{Fault, tr};
 use gloo::events::EventListener;
 use yew::prelude::*;
 
+use super::asker::Asker;
 use super::kept::hear;
 use super::tutor::{Msg, Tutor};
 use crate::board::Film;
 
 use desk::Desk;
+use notes::Notes;
 use share::{Refusal, Refused};
 
 pub(super) use arrive::is_own;
@@ -52,8 +57,11 @@ pub(in crate::course) enum AuthorMsg {
     Try,
     /// The lesson is saved as a file.
     Save,
-    /// The lesson is copied as a link.
-    Copy,
+    /// Something happens to the check before the lesson is shared.
+    Check(CheckAction),
+    /// The lesson is copied as a link, once it is checked; or although it is not known
+    /// whether all of its tasks are right.
+    Copy { anyway: bool },
     /// Something was done, or not: a sentence.
     Told(String),
     /// Another tab has kept a draft.
@@ -87,12 +95,17 @@ pub(in crate::course) struct Author {
     refusals: u32,
     /// A lesson that came before the glossary was there.
     arriving: Option<String>,
+    /// The check before the lesson is shared.
+    check: LessonCheck,
+    /// Asks the solver for it.
+    checker: Asker,
+    send: Callback<AuthorMsg>,
     _listening: EventListener,
 }
 
 impl Author {
     /// The editor, closed.
-    pub(in crate::course) fn new(send: &Callback<AuthorMsg>) -> Self {
+    pub(in crate::course) fn new(asker: &Asker, send: Callback<AuthorMsg>) -> Self {
         let listening = hear(kept::NAME, send.reform(|()| AuthorMsg::Elsewhere));
         Self {
             draft: Rc::default(),
@@ -106,6 +119,9 @@ impl Author {
             refusal: None,
             refusals: 0,
             arriving: None,
+            check: LessonCheck::default(),
+            checker: asker.beside(check::hear(&send)),
+            send,
             _listening: listening,
         }
     }
@@ -119,6 +135,9 @@ impl Author {
         );
         let same_board = matches!(&action, Action::Write { whose, field, .. }
             if *whose == Whose::Lesson || (field != "time" && field != "plan"));
+        if !matches!(action, Action::Go(_)) {
+            self.check(CheckAction::Cancel);
+        }
         self.told.clear();
         self.draft = Rc::new(reduce((*self.draft).clone(), action));
         if same_board {
@@ -176,15 +195,12 @@ impl Tutor {
         };
         let glossary = &shelf.glossary;
         let author = &mut self.author;
-        let tell = ctx
-            .link()
-            .callback(|told: String| Msg::Author(AuthorMsg::Told(told)));
         match msg {
             AuthorMsg::Open => {
                 self.close_contents();
                 self.author.open(glossary);
             }
-            AuthorMsg::Close => author.is_open = false,
+            AuthorMsg::Close => author.leave(),
             AuthorMsg::Act(action) => author.act(action, glossary),
             AuthorMsg::Take => self.say(&ToPage::Take),
             AuthorMsg::Heard(happened) => {
@@ -199,7 +215,7 @@ impl Tutor {
             }
             AuthorMsg::ToPage => {
                 if share::show_on_page(&author.draft) {
-                    author.is_open = false;
+                    author.leave();
                 }
             }
             AuthorMsg::Try => {
@@ -209,19 +225,21 @@ impl Tutor {
                     drop(author.whole());
                     return;
                 };
-                author.is_open = false;
+                author.leave();
                 let lesson = Rc::new(lesson);
                 self.warm();
                 self.act(ctx, learner::Action::Try { lesson, at });
             }
             AuthorMsg::Save => {
                 if let Some(lesson) = author.whole() {
-                    author.told = share::save(&lesson);
+                    let is_checked = author.check.standing(&lesson) == Standing::Passed;
+                    author.told = share::save(&lesson, is_checked);
                 }
             }
-            AuthorMsg::Copy => {
-                if let Some(lesson) = author.whole() {
-                    share::copy(&lesson, tell);
+            AuthorMsg::Check(action) => author.check(action),
+            AuthorMsg::Copy { anyway } => {
+                if let Some(lesson) = author.whole().map(Rc::new) {
+                    author.check(CheckAction::Share { lesson, anyway });
                 }
             }
             AuthorMsg::Told(told) => author.told = told,
@@ -256,27 +274,12 @@ impl Tutor {
     }
 }
 
-/// What is told beside the draft.
-#[derive(Clone, Debug, PartialEq)]
-pub(super) struct Notes {
-    /// Whether what is missing is told, too.
-    is_strict: bool,
-    /// What was done last, as a sentence.
-    told: String,
-    /// Whether another tab has kept a draft since.
-    is_elsewhere: bool,
-    /// Whether the browser does not keep the draft.
-    is_unkept: bool,
-}
-
 impl Author {
-    fn notes(&self) -> Notes {
-        Notes {
-            is_strict: self.is_strict,
-            told: self.told.clone(),
-            is_elsewhere: self.theirs.is_some(),
-            is_unkept: self.is_unkept,
-        }
+    /// The editor is closed; what it is at is of no more use.
+    fn leave(&mut self) {
+        self.is_open = false;
+        self.check(CheckAction::Cancel);
+        self.told.clear();
     }
 
     /// The lesson that was tried was left.

@@ -20,15 +20,23 @@ const TOLD: usize = 8;
 /// The most characters of a file's name.
 const LONGEST_NAME: usize = 40;
 
-/// Hands the lesson to the browser as a file; tells its name.
-pub(super) fn save(lesson: &Lesson) -> String {
+/// Hands the lesson to the browser as a file; tells its name, and where its tasks were not
+/// checked.
+pub(super) fn save(lesson: &Lesson, is_checked: bool) -> String {
     let name = format!("{}.json", short(&lesson.title));
     let text = write_lesson(lesson);
     files::save_as(
         &name,
         Blob::new_with_options(text.as_str(), Some("application/json")),
     );
-    tr!("Saved as {name}.", name)
+    if is_checked {
+        tr!("Saved as {name}.", name)
+    } else {
+        tr!(
+            "Saved as {name}. The solver has not checked all of its tasks.",
+            name
+        )
+    }
 }
 
 /// A name of a file: small letters, digits and hyphens.

@@ -6,15 +6,11 @@ use giveway_course::lesson::read::MAX_STEPS;
 use giveway_model::tr;
 use yew::prelude::*;
 
+use super::Notes;
 use crate::icon;
 
 /// The list.
-pub(super) fn list(
-    draft: &Draft,
-    looked: &Looked,
-    is_strict: bool,
-    send: &Callback<Action>,
-) -> Html {
+pub(super) fn list(draft: &Draft, looked: &Looked, notes: &Notes, send: &Callback<Action>) -> Html {
     let (at, count) = (draft.at(), draft.steps().len());
     let row = |(index, step): (usize, &giveway_course::author::StepDraft)| {
         let title = match step.word("title").trim() {
@@ -22,7 +18,8 @@ pub(super) fn list(
             title => title,
         };
         let mut faults = looked.of(Some(index)).into_iter();
-        let has_fault = faults.any(|fault| is_strict || !fault.is_missing());
+        let has_fault = faults.any(|fault| notes.is_strict || !fault.is_missing())
+            || notes.check.is_wrong(index);
         let onclick = send.reform(move |_: MouseEvent| Action::Go(index));
         let onkeydown = {
             let send = send.clone();

@@ -7,11 +7,18 @@ use wasm_bindgen::JsCast as _;
 use web_sys::HtmlElement;
 use yew::prelude::*;
 
+use super::check::Checked;
 use super::fields;
 
 /// The list, closed at first; nothing where nothing is left to do.
-pub(super) fn list(draft: &Draft, looked: &Looked, act: &Callback<Action>) -> Html {
-    let all = looked.to_do(draft);
+pub(super) fn list(
+    draft: &Draft,
+    looked: &Looked,
+    check: &Checked,
+    act: &Callback<Action>,
+) -> Html {
+    let mut all = looked.to_do(draft);
+    all.extend(check.to_do());
     if all.is_empty() {
         return html! {};
     }
