@@ -81,10 +81,13 @@ pub(crate) fn button(
     choose: Callback<&'static str>,
 ) -> Html {
     let (tag, name) = next(spoken);
+    let code = tag.to_uppercase();
+    // Whoever speaks to the page says what is seen.
+    let label = format!("{name} ({code})");
     let onclick = move |_: MouseEvent| choose.emit(tag);
     html! {
-        <button type="button" ref={node} {class} lang={tag} title={name} aria-label={name} {onclick}>
-            { tag.to_uppercase() }
+        <button type="button" ref={node} {class} lang={tag} title={name} aria-label={label} {onclick}>
+            { code }
         </button>
     }
 }
