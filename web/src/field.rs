@@ -57,7 +57,7 @@ pub(crate) fn Field(props: &FieldProps) -> Html {
         <label>
             { &props.label }
             <input class="field" type="text" inputmode={props.range.and(Some("numeric"))}
-                autocomplete="off" value={shown} placeholder={props.empty.clone()}
+                autocomplete="off" value={shown} placeholder={props.empty.clone()} aria-label={props.label.clone()}
                 oninput={input} onchange={change} />
             if let Some(range) = props.range.filter(|_| *refused) { { possible(range) } }
         </label>
