@@ -186,7 +186,7 @@ describe("the course in German", () => {
     await course.at("How long will they need?");
     await playground.key("2");
     await course.says(/your guess.*proved/);
-    await playground.press("Deutsch (DE)");
+    await playground.press("DE: Deutsch");
     await kurs.at("Wie lange brauchen sie?");
     await kurs.says(/Der Solver hat bewiesen, dass 8 nicht genügen\./);
     await playground.picture("course-pressed-german");
@@ -196,10 +196,10 @@ describe("the course in German", () => {
     await kurs.contents.getByRole("button", { name: "Glossar" }).click();
     const glossary = page.getByRole("dialog", { name: /^(Glossar|Glossary)$/ });
     await glossary.getByRole("searchbox").fill("CBS");
-    await glossary.getByRole("button", { name: "English (EN)" }).click();
+    await glossary.getByRole("button", { name: "EN: English" }).click();
     await page.getByRole("dialog", { name: "Glossary" }).waitFor();
     assert.equal(await glossary.getByRole("searchbox").inputValue(), "CBS", "what was typed is lost");
-    const button = glossary.getByRole("button", { name: "Deutsch (DE)" });
+    const button = glossary.getByRole("button", { name: "DE: Deutsch" });
     assert.equal(await button.evaluate((button) => document.activeElement === button), true, "the focus is lost");
     await playground.picture("course-pressed-glossary");
     await playground.key("Escape");

@@ -83,7 +83,7 @@ describe("languages", () => {
     await playground.says(/^Optimal: makespan 18/);
     await playground.pause();
     const time = await playground.now();
-    const german = playground.button("Deutsch (DE)");
+    const german = playground.button("DE: Deutsch");
     assert.equal(await german.getAttribute("lang"), "de");
     assert.equal((await german.innerText()).trim(), "DE");
     if (screen === "desktop") {
@@ -93,7 +93,7 @@ describe("languages", () => {
     }
     await german.click();
     await playground.says(SOLVED);
-    const back = playground.button("English (EN)");
+    const back = playground.button("EN: English");
     await back.waitFor();
     assert.equal(await back.evaluate((button) => document.activeElement === button), true, "the focus is lost");
     assert.equal(Number(await page.getByRole("slider", { name: "Zeit" }).first().getAttribute("aria-valuenow")), time);

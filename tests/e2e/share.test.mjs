@@ -79,7 +79,7 @@ describe("what is shared", () => {
     // A person's own choice holds, on this page and after a reload.
     await playground.goto(`${host.url}?lang=de`);
     await playground.says(GERMAN);
-    await playground.press("English (EN)");
+    await playground.press("EN: English");
     await playground.says(OPENING);
     assert.equal(page.url(), host.url);
     await playground.reload();

@@ -83,7 +83,7 @@ pub(crate) fn button(
     let (tag, name) = next(spoken);
     let code = tag.to_uppercase();
     // Whoever speaks to the page says what is seen.
-    let label = format!("{name} ({code})");
+    let label = format!("{code}: {name}");
     let onclick = move |_: MouseEvent| choose.emit(tag);
     html! {
         <button type="button" ref={node} {class} lang={tag} title={name} aria-label={label} {onclick}>
