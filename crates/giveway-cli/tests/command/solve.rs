@@ -71,7 +71,7 @@ fn a_limit_of_work_ends_at_the_same_place_and_says_so() {
     let folder = Folder::scene(WAREHOUSE);
     let run = || {
         folder
-            .run("solve scene.json --format json --work-limit 3000")
+            .run("solve scene.json --format json --work-limit 900")
             .json()
     };
     let (one, two) = (run(), run());

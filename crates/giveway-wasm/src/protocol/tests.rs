@@ -56,7 +56,7 @@ fn solve_request() -> SolveRequest {
         limits: Limits {
             seconds: Some(0.5),
             conflicts: Some(u64::MAX),
-            work: Some(7),
+            work: Some(9_000_000),
             memory_bytes: None,
         },
         as_found: false,
