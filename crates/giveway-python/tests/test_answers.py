@@ -59,10 +59,11 @@ def test_random_instances() -> None:
     rows = read(RECORDED / "random.json")
     assert len(rows) > 40
     for row in rows:
-        answer = giveway.solve(row["scene"], conflict_limit=row["conflicts"])
+        limits = {f"{key[:-1] if key == 'conflicts' else key}_limit": most for key, most in row["limits"].items()}
+        answer = giveway.solve(row["scene"], **limits)
         plan = None if answer.plan is None else answer.plan.to_json()
         kept = json.dumps(json.loads(row["plan"]), separators=(",", ":"))
-        assert (answer.status, plan or "null") == (row["status"], kept)
+        assert (answer.status, answer.ended, plan or "null") == (row["status"], row["ended"], kept)
 
 
 def test_other_functions() -> None:
