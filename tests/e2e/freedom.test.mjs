@@ -153,7 +153,7 @@ describe("what must be so", () => {
     await playground.press(QUESTION);
     await playground.says(/^(Looking for|Counting|Closing cells|Checking that)/);
     await playground.press("Cancel");
-    await playground.inspector.getByText("You stopped it: what is not told below is open.").waitFor();
+    await playground.inspector.getByText("You stopped it. Results may be incomplete.").waitFor();
     await playground.picture("freedom-cut-off");
     await audit(playground, "cut off");
     await playground.press("Look for the rest");
@@ -163,7 +163,7 @@ describe("what must be so", () => {
     await playground.says(/^(The plan above is of the scene before|The scene has changed)/);
     await eventually("the column to go", () => playground.inspector.getByRole("heading", { name: "What must be so" }).count(), (n) => n === 0);
     await playground.press("Undo");
-    await playground.inspector.getByText("You stopped it: what is not told below is open.").waitFor();
+    await playground.inspector.getByText("You stopped it. Results may be incomplete.").waitFor();
   });
 
   flow("is refused where no plan is proved best, and says why", async (playground) => {

@@ -25,7 +25,7 @@ pub(crate) fn start(
     let script = script
         .ok()
         .and_then(|script| script.dyn_into::<HtmlScriptElement>().ok())
-        .ok_or(tr!("The browser makes no script."))?;
+        .ok_or(tr!("This part of the page could not be loaded."))?;
     script.set_type("module");
     script.set_src(&format!("{address}#{number}"));
     let options = EventListenerOptions::default();

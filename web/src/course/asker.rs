@@ -137,10 +137,7 @@ impl Asker {
             }
             Ok(Message::Failed { sentence, .. }) => self.broken(sentence),
             Err(error) => {
-                self.broken(tr!(
-                    "The solver said what nobody understands: {error}",
-                    error
-                ));
+                self.broken(tr!("Unreadable message from the solver: {error}", error));
             }
         }
     }

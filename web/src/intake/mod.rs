@@ -144,7 +144,7 @@ impl Reader {
         let message = match event {
             Event::Said(bytes) => borsh::from_slice(&bytes).unwrap_or_else(|error| {
                 Message::Failed(tr!(
-                    "The reader said what nobody understands: {error}",
+                    "Unreadable message from the reader of files: {error}",
                     error
                 ))
             }),

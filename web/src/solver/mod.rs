@@ -145,10 +145,7 @@ impl Solver {
             Event::Said(bytes) => match Message::from_bytes(&bytes) {
                 Ok(message) => self.read(message),
                 Err(error) => {
-                    self.broken(tr!(
-                        "The solver said what nobody understands: {error}",
-                        error
-                    ));
+                    self.broken(tr!("Unreadable message from the solver: {error}", error));
                 }
             },
             Event::Broke(sentence) => self.broken(sentence),

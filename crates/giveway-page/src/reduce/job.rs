@@ -76,7 +76,7 @@ fn refused(state: &mut State, task: &Task, refusal: &Refusal) {
         Task::Export(_) => tr!("The certificate cannot be made."),
         Task::Change(_) => tr!("The changes were refused."),
         Task::Look(_) => tr!("The planner refused the scene."),
-        Task::Freedom(_) => tr!("What must be so cannot be told of this plan."),
+        Task::Freedom(_) => tr!("All best plans cannot be compared for this scene."),
     };
     if let Task::Explain(_) = task {
         let is_stuck = matches!(state.document.mode, Mode::Stuck(..));

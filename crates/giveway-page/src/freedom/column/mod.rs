@@ -175,7 +175,7 @@ fn stopped(freedom: &Freedom, is_counting: bool) -> Option<String> {
     let given = told.and_then(|told| told.reason.as_deref());
     let reason = given.map_or_else(|| tr!("You stopped it").to_owned(), reason);
     let reason = reason.trim_end_matches('.');
-    Some(tr!("{reason}: what is not told below is open.", reason))
+    Some(tr!("{reason}. Results may be incomplete.", reason))
 }
 
 fn other(farthest: &Farthest, state: &State) -> Option<Other> {

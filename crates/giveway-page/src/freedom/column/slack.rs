@@ -47,7 +47,7 @@ pub(super) fn late(freedom: &Freedom, told: &FreedomAnswer) -> Option<Late> {
         };
         return Some(Late {
             rows: Vec::new(),
-            nobody: Some(tr!("Nobody could be late without harm.{why}", why)),
+            nobody: Some(tr!("No robot has slack.{why}", why)),
         });
     }
     // Equal ones stay in the order of the scene.

@@ -75,7 +75,7 @@ fn cut_off_it_says_what_is_open_and_goes_on() {
     let column = told_of(&stopped);
     assert_eq!(
         column.stopped.as_deref(),
-        Some("You stopped it: what is not told below is open.")
+        Some("You stopped it. Results may be incomplete.")
     );
     assert_eq!(column.cells, Section::Open);
     // What still comes is dropped.
