@@ -27,9 +27,12 @@ use crate::{
 /// What comes back. An error is a response, too.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, BorshSerialize, BorshDeserialize)]
 #[serde(tag = "response", rename_all = "kebab-case")]
-#[expect(
-    clippy::large_enum_variant,
-    reason = "a request has one response: no list of them is ever held"
+#[cfg_attr(
+    target_pointer_width = "64",
+    expect(
+        clippy::large_enum_variant,
+        reason = "a request has one response: no list of them is ever held"
+    )
 )]
 pub enum Response {
     /// To [`Request::Solve`].
