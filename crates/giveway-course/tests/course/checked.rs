@@ -6,25 +6,15 @@ use giveway_course::author::check::{
     Action, Effect, LessonCheck, Standing, Subject, reduce, to_do,
 };
 use giveway_course::learner::AskNumber;
-use giveway_course::lesson::{Lesson, read_lesson};
+use giveway_course::lesson::Lesson;
 use giveway_solve::{Request, Response, SilentHost, SolveAnswer, serve};
 use serde_json::{Value as Json, json};
 
-use super::shipped;
+use super::judges;
 
-/// A lesson of one step with a task.
+/// A lesson of one step with a task, as the check takes it.
 pub(crate) fn lesson(scene: &Json, step: &Json, task: &Json) -> Rc<Lesson> {
-    let mut whole = json!({
-        "title": "Step", "text": ["Text."], "scene": scene, "hints": ["Hint."], "reason": "Reason.",
-    });
-    for (key, value) in step.as_object().unwrap() {
-        whole[key] = value.clone();
-    }
-    whole["task"] = task.clone();
-    whole["task"]["say"] = json!("Do it.");
-    let lesson =
-        json!({ "giveway": 1, "title": "T", "minutes": 4, "about": "About.", "steps": [whole] });
-    Rc::new(read_lesson(&lesson.to_string(), &shipped::glossary()).unwrap())
+    Rc::new(judges::lesson(scene, step, task))
 }
 
 /// Two robots that meet in a corridor with a way around.

@@ -11,8 +11,8 @@ use serde_json::{Value as Json, json};
 
 use super::shipped;
 
-/// A lesson of one step.
-fn lesson(scene: &Json, step: &Json, task: &Json) -> Lesson {
+/// A lesson of one step with a task.
+pub(crate) fn lesson(scene: &Json, step: &Json, task: &Json) -> Lesson {
     let mut whole = json!({
         "title": "Step", "text": ["Text."], "scene": scene, "hints": ["Hint."], "reason": "Reason.",
     });
