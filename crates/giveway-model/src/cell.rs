@@ -48,7 +48,7 @@ impl Cell {
     }
 
     /// Column and row, negative where the cell is left of or above every map.
-    pub(crate) const fn signed(self) -> (i32, i32) {
+    pub const fn signed(self) -> (i32, i32) {
         (self.x.cast_signed(), self.y.cast_signed())
     }
 

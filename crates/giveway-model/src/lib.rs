@@ -5,10 +5,12 @@
 //! time is an integer from 0. Nothing here solves, reads files or draws.
 
 mod agent;
+pub mod assumption;
 mod cell;
 pub mod change;
 pub mod check;
 pub mod compare;
+pub mod condition;
 mod cost;
 mod fault;
 pub mod format;
@@ -21,16 +23,19 @@ pub mod question;
 mod release;
 mod rules;
 mod scene;
+pub mod snapshot;
 pub mod sorting;
 mod version;
 pub mod words;
 
-pub use agent::{Agent, Battery};
+pub use agent::{Agent, Battery, ends_with_rest};
+pub use assumption::{Assumption, LeftOutRule};
 pub use cell::Cell;
+pub use condition::Condition;
 pub use cost::{Cost, Costs, Objective, ObjectiveError, UnknownCost};
 pub use fault::Fault;
 pub use grid::{Grid, GridError, Ground};
-pub use instance::{Breakdown, Instance, MAX_AGENTS, MAX_CAPACITY, MAX_SIDE};
+pub use instance::{Breakdown, Instance, MAX_AGENTS, MAX_CAPACITY, MAX_SIDE, StartState};
 pub use plan::{Path, Plan};
 pub use question::Question;
 pub use release::release;

@@ -25,6 +25,18 @@ where
     T::deserialize(ObjectOnly(deserializer))
 }
 
+/// Reads `null` as a value that was left out: for `deserialize_with`, beside `default`.
+///
+/// # Errors
+/// As the value's own reader.
+pub(crate) fn null_is_default<'de, T, D>(deserializer: D) -> Result<T, D::Error>
+where
+    T: Deserialize<'de> + Default,
+    D: Deserializer<'de>,
+{
+    Ok(Option::deserialize(deserializer)?.unwrap_or_default())
+}
+
 /// A deserializer that asks for an object where a structure is wanted.
 ///
 /// Derived code also reads a structure from the list of its fields' values,

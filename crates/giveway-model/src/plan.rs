@@ -8,6 +8,7 @@ use borsh::{BorshDeserialize, BorshSerialize};
 use serde::de::{self, MapAccess, Visitor};
 use serde::{Deserialize, Deserializer, Serialize};
 
+use crate::agent::ends_with_rest;
 use crate::message::read_map;
 use crate::object_only;
 use crate::{Cell, Instance, Version, tr};
@@ -94,13 +95,12 @@ impl Plan {
         self.slept.get(agent).map_or(&[], Vec::as_slice)
     }
 
-    /// Cuts repeats of the goal from the end of each path, so that every path
+    /// Cuts repeats of the last cell from the end of each path, so that every path
     /// ends at the arrival.
     pub fn cut_trailing_goals(&mut self, instance: &Instance) {
         for agent in instance.agents() {
             if let Some(path) = self.paths.get_mut(&agent.name) {
-                let goal = Some(agent.goal);
-                while path.len() >= 2 && path.ends_with(&[goal, goal]) {
+                while ends_with_rest(path, agent.goal) {
                     path.pop();
                 }
             }

@@ -4,7 +4,7 @@ use std::borrow::Cow;
 
 use serde::{Deserialize, Deserializer, Serialize, de};
 
-use crate::object_only;
+use crate::{Agent, object_only};
 
 /// What becomes of an agent at its goal.
 #[derive(
@@ -54,9 +54,21 @@ impl<'de> Deserialize<'de> for AtGoal {
 #[serde(remote = "Self", deny_unknown_fields, default)]
 pub struct Rules {
     /// What becomes of an agent at its goal.
+    #[serde(deserialize_with = "crate::object::null_is_default")]
     pub at_goal: AtGoal,
     /// The level below which no battery may fall before arrival.
+    #[serde(deserialize_with = "crate::object::null_is_default")]
     pub battery_floor: u32,
 }
 
 object_only!(Rules);
+
+impl Rules {
+    /// What becomes of an agent where it arrives: one without a goal always stays.
+    pub const fn at_end_of(self, agent: &Agent) -> AtGoal {
+        match agent.goal {
+            Some(_) => self.at_goal,
+            None => AtGoal::Stay,
+        }
+    }
+}

@@ -3,8 +3,9 @@
 use borsh::{BorshDeserialize, BorshSerialize};
 use serde::{Deserialize, Serialize};
 
+use crate::object::null_is_default;
 use crate::object_only;
-use crate::{Agent, Objective, Rules, Version};
+use crate::{Agent, Assumption, Objective, Rules, Version};
 
 /// An instance as a person writes it: plain data that may be wrong.
 ///
@@ -17,19 +18,22 @@ pub struct Scene {
     /// The version of the format.
     pub giveway: Version,
     /// What a person calls it; may be empty.
-    #[serde(default)]
+    #[serde(default, deserialize_with = "crate::object::null_is_default")]
     pub name: String,
     /// The rows of the map, from the top: `.` free, `#` obstacle, `~` slow
     /// zone, `+` charger, `*` charger in the slow zone.
     pub map: Vec<String>,
     /// The rules; by default agents stay at their goals and the floor is 0.
-    #[serde(default)]
+    #[serde(default, deserialize_with = "null_is_default")]
     pub rules: Rules,
     /// The costs to minimise, the most important first.
-    #[serde(default)]
+    #[serde(default, deserialize_with = "null_is_default")]
     pub objective: Objective,
     /// The agents.
     pub agents: Vec<Agent>,
+    /// What the scene takes for granted, where it was read from a file of another maker.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub assumptions: Vec<Assumption>,
 }
 
 object_only!(Scene);

@@ -2,8 +2,10 @@
 
 #![allow(clippy::unwrap_used, reason = "a test stops at the first surprise")]
 
-use giveway_model::compare::{Definition, Difference, claims, compare};
-use giveway_model::format::{foreign::Claimed, native};
+use giveway_model::compare::{
+    Claimed, ClaimedBounds, Definition, Difference, claimed_bounds, claimed_loss, claims, compare,
+};
+use giveway_model::format::native;
 use giveway_model::{Cell, Cost, Instance, Plan};
 
 /// Two robots on a map of 3 x 2; with `vanish` they are gone on arrival.
@@ -135,4 +137,61 @@ fn why_a_file_claims_another_cost_is_found_out() {
         let claims = claims(&instance("stay"), &plan, makespan(claimed), makespan(7));
         assert_eq!((claims.len(), claims[0].definition), (1, definition));
     }
+}
+
+#[test]
+fn an_illegal_plan_and_a_missing_path_explain_no_number() {
+    let instance = instance("stay");
+    let of = |plan: &Plan| {
+        let claimed = Claimed {
+            sum_of_costs: Some(5),
+            makespan: Some(3),
+        };
+        let claims = claims(&instance, plan, claimed, claimed);
+        assert!(claims.iter().all(|claim| !claim.agrees()));
+        claims
+            .iter()
+            .filter(|claim| claim.definition.is_some())
+            .count()
+    };
+    assert_eq!(of(&plan(STRAIGHT, SHORT)), 2);
+    // A jump; a path that is missing.
+    assert_eq!(of(&plan("[[0,0],[2,0]]", SHORT)), 0);
+    let mut missing = plan(STRAIGHT, SHORT);
+    missing.paths.remove("A2");
+    assert_eq!(of(&missing), 0);
+}
+
+#[test]
+fn a_bound_that_a_legal_plan_disproves_is_wrong() {
+    let instance = instance("stay");
+    let (best, illegal) = (plan(STRAIGHT, SHORT), plan("[[0,0],[2,0]]", SHORT));
+    let claimed = ClaimedBounds {
+        makespan: Some(2),
+        sum_of_costs: Some(4),
+        sum_of_loss: Some(3),
+        loss: Some(4),
+    };
+    let proved = [(Cost::SumOfCosts, 3)].into();
+    let told = claimed_bounds(&instance, &[&best], claimed, &proved);
+    let wrong: Vec<bool> = told.iter().map(|bound| bound.is_wrong).collect();
+    assert_eq!(wrong, [true, false, false]);
+    assert_eq!(
+        told[0].sentence(),
+        "The file says that every plan has a sum of costs of at least 4. That is wrong as it is counted here: a legal plan has 3."
+    );
+    assert_eq!(
+        told[1].sentence(),
+        "The file says that every plan has a makespan of at least 2; that is not proved here."
+    );
+    // A plan that is not legal disproves nothing; what is proved is said.
+    let told = claimed_bounds(&instance, &[&illegal], claimed, &proved);
+    assert!(told.iter().all(|bound| !bound.is_wrong));
+    assert!(told[0].sentence().ends_with("; at least 3 is proved here."));
+    let loss = claimed_loss(&instance, &best, claimed).unwrap();
+    assert_eq!(
+        loss,
+        "The file says that its sum of loss is 4; it is 3 here."
+    );
+    assert_eq!(claimed_loss(&instance, &illegal, claimed), None);
 }

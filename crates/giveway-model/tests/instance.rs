@@ -215,7 +215,7 @@ fn beyond_the_limits() {
     };
     check_scene(
         wide,
-        &["map: found a map of 1025 x 1 cells, expected at most 1024 x 1024"],
+        &["map: found a map of 2049 x 1 cells, expected at most 2048 x 2048"],
     );
     let agent = scene(
         ".",
@@ -229,7 +229,7 @@ fn beyond_the_limits() {
     };
     check_scene(
         crowded,
-        &["agents: found 4097 robots, expected at most 4096"],
+        &["agents: found 10001 robots, expected at most 10000"],
     );
     check(
         "..",

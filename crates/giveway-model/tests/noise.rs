@@ -3,12 +3,9 @@
 #![allow(clippy::unwrap_used, reason = "a test stops at the first surprise")]
 
 use giveway_model::check::{check, levels};
-use giveway_model::format::movingai::{
-    read_map, read_scenario, to_scene, write_map, write_scenario,
-};
 use giveway_model::format::{native, read_text};
 use giveway_model::{
-    Agent, AtGoal, Battery, Cell, Cost, Fault, Grid, Instance, Objective, Plan, Rules, Scene,
+    Agent, AtGoal, Battery, Cell, Cost, Fault, Instance, Objective, Plan, Rules, Scene,
 };
 use proptest::prelude::*;
 
@@ -18,9 +15,6 @@ const INSTANCE: &str = r##"{ "giveway": 1, "name": "n", "map": ["..~~", "#+*."],
                "battery": { "capacity": 3, "initial": 3 } }] }"##;
 const PLAN: &str = r#"{ "giveway": 1, "paths": { "A": [[0, 0], null, [1, 0], [1, 1]] },
   "charges": { "A": [1] }, "from": { "A": 0 }, "until": { "B": 3 } }"#;
-const MAP: &str = "type octile\nheight 2\nwidth 3\nmap\n.G@\nOTW\n";
-const SCENARIO: &str =
-    "version 1\n0\tm.map\t3\t2\t0\t0\t1\t0\t1.0\n0\tm.map\t3\t2\t1\t0\t0\t0\t1.0\n";
 
 /// Gives a text to every reader, and what they read to all that comes after.
 fn read_all(text: &str) {
@@ -42,14 +36,6 @@ fn read_all(text: &str) {
         let _ = check(&instance, &plan);
         let _ = levels(&instance, 0, &plan);
     }
-    let grid = read_map(text).unwrap_or_else(|fault| {
-        assert_short(&fault);
-        read_map(MAP).unwrap()
-    });
-    match read_scenario(text) {
-        Ok(scenario) => drop(to_scene("n", &grid, &scenario, None)),
-        Err(fault) => assert_short(&fault),
-    }
 }
 
 /// A fault is a sentence, however long the input.
@@ -60,7 +46,7 @@ fn assert_short(fault: &Fault) {
 }
 
 fn valid_file() -> impl Strategy<Value = &'static str> {
-    prop::sample::select(vec![INSTANCE, PLAN, MAP, SCENARIO])
+    prop::sample::select(vec![INSTANCE, PLAN])
 }
 
 /// A scene that may break any rule of the problem.
@@ -78,7 +64,7 @@ fn any_scene() -> impl Strategy<Value = Scene> {
         .prop_map(|(name, start, goal, waypoints, battery)| Agent {
             name,
             start,
-            goal,
+            goal: Some(goal),
             waypoints,
             battery,
         });
@@ -125,19 +111,13 @@ fn any_plan() -> impl Strategy<Value = Plan> {
         })
 }
 
-/// A map row of free cells and obstacles.
-fn row_of(width: usize) -> impl Strategy<Value = String> {
-    let cells = prop::collection::vec(prop::sample::select(vec!['.', '#']), width);
-    cells.prop_map(|cells| cells.into_iter().collect())
-}
-
 proptest! {
     #![proptest_config(ProptestConfig { failure_persistence: None, ..ProptestConfig::default() })]
 
     #[test]
     fn bytes_are_read_without_a_panic(bytes in prop::collection::vec(any::<u8>(), 0..200)) {
         match read_text(&bytes) {
-            Ok(text) => read_all(text),
+            Ok(text) => read_all(&text),
             Err(fault) => assert_short(&fault),
         }
     }
@@ -191,7 +171,7 @@ proptest! {
         let agent = |name: &str, x| Agent {
             name: name.into(),
             start: Cell::new(x, 0),
-            goal: Cell::new(x, 1),
+            goal: Some(Cell::new(x, 1)),
             waypoints: vec![Cell::new(3, 1)],
             battery: Some(Battery { capacity: 4, initial: 3 }),
         };
@@ -205,33 +185,5 @@ proptest! {
         let times: Vec<u32> = report.violations.iter().map(|v| v.time).collect();
         prop_assert!(times.is_sorted());
         prop_assert_eq!(report, check(&instance, &plan));
-    }
-
-    #[test]
-    fn maps_and_scenarios_come_back_from_what_is_written(
-        rows in (1_usize..6).prop_flat_map(|n| prop::collection::vec(row_of(n), 1..6)),
-        picks in prop::collection::vec(any::<(prop::sample::Index, prop::sample::Index)>(), 0..5),
-    ) {
-        let grid = Grid::from_rows(&rows).unwrap();
-        prop_assert_eq!(read_map(&write_map(&grid)), Ok(grid.clone()));
-        let mut free: Vec<Cell> = grid.cells().filter(|(_, g)| g.is_vertex()).map(|(c, _)| c).collect();
-        let mut goals = free.clone();
-        let mut scene = Scene { name: "m".into(), map: rows, ..Scene::default() };
-        for (start, goal) in picks {
-            if free.is_empty() {
-                break;
-            }
-            scene.agents.push(Agent {
-                name: format!("A{}", scene.agents.len() + 1),
-                start: free.remove(start.index(free.len())),
-                goal: goals.remove(goal.index(goals.len())),
-                waypoints: Vec::new(),
-                battery: None,
-            });
-        }
-        let instance = Instance::new(scene.clone()).unwrap();
-        let text = write_scenario("m.map", &instance).unwrap();
-        let scenario = read_scenario(&text).unwrap();
-        prop_assert_eq!(to_scene("m", &grid, &scenario, None), Ok(scene));
     }
 }

@@ -64,7 +64,7 @@ fn scene() -> Scene {
         agents: vec![Agent {
             name: "A1".into(),
             start: Cell::new(0, 0),
-            goal: Cell::new(2, 0),
+            goal: Some(Cell::new(2, 0)),
             waypoints: vec![Cell::new(0, 1)],
             battery: Some(Battery {
                 capacity: 9,

@@ -164,8 +164,8 @@ impl World<'_> {
         {
             return Err(refuse::capacity(capacity, initial));
         }
-        let cells = [agent.start, agent.goal];
-        for &cell in cells.iter().chain(&agent.waypoints) {
+        let ends = [Some(agent.start), agent.goal];
+        for &cell in ends.iter().flatten().chain(&agent.waypoints) {
             self.ground(cell)?;
             self.aimed.push((index, cell));
         }
@@ -232,7 +232,7 @@ impl World<'_> {
         let at = self.at;
         self.ground(cell)?;
         let timeline = self.timeline(name)?;
-        if timeline.goal() != cell {
+        if timeline.goal() != Some(cell) {
             timeline.goals.push((at, cell));
         }
         self.aimed.push((index, cell));

@@ -1,7 +1,7 @@
 //! The world over time: what an instance and the changes of a plan make.
 
 use super::{Changes, MAX_TIME, Timeline, Trajectory};
-use crate::{Agent, Battery, Fault, Grid, Instance, Plan, Rules};
+use crate::{Agent, Fault, Grid, Instance, Plan, Rules};
 
 /// The map from a time on.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -42,12 +42,7 @@ pub struct History {
 impl History {
     /// The history of an instance in which nothing has changed yet.
     pub fn new(instance: &Instance) -> Self {
-        let begun = |agent: &Agent| {
-            let mut timeline = Timeline::new(agent.clone(), 0);
-            let held = instance.held(&agent.name);
-            timeline.held.extend((held > 0).then_some((0, held)));
-            timeline
-        };
+        let begun = |agent: &Agent| Timeline::new(agent.clone(), 0);
         Self {
             rules: instance.rules(),
             stays: instance.stays(),
@@ -55,20 +50,6 @@ impl History {
             epochs: Vec::new(),
             timelines: instance.agents().iter().map(begun).collect(),
         }
-    }
-
-    /// The history of an instance whose agents all appear at a time, and in which
-    /// nothing changes: what is left of a course, in the times of the whole.
-    pub fn beginning(instance: &Instance, at: u32) -> Self {
-        let mut history = Self::new(instance);
-        for timeline in &mut history.timelines {
-            timeline.from = at;
-            for (from, to) in &mut timeline.held {
-                *from += at;
-                *to += at;
-            }
-        }
-        history
     }
 
     /// The history of all changes around one plan.
@@ -88,6 +69,11 @@ impl History {
     /// Whether arrived agents stay at their goals.
     pub const fn stays(&self) -> bool {
         self.stays
+    }
+
+    /// Whether an agent remains where it arrives; one without a goal always does.
+    pub fn keeps(&self, timeline: &Timeline) -> bool {
+        self.stays || timeline.goal().is_none()
     }
 
     /// The rules.
@@ -125,23 +111,11 @@ impl History {
         let trajectories = there.filter_map(|timeline| Trajectory::of(self, timeline, plan));
         trajectories
             .filter(|trajectory| {
-                self.stays || trajectory.end() >= time || is_leaving(trajectory, plan, time)
+                self.keeps(trajectory.timeline)
+                    || trajectory.end() >= time
+                    || is_leaving(trajectory, plan, time)
             })
             .collect()
-    }
-
-    /// An agent as it is after all changes, from a cell on with a level.
-    pub fn agent_now(&self, timeline: &Timeline, level: Option<u32>) -> Agent {
-        Agent {
-            name: timeline.agent.name.clone(),
-            start: timeline.agent.start,
-            goal: timeline.goal(),
-            waypoints: timeline.waypoints().map(|waypoint| waypoint.cell).collect(),
-            battery: timeline.agent.battery.map(|battery| Battery {
-                initial: level.unwrap_or(battery.initial),
-                ..battery
-            }),
-        }
     }
 }
 

@@ -1,6 +1,6 @@
 //! What one agent has to do, and how that changed over time.
 
-use crate::{Agent, Cell};
+use crate::{Agent, Battery, Cell, sorting};
 
 /// A waypoint of an agent, for as long as it is one.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -56,17 +56,33 @@ impl Timeline {
         &self.agent.name
     }
 
-    /// Its goal now, after all changes.
-    pub fn goal(&self) -> Cell {
-        self.goals.last().map_or(self.agent.goal, |&(_, goal)| goal)
+    /// Its goal now, after all changes; `None` where it may rest at any cell.
+    pub fn goal(&self) -> Option<Cell> {
+        let changed = self.goals.last();
+        changed.map_or(self.agent.goal, |&(_, goal)| Some(goal))
+    }
+
+    /// The agent as it is after all changes, with each waypoint once, at its first start;
+    /// its battery begins at a level, where one is given.
+    pub fn agent_now(&self, level: Option<u32>) -> Agent {
+        let waypoints = sorting::set(self.waypoints().map(|waypoint| waypoint.cell));
+        Agent {
+            goal: self.goal(),
+            waypoints: waypoints.into_iter().collect(),
+            battery: self.agent.battery.map(|battery| Battery {
+                initial: level.unwrap_or(battery.initial),
+                ..battery
+            }),
+            ..self.agent.clone()
+        }
     }
 
     /// Its goal before the changes of a time, and since when that is its goal,
     /// where it was another before.
-    pub(super) fn goal_before(&self, time: u32) -> (Cell, Option<u32>) {
+    pub(super) fn goal_before(&self, time: u32) -> (Option<Cell>, Option<u32>) {
         let earlier = self.goals.iter().rev().find(|(since, _)| *since < time);
         earlier.map_or((self.agent.goal, None), |&(since, goal)| {
-            (goal, Some(since))
+            (Some(goal), Some(since))
         })
     }
 

@@ -1,7 +1,7 @@
 //! Where a plan has one agent, over the whole of its time.
 
 use super::{History, TimedWaypoint, Timeline};
-use crate::{Cell, Plan};
+use crate::{Cell, Path, Plan};
 
 /// Where an agent is at a time.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -30,6 +30,7 @@ pub struct Trajectory<'a> {
     pub charges: &'a [u32],
     /// What the plan says that it slept through, before a change woke it.
     slept: &'a [[u32; 2]],
+    /// Whether agents with a goal stay at it.
     stays: bool,
     end: u32,
 }
@@ -63,7 +64,7 @@ impl<'a> Trajectory<'a> {
         // An agent that vanishes at its goal and is still listed there has not
         // arrived. One that stays has, as soon as it stays for good.
         let past = plan.knows.map_or(0, |knows| knows.min(last));
-        let past = if trajectory.stays { 0 } else { past };
+        let past = if trajectory.keeps() { 0 } else { past };
         trajectory.end = trajectory.arrival_in_path().max(past);
         let length = (trajectory.end - timeline.from) as usize + 1;
         trajectory.path = path.get(..length).unwrap_or(path);
@@ -74,6 +75,11 @@ impl<'a> Trajectory<'a> {
     /// removed the time before that, of any other its arrival.
     pub const fn end(&self) -> u32 {
         self.end
+    }
+
+    /// Whether it remains where it arrives; one without a goal always does.
+    fn keeps(&self) -> bool {
+        self.stays || self.timeline.goal().is_none()
     }
 
     /// Whether it was removed: then it never arrives.
@@ -89,9 +95,19 @@ impl<'a> Trajectory<'a> {
         }
         let there = match self.timeline.until {
             Some(until) => time < until,
-            None => self.stays || time <= self.end,
+            None => self.keeps() || time <= self.end,
         };
         self.path.last().copied().flatten().filter(|_| there)
+    }
+
+    /// The cells from a time on, and the times at which it charges, counted from then.
+    pub fn rest(&self, from: u32) -> (Path, Vec<u32>) {
+        let path = (from..=self.end.max(from)).map(|time| self.at(time));
+        let charges = self
+            .charges
+            .iter()
+            .filter_map(|time| time.checked_sub(from));
+        (path.collect(), charges.collect())
     }
 
     /// Where it is at a time.
@@ -117,9 +133,6 @@ impl<'a> Trajectory<'a> {
     /// agent rests there; where its path ended before; and of one that was removed
     /// at its goal.
     pub fn sleeps(&self, times: impl Iterator<Item = u32>) -> Vec<(u32, u32)> {
-        if !self.stays {
-            return Vec::new();
-        }
         let times: Vec<u32> = times.collect();
         let said = self.slept.iter().filter(|[_, to]| times.contains(to));
         let said = said.filter_map(|&[from, to]| Some((from.max(self.rests_since(to)?), to)));
@@ -139,14 +152,15 @@ impl<'a> Trajectory<'a> {
         // Who is removed at that time is there no more.
         let gone = self.timeline.until == Some(time);
         let last = time.checked_sub(u32::from(gone))?;
-        if self.at(last) != Some(goal) {
+        let rest = self.at(last)?;
+        if goal.is_some_and(|goal| goal != rest || !self.stays) {
             return None;
         }
         // Nothing happens after what the path lists.
         let listed = (self.path.len() as u32).saturating_sub(1) + self.timeline.from;
         let mut since = last.min(listed);
         while since > self.timeline.from
-            && self.at(since - 1) == Some(goal)
+            && self.at(since - 1) == Some(rest)
             && !self.charges.contains(&(since - 1))
         {
             since -= 1;
@@ -184,7 +198,7 @@ impl<'a> Trajectory<'a> {
         let last = self.path.last().copied().flatten();
         let goal = self.timeline.goal();
         let mut arrival = self.end;
-        if last == Some(goal) {
+        if last.is_some() && goal.is_none_or(|goal| last == Some(goal)) {
             while arrival > from && self.at(arrival - 1) == last {
                 arrival -= 1;
             }

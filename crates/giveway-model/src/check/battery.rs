@@ -63,6 +63,10 @@ pub(super) fn find(instance: &Instance, walk: &Walk<'_>, findings: &mut Findings
     let Some(battery) = walk.agent.battery else {
         return;
     };
+    // Who arrived before time 0 and stays uses no battery.
+    if walk.arrival() == 0 && instance.start_state(&walk.agent.name).rested > 0 {
+        return;
+    }
     let floor = i64::from(instance.rules().battery_floor);
     let mut was_below = false;
     for (time, level) in simulate(instance, walk, battery).into_iter().enumerate() {

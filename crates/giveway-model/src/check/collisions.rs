@@ -27,6 +27,9 @@ pub(super) fn find(instance: &Instance, walks: &[Walk<'_>], findings: &mut Findi
         std::mem::swap(&mut sweep.now, &mut sweep.before);
         sweep.now.clear();
         sweep.stand(&active, time, findings);
+        if time == 0 {
+            sweep.meet_in_transit(findings);
+        }
         sweep.cross(&active, time, findings);
         sweep.rest(&mut active, time);
         time += 1;
@@ -64,6 +67,28 @@ impl Sweep<'_> {
                 findings.push(Rule::Vertex, time, &self.pair(a, b), place, message);
             }
             self.now.put(a, cell);
+        }
+    }
+
+    /// Finds the agents that begin to cross an edge on which another is half way at
+    /// time 0, in the opposite direction.
+    fn meet_in_transit(&self, findings: &mut Findings<'_>) {
+        for (a, walk) in self.walks.iter().enumerate() {
+            let Some(from) = self.instance.start_state(self.name(a)).transit_from else {
+                continue;
+            };
+            let to = walk.agent.start;
+            let back = [
+                Step::Move { from: to, to: from },
+                Step::SlowMove { from: to, to: from },
+            ];
+            for b in self.now.at(to) {
+                if self.step(b, 0).is_some_and(|step| back.contains(&step)) {
+                    let message = sentence::swap(self.name(a), self.name(b), from, to, 0);
+                    let place = Place::Edge(from, to);
+                    findings.push(Rule::Swap, 0, &self.pair(a, b), place, message);
+                }
+            }
         }
     }
 
@@ -113,7 +138,7 @@ impl Sweep<'_> {
         findings: &mut Findings<'_>,
     ) {
         let later = first.1.max(second.1);
-        // In the instance's order: the edge is told as the first agent goes.
+        // The agent with the lower number comes first, and the edge is named as it goes.
         let (p, q, from, to) = if first.0 < second.0 {
             (first, second, from, to)
         } else {
@@ -129,11 +154,12 @@ impl Sweep<'_> {
     fn rest(&mut self, active: &mut Vec<usize>, time: usize) {
         let walks = self.walks;
         let arrives = |a: usize| walks.get(a).is_none_or(|walk| walk.arrival() <= time);
-        if self.instance.stays() {
-            for &a in active.iter().filter(|&&a| arrives(a)) {
-                if let Some(cell) = self.walk(a).and_then(Walk::end) {
-                    self.resting.put(a, cell);
-                }
+        for &a in active.iter().filter(|&&a| arrives(a)) {
+            if let Some(walk) = walks.get(a)
+                && self.instance.keeps(walk.agent)
+                && let Some(cell) = walk.end()
+            {
+                self.resting.put(a, cell);
             }
         }
         active.retain(|&a| !arrives(a));

@@ -9,6 +9,7 @@ mod charges;
 mod collisions;
 mod costs;
 mod findings;
+mod moving;
 mod occupancy;
 mod over_time;
 mod path;
@@ -24,7 +25,7 @@ use crate::{Cell, Costs, Instance, Plan};
 use findings::Findings;
 
 pub use battery::levels;
-pub use costs::{arrivals, costs};
+pub use costs::{arrivals, cost_of, costs, own_costs};
 pub use over_time::{
     check_changes, check_history, costs_over_time, costs_until, level_at as level_over_time,
     levels as levels_over_time,
@@ -163,6 +164,7 @@ pub fn check(instance: &Instance, plan: &Plan) -> Report {
         battery::find(instance, walk, &mut findings);
     }
     collisions::find(instance, &walks, &mut findings);
+    moving::find(instance, &walks, &mut findings);
     Report {
         violations: findings.into_violations(),
         costs: costs(instance, plan),

@@ -9,25 +9,32 @@ use crate::sorting::set;
 
 /// Finds what is wrong with one path, whatever the other agents do.
 pub(super) fn find(instance: &Instance, walk: &Walk<'_>, findings: &mut Findings<'_>) {
-    find_ends(walk, findings);
+    find_ends(instance, walk, findings);
     find_waypoints(walk, findings);
     find_obstacles(instance, walk, findings);
     find_moves(instance, walk, findings);
 }
 
-fn find_ends(walk: &Walk<'_>, findings: &mut Findings<'_>) {
+fn find_ends(instance: &Instance, walk: &Walk<'_>, findings: &mut Findings<'_>) {
     let agent = walk.agent;
-    if let Some(first) = walk.at(0)
-        && first != agent.start
-    {
+    // Who begins half way along a slow move is at its start one step later.
+    let in_transit = instance.start_state(&agent.name).transit_from.is_some();
+    let first = if in_transit {
+        walk.at(0).or(walk.at(1))
+    } else {
+        walk.at(0)
+    };
+    if first.is_some_and(|first| first != agent.start) || in_transit && walk.at(0).is_some() {
+        let first = first.unwrap_or(agent.start);
         let message = sentence::start(&agent.name, first, agent.start);
         findings.push(Rule::Start, 0, &[walk.index], Place::Cell(first), message);
     }
     if let Some(last) = walk.end()
-        && last != agent.goal
+        && let Some(goal) = agent.goal
+        && last != goal
     {
         let time = walk.arrival();
-        let message = sentence::goal(&agent.name, last, agent.goal, time);
+        let message = sentence::goal(&agent.name, last, goal, time);
         findings.push(Rule::Goal, time, &[walk.index], Place::Cell(last), message);
     }
 }
@@ -69,7 +76,7 @@ fn find_obstacles(instance: &Instance, walk: &Walk<'_>, findings: &mut Findings<
 
 fn find_moves(instance: &Instance, walk: &Walk<'_>, findings: &mut Findings<'_>) {
     let name = &walk.agent.name;
-    let held = instance.held(name);
+    let held = instance.start_state(name).not_before();
     for (time, step) in steps(instance.grid(), walk.path) {
         let (place, message) = match step {
             Step::Broken { from, to, why } => {

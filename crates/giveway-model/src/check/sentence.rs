@@ -32,7 +32,7 @@ pub(super) fn begins_in_transit(agent: &str, from: u32) -> String {
 
 pub(super) fn ends_in_transit(agent: &str, time: usize) -> String {
     tr!(
-        "The path of {agent} ends in transit at time {time}; it must end at its goal.",
+        "The path of {agent} ends in transit at time {time}; it must end at a cell.",
         agent,
         time
     )
@@ -340,4 +340,31 @@ pub(super) fn charge(agent: &str, time: usize, arrival: usize, why: NoCharge) ->
             )
         }
     }
+}
+
+pub(super) fn moving(agent: &str, obstacle: &str, cell: Cell, time: usize) -> String {
+    tr!(
+        "{agent} is at {cell} at time {time}, where the moving obstacle {obstacle} is.",
+        agent,
+        cell,
+        time,
+        obstacle
+    )
+}
+
+pub(super) fn moving_swap(
+    agent: &str,
+    obstacle: &str,
+    (from, to): (Cell, Cell),
+    time: usize,
+) -> String {
+    tr!(
+        "{agent} and the moving obstacle {obstacle} exchange {from} and {to} from time {time} to {next}.",
+        agent,
+        obstacle,
+        from,
+        to,
+        time,
+        next = time + 1
+    )
 }

@@ -11,7 +11,15 @@ pub(super) fn find(instance: &Instance, plan: &Plan, findings: &mut Findings<'_>
     for (index, agent) in instance.agents().iter().enumerate() {
         match plan.paths.get(&agent.name) {
             None => push(findings, index, 0, sentence::no_path(&agent.name)),
-            Some(path) => find_in_path(path, index, &agent.name, (0, End::Arrives), findings),
+            Some(path) => {
+                let in_transit = instance.start_state(&agent.name).transit_from.is_some();
+                // (Where it is at first is looked at with its ends.)
+                let (path, from) = match path.split_first() {
+                    Some((None, rest)) if in_transit => (rest, 1),
+                    _ => (path.as_slice(), 0),
+                };
+                find_in_path(path, index, &agent.name, (from, End::Arrives), findings);
+            }
         }
         find_in_charges(plan.charges(&agent.name), index, &agent.name, findings);
         // A first entry at time 0 is the default, written out.

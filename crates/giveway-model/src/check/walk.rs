@@ -1,5 +1,6 @@
 //! One agent's path, cut at its arrival.
 
+use crate::agent::ends_with_rest;
 use crate::{Agent, Cell, Instance, Plan};
 
 /// The path of an agent up to its arrival, where it has one.
@@ -31,6 +32,12 @@ impl<'a> Walk<'a> {
         })
     }
 
+    /// The walk of an agent by its name.
+    pub(crate) fn named(instance: &'a Instance, name: &str, plan: &'a Plan) -> Option<Self> {
+        let index = instance.agents().iter().position(|a| a.name == name)?;
+        Self::of(instance, index, plan)
+    }
+
     /// The walks of all agents that have one.
     pub(crate) fn all(instance: &'a Instance, plan: &'a Plan) -> Vec<Self> {
         (0..instance.agents().len())
@@ -55,16 +62,15 @@ impl<'a> Walk<'a> {
 }
 
 /// Cuts what follows the arrival: `null` at the end, which is a fault told
-/// elsewhere, and repeats of the goal.
-fn cut(mut path: &[Option<Cell>], goal: Cell) -> &[Option<Cell>] {
+/// elsewhere, and repeats of the cell where it rests.
+fn cut(mut path: &[Option<Cell>], goal: Option<Cell>) -> &[Option<Cell>] {
     while let [rest @ .., None] = path {
         path = rest;
     }
-    while let [rest @ .., before, last] = path
-        && *before == Some(goal)
-        && *last == Some(goal)
+    while let [rest @ .., _] = path
+        && ends_with_rest(path, goal)
     {
-        path = path.get(..=rest.len()).unwrap_or(path);
+        path = rest;
     }
     path
 }

@@ -1,11 +1,13 @@
 //! What a file says that its plan costs, beside what it costs here, and by which
 //! other definition its makers may have counted.
 
+use std::cell::OnceCell;
+
 use borsh::{BorshDeserialize, BorshSerialize};
 use serde::{Deserialize, Serialize};
 
-use crate::check::{arrivals, costs};
-use crate::format::foreign::Claimed;
+use super::Claimed;
+use crate::check::{arrivals, check, costs};
 use crate::{Cost, Instance, Plan, tr};
 
 /// How else a cost may be counted.
@@ -29,21 +31,23 @@ pub enum Definition {
 }
 
 impl Definition {
-    /// How it counts, as a sentence.
+    /// How it may have been counted, as a sentence: equal numbers prove nothing.
     pub fn sentence(self) -> &'static str {
         match self {
-            Self::WrittenSteps => tr!("It counts waits at the goal after the arrival, too."),
-            Self::MakespanForAll => tr!("It counts the makespan for every robot."),
+            Self::WrittenSteps => tr!(
+                "It would be the number of all steps that the file writes, waits at the goal after the arrival too."
+            ),
+            Self::MakespanForAll => tr!("It would be the makespan times the number of robots."),
             Self::Cells => {
-                tr!("It counts the cells of each path, the start too, and not the steps.")
+                tr!("It would be the number of cells of all paths, starts too.")
             }
-            Self::Moves => tr!("It counts moves only, no waits."),
+            Self::Moves => tr!("It would be the number of moves, without waits."),
             Self::AwayFromGoal => {
                 tr!(
-                    "It does not count steps that a robot rests at its goal, even if it leaves it again."
+                    "It would be the number of steps that robots do not rest at their goals, even if they leave them again."
                 )
             }
-            Self::Times => tr!("It counts the time 0, too."),
+            Self::Times => tr!("It would be the number of times, time 0 too."),
         }
     }
 }
@@ -59,8 +63,8 @@ pub struct ClaimedCost {
     pub claimed: u64,
     /// By this project's definition; `null` where an agent has no path.
     pub counted: Option<u32>,
-    /// The definition that gives what the file says; `null` where both agree, and
-    /// where none is known.
+    /// A definition that gives what the file says, by which it may have been counted; `null`
+    /// where both agree, where none is known, and for a plan that is not legal.
     pub definition: Option<Definition>,
 }
 
@@ -80,6 +84,7 @@ pub fn claims(
     written: Claimed,
 ) -> Vec<ClaimedCost> {
     let ours = costs(instance, plan);
+    let is_legal = OnceCell::new();
     let both = [
         (Cost::SumOfCosts, claimed.sum_of_costs),
         (Cost::Makespan, claimed.makespan),
@@ -94,7 +99,7 @@ pub fn claims(
             counted,
             definition: None,
         };
-        if !one.agrees() {
+        if !one.agrees() && *is_legal.get_or_init(|| check(instance, plan).is_valid()) {
             let tried = definitions(instance, plan, cost, written).into_iter();
             let mut fits = tried.filter(|(_, value)| *value == Some(claimed));
             one.definition = fits.next().map(|(definition, _)| definition);
@@ -137,12 +142,12 @@ fn definitions(
 }
 
 /// The steps of all agents that do not begin and end at the goal.
-fn away_from_goal(instance: &Instance, plan: &Plan) -> u64 {
+pub(super) fn away_from_goal(instance: &Instance, plan: &Plan) -> u64 {
     let mut steps = 0;
     for (agent, arrival) in instance.agents().iter().zip(arrivals(instance, plan)) {
         let path = plan.path(&agent.name);
         let path = path.get(..=arrival.unwrap_or_default() as usize);
-        let goal = Some(agent.goal);
+        let goal = agent.goal.or_else(|| path?.last().copied().flatten());
         let away = |step: &&[Option<crate::Cell>]| step.iter().any(|cell| *cell != goal);
         steps += path.unwrap_or_default().windows(2).filter(away).count() as u64;
     }

@@ -1,7 +1,9 @@
 //! Two plans of one instance, compared: what each costs, and which agents go
 //! another way or at another time.
 
+mod claim;
 mod claimed;
+mod claimed_bounds;
 mod difference;
 
 use std::collections::BTreeMap;
@@ -13,7 +15,9 @@ use crate::check::{arrivals, costs};
 use crate::message::read_map;
 use crate::{Cost, Costs, Instance, Plan, Version};
 
+pub use claim::{Claimed, ClaimedBounds};
 pub use claimed::{ClaimedCost, Definition, claims};
+pub use claimed_bounds::{Bounded, ClaimedBound, claimed_bounds, claimed_loss};
 pub use difference::{Difference, Divergence, divergence};
 
 /// Two plans of one instance, side by side.

@@ -6,16 +6,16 @@ use serde::Deserialize;
 use serde_json::error::Category;
 use serde_path_to_error::{Path, Segment as PathSegment};
 
-use super::locate::{Locator, Segment};
+use super::locate::{Locator, Segment, segments};
 use super::phrase::{self, Phrase};
-use super::text::{position, shorten};
+use super::text::{at_byte, position, shorten};
 use crate::{Fault, tr};
 
 /// Reads one JSON object of type `T` and nothing after it.
 ///
 /// # Errors
 /// The first fault of the text, with its line and column.
-pub(super) fn read<'a, T: Deserialize<'a>>(text: &'a str) -> Result<T, Fault> {
+pub fn read<'a, T: Deserialize<'a>>(text: &'a str) -> Result<T, Fault> {
     if text.trim().is_empty() {
         return Err(Fault::at("", tr!("an empty file"), tr!("a JSON object")).in_text(1, 1));
     }
@@ -33,7 +33,7 @@ pub(super) fn read<'a, T: Deserialize<'a>>(text: &'a str) -> Result<T, Fault> {
 ///
 /// # Errors
 /// The first fault of the text, with its line and column.
-pub(super) fn read_large<'a, T: Deserialize<'a>>(text: &'a str) -> Result<T, Fault> {
+pub fn read_large<'a, T: Deserialize<'a>>(text: &'a str) -> Result<T, Fault> {
     serde_json::from_str(text).or_else(|_| read(text))
 }
 
@@ -116,8 +116,14 @@ fn way(path: &Path) -> Vec<Segment> {
         .collect()
 }
 
+/// The fault of a value with the line and column at which its place is in the text.
+pub fn placed(text: &str, fault: Fault) -> Fault {
+    let offset = Locator::new(text).find(&segments(&fault.place), false);
+    at_byte(text, offset.unwrap_or_default(), fault)
+}
+
 /// Writes a way as `agents[1].goal`; names that are no plain words are quoted.
-pub(super) fn place(way: &[Segment]) -> String {
+pub fn place(way: &[Segment]) -> String {
     let mut place = String::new();
     for segment in way {
         match segment {

@@ -36,6 +36,10 @@ pub fn write_scene(scene: &Scene) -> String {
     }
     let agents: Vec<String> = scene.agents.iter().map(agent).collect();
     fields.push(field("agents", &block('[', &agents, ']')));
+    if !scene.assumptions.is_empty() {
+        let assumptions: Vec<String> = scene.assumptions.iter().map(spaced).collect();
+        fields.push(field("assumptions", &block('[', &assumptions, ']')));
+    }
     format!("{{\n{}\n}}\n", fields.join(",\n"))
 }
 
@@ -88,8 +92,10 @@ fn agent(agent: &Agent) -> String {
     let mut parts = vec![
         format!("\"name\": {}", json(&agent.name)),
         format!("\"start\": {}", spaced(&agent.start)),
-        format!("\"goal\": {}", spaced(&agent.goal)),
     ];
+    if let Some(goal) = &agent.goal {
+        parts.push(format!("\"goal\": {}", spaced(goal)));
+    }
     if !agent.waypoints.is_empty() {
         parts.push(format!("\"waypoints\": {}", spaced(&agent.waypoints)));
     }

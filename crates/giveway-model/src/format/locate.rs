@@ -11,7 +11,7 @@ use serde_json::value::RawValue;
 
 /// One step of a way into a JSON value.
 #[derive(Clone, Debug, PartialEq, Eq)]
-pub(super) enum Segment {
+pub enum Segment {
     /// Into an object, by key.
     Key(String),
     /// Into a list or a text, from 0.
@@ -19,7 +19,7 @@ pub(super) enum Segment {
 }
 
 /// Reads a place such as `agents[1].goal`, as faults of an instance have it.
-pub(super) fn segments(place: &str) -> Vec<Segment> {
+pub fn segments(place: &str) -> Vec<Segment> {
     place
         .split(['.', '[', ']'])
         .filter(|part| !part.is_empty())
@@ -32,7 +32,7 @@ pub(super) fn segments(place: &str) -> Vec<Segment> {
 
 /// Finds places in one text. Objects and lists that were looked into are kept
 /// by where they begin, so that each is read once however many faults it has.
-pub(super) struct Locator<'a> {
+pub struct Locator<'a> {
     text: &'a str,
     root: Option<&'a RawValue>,
     objects: BTreeMap<usize, Vec<Field<'a>>>,
@@ -41,7 +41,7 @@ pub(super) struct Locator<'a> {
 
 impl<'a> Locator<'a> {
     /// A locator for a text; it finds nothing where the text is no JSON.
-    pub(super) fn new(text: &'a str) -> Self {
+    pub fn new(text: &'a str) -> Self {
         Self {
             text,
             root: serde_json::from_str(text).ok(),
@@ -53,7 +53,7 @@ impl<'a> Locator<'a> {
     /// The byte at which a value begins, or the closest of those around it
     /// that exists; a key's value is meant unless `key` asks for the last key
     /// itself. `None` where the text is no JSON at all.
-    pub(super) fn find(&mut self, way: &[Segment], key: bool) -> Option<usize> {
+    pub fn find(&mut self, way: &[Segment], key: bool) -> Option<usize> {
         let mut value = self.root?;
         for (depth, segment) in way.iter().enumerate() {
             let last = depth + 1 == way.len();
@@ -125,11 +125,16 @@ impl<'a> Locator<'a> {
 }
 
 /// The fields of an object as written, repeats included.
-pub(super) struct Fields<'a>(Vec<Field<'a>>);
+pub struct Fields<'a>(Vec<Field<'a>>);
 
 impl Fields<'_> {
+    /// The keys, in the order of the text.
+    pub fn names(&self) -> impl Iterator<Item = &str> {
+        self.0.iter().map(|(key, _)| &**key)
+    }
+
     /// Whether there is such a key.
-    pub(super) fn has(&self, name: &str) -> bool {
+    pub fn has(&self, name: &str) -> bool {
         self.0.iter().any(|(key, _)| key == name)
     }
 }

@@ -1,22 +1,18 @@
-//! Files as text: the project's own JSON, and foreign formats.
+//! Files as text: the project's own JSON, links, and what readers of JSON and text share.
 
-pub mod convert;
+mod encoding;
 mod file_name;
-pub mod foreign;
-mod json;
+pub mod json;
 mod layout;
-mod lines;
 pub mod link;
-mod locate;
-mod loss;
-pub mod movingai;
+pub mod locate;
 pub mod native;
+pub mod own;
 mod phrase;
 mod schema;
-mod text;
+pub mod text;
 
 pub use crate::object::{ObjectOnly, from_object};
+pub use encoding::{Encoding, decode, read_text};
 pub use file_name::{base_name, stem};
-pub use loss::{Loss, Part, losses};
 pub use schema::schema;
-pub use text::read_text;

@@ -176,7 +176,7 @@ fn expectation(expected: &str) -> String {
         "a map" => tr!("an object").to_owned(),
         "struct Battery" => tr!("an object with capacity and initial").to_owned(),
         "struct Written" => tr!("an object with at and change").to_owned(),
-        "struct Agent" => tr!("an object with name, start and goal").to_owned(),
+        "struct Agent" => tr!("an object with name and start").to_owned(),
         other if other.starts_with("struct ") => tr!("an object").to_owned(),
         other => retold(&other.replace('`', ""), &KNOWN),
     }

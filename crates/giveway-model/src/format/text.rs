@@ -1,42 +1,25 @@
-//! Bytes as text, and places in a text.
+//! Places in a text, and parts of it in sentences.
 
-use crate::{Fault, tr, tr_later};
-
-/// The bytes of a file as text, without the byte order mark that some editors
-/// put first.
-///
-/// # Errors
-/// When the bytes are not UTF-8.
-pub fn read_text(bytes: &[u8]) -> Result<&str, Fault> {
-    match std::str::from_utf8(bytes) {
-        Ok(text) => Ok(without_mark(text)),
-        Err(error) => {
-            let good = bytes.get(..error.valid_up_to()).unwrap_or_default();
-            let good = String::from_utf8_lossy(good);
-            let (line, column) = position(&good, good.len());
-            let byte = bytes.get(error.valid_up_to()).copied().unwrap_or_default();
-            Err(Fault::at(
-                "",
-                tr!("the byte {byte}", byte = format!("0x{byte:02X}")),
-                tr_later!("text in UTF-8"),
-            )
-            .in_text(line, column))
-        }
-    }
-}
+use crate::Fault;
 
 /// The text without a byte order mark.
-pub(super) fn without_mark(text: &str) -> &str {
+pub fn without_mark(text: &str) -> &str {
     text.strip_prefix('\u{feff}').unwrap_or(text)
 }
 
 /// Line and column, both from 1, of a byte of the text; columns in characters.
-pub(super) fn position(text: &str, offset: usize) -> (usize, usize) {
+pub fn position(text: &str, offset: usize) -> (usize, usize) {
     Positions::new(text).of(offset)
 }
 
+/// The fault with the line and column of a byte of the text.
+pub fn at_byte(text: &str, offset: usize, fault: Fault) -> Fault {
+    let (line, column) = position(text, offset);
+    fault.in_text(line, column)
+}
+
 /// Finds the lines and columns of many places, quickest in ascending order.
-pub(super) struct Positions<'a> {
+pub struct Positions<'a> {
     text: &'a str,
     offset: usize,
     line: usize,
@@ -44,7 +27,8 @@ pub(super) struct Positions<'a> {
 }
 
 impl<'a> Positions<'a> {
-    pub(super) const fn new(text: &'a str) -> Self {
+    /// At the beginning of a text.
+    pub const fn new(text: &'a str) -> Self {
         Self {
             text,
             offset: 0,
@@ -54,7 +38,7 @@ impl<'a> Positions<'a> {
     }
 
     /// Line and column, both from 1, of a byte of the text.
-    pub(super) fn of(&mut self, offset: usize) -> (usize, usize) {
+    pub fn of(&mut self, offset: usize) -> (usize, usize) {
         let mut offset = offset.min(self.text.len());
         while !self.text.is_char_boundary(offset) {
             offset -= 1;
@@ -76,7 +60,7 @@ impl<'a> Positions<'a> {
 }
 
 /// What was found, cut to a length that fits a sentence.
-pub(super) fn shorten(found: &str) -> String {
+pub fn shorten(found: &str) -> String {
     const LONGEST: usize = 60;
     let clean = |c: char| if c.is_control() { '\u{fffd}' } else { c };
     if found.chars().nth(LONGEST).is_none() {

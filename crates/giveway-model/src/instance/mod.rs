@@ -1,21 +1,22 @@
 //! A checked instance of the problem.
 
-mod breakdown;
+mod start_state;
 mod variant;
 
 use std::collections::{BTreeMap, BTreeSet};
 
-pub use breakdown::Breakdown;
+pub use start_state::{Breakdown, StartState};
 
+use crate::assumption::MAX_ASSUMPTIONS;
 use crate::{
-    Agent, AtGoal, Cell, Fault, Grid, GridError, Ground, Objective, Rules, Scene, Version, tr,
-    tr_later,
+    Agent, Assumption, AtGoal, Cell, Fault, Grid, GridError, Ground, Objective, Rules, Scene,
+    Version, tr, tr_later,
 };
 
 /// The largest map side that is accepted, in cells.
-pub const MAX_SIDE: u32 = 1024;
+pub const MAX_SIDE: u32 = 2048;
 /// The largest number of agents that is accepted.
-pub const MAX_AGENTS: usize = 4096;
+pub const MAX_AGENTS: usize = 10_000;
 /// The largest battery capacity that is accepted, in time steps.
 pub const MAX_CAPACITY: u32 = 1_000_000;
 
@@ -41,7 +42,9 @@ pub struct Instance {
     rules: Rules,
     objective: Objective,
     agents: Vec<Agent>,
-    breakdowns: Vec<Breakdown>,
+    assumptions: Vec<Assumption>,
+    /// By the agents' names; an agent that is not here has nothing behind it.
+    start_states: BTreeMap<String, StartState>,
 }
 
 impl Instance {
@@ -74,6 +77,13 @@ impl Instance {
                 tr!("at most {most}", most = MAX_AGENTS),
             ));
         }
+        if scene.assumptions.len() > MAX_ASSUMPTIONS {
+            faults.push(Fault::at(
+                "assumptions",
+                scene.assumptions.len().to_string(),
+                tr!("at most {most}", most = MAX_ASSUMPTIONS),
+            ));
+        }
         if faults.is_empty() {
             for i in 0..scene.agents.len() {
                 check_agent(&scene.agents, i, &grid, &mut faults);
@@ -89,7 +99,8 @@ impl Instance {
             rules: scene.rules,
             objective: scene.objective,
             agents: scene.agents,
-            breakdowns: Vec::new(),
+            assumptions: scene.assumptions,
+            start_states: BTreeMap::new(),
         })
     }
 
@@ -113,6 +124,12 @@ impl Instance {
         self.rules.at_goal == AtGoal::Stay
     }
 
+    /// Whether an agent remains where it arrives: all do where arrived agents stay,
+    /// and one without a goal does in any case.
+    pub fn keeps(&self, agent: &Agent) -> bool {
+        self.rules.at_end_of(agent) == AtGoal::Stay
+    }
+
     /// The costs to minimise, the most important first.
     pub const fn objective(&self) -> &Objective {
         &self.objective
@@ -121,6 +138,32 @@ impl Instance {
     /// The agents, in the order of the file.
     pub fn agents(&self) -> &[Agent] {
         &self.agents
+    }
+
+    /// What the scene takes for granted.
+    pub fn assumptions(&self) -> &[Assumption] {
+        &self.assumptions
+    }
+
+    /// The same instance without the obstacles that move: every plan of the instance is one
+    /// of it, and its bounds are bounds of the instance.
+    #[must_use]
+    pub fn without_moving_obstacles(mut self) -> Self {
+        let moves = |one: &Assumption| matches!(one, Assumption::MovingObstacle { .. });
+        self.assumptions.retain(|one| !moves(one));
+        self
+    }
+
+    /// The same instance with more that it takes for granted; what it takes for granted already
+    /// is not said twice.
+    #[must_use]
+    pub fn assuming(mut self, more: impl IntoIterator<Item = Assumption>) -> Self {
+        for assumption in more {
+            if !self.assumptions.contains(&assumption) && self.assumptions.len() < MAX_ASSUMPTIONS {
+                self.assumptions.push(assumption);
+            }
+        }
+        self
     }
 
     /// The same instance with another objective.
@@ -139,6 +182,7 @@ impl Instance {
             rules: self.rules,
             objective: self.objective.clone(),
             agents: self.agents.clone(),
+            assumptions: self.assumptions.clone(),
         }
     }
 }
@@ -203,7 +247,9 @@ fn check_agent(agents: &[Agent], i: usize, grid: &Grid, faults: &mut Vec<Fault>)
         Some(_) => {}
     };
     cell(agent.start, format!("{place}.start"));
-    cell(agent.goal, format!("{place}.goal"));
+    if let Some(goal) = agent.goal {
+        cell(goal, format!("{place}.goal"));
+    }
     for (k, &w) in agent.waypoints.iter().enumerate() {
         cell(w, format!("{place}.waypoints[{k}]"));
     }
@@ -265,11 +311,12 @@ fn check_shared(scene: &Scene, faults: &mut Vec<Fault>) {
             ));
         }
         if scene.rules.at_goal == AtGoal::Stay
-            && let Some(first) = goals.insert(agent.goal, agent.name.as_str())
+            && let Some(goal) = agent.goal
+            && let Some(first) = goals.insert(goal, agent.name.as_str())
         {
             faults.push(Fault::at(
                 format!("agents[{i}].goal"),
-                tr!("{goal}, the goal of {first}", goal = agent.goal, first),
+                tr!("{goal}, the goal of {first}", goal, first),
                 tr_later!("a goal of its own, since robots stay at their goals"),
             ));
         }

@@ -37,13 +37,9 @@ impl Instance {
             grid: self.grid.clone(),
             rules: self.rules,
             objective: self.objective.clone(),
+            assumptions: self.assumptions.clone(),
             agents: vec![agent.clone()],
-            breakdowns: self
-                .breakdowns
-                .iter()
-                .filter(|breakdown| breakdown.agent == name)
-                .cloned()
-                .collect(),
+            start_states: self.start_states.clone(),
         })
     }
 

@@ -1,11 +1,12 @@
 //! Whether a question can be asked of a plan: it names what exists, and what it
 //! asks about is so.
 
-use super::holds::{first_visit, holds, is_at, walk};
+use super::holds;
 use super::least::already_least;
 use super::not_so::not_so;
 use super::{Misfit, Question, so};
 use crate::check::Walk;
+use crate::condition::{Times, first_visit, is_at};
 use crate::{Cell, Fault, Ground, Instance, Plan, tr, tr_later};
 
 /// Agents that a fault lists by name.
@@ -68,7 +69,16 @@ pub fn names_exist(question: &Question, instance: &Instance) -> Result<(), Misfi
             }
             Ok(())
         }
-        _ => Ok(()),
+        Question::Slow { .. }
+        | Question::Arrival { .. }
+        | Question::Length { .. }
+        | Question::Makespan
+        | Question::SumOfCosts
+        | Question::Charges { .. }
+        | Question::Moves { .. }
+        | Question::Waits { .. }
+        | Question::Unsolvable
+        | Question::Plan => Ok(()),
     }
 }
 
@@ -113,7 +123,7 @@ pub fn fits(question: &Question, instance: &Instance, plan: &Plan) -> Result<(),
     }
     let Some(walk) = question
         .agent()
-        .and_then(|name| walk(instance, plan, name))
+        .and_then(|name| Walk::named(instance, name, plan))
         .or_else(|| visitor(question, instance, plan))
     else {
         return Ok(());
@@ -128,7 +138,7 @@ fn visitor<'a>(question: &Question, instance: &'a Instance, plan: &'a Plan) -> O
     };
     Walk::all(instance, plan)
         .into_iter()
-        .find(|walk| is_at(instance, walk, *at, None))
+        .find(|walk| is_at(instance, walk, *at, Times::default()))
 }
 
 /// One agent gives way to another at a cell: both are there, the other first.
@@ -146,7 +156,7 @@ fn precedence(
             tr_later!("two different robots"),
         );
     }
-    let visit = |name: &str| walk(instance, plan, name).and_then(|walk| first_visit(&walk, at));
+    let visit = |name: &str| first_visit(&Walk::named(instance, name, plan)?, at);
     let (is_so, ask) = match (visit(agent), visit(to)) {
         (Some(late), Some(early)) if early < late => return Ok(()),
         (Some(early), Some(late)) => (

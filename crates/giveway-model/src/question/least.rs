@@ -1,9 +1,9 @@
 //! Questions why something is not less where it is 0 already.
 
-use super::holds::{moves, walk};
 use super::{Question, so};
-use crate::{Cost, Instance, Plan};
-use crate::{check, tr};
+use crate::check::{self, Walk};
+use crate::condition::moves;
+use crate::{Cost, Instance, Plan, tr};
 
 /// What is so, where nothing could be less than what is asked about.
 pub(super) fn already_least(
@@ -12,7 +12,7 @@ pub(super) fn already_least(
     plan: &Plan,
 ) -> Option<String> {
     let total = |cost| check::costs(instance, plan).is_some_and(|costs| costs.get(cost) == 0);
-    let of = |name: &str| walk(instance, plan, name);
+    let of = |name: &str| Walk::named(instance, name, plan);
     let still = |name: &str| Some(moves(instance, &of(name)?) == 0);
     let (is_least, what) = match question {
         Question::Waits { agent: Some(name) } => (
@@ -51,7 +51,18 @@ pub(super) fn already_least(
             total(Cost::SumOfCosts),
             tr!("All robots arrive at time 0.").to_owned(),
         ),
-        _ => return None,
+        Question::Wait { .. }
+        | Question::Charge { .. }
+        | Question::NoCharge { .. }
+        | Question::Visit { .. }
+        | Question::NoVisit { .. }
+        | Question::Move { .. }
+        | Question::NoMove { .. }
+        | Question::Slow { .. }
+        | Question::Order { .. }
+        | Question::Yield { .. }
+        | Question::Unsolvable
+        | Question::Plan => return None,
     };
     is_least.then_some(what)
 }

@@ -1,13 +1,13 @@
 //! Questions that a person may ask of a plan, and what each contrasts it with.
 //!
 //! Questions are contrastive ("why this rather than that?"): each has a
-//! *counterfactual*, a constraint on another plan ([`holds()`]), but for the two
-//! about the instance or the plan as a whole. See Bogatarkan and Erdem,
+//! *contrast*, a [`Condition`](crate::condition::Condition) on another plan, but for
+//! the two about the instance or the plan as a whole. See Bogatarkan and Erdem,
 //! "Explanation Generation for Multi-Modal Multi-Agent Path Finding with
 //! Optimal Resource Utilization using Answer Set Programming" (2020).
 
 mod asked;
-mod contrast;
+mod condition;
 mod fits;
 mod holds;
 mod least;
@@ -23,7 +23,6 @@ use serde::{Deserialize, Serialize};
 use crate::Cell;
 
 pub use asked::Asked;
-pub use contrast::{Contrast, contrast};
 pub use fits::{fits, names_exist};
 pub use holds::holds;
 pub use misfit::Misfit;
@@ -240,8 +239,50 @@ impl Question {
     pub fn agents(&self) -> impl Iterator<Item = &str> {
         let other = match self {
             Self::Yield { to, .. } => Some(to.as_str()),
-            _ => None,
+            Self::Wait { .. }
+            | Self::Charge { .. }
+            | Self::NoCharge { .. }
+            | Self::Visit { .. }
+            | Self::NoVisit { .. }
+            | Self::Move { .. }
+            | Self::NoMove { .. }
+            | Self::Slow { .. }
+            | Self::Order { .. }
+            | Self::Arrival { .. }
+            | Self::Length { .. }
+            | Self::Makespan
+            | Self::SumOfCosts
+            | Self::Charges { .. }
+            | Self::Moves { .. }
+            | Self::Waits { .. }
+            | Self::Unsolvable
+            | Self::Plan => None,
         };
         self.agent().into_iter().chain(other)
+    }
+
+    /// The times that the question names, in time steps: of a wait its begin and its end.
+    pub fn times_mut(&mut self) -> Vec<&mut Option<u32>> {
+        match self {
+            Self::Wait { from, to, .. } => vec![from, to],
+            Self::Charge { time, .. }
+            | Self::Visit { time, .. }
+            | Self::Move { time, .. }
+            | Self::NoMove { time, .. } => vec![time],
+            Self::NoCharge { .. }
+            | Self::NoVisit { .. }
+            | Self::Slow { .. }
+            | Self::Order { .. }
+            | Self::Yield { .. }
+            | Self::Arrival { .. }
+            | Self::Length { .. }
+            | Self::Makespan
+            | Self::SumOfCosts
+            | Self::Charges { .. }
+            | Self::Moves { .. }
+            | Self::Waits { .. }
+            | Self::Unsolvable
+            | Self::Plan => Vec::new(),
+        }
     }
 }

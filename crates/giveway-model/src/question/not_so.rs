@@ -1,9 +1,9 @@
 //! What is so instead of what a question about one agent asks about.
 
 use super::Misfit;
-use super::holds::{first_visit, goes, moves};
 use super::{Question, so};
 use crate::check::Walk;
+use crate::condition::{Times, first_visit, goes, moves};
 use crate::{Instance, tr};
 
 /// What is so instead, for the questions about one agent.
@@ -148,7 +148,7 @@ pub(super) fn not_so(
             time,
             ..
         } => {
-            let ever = goes(instance, walk, from_cell, to_cell, None);
+            let ever = goes(instance, walk, from_cell, to_cell, Times::default());
             let when = time.map_or(
                 String::new(),
                 |time| tr!("something done" => " at time {time}", time),
@@ -251,6 +251,14 @@ pub(super) fn not_so(
                 Some(ask),
             )
         }
-        _ => Ok(()),
+        Question::Yield { .. }
+        | Question::Arrival { .. }
+        | Question::Makespan
+        | Question::SumOfCosts
+        | Question::Charges { .. }
+        | Question::Moves { .. }
+        | Question::Waits { .. }
+        | Question::Unsolvable
+        | Question::Plan => Ok(()),
     }
 }

@@ -1,7 +1,7 @@
 //! What an agent does in a plan, as parts of sentences.
 
-use super::holds::{first_visit, turns};
 use crate::check::{Step, Walk, steps};
+use crate::condition::{first_visit, turns};
 use crate::{Cell, Instance, tr};
 
 /// Things that a sentence lists before it says how many there are more.
@@ -85,10 +85,10 @@ pub(super) fn whereabouts(instance: &Instance, walk: &Walk<'_>, time: u32) -> St
     match walk.at(time as usize) {
         Some(cell) => tr!("At time {time} it is at {cell}.", time, cell),
         None if time as usize <= arrival => tr!("At time {time} it is in transit.", time),
-        None if instance.stays() => {
+        None if instance.keeps(walk.agent) => {
             tr!(
                 "It has arrived at {goal} at time {arrival}.",
-                goal = walk.agent.goal,
+                goal = walk.end().unwrap_or(walk.agent.start),
                 arrival
             )
         }
@@ -119,6 +119,7 @@ pub(super) fn going(instance: &Instance, walk: &Walk<'_>, from: Cell, to: Cell) 
         return tr!("It goes from {from} {ways}.", from, ways = list(&leaves));
     }
     match first_visit(walk, from) {
+        Some(_) if walk.agent.goal.is_none() => tr!("It stays at {from} to the end.", from),
         Some(_) => tr!("It stays at {from}, its goal, to the end.", from),
         None => tr!("It is never at {from}.", from),
     }

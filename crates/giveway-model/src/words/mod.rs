@@ -55,6 +55,25 @@ pub fn decimal(n: f64, digits: usize) -> String {
     text.replace('.', tr!("decimal mark" => "."))
 }
 
+/// A name of at most so many letters: of a longer one the beginning and the end, since the
+/// names of one fleet mostly differ at their ends.
+///
+/// ```
+/// use giveway_model::words::middle_cut;
+/// assert_eq!(middle_cut("Transporter_in_hall_East_01", 12), "Trans…ast_01");
+/// assert_eq!(middle_cut("A1", 12), "A1");
+/// ```
+pub fn middle_cut(name: &str, most: usize) -> String {
+    let letters: Vec<char> = name.chars().collect();
+    if letters.len() <= most {
+        return name.to_owned();
+    }
+    let room = most.saturating_sub(1);
+    let begin = letters.iter().take(room / 2);
+    let end = letters.iter().skip(letters.len() - room.div_ceil(2));
+    begin.chain([&'…']).chain(end).collect()
+}
+
 /// A number of things: `1 robot`, `2 robots`.
 ///
 /// ```
@@ -125,6 +144,17 @@ pub fn name(cost: Cost) -> &'static str {
         Cost::Charges => tr!("charges"),
         Cost::Moves => tr!("moves"),
         Cost::Waits => tr!("waits"),
+    }
+}
+
+/// A cost as a noun of one thing: `number of charges`.
+pub fn noun(cost: Cost) -> &'static str {
+    match cost {
+        Cost::Makespan => tr!("makespan"),
+        Cost::SumOfCosts => tr!("sum of costs"),
+        Cost::Charges => tr!("number of charges"),
+        Cost::Moves => tr!("number of moves"),
+        Cost::Waits => tr!("number of waits"),
     }
 }
 

@@ -214,6 +214,22 @@ pub fn number<N: TryInto<u64>>(n: N) -> u64 {
     n.try_into().unwrap_or(u64::MAX)
 }
 
+/// A value of a sentence: one with letters that are written from right to left stands between
+/// marks of its own, so that it does not turn round what stands beside it (Unicode UAX 9).
+fn isolated(value: String) -> String {
+    const FIRST: char = '\u{590}';
+    let turns = |letter: char| {
+        letter >= FIRST
+            && matches!(letter, '\u{590}'..='\u{8ff}' | '\u{fb1d}'..='\u{fdff}' | '\u{fe70}'..='\u{fefc}'
+                | '\u{10800}'..='\u{10fff}' | '\u{1e800}'..='\u{1efff}')
+    };
+    if value.chars().any(turns) && !value.contains('\u{2068}') {
+        format!("\u{2068}{value}\u{2069}")
+    } else {
+        value
+    }
+}
+
 /// A form with values in its places. `named` is the English text, whose places tell
 /// which name is which value; where things are counted, `n` is the first value.
 fn filled(form: &str, named: &str, values: &[&dyn Display], is_counted: bool) -> String {
@@ -233,7 +249,7 @@ fn filled(form: &str, named: &str, values: &[&dyn Display], is_counted: bool) ->
         // A place that the English text does not have stands as it is: a test keeps
         // catalogues free of them.
         match names.iter().position(|other| *other == name) {
-            Some(i) if i < values.len() => drop(write!(told, "{}", values[i])),
+            Some(i) if i < values.len() => told.push_str(&isolated(values[i].to_string())),
             _ => drop(write!(told, "{{{name}}}")),
         }
         rest = &rest[before.len() + name.len() + 2..];

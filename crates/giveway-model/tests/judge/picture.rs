@@ -102,7 +102,7 @@ fn read_agent(row: &str, plan: &mut Plan) -> Agent {
     let mut agent = Agent {
         name: name.clone(),
         start: cells.first().copied().flatten().unwrap_or(Cell::new(0, 0)),
-        goal: cells.last().copied().flatten().unwrap_or(Cell::new(0, 0)),
+        goal: Some(cells.last().copied().flatten().unwrap_or(Cell::new(0, 0))),
         waypoints: Vec::new(),
         battery: None,
     };
@@ -110,7 +110,7 @@ fn read_agent(row: &str, plan: &mut Plan) -> Agent {
         let (key, value) = option.split_once(' ').unwrap();
         match key {
             "from" => agent.start = cell(value).unwrap(),
-            "to" => agent.goal = cell(value).unwrap(),
+            "to" => agent.goal = cell(value),
             "via" => agent.waypoints = value.split(' ').map(|w| cell(w).unwrap()).collect(),
             "battery" => {
                 let (initial, capacity) = value.split_once('/').unwrap();

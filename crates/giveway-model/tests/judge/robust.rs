@@ -10,7 +10,7 @@ fn row_of_agents(n: u32) -> Instance {
     let agents = (0..n).map(|x| Agent {
         name: format!("A{x}"),
         start: Cell::new(x, 0),
-        goal: Cell::new(x, 0),
+        goal: Some(Cell::new(x, 0)),
         waypoints: Vec::new(),
         battery: Some(Battery {
             capacity: 5,

@@ -61,13 +61,16 @@ impl World<'_> {
             let mut goals: BTreeMap<Cell, &str> = BTreeMap::new();
             let timelines = after.timelines.iter();
             for timeline in timelines.filter(|timeline| timeline.until.is_none()) {
-                if let Some(other) = goals.insert(timeline.goal(), timeline.name()) {
+                let Some(goal) = timeline.goal() else {
+                    continue;
+                };
+                if let Some(other) = goals.insert(goal, timeline.name()) {
                     let changed = self.aimed.iter().rev();
                     let index = changed
-                        .filter(|(_, cell)| *cell == timeline.goal())
+                        .filter(|(_, cell)| *cell == goal)
                         .map(|&(index, _)| index)
                         .next();
-                    let reason = refuse::shared_goal(timeline.goal(), other, timeline.name());
+                    let reason = refuse::shared_goal(goal, other, timeline.name());
                     reasons.push((index.unwrap_or(0), reason));
                 }
             }

@@ -35,9 +35,10 @@ fn find_ends(index: usize, trajectory: &Trajectory<'_>, findings: &mut Findings<
     }
     let end = trajectory.end();
     if let Some(last) = trajectory.at(end)
-        && last != timeline.goal()
+        && let Some(goal) = timeline.goal()
+        && last != goal
     {
-        let message = sentence::goal(name, last, timeline.goal(), end as usize);
+        let message = sentence::goal(name, last, goal, end as usize);
         findings.push(
             Rule::Goal,
             end as usize,

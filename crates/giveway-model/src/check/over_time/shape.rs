@@ -49,7 +49,8 @@ fn find_times(timeline: &Timeline, plan: &Plan, index: usize, findings: &mut Fin
     let listed = path.len() as u32;
     let due = until.saturating_sub(timeline.from);
     // Whoever had arrived is known to have been there.
-    let arrived = path.last().copied().flatten() == Some(timeline.goal());
+    let last = path.last().copied().flatten();
+    let arrived = last.is_some() && timeline.goal().is_none_or(|goal| last == Some(goal));
     if listed > due || (listed < due && !(arrived && listed > 0)) {
         let last = timeline.from + listed.saturating_sub(1);
         let message = sentence::wrong_end(name, last, until);

@@ -50,7 +50,7 @@ fn find_vertices(
         let after = from + trajectory.path.len() as u32;
         let until = match trajectory.timeline.until {
             Some(until) => until,
-            None if history.stays() => u32::MAX,
+            None if history.keeps(trajectory.timeline) => u32::MAX,
             None => trajectory.end() + 1,
         };
         if let Some(last) = trajectory.path.last().copied().flatten()

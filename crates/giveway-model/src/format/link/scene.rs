@@ -3,7 +3,9 @@
 // Writing to a string cannot fail.
 use std::fmt::Write as _;
 
-use crate::{Agent, AtGoal, Battery, Cell, Cost, Ground, Objective, Scene};
+use crate::{
+    Agent, Assumption, AtGoal, Battery, Cell, Cost, Ground, LeftOutRule, Objective, Scene,
+};
 
 use super::MAX_SIDE;
 use super::text::{escape, letters, numbers, runs, unescape};
@@ -16,6 +18,9 @@ const GROUNDS: [(char, Ground); 5] = [
     ('c', Ground::Charger),
     ('b', Ground::SlowCharger),
 ];
+
+/// What stands in the place of the goal of an agent that has none.
+const NO_GOAL: &str = ".-";
 
 /// The parts of a scene, the first of a text.
 pub fn write(scene: &Scene) -> String {
@@ -37,15 +42,73 @@ pub fn write(scene: &Scene) -> String {
         text += &place.unwrap_or(0).to_string();
     }
     let agents: Vec<String> = scene.agents.iter().map(write_agent).collect();
-    text + "&agents=" + &agents.join(";")
+    text = text + "&agents=" + &agents.join(";");
+    if !scene.assumptions.is_empty() {
+        let assumptions: Vec<String> = scene.assumptions.iter().map(write_assumption).collect();
+        text = text + "&assumes=" + &assumptions.join(";");
+    }
+    text
+}
+
+/// `g` for goals that were chosen, `k` with a key, `m` with a name and cells, `r` with the
+/// number of a rule.
+fn write_assumption(assumption: &Assumption) -> String {
+    match assumption {
+        Assumption::GoalsChosen => "g".to_owned(),
+        Assumption::UnknownKey { key } => format!("k{}", escape(key)),
+        Assumption::RuleLeftOut { rule } => {
+            let number = LeftOutRule::ALL.iter().position(|one| one == rule);
+            format!("r{}", number.unwrap_or_default())
+        }
+        Assumption::MovingObstacle { name, path } => {
+            let mut text = format!("m{}", escape(name));
+            for cell in path {
+                let _ = write!(text, ".{}.{}", cell.x, cell.y);
+            }
+            text
+        }
+    }
+}
+
+fn read_assumption(text: &str) -> Option<Assumption> {
+    let rest = text.get(1..)?;
+    match text.get(..1)? {
+        "g" if rest.is_empty() => Some(Assumption::GoalsChosen),
+        "k" => Some(Assumption::UnknownKey {
+            key: unescape(rest)?,
+        }),
+        "r" => {
+            let rule = *LeftOutRule::ALL.get(rest.parse::<usize>().ok()?)?;
+            Some(Assumption::RuleLeftOut { rule })
+        }
+        "m" => {
+            let (name, cells) = rest.split_once('.')?;
+            let numbers = numbers(cells)?;
+            let (pairs, []) = numbers.as_chunks::<2>() else {
+                return None;
+            };
+            Some(Assumption::MovingObstacle {
+                name: unescape(name)?,
+                path: pairs.iter().map(|&[x, y]| Cell::new(x, y)).collect(),
+            })
+        }
+        _ => None,
+    }
 }
 
 /// An agent: its name, its cells, its battery.
 pub fn write_agent(agent: &Agent) -> String {
     let mut text = escape(&agent.name);
-    let cells = [agent.start, agent.goal].into_iter();
-    for cell in cells.chain(agent.waypoints.iter().copied()) {
+    let mut add = |cell: Cell| {
         let _ = write!(text, ".{}.{}", cell.x, cell.y);
+    };
+    add(agent.start);
+    match agent.goal {
+        Some(goal) => add(goal),
+        None => text += NO_GOAL,
+    }
+    for waypoint in &agent.waypoints {
+        let _ = write!(text, ".{}.{}", waypoint.x, waypoint.y);
     }
     if let Some(battery) = agent.battery {
         let _ = write!(text, "!{}.{}", battery.capacity, battery.initial);
@@ -88,6 +151,10 @@ pub fn read(scene: &mut Scene, key: &str, value: &str) -> Option<()> {
             let costs: Option<Vec<Cost>> = value.chars().map(cost).collect();
             scene.objective = Objective::new(costs?).ok()?;
         }
+        "assumes" => {
+            let assumptions = value.split(';').map(read_assumption);
+            scene.assumptions = assumptions.collect::<Option<_>>()?;
+        }
         "agents" if value.is_empty() => {}
         "agents" => {
             let agents: Option<Vec<Agent>> = value.split(';').map(read_agent).collect();
@@ -96,6 +163,15 @@ pub fn read(scene: &mut Scene, key: &str, value: &str) -> Option<()> {
         _ => return None,
     }
     Some(())
+}
+
+/// Cells as pairs of numbers, all joined by points.
+fn read_cells(text: &str) -> Option<Vec<Cell>> {
+    let numbers = numbers(text)?;
+    let (pairs, []) = numbers.as_chunks::<2>() else {
+        return None;
+    };
+    Some(pairs.iter().map(|&[x, y]| Cell::new(x, y)).collect())
 }
 
 /// The agent that a text tells; `None` where it is none.
@@ -110,16 +186,28 @@ pub fn read_agent(text: &str) -> Option<Agent> {
         }
     };
     let (name, cells) = task.split_once('.')?;
-    let numbers = numbers(cells)?;
-    let (pairs, []) = numbers.as_chunks::<2>() else {
-        return None;
+    let (start, goal, waypoints) = match cells.split_once(NO_GOAL) {
+        Some((start, waypoints)) => {
+            let [start] = read_cells(start)?[..] else {
+                return None;
+            };
+            let waypoints = match waypoints.strip_prefix('.') {
+                Some(waypoints) => read_cells(waypoints)?,
+                None if waypoints.is_empty() => Vec::new(),
+                None => return None,
+            };
+            (start, None, waypoints)
+        }
+        None => match read_cells(cells)?[..] {
+            [start, goal, ref waypoints @ ..] => (start, Some(goal), waypoints.to_vec()),
+            _ => return None,
+        },
     };
-    let mut cells = pairs.iter().map(|&[x, y]| Cell::new(x, y));
     Some(Agent {
         name: unescape(name)?,
-        start: cells.next()?,
-        goal: cells.next()?,
-        waypoints: cells.collect(),
+        start,
+        goal,
+        waypoints,
         battery,
     })
 }

@@ -1,0 +1,86 @@
+//! What the agents of an instance have behind them when it begins.
+//!
+//! No scene has start states: the rest of a running plan is an instance whose agents
+//! are half way through their tasks ([`Snapshot`](crate::snapshot::Snapshot)). Where an
+//! agent is, its battery level and the waypoints that it has still to visit stand in
+//! its [`Agent`]; the start state has the rest.
+
+use super::Instance;
+use crate::sorting::map;
+use crate::{Agent, Cell, Grid};
+
+/// What an agent has behind it at time 0; by default nothing.
+#[derive(Clone, Debug, Default, PartialEq, Eq)]
+pub struct StartState {
+    /// The cell that it comes from, where at time 0 it is half way along a slow move:
+    /// it is in transit then, and at its start at time 1.
+    pub transit_from: Option<Cell>,
+    /// The breakdowns that go on.
+    pub breakdowns: Vec<Breakdown>,
+    /// For how many time steps it has been at its goal with nothing left to do. If it
+    /// stays there, it arrived so long before time 0; if it goes on, they count in the
+    /// sum of costs.
+    pub rested: u32,
+    /// How many of these steps are waits if it goes on. It slept through the others.
+    pub rested_awake: u32,
+    /// How many wait steps on end at its start it made just before time 0, as far as
+    /// they count for a condition on long waits.
+    pub waits_begun: u32,
+}
+
+/// A breakdown: until its end, the agent begins no move.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Breakdown {
+    /// The time at which it began, in steps of the whole plan.
+    pub from: u32,
+    /// The time of the whole plan from which the agent may go on.
+    pub to: u32,
+    /// The same end in the times of the instance, which begin at 0.
+    pub held: u32,
+}
+
+/// The start state of an agent that has nothing behind it.
+static AT_REST: StartState = StartState {
+    transit_from: None,
+    breakdowns: Vec::new(),
+    rested: 0,
+    rested_awake: 0,
+    waits_begun: 0,
+};
+
+impl StartState {
+    /// The time before which the agent begins no move; 0 without a breakdown.
+    pub fn not_before(&self) -> u32 {
+        let ends = self.breakdowns.iter().map(|breakdown| breakdown.held);
+        ends.max().unwrap_or(0)
+    }
+}
+
+impl Instance {
+    /// The same instance with another map and with agents that are half way through their
+    /// tasks. Two things that an instance promises may fail then: an agent in transit may
+    /// share its start, and a goal or a waypoint may be an obstacle, so that there is no plan.
+    pub(crate) fn resumed(&self, grid: Grid, agents: Vec<(Agent, StartState)>) -> Self {
+        let states = agents.iter();
+        let start_states = map(states.map(|(agent, state)| (agent.name.clone(), state.clone())));
+        Self {
+            name: self.name.clone(),
+            grid,
+            rules: self.rules,
+            objective: self.objective.clone(),
+            agents: agents.into_iter().map(|(agent, _)| agent).collect(),
+            assumptions: self.assumptions.clone(),
+            start_states,
+        }
+    }
+
+    /// What an agent has behind it when the instance begins.
+    pub fn start_state(&self, agent: &str) -> &StartState {
+        self.start_states.get(agent).unwrap_or(&AT_REST)
+    }
+
+    /// The start state of an agent, to change it.
+    pub fn start_state_mut(&mut self, agent: &str) -> &mut StartState {
+        self.start_states.entry(agent.to_owned()).or_default()
+    }
+}
