@@ -1,4 +1,4 @@
-//! What whoever plans asks, often: whether to go on.
+//! Cooperative cancellation: limits that a search asks often whether to go on.
 
 mod counted;
 mod held;
@@ -30,10 +30,7 @@ pub trait Budget {
     ///
     /// # Errors
     /// Why not.
-    fn spend(&self, states: u64) -> Result<(), Stop> {
-        let _ = states;
-        self.check()
-    }
+    fn spend(&self, states: u64) -> Result<(), Stop>;
 
     /// The bytes that all parts of the request hold together.
     fn held_bytes(&self) -> &HeldBytes;
@@ -80,6 +77,10 @@ impl Budget for Unlimited {
 
     fn tick(&self) -> Result<(), Stop> {
         Ok(())
+    }
+
+    fn spend(&self, _states: u64) -> Result<(), Stop> {
+        self.check()
     }
 
     fn held_bytes(&self) -> &HeldBytes {

@@ -1,8 +1,8 @@
-//! A first plan, by whoever has one first.
+//! Initial plan: prioritised planning, then LaCAM, then repair.
 //!
-//! Agents that are planned one after the other mostly find their way, and fast:
-//! tried in a few orders. Where they do not, LaCAM moves all of them at once, if
-//! they have nothing but goals; else collisions are repaired in small groups.
+//! Prioritised planning, in a few orders, is fast and mostly finds a plan. Where it
+//! does not, LaCAM moves all agents at once, if they have nothing but goals; else
+//! collisions are repaired in small groups.
 
 use crate::{
     budget::{Budget, Counted, Stop},

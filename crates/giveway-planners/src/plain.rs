@@ -14,12 +14,14 @@ use crate::{
 /// What a planner for the plain problem cannot do.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Unsupported {
+    /// This agent has no goal.
+    NoGoal(AgentId),
     /// This agent has waypoints.
     Waypoints(AgentId),
     /// This agent has a battery.
     Battery(AgentId),
     /// A question asks something of this agent beside its task.
-    Demand(AgentId),
+    Condition(AgentId),
     /// This agent may only go to some cells.
     Bounds(AgentId),
     /// This agent is under way already: in transit, held, or not to arrive yet.
@@ -57,14 +59,15 @@ impl<'p> Plain<'p> {
         let terrain = &problem.terrain;
         let mut of_goal = vec![None; terrain.size()];
         for (agent, task) in problem.tasks.iter().enumerate() {
-            if let Some(other) = of_goal[task.goal as usize].replace(agent) {
+            let goal = task.goal.ok_or(Unsupported::NoGoal(agent))?;
+            if let Some(other) = of_goal[goal as usize].replace(agent) {
                 return Err(Unsupported::SharedGoal(other, agent));
             }
         }
         let mut plain = Self {
             problem,
             starts: problem.tasks.iter().map(|task| task.start).collect(),
-            goals: problem.tasks.iter().map(|task| task.goal).collect(),
+            goals: problem.tasks.iter().filter_map(|task| task.goal).collect(),
             begins: vec![0],
             neighbours: Vec::new(),
         };
@@ -158,8 +161,8 @@ fn check(agent: AgentId, task: &Task) -> Result<(), Unsupported> {
     if task.reserve.is_some() {
         return Err(Unsupported::Battery(agent));
     }
-    if task.demand.is_some() {
-        return Err(Unsupported::Demand(agent));
+    if !task.conditions.is_empty() {
+        return Err(Unsupported::Condition(agent));
     }
     if !matches!(task.bounds, Bounds::Free) {
         return Err(Unsupported::Bounds(agent));

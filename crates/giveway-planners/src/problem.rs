@@ -6,7 +6,7 @@ use giveway_model::{Costs, Grid, Instance};
 
 use crate::{
     budget::{Budget, Stop},
-    single::{CostToGo, Hopeless, MAX_WAYPOINTS, Metric, Task, TaskConstraint, earliest},
+    single::{Bounds, CostToGo, Hopeless, MAX_WAYPOINTS, Metric, Task, earliest},
     terrain::Terrain,
     walk::{Walk, costs_of},
 };
@@ -17,7 +17,7 @@ use crate::{
 pub struct Relaxed {
     /// Pairs that ignore each other, the lower number first.
     pub ignored: BTreeSet<(usize, usize)>,
-    /// Agents that are gone on arrival, where the others stay.
+    /// Agents that are gone on arrival, where they would stay.
     pub gone: BTreeSet<usize>,
 }
 
@@ -33,7 +33,7 @@ pub struct Problem {
     /// The map as a graph.
     pub terrain: Terrain,
     /// Whether arrived agents stay at their goals, but for those that the
-    /// relaxation lets go.
+    /// relaxation lets go; [`Problem::rests`] tells it of an agent.
     pub stays: bool,
     /// Rules between agents that do not count.
     pub relaxed: Relaxed,
@@ -41,10 +41,11 @@ pub struct Problem {
     pub tasks: Vec<Task>,
     /// The time that each agent alone still needs, from anywhere.
     pub cost_to_go: Vec<CostToGo>,
-    /// The earliest arrival of each agent alone.
+    /// The earliest arrival of each agent alone; a lower bound of it where conditions are about
+    /// very late times (see [`earliest`]).
     pub optima: Vec<u32>,
-    /// The largest of these and of the ends of breakdowns, where nothing is
-    /// demanded beside the tasks.
+    /// The largest of these and of the ends of breakdowns, without
+    /// conditions.
     longest: u32,
 }
 
@@ -82,6 +83,21 @@ impl Problem {
         relaxed: Relaxed,
         budget: &dyn Budget,
     ) -> Result<Self, ProblemError> {
+        Self::bounded(instance, relaxed, Vec::new(), budget)
+    }
+
+    /// The same with bounds on where the agents may go, in their order; without a bound
+    /// an agent may go anywhere.
+    ///
+    /// # Errors
+    /// As [`Problem::new`].
+    pub fn bounded(
+        instance: &Instance,
+        relaxed: Relaxed,
+        bounds: Vec<Bounds>,
+        budget: &dyn Budget,
+    ) -> Result<Self, ProblemError> {
+        let mut bounds = bounds.into_iter();
         let mut problem = Self {
             terrain: Terrain::new(instance.grid()),
             stays: instance.stays(),
@@ -92,38 +108,14 @@ impl Problem {
             longest: 0,
         };
         for (i, agent) in instance.agents().iter().enumerate() {
-            if agent.waypoints.len() > MAX_WAYPOINTS {
+            let bounds = bounds.next().unwrap_or_default();
+            let is_along = matches!(bounds, Bounds::Along(_));
+            if agent.waypoints.len() > MAX_WAYPOINTS && !is_along {
                 return Err(ProblemError::TooManyWaypoints(i));
             }
-            let mut task = Task::new(agent, instance.rules(), &problem.terrain)
+            let (state, rules) = (instance.start_state(&agent.name), instance.rules());
+            let task = Task::resumed(agent, state, bounds, rules, &mut problem.terrain)
                 .map_err(|hopeless| ProblemError::Alone(i, hopeless))?;
-            task.held = instance.held(&agent.name);
-            problem.add(i, task, budget)?;
-        }
-        problem.longest = problem.longest();
-        Ok(problem)
-    }
-
-    /// A problem of tasks over a terrain, none of them asked for more.
-    ///
-    /// # Errors
-    /// As [`Problem::new`].
-    pub fn of_tasks(
-        terrain: Terrain,
-        stays: bool,
-        tasks: Vec<Task>,
-        budget: &dyn Budget,
-    ) -> Result<Self, ProblemError> {
-        let mut problem = Self {
-            terrain,
-            stays,
-            relaxed: Relaxed::default(),
-            tasks: Vec::new(),
-            cost_to_go: Vec::new(),
-            optima: Vec::new(),
-            longest: 0,
-        };
-        for (i, task) in tasks.into_iter().enumerate() {
             problem.add(i, task, budget)?;
         }
         problem.longest = problem.longest();
@@ -161,7 +153,7 @@ impl Problem {
         task: Task,
         budget: &dyn Budget,
     ) -> Result<(), ProblemError> {
-        if task.waypoints.len() >= MAX_WAYPOINTS + usize::from(task.demand.is_none()) {
+        if task.bits() > MAX_WAYPOINTS {
             return Err(ProblemError::TooManyWaypoints(agent));
         }
         let cost_to_go = CostToGo::new(&task, &self.terrain, Metric::Time, budget)?;
@@ -184,9 +176,11 @@ impl Problem {
         self.tasks.len()
     }
 
-    /// Whether an agent stays at its goal and blocks it.
+    /// Whether an agent stays where it arrives and blocks that vertex; one without a
+    /// goal does so also where the others vanish.
     pub fn rests(&self, agent: usize) -> bool {
-        self.stays && !self.relaxed.gone.contains(&agent)
+        let keeps = self.stays || self.tasks[agent].goal.is_none();
+        keeps && !self.relaxed.gone.contains(&agent)
     }
 
     /// Whether two agents must not collide.
@@ -194,7 +188,7 @@ impl Problem {
         a != b && !self.relaxed.ignores(a, b)
     }
 
-    /// The latest arrival of an agent that its demand allows.
+    /// The latest arrival of an agent that its conditions allow.
     pub fn not_after(&self, agent: usize) -> u32 {
         self.tasks[agent].not_after()
     }
@@ -202,16 +196,22 @@ impl Problem {
     /// Whether a walk of an agent, with so many charges, keeps to what is asked for
     /// beside its task, as far as walks made outside the SAT solver may fail to.
     pub fn keeps_alone(&self, agent: usize, walk: &Walk, charges: u32) -> bool {
-        let own = || Costs {
-            charges,
-            ..costs_of(self, agent, walk)
+        let conditions = &self.tasks[agent].conditions;
+        let within_limits = || {
+            let own = Costs {
+                charges,
+                ..costs_of(self, agent, walk)
+            };
+            let mut limits = conditions.limits.iter();
+            limits.all(|(&cost, &most)| own.get(cost) <= most)
         };
-        match &self.tasks[agent].demand {
-            Some(TaskConstraint::AtMost { cost, most }) => own().get(*cost) <= *most,
-            Some(TaskConstraint::ArriveBy(time)) => own().makespan <= *time,
-            Some(demand) => demand.keeps_waits(walk),
-            None => true,
-        }
+        let can_charge = || {
+            let task = &self.tasks[agent];
+            crate::walk::charges(task, &self.terrain, walk).is_some()
+        };
+        conditions.keeps_waits(walk)
+            && (conditions.limits.is_empty() || within_limits())
+            && (!conditions.must_charge() || can_charge())
     }
 
     /// A number of steps that no plan needs to exceed: one with more comes to
@@ -224,17 +224,23 @@ impl Problem {
         let mut timed = 0;
         for task in &self.tasks {
             // On the way; and at the end, one step or more.
-            let way = [places + 1, task.masks(), task.levels(), task.counted()]
-                .iter()
-                .try_fold(1u32, |product, &factor| {
-                    product.checked_mul(u32::try_from(factor).ok()?)
-                })?;
-            states = states.checked_mul(way.checked_add(2)?)?;
-            timed = timed
-                .max(task.not_before)
-                .max(task.last_time().unwrap_or(0));
+            let way = [
+                places + 1,
+                task.masks(),
+                task.levels(),
+                task.conditions.counts(),
+            ]
+            .iter()
+            .try_fold(1u32, |product, &factor| {
+                product.checked_mul(u32::try_from(factor).ok()?)
+            })?;
+            let ends = u32::try_from(task.goal.map_or(self.terrain.size(), |_| 1)).ok()?;
+            states = states.checked_mul(way.checked_add(ends.checked_mul(2)?)?)?;
+            let resting = task.not_resting.iter().map(|&(_, time)| time);
+            let times = resting.chain(task.last_time()).chain([task.not_before]);
+            timed = times.fold(timed, u32::max);
         }
-        // What is demanded of times is not the same at each of them.
+        // What conditions ask of times is not the same at each of them.
         states.checked_add(timed)?.checked_add(2)
     }
 

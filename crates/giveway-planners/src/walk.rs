@@ -4,7 +4,7 @@ use giveway_model::{Cell, Costs, Plan, Version};
 
 use crate::{
     problem::Problem,
-    single::{Place, Task, TaskConstraint},
+    single::{Place, Task},
     terrain::{Arc, Terrain},
 };
 
@@ -31,32 +31,38 @@ pub fn crossed(terrain: &Terrain, walk: &[Place], time: usize) -> Option<Arc> {
 /// The fewest charges with which a walk can be made, each as late as it can be;
 /// `None` where the battery does not last.
 pub fn charges(task: &Task, terrain: &Terrain, walk: &[Place]) -> Option<Vec<u32>> {
-    let Some(reserve) = task.reserve else {
-        return Some(Vec::new());
-    };
-    let free = fewest(task, terrain, walk, reserve.initial, 0)?;
-    let Some(TaskConstraint::Charge { v, .. }) = task.demand else {
-        return Some(free);
-    };
-    let there = |time: u32| walk.get(time as usize) == Some(&Place::At(v));
-    if free.iter().any(|&time| there(time)) {
-        return Some(free);
+    match task.reserve {
+        Some(_) => with_charges(task, terrain, walk, &mut Vec::new()),
+        None => Some(Vec::new()),
     }
-    // One charge is demanded there: any of the times, what is before and after
-    // it as it is best.
+}
+
+/// The same where it charges at some times, in order, and at the chargers at which it
+/// must: at any of the times at which it is there, what is before and after it as it is
+/// best.
+fn with_charges(
+    task: &Task,
+    terrain: &Terrain,
+    walk: &[Place],
+    fixed: &mut Vec<u32>,
+) -> Option<Vec<u32>> {
+    let free = fewest(task, terrain, walk, fixed)?;
+    let is_at = |time: u32, v| walk.get(time as usize) == Some(&Place::At(v));
+    let mut required = task.conditions.charges();
+    let Some((_, v)) = required.find(|&(_, v)| !free.iter().any(|&time| is_at(time, v))) else {
+        return Some(free);
+    };
     let mut best: Option<Vec<u32>> = None;
-    for time in (0..arrival(walk)).filter(|&time| there(time)) {
-        let Some(mut charges) = fewest(task, terrain, &walk[..=time as usize], reserve.initial, 0)
-        else {
-            continue;
-        };
-        charges.push(time);
-        let after = fewest(task, terrain, walk, time + 1 + reserve.full, time + 1);
-        let Some(after) = after else { continue };
-        charges.extend(after);
-        if best.as_ref().is_none_or(|best| charges.len() <= best.len()) {
+    let times = 0..arrival(walk);
+    for time in times.filter(|&time| is_at(time, v) && task.may_charge(terrain, v, Some(time))) {
+        let place = fixed.partition_point(|&other| other < time);
+        fixed.insert(place, time);
+        if let Some(charges) = with_charges(task, terrain, walk, fixed)
+            && best.as_ref().is_none_or(|best| charges.len() <= best.len())
+        {
             best = Some(charges);
         }
+        fixed.remove(place);
     }
     best
 }
@@ -77,30 +83,28 @@ pub fn lasts(task: &Task, walk: &[Place], charges: &[u32]) -> bool {
     level.is_some()
 }
 
-/// The fewest charges from a time on, where the battery lasts up to and
-/// including the time `until`.
-fn fewest(
-    task: &Task,
-    terrain: &Terrain,
-    walk: &[Place],
-    until: u32,
-    from: u32,
-) -> Option<Vec<u32>> {
-    let full = task.reserve?.full;
-    let mut until = until;
+/// The fewest charges, among them those at some times, in order.
+fn fewest(task: &Task, terrain: &Terrain, walk: &[Place], fixed: &[u32]) -> Option<Vec<u32>> {
+    let reserve = task.reserve?;
+    // The battery lasts up to and including this time.
+    let mut until = reserve.initial;
     let mut charges = Vec::new();
     let mut last_charger = None;
-    for (time, place) in walk.iter().enumerate().skip(from as usize) {
+    for (time, place) in walk.iter().enumerate() {
         let time = time as u32;
         if time > until {
             let charge: u32 = last_charger.take()?;
             charges.push(charge);
-            until = charge + 1 + full;
+            until = charge + 1 + reserve.full;
             if time > until {
                 return None;
             }
         }
-        if matches!(place, Place::At(v) if task.may_charge(terrain, *v, Some(time))) {
+        if fixed.contains(&time) {
+            charges.push(time);
+            until = time + 1 + reserve.full;
+            last_charger = None;
+        } else if matches!(place, Place::At(v) if task.may_charge(terrain, *v, Some(time))) {
             last_charger = Some(time);
         }
     }
@@ -147,20 +151,24 @@ pub fn costs(problem: &Problem, walks: &[Walk]) -> Costs {
 /// The walks of a plan that the judge passes, in the order of the names; `None`
 /// where it is not one over this problem.
 pub fn of_plan(problem: &Problem, names: &[String], plan: &Plan) -> Option<Vec<Walk>> {
-    let paths = names.iter().map(|name| plan.path(name));
-    paths.map(|path| of_path(&problem.terrain, path)).collect()
+    let agents = names.iter().zip(&problem.tasks);
+    let walk = |(name, task): (&String, &Task)| of_path(task, &problem.terrain, plan.path(name));
+    agents.map(walk).collect()
 }
 
-fn of_path(terrain: &Terrain, path: &[Option<Cell>]) -> Option<Walk> {
+/// The path of an agent as a walk; `None` where it is none over this terrain.
+pub fn of_path(task: &Task, terrain: &Terrain, path: &[Option<Cell>]) -> Option<Walk> {
     let mut walk = Walk::with_capacity(path.len());
     for (time, entry) in path.iter().enumerate() {
-        walk.push(if let Some(cell) = entry {
-            Place::At(terrain.vertex(*cell)?)
-        } else {
-            let from = terrain.vertex((*path.get(time.checked_sub(1)?)?)?)?;
-            let to = terrain.vertex((*path.get(time + 1)?)?)?;
-            let arc = terrain.arcs(from).iter().find(|arc| arc.to == to)?;
-            Place::Along(arc.id)
+        walk.push(match (entry, time.checked_sub(1)) {
+            (Some(cell), _) => Place::At(terrain.vertex(*cell)?),
+            (None, None) => task.first_place(),
+            (None, Some(before)) => {
+                let from = terrain.vertex((*path.get(before)?)?)?;
+                let to = terrain.vertex((*path.get(time + 1)?)?)?;
+                let arc = terrain.arcs(from).iter().find(|arc| arc.to == to)?;
+                Place::Along(arc.id)
+            }
         });
     }
     Some(walk)

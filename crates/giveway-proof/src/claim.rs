@@ -4,10 +4,10 @@ use std::collections::BTreeMap;
 
 use borsh::{BorshDeserialize, BorshSerialize};
 use giveway_model::message::read_map;
-use giveway_model::{Cost, Instance, sorting, tr, words};
+use giveway_model::{Condition, Cost, Instance, sorting, tr, words};
 use serde::{Deserialize, Serialize};
 
-use crate::{condition::Condition, escape, plain};
+use crate::{condition, escape, plain};
 
 /// The claim that no plan of an instance keeps all of these limits.
 ///
@@ -66,8 +66,8 @@ impl Claim {
             [] => String::new(),
             limits => tr!(" with {limits}", limits = words::and(limits)),
         };
-        let like = self.condition.as_ref().map_or(String::new(), |condition| {
-            tr!(" in which {what}", what = condition.words())
+        let like = self.condition.as_ref().map_or(String::new(), |it| {
+            tr!(" in which {what}", what = condition::words(it))
         });
         escape::text(&tr!("There is no plan{of}{with}{like}.", of, with, like))
     }
@@ -83,7 +83,11 @@ impl Claim {
             let least: Vec<u32> = instance
                 .agents()
                 .iter()
-                .map(|agent| plain::grid_distance(instance.grid(), agent.start, agent.goal))
+                .map(|agent| {
+                    // Without a goal it may rest where it starts.
+                    let goal = agent.goal?;
+                    plain::grid_distance(instance.grid(), agent.start, goal)
+                })
                 .map(Option::unwrap_or_default)
                 .collect();
             let all = least.iter().fold(0u32, |sum, &own| sum.saturating_add(own));

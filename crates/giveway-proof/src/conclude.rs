@@ -3,12 +3,12 @@
 //! stands beside them in a certificate has a part in it.
 
 use borsh::{BorshDeserialize, BorshSerialize};
-use giveway_model::{Cost, Costs, Instance, Objective, Plan, check, words::lower};
+use giveway_model::{Condition, Cost, Costs, Instance, Objective, Plan, check, words::lower};
 use serde::{Deserialize, Serialize};
 
 use crate::bundle::{Entry, MANIFEST, PLAN};
 use crate::report::Fault;
-use crate::{Claim, Condition};
+use crate::{Claim, condition};
 
 /// What a certificate is about.
 #[derive(Clone, Copy)]
@@ -92,7 +92,7 @@ pub(crate) fn check_together(whole: &Whole<'_>) -> Result<(), Fault> {
     let first = claims().next();
     for claim in claims() {
         if let Some(condition) = &claim.condition
-            && !condition.fits(whole.instance)
+            && !condition::fits(condition, whole.instance)
         {
             return reject(
                 "a claim is about a robot that does not exist, or about nothing that robots do",
@@ -129,7 +129,7 @@ pub(crate) fn check_together(whole: &Whole<'_>) -> Result<(), Fault> {
         return reject("its plan takes longer than the makespan up to which its claims hold");
     }
     if let Some(Some(condition)) = first.map(|first| &first.condition)
-        && !condition.is_met_by(whole.instance, plan)
+        && condition.holds(whole.instance, plan) != Some(true)
     {
         return Err(Fault::of(
             PLAN,

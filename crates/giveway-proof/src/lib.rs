@@ -27,7 +27,6 @@ mod verify;
 pub use bundle::{Bundle, export};
 pub use claim::Claim;
 pub use conclude::Conclusion;
-pub use condition::Condition;
 pub use confirm::confirm;
 pub use prove::{Outcome, prove};
 pub use report::{Certified, Checked, Report};

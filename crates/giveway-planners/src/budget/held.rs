@@ -1,4 +1,4 @@
-//! Memory that something holds, counted for as long as it is there.
+//! RAII accounting of memory.
 
 use std::cell::Cell;
 use std::rc::Rc;
@@ -6,8 +6,7 @@ use std::rc::Rc;
 /// The bytes that all parts of a request hold together.
 pub type HeldBytes = Rc<Cell<u64>>;
 
-/// The bytes that one thing holds. They are free again when it is dropped, which
-/// nobody can forget to say.
+/// The bytes that one thing holds: counted from its making until it is dropped.
 #[derive(Default)]
 pub struct Held {
     bytes: u64,

@@ -15,6 +15,8 @@ pub enum Stop {
     Memory,
     /// There were more sets of agents to compare than are looked at.
     Sets,
+    /// A condition is about times that are later than those that are followed step by step.
+    LateTimes,
     /// The person asked to stop.
     Cancelled,
     /// A plan and a proved bound contradict each other: a fault of the program,
@@ -29,8 +31,15 @@ impl Stop {
             Self::Time => tr!("The time limit was reached."),
             Self::Conflicts => tr!("The conflict limit was reached."),
             Self::Work => tr!("The work limit was reached."),
-            Self::Memory => tr!("The memory limit was reached."),
+            Self::Memory => {
+                tr!("The memory limit was reached. Fewer robots or a smaller map need less.")
+            }
             Self::Sets => tr!("There were too many sets of robots to free to compare them all."),
+            Self::LateTimes => {
+                tr!(
+                    "This asks about a time after 20,000, which is later than the search looks at step by step."
+                )
+            }
             Self::Cancelled => tr!("The search was cancelled."),
             Self::Contradiction => {
                 tr!("A plan and a bound contradicted each other, which is a fault of this program.")

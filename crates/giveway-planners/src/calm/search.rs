@@ -58,7 +58,8 @@ pub(super) fn plan_one(
     let task = &problem.tasks[query.agent];
     // Under `stay` nobody can rest at a goal that others still pass.
     let rests = problem.rests(query.agent) && problem.relaxed.ignored.is_empty();
-    let passed = others.last_visit(task.goal).filter(|_| rests);
+    let goal = task.goal.filter(|_| rests);
+    let passed = goal.and_then(|goal| others.last_visit(goal));
     let slow = query.allowance.moves.is_some() && has_slow_arcs(problem);
     let mut search = Search {
         problem,
@@ -72,8 +73,8 @@ pub(super) fn plan_one(
         seen: Seen::default(),
         blockers: RefCell::default(),
     };
-    if passed.is_some() {
-        search.blockers.get_mut().extend(others.after(0, task.goal));
+    if let Some(goal) = goal.filter(|_| passed.is_some()) {
+        search.blockers.get_mut().extend(others.after(0, goal));
     }
     let walk = search.run(budget)?;
     Ok(Found {
@@ -159,7 +160,7 @@ impl<O: Others> Search<'_, O> {
         let Place::At(v) = label.state.place else {
             return false;
         };
-        self.task.is_end(v, label.state.mask)
+        self.task.may_end(v, label.state.mask, label.time)
             && label.time >= self.earliest
             && !(self.problem.rests(self.query.agent)
                 && self.is_met(self.others.after(label.time, v)))

@@ -59,7 +59,7 @@ impl Constraint {
             Rule::At { v, time } => Some(Own::Rule(Rule::NotAt { v, time })),
             Rule::Cross { arc, time } => Some(Own::Rule(Rule::NotCross { arc: arc ^ 1, time })),
             Rule::ArriveBy(from) => Some(Own::Closed {
-                v: problem.tasks[self.agent].goal,
+                v: problem.tasks[self.agent].goal?,
                 from,
             }),
             _ => None,
@@ -80,11 +80,10 @@ impl Own {
     /// Whether a walk of an agent keeps it.
     pub(super) fn is_kept(self, problem: &Problem, agent: AgentId, walk: &[Place]) -> bool {
         let end = arrival(walk);
-        let goal = problem.tasks[agent].goal;
         let rests = problem.rests(agent);
         let is_at = |v: Vertex, time: u32| match walk.get(time as usize) {
             Some(place) => *place == Place::At(v),
-            None => rests && v == goal,
+            None => rests && walk.last() == Some(&Place::At(v)),
         };
         let crosses = |arc: u32, time: u32| {
             let now = crossed(&problem.terrain, walk, time as usize);

@@ -111,7 +111,7 @@ impl Mdd {
     pub(super) fn is_always_at(&self, problem: &Problem, v: Vertex, time: u32) -> bool {
         match self.layers.get(time as usize) {
             Some(layer) => layer.iter().all(|node| node.state.place == Place::At(v)),
-            None => problem.rests(self.agent) && problem.tasks[self.agent].goal == v,
+            None => problem.rests(self.agent) && problem.tasks[self.agent].goal == Some(v),
         }
     }
 
@@ -132,7 +132,6 @@ impl Mdd {
                 .filter(|&other| problem.collide(self.agent, other))
                 .count()
         };
-        let goal = problem.tasks[self.agent].goal;
         // Of each node the fewest collisions from there on, and the step to take.
         let mut plan: Vec<Vec<(usize, usize)>> = Vec::new();
         for (time, layer) in self.layers.iter().enumerate().rev() {
@@ -147,10 +146,11 @@ impl Mdd {
                     let rest = plan.last().and_then(|layer| layer.get(next));
                     (against + rest.map_or(0, |rest| rest.0), next)
                 });
-                let at_rest = || {
-                    let met = || met(&mut others.after(now, goal));
-                    let collisions = problem.rests(self.agent).then(met);
-                    (collisions.unwrap_or(0), 0)
+                let at_rest = || match node.state.place {
+                    Place::At(v) if problem.rests(self.agent) => {
+                        (met(&mut others.after(now, v)), 0)
+                    }
+                    _ => (0, 0),
                 };
                 let (rest, next) = onward.min().unwrap_or_else(at_rest);
                 (here + rest, next)

@@ -30,7 +30,6 @@ pub use trace::{Fate, Tree, TreeNode};
 use crate::{
     budget::{Budget, Held, Stop},
     problem::Problem,
-    single::Place,
     walk::Walk,
 };
 use node::Node;
@@ -238,9 +237,8 @@ impl Search<'_> {
 /// A walk up to its arrival: without the waits at the goal at its end, in which
 /// the agent might as well have arrived.
 fn arrived(problem: &Problem, agent: usize, walk: &Walk) -> Walk {
-    let goal = Place::At(problem.tasks[agent].goal);
     let mut walk = walk.clone();
-    while walk.ends_with(&[goal, goal]) {
+    while problem.tasks[agent].ends_with_rest(&walk) {
         walk.pop();
     }
     walk

@@ -24,8 +24,9 @@ pub(super) struct Node {
     pub(super) least: u64,
     pub(super) priorities: Priorities,
     pub(super) constraints: Constraints,
-    /// The configurations that were made from this one, ascending.
-    pub(super) successors: Vec<ConfigurationId>,
+    /// The configurations that were made from this one, ascending, each with what the step
+    /// there loses.
+    pub(super) successors: Vec<(ConfigurationId, u64)>,
     /// Another one with the same hash.
     twin: Option<ConfigurationId>,
 }
@@ -53,13 +54,10 @@ impl Node {
         self.loss + self.least
     }
 
-    /// Notes a successor; true where it is new.
-    pub(super) fn leads_to(&mut self, to: ConfigurationId) -> bool {
-        let place = self.successors.binary_search(&to);
-        if let Err(place) = place {
-            self.successors.insert(place, to);
-        }
-        place.is_err()
+    /// Where a successor is to be noted; `None` where it is noted already.
+    pub(super) fn place_of(&self, to: ConfigurationId) -> Option<usize> {
+        let place = self.successors.binary_search_by_key(&to, |&(to, _)| to);
+        place.err()
     }
 }
 

@@ -51,8 +51,8 @@ impl Search<'_> {
             let node = &self.explored.nodes[from as usize];
             let loss = node.loss;
             for i in 0..node.successors.len() {
-                let to = self.explored.nodes[from as usize].successors[i];
-                let loss = loss + self.edge(self.explored.cells(from), self.explored.cells(to));
+                let (to, step) = self.explored.nodes[from as usize].successors[i];
+                let loss = loss + step;
                 let node = &mut self.explored.nodes[to as usize];
                 if loss >= node.loss {
                     continue;

@@ -194,10 +194,14 @@ impl<'s> Search<'s> {
     }
 
     pub(super) fn link(&mut self, from: ConfigurationId, to: ConfigurationId) {
-        if self.explored.nodes[from as usize].leads_to(to) {
-            self.budget
-                .hold_more(&mut self.held, size_of::<ConfigurationId>());
-        }
+        let Some(place) = self.explored.nodes[from as usize].place_of(to) else {
+            return;
+        };
+        let loss = self.edge(self.explored.cells(from), self.explored.cells(to));
+        let successors = &mut self.explored.nodes[from as usize].successors;
+        successors.insert(place, (to, loss));
+        let grown = size_of::<(ConfigurationId, u64)>();
+        self.budget.hold_more(&mut self.held, grown);
     }
 
     /// Tells the plan, where it is better than the last one.

@@ -47,7 +47,8 @@ impl Adaptive {
         Kind::Random
     }
 
-    /// Notes what a kind has gained: a hundredth of its weight is news.
+    /// Notes what a kind has gained: its weight becomes 0.99 of what it was, plus 100 for each step
+    /// of gain.
     pub(super) fn learn(&mut self, kind: Kind, gain: u32) {
         for (other, weight) in KINDS.into_iter().zip(&mut self.0) {
             if other == kind {

@@ -9,6 +9,7 @@
 mod adaptive;
 mod neighbourhood;
 mod replan;
+mod tally;
 #[cfg(test)]
 mod tests;
 

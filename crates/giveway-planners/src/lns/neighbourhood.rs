@@ -54,21 +54,16 @@ impl<O: Others> Neighbourhoods<'_, '_, O> {
     /// The most delayed agent that no neighbourhood began with of late; now and then
     /// one of those that arrive last.
     fn delayed(&mut self) -> Option<AgentId> {
-        let agents = 0..self.plan.walks.len();
-        if self.rng.u8(..4) == 0 {
-            let last = agents.clone().max_by_key(|&a| arrival(&self.plan.walks[a]));
-            if let Some(last) = last.filter(|&agent| self.plan.delay(agent) > 0) {
-                return Some(last);
-            }
+        let tally = &self.plan.tally;
+        if self.rng.u8(..4) == 0
+            && let Some(last) = tally.last().filter(|&agent| self.plan.delay(agent) > 0)
+        {
+            return Some(last);
         }
-        let delay = |&agent: &AgentId| self.plan.delay(agent);
-        let is_delayed = |agent: &AgentId| delay(agent) > 0;
-        let fresh = agents
-            .clone()
-            .filter(|agent| is_delayed(agent) && !self.tabu.contains(agent));
-        let seed = fresh.max_by_key(delay).or_else(|| {
+        let fresh = tally.delayed().find(|agent| !self.tabu.contains(agent));
+        let seed = fresh.or_else(|| {
             self.tabu.clear();
-            agents.filter(is_delayed).max_by_key(delay)
+            tally.delayed().next()
         })?;
         self.tabu.insert(seed);
         Some(seed)
@@ -158,7 +153,7 @@ impl<O: Others> Neighbourhoods<'_, '_, O> {
             mask |= task.bit(v);
             met.extend(plan.others.at(time, v));
         }
-        met.extend(plan.others.after(time, task.goal));
+        met.extend(plan.others.after(time, task.goal.unwrap_or(v)));
         shuffle(self.rng, &mut met);
         let mut group = vec![seed];
         for other in met {

@@ -2,6 +2,7 @@
 
 use giveway_model::{Cost, Costs, Objective};
 
+use super::tally::Tally;
 use crate::{
     AgentId,
     budget::{Budget, Stop},
@@ -19,8 +20,7 @@ pub(super) struct Plan<'a, O> {
     pub(super) walks: &'a mut [Walk],
     objective: &'a Objective,
     horizon: u32,
-    /// The costs of each agent.
-    own: Vec<Costs>,
+    pub(super) tally: Tally,
 }
 
 impl<'a, O: Others> Plan<'a, O> {
@@ -31,15 +31,13 @@ impl<'a, O: Others> Plan<'a, O> {
         objective: &'a Objective,
         horizon: u32,
     ) -> Self {
-        let own = walks.iter().enumerate();
-        let own = own.map(|(agent, walk)| costs_of(others.problem(), agent, walk));
-        let own = own.collect();
+        let tally = Tally::new(others.problem(), walks);
         Self {
             others,
             walks,
             objective,
             horizon,
-            own,
+            tally,
         }
     }
 
@@ -55,15 +53,7 @@ impl<'a, O: Others> Plan<'a, O> {
 
     /// The costs of all, in the order of the objective.
     pub(super) fn vector(&self) -> Vec<u32> {
-        let mut all = Costs::default();
-        for own in &self.own {
-            all.makespan = all.makespan.max(own.makespan);
-            all.sum_of_costs += own.sum_of_costs;
-            all.charges += own.charges;
-            all.moves += own.moves;
-            all.waits += own.waits;
-        }
-        all.vector(self.objective)
+        self.tally.all().vector(self.objective)
     }
 
     /// The first cost of the objective.
@@ -77,7 +67,12 @@ impl<'a, O: Others> Plan<'a, O> {
         let before = self.vector();
         let old: Vec<(Walk, Costs)> = group
             .iter()
-            .map(|&agent| (std::mem::take(&mut self.walks[agent]), self.own[agent]))
+            .map(|&agent| {
+                (
+                    std::mem::take(&mut self.walks[agent]),
+                    self.tally.own(agent),
+                )
+            })
             .collect();
         for (&agent, (walk, _)) in group.iter().zip(&old) {
             self.others.remove(agent, walk);
@@ -101,7 +96,8 @@ impl<'a, O: Others> Plan<'a, O> {
         }
         for (&agent, (walk, costs)) in group.iter().zip(old) {
             self.others.add(agent, &walk);
-            (self.walks[agent], self.own[agent]) = (walk, costs);
+            self.walks[agent] = walk;
+            self.tally.set(self.others.problem(), agent, costs);
         }
         planned.map(|_| 0)
     }
@@ -146,7 +142,9 @@ impl<'a, O: Others> Plan<'a, O> {
             };
             spare = spare.saturating_sub(arrival(&walk).saturating_sub(optimum));
             self.others.add(agent, &walk);
-            self.own[agent] = costs_of(self.problem(), agent, &walk);
+            let problem = self.others.problem();
+            self.tally
+                .set(problem, agent, costs_of(problem, agent, &walk));
             self.walks[agent] = walk;
         }
         Ok(true)

@@ -30,8 +30,8 @@ pub trait Others {
     /// Who crosses the edge of an arc the other way in the step from a time.
     fn against(&self, time: u32, arc: u32) -> impl Iterator<Item = AgentId> + '_;
 
-    /// Who visits a goal after a time.
-    fn after(&self, time: u32, goal: Vertex) -> impl Iterator<Item = AgentId> + '_;
+    /// Who visits a vertex at which an agent may rest after a time.
+    fn after(&self, time: u32, v: Vertex) -> impl Iterator<Item = AgentId> + '_;
 
     /// The last time at which a goal is visited by an agent on its way.
     fn last_visit(&self, goal: Vertex) -> Option<u32>;
@@ -66,9 +66,10 @@ pub trait Others {
                 met.extend(self.against(step, arc.id));
             }
         }
-        if problem.rests(agent) {
-            let goal = problem.tasks[agent].goal;
-            met.extend(self.after(arrival(walk), goal));
+        if let Some(&Place::At(end)) = walk.last()
+            && problem.rests(agent)
+        {
+            met.extend(self.after(arrival(walk), end));
         }
         met.retain(|&other| problem.collide(agent, other));
         met

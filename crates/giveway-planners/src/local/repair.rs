@@ -22,10 +22,12 @@ const GROUP: usize = 8;
 /// States to look at for one agent.
 const EXPANSION_LIMIT: u32 = 30_000;
 
-/// Rounds without success after which twice as many are looked at.
+/// Rounds without success after which the expansion limit doubles.
 const STUCK: u32 = 30;
 
-/// Each agent at its own optimum, with few collisions.
+/// Each agent at its own optimum, with few collisions. The walk of an agent is empty where its
+/// optimum is only a lower bound, or conditions that only a SAT solver keeps rule out what was
+/// looked at.
 ///
 /// # Errors
 /// When the budget is spent.

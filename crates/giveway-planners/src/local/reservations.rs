@@ -3,12 +3,13 @@
 use std::collections::{BTreeMap, BTreeSet};
 
 use rustc_hash::FxBuildHasher;
+use smallvec::SmallVec;
 
 use super::Others;
 use crate::{
     AgentId,
     problem::Problem,
-    single::Place,
+    single::{Place, Task},
     terrain::Vertex,
     walk::{Walk, arrival, crossed},
 };
@@ -18,7 +19,10 @@ use giveway_model::sorting::map;
     clippy::disallowed_types,
     reason = "only looked up, never iterated, so its order cannot matter"
 )]
-type Table = std::collections::HashMap<(u32, u32), Vec<AgentId>, FxBuildHasher>;
+type Table = std::collections::HashMap<(u32, u32), Agents, FxBuildHasher>;
+
+/// The agents at one place and time: rarely more than one, and then without a heap.
+type Agents = SmallVec<[AgentId; 2]>;
 
 /// The walks of some agents, indexed by what they use.
 pub struct Reservations<'p> {
@@ -26,21 +30,26 @@ pub struct Reservations<'p> {
     at: Table,
     along: Table,
     /// Under `stay`: who rests at a vertex, and from which time on.
-    rests: BTreeMap<Vertex, (u32, AgentId)>,
-    /// The times at which each goal is visited by an agent on its way.
+    rests: BTreeMap<Vertex, Vec<(u32, AgentId)>>,
+    /// The times at which each vertex where an agent may rest is visited by an agent on its way.
     visits: BTreeMap<Vertex, BTreeSet<(u32, AgentId)>>,
 }
 
 impl<'p> Reservations<'p> {
     /// Of nobody.
     pub fn new(problem: &'p Problem) -> Self {
-        let goals = problem.tasks.iter().map(|task| task.goal);
+        let ends = |task: &Task| task.ends(&problem.terrain);
+        let anywhere = problem.tasks.iter().find(|task| task.goal.is_none());
+        let ends: Vec<Vertex> = match anywhere {
+            Some(task) => ends(task),
+            None => problem.tasks.iter().flat_map(ends).collect(),
+        };
         Self {
             problem,
             at: Table::default(),
             along: Table::default(),
             rests: BTreeMap::new(),
-            visits: map(goals.map(|goal| (goal, BTreeSet::new()))),
+            visits: map(ends.into_iter().map(|v| (v, BTreeSet::new()))),
         }
     }
 
@@ -74,16 +83,18 @@ impl Others for Reservations<'_> {
                     .push(agent);
             }
         }
-        if self.problem.rests(agent) {
-            let goal = self.problem.tasks[agent].goal;
-            self.rests.insert(goal, (arrival(walk) + 1, agent));
+        if let Some(&Place::At(end)) = walk.last()
+            && self.problem.rests(agent)
+        {
+            let rests = self.rests.entry(end).or_default();
+            rests.push((arrival(walk) + 1, agent));
         }
     }
 
     fn remove(&mut self, agent: AgentId, walk: &[Place]) {
         let drop = |table: &mut Table, key: (u32, u32)| {
             if let Some(users) = table.get_mut(&key) {
-                users.retain(|&user| user != agent);
+                users.retain(|user| *user != agent);
                 if users.is_empty() {
                     table.remove(&key);
                 }
@@ -100,13 +111,16 @@ impl Others for Reservations<'_> {
                 drop(&mut self.along, (time as u32, arc.id));
             }
         }
-        if self.problem.rests(agent) {
-            self.rests.remove(&self.problem.tasks[agent].goal);
+        if let Some(&Place::At(end)) = walk.last()
+            && let Some(rests) = self.rests.get_mut(&end)
+        {
+            rests.retain(|&(_, other)| other != agent);
         }
     }
 
     fn at(&self, time: u32, v: Vertex) -> impl Iterator<Item = AgentId> + '_ {
-        let resting = self.rests.get(&v).filter(|(from, _)| *from <= time);
+        let resting = self.rests.get(&v).into_iter().flatten();
+        let resting = resting.filter(move |(from, _)| *from <= time);
         let passing = self.at.get(&(time, v)).into_iter().flatten();
         passing.copied().chain(resting.map(|&(_, agent)| agent))
     }
@@ -119,8 +133,8 @@ impl Others for Reservations<'_> {
             .copied()
     }
 
-    fn after(&self, time: u32, goal: Vertex) -> impl Iterator<Item = AgentId> + '_ {
-        let visits = self.visits.get(&goal);
+    fn after(&self, time: u32, v: Vertex) -> impl Iterator<Item = AgentId> + '_ {
+        let visits = self.visits.get(&v);
         visits
             .into_iter()
             .flat_map(move |set| set.range((time + 1, 0)..))

@@ -35,8 +35,8 @@ pub(super) struct Sipp {
     labels: Vec<Label>,
     /// Labels to expand, by the arrival that they promise, less that of the first.
     buckets: Vec<Vec<u32>>,
-    /// The earliest times in the intervals of a vertex, by interval and mask.
-    seen: Vec<Vec<(u32, Mask, u32)>>,
+    /// The earliest times in the intervals of a vertex, in the order of interval and mask.
+    seen: Vec<Vec<((u32, Mask), u32)>>,
     touched: Vec<Vertex>,
 }
 
@@ -66,7 +66,7 @@ impl Sipp {
     ) -> Result<Option<Walk>, Stop> {
         let problem = table.problem;
         let task = &problem.tasks[query.agent];
-        let passed = table.last_visit(task.goal);
+        let passed = task.goal.and_then(|goal| table.last_visit(goal));
         let passed = passed.filter(|_| problem.rests(query.agent));
         let mut among = Among {
             table,
@@ -190,9 +190,9 @@ impl Sipp {
     }
 
     fn earliest(&self, v: Vertex, interval: u32, mask: Mask) -> Option<u32> {
-        let seen = self.seen[v as usize].iter();
-        let mut same = seen.filter(|&&(i, m, _)| (i, m) == (interval, mask));
-        same.next().map(|&(.., time)| time)
+        let seen = &self.seen[v as usize];
+        let place = seen.binary_search_by_key(&(interval, mask), |&(key, _)| key);
+        place.ok().map(|place| seen[place].1)
     }
 
     fn push(&mut self, among: &Among, bound: u32, label: Label) {
@@ -201,9 +201,9 @@ impl Sipp {
             self.touched.push(label.v);
         }
         let key = (label.interval, label.mask);
-        match seen.iter_mut().find(|&&mut (i, m, _)| (i, m) == key) {
-            Some((.., time)) => *time = label.time,
-            None => seen.push((label.interval, label.mask, label.time)),
+        match seen.binary_search_by_key(&key, |&(key, _)| key) {
+            Ok(place) => seen[place].1 = label.time,
+            Err(place) => seen.insert(place, (key, label.time)),
         }
         let bucket = (bound - among.base) as usize;
         if self.buckets.len() <= bucket {

@@ -65,7 +65,6 @@ pub fn plan_one(
     // Under `stay` nobody can rest at a goal that others still pass. To know
     // that from the beginning spares all tries to arrive sooner.
     let task = &problem.tasks[query.agent];
-    let goal = task.goal;
     let query = Query {
         latest: query.latest.min(task.not_after()),
         ..query
@@ -77,7 +76,8 @@ pub fn plan_one(
         && query
             .conflict_penalty
             .is_none_or(|conflict_penalty| conflict_penalty >= DEAR);
-    let passed = others.last_visit(goal).filter(|_| waits);
+    let passed = task.goal.and_then(|goal| others.last_visit(goal));
+    let passed = passed.filter(|_| waits);
     let earliest = passed.map_or(0, |time| time + 1);
     if earliest > query.latest && query.conflict_penalty.is_none() {
         return Ok(None);
@@ -154,12 +154,12 @@ impl<O: Others> SpaceTimeAStar<'_, O> {
     fn try_to_end(&mut self, id: u32) {
         let task = &self.problem.tasks[self.query.agent];
         let state = &self.states[id as usize];
-        let is_end = matches!(state.place, Place::At(v) if task.is_end(v, state.mask));
-        if !is_end || state.time < task.not_before {
+        let Place::At(v) = state.place else { return };
+        if !task.may_end(v, state.mask, state.time) {
             return;
         }
         let later = if self.problem.rests(self.query.agent) {
-            self.count(self.others.after(state.time, task.goal))
+            self.count(self.others.after(state.time, v))
         } else {
             0
         };

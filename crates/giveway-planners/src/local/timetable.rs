@@ -173,11 +173,10 @@ impl Others for Timetable<'_> {
         span.map(|span| span.agent as AgentId).into_iter()
     }
 
-    fn after(&self, time: u32, goal: Vertex) -> impl Iterator<Item = AgentId> + '_ {
-        let spans = self.spans.get(goal as usize).into_iter().flatten();
-        spans
-            .filter(move |span| span.to > time)
-            .map(|span| span.agent as AgentId)
+    fn after(&self, time: u32, v: Vertex) -> impl Iterator<Item = AgentId> + '_ {
+        let spans = self.spans.get(v as usize).map_or(&[][..], Vec::as_slice);
+        let over = spans.partition_point(|span| span.to <= time);
+        spans[over..].iter().map(|span| span.agent as AgentId)
     }
 
     fn last_visit(&self, goal: Vertex) -> Option<u32> {

@@ -13,6 +13,8 @@ use crate::{
 /// Something in an instance that a planner has no method for.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub enum Inability {
+    /// This agent has no goal.
+    NoGoal(AgentId),
     /// This agent has a battery.
     Battery(AgentId),
     /// This agent has waypoints.
@@ -22,7 +24,7 @@ pub enum Inability {
     /// These two have one goal.
     SharedGoal(AgentId, AgentId),
     /// A question asks something of this agent beside its task.
-    Demand(AgentId),
+    Condition(AgentId),
     /// A question leaves out rules between agents.
     Relaxed,
     /// The objective begins with this cost.
@@ -32,11 +34,12 @@ pub enum Inability {
 impl From<Unsupported> for Inability {
     fn from(unsupported: Unsupported) -> Self {
         match unsupported {
+            Unsupported::NoGoal(agent) => Self::NoGoal(agent),
             Unsupported::Waypoints(agent) => Self::Waypoints(agent),
             Unsupported::Battery(agent) => Self::Battery(agent),
-            Unsupported::Demand(agent)
+            Unsupported::Condition(agent)
             | Unsupported::Bounds(agent)
-            | Unsupported::UnderWay(agent) => Self::Demand(agent),
+            | Unsupported::UnderWay(agent) => Self::Condition(agent),
             Unsupported::SharedGoal(a, b) => Self::SharedGoal(a, b),
             Unsupported::SlowZones => Self::SlowZones,
             Unsupported::Relaxed => Self::Relaxed,
@@ -50,15 +53,22 @@ pub(super) fn lack(planner: Planner, problem: &Problem) -> Option<Inability> {
     match planner {
         Planner::Pibt | Planner::Lacam => Plain::new(problem).err().map(Inability::from),
         Planner::Prioritised | Planner::Cbs | Planner::Lns => {
+            let mut tasks = problem.tasks.iter();
+            let no_goal = tasks.position(|task| task.goal.is_none());
+            // Its split of a conflict at a goal needs to know the goal.
+            if let (Planner::Cbs, Some(agent)) = (planner, no_goal) {
+                return Some(Inability::NoGoal(agent));
+            }
             let more = problem.tasks.iter().position(is_asked_for_more);
-            more.map(Inability::Demand)
+            more.map(Inability::Condition)
         }
     }
 }
 
 /// Whether a task is not that of an agent of an instance.
 fn is_asked_for_more(task: &Task) -> bool {
-    task.demand.is_some()
+    !task.conditions.is_empty()
+        || !task.not_resting.is_empty()
         || task.transit.is_some()
         || (task.not_before, task.held) != (0, 0)
         || !matches!(task.bounds, Bounds::Free)

@@ -4,8 +4,8 @@ use giveway_model::{Cost, Objective};
 
 use super::{Asked, Halt, Inability, Outcome, Planner, Report, Trace, plan};
 use crate::{
-    budget::Unlimited, cbs::LowerBound, prioritised::Order, problem::Problem,
-    single::TaskConstraint, tests::instance, walk::Walk,
+    budget::Unlimited, cbs::LowerBound, prioritised::Order, problem::Problem, tests::instance,
+    walk::Walk,
 };
 
 fn asked<'a>(problem: &'a Problem, objective: &'a Objective, horizon: u32) -> Asked<'a> {
@@ -164,11 +164,11 @@ fn none_of_them_says_that_there_is_no_plan() {
 }
 
 #[test]
-fn demands_of_questions_are_refused() {
+fn conditions_are_refused() {
     let budget = Unlimited::default();
     let mut problem = Problem::new(&instance(CROSSING), &budget).ok().unwrap();
     let mut task = problem.tasks[1].clone();
-    task.demand = Some(TaskConstraint::ArriveBy(9));
+    task.conditions.limit(Cost::Makespan, 9);
     assert!(problem.add(1, task, &budget).is_ok());
     let objective = Objective::default();
     for planner in Planner::ALL {
@@ -181,6 +181,6 @@ fn demands_of_questions_are_refused() {
         let Outcome::Refused { lack } = report.outcome else {
             panic!("{planner}: {report:?}");
         };
-        assert_eq!(lack, Inability::Demand(1), "{planner}");
+        assert_eq!(lack, Inability::Condition(1), "{planner}");
     }
 }

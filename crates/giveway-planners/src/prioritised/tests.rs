@@ -142,6 +142,10 @@ impl Budget for Spent {
         Err(Stop::Time)
     }
 
+    fn spend(&self, _states: u64) -> Result<(), Stop> {
+        self.check()
+    }
+
     fn held_bytes(&self) -> &HeldBytes {
         &self.0
     }

@@ -82,7 +82,7 @@ impl CostToGo {
         budget: &dyn Budget,
     ) -> Result<Self, Stop> {
         if Distances::suffice(task, metric) {
-            let distances = Distances::new(task.goal, terrain, metric, budget)?;
+            let distances = Distances::new(task.ends(terrain), terrain, metric, budget)?;
             let held = budget.hold(distances.bytes());
             let table = Table::Distances(distances);
             return Ok(Self { table, _held: held });
@@ -192,8 +192,10 @@ struct BackwardSearch<'a> {
 
 impl BackwardSearch<'_> {
     fn run(&mut self, budget: &dyn Budget) -> Result<(), Stop> {
-        if self.task.may_stand(self.task.goal, self.task.all(), None) {
-            self.push(self.task.goal, self.task.all(), 0, 0);
+        for end in self.task.ends(self.terrain) {
+            if self.task.may_stand(end, self.task.all(), None) {
+                self.push(end, self.task.all(), 0, 0);
+            }
         }
         let mut cost = 0;
         while cost < self.buckets.len() {
@@ -243,15 +245,20 @@ impl BackwardSearch<'_> {
             if mask & crossed != crossed {
                 continue; // whoever came that way has crossed the arc
             }
-            let bits = [0, bit, crossed, bit | crossed];
-            for (i, set) in bits.iter().enumerate() {
-                let before = mask & !set;
+            // Each set of the bits may be new with this move.
+            let bits = bit | crossed;
+            let mut new: Mask = 0;
+            loop {
+                let before = mask & !new;
                 // Being at u has visited u's own waypoint.
                 let visited = before & self.task.bit(u) == self.task.bit(u);
-                let again = bits.iter().take(i).any(|other| other == set);
-                if visited && !again && self.task.may_stand(u, before, None) {
+                if visited && self.task.may_stand(u, before, None) {
                     self.step_back(u, before, cost, need, steps);
                 }
+                if new == bits {
+                    break;
+                }
+                new = new.wrapping_sub(bits) & bits;
             }
         }
     }

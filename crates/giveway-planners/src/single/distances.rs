@@ -1,5 +1,5 @@
 //! How far it is to a goal, from everywhere: the table of an agent without a
-//! battery, waypoints or a demand.
+//! battery, waypoints or conditions.
 //!
 //! A breadth-first search backwards from the goal. In a crowd of a thousand
 //! these tables are most of what is held, so a number takes two bytes where
@@ -14,9 +14,9 @@ use crate::{
     terrain::{Terrain, Vertex},
 };
 
-/// Distances to one goal.
+/// Distances to the nearest of some vertices, mostly one goal.
 pub(super) enum Distances {
-    /// In two bytes each.
+    /// In two bytes a vertex.
     Narrow(Vec<u16>),
     /// In four.
     Wide(Vec<u32>),
@@ -28,7 +28,7 @@ impl Distances {
         metric != Metric::Charges
             && task.reserve.is_none()
             && task.waypoints.is_empty()
-            && task.demand.is_none()
+            && task.conditions.is_empty()
             && matches!(task.bounds, Bounds::Free)
     }
 
@@ -43,28 +43,28 @@ impl Distances {
     /// Measures them: in two bytes each where the farthest vertex allows it, as it
     /// does on all but the largest mazes.
     pub(super) fn new(
-        goal: Vertex,
+        ends: Vec<Vertex>,
         terrain: &Terrain,
         metric: Metric,
         budget: &dyn Budget,
     ) -> Result<Self, Stop> {
         budget.check()?;
-        match Self::narrow(goal, terrain, metric, budget)? {
+        match Self::narrow(ends.clone(), terrain, metric, budget)? {
             Some(narrow) => Ok(narrow),
-            None => Self::wide(goal, terrain, metric, budget),
+            None => Self::wide(ends, terrain, metric, budget),
         }
     }
 
     /// In two bytes each; `None` where a distance is too large for them.
     fn narrow(
-        goal: Vertex,
+        ends: Vec<Vertex>,
         terrain: &Terrain,
         metric: Metric,
         budget: &dyn Budget,
     ) -> Result<Option<Self>, Stop> {
         let mut table = vec![u16::MAX; terrain.size()];
         let mut fits = true;
-        measure(goal, terrain, metric, budget, |v, cost| {
+        measure(ends, terrain, metric, budget, |v, cost| {
             let entry = &mut table[v as usize];
             let first = *entry == u16::MAX;
             match u16::try_from(cost) {
@@ -85,13 +85,13 @@ impl Distances {
     }
 
     fn wide(
-        goal: Vertex,
+        ends: Vec<Vertex>,
         terrain: &Terrain,
         metric: Metric,
         budget: &dyn Budget,
     ) -> Result<Self, Stop> {
         let mut table = vec![u32::MAX; terrain.size()];
-        measure(goal, terrain, metric, budget, |v, cost| {
+        measure(ends, terrain, metric, budget, |v, cost| {
             let entry = &mut table[v as usize];
             let first = *entry == u32::MAX;
             if first {
@@ -120,14 +120,14 @@ impl Distances {
 /// Meets the vertices in the order of their distance. `meet` is true for a
 /// vertex that it did not know; one may come again, farther.
 fn measure(
-    goal: Vertex,
+    ends: Vec<Vertex>,
     terrain: &Terrain,
     metric: Metric,
     budget: &dyn Budget,
     mut meet: impl FnMut(Vertex, u32) -> bool,
 ) -> Result<(), Stop> {
     // Vertices at this distance, and one and two further on.
-    let mut layers = [vec![goal], Vec::new(), Vec::new()];
+    let mut layers = [ends, Vec::new(), Vec::new()];
     let mut cost = 0;
     while layers.iter().any(|layer| !layer.is_empty()) {
         let [now, next, second] = &mut layers;
@@ -167,9 +167,9 @@ mod tests {
             let terrain = Terrain::new(instance.grid());
             for goal in 0..terrain.size() as Vertex {
                 for metric in [Metric::Time, Metric::Moves] {
-                    let narrow = Distances::narrow(goal, &terrain, metric, &budget).unwrap();
+                    let narrow = Distances::narrow(vec![goal], &terrain, metric, &budget).unwrap();
                     let narrow = narrow.unwrap();
-                    let wide = Distances::wide(goal, &terrain, metric, &budget).unwrap();
+                    let wide = Distances::wide(vec![goal], &terrain, metric, &budget).unwrap();
                     for v in 0..terrain.size() as Vertex {
                         assert_eq!(narrow.from(v), wide.from(v));
                         known += u32::from(wide.from(v).is_some());
@@ -203,7 +203,7 @@ mod tests {
             let snake = instance(&lines.join("\n"));
             let terrain = Terrain::new(snake.grid());
             let task = Task::new(&snake.agents()[0], snake.rules(), &terrain).unwrap();
-            let table = Distances::new(task.start, &terrain, Metric::Time, &budget).unwrap();
+            let table = Distances::new(vec![task.start], &terrain, Metric::Time, &budget).unwrap();
             assert_eq!(table.bytes(), each * terrain.size());
             let all = (0..terrain.size() as Vertex).filter_map(|v| table.from(v));
             assert_eq!(all.max(), Some(rows as u32 * 513 - 2));

@@ -1,18 +1,19 @@
-//! The earliest arrival of an agent alone, where a demand is about times.
+//! The earliest arrival of an agent alone, where conditions are about times.
 //!
 //! Tables know no times, so they only bound it from below. Up to the last time
-//! that the demand is about, all states are followed step by step, each with
+//! that they are about, all states are followed step by step, each with
 //! its fullest battery; from there on the tables are exact.
 
 use std::collections::BTreeMap;
 
-use super::{CostToGo, Hopeless, Place, State, Task, task::Mask};
+use super::{CostToGo, Hopeless, Place, Required, State, Task, task::Mask};
 use crate::{
     budget::{Budget, Stop},
     terrain::Terrain,
 };
 
-/// Times that are followed step by step; later ones are beyond every horizon.
+/// Times that are followed step by step. Where conditions are about later ones, the tables give a
+/// lower bound, which need not be an arrival.
 const MOST_TIMES: u32 = 20_000;
 
 /// The same by the tables alone, after what it has to wait for at first.
@@ -33,7 +34,7 @@ fn at_rest(task: &Task, terrain: &Terrain, cost_to_go: &CostToGo, first: State) 
 }
 
 /// The earliest arrival, or the proof that there is no plan whatever the horizon.
-/// For a demand about very late times it is a lower bound.
+/// For conditions about very late times it is a lower bound.
 ///
 /// # Errors
 /// When the budget is spent.
@@ -51,43 +52,47 @@ pub fn earliest(
     let Some(table) = table.map(|table| table.max(task.not_before)) else {
         return Ok(Err(hopeless));
     };
-    let demand = task.demand.as_ref();
-    if let Some(demand @ &super::TaskConstraint::Wait { steps, .. }) = demand {
-        // Alone it has no need to wait, but for a breakdown before its arrival.
-        let arrives = task.delay() == 0 && task.is_end(task.start, first.mask);
-        let held = (task.delay()..task.held).filter(|_| !arrives);
-        let waits = held
-            .filter(|&now| demand.counts_wait(task.start, now))
-            .count();
-        let hopeless = (waits > 0 && waits >= steps as usize).then_some(hopeless);
-        return Ok(hopeless.map_or(Ok(table), Err));
+    let conditions = &task.conditions;
+    // Alone it has no need to wait, but for a breakdown before its arrival.
+    let arrives = task.delay() == 0 && task.is_end(task.start, first.mask);
+    if !arrives && !conditions.waits.is_empty() {
+        let delayed = (0..task.delay()).map(|_| task.first_place());
+        let held = (task.delay()..=task.held).map(|_| Place::At(task.start));
+        if !conditions.keeps_waits(&delayed.chain(held).collect::<Vec<Place>>()) {
+            return Ok(Err(hopeless));
+        }
     }
-    let Some(last) = demand
-        .and_then(super::TaskConstraint::last_time)
-        .and(task.last_time())
-    else {
-        return Ok(Ok(table));
+    let known = |arrival| {
+        if arrival <= task.not_after() {
+            Ok(arrival)
+        } else {
+            Err(hopeless)
+        }
     };
-    let bound = table.max(
-        demand
-            .and_then(super::TaskConstraint::set_from)
-            .unwrap_or(0),
-    );
-    if task.not_after() < bound {
-        return Ok(Err(hopeless));
+    let Some(last) = conditions
+        .last_time_of_ways()
+        .and(conditions.last_time_of_steps().max(Some(task.held)))
+    else {
+        return Ok(known(table));
+    };
+    if last > MOST_TIMES {
+        let done = conditions.required.iter().map(Required::times);
+        let done = done.filter(|times| !times.are_all());
+        let bound = done.fold(table, |bound, times| {
+            bound.max(times.first().saturating_add(1))
+        });
+        return Ok(known(bound));
     }
-    if last > MOST_TIMES || task.not_after() < u32::MAX {
-        return Ok(Ok(bound));
-    }
-    let mut layer: BTreeMap<(Place, Mask), u32> = BTreeMap::new();
-    layer.insert((first.place, first.mask), first.battery);
+    let runs = conditions.first_runs();
+    let mut layer: BTreeMap<(Place, Mask, Vec<u32>), u32> = BTreeMap::new();
+    layer.insert((first.place, first.mask, runs), first.battery);
     let mut best: Option<u32> = None;
     for now in 0..=last {
         let mut next = BTreeMap::new();
-        for ((place, mask), battery) in layer {
+        for ((place, mask, runs), battery) in layer {
             budget.tick()?;
-            let is_end = matches!(place, Place::At(v) if task.is_end(v, mask));
-            if is_end && now >= task.not_before {
+            let may_end = matches!(place, Place::At(v) if task.may_end(v, mask, now));
+            if may_end {
                 best = Some(best.map_or(now, |best| best.min(now)));
             }
             let state = State {
@@ -96,14 +101,17 @@ pub fn earliest(
                 battery,
             };
             task.onward(terrain, state, now, true, |step| {
-                let key = (step.to.place, step.to.mask);
-                let fullest = next.entry(key).or_insert(step.to.battery);
-                *fullest = step.to.battery.max(*fullest);
+                let to = step.to;
+                let Some(runs) = conditions.runs(&runs, place, to.place, now) else {
+                    return;
+                };
+                let fullest = next.entry((to.place, to.mask, runs)).or_insert(to.battery);
+                *fullest = to.battery.max(*fullest);
             });
         }
         layer = next;
     }
-    for ((place, mask), battery) in layer {
+    for ((place, mask, _), battery) in layer {
         let (v, delay) = match place {
             Place::At(v) => (v, 0),
             Place::Along(arc) => (terrain.ends(arc).1, 1),
@@ -112,5 +120,5 @@ pub fn earliest(
         let arrival = rest.map(|rest| (last + 1 + delay + rest).max(task.not_before));
         best = best.into_iter().chain(arrival).min();
     }
-    Ok(best.ok_or(hopeless))
+    Ok(best.ok_or(hopeless).and_then(known))
 }

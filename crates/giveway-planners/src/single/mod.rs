@@ -1,7 +1,7 @@
 //! One agent alone: its task, its exact distances, its MDD of good plans.
 
+mod automaton;
 mod cost_to_go;
-mod demand;
 mod distances;
 mod earliest;
 mod hopeless;
@@ -11,8 +11,8 @@ mod task;
 #[cfg(test)]
 mod tests;
 
+pub use automaton::{Act, Automaton, Forbidden, LongWait, Required};
 pub use cost_to_go::{CostToGo, Metric};
-pub use demand::TaskConstraint;
 pub use earliest::earliest;
 pub use hopeless::{Hopeless, has_to_be_at};
 pub use mdd::{Mdd, Node, NodeId, Place};

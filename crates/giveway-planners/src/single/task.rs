@@ -2,13 +2,13 @@
 
 use std::rc::Rc;
 
-use giveway_model::{Agent, Battery, Rules};
+use giveway_model::{Agent, Battery, Rules, StartState};
 
-use super::{Hopeless, Place, State, TaskConstraint, has_to_be_at};
+use super::{Automaton, Hopeless, Place, State, has_to_be_at};
 use crate::terrain::{Arc, Terrain, Vertex};
 
 /// A set of visited waypoints, one bit each in the order of the agent's list;
-/// after them the bit of a demand that has one.
+/// after them one for each thing that a condition asks for.
 pub type Mask = u32;
 
 /// The largest number of waypoints that masks can hold, and that exact tables
@@ -42,16 +42,19 @@ pub enum Bounds {
 pub struct Task {
     /// Where it is at time 0, or will be first.
     pub start: Vertex,
-    /// Where it has to arrive.
-    pub goal: Vertex,
+    /// Where it has to arrive; `None` where it may rest at any vertex.
+    pub goal: Option<Vertex>,
     /// The waypoints; the i-th has bit i.
     pub waypoints: Vec<Vertex>,
     /// `None` is unlimited.
     pub reserve: Option<Reserve>,
-    /// What a question asks of it beside the task.
-    pub demand: Option<TaskConstraint>,
+    /// The conditions on it beside the task.
+    pub conditions: Automaton,
     /// It must not have arrived before this time.
     pub not_before: u32,
+    /// It does not rest at these vertices by these times: only of an agent without a
+    /// goal, which may rest elsewhere meanwhile.
+    pub not_resting: Vec<(Vertex, u32)>,
     /// Where it may go.
     pub bounds: Bounds,
     /// At time 0 it is half way along this arc, whose end is `start`.
@@ -63,6 +66,9 @@ pub struct Task {
     /// The waits that it adds not to arrive at time 0: it stood at its goal and
     /// had not arrived.
     pub stood: u32,
+    /// The wait steps on end at `start` that it made just before time 0, as far as they
+    /// count for conditions on long waits.
+    pub waits_begun: u32,
 }
 
 impl Task {
@@ -85,23 +91,76 @@ impl Task {
             .collect();
         Ok(Self {
             start: has_to_be_at(agent.start, terrain)?,
-            goal: has_to_be_at(agent.goal, terrain)?,
+            goal: agent
+                .goal
+                .map(|goal| has_to_be_at(goal, terrain))
+                .transpose()?,
             waypoints: waypoints?,
             reserve,
-            demand: None,
+            conditions: Automaton::default(),
             not_before: 0,
+            not_resting: Vec::new(),
             bounds: Bounds::Free,
             transit: None,
             held: 0,
             woken: 0,
             stood: 0,
+            waits_begun: 0,
+        })
+    }
+
+    /// The task of an agent that begins with something behind it, and may go only where
+    /// its bounds let it.
+    ///
+    /// # Errors
+    /// As [`Task::new`], but that an agent which arrived before time 0 needs no battery
+    /// as long as it stays.
+    pub fn resumed(
+        agent: &Agent,
+        state: &StartState,
+        bounds: Bounds,
+        rules: Rules,
+        terrain: &mut Terrain,
+    ) -> Result<Self, Hopeless> {
+        // Who is held to a path that leads on has to go on.
+        let may_stay =
+            state.rested > 0 && !matches!(&bounds, Bounds::Along(path) if path.len() > 1);
+        let is_below = |battery: Battery| battery.initial < rules.battery_floor;
+        let mut task = if may_stay && agent.battery.is_some_and(is_below) {
+            let start = has_to_be_at(agent.start, terrain)?;
+            let at_rest = Agent {
+                battery: None,
+                ..agent.clone()
+            };
+            Self {
+                bounds: Bounds::Along(vec![start].into()),
+                ..Self::new(&at_rest, rules, terrain)?
+            }
+        } else {
+            Self {
+                bounds,
+                ..Self::new(agent, rules, terrain)?
+            }
+        };
+        if matches!(task.bounds, Bounds::Along(_)) {
+            task.waypoints.clear();
+        }
+        if let Some(from) = state.transit_from {
+            task.transit = Some(terrain.transit(terrain.vertex(from), task.start));
+        }
+        if may_stay {
+            (task.woken, task.stood) = (state.rested, state.rested_awake);
+        }
+        Ok(Self {
+            held: state.not_before(),
+            waits_begun: state.waits_begun,
+            ..task
         })
     }
 
     /// The number of bits of a mask.
-    fn bits(&self) -> usize {
-        let demanded = self.demand.as_ref().is_some_and(TaskConstraint::has_bit);
-        self.waypoints.len() + usize::from(demanded)
+    pub fn bits(&self) -> usize {
+        self.waypoints.len() + self.conditions.required.len()
     }
 
     /// The vertices that it has to go along, where it has.
@@ -127,15 +186,6 @@ impl Task {
     pub fn levels(&self) -> usize {
         self.reserve
             .map_or(1, |r| r.full.max(r.initial) as usize + 1)
-    }
-
-    /// The number of counts by which its demand tells one way from another.
-    pub fn counted(&self) -> usize {
-        match self.demand {
-            Some(TaskConstraint::Wait { steps, .. }) => steps as usize + 1,
-            Some(TaskConstraint::Charge { .. }) => 2,
-            _ => 1,
-        }
     }
 
     /// The waypoint at a vertex, as a set of one; empty elsewhere.
@@ -178,8 +228,8 @@ impl Task {
 
     /// The last time at which what it may do differs from later ones.
     pub fn last_time(&self) -> Option<u32> {
-        let demanded = self.demand.as_ref().and_then(TaskConstraint::last_time);
-        demanded.max((self.held > 0).then_some(self.held))
+        let held = (self.held > 0).then_some(self.held);
+        self.conditions.last_time().max(held)
     }
 
     /// Its mask once it has begun to cross an arc; `None` where that is not its
@@ -194,17 +244,14 @@ impl Task {
         }
     }
 
-    /// The bit that beginning to cross an arc sets; none for most arcs.
+    /// The bits that beginning to cross an arc sets; none for most arcs.
     pub fn crossed(&self, arc: u32, now: Option<u32>) -> Mask {
-        match &self.demand {
-            Some(demand) if demand.is_set_by(arc, now) => 1 << self.waypoints.len(),
-            _ => 0,
-        }
+        self.conditions.done_by(arc, now) << self.waypoints.len()
     }
 
-    /// The bit of the demand; none where it has none.
-    pub fn demanded_bit(&self) -> Mask {
-        self.all() & !((1 << self.waypoints.len()) - 1)
+    /// The bit of something that must be done, by its number.
+    pub fn required_bit(&self, number: usize) -> Mask {
+        1 << (self.waypoints.len() + number)
     }
 
     /// Whether it may be at a vertex, the waypoints of the mask visited.
@@ -214,40 +261,35 @@ impl Task {
         {
             return false;
         }
-        let demand = self.demand.as_ref();
-        demand.is_none_or(|demand| demand.may_stand(v, mask, now))
+        self.conditions.may_stand(v, mask, now)
     }
 
     /// Whether it may begin to cross an arc.
     pub fn may_cross(&self, arc: u32, now: Option<u32>) -> bool {
-        let demand = self.demand.as_ref();
-        now.is_none_or(|now| now >= self.held)
-            && demand.is_none_or(|demand| demand.may_cross(arc, now))
+        now.is_none_or(|now| now >= self.held) && self.conditions.may_cross(arc, now)
     }
 
     /// Whether it may wait a step.
     pub fn may_wait(&self, v: Vertex, now: u32) -> bool {
-        let demand = self.demand.as_ref();
-        demand.is_none_or(|demand| demand.may_wait(v, now))
+        self.conditions.may_wait(v, now)
     }
 
     /// Whether it may charge at a vertex.
     pub fn may_charge(&self, terrain: &Terrain, v: Vertex, now: Option<u32>) -> bool {
-        let demand = self.demand.as_ref();
-        terrain.is_charger(v) && demand.is_none_or(|demand| demand.may_charge(v, now))
+        terrain.is_charger(v) && self.conditions.may_charge(v, now)
     }
 
-    /// Whether the mask has what it must have from some time on.
+    /// Whether what must be done before a time was done.
     pub fn is_on_time(&self, mask: Mask, now: u32) -> bool {
-        let from = self.demand.as_ref().and_then(TaskConstraint::set_from);
-        from.is_none_or(|from| now < from || mask & self.demanded_bit() != 0)
+        let due = self.conditions.due(now) << self.waypoints.len();
+        mask & due == due
     }
 
     /// Whether it is no more than to go from its start to its goal by way of its
     /// waypoints: without a battery, and nothing beside it asked for.
     pub fn is_plain(&self) -> bool {
         self.reserve.is_none()
-            && self.demand.is_none()
+            && self.conditions.is_empty()
             && self.transit.is_none()
             && matches!(self.bounds, Bounds::Free)
             && (self.held, self.not_before) == (0, 0)
@@ -255,13 +297,10 @@ impl Task {
 
     /// The latest arrival that is allowed.
     pub fn not_after(&self) -> u32 {
-        match self.demand {
-            Some(TaskConstraint::ArriveBy(time)) => time,
-            _ => u32::MAX,
-        }
+        self.conditions.not_after()
     }
 
-    /// The state at time 0; `None` where the demand forbids it.
+    /// The state at time 0; `None` where a condition forbids it.
     pub fn first(&self) -> Option<State> {
         let mask = self.first_mask();
         let state = State {
@@ -272,12 +311,52 @@ impl Task {
         if self.reserve.is_some_and(|r| r.initial < self.delay()) {
             return None;
         }
-        self.may_stand(self.start, mask, Some(0)).then_some(state)
+        let now = Some(self.delay());
+        self.may_stand(self.start, mask, now).then_some(state)
     }
 
     /// Whether being at a vertex with these waypoints visited is arriving.
     pub fn is_end(&self, v: Vertex, mask: Mask) -> bool {
-        v == self.goal && mask == self.all()
+        self.may_rest_at(v) && mask == self.all()
+    }
+
+    /// Whether being at a vertex at a time with these waypoints visited is an arrival
+    /// that is allowed.
+    pub fn may_end(&self, v: Vertex, mask: Mask, now: u32) -> bool {
+        let rests_elsewhere = |&(u, time): &(Vertex, u32)| u != v || now > time;
+        self.is_end(v, mask)
+            && now >= self.not_before
+            && self.not_resting.iter().all(rests_elsewhere)
+    }
+
+    /// Whether a vertex is its goal; each is one of an agent without a goal.
+    pub fn may_rest_at(&self, v: Vertex) -> bool {
+        self.goal.is_none_or(|goal| goal == v)
+    }
+
+    /// The vertices at which it may end.
+    pub fn ends(&self, terrain: &Terrain) -> Vec<Vertex> {
+        match (self.goal, self.along()) {
+            (Some(goal), _) => vec![goal],
+            (None, Some(path)) => path.last().copied().into_iter().collect(),
+            (None, None) => (0..terrain.size() as Vertex).collect(),
+        }
+    }
+
+    /// Where it is once a walk of it is over, where it stays: its goal, or the end of
+    /// the walk where it has none.
+    pub fn end_of(&self, walk: &[Place]) -> Option<Place> {
+        match self.goal {
+            Some(goal) => Some(Place::At(goal)),
+            None => walk.last().copied(),
+        }
+    }
+
+    /// Whether the last step of a walk is one of rest: in it, the agent might as
+    /// well have arrived.
+    pub fn ends_with_rest(&self, walk: &[Place]) -> bool {
+        matches!(walk, [.., before, Place::At(v)]
+            if *before == Place::At(*v) && self.may_rest_at(*v))
     }
 
     /// The same task for counting moves: without a battery, and without what is
@@ -286,7 +365,10 @@ impl Task {
     pub fn for_moves(&self) -> Self {
         Self {
             reserve: None,
-            demand: self.demand.clone().filter(TaskConstraint::has_bit),
+            conditions: Automaton {
+                required: self.conditions.required.clone(),
+                ..Automaton::default()
+            },
             ..self.clone()
         }
     }

@@ -73,7 +73,7 @@ impl<'i> Lone<'i> {
     /// Whether the task can end in a state.
     pub(crate) fn is_end(&self, state: &State) -> bool {
         let all = (1 << self.agent.waypoints.len()) - 1;
-        state.spot == Spot::At(self.agent.goal) && state.visited == all
+        state.spot == Spot::At(self.agent.goal_or_start()) && state.visited == all
     }
 
     /// Every state one step later, with the charges and moves of the step.

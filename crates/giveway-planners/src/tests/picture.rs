@@ -46,14 +46,14 @@ fn read_cell(text: &str, cell: Cell, agents: &mut BTreeMap<char, Agent>) -> char
         let agent = agents.entry(name).or_insert_with(|| Agent {
             name: name.to_string(),
             start: cell,
-            goal: cell,
+            goal: Some(cell),
             waypoints: Vec::new(),
             battery: None,
         });
         if chars.next_if_eq(&'!').is_some() {
             agent.waypoints.push(cell);
         } else if mark.is_ascii_uppercase() {
-            agent.goal = cell;
+            agent.goal = Some(cell);
         } else {
             agent.start = cell;
         }
@@ -76,12 +76,12 @@ fn a_picture_shows_grounds_marks_and_settings() {
     let [a, b] = shown.agents() else {
         panic!("{:?}", shown.agents());
     };
-    assert_eq!((a.start, a.goal), (Cell::new(0, 0), Cell::new(0, 0)));
+    assert_eq!((a.start, a.goal), (Cell::new(0, 0), Some(Cell::new(0, 0))));
     assert_eq!(
         (a.waypoints.as_slice(), a.battery),
         (&[Cell::new(1, 1)][..], None)
     );
-    assert_eq!((b.start, b.goal), (Cell::new(1, 0), Cell::new(2, 0)));
+    assert_eq!((b.start, b.goal), (Cell::new(1, 0), Some(Cell::new(2, 0))));
     let battery = Battery {
         capacity: 5,
         initial: 2,

@@ -34,7 +34,7 @@ pub(crate) fn plain(
         let agent = |(i, (&start, &goal)): (usize, (&Cell, &Cell))| Agent {
             name: i.to_string(),
             start,
-            goal,
+            goal: Some(goal),
             waypoints: Vec::new(),
             battery: None,
         };
@@ -47,7 +47,10 @@ pub(crate) fn plain(
 /// all configurations in the order of their losses; `None` where there is none.
 pub(crate) fn least_loss(instance: &Instance) -> Option<u32> {
     let cells = |cell: fn(&Agent) -> Cell| instance.agents().iter().map(cell).collect();
-    let (start, goals): (Vec<Cell>, Vec<Cell>) = (cells(|a| a.start), cells(|a| a.goal));
+    let (start, goals): (Vec<Cell>, Vec<Cell>) = (
+        cells(|a| a.start),
+        cells(giveway_model::Agent::goal_or_start),
+    );
     let mut open: BTreeMap<u32, BTreeSet<Vec<Cell>>> = BTreeMap::new();
     open.entry(0).or_default().insert(start);
     let mut closed = BTreeSet::new();

@@ -41,7 +41,7 @@ pub(crate) fn random(seed: u64, agents: usize) -> Instance {
             scene.agents.push(Agent {
                 name: i.to_string(),
                 start: starts[i],
-                goal: goals[i],
+                goal: Some(goals[i]),
                 waypoints: free[..rng.usize(..3).min(free.len())].to_vec(),
                 battery: Some(battery).filter(|_| rng.bool()),
             });

@@ -11,8 +11,8 @@ pub(super) enum Place {
     At(Cell),
     /// Half way of a slow move.
     Half(Cell, Cell),
-    /// At its goal, for good.
-    Arrived,
+    /// At this cell, for good, or where it vanishes for the last time.
+    Arrived(Cell),
     /// Vanished from its goal.
     Gone,
 }
@@ -29,7 +29,7 @@ pub(super) struct State {
 
 impl State {
     pub(super) fn has_arrived(self) -> bool {
-        matches!(self.place, Place::Arrived | Place::Gone)
+        matches!(self.place, Place::Arrived(_) | Place::Gone)
     }
 }
 
@@ -63,10 +63,9 @@ impl<'a> Lone<'a> {
     }
 
     /// The cell that a state takes up.
-    pub(super) fn cell(&self, state: State) -> Option<Cell> {
+    pub(super) const fn cell(state: State) -> Option<Cell> {
         match state.place {
-            Place::At(cell) => Some(cell),
-            Place::Arrived => Some(self.agent.goal),
+            Place::At(cell) | Place::Arrived(cell) => Some(cell),
             Place::Half(..) | Place::Gone => None,
         }
     }
@@ -92,9 +91,9 @@ impl<'a> Lone<'a> {
     pub(super) fn steps(&self, state: State) -> Vec<Step> {
         let mut steps = Vec::new();
         match state.place {
-            Place::Arrived | Place::Gone => {
-                let place = if self.instance.stays() {
-                    Place::Arrived
+            Place::Arrived(_) | Place::Gone => {
+                let place = if self.instance.keeps(self.agent) {
+                    state.place
                 } else {
                     Place::Gone
                 };
@@ -174,9 +173,10 @@ impl<'a> Lone<'a> {
             level,
         };
         steps.push(Step { to, crosses, spent });
-        if cell == self.agent.goal && seen.count_ones() as usize == waypoints.len() {
+        let may_rest = self.agent.goal.is_none_or(|goal| goal == cell);
+        if may_rest && seen.count_ones() as usize == waypoints.len() {
             let to = State {
-                place: Place::Arrived,
+                place: Place::Arrived(cell),
                 seen: 0,
                 level: 0,
             };

@@ -6,14 +6,14 @@ use super::lone::{Lone, Step};
 ///
 /// Two agents that are on one edge in one step in opposite directions swap; for
 /// slow moves, which take two steps, that is beginning less than two steps apart.
-pub(super) fn joint_steps(lones: &[Lone<'_>], steps: &[Vec<Step>]) -> Vec<Vec<Step>> {
+pub(super) fn joint_steps(steps: &[Vec<Step>]) -> Vec<Vec<Step>> {
     let mut chosen: Vec<Vec<Step>> = vec![Vec::new()];
-    for (lone, steps) in lones.iter().zip(steps) {
+    for steps in steps {
         let mut longer = Vec::new();
         for before in &chosen {
             for step in steps {
-                let others = lones.iter().zip(before);
-                let mut others = others.map(|(other, theirs)| collide(lone, step, other, theirs));
+                let others = before.iter();
+                let mut others = others.map(|theirs| collide(step, theirs));
                 if !others.any(|collides| collides) {
                     let mut more = before.clone();
                     more.push(*step);
@@ -26,9 +26,9 @@ pub(super) fn joint_steps(lones: &[Lone<'_>], steps: &[Vec<Step>]) -> Vec<Vec<St
     chosen
 }
 
-fn collide(a: &Lone<'_>, mine: &Step, b: &Lone<'_>, theirs: &Step) -> bool {
-    let here = a.cell(mine.to);
-    if here.is_some() && here == b.cell(theirs.to) {
+fn collide(mine: &Step, theirs: &Step) -> bool {
+    let here = Lone::cell(mine.to);
+    if here.is_some() && here == Lone::cell(theirs.to) {
         return true;
     }
     let Some((u, v)) = mine.crosses else {

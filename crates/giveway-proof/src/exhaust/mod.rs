@@ -156,7 +156,7 @@ impl Search<'_> {
         }
         let mut open: BTreeMap<u32, Vec<Joint>> = BTreeMap::new();
         let begins: Vec<Vec<Step>> = lones.iter().map(Lone::begin).collect();
-        for steps in meet::joint_steps(&lones, &begins) {
+        for steps in meet::joint_steps(&begins) {
             let memory = match &self.watch {
                 None => Some(Memory::default()),
                 Some(watch) => watch.begin(&lones, &steps),
@@ -206,7 +206,7 @@ impl Search<'_> {
         let steps = lones.iter().zip(&joint.states);
         let steps: Vec<Vec<Step>> = steps.map(|(lone, state)| lone.steps(*state)).collect();
         let mut next = Vec::new();
-        for chosen in meet::joint_steps(lones, &steps) {
+        for chosen in meet::joint_steps(&steps) {
             let memory = match &self.watch {
                 None => Some(Memory::default()),
                 Some(watch) => watch.step(lones, &joint.states, &chosen, joint.memory),

@@ -1,10 +1,11 @@
 //! A condition on a plan, watched step by step: what has to be remembered of the
 //! way so far, and when it can be met no more.
 
-use giveway_model::{Cell, Cost, Instance, Question};
+use giveway_model::condition::{Act, Times};
+use giveway_model::{Cell, Condition, Cost, Instance};
 
 use super::lone::{Lone, State, Step};
-use crate::Condition;
+use crate::condition::fits;
 
 /// What has been seen so far of what a condition is about.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, PartialOrd, Ord)]
@@ -28,42 +29,57 @@ pub(super) struct Watch<'a> {
     other: Option<usize>,
     /// The last time that matters; `None` where times do not.
     last: Option<u32>,
-    /// The time at which the agent must not be at the goal where it rests.
+    /// The time at which the agent must not be at a cell where it may rest.
     not_resting: Option<u32>,
 }
 
 impl<'a> Watch<'a> {
     /// `None` where the condition is about no agent, or nothing that agents do.
     pub(super) fn of(instance: &Instance, condition: &'a Condition) -> Option<Self> {
-        if !condition.fits(instance) {
+        if !fits(condition, instance) {
             return None;
         }
         let number = |name: &str| instance.agents().iter().position(|a| a.name == name);
-        let (agent, other) = match condition {
-            Condition::Arrival { agent, .. } | Condition::AtMost { agent, .. } => {
-                (number(agent), None)
-            }
-            Condition::Contrast(Question::Yield { agent, to, .. }) => (number(agent), number(to)),
-            Condition::Contrast(question) => (question.agent().and_then(number), None),
+        let other = match condition {
+            Condition::Before { second, .. } => number(&second.agent),
+            // A limit on the costs of all is one of the claim.
+            Condition::Below { agent: None, .. } => return None,
+            Condition::Never { .. }
+            | Condition::Visit { .. }
+            | Condition::Move { .. }
+            | Condition::Charge { .. }
+            | Condition::Below { agent: Some(_), .. } => None,
         };
+        let agent = condition.agent().and_then(number);
         let last = match condition {
-            Condition::Contrast(Question::Wait { from, to, .. }) => to.or(*from),
-            Condition::Contrast(
-                Question::Charge { time, .. }
-                | Question::Visit { time, .. }
-                | Question::Move { time, .. }
-                | Question::NoMove { time, .. },
-            ) => *time,
-            _ => None,
+            Condition::Never { times, .. } | Condition::Move { times, .. } => {
+                times.to.or(times.from)
+            }
+            Condition::Visit { .. }
+            | Condition::Charge { .. }
+            | Condition::Before { .. }
+            | Condition::Below { .. } => None,
         };
         let not_resting = match condition {
-            Condition::Contrast(Question::Visit { at, time, .. }) => {
-                let goal = agent
-                    .and_then(|index| instance.agents().get(index))
-                    .map(|a| a.goal);
-                time.filter(|_| instance.stays() && goal == Some(*at))
+            Condition::Never {
+                act: Act::Visit(at),
+                ..
+            } => {
+                let agent = agent.and_then(|index| instance.agents().get(index));
+                let may_rest = agent.is_some_and(|agent| {
+                    instance.keeps(agent) && agent.goal.is_none_or(|goal| goal == *at)
+                });
+                last.filter(|_| may_rest)
             }
-            _ => None,
+            Condition::Never {
+                act: Act::Move(..) | Act::SlowMove(_) | Act::Wait { .. } | Act::Charge(_),
+                ..
+            }
+            | Condition::Visit { .. }
+            | Condition::Move { .. }
+            | Condition::Charge { .. }
+            | Condition::Before { .. }
+            | Condition::Below { .. } => None,
         };
         Some(Self {
             condition,
@@ -76,7 +92,7 @@ impl<'a> Watch<'a> {
 
     /// The memory at time 0; `None` where the condition cannot be met any more.
     pub(super) fn begin(&self, lones: &[Lone<'_>], steps: &[Step]) -> Option<Memory> {
-        if matches!(self.condition, Condition::Arrival { before: 0, .. }) {
+        if matches!(self.condition, Condition::Below { limit: 0, .. }) {
             return None;
         }
         self.come(lones, steps, Memory::default())
@@ -91,16 +107,13 @@ impl<'a> Watch<'a> {
         memory: Memory,
     ) -> Option<Memory> {
         let mut memory = memory;
-        if let Some(((lone, from), step)) = self
-            .agent
-            .and_then(|i| lones.get(i).zip(before.get(i)).zip(steps.get(i)))
-        {
+        if let Some((from, step)) = self.agent.and_then(|i| before.get(i).zip(steps.get(i))) {
             // To arrive where it waited is to have arrived before.
             let waits = step.crosses.is_none() && !from.has_arrived();
             if waits && step.to.has_arrived() {
                 return None;
             }
-            memory = self.leave(lone, *from, step, memory)?;
+            memory = self.leave(*from, step, memory)?;
         }
         memory.time = self.last.map_or(0, |last| {
             memory.time.saturating_add(1).min(last.saturating_add(1))
@@ -111,83 +124,62 @@ impl<'a> Watch<'a> {
     /// Whether the condition is met once all agents have arrived.
     pub(super) fn is_met(&self, memory: Memory) -> bool {
         match self.condition {
-            Condition::Contrast(
-                Question::NoCharge { .. }
-                | Question::NoVisit { .. }
-                | Question::NoMove { .. }
-                | Question::Order { .. }
-                | Question::Yield { .. },
-            ) => memory.done,
-            _ => self.not_resting.is_none_or(|time| memory.time > time),
+            Condition::Visit { .. }
+            | Condition::Move { .. }
+            | Condition::Charge { .. }
+            | Condition::Before { .. } => memory.done,
+            Condition::Never { .. } | Condition::Below { .. } => {
+                self.not_resting.is_none_or(|time| memory.time > time)
+            }
         }
     }
 
     /// What the agent does from one time to the next.
-    fn leave(&self, lone: &Lone<'_>, from: State, step: &Step, memory: Memory) -> Option<Memory> {
+    fn leave(&self, from: State, step: &Step, memory: Memory) -> Option<Memory> {
         let mut memory = memory;
         let takes = |cost: Cost| step.spent[cost as usize];
-        let here = lone.cell(from);
-        let now = |time: &Option<u32>| time.is_none_or(|time| time == memory.time);
+        let here = Lone::cell(from);
+        let now = |times: &Times| times.contains(memory.time);
         let there = |at: &Option<Cell>| at.is_none_or(|at| here == Some(at));
-        let begins = |u: &Cell, v: &Cell| takes(Cost::Moves) > 0 && step.crosses == Some((*u, *v));
+        let begins = |u: Cell, v: Cell| takes(Cost::Moves) > 0 && step.crosses == Some((u, v));
         let excluded = match self.condition {
-            Condition::Arrival { before, .. } => {
-                memory.count = memory.count.saturating_add(takes(Cost::Makespan));
-                memory.count >= *before
-            }
-            Condition::AtMost { cost, most, .. } => {
+            Condition::Below { cost, limit, .. } => {
                 memory.count = memory.count.saturating_add(takes(*cost));
-                memory.count > *most
+                memory.count >= *limit
             }
-            Condition::Contrast(Question::Wait {
-                at,
-                from,
-                to,
-                at_least,
-                ..
-            }) => {
-                let begun = from.is_none_or(|from| from <= memory.time);
-                let then = begun && to.is_none_or(|to| memory.time < to);
-                let waits = takes(Cost::Waits) > 0 && there(at) && then;
-                // As many as are too many are enough to know.
-                memory.count = if waits {
-                    memory.count.saturating_add(1)
-                } else {
-                    0
-                };
-                memory.count >= at_least.unwrap_or(1).max(1)
-            }
-            Condition::Contrast(Question::Charge { at, time, .. }) => {
-                takes(Cost::Charges) > 0 && there(at) && now(time)
-            }
-            Condition::Contrast(Question::NoCharge { at, .. }) => {
-                memory.done |= takes(Cost::Charges) > 0 && here == Some(*at);
+            Condition::Charge { cell, .. } => {
+                memory.done |= takes(Cost::Charges) > 0 && here == Some(*cell);
                 false
             }
-            Condition::Contrast(Question::Move {
-                from_cell,
-                to_cell,
-                time,
-                ..
-            }) => begins(from_cell, to_cell) && now(time),
-            Condition::Contrast(Question::NoMove {
-                from_cell,
-                to_cell,
-                time,
-                ..
-            }) => {
-                let happens = begins(from_cell, to_cell) && now(time);
+            Condition::Move {
+                from, to, times, ..
+            } => {
+                let happens = begins(*from, *to) && now(times);
                 memory.done |= happens;
                 false
             }
-            Condition::Contrast(Question::Slow {
-                from_cell, to_cell, ..
-            }) => {
-                let edge = from_cell.zip(*to_cell);
-                let slow = lone.cell(step.to).is_none() && !step.to.has_arrived();
-                slow && edge.is_none_or(|(u, v)| begins(&u, &v) || begins(&v, &u))
-            }
-            Condition::Contrast(_) => false,
+            Condition::Never { act, times, .. } => match act {
+                Act::Wait { cell, steps } => {
+                    let then = times.first() <= memory.time && memory.time < times.last();
+                    let waits = takes(Cost::Waits) > 0 && there(cell) && then;
+                    // As many as are too many are enough to know.
+                    memory.count = if waits {
+                        memory.count.saturating_add(1)
+                    } else {
+                        0
+                    };
+                    memory.count >= (*steps).max(1)
+                }
+                Act::Charge(cell) => takes(Cost::Charges) > 0 && there(cell) && now(times),
+                Act::Move(from, to) => begins(*from, *to) && now(times),
+                Act::SlowMove(edge) => {
+                    let slow = Lone::cell(step.to).is_none() && !step.to.has_arrived();
+                    let asked = edge.is_none_or(|(u, v)| begins(u, v) || begins(v, u));
+                    slow && asked && now(times)
+                }
+                Act::Visit(_) => false,
+            },
+            Condition::Visit { .. } | Condition::Before { .. } => false,
         };
         (!excluded).then_some(memory)
     }
@@ -195,39 +187,36 @@ impl<'a> Watch<'a> {
     /// Where the agents are at the next time.
     fn come(&self, lones: &[Lone<'_>], steps: &[Step], memory: Memory) -> Option<Memory> {
         let mut memory = memory;
-        let cell = |i: usize| {
+        let at = |i: usize| {
             lones
                 .get(i)
                 .zip(steps.get(i))
-                .and_then(|(a, s)| a.cell(s.to))
+                .and_then(|(_, s)| Lone::cell(s.to))
         };
-        let here = self.agent.and_then(cell);
-        let Condition::Contrast(question) = self.condition else {
-            return Some(memory);
-        };
-        let excluded = match question {
-            Question::Visit { at, time, .. } => {
-                here == Some(*at) && time.is_none_or(|time| time == memory.time)
-            }
-            Question::NoVisit { agent: None, at } => {
-                memory.done |= (0..steps.len()).any(|i| cell(i) == Some(*at));
+        let here = self.agent.and_then(at);
+        let excluded = match self.condition {
+            Condition::Never {
+                act: Act::Visit(cell),
+                times,
+                ..
+            } => here == Some(*cell) && times.contains(memory.time),
+            Condition::Visit { agent, cell } => {
+                memory.done |= match agent {
+                    Some(_) => here == Some(*cell),
+                    None => (0..steps.len()).any(|i| at(i) == Some(*cell)),
+                };
                 false
             }
-            Question::NoVisit { at, .. } => {
-                memory.done |= here == Some(*at);
-                false
-            }
-            Question::Order { first, second, .. } => {
-                memory.late |= here == Some(*first);
-                memory.done |= here == Some(*second) && !memory.late;
+            Condition::Before { first, second } => {
+                let other = self.other.and_then(at);
+                memory.late |= other == Some(second.cell);
+                memory.done |= here == Some(first.cell) && !memory.late;
                 memory.late && !memory.done
             }
-            Question::Yield { at, .. } => {
-                memory.late |= self.other.and_then(cell) == Some(*at);
-                memory.done |= here == Some(*at) && !memory.late;
-                memory.late && !memory.done
-            }
-            _ => false,
+            Condition::Never { .. }
+            | Condition::Move { .. }
+            | Condition::Charge { .. }
+            | Condition::Below { .. } => false,
         };
         // Once it is done, it does not matter any more.
         memory.late &= !memory.done;

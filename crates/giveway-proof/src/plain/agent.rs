@@ -37,13 +37,19 @@ impl<'a> Walker<'a> {
         } = world;
         let (grid, agent) = (instance.grid(), &instance.agents()[index]);
         let from_start = Distances::from(grid, agent.start);
-        let to_goal = Distances::from(grid, agent.goal);
+        let to_goal = agent.goal.map(|goal| Distances::from(grid, goal));
         // Where the goal is too far there would be no variable at all, and a
         // proof about nothing: then only the distance from the start counts.
-        let in_reach = to_goal.to(agent.start).is_some_and(|steps| steps <= last);
+        let to_goal = to_goal.filter(|to_goal| {
+            let steps = to_goal.to(agent.start);
+            steps.is_some_and(|steps| steps <= last)
+        });
         let may_be = |cell: Cell, time: u32| {
             from_start.to(cell).is_some_and(|steps| steps <= time)
-                && (!in_reach || to_goal.to(cell).is_some_and(|steps| steps <= last - time))
+                && to_goal.as_ref().is_none_or(|to_goal| {
+                    let steps = to_goal.to(cell);
+                    steps.is_some_and(|steps| steps <= last - time)
+                })
         };
         let cells: Vec<Cell> = grid
             .cells()

@@ -1,10 +1,10 @@
-//! The condition that a question sets another plan, in clauses.
+//! The condition that a claim sets plans, in clauses.
 
-use giveway_model::{Cell, Instance, Question};
+use giveway_model::condition::{Act, Times};
+use giveway_model::{Cell, Condition, Cost, Instance};
 
 use super::agent::Walker;
 use super::{Cnf, Lit, Name, NoFormula, count};
-use crate::condition::Condition;
 
 /// Says that the condition holds.
 pub(super) fn require(
@@ -18,55 +18,93 @@ pub(super) fn require(
         let index = instance.agents().iter().position(|a| a.name == name);
         index.and_then(|i| walkers.get(i)).ok_or(NoFormula::NoAgent)
     };
+    let always = Times::default();
     match condition {
-        Condition::Arrival { agent, before } => {
-            let walker = find(agent)?;
-            cnf.clause(before.checked_sub(1).and_then(|time| walker.done_by(time)));
+        Condition::Never { agent, act, times } => {
+            exclude(cnf, instance, find(agent)?, *act, *times);
         }
-        Condition::AtMost { agent, cost, most } => {
-            let walker = find(agent)?;
-            let counted = walker.counted(cnf, *cost);
-            count::at_most(cnf, *cost, &[counted], false, *most as usize, limit);
+        Condition::Visit { agent: None, cell } => {
+            let visits = walkers.iter().flat_map(|it| it.visits(*cell, always));
+            cnf.clause(visits.collect::<Vec<Lit>>());
         }
-        Condition::Contrast(question) => {
-            if let Question::NoVisit { agent: None, at } = question {
-                let visits = walkers.iter().flat_map(|walker| walker.visits(*at, None));
-                cnf.clause(visits.collect::<Vec<Lit>>());
-            } else {
-                let walker = find(question.agent().ok_or(NoFormula::NoAgent)?)?;
-                let other = match question {
-                    Question::Yield { to, .. } => Some(find(to)?),
-                    _ => None,
-                };
-                contrast(cnf, instance, question, walker, other);
+        Condition::Visit {
+            agent: Some(agent),
+            cell,
+        } => cnf.clause(find(agent)?.visits(*cell, always)),
+        Condition::Move {
+            agent,
+            from,
+            to,
+            times,
+        } => one_happens(cnf, find(agent)?.moves_between(*from, *to, *times)),
+        Condition::Charge { agent, cell } => {
+            let walker = find(agent)?;
+            let there = walker.charging().into_iter();
+            let both = there.filter_map(|(charge, when)| {
+                let there = walker.at(*cell, when)?;
+                Some((vec![charge, there], when))
+            });
+            one_happens(cnf, both.collect());
+        }
+        Condition::Before { first, second } => {
+            let (early, late) = (find(&first.agent)?, find(&second.agent)?);
+            before(cnf, (early, first.cell), (late, second.cell));
+        }
+        Condition::Below {
+            agent,
+            cost,
+            limit: below,
+        } => {
+            // A limit on the costs of all is one of the claim.
+            let walker = find(agent.as_deref().ok_or(NoFormula::NoAgent)?)?;
+            let most = below.checked_sub(1);
+            match cost {
+                Cost::Makespan | Cost::SumOfCosts => {
+                    cnf.clause(most.and_then(|time| walker.done_by(time)));
+                }
+                Cost::Charges | Cost::Moves | Cost::Waits => match most {
+                    None => cnf.clause([]),
+                    Some(most) => {
+                        let counted = walker.counted(cnf, *cost);
+                        count::at_most(cnf, *cost, &[counted], false, most as usize, limit);
+                    }
+                },
             }
         }
     }
     Ok(())
 }
 
-fn contrast(
-    cnf: &mut Cnf,
-    instance: &Instance,
-    question: &Question,
-    walker: &Walker<'_>,
-    other: Option<&Walker<'_>>,
-) {
-    match question {
-        Question::Wait {
-            at,
-            from,
-            to,
-            at_least,
-            ..
-        } => {
-            let cells: Vec<Cell> = match at {
-                Some(cell) => vec![*cell],
+/// Says that the agent does this at none of the times.
+fn exclude(cnf: &mut Cnf, instance: &Instance, walker: &Walker<'_>, act: Act, times: Times) {
+    match act {
+        Act::Visit(cell) => {
+            for there in walker.visits(cell, times) {
+                cnf.clause([-there]);
+            }
+            // After the horizon it rests where it arrived.
+            if !times.are_all() && times.last() > walker.last() {
+                walker.exclude_rest(cnf, cell);
+            }
+        }
+        Act::Move(from, to) => {
+            for (begins, _) in walker.moves_between(from, to, times) {
+                cnf.implies(&begins, []);
+            }
+        }
+        Act::SlowMove(edge) => {
+            for half in walker.slow_moves(edge, times) {
+                cnf.clause([-half]);
+            }
+        }
+        Act::Wait { cell, steps } => {
+            let cells: Vec<Cell> = match cell {
+                Some(cell) => vec![cell],
                 None => instance.grid().cells().map(|(cell, _)| cell).collect(),
             };
-            let steps = at_least.unwrap_or(1).max(1);
-            let end = to.unwrap_or(u32::MAX).min(walker.last());
-            for begin in from.unwrap_or(0)..=end.saturating_sub(steps) {
+            let steps = steps.max(1);
+            let end = times.last().min(walker.last());
+            for begin in times.first()..=end.saturating_sub(steps) {
                 if begin.saturating_add(steps) > end {
                     break;
                 }
@@ -75,13 +113,13 @@ fn contrast(
                 }
             }
         }
-        Question::Charge { at, time, .. } => {
+        Act::Charge(cell) => {
             for (charge, when) in walker.charging() {
-                if time.is_none_or(|time| time == when) {
-                    match at {
+                if times.contains(when) {
+                    match cell {
                         None => cnf.clause([-charge]),
                         Some(cell) => {
-                            if let Some(there) = walker.at(*cell, when) {
+                            if let Some(there) = walker.at(cell, when) {
                                 cnf.clause([-charge, -there]);
                             }
                         }
@@ -89,66 +127,6 @@ fn contrast(
                 }
             }
         }
-        Question::NoCharge { at, .. } => {
-            let there = walker.charging().into_iter();
-            let both = there.filter_map(|(charge, when)| {
-                let there = walker.at(*at, when)?;
-                Some((vec![charge, there], when))
-            });
-            one_happens(cnf, both.collect());
-        }
-        Question::Visit { at, time, .. } => {
-            for there in walker.visits(*at, *time) {
-                cnf.clause([-there]);
-            }
-            // After the horizon it rests at its goal.
-            if time.is_some_and(|time| time > walker.last()) && walker.rests_at(*at) {
-                cnf.clause([]);
-            }
-        }
-        Question::NoVisit { at, .. } => cnf.clause(walker.visits(*at, None)),
-        Question::Move {
-            from_cell,
-            to_cell,
-            time,
-            ..
-        } => {
-            for (begins, _) in walker.moves_between(*from_cell, *to_cell, *time) {
-                cnf.implies(&begins, []);
-            }
-        }
-        Question::NoMove {
-            from_cell,
-            to_cell,
-            time,
-            ..
-        } => one_happens(cnf, walker.moves_between(*from_cell, *to_cell, *time)),
-        Question::Slow {
-            from_cell, to_cell, ..
-        } => {
-            let edge = from_cell.zip(*to_cell);
-            for half in walker.slow_moves(edge) {
-                cnf.clause([-half]);
-            }
-        }
-        Question::Order { first, second, .. } => {
-            before(cnf, (walker, *second), (walker, *first));
-        }
-        Question::Yield { at, .. } => {
-            if let Some(other) = other {
-                before(cnf, (walker, *at), (other, *at));
-            }
-        }
-        // These are limits of costs, or no conditions at all.
-        Question::Arrival { .. }
-        | Question::Length { .. }
-        | Question::Makespan
-        | Question::SumOfCosts
-        | Question::Charges { .. }
-        | Question::Moves { .. }
-        | Question::Waits { .. }
-        | Question::Unsolvable
-        | Question::Plan => {}
     }
 }
 

@@ -3,7 +3,7 @@
 
 use std::cell::Cell;
 
-use giveway_model::{AtGoal, Instance};
+use giveway_model::{AtGoal, Cost, Instance};
 
 use super::{OPTIONS, judge, search};
 use crate::{
@@ -11,7 +11,7 @@ use crate::{
     lacam::{Ended, Options, lacam},
     plain::{Plain, Unsupported},
     problem::{Problem, Relaxed},
-    single::{Bounds, TaskConstraint},
+    single::Bounds,
     tests::{instance, plain},
 };
 
@@ -80,6 +80,10 @@ impl Budget for Looks {
     }
 
     fn tick(&self) -> Result<(), Stop> {
+        self.check()
+    }
+
+    fn spend(&self, _states: u64) -> Result<(), Stop> {
         self.check()
     }
 
@@ -158,9 +162,7 @@ fn what_it_cannot_do_is_refused_by_name() {
     for (picture, expected) in cases {
         assert_eq!(refused(picture, same), Some(expected));
     }
-    let demand = |problem: &mut Problem| {
-        problem.tasks[1].demand = Some(TaskConstraint::ArriveBy(9));
-    };
+    let condition = |problem: &mut Problem| problem.tasks[1].conditions.limit(Cost::Makespan, 9);
     let bounds =
         |problem: &mut Problem| problem.tasks[1].bounds = Bounds::Within([true; 6].to_vec().into());
     let held = |problem: &mut Problem| problem.tasks[1].held = 1;
@@ -171,7 +173,7 @@ fn what_it_cannot_do_is_refused_by_name() {
         };
     };
     let two = "a . A\nb . B";
-    assert_eq!(refused(two, demand), Some(Unsupported::Demand(1)));
+    assert_eq!(refused(two, condition), Some(Unsupported::Condition(1)));
     assert_eq!(refused(two, bounds), Some(Unsupported::Bounds(1)));
     assert_eq!(refused(two, held), Some(Unsupported::UnderWay(1)));
     assert_eq!(refused(two, relaxed), Some(Unsupported::Relaxed));

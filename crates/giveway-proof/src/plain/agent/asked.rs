@@ -1,6 +1,7 @@
 //! The literals of one agent that others ask for: conditions, and agents that meet.
 
 use giveway_model::Cell;
+use giveway_model::condition::Times;
 
 use super::{Cnf, Lit, Walker};
 
@@ -18,7 +19,7 @@ impl Walker<'_> {
     /// The literal that it has vanished at a time, where agents vanish: it
     /// arrived before.
     pub(super) fn gone(&self, time: u32) -> Option<Lit> {
-        if self.world.instance.stays() {
+        if self.world.instance.keeps(self.agent) {
             return None;
         }
         self.done.get((time as usize).checked_sub(1)?).copied()
@@ -35,19 +36,23 @@ impl Walker<'_> {
         self.done.get(time.min(self.world.last) as usize).copied()
     }
 
-    /// Whether it stays at this cell in the end.
-    pub(in crate::plain) fn rests_at(&self, cell: Cell) -> bool {
-        self.world.instance.stays() && self.agent.goal == cell
+    /// It does not stay at this cell in the end.
+    pub(in crate::plain) fn exclude_rest(&self, cnf: &mut Cnf, cell: Cell) {
+        match self.agent.goal {
+            Some(goal) if self.world.instance.stays() && goal == cell => cnf.clause([]),
+            Some(_) => {}
+            None => {
+                if let Some(there) = self.at(cell, self.world.last) {
+                    cnf.clause([-there]);
+                }
+            }
+        }
     }
 
-    /// The literals that it is at a cell, at one time or at any.
-    pub(in crate::plain) fn visits(&self, cell: Cell, time: Option<u32>) -> Vec<Lit> {
-        match time {
-            Some(time) => self.at(cell, time).into_iter().collect(),
-            None => (0..=self.world.last)
-                .filter_map(|time| self.at(cell, time))
-                .collect(),
-        }
+    /// The literals that it is at a cell at one of some times.
+    pub(in crate::plain) fn visits(&self, cell: Cell, times: Times) -> Vec<Lit> {
+        let times = times.first()..=times.last().min(self.world.last);
+        times.filter_map(|time| self.at(cell, time)).collect()
     }
 
     /// The literals that it charges, with their times.
@@ -69,23 +74,20 @@ impl Walker<'_> {
         }
     }
 
-    /// What holds where it begins to go from one cell to another, at one time or
-    /// at any; all literals of an entry together.
+    /// What holds where it begins to go from one cell to another at one of some
+    /// times; all literals of an entry together.
     pub(in crate::plain) fn moves_between(
         &self,
         u: Cell,
         v: Cell,
-        time: Option<u32>,
+        times: Times,
     ) -> Vec<(Vec<Lit>, u32)> {
         let grid = self.world.instance.grid();
         let mut moves = Vec::new();
         if !u.touches(v) {
             return moves;
         }
-        for begin in 0..self.world.last {
-            if time.is_some_and(|time| time != begin) {
-                continue;
-            }
+        for begin in (0..self.world.last).filter(|&begin| times.contains(begin)) {
             if grid.is_slow_edge(u, v) {
                 let half = self.transit(u, v, begin + 1);
                 moves.extend(half.map(|half| (vec![half], begin)));
@@ -97,10 +99,16 @@ impl Walker<'_> {
     }
 
     /// The literals of its slow moves, over one edge either way or over any.
-    pub(in crate::plain) fn slow_moves(&self, edge: Option<(Cell, Cell)>) -> Vec<Lit> {
+    pub(in crate::plain) fn slow_moves(
+        &self,
+        edge: Option<(Cell, Cell)>,
+        times: Times,
+    ) -> Vec<Lit> {
         let asked = |&(u, v): &(Cell, Cell)| edge.is_none_or(|e| e == (u, v) || e == (v, u));
-        let moves = self.transit.iter().flatten();
-        moves
+        let halves = self.transit.iter().zip(0u32..);
+        let begun = halves.filter(|(_, half)| times.contains(half.saturating_sub(1)));
+        begun
+            .flat_map(|(moves, _)| moves)
             .filter(|(edge, _)| asked(edge))
             .map(|(_, &half)| half)
             .collect()

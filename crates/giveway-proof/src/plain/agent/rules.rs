@@ -32,7 +32,7 @@ impl Walker<'_> {
                         then.extend(self.at(v, time + 1));
                     }
                 }
-                if u == self.agent.goal {
+                if Some(u) == self.agent.goal {
                     then.extend(self.gone(time + 1));
                 }
                 cnf.implies(&[here], then);
@@ -75,7 +75,10 @@ impl Walker<'_> {
     /// It arrives at its goal once all waypoints are seen, for good, and no later
     /// than it stays there for good: arrivals are exact.
     pub(super) fn arrive(&self, cnf: &mut Cnf) {
-        let goal = self.agent.goal;
+        let Some(goal) = self.agent.goal else {
+            self.come_to_rest(cnf);
+            return;
+        };
         for time in 0..=self.world.last {
             let t = time as usize;
             let done = self.done[t];
@@ -98,6 +101,32 @@ impl Walker<'_> {
                 let mut ready = vec![done, was_there];
                 ready.extend(self.seen.iter().map(|(_, seen)| seen[t - 1]));
                 cnf.implies(&ready, [before]);
+            }
+        }
+        cnf.clause(self.done.last().copied());
+    }
+
+    /// The same of an agent without a goal: once arrived it is at one cell for good.
+    fn come_to_rest(&self, cnf: &mut Cnf) {
+        for time in 0..=self.world.last {
+            let t = time as usize;
+            let done = self.done[t];
+            cnf.implies(&[done], self.at[t].values().copied());
+            for (_, seen) in &self.seen {
+                cnf.implies(&[done], [seen[t]]);
+            }
+            let Some(before) = time.checked_sub(1).map(|t| self.done[t as usize]) else {
+                continue;
+            };
+            cnf.implies(&[before], [done]);
+            for (&cell, &was_there) in &self.at[t - 1] {
+                let there = self.at(cell, time);
+                cnf.implies(&[before, was_there], there);
+                if let Some(there) = there {
+                    let mut ready = vec![done, was_there, there];
+                    ready.extend(self.seen.iter().map(|(_, seen)| seen[t - 1]));
+                    cnf.implies(&ready, [before]);
+                }
             }
         }
         cnf.clause(self.done.last().copied());
